@@ -1,0 +1,42 @@
+# Language level, warnings and code generation shared by every target, as the interface target gaitway_compiler.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 11)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+add_library(gaitway_compiler INTERFACE)
+target_compile_options(gaitway_compiler INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
+  # Unloadable plug-ins: a unique symbol would pin the library in memory for ever.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>
+  # The same bits on every build: no fused multiply-add that depends on the optimiser's mood.
+  -ffp-contract=off
+  # Two build directories give the same binaries.
+  "-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
+if(GAITWAY_WARNINGS_AS_ERRORS)
+  target_compile_options(gaitway_compiler INTERFACE -Werror)
+endif()
+if(GAITWAY_SANITIZE)
+  target_compile_options(gaitway_compiler INTERFACE -fsanitize=${GAITWAY_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(gaitway_compiler INTERFACE -fsanitize=${GAITWAY_SANITIZE})
+  if(GAITWAY_SANITIZE MATCHES "undefined")
+    target_compile_options(gaitway_compiler INTERFACE -fno-sanitize-recover=undefined)
+  endif()
+endif()

@@ -1,0 +1,31 @@
+# Third-party libraries: distribution packages, and the MuJoCo wheel that ./dev unpacks into .deps/mujoco.
+find_package(Threads REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(orocos_kdl REQUIRED)
+find_package(urdfdom REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(PNG REQUIRED)
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
+if(GAITWAY_TESTS)
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
+if(GAITWAY_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()
+
+set(GAITWAY_MUJOCO_DIR "${PROJECT_SOURCE_DIR}/.deps/mujoco" CACHE PATH
+    "Folder with libmujoco.so.4.0.0 and include/mujoco/mujoco.h (./dev setup fills the default)")
+set(gaitway_mujoco_library "${GAITWAY_MUJOCO_DIR}/libmujoco.so.4.0.0")
+if(NOT EXISTS "${gaitway_mujoco_library}")
+  message(FATAL_ERROR "MuJoCo 4.0.0 not found: ${gaitway_mujoco_library} is missing. "
+                      "Run './dev setup', or set GAITWAY_MUJOCO_DIR to an unpacked mujoco-core 4.0.0 wheel.")
+endif()
+add_library(mujoco::mujoco SHARED IMPORTED)
+set_target_properties(mujoco::mujoco PROPERTIES
+  IMPORTED_LOCATION "${gaitway_mujoco_library}"
+  INTERFACE_INCLUDE_DIRECTORIES "${GAITWAY_MUJOCO_DIR}/include")

@@ -1,0 +1,50 @@
+# The few functions with which a room declares its targets, so that each CMakeLists.txt stays a few lines.
+
+# The public headers of a room: its include/ folder. The warnings apply to what we compile, not to our users.
+function(gaitway_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  if(arg_SOURCES)
+    add_library(gaitway_${name} STATIC ${arg_SOURCES})
+    target_include_directories(gaitway_${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    target_link_libraries(gaitway_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS} $<BUILD_INTERFACE:gaitway_compiler>)
+  else()
+    add_library(gaitway_${name} INTERFACE)
+    target_include_directories(gaitway_${name} INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    target_link_libraries(gaitway_${name} INTERFACE ${arg_LINKS})
+  endif()
+  add_library(gaitway::${name} ALIAS gaitway_${name})
+endfunction()
+
+# A plug-in: lib/libgaitway_plugin_<name>.so with the entry symbol visible and nothing else.
+function(gaitway_plugin name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(gaitway_plugin_${name} MODULE ${arg_SOURCES})
+  target_link_libraries(gaitway_plugin_${name} PRIVATE gaitway::plugin ${arg_LINKS} gaitway_compiler)
+  target_link_options(gaitway_plugin_${name} PRIVATE
+    "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plugin.map" "LINKER:--exclude-libs,ALL")
+  set_target_properties(gaitway_plugin_${name} PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/plugin.map")
+endfunction()
+
+function(gaitway_executable name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINKS} gaitway_compiler)
+endfunction()
+
+# One test binary a room; every GoogleTest case becomes a ctest case. LABELS: long for what only --long runs.
+function(gaitway_test name)
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gtest_main GTest::gmock gaitway_compiler)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+endfunction()
+
+function(gaitway_benchmark name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINKS} benchmark::benchmark_main gaitway_compiler)
+endfunction()
