@@ -1,0 +1,61 @@
+// A piece of shared memory: a sealed memfd and its mapping.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace gaitway::msgclient {
+
+// Owns a file descriptor.
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int fd) noexcept : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~FileDescriptor();
+  [[nodiscard]] int get() const noexcept { return fd_; }
+  [[nodiscard]] explicit operator bool() const noexcept { return fd_ >= 0; }
+
+ private:
+  int fd_ = -1;
+};
+
+enum class Access : std::uint32_t { read_only = 0, read_write = 1 };
+
+// A mapping of shared memory with the descriptor behind it. Cannot be truncated or grown by anybody: the size
+// is sealed. A segment has exactly one writing side; all others get a descriptor opened read-only, which the
+// kernel refuses to map writable. The file belongs to the owner's user alone (mode 0600), so that under
+// another user it cannot be reopened for writing through /proc either; within one user that protects against
+// accidents, which is what it is for.
+class Segment {
+ public:
+  // Makes zeroed memory. Throws std::system_error.
+  static Segment create(const std::string& name, std::size_t bytes);
+  // Maps received memory; checks the seals and the size. Throws TopicError or std::system_error.
+  static Segment map(FileDescriptor fd, std::size_t bytes, Access access);
+
+  Segment(Segment&& other) noexcept;
+  Segment& operator=(Segment&& other) noexcept;
+  ~Segment();
+
+  [[nodiscard]] void* data() const noexcept { return data_; }
+  [[nodiscard]] std::size_t size() const noexcept { return bytes_; }
+  [[nodiscard]] int fd() const noexcept { return fd_.get(); }
+  // A further descriptor of the same memory through which it can only be read.
+  [[nodiscard]] FileDescriptor reopen_read_only() const;
+
+ private:
+  Segment(FileDescriptor fd, void* data, std::size_t bytes) noexcept;
+
+  FileDescriptor fd_;
+  void* data_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace gaitway::msgclient
