@@ -25,6 +25,8 @@ std::string_view reason_text(Reason reason) noexcept {
       return "a change between two points is too large for a trajectory frame";
     case Reason::beyond_limits:
       return "a position is outside the joint's limits";
+    case Reason::stopping:
+      return "a stop was asked for: the safe tail plays to its end first";
     case Reason::emergency_stopped:
       return "the robot is in emergency stop";
     case Reason::not_standing:

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/hand_over.hpp"
@@ -37,6 +38,8 @@ struct EmiTiming {
     return (cycles * 1'000'000'000 + clock_hz - 1) / clock_hz;
   }
 };
+
+inline constexpr std::size_t kAnswerSlots = 16;  // answers that may wait for the host
 
 enum class PostStatus : std::uint8_t {
   posted,
@@ -111,6 +114,8 @@ class EmiHost {
   EmiStatistics statistics_;
   EmiFaults faults_;
   std::int64_t bus_free_ns_ = 0;
+  std::uint64_t rings_seen_ = 0;
+  std::uint64_t answers_announced_ = 0;
 };
 
 // The message controller's side. For the cycle, too.
@@ -135,16 +140,17 @@ class EmiMessage {
   }  // only lose_doorbells has a meaning on this side
 
  private:
-  TakeStatus take_words(MailKind mail, std::int64_t now_ns, std::span<const std::uint32_t>& words) noexcept;
-  void ring() noexcept;
+  // The words of the mail that waits, marked as taken; empty: none.
+  std::span<const std::uint32_t> fetch(MailKind mail, std::int64_t now_ns) noexcept;
+  TakeStatus damaged(MailKind mail, std::uint32_t sequence) noexcept;
+  [[nodiscard]] bool answers_full() const noexcept;
 
   std::unique_ptr<EmiWindow> window_;
   EmiFaults faults_;
   std::uint64_t corrupt_ = 0;
   std::uint64_t rings_seen_ = 0;
+  std::array<std::uint64_t, kMailKinds> announced_{};  // mails that a doorbell has announced
 };
-
-inline constexpr std::size_t kAnswerSlots = 16;
 
 // Both sides in one process, for virtual time.
 class EmiAdapter {
