@@ -1,0 +1,51 @@
+// Gives the memory block to other processes, over a Unix socket. Passive: step() serves what has come and
+// returns.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <list>
+
+#include "gaitway/msgclient/memory_block.hpp"
+
+namespace gaitway::msgclient {
+
+// A client gets descriptors of shared memory: writable for what it writes, read-only for the rest. Its claims
+// end with its connection, so that a process that was killed can be started again. Clients speak to the
+// server during set-up only.
+class MemoryBlockServer {
+ public:
+  // Listens on `socket`; a stale socket file is replaced. Only this user can connect. Throws TopicError if
+  // another server answers there or the path is unusable.
+  MemoryBlockServer(const MemoryBlock& block, std::filesystem::path socket);
+  ~MemoryBlockServer();
+  MemoryBlockServer(const MemoryBlockServer&) = delete;
+  MemoryBlockServer& operator=(const MemoryBlockServer&) = delete;
+
+  // Takes new clients in, answers requests, releases the claims of clients that went. Never blocks; makes
+  // system calls (one when nothing has come, and one a client) and allocates only when somebody asks for a
+  // topic.
+  void step();
+
+  [[nodiscard]] std::size_t client_count() const noexcept;
+  // For those that want to sleep until something comes: readable when step() has something to do (an epoll
+  // descriptor).
+  [[nodiscard]] int wake_fd() const noexcept { return epoll_.get(); }
+
+ private:
+  struct Connection;
+
+  void accept_clients();
+  // False: the client is gone or broke the protocol.
+  bool serve(Connection& connection);
+  void drop(std::list<Connection>::iterator connection);
+
+  std::shared_ptr<TopicRegistry> registry_;
+  std::filesystem::path path_;
+  FileDescriptor lock_;
+  FileDescriptor listener_;
+  FileDescriptor epoll_;
+  std::list<Connection> connections_;
+};
+
+}  // namespace gaitway::msgclient

@@ -1,0 +1,382 @@
+// The memory block across processes: a server process, clients in further processes, and what happens when
+// they are killed.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+
+#include "checked_value.hpp"
+#include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/msgclient/memory_block_server.hpp"
+#include "gaitway/msgclient/topics.hpp"
+
+namespace gaitway::msgclient {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+template <class Action>
+std::string error_of(Action&& action) {
+  try {
+    action();
+  } catch (const TopicError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+// A process that runs `work`, then waits to be killed; ready() returns when the work is done.
+class Process {
+ public:
+  explicit Process(const std::function<void()>& work) {
+    int ends[2];
+    EXPECT_EQ(pipe(ends), 0);
+    pid_ = fork();
+    if (pid_ == 0) {
+      const auto say = [&](char c) { return write(ends[1], &c, 1) == 1; };
+      try {
+        work_ready_ = [&] { (void)say('+'); };
+        work();
+        (void)say('+');
+        while (true) {
+          pause();
+        }
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "child: %s\n", error.what());
+        (void)say('-');
+        _exit(1);
+      }
+    }
+    close(ends[1]);
+    ready_ = FileDescriptor(ends[0]);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process() { end(); }
+
+  // For work that doesn't return: called in the child.
+  static void work_is_ready() { work_ready_(); }
+  bool ready() {
+    char c = 0;
+    return read(ready_.get(), &c, 1) == 1 && c == '+';
+  }
+  void end() {
+    if (pid_ > 0) {
+      kill(pid_, SIGKILL);
+      waitpid(pid_, nullptr, 0);
+      pid_ = -1;
+    }
+  }
+
+ private:
+  inline static std::function<void()> work_ready_;
+  FileDescriptor ready_;
+  pid_t pid_ = -1;
+};
+
+void serve_forever(const std::filesystem::path& socket) {
+  MemoryBlock block;
+  MemoryBlockServer server(block, socket);
+  Process::work_is_ready();
+  for (std::int64_t beat = 1;; ++beat) {
+    pollfd wake{server.wake_fd(), POLLIN, 0};
+    poll(&wake, 1, 1000);
+    block.beat(beat);
+    server.step();
+  }
+}
+
+class Processes : public testing::Test {
+ protected:
+  void SetUp() override {
+    char name[] = "/tmp/gaitway_test_XXXXXX";
+    ASSERT_NE(mkdtemp(name), nullptr);
+    folder = name;
+    socket = folder / "block.sock";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  void start_server() {
+    server = std::make_unique<Process>([this] { serve_forever(socket); });
+    ASSERT_TRUE(server->ready());
+  }
+  // Claims are given back when the server has seen the end of the process; asks until then.
+  template <class T>
+  std::optional<Writer<T>> claim_again(Client& client, std::string_view topic) {
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+      try {
+        return client.write<T>(topic);
+      } catch (const TopicError&) {
+        poll(nullptr, 0, 1);
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::filesystem::path folder;
+  std::filesystem::path socket;
+  std::unique_ptr<Process> server;
+};
+
+TEST_F(Processes, ATopicCrossesFromOneProcessToAnother) {
+  start_server();
+  Client client = Client::connect(socket, "stability");
+  auto reader = client.read<Estimate>("estimate");
+  Process zmp([this] {
+    static Client writer_client = Client::connect(socket, "zmp");
+    static auto writer = writer_client.write<Estimate>("estimate");
+    Estimate estimate{};
+    estimate.com[2] = 0.42;
+    writer.publish(estimate, 5);
+  });
+  ASSERT_TRUE(zmp.ready());
+  Estimate seen{};
+  const ReadResult result = reader.read(seen);
+  EXPECT_EQ(result.status, ReadStatus::value);
+  EXPECT_EQ(result.stamp_ns, 5);
+  EXPECT_EQ(seen.com[2], 0.42);
+  EXPECT_EQ(client.find("estimate")->writer, "zmp");
+  EXPECT_GT(client.heartbeat_ns(), 0);
+}
+
+TEST_F(Processes, ASecondWriterAndAnotherTypeAreRefusedByName) {
+  start_server();
+  Client zmp = Client::connect(socket, "zmp");
+  Client impostor = Client::connect(socket, "impostor");
+  auto writer = zmp.write<Estimate>("estimate");
+  EXPECT_THAT(error_of([&] { (void)impostor.write<Estimate>("estimate"); }),
+              AllOf(HasSubstr("'estimate'"), HasSubstr("'zmp'"), HasSubstr("'impostor'")));
+  EXPECT_THAT(error_of([&] { (void)impostor.read<Imu>("estimate"); }),
+              AllOf(HasSubstr("Imu"), HasSubstr("Estimate")));
+  EXPECT_THAT(error_of([&] {
+                (void)impostor.write_untyped({"large", "Large", 1, 900'000, TopicKind::latest, 0});
+              }),
+              HasSubstr("'large'"));
+}
+
+TEST_F(Processes, AKilledWritersTopicKeepsItsValueAndCanBeClaimedAgain) {
+  start_server();
+  Client observer = Client::connect(socket, "observer");
+  auto reader = observer.read<WalkCommand>("walk_command");
+  Process first([this] {
+    static Client client = Client::connect(socket, "behavior");
+    static auto writer = client.write<WalkCommand>("walk_command");
+    WalkCommand command{};
+    command.walk = 1;
+    writer.publish(command, 10);
+  });
+  ASSERT_TRUE(first.ready());
+  first.end();
+  WalkCommand seen{};
+  ASSERT_TRUE(reader.read(seen)) << "the last value survives";
+  EXPECT_EQ(seen.walk, 1u);
+  Client restarted = Client::connect(socket, "behavior");
+  auto writer = claim_again<WalkCommand>(restarted, "walk_command");
+  ASSERT_TRUE(writer);
+  EXPECT_EQ(writer->untyped().generation(), 2u);
+  seen.walk = 0;
+  EXPECT_EQ(writer->publish(seen, 20), 2u) << "the sequence goes on";
+  EXPECT_EQ(reader.read(seen).stamp_ns, 20) << "an old mapping sees the new writer";
+}
+
+TEST_F(Processes, AReleasedHandleFreesItsTopicWithoutTheClientEnding) {
+  start_server();
+  Client client = Client::connect(socket, "a");
+  { auto writer = client.write<Imu>("imu"); }
+  auto again = client.write<Imu>("imu");
+  EXPECT_EQ(again.untyped().generation(), 2u);
+}
+
+TEST_F(Processes, MemoryForReadingCannotBeWrittenTruncatedOrRemapped) {
+  start_server();
+  Client writer_client = Client::connect(socket, "writer");
+  Client reader_client = Client::connect(socket, "reader");
+  const TopicGrant writable = writer_client.open_window("window", 8192, Role::writer);
+  const TopicGrant readable = reader_client.open_window("window", 8192, Role::reader);
+  static_cast<char*>(writable.storage->data())[100] = 'x';
+  EXPECT_EQ(static_cast<const char*>(readable.storage->data())[100], 'x');
+
+  const int fd = readable.storage->fd();
+  EXPECT_EQ(mprotect(readable.storage->data(), 8192, PROT_READ | PROT_WRITE), -1);
+  EXPECT_EQ(errno, EACCES);
+  EXPECT_EQ(mmap(nullptr, 8192, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0), MAP_FAILED);
+  EXPECT_EQ(errno, EACCES);
+  EXPECT_EQ(pwrite(fd, "y", 1, 100), -1);
+  EXPECT_EQ(ftruncate(fd, 0), -1);
+  for (const off_t size : {0, 4096, 16384}) {
+    EXPECT_EQ(ftruncate(writable.storage->fd(), size), -1) << "not even the writer can: " << size;
+    EXPECT_EQ(errno, EPERM);
+  }
+  EXPECT_EQ(fcntl(writable.storage->fd(), F_ADD_SEALS, F_SEAL_WRITE), -1)
+      << "and nobody can seal the writer out";
+  EXPECT_EQ(static_cast<const char*>(readable.storage->data())[100], 'x');
+  EXPECT_EXIT(static_cast<volatile char*>(readable.storage->data())[100] = 'z',
+              testing::KilledBySignal(SIGSEGV), "");
+}
+
+TEST_F(Processes, AQueueCrossesProcesses) {
+  start_server();
+  Client api = Client::connect(socket, "api");
+  auto writer = api.write_queue<WalkCommand>("walk_requests", 2);
+  Process behavior([this] {
+    static Client client = Client::connect(socket, "behavior");
+    static auto reader = client.read_queue<WalkCommand>("walk_requests");
+    static auto echo = client.write<WalkCommand>("walk_command");
+    Process::work_is_ready();
+    WalkCommand command{};
+    while (true) {
+      if (const ReadResult result = reader.pop(command); result) {
+        echo.publish(command, result.stamp_ns);
+      }
+    }
+  });
+  ASSERT_TRUE(behavior.ready());
+  auto reader = api.read<WalkCommand>("walk_command");
+  WalkCommand command{};
+  for (int i = 1; i <= 10; ++i) {
+    command.turn_rate = i;
+    while (!writer.push(command, i)) {
+    }
+  }
+  WalkCommand seen{};
+  while (reader.newest_sequence() < 10) {
+  }
+  ASSERT_TRUE(reader.read(seen));
+  EXPECT_EQ(seen.turn_rate, 10.0);
+}
+
+TEST_F(Processes, TheEmiCrossesProcesses) {
+  start_server();
+  Client client = Client::connect(socket, "message_controller");
+  EmiMessage message(client);
+  Process main([this] {
+    static Client host_client = Client::connect(socket, "main_controller");
+    static EmiHost host(host_client);
+    static HandOver hand_over;
+    hand_over.sequence = 3;
+    hand_over.joint_count = 22;
+    hand_over.point_count = 30;
+    hand_over.set_position(29, 21, 1.5F);
+    if (!host.post(hand_over, 0)) {
+      throw TopicError("not posted");
+    }
+    Process::work_is_ready();
+    while (!host.take_answer(0)) {
+    }
+    host.post(TrimUpdate{.stamp_ns = 99}, 0);
+  });
+  ASSERT_TRUE(main.ready());
+  const auto received = std::make_unique<HandOver>();
+  ASSERT_EQ(message.take_hand_over(*received, 1'000'000), TakeStatus::mail);
+  EXPECT_EQ(received->position_at(29, 21), 1.5F);
+  ASSERT_TRUE(message.answer({MailKind::hand_over, 3, Verdict::accepted}));
+  ASSERT_TRUE(main.ready());
+  TrimUpdate trim;
+  ASSERT_EQ(message.take_trim(trim, 1'000'000'000), TakeStatus::mail);
+  EXPECT_EQ(trim.stamp_ns, 99);
+}
+
+TEST_F(Processes, ClientsSurviveTheServersEnd) {
+  start_server();
+  Client client = Client::connect(socket, "a");
+  auto writer = client.write<Imu>("imu");
+  auto reader = client.read<Imu>("imu");
+  server->end();
+  Imu imu{};
+  writer.publish(imu, 4);
+  EXPECT_EQ(reader.read(imu).stamp_ns, 4);
+  EXPECT_THAT(error_of([&] { (void)client.read<Estimate>("estimate"); }), HasSubstr("message controller"));
+  start_server();  // over the stale socket
+  Client again = Client::connect(socket, "a");
+  EXPECT_EQ(again.directory().size(), 0u);
+}
+
+TEST_F(Processes, MissingAndHangingServersAreNamed) {
+  EXPECT_THAT(error_of([&] { (void)Client::connect(socket, "a"); }),
+              AllOf(HasSubstr("block.sock"), HasSubstr("running?")));
+  MemoryBlock block;
+  MemoryBlockServer never_stepped(block, socket);
+  EXPECT_THAT(error_of([&] { (void)Client::connect(socket, "a", std::chrono::milliseconds(20)); }),
+              HasSubstr("no answer within 20 ms"));
+  EXPECT_THAT(error_of([&] { MemoryBlockServer second(block, socket); }),
+              HasSubstr("another message controller"));
+  EXPECT_THAT(error_of([&] { MemoryBlockServer unusable(block, folder / std::string(200, 'x')); }),
+              HasSubstr("xxx"));
+}
+
+TEST_F(Processes, AClientThatTalksNonsenseIsDroppedAlone) {
+  start_server();
+  Client good = Client::connect(socket, "good");
+  FileDescriptor bad(::socket(AF_UNIX, SOCK_SEQPACKET, 0));
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, socket.c_str(), sizeof address.sun_path - 1);
+  ASSERT_EQ(connect(bad.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(send(bad.get(), "nonsense", 8, 0), 8);
+  char byte = 0;
+  EXPECT_LE(recv(bad.get(), &byte, 1, 0), 0) << "the server hangs up";
+  EXPECT_NO_THROW((void)good.read<Imu>("imu"));
+}
+
+// The writer is killed again and again while it publishes; large values make sure that it is in the middle of
+// one.
+TEST(KilledWriter, AlwaysLeavesAWholeValue) {
+  using Value = CheckedValue<4096>;
+  constexpr int kKills = 300;
+  const RingGeometry geometry{sizeof(Value), kSlotsOfLargeTopic};
+  const auto grant = [&, storage =
+                             std::make_shared<const Segment>(Segment::create("killed", geometry.bytes()))] {
+    TopicGrant result;
+    result.geometry = geometry;
+    result.storage = storage;
+    return result;
+  };
+  UntypedReader reader(grant());
+  auto* const base = static_cast<SharedWord*>(grant().storage->data());
+  const auto value = std::make_unique<Value>();
+  std::uint64_t last = 0;
+  int killed_half_way = 0;
+  for (int round = 0; round < kKills; ++round) {
+    const std::uint64_t before = ring::published(base);
+    const pid_t writer = fork();
+    if (writer == 0) {
+      UntypedWriter publisher(grant());
+      for (std::uint64_t seed = before + 1;; ++seed) {
+        value->fill(seed);
+        publisher.publish(value.get(), 0);
+      }
+    }
+    while (ring::published(base) < before + 3) {
+    }
+    for (int i = 0; i < round % 7; ++i) {  // and read under way: shifts the moment of the kill, too
+      if (const ReadResult result = reader.read(value.get()); result) {
+        ASSERT_TRUE(value->whole() && value->word[0] == result.sequence);
+      }
+    }
+    kill(writer, SIGKILL);
+    waitpid(writer, nullptr, 0);
+    const std::uint64_t newest = ring::published(base);
+    killed_half_way += ring::slot(base, geometry, newest + 1)[0] == 0 ? 1 : 0;
+    const ReadResult result = reader.read(value.get());
+    ASSERT_EQ(result.status, ReadStatus::value) << "round " << round;
+    ASSERT_EQ(result.sequence, newest);
+    ASSERT_TRUE(value->whole()) << "round " << round;
+    ASSERT_EQ(value->word[0], newest);
+    ASSERT_GT(newest, last);
+    last = newest;
+  }
+  EXPECT_GT(killed_half_way, 10) << "the test must hit writers at work";
+}
+
+}  // namespace
+}  // namespace gaitway::msgclient
