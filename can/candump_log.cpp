@@ -1,0 +1,137 @@
+// Writes and reads candump logs.
+#include "gaitway/can/candump_log.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+
+namespace gaitway::can {
+namespace {
+
+constexpr std::string_view kHex = "0123456789ABCDEF";
+constexpr std::size_t kBuffer_bytes = std::size_t{1} << 16U;
+
+// Appends `value` with at least `width` digits.
+void append_number(std::string& text, std::int64_t value, int width) {
+  char digits[24];
+  int length = 0;
+  do {
+    digits[length++] = static_cast<char>('0' + value % 10);
+    value /= 10;
+  } while (value > 0);
+  for (int i = length; i < width; ++i) {
+    text += '0';
+  }
+  while (length > 0) {
+    text += digits[--length];
+  }
+}
+
+std::int64_t parse_number(std::string_view digits, int base, const char* what) {
+  std::int64_t value = 0;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+  if (digits.empty() || result.ec != std::errc() || result.ptr != digits.data() + digits.size() || value < 0) {
+    throw std::invalid_argument(std::string(what) + " '" + std::string(digits) + "' is not a number");
+  }
+  return value;
+}
+
+}  // namespace
+
+CandumpWriter::CandumpWriter(const std::filesystem::path& file)
+    : path_(file), file_(std::fopen(file.c_str(), "w"), std::fclose) {
+  if (!file_) {
+    throw std::runtime_error(file.string() + ": cannot be created; is the folder there and writable?");
+  }
+  buffer_.reserve(kBuffer_bytes + 64);
+}
+
+void CandumpWriter::write(std::int64_t time_ns, const Frame& frame) {
+  constexpr std::int64_t kSecond_us = 1'000'000;
+  const std::int64_t time_us = time_ns / 1000;
+  buffer_ += '(';
+  append_number(buffer_, time_us / kSecond_us, 1);
+  buffer_ += '.';
+  append_number(buffer_, time_us % kSecond_us, 6);
+  buffer_ += ") can0 ";
+  for (const unsigned shift : {8U, 4U, 0U}) {
+    buffer_ += kHex[(frame.id >> shift) & 0xFU];
+  }
+  buffer_ += '#';
+  for (const std::uint8_t byte : frame.payload()) {
+    buffer_ += kHex[byte >> 4U];
+    buffer_ += kHex[byte & 0xFU];
+  }
+  buffer_ += '\n';
+  if (buffer_.size() >= kBuffer_bytes) {
+    flush();
+  }
+}
+
+void CandumpWriter::flush() {
+  failed_ = failed_ || std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
+  buffer_.clear();
+}
+
+void CandumpWriter::close() {
+  if (!file_) {
+    return;
+  }
+  flush();
+  failed_ = std::fclose(file_.release()) != 0 || failed_;
+  if (failed_) {
+    throw std::runtime_error(path_.string() + ": could not be written whole; is the disk full?");
+  }
+}
+
+LoggedFrame parse_candump_line(std::string_view line) {
+  const std::size_t dot = line.find('.'), close = line.find(") "), hash = line.find('#');
+  if (line.empty() || line.front() != '(' || dot == std::string_view::npos || close == std::string_view::npos ||
+      hash == std::string_view::npos || !(dot < close && close < hash)) {
+    throw std::invalid_argument("must look like '(seconds.microseconds) interface ID#DATA'");
+  }
+  const std::string_view fraction = line.substr(dot + 1, close - dot - 1);
+  if (fraction.size() != 6) {
+    throw std::invalid_argument("the time must have six digits after the point");
+  }
+  LoggedFrame logged;
+  logged.time_ns = parse_number(line.substr(1, dot - 1), 10, "the time") * 1'000'000'000 +
+                   parse_number(fraction, 10, "the time") * 1000;
+  const std::size_t space = line.rfind(' ', hash);
+  const std::int64_t id = parse_number(line.substr(space + 1, hash - space - 1), 16, "the identifier");
+  if (id > 0x7FF) {
+    throw std::invalid_argument("the identifier must have 11 bits (at most 7FF)");
+  }
+  logged.frame.id = static_cast<std::uint16_t>(id);
+  const std::string_view data = line.substr(hash + 1);
+  if (data.size() % 2 != 0 || data.size() > 16) {
+    throw std::invalid_argument("the data must be 0 to 8 bytes of two hexadecimal digits");
+  }
+  logged.frame.size = static_cast<std::uint8_t>(data.size() / 2);
+  for (std::size_t i = 0; i < logged.frame.size; ++i) {
+    logged.frame.data[i] = static_cast<std::uint8_t>(parse_number(data.substr(2 * i, 2), 16, "the data byte"));
+  }
+  return logged;
+}
+
+std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) {
+    throw std::runtime_error(file.string() + ": cannot be read; does the file exist?");
+  }
+  std::vector<LoggedFrame> frames;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (line.empty()) {
+      continue;
+    }
+    try {
+      frames.push_back(parse_candump_line(line));
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(file.string() + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+  return frames;
+}
+
+}  // namespace gaitway::can

@@ -1,0 +1,126 @@
+// Every message of the network as a plain struct, with its encoder and decoder. Where each field lies in the
+// frame is described once, in message_table.hpp; encode and decode follow that table. Freestanding.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "gaitway/can/frame.hpp"
+
+namespace gaitway::can {
+
+using NodeId = std::uint8_t;  // 1..64: a local controller on the bus; 0 is the message controller
+
+inline constexpr int kBatchPoints = 8;        // points in one trajectory frame, one a time slot
+inline constexpr int kResyncDeltas = 5;       // points that follow the absolute one in a resynchronisation
+inline constexpr int kTrimChannels = 8;       // signed corrections in the trim frame
+inline constexpr int kFeedbackChannels = 2;   // 16-bit sensor channels in a feedback frame
+
+// What the joints do on an emergency stop.
+enum class StopMode : std::uint8_t { hold = 0, soft = 1 };
+
+// Highest priority: all joints at once.
+struct EmergencyStop {
+  StopMode mode = StopMode::hold;
+  friend bool operator==(const EmergencyStop&, const EmergencyStop&) = default;
+};
+
+// Manual joint command: one joint moves to an absolute count, while standing.
+struct UserCommand {
+  NodeId node = 0;
+  std::int16_t target_count = 0;
+  std::uint8_t duration_slots = 0;  // time slots over which the joint moves there
+  friend bool operator==(const UserCommand&, const UserCommand&) = default;
+};
+
+// Sent at every slot edge; starts batches and keeps the joints' slots aligned.
+struct Sync {
+  std::uint16_t cycle = 0;           // low 16 bits of the cycle number = of the batch's sequence number
+  std::uint8_t slot = 0;             // 0..7
+  bool batch_committed = false;      // a batch for this cycle was sent: whoever holds it starts it at slot 0
+  bool toggle = false;               // toggle of the committed batch
+  friend bool operator==(const Sync&, const Sync&) = default;
+};
+
+// Absolute corrections added to the servo's reference; units: trim counts of the network file.
+struct Trim {
+  std::array<std::int8_t, kTrimChannels> count{};
+  friend bool operator==(const Trim&, const Trim&) = default;
+};
+
+enum class JointState : std::uint8_t {
+  running = 0,  // plays a batch
+  holding = 1,  // no batch to play: holds its last reference
+  soft = 2,     // torque off after an emergency stop
+  fault = 3     // see the fault report
+};
+
+// One joint's merged feedback, at every slot edge; also its heartbeat.
+struct Feedback {
+  NodeId node = 0;
+  std::int16_t position = 0;       // measured angle, in 1/65536 of a turn, joint zero = 0
+  std::int8_t current = 0;         // motor torque, in 1/8 N·m (rounded, saturating)
+  JointState state = JointState::holding;
+  bool pending_toggle = false;     // toggle of the newest trajectory frame that the joint holds
+  bool executing_toggle = false;   // toggle of the batch that it plays (or played last)
+  std::uint8_t reference_low = 0;  // low four bits of its own reference count, for this slot's end
+  std::array<std::int16_t, kFeedbackChannels> channel{};  // sensor channels of the network file
+  friend bool operator==(const Feedback&, const Feedback&) = default;
+};
+
+// Sent once when a fault begins and once when it ends.
+struct FaultReport {
+  NodeId node = 0;
+  std::uint8_t faults = 0;  // bit mask of Fault
+  friend bool operator==(const FaultReport&, const FaultReport&) = default;
+};
+enum class Fault : std::uint8_t { position_limit = 1, torque_saturated = 2, sync_lost = 4, encoder = 8 };
+
+// One joint's batch: 8 changes of its reference count.
+struct Trajectory {
+  NodeId node = 0;
+  bool toggle = false;
+  std::array<std::int8_t, kBatchPoints> delta{};
+  friend bool operator==(const Trajectory&, const Trajectory&) = default;
+};
+
+// Repairs one joint: its absolute count at the end of `slot`, and the changes of the slots after it.
+struct Resynchronisation {
+  NodeId node = 0;
+  bool toggle = false;           // of the batch that it belongs to
+  std::uint8_t slot = 0;         // 0..7: the slot (of the running cycle) at whose SYNC it takes effect
+  std::int16_t count = 0;        // reference count at the end of that slot
+  std::array<std::int8_t, kResyncDeltas> delta{};  // of slot+1 ...; past the batch's end: zero, unused
+  friend bool operator==(const Resynchronisation&, const Resynchronisation&) = default;
+};
+
+// The message controller's sign of life, every 80 ms.
+struct Heartbeat {
+  std::uint8_t mode = 0;
+  std::uint32_t cycle = 0;
+  friend bool operator==(const Heartbeat&, const Heartbeat&) = default;
+};
+
+Frame encode(const EmergencyStop&) noexcept;
+Frame encode(const UserCommand&) noexcept;
+Frame encode(const Sync&) noexcept;
+Frame encode(const Trim&) noexcept;
+Frame encode(const Feedback&) noexcept;
+Frame encode(const FaultReport&) noexcept;
+Frame encode(const Trajectory&) noexcept;
+Frame encode(const Resynchronisation&) noexcept;
+Frame encode(const Heartbeat&) noexcept;
+
+// Decoders: nothing when id or size are not the message's own, or a field holds an undefined value.
+std::optional<EmergencyStop> decode_emergency_stop(const Frame&) noexcept;
+std::optional<UserCommand> decode_user_command(const Frame&) noexcept;
+std::optional<Sync> decode_sync(const Frame&) noexcept;
+std::optional<Trim> decode_trim(const Frame&) noexcept;
+std::optional<Feedback> decode_feedback(const Frame&) noexcept;
+std::optional<FaultReport> decode_fault_report(const Frame&) noexcept;
+std::optional<Trajectory> decode_trajectory(const Frame&) noexcept;
+std::optional<Resynchronisation> decode_resynchronisation(const Frame&) noexcept;
+std::optional<Heartbeat> decode_heartbeat(const Frame&) noexcept;
+
+}  // namespace gaitway::can

@@ -1,0 +1,252 @@
+// Encoders and decoders of all messages, driven by the message table.
+#include "gaitway/can/messages.hpp"
+
+#include "gaitway/can/message_table.hpp"
+
+namespace gaitway::can {
+namespace {
+
+// Collects the fields of one message, in the table's order, into its frame.
+class FieldWriter {
+ public:
+  FieldWriter(MessageKind kind, NodeId node = 0, bool toggle = false) noexcept
+      : fields_(spec(kind).fields), frame_{.id = id_of(kind, node, toggle), .size = spec(kind).size} {}
+
+  FieldWriter& put(std::int64_t value) noexcept {
+    const FieldSpec& field = fields_[next_++];
+    const std::uint64_t mask = (std::uint64_t{1} << field.width) - 1;
+    bits_ |= (static_cast<std::uint64_t>(value) & mask) << field.first_bit;
+    return *this;
+  }
+  [[nodiscard]] Frame frame() const noexcept {
+    Frame result = frame_;
+    for (std::size_t byte = 0; byte < result.data.size(); ++byte) {
+      result.data[byte] = static_cast<std::uint8_t>(bits_ >> (8 * byte));
+    }
+    return result;
+  }
+
+ private:
+  std::span<const FieldSpec> fields_;
+  std::size_t next_ = 0;
+  std::uint64_t bits_ = 0;
+  Frame frame_;
+};
+
+// Takes the fields of one message apart, in the table's order.
+class FieldReader {
+ public:
+  FieldReader(const Frame& frame, MessageKind kind) noexcept : fields_(spec(kind).fields) {
+    const auto identified = identify(frame.id);
+    fits_ = identified && identified->kind == kind && frame.size == spec(kind).size;
+    if (fits_) {
+      identified_ = *identified;
+    }
+    for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
+      bits_ |= std::uint64_t{frame.data[byte]} << (8 * byte);
+    }
+  }
+  [[nodiscard]] bool fits() const noexcept { return fits_; }
+  [[nodiscard]] const Identified& identified() const noexcept { return identified_; }
+  template <class T>
+  T take() noexcept {
+    const FieldSpec& field = fields_[next_++];
+    const std::uint64_t raw = (bits_ >> field.first_bit) & ((std::uint64_t{1} << field.width) - 1);
+    if (field.is_signed) {
+      const std::uint64_t sign = std::uint64_t{1} << (field.width - 1U);
+      return static_cast<T>(static_cast<std::int64_t>(raw ^ sign) - static_cast<std::int64_t>(sign));
+    }
+    return static_cast<T>(raw);
+  }
+
+ private:
+  std::span<const FieldSpec> fields_;
+  std::size_t next_ = 0;
+  std::uint64_t bits_ = 0;
+  Identified identified_;
+  bool fits_ = false;
+};
+
+}  // namespace
+
+Frame encode(const EmergencyStop& message) noexcept {
+  return FieldWriter(MessageKind::emergency_stop).put(static_cast<int>(message.mode)).frame();
+}
+
+Frame encode(const UserCommand& message) noexcept {
+  return FieldWriter(MessageKind::user_command)
+      .put(message.node)
+      .put(message.target_count)
+      .put(message.duration_slots)
+      .frame();
+}
+
+Frame encode(const Sync& message) noexcept {
+  return FieldWriter(MessageKind::sync)
+      .put(message.cycle)
+      .put(message.slot)
+      .put(message.batch_committed ? 1 : 0)
+      .put(message.toggle ? 1 : 0)
+      .frame();
+}
+
+Frame encode(const Trim& message) noexcept {
+  FieldWriter writer(MessageKind::trim);
+  for (const std::int8_t count : message.count) {
+    writer.put(count);
+  }
+  return writer.frame();
+}
+
+Frame encode(const Feedback& message) noexcept {
+  return FieldWriter(MessageKind::feedback, message.node)
+      .put(message.position)
+      .put(message.current)
+      .put(message.reference_low)
+      .put(message.executing_toggle ? 1 : 0)
+      .put(message.pending_toggle ? 1 : 0)
+      .put(static_cast<int>(message.state))
+      .put(message.channel[0])
+      .put(message.channel[1])
+      .frame();
+}
+
+Frame encode(const FaultReport& message) noexcept {
+  return FieldWriter(MessageKind::fault_report, message.node).put(message.faults).frame();
+}
+
+Frame encode(const Trajectory& message) noexcept {
+  FieldWriter writer(MessageKind::trajectory, message.node, message.toggle);
+  for (const std::int8_t delta : message.delta) {
+    writer.put(delta);
+  }
+  return writer.frame();
+}
+
+Frame encode(const Resynchronisation& message) noexcept {
+  FieldWriter writer(MessageKind::resynchronisation, message.node);
+  writer.put(message.count).put(message.slot).put(message.toggle ? 1 : 0);
+  for (const std::int8_t delta : message.delta) {
+    writer.put(delta);
+  }
+  return writer.frame();
+}
+
+Frame encode(const Heartbeat& message) noexcept {
+  return FieldWriter(MessageKind::heartbeat).put(message.mode).put(message.cycle).frame();
+}
+
+std::optional<EmergencyStop> decode_emergency_stop(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::emergency_stop);
+  const auto mode = reader.take<std::uint8_t>();
+  if (!reader.fits() || mode > static_cast<std::uint8_t>(StopMode::soft)) {
+    return std::nullopt;
+  }
+  return EmergencyStop{static_cast<StopMode>(mode)};
+}
+
+std::optional<UserCommand> decode_user_command(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::user_command);
+  UserCommand message;
+  message.node = reader.take<NodeId>();
+  message.target_count = reader.take<std::int16_t>();
+  message.duration_slots = reader.take<std::uint8_t>();
+  if (!reader.fits() || message.node == 0 || message.node > kLargestNode) {
+    return std::nullopt;
+  }
+  return message;
+}
+
+std::optional<Sync> decode_sync(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::sync);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  Sync message;
+  message.cycle = reader.take<std::uint16_t>();
+  message.slot = reader.take<std::uint8_t>();
+  message.batch_committed = reader.take<bool>();
+  message.toggle = reader.take<bool>();
+  return message;
+}
+
+std::optional<Trim> decode_trim(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::trim);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  Trim message;
+  for (std::int8_t& count : message.count) {
+    count = reader.take<std::int8_t>();
+  }
+  return message;
+}
+
+std::optional<Feedback> decode_feedback(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::feedback);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  Feedback message;
+  message.node = reader.identified().node;
+  message.position = reader.take<std::int16_t>();
+  message.current = reader.take<std::int8_t>();
+  message.reference_low = reader.take<std::uint8_t>();
+  message.executing_toggle = reader.take<bool>();
+  message.pending_toggle = reader.take<bool>();
+  message.state = static_cast<JointState>(reader.take<std::uint8_t>());
+  message.channel[0] = reader.take<std::int16_t>();
+  message.channel[1] = reader.take<std::int16_t>();
+  return message;
+}
+
+std::optional<FaultReport> decode_fault_report(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::fault_report);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  return FaultReport{reader.identified().node, reader.take<std::uint8_t>()};
+}
+
+std::optional<Trajectory> decode_trajectory(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::trajectory);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  Trajectory message;
+  message.node = reader.identified().node;
+  message.toggle = reader.identified().toggle;
+  for (std::int8_t& delta : message.delta) {
+    delta = reader.take<std::int8_t>();
+  }
+  return message;
+}
+
+std::optional<Resynchronisation> decode_resynchronisation(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::resynchronisation);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  Resynchronisation message;
+  message.node = reader.identified().node;
+  message.count = reader.take<std::int16_t>();
+  message.slot = reader.take<std::uint8_t>();
+  message.toggle = reader.take<bool>();
+  for (std::int8_t& delta : message.delta) {
+    delta = reader.take<std::int8_t>();
+  }
+  return message;
+}
+
+std::optional<Heartbeat> decode_heartbeat(const Frame& frame) noexcept {
+  FieldReader reader(frame, MessageKind::heartbeat);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  Heartbeat message;
+  message.mode = reader.take<std::uint8_t>();
+  message.cycle = reader.take<std::uint32_t>();
+  return message;
+}
+
+}  // namespace gaitway::can

@@ -1,0 +1,79 @@
+// One joint's local controller: plays the points of its batch, servoes at 1 ms, filters its sensors and answers
+// with one feedback frame a time slot. No heap, no exceptions, no operating system: it runs on a microcontroller.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "gaitway/can/frame.hpp"
+#include "gaitway/can/message_table.hpp"
+#include "gaitway/can/messages.hpp"
+#include "gaitway/localcontroller/point_player.hpp"
+#include "gaitway/localcontroller/sensor_filter.hpp"
+#include "gaitway/localcontroller/servo.hpp"
+#include "gaitway/localcontroller/trim_slew.hpp"
+
+namespace gaitway::localcontroller {
+
+// What one joint's firmware is configured with; the loader fills it from the robot's network file.
+struct JointConfig {
+  can::NodeId node = 0;
+  double count_rad = 0.0;                // size of a count on the wire
+  double encoder_count_rad = 0.0;        // size of an encoder count
+  double stiffness_Nm_per_rad = 0.0;     // position gain of the servo
+  double damping_Nms_per_rad = 0.0;      // velocity gain; the reference's velocity is fed forward
+  double torque_limit_Nm = 0.0;          // fades to zero at speed_limit_rad_per_s in the driving direction
+  double speed_limit_rad_per_s = 0.0;
+  double lower_rad = 0.0, upper_rad = 0.0;  // position limits that the reference never leaves
+  std::int32_t initial_reference_count = 0;
+  int trim_channel = -1;                 // which of the trim frame's 8 values is this joint's; -1: none
+  double trim_count_rad = 0.0;
+  double trim_slew_rad_per_s = 0.0;
+  double trim_limit_rad = 0.0;
+  float channel_scale[can::kFeedbackChannels] = {1.0F, 1.0F};  // sensor unit per wire count
+};
+
+// What the joint's electronics read in one millisecond.
+struct JointSensors {
+  std::int32_t encoder_count = 0;
+  float channel[can::kFeedbackChannels] = {0.0F, 0.0F};  // in sensor units (N, rad/s, m/s², rad)
+};
+
+class JointController {
+ public:
+  explicit JointController(const JointConfig& config) noexcept;
+
+  // Takes one received frame; `now_ns` is the joint's own clock.
+  void on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept;
+
+  // One servo period (1 ms): returns the motor torque in N·m.
+  double step(std::int64_t now_ns, const JointSensors& sensors) noexcept;
+
+  // The next frame to send, highest priority first; false when there is none.
+  bool take_frame(can::Frame& frame) noexcept;
+
+  // Reference count for the end of the running slot, and the interpolated reference that the servo tracks.
+  [[nodiscard]] std::int32_t reference_count() const noexcept { return player_.count(); }
+  [[nodiscard]] double reference_rad() const noexcept { return reference_rad_; }  // without trim
+  [[nodiscard]] double trim_rad() const noexcept { return trim_.angle_rad(); }
+  [[nodiscard]] can::JointState state() const noexcept;
+
+ private:
+  void on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
+  void report_fault(can::Fault fault, bool present) noexcept;
+
+  JointConfig config_;
+  PointPlayer player_;
+  Servo servo_;
+  TrimSlew trim_;
+  std::array<SensorFilter, can::kFeedbackChannels> channels_;
+  double reference_rad_;
+  double measured_rad_ = 0.0;
+  double torque_Nm_ = 0.0;
+  bool soft_ = false;  // after an emergency stop; ends with a restart
+  std::uint8_t faults_ = 0;
+  bool feedback_pending_ = false;
+  bool fault_report_pending_ = false;
+};
+
+}  // namespace gaitway::localcontroller

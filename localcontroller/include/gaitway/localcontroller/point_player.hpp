@@ -1,0 +1,72 @@
+// Plays the eight points of a batch: one change of the reference count a time slot, interpolated in between. Starts
+// batches on SYNC only, so that all joints start together; goes on alone when a SYNC is lost.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "gaitway/can/messages.hpp"
+
+namespace gaitway::localcontroller {
+
+inline constexpr std::int64_t kSlot_ns = 10'000'000;
+// How long a SYNC may be overdue, by the joint's own clock, before the joint takes the next slot without it.
+inline constexpr std::int64_t kSyncGrace_ns = 1'500'000;
+
+class PointPlayer {
+ public:
+  PointPlayer(std::int32_t initial_count, std::int32_t lowest_count, std::int32_t highest_count) noexcept
+      : count_(initial_count), from_(initial_count), lowest_(lowest_count), highest_(highest_count) {}
+
+  // A new batch, to be started by a SYNC that names its toggle. A repeated frame changes nothing.
+  void on_trajectory(const can::Trajectory& batch) noexcept;
+  // A repair; takes effect at the SYNC of its slot. One for a slot that has begun does nothing: the next feedback
+  // shows the message controller that it came too late.
+  void on_resynchronisation(const can::Resynchronisation& repair) noexcept;
+  void on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
+  // Moves to a count over some slots; only while no batch runs. False otherwise.
+  bool move_to(std::int32_t count, int duration_slots, std::int64_t now_ns) noexcept;
+  // Freezes the reference where it is now; batches are ignored from then on.
+  void freeze(std::int64_t now_ns) noexcept;
+  // Takes the next slot when SYNC is overdue. True when it did.
+  bool advance_without_sync(std::int64_t now_ns) noexcept;
+
+  // Reference at the end of the running slot.
+  [[nodiscard]] std::int32_t count() const noexcept { return count_; }
+  // Interpolated reference, in counts, and its rate in counts per second.
+  struct Reference {
+    double count = 0.0;
+    double rate_per_s = 0.0;
+  };
+  [[nodiscard]] Reference reference(std::int64_t now_ns) const noexcept;
+  [[nodiscard]] bool running() const noexcept { return running_; }
+  [[nodiscard]] bool pending_toggle() const noexcept { return pending_toggle_; }
+  [[nodiscard]] bool executing_toggle() const noexcept { return executing_toggle_; }
+  [[nodiscard]] bool at_limit() const noexcept { return at_limit_; }
+
+ private:
+  void begin_slot(int slot, std::int64_t now_ns) noexcept;
+  void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
+  void start_batch(const can::Sync& sync) noexcept;
+  void stop_batch() noexcept { running_ = false; }
+  [[nodiscard]] bool apply_repair(const can::Sync& sync, std::int64_t now_ns) noexcept;
+
+  std::int32_t count_;
+  double from_;  // where the interpolation of this segment began, in counts
+  std::int32_t lowest_, highest_;
+  std::int64_t segment_start_ns_ = 0;
+  std::int64_t segment_duration_ns_ = kSlot_ns;
+  bool started_ = false;  // the first segment has begun
+  int slot_ = 0;          // running slot of the cycle
+  bool running_ = false;  // a batch is being played
+  bool frozen_ = false;
+  bool has_pending_ = false;
+  bool pending_toggle_ = false;
+  bool executing_toggle_ = false;
+  std::array<std::int8_t, can::kBatchPoints> pending_{}, executing_{};
+  bool has_repair_ = false;
+  can::Resynchronisation repair_;
+  bool at_limit_ = false;
+};
+
+}  // namespace gaitway::localcontroller

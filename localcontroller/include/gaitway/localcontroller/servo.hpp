@@ -1,0 +1,34 @@
+// The joint's position servo: proportional to the position error, damping on the velocity error, torque limited as the
+// motor can give it.
+#pragma once
+
+#include <cstdint>
+
+namespace gaitway::localcontroller {
+
+struct ServoGains {
+  double stiffness_Nm_per_rad = 0.0;
+  double damping_Nms_per_rad = 0.0;
+  double torque_limit_Nm = 0.0;
+  double speed_limit_rad_per_s = 0.0;  // the torque limit fades to zero there, in the direction of motion
+};
+
+class Servo {
+ public:
+  explicit Servo(const ServoGains& gains) noexcept : gains_(gains) {}
+
+  // One servo period. Measured position from the encoder; velocity from its differences, smoothed by a first-order
+  // low-pass with a time constant of two periods: enough against quantisation, little enough for the damping.
+  double step(double reference_rad, double reference_rate_rad_per_s, double measured_rad, double period_s) noexcept;
+  [[nodiscard]] double velocity_rad_per_s() const noexcept { return velocity_rad_per_s_; }
+  [[nodiscard]] bool saturated() const noexcept { return saturated_; }
+
+ private:
+  ServoGains gains_;
+  double last_rad_ = 0.0;
+  double velocity_rad_per_s_ = 0.0;
+  bool started_ = false;
+  bool saturated_ = false;
+};
+
+}  // namespace gaitway::localcontroller
