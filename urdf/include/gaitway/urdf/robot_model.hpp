@@ -1,0 +1,162 @@
+// One validated description of the robot, made from its URDF (geometry, masses, limits) and its network file
+// (everything that a URDF cannot say). Every room that needs to know the robot reads this and nothing else.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <kdl/tree.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaitway::urdf {
+
+// What is wrong with a robot description: names file, line or field, value and rule.
+class RobotError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class Side : std::uint8_t { left = 0, right = 1 };
+inline constexpr std::array kSides{Side::left, Side::right};
+
+struct BoxShape {                                          // simple collision shape, in the link's frame
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of the box's centre
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();        // full edge lengths
+};
+
+// What the link looks like in a picture; weighs nothing and touches nothing.
+struct VisualShape {
+  enum class Kind : std::uint8_t { box, cylinder, sphere };
+  Kind kind = Kind::box;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of the shape's centre, in the link's frame
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();        // full extent; a cylinder's axis is z
+  Eigen::Vector4d rgba = Eigen::Vector4d::Ones();          // 0..1
+};
+
+struct Link {
+  std::string name;
+  int parent_joint = -1;  // index into RobotModel::joints; -1 for the base
+  double mass_kg = 0.0;
+  Eigen::Vector3d com_m = Eigen::Vector3d::Zero();          // in the link's frame
+  Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // about the CoM, axes of the link's frame
+  std::vector<BoxShape> collision;
+  std::vector<VisualShape> visual = {};
+};
+
+struct Servo {
+  double stiffness_Nm_per_rad = 0.0;
+  double damping_Nms_per_rad = 0.0;
+};
+
+struct Motor {
+  double torque_limit_Nm = 0.0;  // at standstill; fades to zero at speed_limit in the driving direction
+  double speed_limit_rad_per_s = 0.0;
+  double armature_kg_m2 = 0.0;       // reflected rotor inertia
+  double damping_Nms_per_rad = 0.0;  // viscous
+  double friction_Nm = 0.0;          // dry
+};
+
+struct Joint {
+  std::string name;
+  int parent_link = 0, child_link = 0;  // indices into RobotModel::links
+  Eigen::Isometry3d origin =
+      Eigen::Isometry3d::Identity();                // joint frame in the parent link's frame, at zero
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // unit, in the joint frame
+  double lower_rad = 0.0, upper_rad = 0.0;
+  double velocity_limit_rad_per_s = 0.0;  // that a reference may ask for
+  double home_rad = 0.0;                  // in the standing posture
+  // from the network file
+  std::uint8_t node = 0;   // id of its local controller on the bus, 1..64, unique
+  double count_rad = 0.0;  // size of a count on the wire
+  double encoder_count_rad = 0.0;
+  Servo servo;
+  Motor motor;
+  int trim_channel = -1;  // its place in the trim frame; -1: none
+};
+
+enum class SensorKind : std::uint8_t {
+  none,
+  force_cell,
+  foot_acceleration,
+  angular_velocity,
+  acceleration,
+  inclination
+};
+
+// A sensor channel that travels in a joint's feedback frame.
+struct SensorChannel {
+  SensorKind kind = SensorKind::none;
+  Side side = Side::left;  // for force cells and foot accelerometers
+  int index = 0;       // cell 0..3 (front left, front right, rear left, rear right), or axis x, y, z = 0..2
+                       // (inclination: roll, pitch = 0, 1)
+  double scale = 1.0;  // sensor unit (N, m/s², rad/s, rad) for one count of the 16-bit channel
+};
+
+struct Foot {
+  int link = 0;  // index of the sole-carrying link
+  // Pose of the sole frame in that link: origin below the ankle axes on the ground, x forward, z up.
+  Eigen::Isometry3d sole = Eigen::Isometry3d::Identity();
+  Eigen::Vector2d size_m = Eigen::Vector2d::Zero();    // length (x), width (y) of the sole
+  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();  // of the sole rectangle, in the sole frame
+  std::array<Eigen::Vector2d, 4> cell_m{};             // force cells in the sole frame: FL, FR, RL, RR
+};
+
+// One leg as the kinematics sees it: six joints from the base to the foot.
+struct Leg {
+  std::array<int, 6> joints{};  // indices: hip yaw, hip roll, hip pitch, knee, ankle pitch, ankle roll
+};
+
+struct Imu {
+  int link = 0;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // sensor frame in the link
+};
+
+struct SensorNoise {  // standard deviations, for the simulated robot
+  double angular_velocity_rad_per_s = 0.0;
+  double acceleration_m_per_s2 = 0.0;
+  double inclination_rad = 0.0;
+  double force_N = 0.0;
+};
+
+struct Contact {  // how the feet touch the ground, for the simulated robot
+  double friction = 0.0;
+};
+
+struct TrimSettings {
+  double count_rad = 0.0;
+  double slew_rad_per_s = 0.0;
+  double limit_rad = 0.0;
+};
+
+struct RobotModel {
+  std::string name;
+  std::filesystem::path directory;
+  std::vector<Link> links;    // links[0] is the base (pelvis); parents come before children
+  std::vector<Joint> joints;  // parents before children; this order is the order of every joint array
+  std::vector<std::array<SensorChannel, 2>> channels;  // for each joint, what its feedback frame carries
+  std::array<Foot, 2> feet;                            // [Side]
+  std::array<Leg, 2> legs;                             // [Side]
+  Imu imu;
+  SensorNoise noise;
+  Contact contact;
+  TrimSettings trim;
+  double physics_step_s = 0.001;
+  double hip_height_m = 0.0;  // of the hip axes above the ground in the standing posture
+  // Same joints and links; segments bear the links' names. KDL's root segment has no inertia: the base's mass
+  // is in links[0] alone.
+  KDL::Tree tree;
+
+  [[nodiscard]] double total_mass_kg() const noexcept;
+  [[nodiscard]] int joint_index(std::string_view name) const;  // throws RobotError, names the nearest joint
+  [[nodiscard]] int link_index(std::string_view name) const;
+  [[nodiscard]] std::optional<int> joint_of_node(int node) const noexcept;
+};
+
+// Loads <directory>/robot.urdf and <directory>/robot.yaml. Throws RobotError.
+RobotModel load_robot(const std::filesystem::path& directory);
+
+}  // namespace gaitway::urdf

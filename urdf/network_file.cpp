@@ -1,0 +1,290 @@
+// Reads robot.yaml: defaults, joints, legs, feet, sensors, simulation.
+#include "network_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+#include "nearest_name.hpp"
+#include "sensor_channels.hpp"
+#include "yaml_value.hpp"
+
+namespace gaitway::urdf {
+namespace {
+
+using Keys = std::vector<std::string_view>;
+
+constexpr double kDegree_rad = std::numbers::pi / 180.0;
+constexpr int kTrimChannels = 8;  // places in the trim frame
+constexpr Range kCount_deg{0.001, 0.5, "deg"};
+constexpr Range kHalfTurn_deg{-180.0, 180.0, "deg"};
+constexpr Range kPosition_m{-2.0, 2.0, "m"};
+constexpr Range kLength_m{0.001, 1.0, "m"};
+
+Eigen::Isometry3d pose_of(const std::array<double, 3>& position_m, const std::array<double, 3>& rpy_deg) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(position_m.data());
+  pose.linear() = (Eigen::AngleAxisd(rpy_deg[2] * kDegree_rad, Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(rpy_deg[1] * kDegree_rad, Eigen::Vector3d::UnitY()) *
+                   Eigen::AngleAxisd(rpy_deg[0] * kDegree_rad, Eigen::Vector3d::UnitX()))
+                      .toRotationMatrix();
+  return pose;
+}
+
+std::array<double, 3> rotation_or_zero(const YamlValue& value, std::string_view key) {
+  const auto rotation = value.find(key);
+  return rotation ? rotation->numbers<3>(kHalfTurn_deg) : std::array<double, 3>{};
+}
+
+// A number that may be left out where an earlier layer has set it already.
+void read_number(const YamlValue& map, std::string_view key, const Range& range, bool required,
+                 double& target, double factor = 1.0) {
+  if (const auto value = required ? map.at(key) : map.find(key)) {
+    target = value->number(range) * factor;
+  }
+}
+
+void read_servo(const YamlValue& map, bool required, Servo& servo) {
+  map.require_map(Keys{"stiffness_Nm_per_rad", "damping_Nms_per_rad"});
+  read_number(map, "stiffness_Nm_per_rad", {0.1, 1e5, "N·m/rad"}, required, servo.stiffness_Nm_per_rad);
+  read_number(map, "damping_Nms_per_rad", {0.0, 1e4, "N·m·s/rad"}, required, servo.damping_Nms_per_rad);
+}
+
+void read_motor(const YamlValue& map, bool required, Motor& motor) {
+  map.require_map(Keys{"torque_limit_Nm", "speed_limit_rad_per_s", "armature_kg_m2", "damping_Nms_per_rad",
+                       "friction_Nm"});
+  read_number(map, "torque_limit_Nm", {0.01, 1000.0, "N·m"}, required, motor.torque_limit_Nm);
+  read_number(map, "speed_limit_rad_per_s", {0.1, 100.0, "rad/s"}, required, motor.speed_limit_rad_per_s);
+  read_number(map, "armature_kg_m2", {0.0, 1.0, "kg·m²"}, required, motor.armature_kg_m2);
+  read_number(map, "damping_Nms_per_rad", {0.0, 100.0, "N·m·s/rad"}, required, motor.damping_Nms_per_rad);
+  read_number(map, "friction_Nm", {0.0, 100.0, "N·m"}, required, motor.friction_Nm);
+}
+
+// What defaults and single joints have in common; `required` for the defaults.
+void read_drive(const YamlValue& map, bool required, Joint& joint) {
+  read_number(map, "count_deg", kCount_deg, required, joint.count_rad, kDegree_rad);
+  read_number(map, "home_deg", kHalfTurn_deg, required, joint.home_rad, kDegree_rad);
+  if (const auto counts =
+          required ? map.at("encoder_counts_per_turn") : map.find("encoder_counts_per_turn")) {
+    joint.encoder_count_rad = 2.0 * std::numbers::pi / counts->integer(256, 1 << 26);
+  }
+  if (const auto servo = required ? map.at("servo") : map.find("servo")) {
+    read_servo(*servo, required, joint.servo);
+  }
+  if (const auto motor = required ? map.at("motor") : map.find("motor")) {
+    read_motor(*motor, required, joint.motor);
+  }
+  if (joint.encoder_count_rad > joint.count_rad) {
+    map.refuse(fmt::format("the encoder's step of {:g} deg must not be larger than a count of {:g} deg",
+                           joint.encoder_count_rad / kDegree_rad, joint.count_rad / kDegree_rad),
+               "Check encoder_counts_per_turn and count_deg");
+  }
+}
+
+using Scales = std::map<SensorKind, double>;
+
+Scales read_scales(const YamlValue& map) {
+  map.require_map(Keys{"force_N", "foot_acceleration_m_per_s2", "angular_velocity_rad_per_s",
+                       "acceleration_m_per_s2", "inclination_rad"});
+  const Range range{1e-6, 10.0, "a count"};
+  return {{SensorKind::none, 1.0},
+          {SensorKind::force_cell, map.at("force_N").number(range)},
+          {SensorKind::foot_acceleration, map.at("foot_acceleration_m_per_s2").number(range)},
+          {SensorKind::angular_velocity, map.at("angular_velocity_rad_per_s").number(range)},
+          {SensorKind::acceleration, map.at("acceleration_m_per_s2").number(range)},
+          {SensorKind::inclination, map.at("inclination_rad").number(range)}};
+}
+
+SensorChannel read_channel(const YamlValue& value, const Scales& scales) {
+  const std::string name = value.text();
+  std::vector<std::string> known{"none"};
+  if (name == "none") {
+    return {};
+  }
+  for (const NamedChannel& candidate : all_channels()) {
+    if (candidate.name == name) {
+      SensorChannel channel = candidate.channel;
+      channel.scale = scales.at(channel.kind);
+      return channel;
+    }
+    known.push_back(candidate.name);
+  }
+  value.refuse("there is no such sensor channel", suggest(name, known));
+}
+
+NetworkJoint read_joint(const YamlValue& map, const Joint& defaults, const Scales& scales) {
+  map.require_map(Keys{"name", "node", "channels", "trim_channel", "count_deg", "encoder_counts_per_turn",
+                       "servo", "motor", "home_deg"});
+  NetworkJoint result{defaults, {}, map.line()};
+  result.joint.name = map.at("name").text();
+  result.joint.node = static_cast<std::uint8_t>(map.at("node").integer(1, 64));
+  read_drive(map, false, result.joint);
+  if (const auto trim = map.find("trim_channel")) {
+    result.joint.trim_channel = trim->integer(0, kTrimChannels - 1);
+  }
+  if (const auto channels = map.find("channels")) {
+    const std::vector<YamlValue> pair = channels->items(result.channels.size());
+    std::transform(pair.begin(), pair.end(), result.channels.begin(),
+                   [&scales](const YamlValue& value) { return read_channel(value, scales); });
+  }
+  return result;
+}
+
+// Complains where two joints share a name, a controller, a place in the trim frame or a sensor channel.
+class Claims {
+ public:
+  void add(const YamlValue& map, const NetworkJoint& joint) {
+    const std::string& owner = joint.joint.name;
+    claim(map.at("name"), "name '" + owner + "'", owner, "List each joint once: it has one local controller");
+    claim(map.at("node"), fmt::format("controller {}", joint.joint.node), owner,
+          "Give each joint a controller of its own, 1..64");
+    if (joint.joint.trim_channel >= 0) {
+      claim(map.at("trim_channel"), fmt::format("trim channel {}", joint.joint.trim_channel), owner,
+            "Give each trimmed joint a channel of its own, 0..7");
+    }
+    for (const SensorChannel& channel : joint.channels) {
+      if (channel.kind != SensorKind::none) {
+        claim(map.at("channels"), "sensor channel '" + channel_name(channel) + "'", owner,
+              "Each sensor channel travels in one joint's feedback frame only");
+      }
+    }
+  }
+
+  void require_all_channels(const YamlValue& joints) const {
+    for (const NamedChannel& channel : all_channels()) {
+      if (!owners_.contains("sensor channel '" + channel.name + "'")) {
+        joints.refuse(fmt::format("the sensor channel '{}' is carried by no joint", channel.name),
+                      "Add it to the channels of a joint that has room");
+      }
+    }
+  }
+
+ private:
+  void claim(const YamlValue& value, const std::string& what, const std::string& owner,
+             const std::string& remedy) {
+    const auto [place, is_new] = owners_.emplace(what, owner);
+    if (!is_new) {
+      value.refuse(
+          fmt::format("{} is taken by joint '{}' already (asked for by '{}')", what, place->second, owner),
+          remedy);
+    }
+  }
+
+  std::map<std::string, std::string> owners_;
+};
+
+void read_joints(const YamlValue& top, NetworkFile& network) {
+  const YamlValue defaults_map = top.at("defaults");
+  defaults_map.require_map(Keys{"count_deg", "encoder_counts_per_turn", "servo", "motor", "home_deg"});
+  Joint defaults;
+  read_drive(defaults_map, true, defaults);
+  const Scales scales = read_scales(top.at("channel_scale"));
+  Claims claims;
+  for (const YamlValue& map : top.at("joints").items()) {
+    network.joints.push_back(read_joint(map, defaults, scales));
+    claims.add(map, network.joints.back());
+  }
+  claims.require_all_channels(top.at("joints"));
+}
+
+void read_foot(const YamlValue& map, std::size_t side, NetworkFile& network) {
+  map.require_map(
+      Keys{"link", "sole_position_m", "sole_rotation_rpy_deg", "size_m", "centre_m", "cell_inset_m"});
+  network.foot_link[side] = map.at("link").text();
+  network.foot_line[side] = map.at("link").line();
+  Foot& foot = network.feet[side];
+  foot.sole = pose_of(map.at("sole_position_m").numbers<3>(kPosition_m),
+                      rotation_or_zero(map, "sole_rotation_rpy_deg"));
+  foot.size_m = Eigen::Vector2d(map.at("size_m").numbers<2>(kLength_m).data());
+  foot.centre_m = Eigen::Vector2d(map.at("centre_m").numbers<2>(kPosition_m).data());
+  const double largest_inset_m = 0.4 * foot.size_m.minCoeff();
+  const double inset_m = map.at("cell_inset_m").number({0.0, largest_inset_m, "m"});
+  const Eigen::Vector2d half_m = 0.5 * foot.size_m - Eigen::Vector2d::Constant(inset_m);
+  foot.cell_m = {foot.centre_m + Eigen::Vector2d(half_m.x(), half_m.y()),
+                 foot.centre_m + Eigen::Vector2d(half_m.x(), -half_m.y()),
+                 foot.centre_m + Eigen::Vector2d(-half_m.x(), half_m.y()),
+                 foot.centre_m + Eigen::Vector2d(-half_m.x(), -half_m.y())};
+}
+
+void read_legs_and_feet(const YamlValue& top, NetworkFile& network) {
+  const Keys sides{"left", "right"};
+  const YamlValue legs = top.at("legs");
+  const YamlValue feet = top.at("feet");
+  legs.require_map(sides);
+  feet.require_map(sides);
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    const YamlValue leg = legs.at(sides[side]);
+    const std::vector<YamlValue> names = leg.items();
+    if (names.size() != 6) {
+      leg.refuse("a leg has six joints: hip yaw, hip roll, hip pitch, knee, ankle pitch, ankle roll",
+                 "List exactly these, from the base to the foot");
+    }
+    for (const YamlValue& name : names) {
+      network.leg_joints[side].push_back(name.text());
+    }
+    network.leg_line[side] = leg.line();
+    read_foot(feet.at(sides[side]), side, network);
+  }
+}
+
+void read_imu(const YamlValue& map, NetworkFile& network) {
+  map.require_map(Keys{"link", "position_m", "rotation_rpy_deg"});
+  network.imu_link = map.at("link").text();
+  network.imu_line = map.at("link").line();
+  network.imu.pose =
+      pose_of(map.at("position_m").numbers<3>(kPosition_m), rotation_or_zero(map, "rotation_rpy_deg"));
+}
+
+void read_trim(const YamlValue& map, TrimSettings& trim) {
+  map.require_map(Keys{"count_deg", "slew_deg_per_s", "limit_deg"});
+  const double count_deg = map.at("count_deg").number(kCount_deg);
+  trim.count_rad = count_deg * kDegree_rad;
+  trim.slew_rad_per_s = map.at("slew_deg_per_s").number({1.0, 2000.0, "deg/s"}) * kDegree_rad;
+  const YamlValue limit = map.at("limit_deg");
+  trim.limit_rad = limit.number({count_deg, 45.0, "deg"}) * kDegree_rad;
+  if (trim.limit_rad > 127.0001 * trim.count_rad) {
+    limit.refuse(
+        fmt::format("a signed byte holds 127 counts of {:g} deg = {:g} deg", count_deg, 127 * count_deg),
+        "Lower limit_deg or raise trim.count_deg");
+  }
+}
+
+void read_simulation(const YamlValue& map, NetworkFile& network) {
+  map.require_map(Keys{"noise", "contact", "physics_step_s"});
+  const YamlValue noise = map.at("noise");
+  noise.require_map(
+      Keys{"angular_velocity_rad_per_s", "acceleration_m_per_s2", "inclination_rad", "force_N"});
+  network.noise.angular_velocity_rad_per_s =
+      noise.at("angular_velocity_rad_per_s").number({0.0, 1.0, "rad/s"});
+  network.noise.acceleration_m_per_s2 = noise.at("acceleration_m_per_s2").number({0.0, 10.0, "m/s²"});
+  network.noise.inclination_rad = noise.at("inclination_rad").number({0.0, 0.2, "rad"});
+  network.noise.force_N = noise.at("force_N").number({0.0, 50.0, "N"});
+  const YamlValue contact = map.at("contact");
+  contact.require_map(Keys{"friction"});
+  network.contact.friction = contact.at("friction").number({0.01, 3.0, ""});
+  network.physics_step_s = map.at("physics_step_s").number({1e-5, 0.001, "s"});
+}
+
+}  // namespace
+
+NetworkFile read_network_file(const std::filesystem::path& file) {
+  const YamlValue top = YamlValue::read(file);
+  top.require_map(
+      Keys{"defaults", "joints", "legs", "feet", "imu", "channel_scale", "trim", "standing", "simulation"});
+  NetworkFile network;
+  network.file = file;
+  read_joints(top, network);
+  read_legs_and_feet(top, network);
+  read_imu(top.at("imu"), network);
+  read_trim(top.at("trim"), network.trim);
+  const YamlValue standing = top.at("standing");
+  standing.require_map(Keys{"hip_height_m"});
+  network.hip_height_m = standing.at("hip_height_m").number({0.02, 2.0, "m"});
+  network.hip_height_line = standing.at("hip_height_m").line();
+  read_simulation(top.at("simulation"), network);
+  return network;
+}
+
+}  // namespace gaitway::urdf

@@ -1,0 +1,204 @@
+// Joins robot.urdf and robot.yaml into one robot model.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "description_error.hpp"
+#include "gaitway/urdf/forward_kinematics.hpp"
+#include "joint_rules.hpp"
+#include "kdl_tree.hpp"
+#include "nearest_name.hpp"
+#include "network_file.hpp"
+#include "urdf_file.hpp"
+
+namespace gaitway::urdf {
+namespace {
+
+constexpr double kHeightTolerance_m = 0.001;
+constexpr double kLevelTolerance_rad = 0.01;
+
+class Assembly {
+ public:
+  Assembly(const UrdfFile& urdf, const NetworkFile& network) : urdf_(urdf), network_(network) {}
+
+  RobotModel assemble(const std::filesystem::path& directory) {
+    model_.name = urdf_.name;
+    model_.directory = directory;
+    add_link(urdf_.base_link, -1);
+    for (const NetworkJoint& drive : network_.joints) {
+      add_joint(drive);
+    }
+    require_all_joints();
+    for (const Side side : kSides) {
+      add_leg(static_cast<std::size_t>(side));
+    }
+    model_.imu = network_.imu;
+    model_.imu.link = find_link(network_.imu_link, network_.imu_line, "imu.link");
+    model_.noise = network_.noise;
+    model_.contact = network_.contact;
+    model_.trim = network_.trim;
+    model_.physics_step_s = network_.physics_step_s;
+    model_.hip_height_m = network_.hip_height_m;
+    check_standing();
+    model_.tree = make_kdl_tree(model_);
+    return std::move(model_);
+  }
+
+ private:
+  [[noreturn]] void refuse_network(int line, const std::string& field, const std::string& value,
+                                   const std::string& rule, const std::string& remedy) const {
+    refuse({network_.file, line, field, value, rule, remedy});
+  }
+
+  void add_link(const std::string& name, int parent_joint) {
+    const auto found = std::find_if(urdf_.links.begin(), urdf_.links.end(),
+                                    [&name](const Link& link) { return link.name == name; });
+    link_of_name_[name] = static_cast<int>(model_.links.size());
+    model_.links.push_back(*found);
+    model_.links.back().parent_joint = parent_joint;
+  }
+
+  // The URDF's half of a joint of the network file.
+  const UrdfJoint& geometry_of(const NetworkJoint& drive) const {
+    std::vector<std::string> names;
+    for (const UrdfJoint& candidate : urdf_.joints) {
+      if (candidate.joint.name == drive.joint.name) {
+        return candidate;
+      }
+      names.push_back(candidate.joint.name);
+    }
+    refuse_network(drive.line, "joint name", "'" + drive.joint.name + "'",
+                   "there is no such joint in " + urdf_.file.filename().string(),
+                   suggest(drive.joint.name, names));
+  }
+
+  void add_joint(const NetworkJoint& drive) {
+    const UrdfJoint& geometry = geometry_of(drive);
+    check_drive(urdf_, geometry, network_, drive);
+    const auto parent = link_of_name_.find(geometry.parent_link);
+    if (parent == link_of_name_.end()) {
+      refuse_network(
+          drive.line, "joints", "'" + drive.joint.name + "'",
+          fmt::format("its parent link '{}' hangs on a joint further down: parents come before children",
+                      geometry.parent_link),
+          "Move the joint below the one that carries this link");
+    }
+    Joint joint = drive.joint;
+    joint.origin = geometry.joint.origin;
+    joint.axis = geometry.joint.axis.normalized();
+    joint.lower_rad = geometry.joint.lower_rad;
+    joint.upper_rad = geometry.joint.upper_rad;
+    joint.velocity_limit_rad_per_s = geometry.joint.velocity_limit_rad_per_s;
+    joint.parent_link = parent->second;
+    joint.child_link = static_cast<int>(model_.links.size());
+    add_link(geometry.child_link, static_cast<int>(model_.joints.size()));
+    model_.joints.push_back(joint);
+    model_.channels.push_back(drive.channels);
+  }
+
+  void require_all_joints() const {
+    std::vector<std::string> listed;
+    for (const Joint& joint : model_.joints) {
+      listed.push_back(joint.name);
+    }
+    for (const UrdfJoint& candidate : urdf_.joints) {
+      const std::string& name = candidate.joint.name;
+      if (std::find(listed.begin(), listed.end(), name) == listed.end()) {
+        refuse({urdf_.file, candidate.line, "joint", "'" + name + "'",
+                "the joint has no local controller in " + network_.file.filename().string(),
+                "Add it to 'joints' there. Nearest name there: '" +
+                    nearest_name(name, listed).value_or("none") + "'"});
+      }
+    }
+  }
+
+  int find_link(const std::string& name, int line, const std::string& field) const {
+    if (const auto found = link_of_name_.find(name); found != link_of_name_.end()) {
+      return found->second;
+    }
+    std::vector<std::string> names;
+    for (const Link& link : model_.links) {
+      names.push_back(link.name);
+    }
+    refuse_network(line, field, "'" + name + "'",
+                   "there is no such link in " + urdf_.file.filename().string(), suggest(name, names));
+  }
+
+  // Six joints, each hanging on the one before, the first on the base, the last carrying the foot.
+  void add_leg(std::size_t side) {
+    const std::string prefix = side == 0 ? "left" : "right";
+    Foot& foot = model_.feet[side];
+    foot = network_.feet[side];
+    foot.link = find_link(network_.foot_link[side], network_.foot_line[side], "feet." + prefix + ".link");
+    std::vector<std::string> names;
+    for (const Joint& joint : model_.joints) {
+      names.push_back(joint.name);
+    }
+    int link = 0;
+    const std::vector<std::string>& chain = network_.leg_joints[side];
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const auto found = std::find(names.begin(), names.end(), chain[i]);
+      const std::string field = fmt::format("legs.{}[{}]", prefix, i);
+      if (found == names.end()) {
+        refuse_network(network_.leg_line[side], field, "'" + chain[i] + "'", "there is no such joint",
+                       suggest(chain[i], names));
+      }
+      const auto index = static_cast<std::size_t>(found - names.begin());
+      const Joint& joint = model_.joints[index];
+      if (joint.parent_link != link) {
+        refuse_network(
+            network_.leg_line[side], field, "'" + chain[i] + "'",
+            fmt::format("must hang on the link '{}'", model_.links[static_cast<std::size_t>(link)].name),
+            "List the leg's six joints from the base to the foot");
+      }
+      model_.legs[side].joints[i] = static_cast<int>(index);
+      link = joint.child_link;
+    }
+    if (link != foot.link) {
+      refuse_network(
+          network_.foot_line[side], "feet." + prefix + ".link", "'" + network_.foot_link[side] + "'",
+          fmt::format("the leg ends at the link '{}'", model_.links[static_cast<std::size_t>(link)].name),
+          "Name the link behind the last of the leg's six joints");
+    }
+  }
+
+  // In the home posture the soles are level, as far below the hips as the file says.
+  void check_standing() const {
+    const ForwardKinematics home(model_);
+    for (const Side side : kSides) {
+      const char* name = side == Side::left ? "left" : "right";
+      const Joint& hip_pitch =
+          model_.joints[static_cast<std::size_t>(model_.legs[static_cast<std::size_t>(side)].joints[2])];
+      const Eigen::Isometry3d sole = home.sole_pose(side);
+      const double height_m = home.link_position_m(hip_pitch.child_link).z() - sole.translation().z();
+      if (std::acos(std::min(1.0, sole.linear()(2, 2))) > kLevelTolerance_rad) {
+        refuse_network(network_.hip_height_line, "standing", "",
+                       fmt::format("in the home posture the {} sole is not level", name),
+                       "Choose home_deg of hip pitch, knee and ankle pitch so that they cancel");
+      }
+      if (std::abs(height_m - model_.hip_height_m) > kHeightTolerance_m) {
+        refuse_network(
+            network_.hip_height_line, "standing.hip_height_m", fmt::format("{:g}", model_.hip_height_m),
+            fmt::format("in the home posture the {} hip is {:.4f} m above the sole", name, height_m),
+            "Make home_deg of the leg and this height agree");
+      }
+    }
+  }
+
+  const UrdfFile& urdf_;
+  const NetworkFile& network_;
+  RobotModel model_;
+  std::map<std::string, int> link_of_name_;
+};
+
+}  // namespace
+
+RobotModel load_robot(const std::filesystem::path& directory) {
+  const UrdfFile urdf = read_urdf_file(directory / "robot.urdf");
+  const NetworkFile network = read_network_file(directory / "robot.yaml");
+  return Assembly(urdf, network).assemble(directory);
+}
+
+}  // namespace gaitway::urdf

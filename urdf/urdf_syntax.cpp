@@ -1,0 +1,186 @@
+// Checks a URDF against the grammar in kGrammar, below.
+#include "urdf_syntax.hpp"
+
+#include <fmt/format.h>
+#include <tinyxml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "description_error.hpp"
+#include "nearest_name.hpp"
+
+namespace gaitway::urdf {
+namespace {
+
+struct Attribute {
+  std::string_view name;
+  int numbers;  // how many numbers it holds; 0: text
+  bool required = true;
+};
+
+struct Element {
+  std::string_view name;
+  std::vector<Attribute> attributes;
+  std::vector<std::string_view> required_children;
+  std::vector<std::string_view> optional_children;
+};
+
+const std::vector<Element>& grammar() {
+  static const std::vector<Element> kGrammar{
+      {"robot", {{"name", 0}, {"version", 0, false}}, {"link", "joint"}, {"material"}},
+      {"link", {{"name", 0}}, {"inertial"}, {"visual", "collision"}},
+      {"inertial", {}, {"mass", "inertia"}, {"origin"}},
+      {"mass", {{"value", 1}}, {}, {}},
+      {"inertia", {{"ixx", 1}, {"ixy", 1}, {"ixz", 1}, {"iyy", 1}, {"iyz", 1}, {"izz", 1}}, {}, {}},
+      {"origin", {{"xyz", 3, false}, {"rpy", 3, false}}, {}, {}},
+      {"visual", {{"name", 0, false}}, {"geometry"}, {"origin", "material"}},
+      {"collision", {{"name", 0, false}}, {"geometry"}, {"origin"}},
+      {"geometry", {}, {}, {"box", "cylinder", "sphere", "mesh"}},
+      {"box", {{"size", 3}}, {}, {}},
+      {"cylinder", {{"radius", 1}, {"length", 1}}, {}, {}},
+      {"sphere", {{"radius", 1}}, {}, {}},
+      {"mesh", {{"filename", 0}, {"scale", 3, false}}, {}, {}},
+      {"material", {{"name", 0}}, {}, {"color", "texture"}},
+      {"color", {{"rgba", 4}}, {}, {}},
+      {"texture", {{"filename", 0}}, {}, {}},
+      {"joint", {{"name", 0}, {"type", 0}}, {"parent", "child", "axis", "limit"}, {"origin"}},
+      {"parent", {{"link", 0}}, {}, {}},
+      {"child", {{"link", 0}}, {}, {}},
+      {"axis", {{"xyz", 3}}, {}, {}},
+      {"limit", {{"lower", 1}, {"upper", 1}, {"effort", 1}, {"velocity", 1}}, {}, {}},
+  };
+  return kGrammar;
+}
+
+// How many finite numbers the text holds, or -1 if something else stands in it.
+int count_numbers(const std::string& text) {
+  std::istringstream words(text);
+  std::string word;
+  int count = 0;
+  while (words >> word) {
+    const char* begin = word.data() + (word.front() == '+' ? 1 : 0);
+    const char* end = word.data() + word.size();
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+      return -1;
+    }
+    ++count;
+  }
+  return count;
+}
+
+class SyntaxCheck {
+ public:
+  explicit SyntaxCheck(const std::filesystem::path& file) : file_(file) {}
+
+  void check(const TiXmlElement& element, const std::string& path) {
+    const auto rule = std::find_if(grammar().begin(), grammar().end(),
+                                   [&element](const Element& e) { return e.name == element.ValueStr(); });
+    check_attributes(element, *rule, path);
+    check_children(element, *rule, path);
+  }
+
+  UrdfLines lines;
+
+ private:
+  static std::string describe(const TiXmlElement& element, const std::string& path) {
+    const char* name = element.Attribute("name");
+    const std::string own = name ? fmt::format("{} '{}'", element.Value(), name) : element.Value();
+    return path.empty() ? own : path + " " + own;
+  }
+
+  [[noreturn]] void refuse(int line, const std::string& field, const std::string& value,
+                           const std::string& what, const std::string& remedy) const {
+    urdf::refuse({file_, line, field, value, what, remedy});
+  }
+
+  void check_attributes(const TiXmlElement& element, const Element& rule, const std::string& path) const {
+    const std::string where = describe(element, path);
+    for (const TiXmlAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+      const auto known = std::find_if(rule.attributes.begin(), rule.attributes.end(),
+                                      [a](const Attribute& r) { return r.name == a->Name(); });
+      const std::string value = fmt::format("'{}'", a->Value());
+      if (known == rule.attributes.end()) {
+        std::vector<std::string> names;
+        for (const Attribute& attribute : rule.attributes) names.emplace_back(attribute.name);
+        refuse(a->Row(), where + " " + a->Name(), value, "there is no such attribute",
+               suggest(a->Name(), names));
+      }
+      if (known->numbers > 0 && count_numbers(a->ValueStr()) != known->numbers) {
+        refuse(a->Row(), where + " " + a->Name(), value,
+               known->numbers == 1 ? "must be a number" : fmt::format("must be {} numbers", known->numbers),
+               "Write plain numbers in SI units, with blanks between them");
+      }
+    }
+    for (const Attribute& attribute : rule.attributes) {
+      if (attribute.required && !element.Attribute(std::string(attribute.name))) {
+        refuse(element.Row(), where, "", fmt::format("the attribute '{}' is missing", attribute.name),
+               "Add it");
+      }
+    }
+  }
+
+  void check_children(const TiXmlElement& element, const Element& rule, const std::string& path) {
+    const std::string where = describe(element, path);
+    std::vector<std::string> names(rule.required_children.begin(), rule.required_children.end());
+    names.insert(names.end(), rule.optional_children.begin(), rule.optional_children.end());
+    for (const TiXmlElement* child = element.FirstChildElement(); child;
+         child = child->NextSiblingElement()) {
+      if (std::find(names.begin(), names.end(), child->ValueStr()) == names.end()) {
+        refuse(child->Row(), where, fmt::format("<{}>", child->Value()), "there is no such element here",
+               suggest(child->ValueStr(), names));
+      }
+      check(*child, element.ValueStr() == "robot" ? "" : where);
+      if (element.ValueStr() == "robot") {
+        note_line(*child);
+      }
+    }
+    for (const std::string_view required : rule.required_children) {
+      if (!element.FirstChildElement(std::string(required))) {
+        refuse(element.Row(), where, "", fmt::format("the element <{}> is missing", required), "Add it");
+      }
+    }
+  }
+
+  void note_line(const TiXmlElement& element) {
+    if (element.ValueStr() == "material") {
+      return;
+    }
+    auto& table = element.ValueStr() == "link" ? lines.link : lines.joint;
+    const auto [place, is_new] = table.emplace(element.Attribute("name"), element.Row());
+    if (!is_new) {
+      refuse(element.Row(), describe(element, ""), "",
+             fmt::format("the name is taken already in line {}", place->second),
+             "Give each one a name of its own");
+    }
+  }
+
+  const std::filesystem::path& file_;
+};
+
+}  // namespace
+
+UrdfLines check_urdf_syntax(const std::filesystem::path& file, const std::string& text) {
+  TiXmlDocument document;
+  document.Parse(text.c_str());
+  if (document.Error()) {
+    refuse({file, document.ErrorRow(), fmt::format("column {}", document.ErrorCol()), "",
+            fmt::format("malformed XML: {}", document.ErrorDesc()), "Check tags and quotes there and above"});
+  }
+  const TiXmlElement* robot = document.RootElement();
+  if (!robot || robot->ValueStr() != "robot") {
+    refuse({file, robot ? robot->Row() : 0, "", "", "the outermost element must be <robot>",
+            "A URDF reads <robot name=\"...\"> ... </robot>"});
+  }
+  SyntaxCheck syntax(file);
+  syntax.check(*robot, "");
+  return std::move(syntax.lines);
+}
+
+}  // namespace gaitway::urdf

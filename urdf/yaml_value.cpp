@@ -1,0 +1,141 @@
+// Checked access to YAML.
+#include "yaml_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "description_error.hpp"
+#include "nearest_name.hpp"
+
+namespace gaitway::urdf {
+namespace {
+
+std::string kind_of(const YAML::Node& node) {
+  switch (node.Type()) {
+    case YAML::NodeType::Scalar:
+      return "'" + node.Scalar() + "'";
+    case YAML::NodeType::Sequence:
+      return fmt::format("a list of {}", node.size());
+    case YAML::NodeType::Map:
+      return "a map";
+    default:
+      return "nothing";
+  }
+}
+
+}  // namespace
+
+YamlValue YamlValue::read(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) {
+    urdf::refuse({file, 0, "", "", "the file is missing or cannot be read",
+                  "A robot's folder holds robot.urdf and robot.yaml"});
+  }
+  try {
+    return YamlValue(YAML::Load(stream), file, "");
+  } catch (const YAML::ParserException& error) {
+    urdf::refuse({file, error.mark.line + 1, fmt::format("column {}", error.mark.column + 1), "",
+                  "malformed YAML: " + error.msg, "Check indentation, brackets and quotes there and above"});
+  }
+}
+
+void YamlValue::require_map(std::span<const std::string_view> keys) const {
+  if (!node_.IsMap()) {
+    refuse("must be a map of keys and values", fmt::format("Give it the keys {}", fmt::join(keys, ", ")));
+  }
+  std::vector<std::string> seen;
+  for (const auto& entry : node_) {
+    const YamlValue key(entry.first, file_, path_.empty() ? "key" : path_ + " key");
+    const std::string name = key.text();
+    if (std::find(keys.begin(), keys.end(), name) == keys.end()) {
+      const std::vector<std::string> known(keys.begin(), keys.end());
+      key.refuse("there is no such key", suggest(name, known));
+    }
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
+      key.refuse("the key stands here twice", "Remove one of the two");
+    }
+    seen.push_back(name);
+  }
+}
+
+YamlValue YamlValue::at(std::string_view key) const {
+  if (auto value = find(key)) {
+    return *std::move(value);
+  }
+  refuse(fmt::format("the key '{}' is missing", key), fmt::format("Add '{}: ...'", key));
+}
+
+std::optional<YamlValue> YamlValue::find(std::string_view key) const {
+  if (!node_.IsMap()) {
+    refuse("must be a map of keys and values", fmt::format("Give it the key '{}'", key));
+  }
+  const YAML::Node child = node_[std::string(key)];
+  if (!child.IsDefined()) {
+    return std::nullopt;
+  }
+  return YamlValue(child, file_, path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key));
+}
+
+std::vector<YamlValue> YamlValue::items() const {
+  if (!node_.IsSequence()) {
+    refuse("must be a list", "Write [a, b, ...] or one '- ...' a line");
+  }
+  std::vector<YamlValue> result;
+  for (std::size_t i = 0; i < node_.size(); ++i) {
+    result.push_back(YamlValue(node_[i], file_, fmt::format("{}[{}]", path_, i)));
+  }
+  return result;
+}
+
+std::vector<YamlValue> YamlValue::items(std::size_t count) const {
+  std::vector<YamlValue> result = items();
+  if (result.size() != count) {
+    refuse(fmt::format("must be a list of {}", count), "Add or remove entries");
+  }
+  return result;
+}
+
+double YamlValue::number(const Range& range) const {
+  double value = 0.0;
+  if (!node_.IsScalar() || !YAML::convert<double>::decode(node_, value) || !std::isfinite(value)) {
+    refuse("must be a number", "Write a plain number; its unit is part of the key");
+  }
+  if (value < range.lowest || value > range.highest) {
+    refuse(fmt::format("must be {:g}..{:g}{}{}", range.lowest, range.highest, range.unit.empty() ? "" : " ",
+                       range.unit),
+           "Check the unit: it is part of the key");
+  }
+  return value;
+}
+
+int YamlValue::integer(int lowest, int highest) const {
+  int value = 0;
+  if (!node_.IsScalar() || !YAML::convert<int>::decode(node_, value)) {
+    refuse("must be a whole number", "Write a plain whole number");
+  }
+  if (value < lowest || value > highest) {
+    refuse(fmt::format("must be {}..{}", lowest, highest), "Choose a number in this range");
+  }
+  return value;
+}
+
+std::string YamlValue::text() const {
+  if (!node_.IsScalar()) {
+    refuse("must be a name", "Write a single word");
+  }
+  return node_.Scalar();
+}
+
+void YamlValue::refuse(const std::string& rule, const std::string& remedy) const {
+  urdf::refuse({file_, line(), path_.empty() ? "the file" : path_, kind_of(node_), rule, remedy});
+}
+
+int YamlValue::line() const {
+  const YAML::Mark mark = node_.Mark();
+  return mark.is_null() ? 0 : mark.line + 1;
+}
+
+}  // namespace gaitway::urdf

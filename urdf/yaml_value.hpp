@@ -1,0 +1,65 @@
+// A value of a YAML file that knows where it stands, so that whatever is wrong with it can be said precisely.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::urdf {
+
+// Inclusive bounds of a number and why they are there.
+struct Range {
+  double lowest = 0.0;
+  double highest = 0.0;
+  std::string_view unit;
+};
+
+// All members throw RobotError with file, line, field, value, rule and remedy.
+class YamlValue {
+ public:
+  // Reads a whole file; complains about a missing file and, with line and column, about malformed YAML.
+  static YamlValue read(const std::filesystem::path& file);
+
+  // The value is a map with these keys only, each once; complains about an unknown one and names the nearest.
+  void require_map(std::span<const std::string_view> keys) const;
+
+  [[nodiscard]] YamlValue at(std::string_view key) const;  // must be there
+  [[nodiscard]] std::optional<YamlValue> find(std::string_view key) const;
+  [[nodiscard]] std::vector<YamlValue> items() const;  // of a list
+  [[nodiscard]] std::vector<YamlValue> items(std::size_t count) const;
+
+  [[nodiscard]] double number(const Range& range) const;
+  [[nodiscard]] int integer(int lowest, int highest) const;
+  [[nodiscard]] std::string text() const;
+  template <std::size_t count>
+  [[nodiscard]] std::array<double, count> numbers(const Range& range) const {
+    const std::vector<YamlValue> values = items(count);
+    std::array<double, count> result{};
+    for (std::size_t i = 0; i < count; ++i) {
+      result[i] = values[i].number(range);
+    }
+    return result;
+  }
+
+  [[noreturn]] void refuse(const std::string& rule, const std::string& remedy) const;
+  [[nodiscard]] int line() const;
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+ private:
+  YamlValue(YAML::Node node, std::filesystem::path file, std::string path)
+      : node_(std::move(node)), file_(std::move(file)), path_(std::move(path)) {}
+
+  YAML::Node node_;
+  std::filesystem::path file_;
+  std::string path_;  // e.g. "joints[3].node"; empty at the top
+};
+
+}  // namespace gaitway::urdf
