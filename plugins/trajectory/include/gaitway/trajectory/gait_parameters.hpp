@@ -1,0 +1,69 @@
+// Every number of the walking pattern, with its unit, and the rules that these numbers must keep.
+#pragma once
+
+namespace gaitway::trajectory {
+
+inline constexpr double kPointPeriod_s = 0.010;  // time between two points of a plan
+inline constexpr double kGravity_m_per_s2 = 9.81;
+
+// The rectangle of a sole, in the sole frame (origin below the ankle, x forward, y left).
+struct Sole {
+  double length_m = 0.135;
+  double width_m = 0.085;
+  double centre_forward_m = 0.010;  // of the rectangle, ahead of the origin
+};
+
+struct GaitParameters {
+  // The robot in its standing posture.
+  double com_height_m = 0.378;         // of the CoM above the ground: the height of the cart's table
+  double hip_height_m = 0.360;         // of the hip axes above the ground, constant
+  double stand_com_forward_m = 0.010;  // CoM of the nominal stand ahead of the line between the sole origins
+  double foot_spacing_m = 0.100;       // lateral distance of the sole origins
+  Sole sole;
+
+  // Timing. All are rounded to whole points of 10 ms.
+  double step_time_s = 0.40;
+  double double_support_share = 0.15;  // of the step time
+  double lead_in_s = 0.60;             // first weight shift, from the start command to the first lift
+  double settle_s = 0.60;              // from the last touch-down to rest
+  double freeze_share = 0.30;          // of the swing: from here on a footstep is fixed
+
+  double absorb_s = 0.40;  // over which the ZMP absorbs a change of footsteps
+
+  // Shape of a step.
+  double lift_m = 0.030;         // highest point of the swing foot's sole
+  double zmp_forward_m = 0.010;  // reference ZMP ahead of the sole's origin
+  double zmp_inward_m = 0.010;   // and towards the other foot
+
+  // Limits of a footstep against its stance foot.
+  double max_step_forward_m = 0.140;
+  double max_step_backward_m = 0.100;
+  double max_foot_spacing_m = 0.160;
+  double min_sole_gap_m = 0.008;  // clear distance between the soles' rectangles when a foot lands
+  double max_step_turn_rad = 0.24;
+
+  // Change of the walking velocity from step to step.
+  double forward_acceleration_m_per_s2 = 0.25;
+  double lateral_acceleration_m_per_s2 = 0.10;
+  double turn_acceleration_rad_per_s2 = 1.0;
+
+  // Preview control.
+  double preview_s = 1.6;
+  double zmp_error_weight = 1.0;
+  double jerk_weight = 1e-6;
+
+  [[nodiscard]] int step_points() const noexcept;
+  [[nodiscard]] int double_support_points() const noexcept;
+  [[nodiscard]] int swing_points() const noexcept { return step_points() - double_support_points(); }
+  [[nodiscard]] int lead_in_points() const noexcept;
+  [[nodiscard]] int settle_points() const noexcept;
+  [[nodiscard]] int preview_points() const noexcept;
+  [[nodiscard]] int absorb_points() const noexcept;
+  // Points of the longest safe tail: a swing just begun, the closing step, the settling.
+  [[nodiscard]] int longest_tail_points() const noexcept;
+
+  // Throws std::invalid_argument naming the parameter, its value, the rule and the remedy.
+  void validate() const;
+};
+
+}  // namespace gaitway::trajectory

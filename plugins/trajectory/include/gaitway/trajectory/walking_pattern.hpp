@@ -1,0 +1,119 @@
+// The walking pattern: from the newest walk command to the next batch of points and its safe tail.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/trajectory/divergence_absorber.hpp"
+#include "gaitway/trajectory/footstep_planner.hpp"
+#include "gaitway/trajectory/gait_parameters.hpp"
+#include "gaitway/trajectory/preview_controller.hpp"
+#include "gaitway/trajectory/quintic.hpp"
+#include "gaitway/trajectory/swing_foot.hpp"
+
+namespace gaitway::trajectory {
+
+enum class Phase : std::uint8_t {
+  stand,     // at rest in the nominal stand
+  walking,   // in a step: double support, then swing
+  settling,  // feet side by side, the CoM comes to rest
+};
+
+// One step: double support, in which the reference ZMP moves to the stance foot, then the swing.
+struct Step {
+  Side swing = Side::left;
+  int double_support_points = 0;
+  int swing_points = 0;
+  bool last = false;     // the robot settles after it
+  bool lead_in = false;  // first step from the stand: the ZMP moves smoothly, not linearly
+  Pose2 stance;
+  Pose2 landing;
+  Velocity2 velocity_before, velocity;  // of the step before, and with which this one was planned
+  Eigen::RowVector2d zmp_from = Eigen::RowVector2d::Zero(), zmp_to = Eigen::RowVector2d::Zero();
+
+  [[nodiscard]] int points() const noexcept { return double_support_points + swing_points; }
+};
+
+// All that a plan depends on; copied to make the safe tail.
+struct PatternState {
+  Phase phase = Phase::stand;
+  int elapsed_points = 0;  // of the step, or of the settling
+  Cart cart;
+  Eigen::RowVector2d divergence = Eigen::RowVector2d::Zero();  // that the reference in force asks for now, m
+  ZmpOffset zmp_offset;                                        // absorbs changes of footsteps
+  std::array<Pose2, 2> feet;  // [Side], on the ground or where the swing foot is
+  std::array<double, 2> foot_height_m{};
+  Step step;  // in flight while walking
+  SwingFoot swing;
+  std::array<Quintic, 2> settle;  // x, y of the CoM
+};
+
+// Plans in the frame `plan`. No allocation, no exception after construction.
+class WalkingPattern {
+ public:
+  // Throws std::invalid_argument (see GaitParameters::validate).
+  explicit WalkingPattern(const GaitParameters& parameters);
+
+  // Stands at rest with the middle between the sole origins at (x, y), heading yaw.
+  void reset_to_stand(const Pose2& middle) noexcept;
+
+  // Advances by kBatchPoints points towards `command` and fills `plan`, with the safe tail that begins at the
+  // end of the batch. A non-finite command counts as a stop, a non-finite correction as none.
+  // correction.step_offset moves the next footstep that is not fixed yet. About 5 µs.
+  // A walk command that comes back in the last step before the stand takes effect when the robot settles.
+  void plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
+            const Correction& correction, MotionPlan& plan) noexcept;
+
+  // Where the tail of the last plan ends: the middle between the sole origins.
+  [[nodiscard]] const Pose2& final_stance() const noexcept { return final_stance_; }
+  [[nodiscard]] const PatternState& state() const noexcept { return state_; }
+  // Which rules limited the footsteps of the last plan.
+  [[nodiscard]] StepLimit applied_limits() const noexcept { return applied_; }
+  // The reference that the last batch's preview followed, offset included; row 0 is the batch's start. Empty
+  // unless walking.
+  [[nodiscard]] const ZmpReference& reference() const noexcept { return batch_reference_; }
+
+ private:
+  static constexpr int kMaxSteps = 40;
+  struct Schedule {
+    std::array<Step, kMaxSteps> steps;
+    int count = 0, next = 0;  // steps[next] follows the step in flight
+    bool ends = false;        // after the last step the robot settles
+  };
+
+  void begin_walking(PatternState& state, const Velocity2& wanted) noexcept;
+  void begin_settling(PatternState& state) const noexcept;
+  // Aim the step in flight, or begin one, and fill schedule_ with the steps that follow it.
+  void schedule_walk(PatternState& state, const Velocity2& wanted, const Eigen::Vector2d& offset_m) noexcept;
+  void schedule_stop(PatternState& state) noexcept;
+  [[nodiscard]] Step step_after(const Step& before, const Velocity2& wanted,
+                                const Eigen::Vector2d& offset_m) noexcept;
+  [[nodiscard]] Step closing_step_after(const Step& before) const noexcept;
+  void fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept;
+  void advance(PatternState& state, const ZmpReference& reference, int index) noexcept;
+  void advance_step(PatternState& state) noexcept;
+  void advance_settling(PatternState& state) const noexcept;
+  [[nodiscard]] bool is_open(const PatternState& state) const noexcept;
+  [[nodiscard]] static bool must_finish_stop(const PatternState& state) noexcept;
+  void write_point(const PatternState& state, std::size_t index, MotionPlan& plan) const noexcept;
+  void write_footsteps(const PatternState& state, MotionPlan& plan) const noexcept;
+  void write_tail(MotionPlan& plan) noexcept;
+  [[nodiscard]] Eigen::RowVector2d stance_zmp(Side side, const Pose2& foot) const noexcept;
+  [[nodiscard]] Eigen::RowVector2d stand_com(const std::array<Pose2, 2>& feet) const noexcept;
+
+  GaitParameters parameters_;
+  PreviewController controller_;
+  DivergenceAbsorber absorber_;
+  FootstepPlanner planner_;
+  PatternState state_, tail_state_;
+  Schedule schedule_;
+  ZmpReference batch_reference_, tail_reference_;
+  Pose2 final_stance_;
+  StepLimit applied_ = StepLimit::none;
+};
+
+// The middle between two feet.
+[[nodiscard]] Pose2 middle_of(const std::array<Pose2, 2>& feet) noexcept;
+
+}  // namespace gaitway::trajectory

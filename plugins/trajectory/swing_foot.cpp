@@ -1,0 +1,31 @@
+// The swing foot's polynomials.
+#include "gaitway/trajectory/swing_foot.hpp"
+
+namespace gaitway::trajectory {
+
+double swing_height_m(double share, double lift_m) noexcept {
+  const double product = share * (1.0 - share);
+  return lift_m * 64.0 * product * product * product;
+}
+
+SwingFoot::SwingFoot(const Pose2& lift, const Pose2& landing, double swing_s) noexcept
+    : x_({lift.x_m}, {landing.x_m}, swing_s),
+      y_({lift.y_m}, {landing.y_m}, swing_s),
+      yaw_({lift.yaw_rad}, {landing.yaw_rad}, swing_s),
+      swing_s_(swing_s) {}
+
+void SwingFoot::aim(const Pose2& landing, double time_s) noexcept {
+  const double since = time_s - aimed_s_;
+  const double left = swing_s_ - time_s;
+  x_ = Quintic(x_.at(since), {landing.x_m}, left);
+  y_ = Quintic(y_.at(since), {landing.y_m}, left);
+  yaw_ = Quintic(yaw_.at(since), {landing.yaw_rad}, left);
+  aimed_s_ = time_s;
+}
+
+Pose2 SwingFoot::at(double time_s) const noexcept {
+  const double since = time_s - aimed_s_;
+  return {x_.at(since).position, y_.at(since).position, yaw_.at(since).position};
+}
+
+}  // namespace gaitway::trajectory

@@ -1,0 +1,346 @@
+// The walking pattern's state machine: stand, steps, settling; and the plan that it writes.
+#include "gaitway/trajectory/walking_pattern.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaitway::trajectory {
+namespace {
+
+constexpr std::int64_t kPointPeriod_ns = 10'000'000;
+constexpr int kRampPoints = 6;  // of the offset that absorbs a change of footsteps
+constexpr auto kBatch = static_cast<int>(kBatchPoints);
+
+constexpr std::size_t index_of(Side side) noexcept {
+  return static_cast<std::size_t>(side);
+}
+
+GaitParameters checked(GaitParameters parameters) {
+  parameters.validate();
+  parameters.step_time_s = parameters.step_points() * kPointPeriod_s;
+  return parameters;
+}
+
+PreviewParameters preview_of(const GaitParameters& parameters) {
+  return {parameters.com_height_m, kPointPeriod_s, parameters.preview_points(), parameters.zmp_error_weight,
+          parameters.jerk_weight};
+}
+
+double smooth_share(double s) noexcept {
+  return s * s * (3.0 - 2.0 * s);
+}
+
+// Reference ZMP in the step, `elapsed` points after its beginning.
+Eigen::RowVector2d zmp_in_step(const Step& step, int elapsed) noexcept {
+  if (elapsed >= step.double_support_points) return step.zmp_to;
+  const double share = static_cast<double>(elapsed) / step.double_support_points;
+  return step.zmp_from + (step.lead_in ? smooth_share(share) : share) * (step.zmp_to - step.zmp_from);
+}
+
+std::array<Pose2, 2> feet_after(const Step& step) noexcept {
+  std::array<Pose2, 2> feet;
+  feet[index_of(step.swing)] = step.landing;
+  feet[index_of(other(step.swing))] = step.stance;
+  return feet;
+}
+
+}  // namespace
+
+Pose2 middle_of(const std::array<Pose2, 2>& feet) noexcept {
+  return {0.5 * (feet[0].x_m + feet[1].x_m), 0.5 * (feet[0].y_m + feet[1].y_m),
+          0.5 * (feet[0].yaw_rad + feet[1].yaw_rad)};
+}
+
+WalkingPattern::WalkingPattern(const GaitParameters& parameters)
+    : parameters_(checked(parameters)),
+      controller_(preview_of(parameters_)),
+      absorber_(parameters_.com_height_m, parameters_.absorb_points(), kRampPoints),
+      planner_(parameters_) {
+  reset_to_stand({});
+}
+
+void WalkingPattern::reset_to_stand(const Pose2& middle) noexcept {
+  state_ = PatternState{};
+  const double half = 0.5 * parameters_.foot_spacing_m;
+  state_.feet = {middle.compose({0.0, half, 0.0}), middle.compose({0.0, -half, 0.0})};
+  state_.cart.motion.row(0) = stand_com(state_.feet);
+  final_stance_ = middle;
+  batch_reference_.count = 0;
+}
+
+Eigen::RowVector2d WalkingPattern::stance_zmp(Side side, const Pose2& foot) const noexcept {
+  return foot.transform(parameters_.zmp_forward_m, -sign_of(side) * parameters_.zmp_inward_m).transpose();
+}
+
+Eigen::RowVector2d WalkingPattern::stand_com(const std::array<Pose2, 2>& feet) const noexcept {
+  return middle_of(feet).transform(parameters_.stand_com_forward_m, 0.0).transpose();
+}
+
+bool WalkingPattern::is_open(const PatternState& state) const noexcept {
+  return state.elapsed_points <
+         state.step.double_support_points + parameters_.freeze_share * state.step.swing_points;
+}
+
+// The last step has begun: the CoM is on its way to rest, and to walk on would throw the ZMP off the foot.
+// The walk begins anew while the robot settles.
+bool WalkingPattern::must_finish_stop(const PatternState& state) noexcept {
+  return state.phase == Phase::walking && state.step.last;
+}
+
+// The first step. It begins with the foot towards which the robot is to move, else with the left one.
+void WalkingPattern::begin_walking(PatternState& state, const Velocity2& wanted) noexcept {
+  const double direction = wanted.left_m_per_s != 0.0 ? wanted.left_m_per_s : wanted.turn_rad_per_s;
+  Step step;
+  step.swing = direction < 0.0 ? Side::right : Side::left;
+  step.double_support_points = parameters_.lead_in_points();
+  step.swing_points = parameters_.swing_points();
+  step.lead_in = true;
+  step.stance = state.feet[index_of(other(step.swing))];
+  step.zmp_from = controller_.zmp(state.cart);
+  step.zmp_to = stance_zmp(other(step.swing), step.stance);
+  state.step = step;
+  state.phase = Phase::walking;
+  state.elapsed_points = 0;
+  state.cart.error_sum.setZero();
+  state.zmp_offset = {};
+  state.divergence = absorber_.divergence(state.cart);
+}
+
+// The CoM comes to rest above the stand's point by least jerk; exactly, in a fixed time.
+void WalkingPattern::begin_settling(PatternState& state) const noexcept {
+  const Eigen::RowVector2d end = stand_com(state.feet);
+  const auto& now = state.cart.motion;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    state.settle[static_cast<std::size_t>(axis)] =
+        Quintic({now(0, axis), now(1, axis), now(2, axis)}, {end(axis)},
+                parameters_.settle_points() * kPointPeriod_s);
+  }
+  state.phase = Phase::settling;
+  state.elapsed_points = 0;
+}
+
+Step WalkingPattern::closing_step_after(const Step& before) const noexcept {
+  Step step;
+  step.swing = other(before.swing);
+  step.double_support_points = parameters_.double_support_points();
+  step.swing_points = parameters_.swing_points();
+  step.stance = before.landing;
+  step.landing = planner_.beside(step.stance, step.swing);
+  step.zmp_from = before.zmp_to;
+  step.zmp_to = stance_zmp(before.swing, step.stance);
+  return step;
+}
+
+Step WalkingPattern::step_after(const Step& before, const Velocity2& wanted,
+                                const Eigen::Vector2d& offset_m) noexcept {
+  Step step = closing_step_after(before);
+  step.velocity_before = before.velocity;
+  step.velocity = planner_.next_velocity(step.velocity_before, wanted, applied_);
+  step.landing = planner_.landing(step.stance, step.swing, step.velocity, offset_m, applied_);
+  return step;
+}
+
+void WalkingPattern::schedule_walk(PatternState& state, const Velocity2& wanted,
+                                   const Eigen::Vector2d& offset_m) noexcept {
+  if (state.phase != Phase::walking) begin_walking(state, wanted);
+  Step& step = state.step;
+  Eigen::Vector2d offset_left = offset_m;
+  if (is_open(state)) {
+    step.velocity = planner_.next_velocity(step.velocity_before, wanted, applied_);
+    step.landing = planner_.landing(step.stance, step.swing, step.velocity, offset_m, applied_);
+    offset_left.setZero();
+    const int in_swing = state.elapsed_points - step.double_support_points;
+    if (in_swing > 0) state.swing.aim(step.landing, in_swing * kPointPeriod_s);
+  }
+  schedule_.count = schedule_.next = 0;
+  schedule_.ends = false;
+  const int wanted_points = kBatch + parameters_.preview_points();
+  const Step* before = &step;
+  for (int points = step.points() - state.elapsed_points;
+       points <= wanted_points && schedule_.count < kMaxSteps; points += before->points()) {
+    Step& next = schedule_.steps[static_cast<std::size_t>(schedule_.count++)];
+    next = step_after(*before, wanted, offset_left);
+    offset_left.setZero();
+    before = &next;
+  }
+}
+
+// A foot on the ground becomes the closing foot; a foot in the air lands where it was to land, and the other
+// closes. Feet side by side settle at once.
+void WalkingPattern::schedule_stop(PatternState& state) noexcept {
+  schedule_.count = schedule_.next = 0;
+  schedule_.ends = true;
+  if (state.phase != Phase::walking) return;
+  Step& step = state.step;
+  if (state.elapsed_points <= step.double_support_points) {
+    if (planner_.is_beside(step.stance, step.swing, state.feet[index_of(step.swing)])) {
+      begin_settling(state);
+      return;
+    }
+    step.landing = planner_.beside(step.stance, step.swing);
+    step.velocity = {};
+    step.last = true;
+  } else if (!planner_.is_beside(step.stance, step.swing, step.landing)) {
+    schedule_.steps[0] = closing_step_after(step);
+    schedule_.steps[0].last = true;
+    schedule_.count = 1;
+  } else {
+    step.last = true;
+  }
+}
+
+void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept {
+  reference.count = 0;
+  if (state.phase != Phase::walking) return;
+  const int most = std::min(points + 1, ZmpReference::kCapacity);
+  int row = 0;
+  const Step* step = &state.step;
+  int elapsed = state.elapsed_points;
+  for (int i = -1; i < schedule_.count && row < most; ++i, elapsed = 0) {
+    if (i >= 0) step = &schedule_.steps[static_cast<std::size_t>(i)];
+    for (; elapsed < step->points() && row < most; ++elapsed)
+      reference.point.row(row++) = zmp_in_step(*step, elapsed);
+  }
+  if (schedule_.ends) {
+    const Eigen::RowVector2d end = stand_com(feet_after(*step));
+    const int shift = parameters_.settle_points() / 2;
+    for (int k = 0; k <= shift && row < most; ++k) {
+      reference.point.row(row++) = step->zmp_to + static_cast<double>(k) / shift * (end - step->zmp_to);
+    }
+  }
+  reference.count = row;
+  absorber_.absorb(state.divergence, reference, state.zmp_offset);
+  DivergenceAbsorber::shift(state.zmp_offset, kBatch);
+  state.divergence = absorber_.required_divergence(reference, kBatch);
+}
+
+void WalkingPattern::advance(PatternState& state, const ZmpReference& reference, int index) noexcept {
+  if (state.phase == Phase::walking) {
+    controller_.step(state.cart, reference, index);
+    advance_step(state);
+  } else if (state.phase == Phase::settling) {
+    advance_settling(state);
+  }
+}
+
+void WalkingPattern::advance_step(PatternState& state) noexcept {
+  const Step& step = state.step;
+  const std::size_t foot = index_of(step.swing);
+  if (state.elapsed_points == step.double_support_points) {
+    state.swing = SwingFoot(state.feet[foot], step.landing, step.swing_points * kPointPeriod_s);
+  }
+  ++state.elapsed_points;
+  const int in_swing = state.elapsed_points - step.double_support_points;
+  if (in_swing <= 0) return;
+  if (in_swing < step.swing_points) {
+    state.feet[foot] = state.swing.at(in_swing * kPointPeriod_s);
+    state.foot_height_m[foot] =
+        swing_height_m(static_cast<double>(in_swing) / step.swing_points, parameters_.lift_m);
+    return;
+  }
+  state.feet[foot] = step.landing;
+  state.foot_height_m[foot] = 0.0;
+  if (schedule_.next < schedule_.count) {
+    state.step = schedule_.steps[static_cast<std::size_t>(schedule_.next++)];
+    state.elapsed_points = 0;
+  } else {
+    begin_settling(state);
+  }
+}
+
+void WalkingPattern::advance_settling(PatternState& state) const noexcept {
+  ++state.elapsed_points;
+  if (state.elapsed_points >= parameters_.settle_points()) {
+    state.cart = Cart{};
+    state.cart.motion.row(0) = stand_com(state.feet);
+    state.phase = Phase::stand;
+    state.elapsed_points = 0;
+    return;
+  }
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const MotionState com =
+        state.settle[static_cast<std::size_t>(axis)].at(state.elapsed_points * kPointPeriod_s);
+    state.cart.motion.col(axis) << com.position, com.velocity, com.acceleration;
+  }
+}
+
+void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
+                          const Correction& correction, MotionPlan& plan) noexcept {
+  applied_ = StepLimit::none;
+  plan.sequence = sequence;
+  plan.start_ns = start_ns;
+  Velocity2 wanted{command.velocity[0], command.velocity[1], command.turn_rate};
+  const bool finite = std::isfinite(wanted.forward_m_per_s) && std::isfinite(wanted.left_m_per_s) &&
+                      std::isfinite(wanted.turn_rad_per_s);
+  if (command.walk != 0 && finite && !must_finish_stop(state_)) {
+    if (std::isfinite(correction.turn_rate_offset)) wanted.turn_rad_per_s += correction.turn_rate_offset;
+    Eigen::Vector2d offset_m(correction.step_offset[0], correction.step_offset[1]);
+    if (!offset_m.allFinite()) offset_m.setZero();
+    schedule_walk(state_, wanted, offset_m);
+  } else {
+    schedule_stop(state_);
+  }
+  fill_reference(state_, kBatch + parameters_.preview_points(), batch_reference_);
+  write_footsteps(state_, plan);
+  for (int i = 0; i < kBatch; ++i) {
+    advance(state_, batch_reference_, i);
+    write_point(state_, static_cast<std::size_t>(i), plan);
+  }
+  write_tail(plan);
+}
+
+// Until the stand is reached, in whole batches; one batch at least.
+void WalkingPattern::write_tail(MotionPlan& plan) noexcept {
+  tail_state_ = state_;
+  schedule_stop(tail_state_);
+  fill_reference(tail_state_, ZmpReference::kCapacity - 1, tail_reference_);
+  int count = 0;
+  do {
+    for (int i = 0; i < kBatch; ++i, ++count) {
+      advance(tail_state_, tail_reference_, count);
+      write_point(tail_state_, static_cast<std::size_t>(kBatch + count), plan);
+    }
+  } while (tail_state_.phase != Phase::stand && count + kBatch <= static_cast<int>(kMaxTailPoints));
+  plan.tail_count = static_cast<std::uint32_t>(count);
+  final_stance_ = middle_of(tail_state_.feet);
+}
+
+void WalkingPattern::write_point(const PatternState& state, std::size_t i, MotionPlan& plan) const noexcept {
+  const Eigen::RowVector2d zmp = controller_.zmp(state.cart);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto column = static_cast<Eigen::Index>(axis);
+    plan.com[i][axis] = state.cart.motion(0, column);
+    plan.com_velocity[i][axis] = state.cart.motion(1, column);
+    plan.zmp[i][axis] = zmp(column);
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Pose2& foot = state.feet[side];
+    plan.foot_position[i][side][0] = foot.x_m;
+    plan.foot_position[i][side][1] = foot.y_m;
+    plan.foot_position[i][side][2] = state.foot_height_m[side];
+    plan.foot_yaw[i][side] = foot.yaw_rad;
+  }
+  plan.hip_height[i] = parameters_.hip_height_m;
+  plan.base_yaw[i] = 0.5 * (state.feet[0].yaw_rad + state.feet[1].yaw_rad);
+  const bool in_the_air =
+      state.phase == Phase::walking && state.elapsed_points > state.step.double_support_points;
+  plan.support[i] = in_the_air ? static_cast<std::uint8_t>(other(state.step.swing)) : std::uint8_t{2};
+}
+
+void WalkingPattern::write_footsteps(const PatternState& state, MotionPlan& plan) const noexcept {
+  plan.footstep_count = 0;
+  if (state.phase != Phase::walking) return;
+  int points = -state.elapsed_points;
+  for (int i = -1; i < schedule_.count && plan.footstep_count < kMaxFootsteps; ++i) {
+    const Step& step = i < 0 ? state.step : schedule_.steps[static_cast<std::size_t>(i)];
+    points += step.points();
+    const std::size_t k = plan.footstep_count++;
+    plan.footstep_side[k] = static_cast<std::uint32_t>(step.swing);
+    plan.footstep[k][0] = step.landing.x_m;
+    plan.footstep[k][1] = step.landing.y_m;
+    plan.footstep[k][2] = step.landing.yaw_rad;
+    plan.footstep_landing_ns[k] = plan.start_ns + points * kPointPeriod_ns;
+  }
+}
+
+}  // namespace gaitway::trajectory

@@ -1,0 +1,102 @@
+// Footsteps keep their named limits, and the velocity its slope.
+#include "gaitway/trajectory/footstep_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gaitway::trajectory {
+namespace {
+
+class Footsteps : public ::testing::Test {
+ protected:
+  GaitParameters parameters;
+  FootstepPlanner planner{parameters};
+  StepLimit applied = StepLimit::none;
+};
+
+TEST_F(Footsteps, ForwardStepLandsAheadAtNominalSpacing) {
+  const Pose2 foot = planner.landing({}, Side::left, {0.2, 0.0, 0.0}, {0.0, 0.0}, applied);
+  EXPECT_NEAR(foot.x_m, 0.08, 1e-12);
+  EXPECT_NEAR(foot.y_m, 0.10, 1e-12);
+  EXPECT_EQ(applied, StepLimit::none);
+}
+
+TEST_F(Footsteps, OnlyTheOuterFootMovesSideways) {
+  const Velocity2 left{0.0, 0.05, 0.0};
+  EXPECT_NEAR(planner.landing({}, Side::left, left, {0.0, 0.0}, applied).y_m, 0.14, 1e-12);
+  EXPECT_NEAR(planner.landing({}, Side::right, left, {0.0, 0.0}, applied).y_m, -0.10, 1e-12);
+}
+
+TEST_F(Footsteps, LimitIsNamed) {
+  const Pose2 far = planner.landing({}, Side::right, {}, {0.5, 0.0}, applied);
+  EXPECT_NEAR(far.x_m, parameters.max_step_forward_m, 1e-12);
+  EXPECT_EQ(applied, StepLimit::length);
+  applied = StepLimit::none;
+  EXPECT_NEAR(planner.landing({}, Side::right, {}, {0.0, -0.5}, applied).y_m, -parameters.max_foot_spacing_m,
+              1e-12);
+  EXPECT_EQ(applied, StepLimit::spacing);
+  applied = StepLimit::none;
+  EXPECT_NEAR(planner.landing({}, Side::right, {}, {0.0, 0.5}, applied).y_m, -0.093, 1e-12);
+  EXPECT_EQ(applied, StepLimit::sole_gap);
+  applied = StepLimit::none;
+  EXPECT_NEAR(planner.landing({}, Side::left, {0.0, 0.0, 2.0}, {0.0, 0.0}, applied).yaw_rad,
+              parameters.max_step_turn_rad, 1e-12);
+  EXPECT_TRUE(has(applied, StepLimit::turn));
+}
+
+TEST_F(Footsteps, TurnedFootStaysClearOfTheStanceFoot) {
+  for (const Side swing : {Side::left, Side::right}) {
+    for (double turn = -0.24; turn <= 0.24; turn += 0.04) {
+      const double side = sign_of(swing);
+      const double y = side * planner.least_spacing_m(swing, turn);
+      double innermost = 1.0;
+      for (const double x : {0.0775, -0.0575}) {
+        for (const double w : {0.0425, -0.0425}) {
+          innermost = std::min(innermost, side * (y + std::sin(turn) * x + std::cos(turn) * w));
+        }
+      }
+      EXPECT_NEAR(innermost, 0.0425 + parameters.min_sole_gap_m, 1e-12);
+    }
+  }
+}
+
+TEST_F(Footsteps, SpeedIsScaledOntoTheEllipsoidWithItsDirectionKept) {
+  parameters.forward_acceleration_m_per_s2 = parameters.lateral_acceleration_m_per_s2 = 10.0;
+  parameters.turn_acceleration_rad_per_s2 = 50.0;
+  const FootstepPlanner quick{parameters};
+  const Velocity2 v = quick.next_velocity({}, {-1.0, 0.2, 0.4}, applied);
+  EXPECT_EQ(applied, StepLimit::speed);
+  EXPECT_NEAR(v.left_m_per_s / v.forward_m_per_s, -0.2, 1e-12);
+  EXPECT_NEAR(v.turn_rad_per_s / v.forward_m_per_s, -0.4, 1e-12);
+  EXPECT_NEAR(
+      std::hypot(v.forward_m_per_s / quick.max_forward_m_per_s(true),
+                 v.left_m_per_s / quick.max_left_m_per_s(), v.turn_rad_per_s / quick.max_turn_rad_per_s()),
+      1.0, 1e-12);
+}
+
+TEST_F(Footsteps, VelocityChangesByTheAccelerationOfOneStep) {
+  const Velocity2 v = planner.next_velocity({}, {0.2, 0.0, -0.45}, applied);
+  EXPECT_NEAR(v.forward_m_per_s, 0.25 * 0.4, 1e-12);
+  EXPECT_NEAR(v.turn_rad_per_s, -0.4, 1e-12);
+  EXPECT_EQ(applied, StepLimit::acceleration);
+}
+
+TEST_F(Footsteps, BesideIsMutual) {
+  const Pose2 stance{1.0, 2.0, 0.5};
+  const Pose2 foot = planner.beside(stance, Side::left);
+  EXPECT_TRUE(planner.is_beside(stance, Side::left, foot));
+  EXPECT_TRUE(planner.is_beside(foot, Side::right, stance));
+  EXPECT_FALSE(planner.is_beside(stance, Side::right, foot));
+}
+
+TEST(Pose, ComposeAndRelativeAreInverse) {
+  const Pose2 a{1.0, -2.0, 0.7}, b{0.3, 0.4, -0.2};
+  const Pose2 back = a.relative_of(a.compose(b));
+  EXPECT_NEAR(back.x_m, b.x_m, 1e-12);
+  EXPECT_NEAR(back.y_m, b.y_m, 1e-12);
+  EXPECT_NEAR(back.yaw_rad, b.yaw_rad, 1e-12);
+}
+
+}  // namespace
+}  // namespace gaitway::trajectory

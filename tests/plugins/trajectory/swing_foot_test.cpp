@@ -1,0 +1,59 @@
+// The swing foot starts and lands at rest, and changes its target without a jump.
+#include "gaitway/trajectory/swing_foot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gaitway::trajectory {
+namespace {
+
+TEST(SwingFoot, LiftsAndLandsWithoutVelocityAndAcceleration) {
+  constexpr double kSmall = 1e-3;
+  for (const double share : {kSmall, 1.0 - kSmall}) {
+    EXPECT_LT(swing_height_m(share, 0.03), 0.03 * 64.0 * std::pow(kSmall, 3));  // of third order
+  }
+  EXPECT_EQ(swing_height_m(0.0, 0.03), 0.0);
+  EXPECT_EQ(swing_height_m(1.0, 0.03), 0.0);
+  EXPECT_DOUBLE_EQ(swing_height_m(0.5, 0.03), 0.03);
+}
+
+TEST(SwingFoot, GoesFromLiftToLanding) {
+  const Pose2 lift{0.1, 0.2, 0.3}, landing{0.4, -0.1, 0.5};
+  const SwingFoot swing(lift, landing, 0.34);
+  EXPECT_NEAR(swing.at(0.0).x_m, lift.x_m, 1e-12);
+  EXPECT_NEAR(swing.at(0.34).y_m, landing.y_m, 1e-12);
+  EXPECT_NEAR(swing.at(0.17).yaw_rad, 0.4, 1e-12);
+}
+
+TEST(SwingFoot, NewTargetChangesNeitherPositionNorVelocityNorAcceleration) {
+  SwingFoot swing({}, {0.2, 0.0, 0.0}, 0.34);
+  constexpr double t = 0.1, h = 1e-4;
+  const SwingFoot before = swing;
+  swing.aim({0.1, 0.05, 0.2}, t);
+  EXPECT_NEAR(swing.at(t).x_m, before.at(t).x_m, 1e-12);
+  EXPECT_NEAR(swing.at(t + h).x_m, before.at(t + h).x_m, 1e-8);  // third order in h
+  EXPECT_NEAR(swing.at(0.34).x_m, 0.1, 1e-12);
+  EXPECT_NEAR(swing.at(0.34).yaw_rad, 0.2, 1e-12);
+}
+
+TEST(SwingFoot, AimingAtTheSameTargetChangesNothing) {
+  const Pose2 landing{0.2, 0.01, 0.1};
+  SwingFoot swing({}, landing, 0.34);
+  const SwingFoot before = swing;
+  swing.aim(landing, 0.08);
+  EXPECT_NEAR(swing.at(0.2).x_m, before.at(0.2).x_m, 1e-12);
+  EXPECT_NEAR(swing.at(0.2).yaw_rad, before.at(0.2).yaw_rad, 1e-12);
+}
+
+TEST(Quintic, MeetsBothEndStates) {
+  const Quintic q({1.0, 2.0, 3.0}, {-1.0, 0.5, -4.0}, 0.7);
+  EXPECT_NEAR(q.at(0.0).velocity, 2.0, 1e-12);
+  EXPECT_NEAR(q.at(0.0).acceleration, 3.0, 1e-12);
+  EXPECT_NEAR(q.at(0.7).position, -1.0, 1e-12);
+  EXPECT_NEAR(q.at(0.7).velocity, 0.5, 1e-12);
+  EXPECT_NEAR(q.at(0.7).acceleration, -4.0, 1e-11);
+}
+
+}  // namespace
+}  // namespace gaitway::trajectory
