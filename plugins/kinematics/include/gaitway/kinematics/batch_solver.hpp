@@ -1,0 +1,70 @@
+// From a motion plan in task space to a joint plan: the batch and its safe tail.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "gaitway/kinematics/correction_fade.hpp"
+#include "gaitway/kinematics/whole_body_placement.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::kinematics {
+
+// What became of a batch. If not solved, the joint plan must not be handed over.
+struct BatchOutcome {
+  enum class Kind { solved, too_many_points, leg_unreachable, com_not_placed };
+  Kind kind = Kind::solved;
+  int point = 0;  // at which it failed; 0 is the first of the batch, kBatchPoints the first of the tail
+  urdf::Side side = urdf::Side::left;  // leg_unreachable: the side
+  LegSolution leg;                     // leg_unreachable: why, and by how much
+
+  [[nodiscard]] bool solved() const noexcept { return kind == Kind::solved; }
+};
+
+// Solves every point of the batch with the CoM where it is planned (kBatchTolerance_m). In the tail, the
+// base's offset from the CoM is solved at every fourth point and interpolated between; the legs are solved at
+// each. Joints outside the legs stay at home. Remembers the last batch's offsets as first guess, and the
+// correction.
+class BatchSolver {
+ public:
+  static constexpr double kBatchTolerance_m = 0.05e-3;
+  static constexpr double kTailTolerance_m = 0.1e-3;  // at the points that are solved, not interpolated
+
+  // Throws urdf::RobotError if the model does not fit the topics or the choice of the solver.
+  BatchSolver(const urdf::RobotModel& model, SolverChoice choice);
+
+  // Fills joint_plan; on failure its content is unspecified and this object is as before. No allocation.
+  [[nodiscard]] BatchOutcome solve(const MotionPlan& plan, const BaseOffset& correction,
+                                   JointPlan& joint_plan);
+
+  // A failure in words: which side, at which point, by how much. Allocates.
+  [[nodiscard]] std::string describe(const BatchOutcome& outcome) const;
+
+  [[nodiscard]] const WholeBodyPlacement& placement() const noexcept { return placement_; }
+
+ private:
+  struct Knot {  // a point at which the base was placed
+    double point = 0.0;
+    Eigen::Vector2d used_m = Eigen::Vector2d::Zero();     // offset with which the legs were solved
+    Eigen::Vector2d refined_m = Eigen::Vector2d::Zero();  // best known offset
+  };
+  struct Run;  // the state of one call
+
+  BatchOutcome solve_point(Run& run, int point, const Eigen::Vector2d& guess_m, double tolerance_m,
+                           Knot& knot);
+  BatchOutcome solve_batch(Run& run);
+  BatchOutcome solve_tail(Run& run);
+  void write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept;
+
+  const urdf::RobotModel model_;
+  WholeBodyPlacement placement_;
+  std::vector<float> home_rad_;
+  CorrectionFade fade_;
+  std::uint32_t sequence_ = 0;  // of the last batch that was solved
+  std::array<Knot, 3> last_{};  // its last three points
+};
+
+}  // namespace gaitway::kinematics

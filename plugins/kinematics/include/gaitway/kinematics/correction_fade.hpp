@@ -1,0 +1,33 @@
+// Fades the balance feedback's offsets into a batch and out of its safe tail.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace gaitway::kinematics {
+
+struct BaseOffset {
+  Eigen::Vector2d com_m = Eigen::Vector2d::Zero();         // added to the CoM reference, heading frame
+  Eigen::Vector2d attitude_rad = Eigen::Vector2d::Zero();  // added roll, pitch of the base
+};
+
+// Over the batch's points the offset goes linearly from what the robot plays just before the batch to the new
+// target. Over the first half of the tail it stays, over the second half it goes smoothly to zero, so that
+// every tail ends in the nominal posture.
+class CorrectionFade {
+ public:
+  // Starts the batch `sequence`. A successor begins with what the last one has reached by then, in its batch
+  // or in its tail; the same sequence again (a revision) begins where it began before.
+  void begin(std::uint32_t sequence, std::uint32_t batch_count, std::uint32_t tail_count,
+             const BaseOffset& target) noexcept;
+
+  // Offset at a point: 0 is the first of the batch; beyond the tail's end as at its end.
+  [[nodiscard]] BaseOffset at(std::uint64_t point) const noexcept;
+
+ private:
+  std::uint32_t sequence_ = 0;  // 0: none yet
+  std::uint32_t batch_count_ = 0, tail_count_ = 0;
+  BaseOffset start_, target_;
+};
+
+}  // namespace gaitway::kinematics

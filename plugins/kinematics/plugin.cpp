@@ -1,0 +1,64 @@
+// Connects the batch solver to its topics: motion plan and correction in, joint plan out.
+#include <stdexcept>
+#include <string>
+
+#include "gaitway/core/plugin.hpp"
+#include "gaitway/kinematics/batch_solver.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::kinematics {
+namespace {
+
+// A correction older than this is no longer asked for: it is faded out over the next batch.
+constexpr std::int64_t kCorrectionLifetime_ns = 200'000'000;
+
+class Kinematics final : public Plugin {
+ public:
+  explicit Kinematics(Setup& setup)
+      : solver_(urdf::load_robot(setup.robot_directory()),
+                solver_choice(setup.parameter("solver", std::string("auto")))),
+        motion_plan_(setup.reads<MotionPlan>("motion_plan")),
+        correction_(setup.reads_optional<Correction>("correction")),
+        joint_plan_(setup.writes<JointPlan>("joint_plan")) {
+    setup.period(Period::batch);
+  }
+
+  // Throws if a foot pose cannot be reached: the batch is not handed over then, and the safe tail plays on.
+  void step(const Tick& tick) override {
+    const MotionPlan& plan = motion_plan_.read();
+    if (!motion_plan_.has_value() || plan.sequence != tick.batch_sequence) return publish_no_plan();
+    const BatchOutcome outcome = solver_.solve(plan, correction_at(tick.now_ns), joint_plan_.value());
+    if (!outcome.solved()) {
+      throw std::runtime_error("batch " + std::to_string(plan.sequence) + ": " + solver_.describe(outcome));
+    }
+    joint_plan_.publish();
+  }
+
+ private:
+  BaseOffset correction_at(std::int64_t now_ns) {
+    const Correction& correction = correction_.read();
+    if (!correction_.has_value() || correction_.age_ns(now_ns) > kCorrectionLifetime_ns) return {};
+    return {{correction.com_offset[0], correction.com_offset[1]},
+            {correction.base_attitude_offset[0], correction.base_attitude_offset[1]}};
+  }
+
+  void publish_no_plan() {
+    JointPlan& joint_plan = joint_plan_.value();
+    joint_plan.sequence = 0;
+    joint_plan.joint_count = 0;
+    joint_plan.tail_count = 0;
+    joint_plan_.publish();
+  }
+
+  BatchSolver solver_;
+  Input<MotionPlan> motion_plan_;
+  Input<Correction> correction_;
+  Output<JointPlan> joint_plan_;
+};
+
+}  // namespace
+}  // namespace gaitway::kinematics
+
+GAITWAY_PLUGIN(gaitway::kinematics::Kinematics, "kinematics", "1.0.0",
+               "Turns a motion plan in task space into joint angles")

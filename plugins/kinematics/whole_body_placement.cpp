@@ -1,0 +1,130 @@
+// Places the base by Newton's iteration on the CoM's horizontal position.
+#include "gaitway/kinematics/whole_body_placement.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "gaitway/urdf/forward_kinematics.hpp"
+
+namespace gaitway::kinematics {
+namespace {
+
+constexpr int kIterationLimit = 12;
+constexpr double kProbe_m = 1e-3;  // shift of the base with which the sensitivity is measured
+
+Eigen::Matrix3d about_z(double angle_rad) noexcept {
+  const double c = std::cos(angle_rad);
+  const double s = std::sin(angle_rad);
+  Eigen::Matrix3d rotation;
+  rotation << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
+  return rotation;
+}
+
+// The standing posture as a plan point with the base above the origin.
+PlanPoint standing_point(const urdf::RobotModel& model, const Eigen::Vector3d& hip_middle_m) {
+  const urdf::ForwardKinematics home(model);
+  PlanPoint point;
+  std::array<Eigen::Isometry3d, 2> sole;
+  for (const urdf::Side side : urdf::kSides) {
+    const auto i = static_cast<std::size_t>(side);
+    sole[i] = home.sole_pose(side);
+    point.foot_m[i] = sole[i].translation();
+    point.foot_m[i].z() -= sole[0].translation().z();
+    point.foot_yaw_rad[i] = std::atan2(sole[i](1, 0), sole[i](0, 0));
+  }
+  point.hip_height_m = hip_middle_m.z() - sole[0].translation().z();
+  return point;
+}
+
+}  // namespace
+
+WholeBodyPlacement::WholeBodyPlacement(const urdf::RobotModel& model, SolverChoice choice)
+    : legs_{LegSolver(model, urdf::Side::left, choice), LegSolver(model, urdf::Side::right, choice)},
+      mass_(model),
+      hip_middle_m_(0.5 * (hip_centre(model, urdf::Side::left) + hip_centre(model, urdf::Side::right))) {
+  measure_sensitivity(model);
+}
+
+void WholeBodyPlacement::measure_sensitivity(const urdf::RobotModel& model) {
+  const PointFrames standing = frames(standing_point(model, hip_middle_m_));
+  // With the planned CoM at the origin, the error at an offset is where the CoM is.
+  const auto com_m = [&](const Eigen::Vector2d& base_m, Eigen::Vector2d& com) {
+    const BothLegs legs = place(standing, base_m);
+    if (!legs[0].reached() || !legs[1].reached()) return false;
+    com = com_error_m(standing, legs, base_m);
+    return true;
+  };
+  Eigen::Vector2d middle, ahead, behind;
+  if (!com_m(Eigen::Vector2d::Zero(), middle)) return;
+  standing_offset_m_ = -middle;
+  Eigen::Matrix2d com_per_base;
+  for (const Eigen::Index axis : {0, 1}) {
+    const Eigen::Vector2d probe = kProbe_m * Eigen::Vector2d::Unit(axis);
+    if (!com_m(probe, ahead) || !com_m(-probe, behind))
+      return;  // a straight leg: the identity serves, slower
+    com_per_base.col(axis) = (ahead - behind) / (2.0 * kProbe_m);
+  }
+  if (std::abs(com_per_base.determinant()) > 0.05) base_per_com_ = com_per_base.inverse();
+}
+
+PointFrames WholeBodyPlacement::frames(const PlanPoint& point) const noexcept {
+  PointFrames frames;
+  const double roll = point.base_attitude_rad.x();
+  const double pitch = point.base_attitude_rad.y();
+  const bool tilted = roll != 0.0 || pitch != 0.0;
+  if (tilted) {
+    frames.heading_from_base = (Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+                                   .toRotationMatrix();
+  } else {
+    frames.heading_from_base.setIdentity();
+  }
+  frames.base_height_m = point.hip_height_m - frames.heading_from_base.row(2).dot(hip_middle_m_);
+  const double c = std::cos(point.base_yaw_rad);
+  const double s = std::sin(point.base_yaw_rad);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double x = point.foot_m[i].x() - point.com_m.x();
+    const double y = point.foot_m[i].y() - point.com_m.y();
+    frames.foot_m[i] = {c * x + s * y - point.com_offset_m.x(), c * y - s * x - point.com_offset_m.y(),
+                        point.foot_m[i].z()};
+    frames.base_from_sole[i] = about_z(point.foot_yaw_rad[i] - point.base_yaw_rad);
+    if (tilted) frames.base_from_sole[i] = frames.heading_from_base.transpose() * frames.base_from_sole[i];
+  }
+  return frames;
+}
+
+BothLegs WholeBodyPlacement::place(const PointFrames& frames, const Eigen::Vector2d& offset_m) {
+  const Eigen::Vector3d base(offset_m.x(), offset_m.y(), frames.base_height_m);
+  BothLegs solutions;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Eigen::Isometry3d base_from_sole;
+    base_from_sole.linear() = frames.base_from_sole[i];
+    base_from_sole.translation() = frames.heading_from_base.transpose() * (frames.foot_m[i] - base);
+    base_from_sole.makeAffine();
+    solutions[i] = legs_[i].solve(base_from_sole);
+  }
+  return solutions;
+}
+
+Eigen::Vector2d WholeBodyPlacement::com_error_m(const PointFrames& frames, const BothLegs& legs,
+                                                const Eigen::Vector2d& offset_m) const noexcept {
+  const Eigen::Vector3d com = mass_.com_m(legs[0].angle_rad, legs[1].angle_rad);
+  return offset_m + (frames.heading_from_base * com).head<2>();
+}
+
+WholeBodyPlacement::Result WholeBodyPlacement::place_com(const PointFrames& frames,
+                                                         const Eigen::Vector2d& guess_m, double tolerance_m) {
+  Result result{{}, guess_m, guess_m, false};
+  for (int i = 0; i < kIterationLimit; ++i) {
+    result.offset_m = result.refined_m;
+    result.legs = place(frames, result.offset_m);
+    if (!result.legs[0].reached() || !result.legs[1].reached()) return result;
+    const Eigen::Vector2d error = com_error_m(frames, result.legs, result.offset_m);
+    result.refined_m = result.offset_m - base_per_com_ * error;
+    result.converged = error.squaredNorm() <= tolerance_m * tolerance_m;
+    if (result.converged) return result;
+  }
+  return result;
+}
+
+}  // namespace gaitway::kinematics

@@ -1,0 +1,84 @@
+// How the balance feedback's offsets come and go over batches and tails.
+#include "gaitway/kinematics/correction_fade.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaitway::kinematics {
+namespace {
+
+constexpr std::uint32_t kBatch = 8, kTail = 100;
+const BaseOffset kFirst{{0.008, -0.016}, {0.08, -0.04}};
+const BaseOffset kSecond{{-0.008, 0.0}, {0.0, 0.0}};
+
+void expect_offset(const BaseOffset& offset, double share_of_first) {
+  EXPECT_TRUE(offset.com_m.isApprox(share_of_first * kFirst.com_m, 1e-12) || share_of_first == 0.0);
+  EXPECT_NEAR(offset.com_m.x(), share_of_first * kFirst.com_m.x(), 1e-15);
+  EXPECT_NEAR(offset.attitude_rad.x(), share_of_first * kFirst.attitude_rad.x(), 1e-15);
+  EXPECT_NEAR(offset.attitude_rad.y(), share_of_first * kFirst.attitude_rad.y(), 1e-15);
+}
+
+TEST(CorrectionFade, ComesInLinearlyOverTheBatch) {
+  CorrectionFade fade;
+  fade.begin(5, kBatch, kTail, kFirst);
+  for (unsigned point = 0; point < kBatch; ++point) expect_offset(fade.at(point), (point + 1) / 8.0);
+}
+
+TEST(CorrectionFade, StaysForHalfTheTailAndIsGoneAtItsEnd) {
+  CorrectionFade fade;
+  fade.begin(5, kBatch, kTail, kFirst);
+  for (unsigned point = kBatch; point < kBatch + kTail / 2; ++point) expect_offset(fade.at(point), 1.0);
+  double last = 1.0;
+  for (unsigned point = kBatch + kTail / 2; point < kBatch + kTail; ++point) {
+    const double share = fade.at(point).com_m.x() / kFirst.com_m.x();
+    EXPECT_LT(share, last);
+    EXPECT_GT(share, last - 1.51 / (kTail / 2)) << "no faster than one and a half times the mean";
+    last = share;
+  }
+  EXPECT_EQ(fade.at(kBatch + kTail - 1).com_m, Eigen::Vector2d::Zero());
+  EXPECT_EQ(fade.at(kBatch + kTail + 1000).attitude_rad, Eigen::Vector2d::Zero());
+}
+
+TEST(CorrectionFade, GoesOnFromTheBatchBefore) {
+  CorrectionFade fade;
+  fade.begin(5, kBatch, kTail, kFirst);
+  fade.begin(6, kBatch, kTail, kSecond);
+  EXPECT_NEAR(fade.at(0).com_m.x(), 0.008 + (-0.008 - 0.008) / 8.0, 1e-15);
+  EXPECT_NEAR(fade.at(7).com_m.x(), -0.008, 1e-15);
+}
+
+TEST(CorrectionFade, BeginsARevisionWhereTheBatchBegan) {
+  CorrectionFade fade;
+  fade.begin(5, kBatch, kTail, kFirst);
+  fade.begin(6, kBatch, kTail, kFirst);
+  fade.begin(6, kBatch, kTail, kSecond);
+  EXPECT_NEAR(fade.at(0).com_m.x(), 0.008 + (-0.008 - 0.008) / 8.0, 1e-15);
+}
+
+TEST(CorrectionFade, GoesOnFromWhereTheTailIsWhenBatchesWereMissed) {
+  CorrectionFade fade;
+  fade.begin(5, kBatch, kTail, kFirst);
+  const double played = fade.at(10 * kBatch - 1).com_m.x();
+  ASSERT_GT(played, 0.0);
+  ASSERT_LT(played, 0.008);
+  fade.begin(15, kBatch, kTail, BaseOffset{});
+  EXPECT_NEAR(fade.at(0).com_m.x(), played * 7.0 / 8.0, 1e-15);
+  fade.begin(500, kBatch, kTail, kFirst);
+  EXPECT_NEAR(fade.at(0).com_m.x(), 0.001, 1e-15) << "the tail had ended long before";
+}
+
+TEST(CorrectionFade, StartsAfreshWhenSequencesStartAfresh) {
+  CorrectionFade fade;
+  fade.begin(50, kBatch, kTail, kFirst);
+  fade.begin(1, kBatch, kTail, kSecond);
+  EXPECT_NEAR(fade.at(0).com_m.x(), -0.001, 1e-15);
+}
+
+TEST(CorrectionFade, KeepsTheTargetWithoutATail) {
+  CorrectionFade fade;
+  fade.begin(1, kBatch, 0, kFirst);
+  expect_offset(fade.at(7), 1.0);
+  expect_offset(fade.at(8), 1.0);
+}
+
+}  // namespace
+}  // namespace gaitway::kinematics
