@@ -1,0 +1,87 @@
+// Decoded feedback into SI units, channel by channel as the network file maps them.
+#include "gaitway/msgcontroller/feedback_collector.hpp"
+
+#include <numbers>
+
+namespace gaitway::msgcontroller {
+namespace {
+
+constexpr double kPositionCount_rad = 2.0 * std::numbers::pi / 65536.0;
+constexpr double kCurrentCount_Nm = 0.125;
+constexpr double kSlot_s = 0.010;
+
+}  // namespace
+
+FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot)
+    : joint_count_(static_cast<int>(robot.joints.size())), channels_(robot.channels) {
+  joint_states_.joint_count = static_cast<std::uint32_t>(joint_count_);
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    joint_states_.position[joint] = robot.joints[joint].home_rad;
+    joint_states_.reference_position[joint] = robot.joints[joint].home_rad;
+  }
+}
+
+void FeedbackCollector::begin_slot(std::uint32_t slot_since_start) noexcept {
+  slot_ = slot_since_start;
+  awaited_ = joint_count_ == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << static_cast<unsigned>(joint_count_)) - 1U;
+}
+
+void FeedbackCollector::take(int joint, const can::Feedback& feedback, std::int64_t now_ns) noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  const double position = feedback.position * kPositionCount_rad;
+  const std::uint32_t slots = slot_ - last_slot_[j];
+  if (slots > 0) {
+    joint_states_.velocity[j] =
+        last_slot_[j] == 0 ? 0.0 : (position - joint_states_.position[j]) / (kSlot_s * static_cast<double>(slots));
+    last_slot_[j] = slot_;
+  }
+  joint_states_.position[j] = position;
+  joint_states_.torque[j] = feedback.current * kCurrentCount_Nm;
+  joint_states_.stamp_ns = now_ns;
+  joint_states_.slot = slot_;
+  for (std::size_t channel = 0; channel < 2; ++channel) {
+    const urdf::SensorChannel& description = channels_[j][channel];
+    take_channel(description, feedback.channel[channel] * description.scale, now_ns);
+  }
+  awaited_ &= ~(std::uint64_t{1} << static_cast<unsigned>(joint));
+}
+
+void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double value, std::int64_t now_ns) noexcept {
+  const auto side = static_cast<std::size_t>(channel.side);
+  const auto index = static_cast<std::size_t>(channel.index);
+  using Kind = urdf::SensorKind;
+  switch (channel.kind) {
+    case Kind::none:
+      return;
+    case Kind::force_cell:
+      foot_forces_.force[side][index] = value;
+      foot_forces_.stamp_ns = now_ns;
+      return;
+    case Kind::foot_acceleration:
+      foot_forces_.acceleration[side][index] = value;
+      foot_forces_.stamp_ns = now_ns;
+      return;
+    case Kind::angular_velocity:
+      imu_.angular_velocity[index] = value;
+      break;
+    case Kind::acceleration:
+      imu_.acceleration[index] = value;
+      break;
+    case Kind::inclination:
+      imu_.inclination[index] = value;
+      break;
+  }
+  imu_.stamp_ns = now_ns;
+}
+
+std::uint64_t FeedbackCollector::missing() const noexcept {
+  std::uint64_t mask = 0;
+  for (int joint = 0; joint < joint_count_; ++joint) {
+    if (slot_ - last_slot_[static_cast<std::size_t>(joint)] >= 2) {
+      mask |= std::uint64_t{1} << static_cast<unsigned>(joint);
+    }
+  }
+  return mask;
+}
+
+}  // namespace gaitway::msgcontroller

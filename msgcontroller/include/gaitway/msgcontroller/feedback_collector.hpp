@@ -1,0 +1,44 @@
+// Gathers one time slot's feedback frames into the topics that everybody reads: joint states, foot forces, IMU.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gaitway/can/messages.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::msgcontroller {
+
+class FeedbackCollector {
+ public:
+  explicit FeedbackCollector(const urdf::RobotModel& robot);
+
+  // A new time slot begins: from now on its feedback is awaited.
+  void begin_slot(std::uint32_t slot_since_start) noexcept;
+  // Takes one joint's feedback into the topics' values.
+  void take(int joint, const can::Feedback& feedback, std::int64_t now_ns) noexcept;
+
+  [[nodiscard]] bool complete() const noexcept { return awaited_ == 0; }
+  // Bit i: joint i has sent nothing for two slots or more.
+  [[nodiscard]] std::uint64_t missing() const noexcept;
+
+  [[nodiscard]] JointStates& joint_states() noexcept { return joint_states_; }
+  [[nodiscard]] const FootForces& foot_forces() const noexcept { return foot_forces_; }
+  [[nodiscard]] const Imu& imu() const noexcept { return imu_; }
+
+ private:
+  void take_channel(const urdf::SensorChannel& channel, double value, std::int64_t now_ns) noexcept;
+
+  int joint_count_;
+  std::vector<std::array<urdf::SensorChannel, 2>> channels_;
+  std::uint32_t slot_ = 0;
+  std::uint64_t awaited_ = 0;
+  std::array<std::uint32_t, kMaxJoints> last_slot_{};  // in which the joint was heard last
+  JointStates joint_states_{};
+  FootForces foot_forces_{};
+  Imu imu_{};
+};
+
+}  // namespace gaitway::msgcontroller

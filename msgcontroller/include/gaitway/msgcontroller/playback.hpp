@@ -1,0 +1,64 @@
+// What the joints are told to play: the running cycle's eight points, the prepared ones of the next cycle, and the
+// newest accepted plan whose safe tail takes over when no newer batch arrives.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "gaitway/msgcontroller/count_plan.hpp"
+
+namespace gaitway::msgcontroller {
+
+// Eight points of every joint, absolute counts at the end of each time slot.
+struct Segment {
+  bool active = false;
+  bool toggle = false;  // of its trajectory frames
+  std::array<std::array<std::int32_t, kMaxJoints>, kBatchPoints> count{};
+  std::array<std::uint8_t, kBatchPoints> support{};
+};
+
+class Playback {
+ public:
+  // `initial_count`: where the joints stand when nothing has been played yet.
+  explicit Playback(std::span<const std::int32_t> initial_count) noexcept;
+
+  // Takes an accepted plan: its batch becomes the prepared segment, its tail the one to fall back on.
+  void accept(const CountPlan& plan) noexcept;
+  // Prepares the next eight points of the tail; false when there is none left.
+  bool prepare_from_tail() noexcept;
+  // A new cycle begins: the prepared segment becomes the running one; without one, the joints hold.
+  void begin_cycle() noexcept;
+  void enter_slot(int slot) noexcept { slot_ = slot; }
+  // A joint was moved by hand while nothing runs: from now on it stands there.
+  void hold(int joint, std::int32_t count) noexcept { held_[static_cast<std::size_t>(joint)] = count; }
+
+  [[nodiscard]] bool prepared() const noexcept { return prepared_.active; }
+  [[nodiscard]] const Segment& prepared_segment() const noexcept { return prepared_; }
+  [[nodiscard]] const Segment& running_segment() const noexcept { return running_; }
+  [[nodiscard]] int slot() const noexcept { return slot_; }
+  [[nodiscard]] std::uint32_t accepted_sequence() const noexcept { return plan_.sequence; }
+  [[nodiscard]] bool tail_left() const noexcept { return cursor_ < plan_.point_count; }
+  [[nodiscard]] int joint_count() const noexcept { return joint_count_; }
+
+  // The reference of a joint at the end of a slot of the running cycle, and where the next segment begins.
+  [[nodiscard]] std::int32_t expected_count(int joint, int slot) const noexcept;
+  [[nodiscard]] std::span<const std::int32_t> next_start() const noexcept;
+  // Change of a joint in a slot of a segment that starts where the running one (or the hold) ends.
+  [[nodiscard]] std::int32_t prepared_delta(int joint, int slot) const noexcept;
+  // Which feet are meant to carry the robot now: 0 left, 1 right, 2 both.
+  [[nodiscard]] std::uint8_t support() const noexcept;
+
+ private:
+  void prepare(int first_point) noexcept;
+
+  int joint_count_;
+  int slot_ = 0;
+  bool next_toggle_ = true;
+  int cursor_ = 0;  // next point of plan_ to prepare
+  CountPlan plan_;
+  Segment running_, prepared_;
+  std::array<std::int32_t, kMaxJoints> held_{};  // where the joints stand when no segment runs
+};
+
+}  // namespace gaitway::msgcontroller

@@ -1,0 +1,77 @@
+// Keeps the running and the prepared eight points and walks along the safe tail.
+#include "gaitway/msgcontroller/playback.hpp"
+
+#include <algorithm>
+
+namespace gaitway::msgcontroller {
+
+Playback::Playback(std::span<const std::int32_t> initial_count) noexcept
+    : joint_count_(static_cast<int>(initial_count.size())) {
+  std::copy(initial_count.begin(), initial_count.end(), held_.begin());
+}
+
+void Playback::accept(const CountPlan& plan) noexcept {
+  plan_ = plan;
+  prepare(0);
+}
+
+bool Playback::prepare_from_tail() noexcept {
+  if (!tail_left()) {
+    return false;
+  }
+  prepare(cursor_);
+  return true;
+}
+
+void Playback::prepare(int first_point) noexcept {
+  for (int slot = 0; slot < kBatchPoints; ++slot) {
+    const auto point = static_cast<std::size_t>(std::min(first_point + slot, plan_.point_count - 1));
+    const auto s = static_cast<std::size_t>(slot);
+    prepared_.count[s] = plan_.count[point];
+    prepared_.support[s] = plan_.support[point];
+  }
+  prepared_.toggle = next_toggle_;
+  prepared_.active = true;
+  cursor_ = std::min(first_point + kBatchPoints, plan_.point_count);
+}
+
+void Playback::begin_cycle() noexcept {
+  if (running_.active) {
+    held_ = running_.count.back();
+  }
+  if (prepared_.active) {
+    running_ = prepared_;
+    next_toggle_ = !prepared_.toggle;
+    prepared_.active = false;
+  } else {
+    running_.active = false;
+  }
+  slot_ = 0;
+}
+
+std::int32_t Playback::expected_count(int joint, int slot) const noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  return running_.active ? running_.count[static_cast<std::size_t>(slot)][j] : held_[j];
+}
+
+std::span<const std::int32_t> Playback::next_start() const noexcept {
+  const auto& last = running_.active ? running_.count.back() : held_;
+  return {last.data(), static_cast<std::size_t>(joint_count_)};
+}
+
+std::int32_t Playback::prepared_delta(int joint, int slot) const noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  const std::int32_t before =
+      slot == 0 ? next_start()[j] : prepared_.count[static_cast<std::size_t>(slot - 1)][j];
+  return prepared_.count[static_cast<std::size_t>(slot)][j] - before;
+}
+
+std::uint8_t Playback::support() const noexcept {
+  constexpr std::uint8_t kBothFeet = 2;
+  if (running_.active) {
+    return running_.support[static_cast<std::size_t>(slot_)];
+  }
+  return kBothFeet;
+}
+
+}  // namespace gaitway::msgcontroller
