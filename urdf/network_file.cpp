@@ -144,10 +144,10 @@ class Claims {
       claim(map.at("trim_channel"), fmt::format("trim channel {}", joint.joint.trim_channel), owner,
             "Give each trimmed joint a channel of its own, 0..7");
     }
-    for (const SensorChannel& channel : joint.channels) {
-      if (channel.kind != SensorKind::none) {
-        claim(map.at("channels"), "sensor channel '" + channel_name(channel) + "'", owner,
-              "Each sensor channel travels in one joint's feedback frame only");
+    for (std::size_t i = 0; i < joint.channels.size(); ++i) {
+      if (joint.channels[i].kind != SensorKind::none) {
+        claim(map.at("channels").items()[i], "sensor channel '" + channel_name(joint.channels[i]) + "'",
+              owner, "Each sensor channel travels in one joint's feedback frame only");
       }
     }
   }

@@ -20,7 +20,7 @@ std::string kind_of(const YAML::Node& node) {
     case YAML::NodeType::Sequence:
       return fmt::format("a list of {}", node.size());
     case YAML::NodeType::Map:
-      return "a map";
+      return "";  // says nothing of use
     default:
       return "nothing";
   }
