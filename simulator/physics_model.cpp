@@ -1,0 +1,170 @@
+// Builds the physics model with mjSpec.
+#include "physics_model.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace gaitway::simulator {
+namespace {
+
+constexpr int kGroundType = 1;  // the ground touches everything of the robot; the robot does not touch itself
+
+struct SpecDeleter {
+  void operator()(mjSpec* spec) const noexcept { mj_deleteSpec(spec); }
+};
+
+void copy(const Eigen::Vector3d& from, double* to) { std::copy_n(from.data(), 3, to); }
+
+void copy_pose(const Eigen::Isometry3d& pose, double* position, double* quaternion) {
+  copy(pose.translation(), position);
+  const Eigen::Quaterniond rotation(pose.linear());
+  quaternion[0] = rotation.w();
+  quaternion[1] = rotation.x();
+  quaternion[2] = rotation.y();
+  quaternion[3] = rotation.z();
+}
+
+void add_ground(mjSpec* spec, const urdf::RobotModel& robot) {
+  mjsTexture* const texture = mjs_addTexture(spec, nullptr);
+  mjs_setName(texture->element, "checker");
+  texture->type = mjTEXTURE_2D;
+  texture->builtin = mjBUILTIN_CHECKER;
+  texture->width = texture->height = 256;
+  for (int i = 0; i < 3; ++i) {
+    texture->rgb1[i] = 0.86;
+    texture->rgb2[i] = 0.76;
+  }
+  mjsMaterial* const material = mjs_addMaterial(spec, nullptr);
+  mjs_setName(material->element, "ground");
+  mjs_setInStringVec(material->textures, mjTEXROLE_RGB, "checker");
+  material->texuniform = 1;
+  material->texrepeat[0] = material->texrepeat[1] = 5.0F;  // tiles of 10 cm
+  mjsTexture* const sky = mjs_addTexture(spec, nullptr);
+  sky->type = mjTEXTURE_SKYBOX;
+  sky->builtin = mjBUILTIN_GRADIENT;
+  sky->width = 64;
+  sky->height = 384;
+  const double top[3] = {0.62, 0.74, 0.88}, bottom[3] = {0.96, 0.97, 0.98};
+  std::copy_n(top, 3, sky->rgb1);
+  std::copy_n(bottom, 3, sky->rgb2);
+
+  mjsBody* const world = mjs_findBody(spec, "world");
+  mjsGeom* const ground = mjs_addGeom(world, nullptr);
+  mjs_setName(ground->element, "ground");
+  ground->type = mjGEOM_PLANE;
+  ground->size[0] = ground->size[1] = 0.0;  // endless
+  ground->size[2] = 0.05;
+  ground->contype = kGroundType;
+  ground->conaffinity = 0;
+  ground->friction[0] = robot.contact.friction;
+  mjs_setString(ground->material, "ground");
+  mjsLight* const light = mjs_addLight(world, nullptr);
+  light->type = mjLIGHT_DIRECTIONAL;
+  const double direction[3] = {-0.35, 0.45, -1.0};
+  std::copy_n(direction, 3, light->dir);
+  light->castshadow = 1;
+}
+
+void add_collision(mjsBody* body, const urdf::Link& link, const urdf::RobotModel& robot) {
+  for (const urdf::BoxShape& box : link.collision) {
+    mjsGeom* const geom = mjs_addGeom(body, nullptr);
+    geom->type = mjGEOM_BOX;
+    copy_pose(box.pose, geom->pos, geom->quat);
+    copy(box.size_m / 2.0, geom->size);
+    geom->contype = 0;
+    geom->conaffinity = kGroundType;
+    geom->condim = 3;
+    geom->friction[0] = robot.contact.friction;
+    geom->mass = 0.0;
+    geom->group = 3;  // not drawn
+  }
+}
+
+void add_visuals(mjsBody* body, const urdf::Link& link) {
+  using Kind = urdf::VisualShape::Kind;
+  for (const urdf::VisualShape& shape : link.visual) {
+    mjsGeom* const geom = mjs_addGeom(body, nullptr);
+    copy_pose(shape.pose, geom->pos, geom->quat);
+    const Eigen::Vector3d half = shape.size_m / 2.0;
+    geom->type = shape.kind == Kind::box ? mjGEOM_BOX : shape.kind == Kind::cylinder ? mjGEOM_CYLINDER : mjGEOM_SPHERE;
+    const Eigen::Vector3d size = shape.kind == Kind::cylinder ? Eigen::Vector3d(half.x(), half.z(), 0.0) : half;
+    copy(size, geom->size);
+    geom->contype = geom->conaffinity = 0;
+    geom->mass = 0.0;
+    geom->group = 1;
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      geom->rgba[i] = static_cast<float>(shape.rgba[i]);
+    }
+  }
+}
+
+void set_inertia(mjsBody* body, const urdf::Link& link, double factor, const Eigen::Vector3d& com_offset_m) {
+  body->explicitinertial = 1;
+  body->mass = link.mass_kg * factor;
+  copy(link.com_m + com_offset_m, body->ipos);
+  const Eigen::Matrix3d inertia = link.inertia_kg_m2 * factor;
+  const double full[6] = {inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2), inertia(1, 2)};
+  std::copy_n(full, 6, body->fullinertia);
+}
+
+void add_hinge(mjsBody* body, const urdf::Joint& joint) {
+  mjsJoint* const hinge = mjs_addJoint(body, nullptr);
+  mjs_setName(hinge->element, joint.name.c_str());
+  hinge->type = mjJNT_HINGE;
+  copy(joint.axis, hinge->axis);
+  hinge->limited = mjLIMITED_TRUE;
+  hinge->range[0] = joint.lower_rad;
+  hinge->range[1] = joint.upper_rad;
+  hinge->armature = joint.motor.armature_kg_m2;
+  hinge->damping[0] = joint.motor.damping_Nms_per_rad;
+  hinge->frictionloss = joint.motor.friction_Nm;
+}
+
+}  // namespace
+
+ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch) {
+  const std::unique_ptr<mjSpec, SpecDeleter> spec(mj_makeSpec());
+  spec->compiler.degree = 0;
+  spec->option.timestep = robot.physics_step_s;
+  spec->option.integrator = mjINT_IMPLICITFAST;
+  spec->option.solver = mjSOL_NEWTON;
+  spec->option.cone = mjCONE_PYRAMIDAL;
+  spec->option.iterations = 20;
+  spec->option.tolerance = 1e-6;
+  spec->visual.global.offwidth = 1920;
+  spec->visual.global.offheight = 1080;
+  add_ground(spec.get(), robot);
+
+  std::vector<mjsBody*> bodies;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const urdf::Link& link = robot.links[i];
+    const bool is_base = link.parent_joint < 0;
+    mjsBody* parent = mjs_findBody(spec.get(), "world");
+    if (!is_base) {
+      parent = bodies[static_cast<std::size_t>(robot.joints[static_cast<std::size_t>(link.parent_joint)].parent_link)];
+    }
+    mjsBody* const body = mjs_addBody(parent, nullptr);
+    mjs_setName(body->element, link.name.c_str());
+    if (is_base) {
+      mjs_addFreeJoint(body);
+    } else {
+      const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(link.parent_joint)];
+      copy_pose(joint.origin, body->pos, body->quat);
+      add_hinge(body, joint);
+    }
+    const bool is_trunk = static_cast<int>(i) == robot.imu.link;
+    set_inertia(body, link, mismatch.mass_factor[i], is_trunk ? mismatch.trunk_com_offset_m : Eigen::Vector3d::Zero());
+    add_collision(body, link, robot);
+    add_visuals(body, link);
+    bodies.push_back(body);
+  }
+  ModelPointer model(mj_compile(spec.get(), nullptr));
+  if (!model) {
+    throw std::runtime_error(robot.name + ": the physics model cannot be built: " + mjs_getError(spec.get()));
+  }
+  return model;
+}
+
+}  // namespace gaitway::simulator

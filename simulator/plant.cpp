@@ -1,0 +1,283 @@
+// Steps the physics, limits the motors and reads the sensors.
+#include "gaitway/simulator/plant.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "gaitway/urdf/forward_kinematics.hpp"
+#include "plant_implementation.hpp"
+
+namespace gaitway::simulator {
+namespace {
+
+constexpr int kFreeJointPositions = 7, kFreeJointVelocities = 6;
+constexpr double kMassDeviation = 0.05;
+constexpr double kZeroDeviation_rad = 0.4 * std::numbers::pi / 180.0;
+const Eigen::Vector3d kTrunkComDeviation_m(0.006, 0.004, 0.006);
+constexpr double kFallenTilt_rad = 50.0 * std::numbers::pi / 180.0;
+constexpr double kFallenHeight_m = 0.2;
+constexpr double kGravity_m_per_s2 = 9.81;
+
+Eigen::Isometry3d body_pose(const mjData& data, int body) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data.xmat + 9 * body);
+  pose.translation() = Eigen::Map<const Eigen::Vector3d>(data.xpos + 3 * body);
+  return pose;
+}
+
+ModelMismatch draw_mismatch(const urdf::RobotModel& robot, RandomStream& random, double scale) {
+  ModelMismatch mismatch;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    mismatch.mass_factor.push_back(std::max(0.1, 1.0 + scale * kMassDeviation * random.normal()));
+  }
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    mismatch.trunk_com_offset_m[axis] = scale * kTrunkComDeviation_m[axis] * random.normal();
+  }
+  return mismatch;
+}
+
+// Velocity of a body-fixed point and the body's angular velocity, in the world.
+struct PointVelocity {
+  Eigen::Vector3d linear, angular;
+};
+PointVelocity point_velocity(const mjModel& model, const mjData& data, int body, const Eigen::Vector3d& point_m) {
+  double velocity[6];
+  mj_objectVelocity(&model, &data, mjOBJ_XBODY, body, velocity, 0);  // angular, linear; at the body's origin
+  PointVelocity result;
+  result.angular = Eigen::Map<const Eigen::Vector3d>(velocity);
+  const Eigen::Vector3d arm = point_m - Eigen::Map<const Eigen::Vector3d>(data.xpos + 3 * body);
+  result.linear = Eigen::Map<const Eigen::Vector3d>(velocity + 3) + result.angular.cross(arm);
+  return result;
+}
+
+}  // namespace
+
+Plant::Implementation::Implementation(const urdf::RobotModel& description, const PlantOptions& options)
+    : robot(description),
+      mismatch_random(options.seed, 0x6D69'736D'6174'6368ULL),
+      noise_random(options.seed, 0x6E6F'6973'6500'0000ULL),
+      noise(options.sensor_noise),
+      mismatch(draw_mismatch(robot, mismatch_random, options.mismatch)),
+      model(build_physics_model(robot, mismatch)),
+      data(mj_makeData(model.get())),
+      foot_body{robot.feet[0].link + 1, robot.feet[1].link + 1},
+      trunk_body(robot.imu.link + 1) {
+  std::vector<double> home_rad;
+  for (const urdf::Joint& joint : robot.joints) {
+    zero_error_rad.push_back(options.mismatch * kZeroDeviation_rad * mismatch_random.normal());
+    home_rad.push_back(joint.home_rad);
+  }
+  urdf::ForwardKinematics kinematics(robot);
+  kinematics.compute(home_rad);
+  home.assign(static_cast<std::size_t>(model->nq), 0.0);
+  home[2] = -std::min(kinematics.sole_pose(urdf::Side::left).translation().z(),
+                      kinematics.sole_pose(urdf::Side::right).translation().z());
+  home[3] = 1.0;
+  std::copy(home_rad.begin(), home_rad.end(), home.begin() + kFreeJointPositions);
+  sensors.encoder_count.assign(robot.joints.size(), 0);
+  sensors.motor_torque_Nm.assign(robot.joints.size(), 0.0);
+  reset(data.get());
+  read_contacts();
+  mj_step1(model.get(), data.get());
+  read_sensors(true);
+}
+
+void Plant::Implementation::reset(mjData* state) const {
+  mj_resetData(model.get(), state);
+  std::copy(home.begin(), home.end(), state->qpos);
+  mj_forward(model.get(), state);
+}
+
+void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const urdf::Motor& motor = robot.joints[j].motor;
+    const double velocity = data->qvel[kFreeJointVelocities + j];
+    const bool driving = command_Nm[j] * velocity > 0.0;
+    const double fade = driving ? std::max(0.0, 1.0 - std::abs(velocity) / motor.speed_limit_rad_per_s) : 1.0;
+    const double limit = motor.torque_limit_Nm * fade;
+    const double torque = std::clamp(command_Nm[j], -limit, limit);
+    sensors.motor_torque_Nm[j] = torque;
+    data->qfrc_applied[kFreeJointVelocities + j] = torque;
+  }
+}
+
+void Plant::Implementation::apply_pushes() {
+  for (ActivePush& push : pushes) {
+    Eigen::Map<Eigen::Vector3d> applied(data->xfrc_applied + 6 * push.body);
+    applied.setZero();
+  }
+  std::erase_if(pushes, [](const ActivePush& push) { return push.steps_left == 0; });
+  for (ActivePush& push : pushes) {
+    Eigen::Map<Eigen::Vector3d>(data->xfrc_applied + 6 * push.body) += push.force_N;
+    --push.steps_left;
+  }
+}
+
+void Plant::Implementation::read_contacts() {
+  std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    contact.sole[foot] = body_pose(*data, foot_body[foot]) * robot.feet[foot].sole;
+    contact.normal_force_N[foot] = 0.0;
+  }
+  for (int i = 0; i < data->ncon; ++i) {
+    const mjContact& point = data->contact[i];
+    if (point.efc_address < 0) {
+      continue;
+    }
+    const int body = std::max(model->geom_bodyid[point.geom[0]], model->geom_bodyid[point.geom[1]]);
+    const std::size_t foot = body == foot_body[0] ? 0 : body == foot_body[1] ? 1 : 2;
+    if (foot == 2) {
+      continue;
+    }
+    double force[6];
+    mj_contactForce(model.get(), data.get(), i, force);
+    const Eigen::Vector3d position = Eigen::Map<const Eigen::Vector3d>(point.pos);
+    contact.normal_force_N[foot] += force[0];
+    moment[foot] += force[0] * (contact.sole[foot].inverse() * position).head<2>();
+  }
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    const double force = contact.normal_force_N[foot];
+    contact.foot_cop_m[foot] = force > 0.0 ? Eigen::Vector2d(moment[foot] / force) : Eigen::Vector2d::Zero();
+  }
+}
+
+void Plant::Implementation::read_sensors(bool first) {
+  const auto normal = [this] { return noise ? noise_random.quick_normal() : 0.0; };
+  const urdf::SensorNoise& sigma = robot.noise;
+  const Eigen::Vector3d gravity(0.0, 0.0, -kGravity_m_per_s2);
+  const Eigen::Isometry3d imu = body_pose(*data, trunk_body) * robot.imu.pose;
+  const PointVelocity motion = point_velocity(*model, *data, trunk_body, imu.translation());
+  const auto specific_force = [&](std::size_t which, const Eigen::Vector3d& velocity, const Eigen::Matrix3d& rotation) {
+    const Eigen::Vector3d acceleration =
+        first ? Eigen::Vector3d::Zero().eval() : ((velocity - last_velocity_m_per_s[which]) / model->opt.timestep).eval();
+    last_velocity_m_per_s[which] = velocity;
+    Eigen::Vector3d force = rotation.transpose() * (acceleration - gravity);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      force[axis] += sigma.acceleration_m_per_s2 * normal();
+    }
+    return force;
+  };
+  sensors.acceleration_m_per_s2 = specific_force(0, motion.linear, imu.linear());
+  sensors.angular_velocity_rad_per_s = imu.linear().transpose() * motion.angular;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    sensors.angular_velocity_rad_per_s[axis] += sigma.angular_velocity_rad_per_s * normal();
+  }
+  // Roll and pitch from the direction of gravity in the sensor's frame.
+  const Eigen::Vector3d up = imu.linear().row(2);
+  sensors.inclination_rad.x() = std::atan2(up.y(), up.z()) + sigma.inclination_rad * normal();
+  sensors.inclination_rad.y() = std::atan2(-up.x(), std::hypot(up.y(), up.z())) + sigma.inclination_rad * normal();
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    const PointVelocity velocity = point_velocity(*model, *data, foot_body[foot], contact.sole[foot].translation());
+    sensors.foot_acceleration_m_per_s2[foot] = specific_force(1 + foot, velocity.linear, contact.sole[foot].linear());
+    read_foot(foot);
+    for (double& force : sensors.force_N[foot]) {
+      force += sigma.force_N * normal();
+    }
+  }
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const double angle = data->qpos[kFreeJointPositions + j] + zero_error_rad[j];
+    sensors.encoder_count[j] = static_cast<std::int32_t>(std::lround(angle / robot.joints[j].encoder_count_rad));
+  }
+}
+
+// A rigid plate on four equal springs: f_i = F/4 + a·(x_i − x_c) + b·(y_i − y_c), which keeps force and moments.
+void Plant::Implementation::read_foot(std::size_t foot) {
+  const auto& cells = robot.feet[foot].cell_m;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& cell : cells) {
+    centre += cell / 4.0;
+  }
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector2d& cell : cells) {
+    spread += (cell - centre) * (cell - centre).transpose();
+  }
+  const double force = contact.normal_force_N[foot];
+  const Eigen::Vector2d slope = spread.inverse() * (force * (contact.foot_cop_m[foot] - centre));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    sensors.force_N[foot][i] = force > 0.0 ? force / 4.0 + slope.dot(cells[i] - centre) : 0.0;
+  }
+}
+
+Plant::Plant(const urdf::RobotModel& robot, const PlantOptions& options)
+    : implementation_(std::make_unique<Implementation>(robot, options)) {}
+Plant::~Plant() = default;
+Plant::Plant(Plant&&) noexcept = default;
+Plant& Plant::operator=(Plant&&) noexcept = default;
+
+void Plant::step(std::span<const double> command_Nm) {
+  Implementation& self = *implementation_;
+  self.apply_motors(command_Nm);
+  self.apply_pushes();
+  // mj_step in two halves: forces and integration, then poses and velocities of the new state. In between, contact
+  // points and the forces in them belong together.
+  mj_step2(self.model.get(), self.data.get());
+  self.read_contacts();
+  mj_step1(self.model.get(), self.data.get());
+  self.read_sensors(false);
+}
+
+const PlantSensors& Plant::sensors() const noexcept { return implementation_->sensors; }
+const GroundContact& Plant::ground_contact() const noexcept { return implementation_->contact; }
+double Plant::time_s() const noexcept { return implementation_->data->time; }
+
+std::span<const double> Plant::positions() const noexcept {
+  return {implementation_->data->qpos, static_cast<std::size_t>(implementation_->model->nq)};
+}
+std::span<const double> Plant::velocities() const noexcept {
+  return {implementation_->data->qvel, static_cast<std::size_t>(implementation_->model->nv)};
+}
+
+PlantTruth Plant::truth() const {
+  const Implementation& self = *implementation_;
+  PlantTruth truth;
+  truth.base = body_pose(*self.data, 1);
+  truth.com_m = Eigen::Map<const Eigen::Vector3d>(self.data->subtree_com + 3);
+  const Eigen::Isometry3d trunk = body_pose(*self.data, self.trunk_body);
+  truth.trunk_tilt_rad = std::acos(std::clamp(trunk.linear()(2, 2), -1.0, 1.0));
+  double force = 0.0;
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    const Eigen::Vector2d& cop = self.contact.foot_cop_m[foot];
+    force += self.contact.normal_force_N[foot];
+    truth.cop_m += self.contact.normal_force_N[foot] * (self.contact.sole[foot] * Eigen::Vector3d(cop.x(), cop.y(), 0.0));
+  }
+  if (force > 0.0) {
+    truth.cop_m /= force;
+  }
+  return truth;
+}
+
+bool Plant::fallen() const noexcept {
+  const mjData& data = *implementation_->data;
+  return data.xmat[9 * implementation_->trunk_body + 8] < std::cos(kFallenTilt_rad) || data.xpos[3 + 2] < kFallenHeight_m;
+}
+
+void Plant::push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s) {
+  Implementation& self = *implementation_;
+  const int id = mj_name2id(self.model.get(), mjOBJ_BODY, std::string(body).c_str());
+  if (id <= 0) {
+    throw std::invalid_argument("push: the robot has no body '" + std::string(body) + "'");
+  }
+  const long steps = std::max(1L, std::lround(duration_s / self.model->opt.timestep));
+  const double force_N = impulse_Ns / (static_cast<double>(steps) * self.model->opt.timestep);
+  self.pushes.push_back({id, direction.normalized() * force_N, steps});
+}
+
+double Plant::replay_wall_s(std::span<const float> applied_torque_Nm) const {
+  const Implementation& self = *implementation_;
+  const DataPointer data(mj_makeData(self.model.get()));
+  self.reset(data.get());
+  const std::size_t joints = self.robot.joints.size();
+  const auto started = std::chrono::steady_clock::now();
+  for (std::size_t row = 0; row + joints <= applied_torque_Nm.size(); row += joints) {
+    for (std::size_t j = 0; j < joints; ++j) {
+      data->qfrc_applied[kFreeJointVelocities + j] = static_cast<double>(applied_torque_Nm[row + j]);
+    }
+    mj_step(self.model.get(), data.get());
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
+
+}  // namespace gaitway::simulator

@@ -1,0 +1,45 @@
+// What Plant and Camera share of MuJoCo.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gaitway/simulator/plant.hpp"
+#include "physics_model.hpp"
+#include "random_stream.hpp"
+
+namespace gaitway::simulator {
+
+struct ActivePush {
+  int body = 0;
+  Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+  long steps_left = 0;
+};
+
+struct Plant::Implementation {
+  Implementation(const urdf::RobotModel& robot, const PlantOptions& options);
+
+  void reset(mjData* state) const;
+  void apply_motors(std::span<const double> command_Nm);
+  void apply_pushes();
+  void read_contacts();
+  void read_sensors(bool first);
+  void read_foot(std::size_t foot);
+
+  urdf::RobotModel robot;
+  RandomStream mismatch_random, noise_random;
+  bool noise;
+  ModelMismatch mismatch;
+  std::vector<double> zero_error_rad;
+  ModelPointer model;
+  DataPointer data;
+  std::array<int, 2> foot_body{};
+  int trunk_body = 0;
+  std::vector<double> home;  // qpos at the start
+  PlantSensors sensors;
+  GroundContact contact;
+  std::array<Eigen::Vector3d, 3> last_velocity_m_per_s{};  // of IMU, left sole, right sole
+  std::vector<ActivePush> pushes;
+};
+
+}  // namespace gaitway::simulator
