@@ -136,7 +136,7 @@ TEST(BrokenUrdf, JointWithoutMotorIsRefused) {
 
 TEST(BrokenUrdf, CollisionMustBeABox) {
   BrokenRobot robot;
-  robot.replace(kUrdf, kLeftThigh, "<box size=\"0.06 0.06 0.13\"/>", "<sphere radius=\"0.06\"/>");
+  robot.replace(kUrdf, kLeftThigh, "<box size=\"0.06 0.06 0.12\"/>", "<sphere radius=\"0.06\"/>");
   robot.expect_complaint({"link 'left_thigh' collision: must be a box"});
 }
 
