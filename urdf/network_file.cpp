@@ -9,7 +9,7 @@
 
 #include "nearest_name.hpp"
 #include "sensor_channels.hpp"
-#include "yaml_value.hpp"
+#include "gaitway/urdf/yaml_value.hpp"
 
 namespace gaitway::urdf {
 namespace {

@@ -1,5 +1,5 @@
 // Checked access to YAML.
-#include "yaml_value.hpp"
+#include "gaitway/urdf/yaml_value.hpp"
 
 #include <fmt/format.h>
 
