@@ -1,0 +1,48 @@
+// The filter and the iteration for its gain.
+#include "gaitway/zmp/com_filter.hpp"
+
+namespace gaitway::zmp {
+namespace {
+
+constexpr int kMostIterations = 20000;
+constexpr double kStandstill = 1e-13;
+
+}  // namespace
+
+ComFilter::ComFilter(const EstimatorParameters& parameters, double omega_rad_per_s, double dt_s)
+    : dt_s_(dt_s) {
+  const double w2 = omega_rad_per_s * omega_rad_per_s;
+  const double half = 0.5 * dt_s * dt_s;
+  Eigen::Matrix3d transition;
+  transition << 1.0 + w2 * half, dt_s, half, w2 * dt_s, 1.0, dt_s, 0.0, 0.0, 1.0;
+  const Eigen::Vector3d from_acceleration(half, dt_s, 0.0);
+  const double acceleration_variance =
+      parameters.acceleration_noise_m_per_s2 * parameters.acceleration_noise_m_per_s2;
+  Eigen::Matrix3d process = acceleration_variance * from_acceleration * from_acceleration.transpose();
+  process(2, 2) +=
+      parameters.acceleration_drift_m_per_s2_rts * parameters.acceleration_drift_m_per_s2_rts * dt_s;
+  const double measurement = parameters.com_noise_m * parameters.com_noise_m;
+
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  for (int i = 0; i < kMostIterations; ++i) {
+    covariance = (transition * covariance * transition.transpose() + process).eval();
+    const Eigen::Vector3d gain = covariance.col(0) / (covariance(0, 0) + measurement);
+    covariance = (covariance - gain * covariance.row(0)).eval();
+    covariance = (0.5 * (covariance + covariance.transpose())).eval();
+    const double change = (gain - gain_).cwiseAbs().maxCoeff();
+    gain_ = gain;
+    if (change < kStandstill) break;
+  }
+}
+
+void ComFilter::predict(double acceleration_m_per_s2) noexcept {
+  const double acceleration = acceleration_m_per_s2 + state_[2];
+  state_[0] += dt_s_ * state_[1] + 0.5 * dt_s_ * dt_s_ * acceleration;
+  state_[1] += dt_s_ * acceleration;
+}
+
+void ComFilter::correct(double measured_position_m) noexcept {
+  state_ += gain_ * (measured_position_m - state_[0]);
+}
+
+}  // namespace gaitway::zmp

@@ -1,0 +1,66 @@
+// From the sensors to the topic `estimate`: contacts, measured ZMP, attitude, CoM, its velocity and the
+// divergent component of motion (DCM).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/zmp/attitude_filter.hpp"
+#include "gaitway/zmp/com_filter.hpp"
+#include "gaitway/zmp/contact_detector.hpp"
+#include "gaitway/zmp/estimator_parameters.hpp"
+#include "gaitway/zmp/foot_pressure.hpp"
+#include "gaitway/zmp/gyro_bias.hpp"
+#include "gaitway/zmp/sensor_inputs.hpp"
+#include "gaitway/zmp/support_kinematics.hpp"
+
+namespace gaitway::zmp {
+
+// The frame `support` is the level frame of the support foot (see SupportKinematics): z against gravity, even
+// if the sole is tilted. To be updated every 10 ms. Not thread-safe.
+class StateEstimator {
+ public:
+  // Throws std::invalid_argument (see EstimatorParameters::validate).
+  StateEstimator(const urdf::RobotModel& model, const EstimatorParameters& parameters);
+
+  // Fills `estimate`; false, and nothing filled, until every sensor has been heard once. The estimate's stamp
+  // is the arrival of the oldest sensor value in it: it stops when a sensor does. About 0.6 us; no allocation.
+  bool update(std::int64_t now_ns, const JointStates& joints, const FootForces& forces,
+              const gaitway::Imu& imu, Estimate& estimate) noexcept;
+
+  [[nodiscard]] const InputFaults& faults() const noexcept { return inputs_.faults(); }
+  [[nodiscard]] const Eigen::Vector3d& gyro_bias_rad_per_s() const noexcept { return bias_.bias_rad_per_s(); }
+  [[nodiscard]] bool is_standing_still() const noexcept { return bias_.is_still(); }
+  // Natural frequency of the pendulum at the estimated CoM height, sqrt(g / height).
+  [[nodiscard]] double omega_rad_per_s() const noexcept;
+
+ private:
+  void update_attitude() noexcept;
+  void update_pressure() noexcept;
+  void update_com() noexcept;
+  void change_support() noexcept;
+  [[nodiscard]] Eigen::Vector2d zmp_in(urdf::Side foot) const noexcept;
+  [[nodiscard]] Eigen::Vector3d filtered_com_m() const noexcept;
+  void write(Estimate& estimate) const noexcept;
+
+  EstimatorParameters parameters_;
+  double mass_kg_;
+  double nominal_com_height_m_;
+  std::array<urdf::Foot, 2> feet_;
+  SensorInputs inputs_;
+  ContactDetector contacts_;
+  GyroBias bias_;
+  AttitudeFilter attitude_;
+  SupportKinematics kinematics_;
+  std::array<ComFilter, 3> com_;
+  std::array<FootPressure, 2> pressure_{};
+  Eigen::Vector3d angular_velocity_ = Eigen::Vector3d::Zero();
+  Eigen::Vector2d zmp_m_ = Eigen::Vector2d::Zero();
+  urdf::Side support_ = urdf::Side::left;
+  bool started_ = false;
+};
+
+}  // namespace gaitway::zmp

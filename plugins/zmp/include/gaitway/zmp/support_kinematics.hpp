@@ -1,0 +1,47 @@
+// Where the CoM and the feet are, seen from a sole: forward kinematics of the measured joints, levelled with
+// the attitude.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <span>
+
+#include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/zmp/attitude_filter.hpp"
+
+namespace gaitway::zmp {
+
+// The level frame of a foot: origin in the origin of its sole frame, z against gravity, x in the vertical
+// plane of the sole's x axis. It is the frame `support` of the topics. A sole that is tilted against gravity,
+// because the ground or the foot is, is therefore tilted in its own level frame.
+class SupportKinematics {
+ public:
+  explicit SupportKinematics(const urdf::RobotModel& model) : kinematics_(model), trunk_(model.imu.link) {
+    update_levels(Attitude{});
+  }
+
+  // position_rad: one angle a joint, in the model's order. Attitude of the link that carries the IMU.
+  void update(std::span<const double> position_rad, const Attitude& attitude) noexcept {
+    kinematics_.compute(position_rad);
+    update_levels(attitude);
+  }
+
+  // CoM in the level frame of a foot, m.
+  [[nodiscard]] Eigen::Vector3d com_m(urdf::Side foot) const noexcept;
+  // A point of the sole `of` (in its sole frame, z = 0), in the level frame of `foot`, m.
+  [[nodiscard]] Eigen::Vector3d sole_point_m(urdf::Side foot, urdf::Side of,
+                                             const Eigen::Vector2d& point_m) const noexcept;
+  // Rotation from the level frame of one foot to that of another: a turn about the vertical.
+  [[nodiscard]] Eigen::Matrix3d turn(urdf::Side to, urdf::Side from) const noexcept;
+
+ private:
+  void update_levels(const Attitude& attitude) noexcept;
+
+  urdf::ForwardKinematics kinematics_;
+  int trunk_;
+  std::array<Eigen::Isometry3d, 2> base_from_sole_;
+  std::array<Eigen::Matrix3d, 2> level_from_base_;
+};
+
+}  // namespace gaitway::zmp

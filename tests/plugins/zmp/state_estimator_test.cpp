@@ -1,0 +1,278 @@
+// The whole estimate, from synthetic sensors.
+#include "gaitway/zmp/state_estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "allocation_count.hpp"
+#include "synthetic_robot.hpp"
+
+namespace gaitway::zmp {
+namespace {
+
+using test::humanoid;
+using test::kTick_ns;
+using test::Sensors;
+using test::weight_N;
+using urdf::Side;
+
+constexpr std::size_t kLeftAnklePitch = 4;  // brings two force cells of the left foot
+
+class StateEstimatorTest : public ::testing::Test {
+ protected:
+  // Presents the sensors with a new stamp.
+  bool tick() {
+    now_ns_ += kTick_ns;
+    sensors_.stamp(now_ns_ - 2'000'000);
+    return update();
+  }
+  bool update() {
+    return estimator_.update(now_ns_, sensors_.joints, sensors_.forces, sensors_.imu, estimate_);
+  }
+  void stand(int ticks) {
+    sensors_.press(Side::left, 0.5 * weight_N(), {0.01, 0.0});
+    sensors_.press(Side::right, 0.5 * weight_N(), {0.01, 0.0});
+    for (int i = 0; i < ticks; ++i) ASSERT_TRUE(tick());
+  }
+  // Both feet flat, the body turned about the ankles so far that the CoM is at x in the left level frame.
+  void lean_to(double com_x) {
+    urdf::ForwardKinematics kinematics(humanoid());
+    double pitch = 0.0;
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Matrix3d upright = Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()).toRotationMatrix();
+      const auto posture = leaning(pitch);
+      kinematics.compute(posture);
+      const Eigen::Vector3d com =
+          upright * (kinematics.com_m() - kinematics.sole_pose(Side::left).translation());
+      pitch += (com_x - com.x()) / com.z();
+    }
+    sensors_.set_posture(leaning(pitch));
+    sensors_.imu.angular_velocity[1] = has_pitch_ ? (pitch - sensors_.imu.inclination[1]) / 0.01 : 0.0;
+    sensors_.imu.inclination[1] = pitch;
+    has_pitch_ = true;
+  }
+  static std::vector<double> leaning(double pitch) {
+    std::vector<double> posture = test::home_posture(humanoid());
+    for (const auto& leg : humanoid().legs) posture[static_cast<std::size_t>(leg.joints[4])] -= pitch;
+    return posture;
+  }
+
+  StateEstimator estimator_{humanoid(), EstimatorParameters{}};
+  Sensors sensors_;
+  Estimate estimate_{};
+  std::int64_t now_ns_ = 1'000'000'000;
+  bool has_pitch_ = false;
+};
+
+TEST_F(StateEstimatorTest, StandingRobotHasTheExactZmpOfBothFeet) {
+  sensors_.press(Side::left, 0.75 * weight_N(), {0.02, 0.01});
+  sensors_.press(Side::right, 0.25 * weight_N(), {-0.02, 0.0});
+  ASSERT_TRUE(tick());
+  EXPECT_EQ(estimate_.support, 0U);
+  EXPECT_EQ(estimate_.contact[0], 1U);
+  EXPECT_EQ(estimate_.contact[1], 1U);
+  EXPECT_NEAR(estimate_.foot_force[0], 0.75 * weight_N(), 1e-9);
+  EXPECT_NEAR(estimate_.foot_zmp[1][0], -0.02, 1e-12);
+  EXPECT_NEAR(estimate_.zmp[0], 0.75 * 0.02 + 0.25 * -0.02, 1e-9);
+  EXPECT_NEAR(estimate_.zmp[1], 0.75 * 0.01 + 0.25 * -0.10, 1e-9);  // the feet are 100 mm apart
+  EXPECT_EQ(estimate_.stamp_ns, now_ns_ - 2'000'000);
+}
+
+TEST_F(StateEstimatorTest, ZmpIsWithinFiveMillimetresUnderNoise) {
+  std::mt19937 random(37);
+  std::normal_distribution<double> force(0.0, humanoid().noise.force_N / std::sqrt(10.0)), tilt(0.0, 0.003);
+  for (int i = 0; i < 500; ++i) {
+    sensors_.press(Side::left, 0.6 * weight_N(), {0.02, 0.01});
+    sensors_.press(Side::right, 0.4 * weight_N(), {-0.02, 0.0});
+    for (auto& foot : sensors_.forces.force) {
+      for (double& cell : foot) cell += force(random);
+    }
+    sensors_.imu.inclination[0] = tilt(random);
+    sensors_.imu.inclination[1] = tilt(random);
+    ASSERT_TRUE(tick());
+    EXPECT_NEAR(estimate_.zmp[0], 0.004, 0.005);
+    EXPECT_NEAR(estimate_.zmp[1], 0.006 - 0.04, 0.005);
+  }
+}
+
+TEST_F(StateEstimatorTest, DcmOfASwayingPendulumIsFollowed) {
+  std::mt19937 random(41);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  const double height = SupportKinematics(humanoid()).com_m(Side::left).z();
+  const double omega = std::sqrt(test::kGravity_m_per_s2 / height);
+  const double frequency = 2.0 * M_PI * 0.8;
+  double worst = 0.0, squares = 0.0;
+  constexpr int kTicks = 1000, kSettle = 200;
+  for (int i = 0; i < kTicks; ++i) {
+    const double t = i * 0.01;
+    const double com = 0.01 + 0.015 * std::sin(frequency * t);
+    const double velocity = 0.015 * frequency * std::cos(frequency * t);
+    const double acceleration = -0.015 * frequency * frequency * std::sin(frequency * t);
+    lean_to(com);
+    const double zmp = com - acceleration / (omega * omega);
+    for (const Side side : urdf::kSides) sensors_.press(side, 0.5 * weight_N(), {zmp, 0.0});
+    for (auto& foot : sensors_.forces.force) {
+      for (double& cell : foot) cell += 0.2 / std::sqrt(10.0) * noise(random);
+    }
+    const Sensors clean = sensors_;
+    sensors_.imu.angular_velocity[1] += 0.01 / std::sqrt(10.0) * noise(random);
+    sensors_.imu.inclination[1] += 0.003 * noise(random);
+    ASSERT_TRUE(tick());
+    sensors_.imu = clean.imu;
+    if (i < kSettle) continue;
+    const double error = estimate_.dcm[0] - (com + velocity / omega);
+    worst = std::max(worst, std::abs(error));
+    squares += error * error / (kTicks - kSettle);
+  }
+  EXPECT_LT(std::sqrt(squares), 0.003);
+  EXPECT_LT(worst, 0.008);
+}
+
+TEST_F(StateEstimatorTest, ChangeOfSupportMovesTheFrameAndNotTheRobot) {
+  stand(100);
+  sensors_.press(Side::left, 0.7 * weight_N(), {0.01, -0.03});
+  sensors_.press(Side::right, 0.3 * weight_N(), {0.01, 0.03});
+  tick();
+  const Estimate before = estimate_;
+  ASSERT_EQ(before.support, 0U);
+  sensors_.press(Side::left, 0.35 * weight_N(), {0.01, -0.03});
+  sensors_.press(Side::right, 0.65 * weight_N(), {0.01, 0.03});
+  tick();
+  ASSERT_EQ(estimate_.support, 1U);
+  EXPECT_NEAR(estimate_.com[1], before.com[1] + 0.1, 0.002);
+  EXPECT_NEAR(estimate_.com[0], before.com[0], 0.002);
+  EXPECT_NEAR(estimate_.zmp[1], 0.35 * 0.07 + 0.65 * 0.03, 1e-6);
+  EXPECT_NEAR(estimate_.com_velocity[1], before.com_velocity[1], 0.02);
+}
+
+TEST_F(StateEstimatorTest, NothingIsSaidBeforeEverySensorWasHeard) {
+  sensors_.stamp(now_ns_ - 1'000'000'000);  // much too old
+  EXPECT_FALSE(update());
+  sensors_.stamp(now_ns_);
+  sensors_.imu.stamp_ns = now_ns_ - 1'000'000'000;
+  EXPECT_FALSE(update());
+  EXPECT_TRUE(tick());
+}
+
+TEST_F(StateEstimatorTest, StaleImuIsKeptAndSaid) {
+  sensors_.imu.inclination[1] = 0.1;
+  stand(50);
+  const Estimate before = estimate_;
+  for (int i = 0; i < 10; ++i) {
+    now_ns_ += kTick_ns;
+    sensors_.joints.stamp_ns = sensors_.forces.stamp_ns = now_ns_ - 2'000'000;
+    ASSERT_TRUE(update());
+    EXPECT_TRUE(estimator_.faults().imu_stale);
+    EXPECT_FALSE(estimator_.faults().joints_stale);
+  }
+  EXPECT_EQ(estimate_.stamp_ns, before.stamp_ns);
+  EXPECT_EQ(estimate_.attitude[1], before.attitude[1]);
+  tick();
+  EXPECT_FALSE(estimator_.faults().any());
+  EXPECT_EQ(estimate_.stamp_ns, now_ns_ - 2'000'000);
+}
+
+TEST_F(StateEstimatorTest, MissingJointKeepsItsPositionAndItsSensorsAreStale) {
+  stand(50);
+  const Estimate before = estimate_;
+  sensors_.joints.missing = 1U << kLeftAnklePitch;
+  sensors_.joints.position[kLeftAnklePitch] = 1.0;
+  sensors_.press(Side::left, 0.0, {0.0, 0.0});
+  for (int i = 0; i < 5; ++i) tick();
+  EXPECT_TRUE(estimator_.faults().forces_stale);
+  EXPECT_FALSE(estimator_.faults().imu_stale);
+  EXPECT_EQ(estimator_.faults().missing, 1U << kLeftAnklePitch);
+  EXPECT_NEAR(estimate_.com[0], before.com[0], 0.003);
+  EXPECT_EQ(estimate_.contact[0], 1U);
+  EXPECT_EQ(estimate_.stamp_ns, before.stamp_ns);
+}
+
+TEST_F(StateEstimatorTest, ValuesThatAreNotNumbersAreNotTaken) {
+  stand(50);
+  sensors_.imu.angular_velocity[0] = std::nan("");
+  sensors_.forces.force[1][2] = INFINITY;
+  sensors_.joints.position[7] = std::nan("");
+  for (int i = 0; i < 20; ++i) tick();
+  EXPECT_TRUE(estimator_.faults().imu_stale);
+  EXPECT_TRUE(estimator_.faults().forces_stale);
+  EXPECT_EQ(estimator_.faults().missing, 1U << 7U);
+  for (const double value : estimate_.com) EXPECT_TRUE(std::isfinite(value));
+  for (const double value : estimate_.dcm) EXPECT_TRUE(std::isfinite(value));
+  for (const double value : estimate_.attitude) EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST_F(StateEstimatorTest, EverythingStaleHoldsTheEstimateStill) {
+  stand(50);
+  const Estimate before = estimate_;
+  for (int i = 0; i < 500; ++i) {
+    now_ns_ += kTick_ns;
+    ASSERT_TRUE(update());
+  }
+  EXPECT_EQ(estimate_.com[0], before.com[0]);
+  EXPECT_EQ(estimate_.dcm[1], before.dcm[1]);
+  EXPECT_EQ(estimate_.stamp_ns, before.stamp_ns);
+}
+
+TEST_F(StateEstimatorTest, HeadingDoesNotDriftOnceTheBiasIsLearned) {
+  sensors_.imu.angular_velocity[2] = 0.0035;
+  stand(300);
+  const double yaw = estimate_.attitude[2];
+  EXPECT_LT(yaw, 0.004);
+  sensors_.joints.velocity[3] = 2.0;  // as in walking
+  for (int i = 0; i < 3000; ++i) tick();
+  EXPECT_NEAR(estimate_.attitude[2], yaw, 0.002);  // 0.105 with the bias
+}
+
+TEST_F(StateEstimatorTest, RobotInTheAirHasNoContact) {
+  stand(20);
+  sensors_.press(Side::left, 0.0, {0.0, 0.0});
+  sensors_.press(Side::right, 0.0, {0.0, 0.0});
+  for (int i = 0; i < 50; ++i) tick();
+  EXPECT_EQ(estimate_.contact[0] + estimate_.contact[1], 0U);
+  for (const double value : estimate_.dcm) EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST_F(StateEstimatorTest, RobotWithoutInclinometerTakesTheAccelerometer) {
+  urdf::RobotModel model = humanoid();
+  for (auto& joint : model.channels) {
+    for (auto& channel : joint) {
+      if (channel.kind == urdf::SensorKind::inclination) channel.kind = urdf::SensorKind::none;
+    }
+  }
+  StateEstimator estimator(model, EstimatorParameters{});
+  const Attitude tilted{0.05, -0.08, 0.0};
+  Eigen::Map<Eigen::Vector3d>(sensors_.imu.acceleration) =
+      tilted.tilt().transpose() * Eigen::Vector3d(0, 0, 9.81);
+  for (int i = 0; i < 10; ++i) {
+    now_ns_ += kTick_ns;
+    sensors_.stamp(now_ns_);
+    ASSERT_TRUE(estimator.update(now_ns_, sensors_.joints, sensors_.forces, sensors_.imu, estimate_));
+  }
+  EXPECT_NEAR(estimate_.attitude[0], 0.05, 1e-6);
+  EXPECT_NEAR(estimate_.attitude[1], -0.08, 1e-6);
+}
+
+TEST_F(StateEstimatorTest, UpdateDoesNotAllocate) {
+  stand(5);
+  const long before = test::allocation_count();
+  for (int i = 0; i < 100; ++i) {
+    sensors_.press(i % 20 < 10 ? Side::left : Side::right, (i % 10) * 0.1 * weight_N(), {0.0, 0.0});
+    tick();
+  }
+  EXPECT_EQ(test::allocation_count() - before, 0);
+}
+
+TEST(EstimatorParametersTest, BadValuesAreRefusedByName) {
+  EstimatorParameters parameters;
+  parameters.contact_off_share = 0.2;
+  try {
+    StateEstimator estimator(humanoid(), parameters);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("contact_off_share is 0.2"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace gaitway::zmp
