@@ -1,0 +1,53 @@
+// The balance feedback of one tick: estimate and plan in, trims and batch corrections out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/stability/balance_parameters.hpp"
+#include "gaitway/stability/heading_feedback.hpp"
+#include "gaitway/stability/lean_integrator.hpp"
+#include "gaitway/stability/plan_timeline.hpp"
+#include "gaitway/stability/trim_feedback.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::stability {
+
+// What there is to know at a tick; null: nothing heard.
+struct BalanceInputs {
+  const Estimate* estimate = nullptr;
+  const MotionPlan* plan = nullptr;  // the newest
+  const NetworkState* network = nullptr;
+};
+
+// To be updated every 10 ms. Not thread-safe.
+class BalanceController {
+ public:
+  // Throws std::invalid_argument (see BalanceParameters::validate).
+  BalanceController(const urdf::RobotModel& model, const BalanceParameters& parameters);
+
+  // The support comes from the plan that plays now; without a plan, from the estimate's contacts. Trims fade
+  // to zero while the estimate is missing, too old or not finite, while the robot is fallen, in the air, or
+  // has neither plan nor contact. No allocation.
+  void update(std::int64_t now_ns, const BalanceInputs& inputs, TrimCommand& trim,
+              Correction& correction) noexcept;
+
+  [[nodiscard]] const TrimFeedback& trims() const noexcept { return trims_; }
+  [[nodiscard]] const HeadingFeedback& heading() const noexcept { return heading_; }
+
+ private:
+  [[nodiscard]] bool is_usable(const Estimate* estimate, std::int64_t now_ns) const noexcept;
+  [[nodiscard]] static std::optional<std::size_t> support_of(const std::optional<PlanMoment>& moment,
+                                                             const Estimate& estimate) noexcept;
+  [[nodiscard]] bool is_airborne(const Estimate& estimate) noexcept;
+
+  BalanceParameters parameters_;
+  PlanTimeline timeline_;
+  TrimFeedback trims_;
+  HeadingFeedback heading_;
+  LeanIntegrator lean_;
+  double without_contact_s_ = 0.0;
+};
+
+}  // namespace gaitway::stability

@@ -1,0 +1,42 @@
+// Every number of the balance feedback, with its unit, and the rules that these numbers must keep.
+#pragma once
+
+#include <array>
+
+namespace gaitway::stability {
+
+// How far a joint turns for an error of the trunk's roll or pitch (whichever its axis can change). Positive:
+// against the error.
+struct JointGain {
+  double angle_rad_per_rad = 0.0;
+  double rate_rad_per_rad_per_s = 0.0;  // s
+};
+
+struct BalanceParameters {
+  // Trims.
+  JointGain ankle_pitch{0.25, 0.05};  // of the stance leg; with both feet on the ground, of both legs
+  JointGain ankle_roll{0.25, 0.03};
+  JointGain hip_pitch{0.15, 0.03};  // of both legs, while standing
+  JointGain hip_roll{0.0, 0.0};
+  std::array<double, 2> attitude_reference_rad{};  // trunk roll, pitch
+  double trim_limit_rad = 0.11;                    // no further than the robot's own limit
+  double ramp_s = 0.10;            // in which trims fade to zero when their ground is gone, and come back
+  double standing_after_s = 0.15;  // of both feet on the ground: then the hips help
+  double fallen_at_rad = 0.8;      // roll or pitch beyond which there is nothing to balance
+  double airborne_after_s = 0.05;  // without contact of any foot
+  double estimate_lifetime_s = 0.05;
+
+  // Heading, through the commanded turn rate.
+  double heading_gain_per_s = 1.0;
+  double heading_limit_rad_per_s = 0.30;
+  double heading_filter_s = 0.20;  // low-pass of the heading's error: the trunk's yaw swings with every step
+
+  // Lean, through the batches' base attitude. 0: off.
+  double lean_gain_per_s = 0.0;  // 0.5 is proven on slopes
+  double lean_limit_rad = 0.10;
+
+  // Throws std::invalid_argument naming parameter, value, rule and remedy.
+  void validate() const;
+};
+
+}  // namespace gaitway::stability

@@ -1,0 +1,36 @@
+// Keeps the robot's heading at what was commanded, by a small turn rate beside the commanded one.
+#pragma once
+
+#include <optional>
+
+#include "gaitway/stability/balance_parameters.hpp"
+
+namespace gaitway::stability {
+
+// The plan's own heading contains the corrections made so far, so it is no reference: a correction would move
+// its own goal. What counts is the slip, by which the robot has turned further than its plan, and that
+// corrections have undone only a part of it: error = -(slip + corrections), turn rate = gain * error. It
+// becomes zero when the heading is what it would be without slip and corrections.
+class HeadingFeedback {
+ public:
+  explicit HeadingFeedback(const BalanceParameters& parameters) noexcept;
+
+  // One tick. measured: integrated yaw of the trunk; planned: the plan's base yaw at the same time. Returns
+  // the turn rate to add, rad/s, counter-clockwise; zero unless walking, when a correction would change
+  // nothing.
+  double update(double measured_yaw_rad, double planned_yaw_rad, bool walking) noexcept;
+  // A tick without estimate or plan: no correction, and the next tick's headings count as equal but for the
+  // error so far.
+  void pause() noexcept { last_difference_rad_.reset(); }
+
+  [[nodiscard]] double error_rad() const noexcept { return error_rad_; }  // filtered
+
+ private:
+  double gain_per_s_, limit_rad_per_s_, filter_s_;
+  std::optional<double> last_difference_rad_;  // measured - planned
+  double slip_rad_ = 0.0;
+  double corrected_rad_ = 0.0;
+  double error_rad_ = 0.0;
+};
+
+}  // namespace gaitway::stability

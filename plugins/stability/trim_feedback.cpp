@@ -1,0 +1,49 @@
+// Law, hips' share, fading.
+#include "gaitway/stability/trim_feedback.hpp"
+
+#include <algorithm>
+
+namespace gaitway::stability {
+namespace {
+
+constexpr double kTick_s = 0.010;
+
+}  // namespace
+
+TrimFeedback::TrimFeedback(const urdf::RobotModel& model, const BalanceParameters& parameters)
+    : matrix_(make_trim_gain_matrix(model, parameters)),
+      limit_rad_(std::min(parameters.trim_limit_rad, model.trim.limit_rad)),
+      ramp_step_(kTick_s / parameters.ramp_s),
+      standing_after_s_(parameters.standing_after_s) {}
+
+void TrimFeedback::update_hip_share(bool both_feet) noexcept {
+  standing_s_ = both_feet ? standing_s_ + kTick_s : 0.0;
+  const double step = standing_s_ > standing_after_s_ ? ramp_step_ : -ramp_step_;
+  hip_share_ = std::clamp(hip_share_ + step, 0.0, 1.0);
+}
+
+void TrimFeedback::update(const std::optional<msgclient::TrunkMotion>& motion, std::size_t support,
+                          TrimCommand& command) noexcept {
+  const bool both_feet = support == kBothFeet;
+  update_hip_share(motion && both_feet);
+  share_ = std::clamp(share_ + (motion ? ramp_step_ : -ramp_step_), 0.0, 1.0);
+  if (motion) {
+    law_rad_ = msgclient::trim_angles(matrix_.gains, static_cast<int>(support), *motion, limit_rad_);
+    for (std::size_t c = 0; c < law_rad_.size(); ++c) {
+      if ((matrix_.hip_channels >> c & 1U) != 0) law_rad_[c] *= hip_share_;
+    }
+  }
+  command.channel_count = matrix_.gains.channel_count;
+  for (std::size_t c = 0; c < law_rad_.size(); ++c) command.angle[c] = share_ * law_rad_[c];
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    command.attitude_reference[axis] = static_cast<double>(matrix_.gains.attitude_reference[axis]);
+  }
+  for (std::size_t s = 0; s < matrix_.gains.gain.size(); ++s) {
+    for (std::size_t c = 0; c < law_rad_.size(); ++c) {
+      for (std::size_t k = 0; k < 4; ++k)
+        command.gain[s][c][k] = static_cast<double>(matrix_.gains.gain[s][c][k]);
+    }
+  }
+}
+
+}  // namespace gaitway::stability

@@ -1,0 +1,180 @@
+// The whole balance feedback: support from plan or contacts, and when there is nothing to balance.
+#include "gaitway/stability/balance_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "test_robot.hpp"
+
+namespace gaitway::stability {
+namespace {
+
+using test::channel_of;
+using test::humanoid;
+
+constexpr std::int64_t kTick_ns = 10'000'000;
+const std::size_t kLeftAnklePitch = channel_of(humanoid(), 0, 4);
+const std::size_t kRightAnklePitch = channel_of(humanoid(), 1, 4);
+
+class BalanceControllerTest : public ::testing::Test {
+ protected:
+  BalanceControllerTest() {
+    estimate_.contact[0] = estimate_.contact[1] = 1;
+    estimate_.attitude[1] = 0.04;
+    plan_->tail_count = 200;
+  }
+  void tick(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      now_ns_ += kTick_ns;
+      if (estimate_is_fresh_) estimate_.stamp_ns = now_ns_ - 3'000'000;
+      network_.stamp_ns = now_ns_ - 3'000'000;
+      controller_.update(now_ns_,
+                         {has_estimate_ ? &estimate_ : nullptr, has_plan_ ? plan_.get() : nullptr,
+                          has_network_ ? &network_ : nullptr},
+                         trim_, correction_);
+    }
+  }
+  // Publishes a plan that starts with the next tick.
+  void plan(std::uint8_t support, double yaw_rad = 0.0) {
+    ++plan_->sequence;
+    plan_->start_ns = now_ns_ + kTick_ns;
+    plan_->footstep_count = 2;
+    for (std::size_t i = 0; i < kMaxPoints; ++i) {
+      plan_->support[i] = support;
+      plan_->base_yaw[i] = yaw_rad;
+    }
+    has_plan_ = true;
+  }
+  void expect_zero_trims() const {
+    for (const double angle : trim_.angle) EXPECT_NEAR(angle, 0.0, 1e-12);
+  }
+
+  BalanceController controller_{humanoid(), BalanceParameters{}};
+  Estimate estimate_{};
+  std::unique_ptr<MotionPlan> plan_ = std::make_unique<MotionPlan>();
+  NetworkState network_{};
+  TrimCommand trim_{};
+  Correction correction_{};
+  std::int64_t now_ns_ = 0;
+  bool has_estimate_ = true, has_plan_ = false, has_network_ = false, estimate_is_fresh_ = true;
+};
+
+TEST_F(BalanceControllerTest, ThePlanSaysWhichLegStands) {
+  plan(0);
+  tick(20);
+  EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+  EXPECT_EQ(trim_.angle[kRightAnklePitch], 0.0);
+  plan(1);
+  tick(1);
+  EXPECT_EQ(trim_.angle[kLeftAnklePitch], 0.0);
+  EXPECT_NEAR(trim_.angle[kRightAnklePitch], 0.01, 1e-7);
+  EXPECT_EQ(trim_.stamp_ns, now_ns_);
+  EXPECT_EQ(correction_.stamp_ns, now_ns_);
+}
+
+TEST_F(BalanceControllerTest, ContactsSayItWithoutAPlan) {
+  estimate_.contact[0] = 0;
+  tick(20);
+  EXPECT_EQ(trim_.angle[kLeftAnklePitch], 0.0);
+  EXPECT_NEAR(trim_.angle[kRightAnklePitch], 0.01, 1e-7);
+  estimate_.contact[0] = 1;
+  tick(1);
+  EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+}
+
+TEST_F(BalanceControllerTest, APlanThatTheNetworkRefusedDoesNotCount) {
+  has_network_ = true;
+  network_.accepted_sequence = 1;
+  plan(0);
+  tick(20);
+  plan(1);
+  tick(2);
+  EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+  EXPECT_EQ(trim_.angle[kRightAnklePitch], 0.0);
+  network_.accepted_sequence = 2;
+  tick(1);
+  EXPECT_NEAR(trim_.angle[kRightAnklePitch], 0.01, 1e-7);
+}
+
+TEST_F(BalanceControllerTest, LostEstimateFadesTheTrimsAndKeepsTheGains) {
+  plan(2);
+  tick(100);
+  ASSERT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+  has_estimate_ = false;
+  tick(5);
+  EXPECT_GT(trim_.angle[kLeftAnklePitch], 0.003);
+  EXPECT_LT(trim_.angle[kLeftAnklePitch], 0.007);
+  tick(6);
+  expect_zero_trims();
+  EXPECT_NEAR(trim_.gain[kBothFeet][kLeftAnklePitch][1], 0.25, 1e-7);
+}
+
+TEST_F(BalanceControllerTest, OldEstimateCountsAsLost) {
+  plan(2);
+  tick(100);
+  estimate_is_fresh_ = false;
+  tick(4);
+  EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+  tick(12);
+  expect_zero_trims();
+}
+
+TEST_F(BalanceControllerTest, FallenAirborneOrUndefinedRobotIsNotTrimmed) {
+  plan(2);
+  for (int fault = 0; fault < 3; ++fault) {
+    tick(100);
+    ASSERT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+    const Estimate good = estimate_;
+    if (fault == 0) estimate_.attitude[0] = 1.4;
+    if (fault == 1) estimate_.contact[0] = estimate_.contact[1] = 0;
+    if (fault == 2) estimate_.angular_velocity[1] = std::nan("");
+    tick(20);
+    expect_zero_trims();
+    estimate_ = good;
+  }
+}
+
+TEST_F(BalanceControllerTest, AShortLossOfContactChangesNothing) {
+  plan(2);
+  tick(100);
+  estimate_.contact[0] = estimate_.contact[1] = 0;
+  tick(4);
+  EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+}
+
+TEST_F(BalanceControllerTest, HeadingErrorAsksForATurnAndNothingElse) {
+  plan(2);
+  tick(10);
+  for (int i = 0; i < 50; ++i) {
+    estimate_.attitude[2] += 0.002;
+    tick();
+  }
+  EXPECT_LT(correction_.turn_rate_offset, -0.02);
+  EXPECT_GE(correction_.turn_rate_offset, -0.3);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    EXPECT_EQ(correction_.com_offset[axis], 0.0);
+    EXPECT_EQ(correction_.base_attitude_offset[axis], 0.0);
+    EXPECT_EQ(correction_.step_offset[axis], 0.0);
+  }
+  has_estimate_ = false;
+  tick();
+  EXPECT_EQ(correction_.turn_rate_offset, 0.0);
+}
+
+TEST(BalanceParametersTest, BadValuesAreRefusedByName) {
+  BalanceParameters parameters;
+  parameters.ankle_pitch.angle_rad_per_rad = -0.25;
+  try {
+    BalanceController controller(humanoid(), parameters);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("ankle_pitch gain is -0.25"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace gaitway::stability
