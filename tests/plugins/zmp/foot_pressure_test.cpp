@@ -54,18 +54,25 @@ TEST(FootPressure, StaysWithinFiveMillimetresWithNoiseAndGainErrors) {
   EXPECT_LT(std::sqrt(squares / kRuns), 0.002);
 }
 
-TEST(FootPressure, ResultNeverLeavesTheCellsRectangle) {
+TEST(FootPressure, SoleOnItsEdgeIsBeyondTheCells) {
+  const urdf::Foot& foot = humanoid().feet[0];
+  const Eigen::Vector2d toe(foot.centre_m.x() + 0.5 * foot.size_m.x(), 0.0);
+  ASSERT_GT(toe.x(), foot.cell_m[0].x());
+  const auto force_N = cell_forces(foot, 60.0, toe);
+  ASSERT_LT(force_N[2], 0.0);
+  EXPECT_NEAR((foot_pressure(foot, force_N, 1.0).zmp_m - toe).norm(), 0.0, 1e-14);
+}
+
+TEST(FootPressure, ResultNeverLeavesTheSole) {
   const urdf::Foot& foot = humanoid().feet[0];
   std::mt19937 random(13);
   std::normal_distribution<double> noise_N(0.0, 2.0);
   for (int i = 0; i < 5000; ++i) {
     std::array<double, 4> force_N{};
     for (double& force : force_N) force = noise_N(random);
-    const Eigen::Vector2d zmp = foot_pressure(foot, force_N, 0.1).zmp_m;
-    EXPECT_LE(zmp.x(), foot.cell_m[0].x());
-    EXPECT_GE(zmp.x(), foot.cell_m[2].x());
-    EXPECT_LE(zmp.y(), foot.cell_m[0].y());
-    EXPECT_GE(zmp.y(), foot.cell_m[1].y());
+    const Eigen::Vector2d from_centre = foot_pressure(foot, force_N, 0.1).zmp_m - foot.centre_m;
+    EXPECT_LE(std::abs(from_centre.x()), 0.5 * foot.size_m.x() + 1e-12);
+    EXPECT_LE(std::abs(from_centre.y()), 0.5 * foot.size_m.y() + 1e-12);
   }
 }
 

@@ -14,8 +14,9 @@ struct FootPressure {
 };
 
 // The ZMP of cells that carry vertical force is the mean of their places, weighted by force (M. Vukobratovic,
-// B. Borovac, "Zero-moment point - thirty-five years of its life", 2004). It is limited to the cells'
-// rectangle, which noise alone can leave. Below `least_force_N` it says nothing and is the sole's centre.
+// B. Borovac, "Zero-moment point - thirty-five years of its life", 2004). It may lie outside of the cells (a
+// rigid sole on its edge loads the cells behind it with tension), but is limited to the sole, which noise
+// alone can leave. Below `least_force_N` it says nothing and is the sole's centre.
 [[nodiscard]] FootPressure foot_pressure(const urdf::Foot& foot, std::span<const double, 4> cell_force_N,
                                          double least_force_N) noexcept;
 

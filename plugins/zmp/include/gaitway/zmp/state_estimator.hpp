@@ -27,7 +27,8 @@ class StateEstimator {
   StateEstimator(const urdf::RobotModel& model, const EstimatorParameters& parameters);
 
   // Fills `estimate`; false, and nothing filled, until every sensor has been heard once. The estimate's stamp
-  // is the arrival of the oldest sensor value in it: it stops when a sensor does. About 0.6 us; no allocation.
+  // is the arrival of the oldest sensor value in it: it stops when a sensor does. About 0.6 us; no
+  // allocation.
   bool update(std::int64_t now_ns, const JointStates& joints, const FootForces& forces,
               const gaitway::Imu& imu, Estimate& estimate) noexcept;
 
