@@ -1,0 +1,180 @@
+// Lock-step of all parts of the chain.
+#include "gaitway/simulator/cosimulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gaitway/msgclient/cycle.hpp"
+
+namespace gaitway::simulator {
+namespace {
+
+using msgclient::kMillisecond_ns;
+
+std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(std::llround(seconds * 1e9)); }
+
+}  // namespace
+
+Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOptions& options)
+    : robot_(robot),
+      options_(options),
+      adapter_(memory_block_),
+      message_client_(memory_block_.local_client("message_controller")),
+      behavior_client_(memory_block_.local_client("behavior")),
+      observer_client_(memory_block_.local_client("observer")),
+      main_client_(memory_block_.local_client("main_controller")),
+      plant_(robot_, options.plant),
+      joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
+      message_controller_(robot_, message_client_, adapter_.message()),
+      walk_command_(behavior_client_.write<WalkCommand>("walk_command")),
+      message_station_(bus_.attach()),
+      fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {
+  for (int joint = 0; joint < joints_.size(); ++joint) {
+    joint_station_.push_back(bus_.attach());
+  }
+  walk_command_.publish(WalkCommand{}, 0);
+  main_controller_ =
+      std::make_unique<core::MainController>(robot_, main_client_, adapter_.host(), options_.main_controller);
+}
+
+Cosimulation::~Cosimulation() = default;
+
+void Cosimulation::advance_millisecond() {
+  joints_.step(now_ns_, plant_.sensors());
+  message_controller_.step(now_ns_);
+  if (core::is_tick(now_ns_) && now_ns_ >= silent_until_ns_) {
+    main_controller_tick();
+  }
+  exchange_frames(now_ns_ + kMillisecond_ns);
+  plant_.step(joints_.torque_Nm());
+  now_ns_ += kMillisecond_ns;
+  if (observer_ != nullptr) {
+    observer_->on_millisecond(now_ns_);
+  }
+}
+
+void Cosimulation::main_controller_tick() {
+  const core::TickReport report = main_controller_->step(now_ns_);
+  const std::int64_t cost_ns = report.batch ? options_.batch_cost_ns : options_.tick_cost_ns;
+  if (report.posted) {
+    ring_at(now_ns_ + cost_ns + report.transfer_ns);
+  }
+}
+
+void Cosimulation::ring_at(std::int64_t due_ns) {
+  const auto later = std::upper_bound(doorbells_due_ns_.begin(), doorbells_due_ns_.end(), due_ns);
+  doorbells_due_ns_.insert(later, due_ns);
+}
+
+void Cosimulation::exchange_frames(std::int64_t until_ns) {
+  offer_from_message_controller(now_ns_);
+  for (int joint = 0; joint < joints_.size(); ++joint) {
+    offer_from_joint(joint, now_ns_);
+  }
+  while (true) {
+    const bool rings = !doorbells_due_ns_.empty() && doorbells_due_ns_.front() < until_ns;
+    const std::int64_t stop_ns = rings ? std::max(doorbells_due_ns_.front(), now_ns_) : until_ns;
+    while (const auto delivery = bus_.advance(stop_ns)) {
+      deliver(*delivery);
+    }
+    if (!rings) {
+      return;
+    }
+    doorbells_due_ns_.erase(doorbells_due_ns_.begin());
+    message_controller_.take_mails(stop_ns);
+    offer_from_message_controller(stop_ns);
+  }
+}
+
+void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
+  if (observer_ != nullptr) {
+    observer_->on_frame(delivery);
+  }
+  const bool from_message_controller = delivery.sender == message_station_;
+  const int sender_joint = from_message_controller ? -1 : delivery.sender - joint_station_.front();
+  if (from_message_controller) {
+    waiting_.reset();
+  }
+  if (!delivery.lost) {
+    if (!from_message_controller) {
+      message_controller_.on_frame(delivery.frame, delivery.end_ns);
+    }
+    joints_.on_frame(delivery.frame, sender_joint, delivery.end_ns);
+  }
+  if (from_message_controller) {
+    for (int joint = 0; joint < joints_.size(); ++joint) {
+      offer_from_joint(joint, delivery.end_ns);  // an answer to a SYNC goes out at once
+    }
+  } else {
+    offer_from_joint(sender_joint, delivery.end_ns);
+  }
+  offer_from_message_controller(delivery.end_ns);
+}
+
+void Cosimulation::offer_from_message_controller(std::int64_t now_ns) {
+  // One frame in flight; a more urgent one takes the place of a waiting one.
+  if (waiting_ && message_controller_.next_id() < waiting_->id && bus_.abort(message_station_)) {
+    message_controller_.put_back(*waiting_);
+    waiting_.reset();
+  }
+  can::Frame frame;
+  if (!waiting_ && message_controller_.take_frame(frame)) {
+    bus_.transmit(message_station_, frame, now_ns);
+    waiting_ = frame;
+  }
+}
+
+void Cosimulation::offer_from_joint(int joint, std::int64_t now_ns) {
+  const int station = joint_station_[static_cast<std::size_t>(joint)];
+  can::Frame frame;
+  if (!bus_.transmit_pending(station) && joints_.joint(joint).take_frame(frame)) {
+    bus_.transmit(station, frame, now_ns);
+  }
+}
+
+void Cosimulation::inject_losses() {
+  bus_.set_loss([this](const can::Frame&, std::int64_t start_ns) {
+    const double unit = static_cast<double>(fault_random_() >> 11U) * 0x1.0p-53;
+    return start_ns < losses_until_ns_ && unit < loss_probability_;
+  });
+}
+
+void Cosimulation::apply(const ScenarioEvent& event) {
+  struct Visitor {
+    Cosimulation& self;
+    void operator()(const WalkEvent& walk) const {
+      WalkCommand command{};
+      command.stamp_ns = self.now_ns_;
+      command.walk = walk.walk ? 1U : 0U;
+      command.velocity[0] = walk.velocity_m_per_s.x();
+      command.velocity[1] = walk.velocity_m_per_s.y();
+      command.turn_rate = walk.turn_rate_rad_per_s;
+      self.walk_command_.publish(command, self.now_ns_);
+    }
+    void operator()(const StopEvent&) const { post(msgclient::UserCommandKind::stop); }
+    void operator()(const EmergencyStopEvent& stop) const {
+      post(stop.soft ? msgclient::UserCommandKind::emergency_stop_soft
+                     : msgclient::UserCommandKind::emergency_stop_hold);
+    }
+    void operator()(const PushEvent& push) const {
+      self.plant_.push(push.body, push.direction, push.impulse_Ns, push.duration_s);
+    }
+    void operator()(const MainControllerSilentFault& fault) const {
+      self.silent_until_ns_ = fault.duration_s > 0.0 ? self.now_ns_ + to_ns(fault.duration_s)
+                                                     : std::numeric_limits<std::int64_t>::max();
+    }
+    void operator()(const LoseFramesFault& fault) const {
+      self.loss_probability_ = fault.probability;
+      self.losses_until_ns_ = self.now_ns_ + to_ns(fault.duration_s);
+      self.inject_losses();
+    }
+    void post(msgclient::UserCommandKind kind) const {
+      const msgclient::UserCommandMail mail{.sequence = ++self.user_commands_, .kind = kind};
+      self.ring_at(self.now_ns_ + self.adapter_.host().post(mail, self.now_ns_).transfer_ns);
+    }
+  };
+  std::visit(Visitor{*this}, event.action);
+}
+
+}  // namespace gaitway::simulator

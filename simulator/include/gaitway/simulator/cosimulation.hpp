@@ -1,0 +1,103 @@
+// The whole chain in one process and in virtual time: physics, 22 local controllers, the CAN bus in its own
+// microsecond events, the message controller, and the main controller with its plug-ins. Deterministic to the bit
+// for one seed. Order inside one millisecond: physics, local controllers, message controller and main controller at
+// their instants, bus.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "gaitway/can/simulated_bus.hpp"
+#include "gaitway/core/main_controller.hpp"
+#include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/msgcontroller/message_controller.hpp"
+#include "gaitway/simulator/joint_network.hpp"
+#include "gaitway/simulator/plant.hpp"
+#include "gaitway/simulator/scenario.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::simulator {
+
+struct CosimulationOptions {
+  PlantOptions plant;
+  double largest_clock_drift_ppm = 50.0;
+  core::MainControllerOptions main_controller;
+  // What the main controller's work is charged in virtual time: from a tick to its mails lying in the window.
+  std::int64_t tick_cost_ns = 100'000;
+  std::int64_t batch_cost_ns = 500'000;
+};
+
+// Sees everything that happens, in order; the run's recorder is one.
+class CosimulationObserver {
+ public:
+  virtual ~CosimulationObserver() = default;
+  virtual void on_frame(const can::SimulatedBus::Delivery& delivery) = 0;
+  // After every millisecond.
+  virtual void on_millisecond(std::int64_t now_ns) = 0;
+};
+
+class Cosimulation {
+ public:
+  Cosimulation(const urdf::RobotModel& robot, const CosimulationOptions& options);
+  Cosimulation(const Cosimulation&) = delete;
+  Cosimulation& operator=(const Cosimulation&) = delete;
+  ~Cosimulation();
+
+  void observe(CosimulationObserver* observer) noexcept { observer_ = observer; }
+  void advance_millisecond();
+
+  // From outside; all of it takes effect in the millisecond that comes next.
+  void apply(const ScenarioEvent& event);
+
+  [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
+  [[nodiscard]] Plant& plant() noexcept { return plant_; }
+  [[nodiscard]] const Plant& plant() const noexcept { return plant_; }
+  [[nodiscard]] const JointNetwork& joints() const noexcept { return joints_; }
+  [[nodiscard]] const can::SimulatedBus& bus() const noexcept { return bus_; }
+  [[nodiscard]] const msgcontroller::MessageController& message_controller() const noexcept {
+    return message_controller_;
+  }
+  [[nodiscard]] const core::MainController& main_controller() const noexcept { return *main_controller_; }
+  [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
+  [[nodiscard]] const urdf::RobotModel& robot() const noexcept { return robot_; }
+
+ private:
+  void main_controller_tick();
+  void exchange_frames(std::int64_t until_ns);
+  void deliver(const can::SimulatedBus::Delivery& delivery);
+  void offer_from_message_controller(std::int64_t now_ns);
+  void offer_from_joint(int joint, std::int64_t now_ns);
+  void ring_at(std::int64_t due_ns);
+  void inject_losses();
+
+  urdf::RobotModel robot_;
+  CosimulationOptions options_;
+  std::int64_t now_ns_ = 0;
+  msgclient::MemoryBlock memory_block_;
+  msgclient::EmiAdapter adapter_;
+  msgclient::Client message_client_, behavior_client_, observer_client_, main_client_;
+  Plant plant_;
+  JointNetwork joints_;
+  can::SimulatedBus bus_;
+  msgcontroller::MessageController message_controller_;
+  std::unique_ptr<core::MainController> main_controller_;
+  msgclient::Writer<WalkCommand> walk_command_;
+  CosimulationObserver* observer_ = nullptr;
+
+  int message_station_;
+  std::vector<int> joint_station_;
+  std::optional<can::Frame> waiting_;              // the message controller's frame in its transmit buffer
+  std::vector<std::int64_t> doorbells_due_ns_;     // host→message, in order of time
+  std::int64_t silent_until_ns_ = 0;               // the main controller makes no tick before
+  std::int64_t losses_until_ns_ = 0;
+  double loss_probability_ = 0.0;
+  std::uint32_t user_commands_ = 0;
+  std::mt19937_64 fault_random_;
+};
+
+}  // namespace gaitway::simulator

@@ -1,0 +1,43 @@
+// All local controllers of the simulated robot: each with its own drifting clock, its encoder and sensor channels.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gaitway/can/frame.hpp"
+#include "gaitway/localcontroller/joint_controller.hpp"
+#include "gaitway/simulator/plant.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::simulator {
+
+class JointNetwork {
+ public:
+  // Clock drifts are drawn from the seed, uniform within ±`largest_drift_ppm`.
+  JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, double largest_drift_ppm);
+
+  // One servo period of every joint at the true time `now_ns`; the torques are in torque_Nm() afterwards.
+  void step(std::int64_t now_ns, const PlantSensors& sensors) noexcept;
+  // A frame from the bus reaches every joint but its sender (-1: none of them).
+  void on_frame(const can::Frame& frame, int sender_joint, std::int64_t now_ns) noexcept;
+
+  [[nodiscard]] std::span<const double> torque_Nm() const noexcept { return torque_Nm_; }
+  [[nodiscard]] localcontroller::JointController& joint(int index) noexcept {
+    return joints_[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] const localcontroller::JointController& joint(int index) const noexcept {
+    return joints_[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] int size() const noexcept { return static_cast<int>(joints_.size()); }
+  // The joint's own clock at a true time.
+  [[nodiscard]] std::int64_t local_time_ns(int joint, std::int64_t now_ns) const noexcept;
+
+ private:
+  std::vector<std::array<urdf::SensorChannel, 2>> channels_;
+  std::vector<localcontroller::JointController> joints_;
+  std::vector<double> clock_rate_;
+  std::vector<double> torque_Nm_;
+};
+
+}  // namespace gaitway::simulator

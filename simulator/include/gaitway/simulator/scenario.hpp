@@ -1,0 +1,67 @@
+// A scenario: what is asked of the robot, and what is done to it, at which time. Read from YAML:
+//
+//   seconds: 20
+//   events:
+//     - {at_s: 1.0, walk: [0.15, 0.0, 0.0]}        # forward m/s, left m/s, turn rad/s
+//     - {at_s: 8.0, stand: true}                   # stop walking: finish the step and stand
+//     - {at_s: 9.0, stop: true}                    # user command: the message controller plays the safe tail
+//     - {at_s: 9.5, emergency_stop: hold}          # or: soft
+//     - {at_s: 10.0, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}
+//     - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3.0}}
+//     - {at_s: 15.0, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gaitway::simulator {
+
+struct WalkEvent {
+  Eigen::Vector2d velocity_m_per_s = Eigen::Vector2d::Zero();
+  double turn_rate_rad_per_s = 0.0;
+  bool walk = true;  // false: finish the step and stand
+};
+struct StopEvent {};
+struct EmergencyStopEvent {
+  bool soft = false;
+};
+struct PushEvent {
+  std::string body;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+  double impulse_Ns = 0.0;
+  double duration_s = 0.1;
+};
+// The main controller makes no tick for a while; 0: never again.
+struct MainControllerSilentFault {
+  double duration_s = 0.0;
+};
+// Frames are lost on the wire, each with this probability.
+struct LoseFramesFault {
+  double probability = 0.0;
+  double duration_s = 0.0;
+};
+
+struct ScenarioEvent {
+  double at_s = 0.0;
+  std::variant<WalkEvent, StopEvent, EmergencyStopEvent, PushEvent, MainControllerSilentFault, LoseFramesFault> action;
+};
+
+struct Scenario {
+  double seconds = 20.0;
+  std::vector<ScenarioEvent> events;  // in order of time
+};
+
+// Largest commands that a scenario may give.
+inline constexpr double kLargestSpeed_m_per_s = 1.0;
+inline constexpr double kLargestTurnRate_rad_per_s = 2.0;
+
+// Throws urdf::RobotError with file, line, field, value and rule.
+Scenario load_scenario(const std::filesystem::path& file);
+
+// Stands for one second, then walks.
+Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_rate_rad_per_s, double seconds);
+
+}  // namespace gaitway::simulator

@@ -1,0 +1,69 @@
+// Feeds the plant's sensors to the local controllers and collects their torques.
+#include "gaitway/simulator/joint_network.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "gaitway/simulator/joint_config.hpp"
+
+namespace gaitway::simulator {
+namespace {
+
+float channel_value(const urdf::SensorChannel& channel, const PlantSensors& sensors) noexcept {
+  const auto side = static_cast<std::size_t>(channel.side);
+  const auto index = static_cast<std::size_t>(channel.index);
+  const auto axis = static_cast<Eigen::Index>(channel.index);
+  using Kind = urdf::SensorKind;
+  switch (channel.kind) {
+    case Kind::none:
+      return 0.0F;
+    case Kind::force_cell:
+      return static_cast<float>(sensors.force_N[side][index]);
+    case Kind::foot_acceleration:
+      return static_cast<float>(sensors.foot_acceleration_m_per_s2[side][axis]);
+    case Kind::angular_velocity:
+      return static_cast<float>(sensors.angular_velocity_rad_per_s[axis]);
+    case Kind::acceleration:
+      return static_cast<float>(sensors.acceleration_m_per_s2[axis]);
+    case Kind::inclination:
+      return static_cast<float>(sensors.inclination_rad[axis]);
+  }
+  return 0.0F;
+}
+
+}  // namespace
+
+JointNetwork::JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, double largest_drift_ppm)
+    : channels_(robot.channels) {
+  std::mt19937_64 random(seed ^ 0xC10C'D21F'7000'0001ULL);
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    joints_.emplace_back(joint_config(robot, static_cast<int>(joint)));
+    const double unit = static_cast<double>(random() >> 11U) * 0x1.0p-53;  // [0, 1)
+    clock_rate_.push_back(1.0 + (2.0 * unit - 1.0) * largest_drift_ppm * 1e-6);
+  }
+  torque_Nm_.assign(robot.joints.size(), 0.0);
+}
+
+std::int64_t JointNetwork::local_time_ns(int joint, std::int64_t now_ns) const noexcept {
+  return static_cast<std::int64_t>(static_cast<double>(now_ns) * clock_rate_[static_cast<std::size_t>(joint)]);
+}
+
+void JointNetwork::step(std::int64_t now_ns, const PlantSensors& sensors) noexcept {
+  localcontroller::JointSensors input;
+  for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+    input.encoder_count = sensors.encoder_count[joint];
+    input.channel[0] = channel_value(channels_[joint][0], sensors);
+    input.channel[1] = channel_value(channels_[joint][1], sensors);
+    torque_Nm_[joint] = joints_[joint].step(local_time_ns(static_cast<int>(joint), now_ns), input);
+  }
+}
+
+void JointNetwork::on_frame(const can::Frame& frame, int sender_joint, std::int64_t now_ns) noexcept {
+  for (int joint = 0; joint < size(); ++joint) {
+    if (joint != sender_joint) {
+      joints_[static_cast<std::size_t>(joint)].on_frame(frame, local_time_ns(joint, now_ns));
+    }
+  }
+}
+
+}  // namespace gaitway::simulator

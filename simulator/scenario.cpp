@@ -1,0 +1,130 @@
+// Reads scenarios strictly: what isn't understood is refused with file, line, field, value and rule.
+#include "gaitway/simulator/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gaitway/urdf/yaml_value.hpp"
+
+namespace gaitway::simulator {
+namespace {
+
+using urdf::YamlValue;
+
+constexpr double kLargestImpulse_Ns = 50.0;
+constexpr double kLongestRun_s = 86400.0;
+constexpr urdf::Range kDuration{0.001, kLongestRun_s, "s"};
+
+Eigen::Vector3d three(const YamlValue& value, const urdf::Range& range) {
+  const std::array<double, 3> numbers = value.numbers<3>(range);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+WalkEvent read_walk(const YamlValue& value) {
+  const Eigen::Vector3d command = three(value, {-kLargestTurnRate_rad_per_s, kLargestTurnRate_rad_per_s, "m/s, m/s, rad/s"});
+  if (command.head<2>().norm() > kLargestSpeed_m_per_s) {
+    value.refuse(fmt::format("at most {} m/s may be commanded", kLargestSpeed_m_per_s), "Choose a lower speed.");
+  }
+  return {.velocity_m_per_s = command.head<2>(), .turn_rate_rad_per_s = command.z()};
+}
+
+PushEvent read_push(const YamlValue& value) {
+  constexpr std::array<std::string_view, 4> kKeys{"body", "direction", "impulse_Ns", "duration_s"};
+  value.require_map(kKeys);
+  PushEvent push;
+  push.body = value.at("body").text();
+  push.direction = three(value.at("direction"), {-1e6, 1e6, ""});
+  if (push.direction.norm() < 1e-9) {
+    value.at("direction").refuse("must not be zero", "Give the direction in the world frame, e.g. [0, 1, 0].");
+  }
+  push.impulse_Ns = value.at("impulse_Ns").number({0.0, kLargestImpulse_Ns, "N*s"});
+  if (const auto duration = value.find("duration_s")) {
+    push.duration_s = duration->number(kDuration);
+  }
+  return push;
+}
+
+decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
+  constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "probability"};
+  value.require_map(kKeys);
+  const std::string kind = value.at("kind").text();
+  const auto duration = value.find("duration_s");
+  if (kind == "main_controller_silent") {
+    return MainControllerSilentFault{duration ? duration->number(kDuration) : 0.0};
+  }
+  if (kind == "lose_frames") {
+    return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}), value.at("duration_s").number(kDuration)};
+  }
+  value.at("kind").refuse("must be main_controller_silent or lose_frames", "Choose one of them.");
+}
+
+ScenarioEvent read_event(const YamlValue& value) {
+  constexpr std::array<std::string_view, 7> kKeys{"at_s", "walk", "stand", "stop", "emergency_stop", "push", "fault"};
+  value.require_map(kKeys);
+  ScenarioEvent event{.at_s = value.at("at_s").number({0.0, kLongestRun_s, "s"}), .action = StopEvent{}};
+  int actions = 0;
+  for (const std::string_view key : kKeys) {
+    const auto action = value.find(key);
+    if (!action || key == "at_s") {
+      continue;
+    }
+    ++actions;
+    if (key == "walk") {
+      event.action = read_walk(*action);
+    } else if (key == "stand") {
+      event.action = WalkEvent{.walk = false};
+    } else if (key == "push") {
+      event.action = read_push(*action);
+    } else if (key == "fault") {
+      event.action = read_fault(*action);
+    } else if (key == "emergency_stop") {
+      const std::string mode = action->text();
+      if (mode != "hold" && mode != "soft") {
+        action->refuse("must be hold or soft", "hold: the joints keep their places; soft: they let go.");
+      }
+      event.action = EmergencyStopEvent{mode == "soft"};
+    }
+  }
+  if (actions != 1) {
+    value.refuse("an event has at_s and exactly one of walk, stand, stop, emergency_stop, push, fault",
+                 "Write one event for each action.");
+  }
+  return event;
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 2> kKeys{"seconds", "events"};
+  const YamlValue root = YamlValue::read(file);
+  root.require_map(kKeys);
+  Scenario scenario;
+  scenario.seconds = root.at("seconds").number({0.001, kLongestRun_s, "s"});
+  if (const auto events = root.find("events")) {
+    for (const YamlValue& event : events->items()) {
+      scenario.events.push_back(read_event(event));
+    }
+  }
+  std::stable_sort(scenario.events.begin(), scenario.events.end(),
+                   [](const ScenarioEvent& a, const ScenarioEvent& b) { return a.at_s < b.at_s; });
+  return scenario;
+}
+
+Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_rate_rad_per_s, double seconds) {
+  constexpr double kStanding_s = 1.0;
+  const Eigen::Vector2d velocity(forward_m_per_s, left_m_per_s);
+  if (!(velocity.norm() <= kLargestSpeed_m_per_s && std::abs(turn_rate_rad_per_s) <= kLargestTurnRate_rad_per_s)) {
+    throw urdf::RobotError(fmt::format(
+        "walk command {}, {} m/s and {} rad/s: at most {} m/s and {} rad/s may be commanded. Choose a lower speed.",
+        forward_m_per_s, left_m_per_s, turn_rate_rad_per_s, kLargestSpeed_m_per_s, kLargestTurnRate_rad_per_s));
+  }
+  Scenario scenario{.seconds = seconds, .events = {}};
+  scenario.events.push_back({.at_s = kStanding_s,
+                             .action = WalkEvent{.velocity_m_per_s = velocity, .turn_rate_rad_per_s = turn_rate_rad_per_s}});
+  return scenario;
+}
+
+}  // namespace gaitway::simulator

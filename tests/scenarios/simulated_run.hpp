@@ -1,0 +1,64 @@
+// A whole run of the simulated robot for tests: scenario in, metrics out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/simulator/scenario.hpp"
+#include "gaitway/tools/run_recorder.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::scenarios {
+
+inline const urdf::RobotModel& humanoid22() {
+  static const urdf::RobotModel robot = urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
+  return robot;
+}
+
+class SimulatedRun {
+ public:
+  explicit SimulatedRun(std::uint64_t seed, const std::filesystem::path& bus_log = {}, double mismatch = 1.0)
+      : cosimulation(humanoid22(), options(seed, mismatch)), recorder(cosimulation, bus_log, false) {
+    cosimulation.observe(&recorder);
+  }
+
+  // Plays a scenario to its end, or until the robot has fallen.
+  void play(const simulator::Scenario& scenario) {
+    auto event = scenario.events.begin();
+    while (time_s() < scenario.seconds && !recorder.metrics().fell) {
+      for (; event != scenario.events.end() && event->at_s <= time_s() + 1e-9; ++event) {
+        apply(*event);
+      }
+      cosimulation.advance_millisecond();
+    }
+    recorder.finish();
+  }
+  void apply(const simulator::ScenarioEvent& event) {
+    recorder.on_event(event, cosimulation.now_ns());
+    cosimulation.apply(event);
+  }
+  [[nodiscard]] double time_s() const { return static_cast<double>(cosimulation.now_ns()) * 1e-9; }
+  [[nodiscard]] const tools::RunMetrics& metrics() const { return recorder.metrics(); }
+
+  simulator::Cosimulation cosimulation;
+  tools::RunRecorder recorder;
+
+ private:
+  static simulator::CosimulationOptions options(std::uint64_t seed, double mismatch) {
+    simulator::CosimulationOptions result;
+    result.plant.seed = seed;
+    result.plant.mismatch = mismatch;
+    result.main_controller.configuration = std::filesystem::path(GAITWAY_SOURCE_DIR) / "core" / "config" / "walk.yaml";
+    result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
+    return result;
+  }
+};
+
+inline simulator::ScenarioEvent walk_at(double at_s, double forward, double left = 0.0, double turn = 0.0) {
+  return {at_s, simulator::WalkEvent{.velocity_m_per_s = {forward, left}, .turn_rate_rad_per_s = turn}};
+}
+inline simulator::ScenarioEvent stand_at(double at_s) { return {at_s, simulator::WalkEvent{.walk = false}}; }
+
+}  // namespace gaitway::scenarios

@@ -1,0 +1,42 @@
+// `gaitway run`: one simulated run from options to report.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gaitway/simulator/scenario.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace gaitway::tools {
+
+struct RunOptions {
+  std::filesystem::path robot;            // folder with robot.urdf and robot.yaml
+  std::filesystem::path config;           // plug-ins of the main controller
+  std::optional<std::filesystem::path> scenario;
+  std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
+  std::optional<double> seconds;
+  std::uint64_t seed = 1;
+  double mismatch = 1.0;
+  std::filesystem::path out = "out/run";
+  bool pictures = true;
+  bool quiet = false;
+};
+
+// Adds the subcommand with its options and examples; `options` is filled when it is parsed.
+CLI::App* add_run_command(CLI::App& app, RunOptions& options);
+
+// Exit codes of `gaitway run`.
+inline constexpr int kExitFine = 0;
+inline constexpr int kExitFell = 2;      // the robot fell
+inline constexpr int kExitBadInput = 1;  // nothing moved
+
+// Runs and writes the results; returns the exit code. Throws on bad input, before anything moves.
+int run(const RunOptions& options);
+
+}  // namespace gaitway::tools

@@ -1,0 +1,79 @@
+// The figures of a run that its summary states.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "gaitway/simulator/plant.hpp"
+
+namespace gaitway::tools {
+
+// Root mean square of what was added.
+class RootMeanSquare {
+ public:
+  void add(double value) noexcept {
+    sum_of_squares_ += value * value;
+    ++count_;
+  }
+  [[nodiscard]] double value() const noexcept {
+    return count_ == 0 ? 0.0 : std::sqrt(sum_of_squares_ / static_cast<double>(count_));
+  }
+  [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
+
+ private:
+  double sum_of_squares_ = 0.0;
+  std::uint64_t count_ = 0;
+};
+
+// Force-weighted mean of the physics engine's centre of pressure in each foot's true sole frame over the ten
+// milliseconds that the force cells are averaged over, so that truth and measurement mean the same.
+class CentreOfPressureMean {
+ public:
+  void add(const simulator::GroundContact& contact);
+  // A time slot is over: its mean is kept until the next slot ends.
+  void close_slot();
+  // Of both feet together, in the sole frame of `side`; false when nothing touches the ground.
+  [[nodiscard]] bool in_sole_frame(int side, Eigen::Vector2d& cop_m) const;
+
+ private:
+  struct Sum {
+    std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  // in sole frame 0, 1
+    double force = 0.0;
+  };
+  Sum open_, closed_;
+};
+
+struct RunMetrics {
+  bool fell = false;
+  double fell_at_s = 0.0;
+  // Motion of the base between the first sample and the last.
+  bool started = false;
+  Eigen::Vector2d start_m = Eigen::Vector2d::Zero();
+  double start_yaw_rad = 0.0;
+  Eigen::Vector2d end_m = Eigen::Vector2d::Zero();
+  double end_yaw_rad = 0.0;         // unwrapped
+  double commanded_yaw_rad = 0.0;   // integral of the commanded turn rate
+  // From two seconds after the first walk command to its end: for the mean speed.
+  double path_m = 0.0;              // along the heading that the robot has at each instant
+  double sideways_m = 0.0;          // to its left
+  double walked_s = 0.0;
+  RootMeanSquare tracking_rad;      // reference (with trim) minus encoder, all joints
+  RootMeanSquare zmp_reference_error_m;  // measured minus reference ZMP while walking
+  RootMeanSquare zmp_estimate_error_m;   // ZMP of the cells minus centre of pressure while walking
+  double zmp_margin_min_m = std::numeric_limits<double>::infinity();  // inside the support polygon while walking
+
+  [[nodiscard]] double distance_m() const { return (end_m - start_m).norm(); }
+  [[nodiscard]] double mean_speed_m_per_s() const { return walked_s > 0.0 ? path_m / walked_s : 0.0; }
+  [[nodiscard]] double mean_side_speed_m_per_s() const { return walked_s > 0.0 ? sideways_m / walked_s : 0.0; }
+  [[nodiscard]] double lateral_drift_m() const {
+    const Eigen::Rotation2Dd to_start(-start_yaw_rad);
+    return (to_start * (end_m - start_m)).y();
+  }
+  [[nodiscard]] double heading_drift_rad() const { return end_yaw_rad - start_yaw_rad - commanded_yaw_rad; }
+};
+
+}  // namespace gaitway::tools

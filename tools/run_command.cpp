@@ -1,0 +1,207 @@
+// `gaitway run`: reads the inputs, lets the co-simulation run with a progress line, writes the results.
+#include "gaitway/tools/run_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "gaitway/simulator/camera.hpp"
+#include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/tools/installation.hpp"
+#include "gaitway/tools/run_recorder.hpp"
+#include "gaitway/tools/run_report.hpp"
+#include "gaitway/tools/run_summary.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kDefaultSeconds = 20.0;
+constexpr double kDefaultSpeed_m_per_s = 0.15;
+constexpr double kAfterFall_s = 1.0;  // shown after a fall, before the run ends
+constexpr int kPictures = 8;
+constexpr int kPictureWidth_px = 320, kPictureHeight_px = 360;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+simulator::Scenario scenario_of(const RunOptions& options) {
+  if (options.scenario) {
+    simulator::Scenario scenario = simulator::load_scenario(*options.scenario);
+    scenario.seconds = options.seconds.value_or(scenario.seconds);
+    return scenario;
+  }
+  std::vector<double> walk = options.walk.value_or(std::vector<double>{kDefaultSpeed_m_per_s});
+  walk.resize(3, 0.0);
+  return simulator::walk_scenario(walk[0], walk[1], walk[2], options.seconds.value_or(kDefaultSeconds));
+}
+
+// A line that rewrites itself on a terminal, and nothing where output goes to a file.
+class Progress {
+ public:
+  explicit Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+  void show(double virtual_s, double of_s, double wall_s, double walked_m) const {
+    if (shown_) {
+      fmt::print(stderr, "\r  {:6.1f} / {:.1f} s   {:5.1f} x real time   x = {:+.2f} m ", virtual_s, of_s,
+                 wall_s > 0.0 ? virtual_s / wall_s : 0.0, walked_m);
+    }
+  }
+  void done() const {
+    if (shown_) {
+      fmt::print(stderr, "\r{:70}\r", "");
+    }
+  }
+
+ private:
+  bool shown_;
+};
+
+// The poses for the film strip, taken during the run and drawn after it.
+class Snapshots {
+ public:
+  Snapshots(int wanted, double run_s) : interval_s_(run_s / wanted) {}
+  void look(const simulator::Plant& plant) {
+    if (plant.time_s() >= next_s_) {
+      next_s_ += interval_s_;
+      poses_.emplace_back(plant.positions().begin(), plant.positions().end());
+    }
+  }
+  void draw(simulator::Plant& plant, const std::filesystem::path& file) const {
+    simulator::Camera camera(plant, kPictureWidth_px, kPictureHeight_px);
+    std::vector<simulator::Image> images;
+    for (const std::vector<double>& pose : poses_) {
+      images.push_back(camera.render(pose));
+    }
+    simulator::write_film_strip(file.string(), images, kPictures);
+  }
+
+ private:
+  double interval_s_;
+  double next_s_ = 0.5;
+  std::vector<std::vector<double>> poses_;
+};
+
+// Runs the scenario to its end, or to a second after a fall; returns the wall time that it took.
+double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario, RunRecorder& recorder,
+                Snapshots& snapshots, const Progress& progress) {
+  const auto started = Clock::now();
+  const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
+  auto next_event = scenario.events.begin();
+  std::int64_t last_ns = end_ns;
+  while (cosimulation.now_ns() < std::min(end_ns, last_ns)) {
+    const double now_s = static_cast<double>(cosimulation.now_ns()) * 1e-9;
+    while (next_event != scenario.events.end() && next_event->at_s <= now_s + 1e-9) {
+      recorder.on_event(*next_event, cosimulation.now_ns());
+      cosimulation.apply(*next_event++);
+    }
+    cosimulation.advance_millisecond();
+    snapshots.look(cosimulation.plant());
+    if (recorder.metrics().fell && last_ns == end_ns) {
+      last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
+    }
+    if (cosimulation.now_ns() % 100'000'000 == 0) {
+      progress.show(now_s, scenario.seconds, seconds_since(started), cosimulation.plant().positions()[0]);
+    }
+  }
+  recorder.finish();
+  progress.done();
+  return seconds_since(started);
+}
+
+void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& value) {
+  std::ofstream out(file);
+  out << value.dump(2) << '\n';
+  out.close();
+  if (!out) {
+    throw std::runtime_error(fmt::format("{}: cannot be written; is the folder writable?", file.string()));
+  }
+}
+
+void check(const RunOptions& options) {
+  if (options.walk && (options.walk->empty() || options.walk->size() > 3)) {
+    throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.15,0,0.1");
+  }
+  if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= 86400.0)) {
+    throw std::invalid_argument(fmt::format("--seconds {}: must be more than 0 and at most 86400", *options.seconds));
+  }
+  if (!(options.mismatch >= 0.0 && options.mismatch <= 10.0)) {
+    throw std::invalid_argument(fmt::format("--mismatch {}: must lie between 0 and 10", options.mismatch));
+  }
+}
+
+}  // namespace
+
+CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
+  CLI::App* const run = app.add_subcommand("run", "Run the simulated robot headless, faster than real time, and report");
+  options.robot = default_robot_directory();
+  options.config = default_config_file();
+  run->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
+  run->add_option("--config", options.config, "Plug-ins of the main controller (YAML)")->capture_default_str();
+  auto* const scenario = run->add_option("--scenario", options.scenario, "Timed commands, pushes and faults (YAML)");
+  run->add_option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
+      ->delimiter(',')
+      ->excludes(scenario);
+  run->add_option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)");
+  run->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")->capture_default_str();
+  run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")->capture_default_str();
+  run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
+  run->add_flag("!--no-pictures", options.pictures, "Draw no film strip");
+  run->add_flag("--quiet", options.quiet, "No progress line and no table");
+  run->footer(
+      "Examples:\n"
+      "  gaitway run                                      walks straight on at 0.15 m/s for 20 s\n"
+      "  gaitway run --walk 0.1,0.03,0.2 --seconds 30     forward, sideways and turning\n"
+      "  gaitway run --scenario tools/scenarios/push.yaml --seed 7 --out out/push\n"
+      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
+  return run;
+}
+
+int run(const RunOptions& options) {
+  check(options);
+  const simulator::Scenario scenario = scenario_of(options);
+  const urdf::RobotModel robot = urdf::load_robot(options.robot);
+  simulator::CosimulationOptions cosimulation_options;
+  cosimulation_options.plant.seed = options.seed;
+  cosimulation_options.plant.mismatch = options.mismatch;
+  cosimulation_options.main_controller.configuration = options.config;
+  cosimulation_options.main_controller.plugin_path = plugin_directories();
+  simulator::Cosimulation cosimulation(robot, cosimulation_options);
+  std::filesystem::create_directories(options.out);
+
+  RunRecorder recorder(cosimulation, options.out / "bus.log", true);
+  cosimulation.observe(&recorder);
+  Snapshots snapshots(kPictures, scenario.seconds);
+  RunTiming timing;
+  timing.wall_s = simulate(cosimulation, scenario, recorder, snapshots, Progress(options.quiet));
+  const auto csv_started = Clock::now();
+  write_states_csv(options.out / "states.csv", robot, recorder.samples());
+  timing.wall_s += seconds_since(csv_started);
+  timing.physics_only_wall_s = cosimulation.plant().replay_wall_s(recorder.torques());
+
+  const nlohmann::ordered_json result = summary(cosimulation, recorder, timing, options.seed, options.mismatch);
+  write_json(options.out / "summary.json", result);
+  const std::filesystem::path strip = options.out / "walk.png";
+  std::filesystem::remove(strip);
+  if (options.pictures) {
+    try {
+      snapshots.draw(cosimulation.plant(), strip);
+    } catch (const std::runtime_error& error) {
+      fmt::print(stderr, "gaitway: no pictures: {}\n", error.what());
+    }
+  }
+  const core::MainControllerStatistics statistics = cosimulation.main_controller().statistics();
+  write_report(options.out / "report.html", {robot, recorder, statistics, result, strip});
+  if (!options.quiet) {
+    fmt::print("{}  results                   {}\n", summary_table(result), (options.out / "report.html").string());
+  }
+  return recorder.metrics().fell ? kExitFell : kExitFine;
+}
+
+}  // namespace gaitway::tools
