@@ -4,12 +4,14 @@
 namespace gaitway::tools {
 
 void CentreOfPressureMean::add(const simulator::GroundContact& contact) {
+  open_.samples += 1.0;
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const double force = contact.normal_force_N[foot];
     if (force <= 0.0) {
       continue;
     }
     open_.force += force;
+    open_.foot_force[foot] += force;
     for (std::size_t frame = 0; frame < 2; ++frame) {
       Eigen::Vector2d cop = contact.foot_cop_m[foot];
       if (frame != foot) {

@@ -16,7 +16,6 @@ using msgclient::kCycle_ns;
 using msgclient::kSlot_ns;
 using msgclient::kSlotsPerCycle;
 
-constexpr std::uint8_t kBothFeet = 2;
 constexpr double kSlot_s = 0.010;
 constexpr std::int64_t kStartUp_ns = 2'000'000'000;  // from a walk command to steady walking
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -210,15 +209,18 @@ void RunRecorder::compare_zmp(std::int64_t now_ns, RunSample& sample) {
   if (cop_mean_.in_sole_frame(static_cast<int>(side), true_cop)) {
     metrics_.zmp_estimate_error_m.add((measured - true_cop).norm());
   }
+  // The support polygon of the feet that bore load in this slot.
   std::vector<Eigen::Vector2d> corners;
   for (std::size_t foot = 0; foot < 2; ++foot) {
-    if (plan->support[point] == foot || plan->support[point] == kBothFeet) {
+    if (cop_mean_.mean_force_N(foot) > 0.0) {
       const auto sole = sole_corners(run_.robot().feet[foot], ground_pose(soles[foot]));
       corners.insert(corners.end(), sole.begin(), sole.end());
     }
   }
-  metrics_.zmp_margin_min_m =
-      std::min(metrics_.zmp_margin_min_m, margin_m(convex_hull(std::move(corners)), sample.measured_zmp_m));
+  if (!corners.empty()) {
+    metrics_.zmp_margin_min_m =
+        std::min(metrics_.zmp_margin_min_m, margin_m(convex_hull(std::move(corners)), sample.measured_zmp_m));
+  }
 }
 
 void RunRecorder::track_joints(RunSample& sample) {

@@ -38,11 +38,15 @@ class CentreOfPressureMean {
   void close_slot();
   // Of both feet together, in the sole frame of `side`; false when nothing touches the ground.
   [[nodiscard]] bool in_sole_frame(int side, Eigen::Vector2d& cop_m) const;
+  // Mean normal force on a foot during that slot.
+  [[nodiscard]] double mean_force_N(std::size_t foot) const { return closed_.foot_force[foot] / closed_.samples; }
 
  private:
   struct Sum {
     std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  // in sole frame 0, 1
     double force = 0.0;
+    std::array<double, 2> foot_force{};
+    double samples = 1e-9;
   };
   Sum open_, closed_;
 };
@@ -64,7 +68,7 @@ struct RunMetrics {
   RootMeanSquare tracking_rad;      // reference (with trim) minus encoder, all joints
   RootMeanSquare zmp_reference_error_m;  // measured minus reference ZMP while walking
   RootMeanSquare zmp_estimate_error_m;   // ZMP of the cells minus centre of pressure while walking
-  double zmp_margin_min_m = std::numeric_limits<double>::infinity();  // inside the support polygon while walking
+  double zmp_margin_min_m = std::numeric_limits<double>::infinity();  // inside the polygon of the feet that bear load, while walking
 
   [[nodiscard]] double distance_m() const { return (end_m - start_m).norm(); }
   [[nodiscard]] double mean_speed_m_per_s() const { return walked_s > 0.0 ? path_m / walked_s : 0.0; }
