@@ -23,9 +23,9 @@ struct EstimatorParameters {
   double bias_limit_rad_per_s = 0.05;
 
   // Noise densities of the filter of CoM position and velocity.
-  double com_noise_m = 0.0015;                   // of the kinematics' CoM, one sample
-  double acceleration_noise_m_per_s2 = 1.0;      // of the pendulum's acceleration, one sample
-  double acceleration_drift_m_per_s2_rts = 1.0;  // of what it does not explain, per square root of a second
+  double com_noise_m = 0.0005;                   // of the kinematics' CoM, one sample
+  double acceleration_noise_m_per_s2 = 1.5;      // of the pendulum's acceleration, one sample
+  double acceleration_drift_m_per_s2_rts = 1.5;  // of what it does not explain, per square root of a second
 
   // Inputs.
   double stale_after_s = 0.035;  // age from which a sensor's last value is only kept
