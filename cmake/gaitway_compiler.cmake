@@ -23,7 +23,8 @@ endif()
 
 add_library(gaitway_compiler INTERFACE)
 target_compile_options(gaitway_compiler INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align
+  $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
   # Unloadable plug-ins: a unique symbol would pin the library in memory for ever.
   $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>
   # The same bits on every build: no fused multiply-add that depends on the optimiser's mood.

@@ -172,6 +172,7 @@ def c_header(schema, source):
             comment = f" /* {member.comment()} */" if member.comment() else ""
             lines.append(f"  {SCALARS[member.type][0]} {member.name}{extents};{comment}")
         lines.append(f"}} {entry.c_name};")
+        lines.append(f"#define {entry.c_name.upper()}_TYPE_HASH UINT64_C(0x{entry.hash:016x})")
     return "\n".join(lines) + "\n"
 
 

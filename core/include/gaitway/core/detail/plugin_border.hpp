@@ -1,0 +1,125 @@
+// Turns a C++ plug-in class into the C function table: every exception ends here. Not for direct use.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "gaitway/core/plugin_abi.h"
+#include "gaitway/core/tick.hpp"
+#include "gaitway/msgclient/type_descriptor.hpp"
+
+namespace gaitway::detail {
+
+inline void write_text(const gaitway_text* to, const char* text) noexcept {
+  if (to == nullptr || to->data == nullptr || to->capacity == 0) {
+    return;
+  }
+  const std::size_t length = strnlen(text, to->capacity - 1);
+  std::memcpy(to->data, text, length);
+  to->data[length] = '\0';
+}
+
+class ErrorBuffer {
+ public:
+  [[nodiscard]] gaitway_text text() noexcept {
+    return {bytes_.data(), static_cast<std::uint32_t>(bytes_.size()), 0};
+  }
+  [[nodiscard]] const char* message() const noexcept { return bytes_.data(); }
+  [[nodiscard]] bool empty() const noexcept { return bytes_[0] == '\0'; }
+  void clear() noexcept { bytes_[0] = '\0'; }
+
+ private:
+  std::array<char, 1024> bytes_{};
+};
+
+// The floating-point fields of a topic's type, as the ABI wants them.
+class FloatFields {
+ public:
+  explicit FloatFields(std::span<const FieldDescriptor> fields) {
+    names_.reserve(fields.size());
+    for (const FieldDescriptor& field : fields) {
+      if (field.type != ScalarType::float32_value && field.type != ScalarType::float64_value) {
+        continue;
+      }
+      names_.emplace_back(field.name);
+      fields_.push_back({.name = names_.back().c_str(),
+                         .offset = field.offset,
+                         .count = field.elements(),
+                         .bytes = scalar_size(field.type),
+                         .rows = field.rank > 0 ? field.extents[0] : 1});
+    }
+  }
+  [[nodiscard]] std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(fields_.size()); }
+  [[nodiscard]] const gaitway_float_field* data() const noexcept { return fields_.data(); }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<gaitway_float_field> fields_;
+};
+
+template <class Class, class Base, class SetupType>
+class PluginBorder {
+  static_assert(std::is_base_of_v<Base, Class>, "a plug-in derives publicly from gaitway::Plugin");
+  static_assert(std::is_constructible_v<Class, SetupType&>,
+                "a plug-in's constructor takes a gaitway::Setup&");
+
+ public:
+  static gaitway_status create(const gaitway_host* host, gaitway_instance* instance,
+                               const gaitway_text* error) noexcept {
+    return guarded(error, [&] {
+      auto border = std::make_unique<PluginBorder>();
+      SetupType setup(host, &border->calls_);
+      border->plugin_ = std::make_unique<Class>(setup);
+      *instance = {border.release(), &activate, &step, &deactivate, &destroy};
+    });
+  }
+
+ private:
+  static gaitway_status activate(void* context, const gaitway_text* error) noexcept {
+    return call(context, error, [](Base& plugin) { plugin.activate(); });
+  }
+  static gaitway_status step(void* context, const gaitway_tick* tick, const gaitway_text* error) noexcept {
+    return call(context, error, [tick](Base& plugin) {
+      plugin.step(Tick{.now_ns = tick->now_ns,
+                       .batch_start_ns = tick->batch_start_ns,
+                       .batch_sequence = tick->batch_sequence,
+                       .tick = tick->tick,
+                       .batch = tick->batch != 0});
+    });
+  }
+  static gaitway_status deactivate(void* context, const gaitway_text* error) noexcept {
+    return call(context, error, [](Base& plugin) { plugin.deactivate(); });
+  }
+  static void destroy(void* context) noexcept { delete static_cast<PluginBorder*>(context); }
+
+  template <class Function>
+  static gaitway_status call(void* context, const gaitway_text* error, const Function& function) noexcept {
+    auto& border = *static_cast<PluginBorder*>(context);
+    ++border.calls_;
+    return guarded(error, [&] { function(*border.plugin_); });
+  }
+  template <class Function>
+  static gaitway_status guarded(const gaitway_text* error, const Function& function) noexcept {
+    try {
+      function();
+      return GAITWAY_OK;
+    } catch (const std::exception& problem) {
+      write_text(error, problem.what());
+    } catch (...) {
+      write_text(error, "threw something that is no std::exception");
+    }
+    return GAITWAY_FAILED;
+  }
+
+  std::uint64_t calls_ = 0;  // by which inputs know that a new step has begun
+  std::unique_ptr<Class> plugin_;
+};
+
+}  // namespace gaitway::detail

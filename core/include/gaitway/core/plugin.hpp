@@ -1,0 +1,266 @@
+// What a plug-in author writes against: one class, its setup and its tick. Everything else stays behind the C
+// ABI.
+//
+//   class Sway final : public gaitway::Plugin {
+//    public:
+//     explicit Sway(gaitway::Setup& setup)
+//         : amplitude_(setup.parameter("amplitude", 0.02, "m")),
+//           walk_(setup.reads<gaitway::WalkCommand>("walk_command")),
+//           plan_(setup.writes<gaitway::MotionPlan>("motion_plan")) {}
+//     void step(const gaitway::Tick& tick) override;
+//   };
+//   GAITWAY_PLUGIN(Sway, "sway", "1.0.0", "Sways from foot to foot")
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "gaitway/core/detail/plugin_border.hpp"
+#include "gaitway/core/plugin_abi.h"
+#include "gaitway/core/tick.hpp"
+#include "gaitway/msgclient/topics.hpp"
+
+namespace gaitway {
+
+// The topic or parameter that a plug-in asks for cannot be given; the message says why. Let it pass: the
+// manager adds the plug-in's name and stops the start.
+class SetupError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// A topic that the plug-in reads. During one step its value never changes. Copied into its own storage; no
+// allocation.
+template <class T>
+class Input {
+ public:
+  // The newest value (of this tick or of the tick before, as was asked for); T{} while there is none. The
+  // reference stays valid; what it shows changes at the first use in the next step.
+  [[nodiscard]] const T& read() noexcept {
+    refresh();
+    return state_->value;
+  }
+  // Whether there has ever been a value.
+  [[nodiscard]] bool has_value() noexcept {
+    refresh();
+    return state_->sample.sequence != 0;
+  }
+  // Time since the value's stamp. Only with a value.
+  [[nodiscard]] std::int64_t age_ns(std::int64_t now_ns) noexcept {
+    refresh();
+    return now_ns - state_->sample.stamp_ns;
+  }
+  // Counts the topic's values: two equal numbers mean the same value. 0: none yet.
+  [[nodiscard]] std::uint64_t sequence() noexcept {
+    refresh();
+    return state_->sample.sequence;
+  }
+
+ private:
+  friend class Setup;
+  struct State {
+    T value{};
+    gaitway_sample sample{};
+    std::uint64_t step = 0;
+  };
+  Input(const gaitway_host* host, gaitway_port* port, const std::uint64_t* step)
+      : host_(host), port_(port), step_(step), state_(std::make_unique<State>()) {}
+
+  void refresh() noexcept {
+    if (state_->step != *step_) {
+      state_->step = *step_;
+      host_->read(host_->context, port_, &state_->value, &state_->sample);
+    }
+  }
+
+  const gaitway_host* host_;
+  gaitway_port* port_;
+  const std::uint64_t* step_;  // counts the plug-in's calls
+  std::unique_ptr<State> state_;
+};
+
+// A topic that the plug-in alone writes: fill value() in place, then publish(). The value keeps what was
+// filled in.
+template <class T>
+class Output {
+ public:
+  [[nodiscard]] T& value() noexcept { return *value_; }
+  // Goes out when step() has returned; if step() throws, nothing of it does. Throws outside of step().
+  void publish() {
+    if (host_->publish(host_->context, port_, value_.get()) != GAITWAY_OK) {
+      throw std::logic_error("publish() is for step() only");
+    }
+  }
+
+ private:
+  friend class Setup;
+  Output(const gaitway_host* host, gaitway_port* port)
+      : host_(host), port_(port), value_(std::make_unique<T>()) {}
+
+  const gaitway_host* host_;
+  gaitway_port* port_;
+  std::unique_ptr<T> value_;
+};
+
+enum class Severity : std::uint32_t { info = 0, warning = 1, error = 2 };
+
+// Puts lines into the run's list of events. May be kept for the plug-in's life and used in step(); no
+// allocation.
+class Reporter {
+ public:
+  void operator()(Severity severity, const char* text) const noexcept {
+    host_->report(host_->context, static_cast<gaitway_severity>(severity), text);
+  }
+
+ private:
+  friend class Setup;
+  explicit Reporter(const gaitway_host* host) : host_(host) {}
+  const gaitway_host* host_;
+};
+
+// What a plug-in's constructor declares: topics, parameters, period. For the constructor only. Throws
+// SetupError.
+class Setup {
+ public:
+  Setup(const gaitway_host* host, const std::uint64_t* step) : host_(host), step_(step) {}
+  Setup(const Setup&) = delete;
+  Setup& operator=(const Setup&) = delete;
+
+  // The configuration's value, or `fallback`. A number may carry its unit there ("0.4 s"); without one it is
+  // taken in `unit`, with another one it is refused.
+  [[nodiscard]] double parameter(std::string_view name, double fallback, std::string_view unit = "1") {
+    double value = fallback;
+    check([&](const gaitway_text* error) {
+      return host_->parameter_number(host_->context, std::string(name).c_str(), fallback,
+                                     std::string(unit).c_str(), &value, error);
+    });
+    return value;
+  }
+  template <std::integral I>
+  requires(!std::same_as<I, bool>) [[nodiscard]] std::int64_t
+      parameter(std::string_view name, I fallback, std::string_view unit = "1") {
+    std::int64_t value = 0;
+    check([&](const gaitway_text* error) {
+      return host_->parameter_integer(host_->context, std::string(name).c_str(),
+                                      static_cast<std::int64_t>(fallback), std::string(unit).c_str(), &value,
+                                      error);
+    });
+    return value;
+  }
+  template <std::same_as<bool> B>
+  [[nodiscard]] bool parameter(std::string_view name, B fallback) {
+    std::uint32_t value = 0;
+    check([&](const gaitway_text* error) {
+      return host_->parameter_flag(host_->context, std::string(name).c_str(), fallback ? 1U : 0U, &value,
+                                   error);
+    });
+    return value != 0;
+  }
+  [[nodiscard]] std::string parameter(std::string_view name, const std::string& fallback) {
+    const char* value = nullptr;
+    check([&](const gaitway_text* error) {
+      return host_->parameter_text(host_->context, std::string(name).c_str(), fallback.c_str(), &value,
+                                   error);
+    });
+    return value;
+  }
+  [[nodiscard]] std::string parameter(std::string_view name, const char* fallback) {
+    return parameter(name, std::string(fallback));
+  }
+
+  // How often step() is called. Default: every tick.
+  void period(Period period) {
+    check([&](const gaitway_text* error) {
+      return host_->set_period(host_->context, static_cast<gaitway_period>(period), error);
+    });
+  }
+
+  // Value of this tick: orders this plug-in after the topic's writer, which must exist.
+  template <class T>
+  [[nodiscard]] Input<T> reads(std::string_view topic) {
+    return Input<T>(host_, open<T>(topic, GAITWAY_READ), step_);
+  }
+  // Value of the tick before: no ordering, breaks a cycle.
+  template <class T>
+  [[nodiscard]] Input<T> reads_previous(std::string_view topic) {
+    return Input<T>(host_, open<T>(topic, GAITWAY_READ_PREVIOUS), step_);
+  }
+  // Like reads; a missing writer is no error.
+  template <class T>
+  [[nodiscard]] Input<T> reads_optional(std::string_view topic) {
+    return Input<T>(host_, open<T>(topic, GAITWAY_READ_OPTIONAL), step_);
+  }
+  // The topic's only writer.
+  template <class T>
+  [[nodiscard]] Output<T> writes(std::string_view topic) {
+    return Output<T>(host_, open<T>(topic, GAITWAY_WRITE));
+  }
+
+  // load_robot() of it gives the RobotModel.
+  [[nodiscard]] std::filesystem::path robot_directory() const {
+    return host_->robot_directory(host_->context);
+  }
+  [[nodiscard]] Reporter reporter() const noexcept { return Reporter(host_); }
+
+ private:
+  template <class Call>
+  static void check(const Call& call) {
+    detail::ErrorBuffer buffer;
+    const gaitway_text text = buffer.text();
+    if (call(&text) != GAITWAY_OK) {
+      throw SetupError(buffer.message());
+    }
+  }
+  template <class T>
+  gaitway_port* open(std::string_view topic, gaitway_access access) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    using Type = TopicType<T>;
+    const std::string name(topic), type_name(Type::name);
+    const detail::FloatFields fields(Type::fields);
+    const gaitway_topic wanted{.name = name.c_str(),
+                               .type_name = type_name.c_str(),
+                               .type_hash = Type::hash,
+                               .size = sizeof(T),
+                               .float_field_count = fields.count(),
+                               .float_fields = fields.data()};
+    gaitway_port* port = nullptr;
+    check([&](const gaitway_text* error) {
+      return host_->open_topic(host_->context, &wanted, access, &port, error);
+    });
+    return port;
+  }
+
+  const gaitway_host* host_;
+  const std::uint64_t* step_;
+};
+
+// A plug-in. Its constructor takes Setup&, may allocate and may throw. All calls come from one thread at a
+// time.
+class Plugin {
+ public:
+  Plugin() = default;
+  Plugin(const Plugin&) = delete;
+  Plugin& operator=(const Plugin&) = delete;
+  virtual ~Plugin() = default;
+
+  // Before the first step; may allocate and throw. Inputs of topics from outside may have values already.
+  virtual void activate() {}
+  // Once a tick or a batch. No allocation, no lock, no system call. A throw is caught at the border: nothing
+  // of this step is published, and the fault is counted and reported.
+  virtual void step(const Tick& tick) = 0;
+  virtual void deactivate() {}
+};
+
+}  // namespace gaitway
+
+// Makes `Class` the plug-in of this library. Once a library, at global scope.
+#define GAITWAY_PLUGIN(Class, plugin_name, plugin_version, plugin_description) \
+  extern "C" const gaitway_plugin gaitway_plugin_entry = {                     \
+      GAITWAY_PLUGIN_HEAD, plugin_name, plugin_version, plugin_description,    \
+      &::gaitway::detail::PluginBorder<Class, ::gaitway::Plugin, ::gaitway::Setup>::create};

@@ -1,0 +1,161 @@
+/* The border between main controller and plug-in: plain C, versioned. C++ authors use plugin.hpp on top of
+ * it.
+ *
+ * Rules. A plug-in library shows one symbol, the constant `gaitway_plugin_entry`. The host compares its ABI
+ * number and struct sizes with its own before it calls anything. No exception and no C++ type crosses, and
+ * nothing that one side allocated is freed by the other. Texts are UTF-8 and end in NUL; a text that is
+ * passed in lives at least as long as the call.
+ *
+ * Life of an instance, all of it on one thread at a time:
+ *   create -> activate -> step ... step -> deactivate -> (activate ... | destroy)
+ * A function marked [set-up] may allocate, read files and take its time; one marked [cycle] may not allocate,
+ * lock or make system calls. */
+#ifndef GAITWAY_CORE_PLUGIN_ABI_H
+#define GAITWAY_CORE_PLUGIN_ABI_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GAITWAY_PLUGIN_MAGIC 0x4757504cu /* "GWPL" */
+#define GAITWAY_PLUGIN_ABI 1u            /* grows whenever anything below changes */
+
+/* What every callback answers. Negative: it failed, and the error text says why. */
+typedef int32_t gaitway_status;
+enum { GAITWAY_OK = 0, GAITWAY_NO_VALUE = 1, GAITWAY_FAILED = -1 };
+
+/* Room for an error text, owned by the caller. Whoever fails writes at most `capacity` bytes, NUL included.
+ */
+typedef struct gaitway_text {
+  char* data;
+  uint32_t capacity;
+  uint32_t reserved;
+} gaitway_text;
+
+typedef struct gaitway_tick {
+  int64_t now_ns;          /* clock of the robot, virtual or real */
+  int64_t batch_start_ns;  /* when the next batch will start to play */
+  uint32_t batch_sequence; /* its sequence number = cycle number */
+  uint32_t tick;           /* ticks of 10 ms since start */
+  uint32_t batch;          /* 1: this tick prepares that batch (every eighth) */
+  uint32_t reserved;
+} gaitway_tick;
+
+/* How a plug-in uses a topic. */
+typedef uint32_t gaitway_access;
+enum {
+  GAITWAY_READ =
+      0, /* value of this tick: the plug-in is stepped after the topic's writer, which must exist */
+  GAITWAY_READ_PREVIOUS = 1, /* value of the tick before: no order, breaks a cycle; the writer must exist */
+  GAITWAY_READ_OPTIONAL = 2, /* like GAITWAY_READ; a missing writer is no error */
+  GAITWAY_WRITE = 3          /* the topic's only writer */
+};
+
+/* A run of floating-point numbers in a topic's value; the host refuses to publish a non-finite one. */
+typedef struct gaitway_float_field {
+  const char* name;
+  uint32_t offset; /* bytes from the start of the value */
+  uint32_t count;  /* numbers */
+  uint32_t bytes;  /* of a number: 4 or 8 */
+  uint32_t rows;   /* first extent of an array, 1 for a scalar: divides `count` */
+} gaitway_float_field;
+
+typedef struct gaitway_topic {
+  const char* name;
+  const char* type_name;
+  uint64_t type_hash;
+  uint32_t size;              /* bytes of a value */
+  uint32_t float_field_count; /* may be 0: then outputs are not checked */
+  const gaitway_float_field* float_fields;
+} gaitway_topic;
+
+/* Which value a reader holds. Zeroed at first, then given back as it was. */
+typedef struct gaitway_sample {
+  uint64_t sequence; /* 1 for a topic's first value; 0: none yet */
+  int64_t stamp_ns;  /* tick at which it was published; of topics from elsewhere, what their writer says */
+} gaitway_sample;
+
+typedef uint32_t gaitway_period;
+enum { GAITWAY_EVERY_TICK = 0, GAITWAY_EVERY_BATCH = 1 };
+
+typedef uint32_t gaitway_severity;
+enum { GAITWAY_INFO = 0, GAITWAY_WARNING = 1, GAITWAY_ERROR = 2 };
+
+typedef struct gaitway_port gaitway_port; /* a topic that was opened; belongs to the host */
+
+/* What the host offers. Valid from create to the return of destroy; `context` goes into every call. */
+typedef struct gaitway_host {
+  void* context;
+
+  /* [set-up] In create only. The topic is bound once all plug-ins were created and their data flow was
+   * checked, so it has no value before activate. */
+  gaitway_status (*open_topic)(void* context, const gaitway_topic* topic, gaitway_access access,
+                               gaitway_port** port, const gaitway_text* error);
+  /* [set-up] In create only. Each declares a parameter and gives the configuration's value, or the default.
+   * Fails for a value of another type or unit. `unit`: "1" for a plain number. */
+  gaitway_status (*parameter_number)(void* context, const char* name, double fallback, const char* unit,
+                                     double* value, const gaitway_text* error);
+  gaitway_status (*parameter_integer)(void* context, const char* name, int64_t fallback, const char* unit,
+                                      int64_t* value, const gaitway_text* error);
+  gaitway_status (*parameter_flag)(void* context, const char* name, uint32_t fallback, uint32_t* value,
+                                   const gaitway_text* error);
+  /* The text belongs to the host and lives until destroy returns. */
+  gaitway_status (*parameter_text)(void* context, const char* name, const char* fallback, const char** value,
+                                   const gaitway_text* error);
+  /* [set-up] In create only. Default: every tick. */
+  gaitway_status (*set_period)(void* context, gaitway_period period, const gaitway_text* error);
+  /* [set-up] Folder of the robot's description; belongs to the host and lives until destroy returns. */
+  const char* (*robot_directory)(void* context);
+
+  /* [cycle] In activate, step and deactivate. If the port's value is newer than `sample`, copies it into
+   * `value` (the topic's size) and updates `sample`; else touches neither. GAITWAY_OK: `value` holds a value.
+   * GAITWAY_NO_VALUE: there has never been one. GAITWAY_FAILED: the port is none to read, or not bound yet.
+   */
+  gaitway_status (*read)(void* context, gaitway_port* port, void* value, gaitway_sample* sample);
+  /* [cycle] In step only. Copies `value`; the last one of a step goes out when that step has returned
+   * GAITWAY_OK, and is thrown away when it failed. GAITWAY_FAILED: the port is none to write, or this is not
+   * a step. */
+  gaitway_status (*publish)(void* context, gaitway_port* port, const void* value);
+  /* [cycle] At any time. Puts a line into the host's list of events; cut off after 160 bytes. */
+  void (*report)(void* context, gaitway_severity severity, const char* text);
+} gaitway_host;
+
+/* What create fills in. All but destroy answer a status and, when they fail, an error text. */
+typedef struct gaitway_instance {
+  void* context;
+  gaitway_status (*activate)(void* context, const gaitway_text* error);                       /* [set-up] */
+  gaitway_status (*step)(void* context, const gaitway_tick* tick, const gaitway_text* error); /* [cycle] */
+  gaitway_status (*deactivate)(void* context, const gaitway_text* error);                     /* [set-up] */
+  void (*destroy)(void* context);                                                             /* [set-up] */
+} gaitway_instance;
+
+/* The one exported symbol. Its first nine numbers keep their places in every future version. */
+typedef struct gaitway_plugin {
+  uint32_t magic; /* GAITWAY_PLUGIN_MAGIC */
+  uint32_t abi;   /* GAITWAY_PLUGIN_ABI */
+  uint32_t plugin_size, host_size, instance_size, tick_size, topic_size, float_field_size,
+      sample_size; /* sizeof each */
+  uint32_t reserved;
+  const char* name;
+  const char* version;
+  const char* description;
+  /* [set-up] Makes an instance. On failure it has freed everything and writes the error text. */
+  gaitway_status (*create)(const gaitway_host* host, gaitway_instance* instance, const gaitway_text* error);
+} gaitway_plugin;
+
+/* The head of gaitway_plugin, for its initialiser. */
+#define GAITWAY_PLUGIN_HEAD                                                                               \
+  GAITWAY_PLUGIN_MAGIC, GAITWAY_PLUGIN_ABI, (uint32_t)sizeof(gaitway_plugin),                             \
+      (uint32_t)sizeof(gaitway_host), (uint32_t)sizeof(gaitway_instance), (uint32_t)sizeof(gaitway_tick), \
+      (uint32_t)sizeof(gaitway_topic), (uint32_t)sizeof(gaitway_float_field),                             \
+      (uint32_t)sizeof(gaitway_sample), 0u
+
+extern __attribute__((visibility("default"))) const gaitway_plugin gaitway_plugin_entry;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

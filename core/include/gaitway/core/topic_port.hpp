@@ -1,0 +1,67 @@
+// A topic as one plug-in uses it: declared while the plug-in is constructed, bound to the memory block once
+// the data flow was checked, read and staged in the cycle.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gaitway/core/data_flow.hpp"
+#include "gaitway/core/plugin_abi.h"
+#include "gaitway/msgclient/client.hpp"
+
+namespace gaitway::core {
+
+// A run of floating-point numbers in a topic's value.
+struct FloatField {
+  std::string name;
+  std::uint32_t offset = 0;  // bytes
+  std::uint32_t count = 0;
+  std::uint32_t bytes = 0;  // of a number: 4 or 8
+  std::uint32_t rows = 1;   // first extent
+};
+
+// The first number that is not finite.
+struct NonFinite {
+  const FloatField* field = nullptr;
+  std::uint32_t element = 0;  // flat index into the field
+};
+
+class TopicPort {
+ public:
+  // Copies all of `topic`. Throws PluginError for an unusable description.
+  TopicPort(const gaitway_topic& topic, Access access);
+
+  // Set-up: throws msgclient::TopicError.
+  void bind(msgclient::Client& client);
+
+  // What the ABI's read says. Of read_previous: the value that take_snapshot() took.
+  gaitway_status read(void* value, gaitway_sample& sample) noexcept;
+  // Before any plug-in of a tick is stepped; for read_previous only.
+  void take_snapshot() noexcept;
+
+  // Keeps a copy of `value` for commit().
+  gaitway_status stage(const void* value) noexcept;
+  void discard() noexcept { staged_ = false; }
+  // Publishes what was staged, if anything.
+  void commit(std::int64_t stamp_ns) noexcept;
+  // Looks through the staged value's floating-point numbers, as far as they are in use.
+  [[nodiscard]] std::optional<NonFinite> find_non_finite() const noexcept;
+
+  [[nodiscard]] const TopicUse& use() const noexcept { return use_; }
+
+ private:
+  [[nodiscard]] std::uint32_t elements_in_use(const FloatField& field) const noexcept;
+
+  TopicUse use_;
+  std::vector<FloatField> float_fields_;
+  std::optional<msgclient::UntypedReader> reader_;
+  std::optional<msgclient::UntypedWriter> writer_;
+  std::vector<std::byte> copy_;  // staged output, or the snapshot
+  gaitway_sample snapshot_{};
+  bool staged_ = false;
+};
+
+}  // namespace gaitway::core

@@ -1,0 +1,197 @@
+// Tick by tick: answers, plug-ins, trims, hand-over.
+#include "gaitway/core/main_controller.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace gaitway::core {
+namespace {
+
+constexpr std::string_view kOwnName = "main_controller";
+constexpr std::uint32_t kHolding = 2;  // NetworkState::mode
+
+PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainControllerOptions& options) {
+  return {.robot_directory = robot.directory,
+          .plugin_path = options.plugin_path,
+          .wall_clock = options.wall_clock};
+}
+
+// Topics of the message controller lie beyond the EMI.
+std::size_t bytes_over_emi(const PluginManager& manager) {
+  std::size_t bytes = 0;
+  for (const StandardTopic& topic : kStandardTopics) {
+    const bool always = topic.name == "joint_states" || topic.name == "network_state";
+    if (topic.writer == "message_controller" && (always || manager.uses(topic.name))) {
+      bytes += topic.type->size;
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+MainController::MainController(const urdf::RobotModel& robot, msgclient::Client& client,
+                               msgclient::EmiHost& host, const MainControllerOptions& options)
+    : check_(robot),
+      host_(host),
+      wall_clock_(options.wall_clock),
+      manager_(read_configuration(options.configuration), manager_options(robot, options), client),
+      joint_plan_reader_(client.read<JointPlan>("joint_plan")),
+      trim_reader_(client.read<TrimCommand>("trim")),
+      joint_states_reader_(client.read<JointStates>("joint_states")),
+      network_state_reader_(client.read<NetworkState>("network_state")),
+      crossing_bytes_(bytes_over_emi(manager_)) {}
+
+TickReport MainController::step(std::int64_t now_ns) noexcept {
+  const std::int64_t begin_ns = wall_clock_ == nullptr ? 0 : wall_clock_();
+  const Tick tick = tick_at(now_ns);
+  TickReport report{.batch = tick.batch};
+  ++counts_.ticks;
+  counts_.batches += tick.batch ? 1U : 0U;
+  take_answers(tick);
+  host_.charge_read(crossing_bytes_, now_ns);
+  manager_.step(tick);
+  post_trim(tick, report);
+  if (tick.batch) {
+    hand_over(tick, report);
+  }
+  const std::int64_t duration_ns = wall_clock_ == nullptr ? 0 : wall_clock_() - begin_ns;
+  (tick.batch ? batch_wall_ : tick_wall_).add(duration_ns);
+  return report;
+}
+
+void MainController::take_answers(const Tick& tick) noexcept {
+  while (const std::optional<msgclient::Answer> answer = host_.take_answer(tick.now_ns)) {
+    const auto verdict =
+        std::min<std::size_t>(static_cast<std::size_t>(answer->verdict), counts_.answers.size() - 1);
+    if (answer->mail == msgclient::MailKind::user_command) {
+      ++counts_.user_command_answers[verdict];
+    } else {
+      ++counts_.answers[verdict];
+    }
+    if (answer->verdict == msgclient::Verdict::accepted) {
+      if (answer->mail == msgclient::MailKind::hand_over && answer->sequence == posted_->sequence) {
+        std::swap(posted_, accepted_);
+        posted_->sequence = 0;
+      }
+      continue;
+    }
+    std::array<char, 200> text{};
+    const std::string_view mail =
+        answer->mail == msgclient::MailKind::user_command ? "user command" : "batch";
+    const auto end = fmt::format_to_n(text.data(), text.size(), "{} {} {}: {} (joint {}, point {}, {:g})",
+                                      mail, answer->sequence, msgclient::verdict_name(answer->verdict),
+                                      msgclient::reason_text(answer->reason), answer->joint, answer->point,
+                                      static_cast<double>(answer->value));
+    note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+  }
+}
+
+void MainController::post_trim(const Tick& tick, TickReport& report) noexcept {
+  if (trim_reader_.newest_sequence() == trim_sequence_) {
+    return;
+  }
+  const msgclient::ReadResult read = trim_reader_.read(trim_);
+  if (!read) {
+    return;
+  }
+  trim_sequence_ = read.sequence;
+  msgclient::TrimUpdate update{.stamp_ns = trim_.stamp_ns,
+                               .channel_count = std::min<std::uint32_t>(trim_.channel_count, kTrimChannels)};
+  for (std::size_t channel = 0; channel < update.channel_count; ++channel) {
+    update.angle[channel] = static_cast<float>(trim_.angle[channel]);
+  }
+  const msgclient::PostResult result = host_.post(update, tick.now_ns);
+  ++(result ? counts_.trims_posted : counts_.trims_not_posted);
+  if (result) {
+    report.posted = true;
+    report.transfer_ns = std::max(report.transfer_ns, result.transfer_ns);
+  }
+}
+
+void MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
+  if (const LoadedPlugin* const failed = manager_.fault_behind("joint_plan")) {
+    ++counts_.spoiled;
+    std::array<char, 160> text{};
+    const auto end =
+        fmt::format_to_n(text.data(), text.size(), "batch {} is not handed over: plug-in '{}' failed",
+                         tick.batch_sequence, failed->name());
+    note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+    return;
+  }
+  if (!joint_plan_reader_.read(*plan_) || plan_->sequence != tick.batch_sequence) {
+    ++counts_.without_plan;
+    return;
+  }
+  if (!plan_is_usable(tick) || !msgclient::make_hand_over(*plan_, trim_, *posted_)) {
+    return;
+  }
+  const msgclient::PostResult result = host_.post(*posted_, tick.now_ns);
+  if (!result) {
+    posted_->sequence = 0;
+    ++counts_.not_posted;
+    note_refusal(tick,
+                 result.status == msgclient::PostStatus::bus_stuck
+                     ? "the EMI's bus is stuck: the batch was not handed over"
+                     : "the message controller has not taken the batch before: this one was not handed over");
+    return;
+  }
+  ++counts_.handed_over;
+  report.handed_over = report.posted = true;
+  report.transfer_ns = std::max(report.transfer_ns, result.transfer_ns);
+}
+
+bool MainController::plan_is_usable(const Tick& tick) noexcept {
+  const JointPlanVerdict verdict = check_.check(*plan_, start_reference(tick));
+  if (verdict.accepted()) {
+    return true;
+  }
+  ++counts_.refused_locally;
+  counts_.refused_points += verdict.refused_points;
+  std::array<char, 220> text{};
+  const auto prefix = fmt::format_to_n(text.data(), text.size(), "batch {}: ", tick.batch_sequence);
+  const std::string_view line = check_.describe(verdict, std::span(text).subspan(prefix.size));
+  note_refusal(tick, {text.data(), prefix.size + line.size()});
+  return false;
+}
+
+std::span<const double> MainController::start_reference(const Tick& tick) noexcept {
+  const bool known = static_cast<bool>(network_state_reader_.read(network_state_)) &&
+                     static_cast<bool>(joint_states_reader_.read(joint_states_));
+  if (known && network_state_.mode == kHolding) {
+    const std::size_t joints = std::min<std::size_t>(joint_states_.joint_count, kMaxJoints);
+    std::copy_n(joint_states_.reference_position, joints, start_rad_.begin());
+    return std::span(start_rad_).first(joints);
+  }
+  if (accepted_->sequence == 0 || accepted_->sequence >= tick.batch_sequence) {
+    return {};
+  }
+  // The accepted batch plays from its cycle on, then its safe tail, then the tail's last point.
+  const std::int64_t played =
+      std::int64_t{tick.batch_sequence - accepted_->sequence} * msgclient::kSlotsPerCycle;
+  const auto point = static_cast<int>(std::min<std::int64_t>(played, accepted_->point_count) - 1);
+  for (std::size_t joint = 0; joint < accepted_->joint_count; ++joint) {
+    start_rad_[joint] = static_cast<double>(accepted_->position_at(point, static_cast<int>(joint)));
+  }
+  return std::span(start_rad_).first(accepted_->joint_count);
+}
+
+void MainController::note_refusal(const Tick& tick, std::string_view text) noexcept {
+  manager_.events().add(tick.now_ns, tick.tick, EventKind::refusal, kOwnName, text);
+  const std::size_t length = std::min(text.size(), last_refusal_.size() - 1);
+  std::copy_n(text.begin(), length, last_refusal_.begin());
+  last_refusal_[length] = '\0';
+}
+
+MainControllerStatistics MainController::statistics() const {
+  MainControllerStatistics result = counts_;
+  result.last_refusal = last_refusal_.data();
+  result.batch_compute_us = batch_wall_.summary();
+  result.tick_compute_us = tick_wall_.summary();
+  result.plugins = manager_.timings();
+  return result;
+}
+
+}  // namespace gaitway::core

@@ -1,0 +1,215 @@
+// The `main_controller` process: the main controller in real time, beside a message controller process. All
+// processes of one robot share CLOCK_MONOTONIC: cycle n starts at n * 80 ms of it.
+#include <fmt/format.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <string>
+
+#include "gaitway/core/main_controller.hpp"
+#include "gaitway/msgclient/client.hpp"
+
+namespace {
+
+using namespace gaitway;
+
+constexpr int kExitFine = 0;
+constexpr int kExitBadInput = 1;
+constexpr int kExitLost = 3;
+constexpr int kPriority = 60;
+// Without a sign of life of the message controller for so long, the process ends; whoever supervises it
+// starts it again.
+constexpr std::int64_t kSilence_ns = 1'000'000'000;
+// Between two looks for events to print: printing costs time, so never in each tick.
+constexpr std::uint64_t kTicksBetweenPrints = 100;
+constexpr std::uint64_t kEventsPerPrint = 5;
+
+volatile sig_atomic_t stop_requested = 0;
+extern "C" void request_stop(int) {
+  stop_requested = 1;
+}
+
+struct Options {
+  std::filesystem::path robot;
+  std::filesystem::path socket;
+  core::MainControllerOptions controller;
+  double seconds = 0.0;
+  bool quiet = false;
+};
+
+std::int64_t monotonic_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+void sleep_until(std::int64_t deadline_ns) {
+  timespec deadline{};
+  deadline.tv_sec = deadline_ns / 1'000'000'000;
+  deadline.tv_nsec = deadline_ns % 1'000'000'000;
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR &&
+         stop_requested == 0) {
+  }
+}
+
+void stop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = &request_stop;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+// Where the rights are missing a plain message: it runs then as well, with more jitter.
+void ask_for_real_time() {
+  sched_param priority{};
+  priority.sched_priority = kPriority;
+  if (sched_setscheduler(0, SCHED_FIFO, &priority) != 0) {
+    fmt::print(stderr, "main_controller: no SCHED_FIFO ({}): ticks may come late under load\n",
+               std::strerror(errno));
+  }
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
+    fmt::print(stderr, "main_controller: memory is not locked ({}): a page fault may delay a tick\n",
+               std::strerror(errno));
+  }
+}
+
+// Prints what is new in the event log; leaves out all but a few at a time.
+class EventPrinter {
+ public:
+  void print(const core::EventLog& events) {
+    next_ = std::max(next_, events.first());
+    for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsPerPrint; ++printed, ++next_) {
+      const core::Event& event = events[next_];
+      fmt::print(stderr, "main_controller: {:.3f} s: {}: {}: {}\n",
+                 static_cast<double>(event.stamp_ns) * 1e-9, core::event_kind_name(event.kind),
+                 event.source(), event.text());
+    }
+    if (next_ < events.total()) {
+      fmt::print(stderr, "main_controller: {} more events\n", events.total() - next_);
+      next_ = events.total();
+    }
+  }
+
+ private:
+  std::uint64_t next_ = 0;
+};
+
+struct LoopResult {
+  int exit_code = kExitFine;
+  std::uint64_t missed_ticks = 0;
+  core::DurationHistogram lateness;
+};
+
+// Absolute deadlines: lateness of one tick does not move the next.
+LoopResult run_ticks(core::MainController& controller, const msgclient::Client& client,
+                     const Options& options) {
+  LoopResult result;
+  EventPrinter printer;
+  const std::int64_t begin_ns = monotonic_ns();
+  std::int64_t deadline_ns = core::next_tick_ns(begin_ns);
+  const std::int64_t end_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
+  for (std::uint64_t tick = 0; stop_requested == 0; ++tick) {
+    sleep_until(deadline_ns);
+    const std::int64_t now_ns = monotonic_ns();
+    if (stop_requested != 0 || (options.seconds > 0.0 && now_ns >= end_ns)) {
+      break;
+    }
+    result.lateness.add(now_ns - deadline_ns);
+    controller.step(now_ns);
+    if (now_ns - client.heartbeat_ns() > kSilence_ns) {
+      fmt::print(stderr,
+                 "main_controller: no sign of life of the message controller on {} for {} ms. Is it still "
+                 "running?\n",
+                 options.socket.string(), (now_ns - client.heartbeat_ns()) / msgclient::kMillisecond_ns);
+      result.exit_code = kExitLost;
+      break;
+    }
+    if (tick % kTicksBetweenPrints == 0 && !options.quiet) {
+      printer.print(controller.events());
+    }
+    const std::int64_t next_ns = core::next_tick_ns(std::max(monotonic_ns(), deadline_ns));
+    result.missed_ticks += static_cast<std::uint64_t>((next_ns - deadline_ns) / msgclient::kSlot_ns - 1);
+    deadline_ns = next_ns;
+  }
+  printer.print(controller.events());
+  return result;
+}
+
+void print_summary(const core::MainController& controller, const LoopResult& loop) {
+  const core::MainControllerStatistics s = controller.statistics();
+  fmt::print("  ticks             {}, {} missed, late by p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n",
+             s.ticks, loop.missed_ticks, loop.lateness.summary().p50, loop.lateness.summary().p99,
+             loop.lateness.summary().max);
+  fmt::print(
+      "  batches           {} handed over, {} accepted, {} late, {} refused there, {} refused here, {} "
+      "spoiled by "
+      "faults, {} without plan\n",
+      s.handed_over, s.answers[0], s.answers[1], s.answers[2], s.refused_locally, s.spoiled, s.without_plan);
+  fmt::print("  batch compute     p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n", s.batch_compute_us.p50,
+             s.batch_compute_us.p99, s.batch_compute_us.max);
+  for (const core::PluginTiming& plugin : s.plugins) {
+    fmt::print("  {:<17} {} steps, {} faults, p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n", plugin.name,
+               plugin.steps, plugin.faults, plugin.step_us.p50, plugin.step_us.p99, plugin.step_us.max);
+  }
+}
+
+int run(const Options& options) {
+  const urdf::RobotModel robot = urdf::load_robot(options.robot);
+  msgclient::Client client = msgclient::Client::connect(options.socket, "main_controller");
+  msgclient::EmiHost host(client);
+  core::MainController controller(robot, client, host, options.controller);
+  ask_for_real_time();
+  const LoopResult result = run_ticks(controller, client, options);
+  if (!options.quiet) {
+    print_summary(controller, result);
+  }
+  return result.exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{
+      "The main controller in real time: steps the plug-ins and hands their plans to a message controller "
+      "process"};
+  app.add_option("--socket", options.socket, "Socket of the message controller's memory block")->required();
+  app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
+  app.add_option("--config", options.controller.configuration, "Plug-ins and their parameters (YAML)")
+      ->required();
+  app.add_option(
+      "--plugin-path", options.controller.plugin_path,
+      "Folders to look for plug-ins in, before GAITWAY_PLUGIN_PATH and ../lib beside this program");
+  app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_flag("--quiet", options.quiet, "No events and no summary");
+  app.footer(
+      "Examples:\n"
+      "  main_controller --socket /run/gaitway.sock --robot urdf/humanoid22 --config core/config/walk.yaml\n"
+      "  GAITWAY_PLUGIN_PATH=~/sway/build main_controller --socket s.sock --robot r --config sway.yaml "
+      "--seconds 60\n"
+      "Ends on SIGINT and SIGTERM; the message controller then plays the safe tail to its end and the robot "
+      "stands.\n"
+      "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the message controller went "
+      "away.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitFine : kExitBadInput;
+  }
+  stop_on_signals();
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "main_controller: {}\n", error.what());
+    return kExitBadInput;
+  }
+}

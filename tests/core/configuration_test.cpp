@@ -1,0 +1,91 @@
+// What a configuration may look like, and how precisely it is refused.
+#include "gaitway/core/configuration.hpp"
+
+#include <gmock/gmock.h>
+
+namespace gaitway::core {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_configuration(text, "walk.yaml");
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Configuration, KeepsOrderLinesAndParametersAsWritten) {
+  const Configuration configuration = parse_configuration(
+      "# comment\nplugins:\n  - name: zmp\n  - name: walk\n    library: libwalk.so\n    parameters:\n      "
+      "step_time: 0.4 s\n",
+      "walk.yaml");
+  ASSERT_EQ(configuration.plugins.size(), 2U);
+  EXPECT_EQ(configuration.plugins[0].name, "zmp");
+  EXPECT_EQ(configuration.plugins[0].library, "libgaitway_plugin_zmp.so");
+  EXPECT_EQ(configuration.plugins[1].library, "libwalk.so");
+  EXPECT_EQ(configuration.plugins[1].line, 4);
+  ASSERT_EQ(configuration.plugins[1].parameters.size(), 1U);
+  EXPECT_EQ(configuration.plugins[1].parameters[0].text, "0.4 s");
+  EXPECT_EQ(configuration.plugins[1].parameters[0].line, 7);
+}
+
+TEST(Configuration, TheDefaultOneListsThePluginsOfWalking) {
+  const Configuration configuration = read_configuration(GAITWAY_DEFAULT_CONFIGURATION);
+  std::vector<std::string> names;
+  for (const PluginEntry& plugin : configuration.plugins) {
+    names.push_back(plugin.name);
+    EXPECT_EQ(plugin.library, "libgaitway_plugin_" + plugin.name + ".so");
+  }
+  EXPECT_THAT(names, testing::ElementsAre("zmp", "trajectory", "stability", "kinematics"));
+}
+
+TEST(Configuration, UnknownKeyNamesLineAndNearest) {
+  EXPECT_THAT(refusal("plugins:\n  - name: a\n    libary: x.so\n"),
+              testing::AllOf(HasSubstr("walk.yaml:3: plugins[0]: unknown key 'libary'"),
+                             HasSubstr("Did you mean 'library'?")));
+  EXPECT_THAT(refusal("plugin:\n  - name: a\n"),
+              HasSubstr("walk.yaml:1: the configuration: unknown key 'plugin'"));
+}
+
+TEST(Configuration, DuplicateNameNamesBothLines) {
+  EXPECT_THAT(refusal("plugins:\n  - name: a\n  - name: b\n  - name: a\n"),
+              HasSubstr("walk.yaml:4: name: 'a' is already the plug-in of line 2"));
+}
+
+TEST(Configuration, DuplicateKey) {
+  EXPECT_THAT(refusal("plugins:\n  - name: a\n    parameters:\n      x: 1\n      x: 2\n"),
+              HasSubstr("walk.yaml:5: parameters of 'a': the key 'x' is there twice"));
+}
+
+TEST(Configuration, MissingNameAndEmptyLists) {
+  EXPECT_THAT(refusal("plugins:\n  - library: a.so\n"),
+              HasSubstr("walk.yaml:2: plugins[0]: the key 'name' is missing"));
+  EXPECT_THAT(refusal("plugins: []\n"), HasSubstr("must be a list with at least one plug-in"));
+  EXPECT_THAT(refusal("{}\n"), HasSubstr("the key 'plugins' is missing"));
+  EXPECT_THAT(refusal(""), HasSubstr("must be a map"));
+}
+
+TEST(Configuration, ParameterThatIsAList) {
+  EXPECT_THAT(refusal("plugins:\n  - name: a\n    parameters: {gains: [1, 2]}\n"),
+              HasSubstr("walk.yaml:3: parameter 'gains' of 'a' must be one value"));
+}
+
+TEST(Configuration, MalformedYamlNamesItsLine) {
+  EXPECT_THAT(refusal("plugins:\n  - name: a\n    parameters: {x: 1\n"),
+              testing::ContainsRegex("walk.yaml:[0-9]+: no valid YAML"));
+}
+
+TEST(Configuration, MissingFile) {
+  try {
+    read_configuration("/nowhere/walk.yaml");
+    FAIL() << "was accepted";
+  } catch (const ConfigurationError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/walk.yaml: cannot be read"));
+  }
+}
+
+}  // namespace
+}  // namespace gaitway::core

@@ -1,0 +1,220 @@
+// Hand-overs, trims, local refusals and answers, with a message controller played by the test.
+#include "gaitway/core/main_controller.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "gaitway/msgclient/memory_block.hpp"
+
+namespace gaitway::core {
+namespace {
+
+using testing::HasSubstr;
+
+class MainControllerTest : public testing::Test {
+ protected:
+  MainControllerTest() {
+    states.joint_count = static_cast<std::uint32_t>(robot.joints.size());
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      states.reference_position[joint] = robot.joints[joint].home_rad;
+    }
+    network.mode = 2;
+    publish();
+  }
+  void start(const std::string& defect, WallClock clock = &steady_clock_ns) {
+    const auto file = std::filesystem::path(testing::TempDir()) /
+                      (std::string("main_controller_") +
+                       testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml");
+    std::ofstream(file) << "plugins:\n  - {name: planner, library: joint_planner.so, parameters: {defect: "
+                        << defect << "}}\n";
+    MainControllerOptions options;
+    options.configuration = file;
+    options.plugin_path = {GAITWAY_TEST_PLUGINS};
+    options.wall_clock = clock;
+    controller = std::make_unique<MainController>(robot, client, emi.host(), options);
+    std::filesystem::remove(file);
+  }
+  void publish() {
+    states_writer.publish(states, now_ns);
+    network_writer.publish(network, now_ns);
+  }
+  // One tick; then the message side takes its mails.
+  TickReport tick() {
+    now_ns = next_tick_ns(now_ns);
+    const TickReport report = controller->step(now_ns);
+    trim_taken = emi.message().take_trim(trim, now_ns + report.transfer_ns) == msgclient::TakeStatus::mail;
+    batch_taken =
+        emi.message().take_hand_over(*batch, now_ns + report.transfer_ns) == msgclient::TakeStatus::mail;
+    return report;
+  }
+  TickReport batch_tick() {
+    TickReport report;
+    do {
+      report = tick();
+    } while (!report.batch);
+    return report;
+  }
+  void answer(msgclient::Verdict verdict, msgclient::Reason reason = msgclient::Reason::none) {
+    ASSERT_TRUE(emi.message().answer({.mail = msgclient::MailKind::hand_over,
+                                      .sequence = batch->sequence,
+                                      .verdict = verdict,
+                                      .reason = reason,
+                                      .joint = 3,
+                                      .point = 0}));
+  }
+
+  urdf::RobotModel robot = urdf::load_robot(GAITWAY_TEST_ROBOT);
+  msgclient::MemoryBlock block;
+  msgclient::EmiAdapter emi{block};
+  msgclient::Client client = block.local_client("main_controller");
+  msgclient::Client message_client = block.local_client("message_controller");
+  msgclient::Writer<JointStates> states_writer = message_client.write<JointStates>("joint_states");
+  msgclient::Writer<NetworkState> network_writer = message_client.write<NetworkState>("network_state");
+  JointStates states{};
+  NetworkState network{};
+  std::int64_t now_ns = 0;
+  std::unique_ptr<MainController> controller;
+  msgclient::TrimUpdate trim;
+  std::unique_ptr<msgclient::HandOver> batch = std::make_unique<msgclient::HandOver>();
+  bool trim_taken = false;
+  bool batch_taken = false;
+};
+
+TEST_F(MainControllerTest, HandsOverTheBatchOfTheNextCycle) {
+  start("none");
+  for (std::uint32_t cycle = 1; cycle <= 3; ++cycle) {
+    const TickReport report = batch_tick();
+    EXPECT_TRUE(report.handed_over);
+    EXPECT_GT(report.transfer_ns, 0);
+    EXPECT_EQ(now_ns, std::int64_t{cycle} * 80'000'000 - 16'000'000);
+    ASSERT_TRUE(batch_taken);
+    EXPECT_EQ(batch->sequence, cycle);
+    EXPECT_EQ(batch->joint_count, 22U);
+    EXPECT_EQ(batch->point_count, 24U);
+    EXPECT_EQ(batch->support[0], 2);
+    EXPECT_EQ(batch->position_at(23, 3), static_cast<float>(robot.joints[3].home_rad));
+    EXPECT_EQ(batch->trim.channel_count, 8U);
+    EXPECT_EQ(batch->trim.gain[0][2][1], 0.25F);
+    answer(msgclient::Verdict::accepted);
+  }
+  tick();
+  const MainControllerStatistics statistics = controller->statistics();
+  EXPECT_EQ(statistics.handed_over, 3U);
+  EXPECT_EQ(statistics.answers[0], 3U);
+  EXPECT_EQ(statistics.ticks, 24U);  // ticks 0 to 22 and one more
+  EXPECT_GT(statistics.batch_compute_us.max, 0.0);
+  EXPECT_LE(statistics.batch_compute_us.p50, statistics.batch_compute_us.max);
+}
+
+TEST_F(MainControllerTest, PostsNewTrimsAtEveryTick) {
+  start("none");
+  for (int i = 0; i < 5; ++i) {
+    const TickReport report = tick();
+    EXPECT_TRUE(report.posted);
+    EXPECT_FALSE(report.handed_over);
+    ASSERT_TRUE(trim_taken);
+    EXPECT_EQ(trim.stamp_ns, now_ns);
+    EXPECT_EQ(trim.channel_count, 8U);
+    EXPECT_EQ(trim.angle[3], 0.01F);
+  }
+  EXPECT_EQ(controller->statistics().trims_posted, 5U);
+}
+
+TEST_F(MainControllerTest, FaultOfThePlannerHoldsTheBatchBack) {
+  start("throw");
+  EXPECT_FALSE(batch_tick().handed_over);
+  EXPECT_FALSE(batch_taken);
+  const MainControllerStatistics statistics = controller->statistics();
+  EXPECT_EQ(statistics.spoiled, 1U);
+  EXPECT_EQ(statistics.handed_over, 0U);
+  EXPECT_EQ(statistics.plugins[0].faults, 1U);
+  EXPECT_EQ(statistics.last_refusal, "batch 1 is not handed over: plug-in 'planner' failed");
+}
+
+TEST_F(MainControllerTest, PlanThatBreaksARuleIsRefusedHere) {
+  start("not_a_number");
+  EXPECT_FALSE(batch_tick().handed_over);
+  const MainControllerStatistics statistics = controller->statistics();
+  EXPECT_EQ(statistics.refused_locally, 1U);
+  EXPECT_EQ(statistics.refused_points, 1U);
+  EXPECT_THAT(statistics.last_refusal, HasSubstr("batch 1: joint 'left_ankle_roll', point 3 (batch)"));
+  ASSERT_EQ(controller->events().total(), 1U);
+  EXPECT_EQ(controller->events()[0].kind, EventKind::refusal);
+}
+
+TEST_F(MainControllerTest, PlanThatDoesNotGoOnFromTheReferenceIsRefusedHere) {
+  start("jump");
+  EXPECT_FALSE(batch_tick().handed_over);
+  EXPECT_THAT(controller->statistics().last_refusal, HasSubstr("must go on from the joint's reference"));
+}
+
+TEST_F(MainControllerTest, PlanOfAnotherCycleIsNoPlan) {
+  start("old_sequence");
+  EXPECT_FALSE(batch_tick().handed_over);
+  EXPECT_EQ(controller->statistics().without_plan, 1U);
+}
+
+// 0.001 rad a point, the batch's eight: the next batch goes on from there, not from where the joints stood.
+TEST_F(MainControllerTest, ContinuityIsCheckedAgainstTheAcceptedBatchWhileItPlays) {
+  start("drift");
+  ASSERT_TRUE(batch_tick().handed_over);
+  answer(msgclient::Verdict::accepted);
+  network.mode = 0;
+  states.reference_position[3] += 1.0;  // must not count while a batch plays
+  publish();
+  EXPECT_TRUE(batch_tick().handed_over) << controller->statistics().last_refusal;
+  answer(msgclient::Verdict::accepted);
+  network.mode = 2;
+  publish();
+  EXPECT_FALSE(batch_tick().handed_over);
+  EXPECT_THAT(controller->statistics().last_refusal, HasSubstr("'left_knee', point 0"));
+}
+
+TEST_F(MainControllerTest, AnswersAreCountedByVerdict) {
+  start("none");
+  batch_tick();
+  answer(msgclient::Verdict::late, msgclient::Reason::too_late);
+  batch_tick();
+  answer(msgclient::Verdict::refused, msgclient::Reason::jump);
+  tick();
+  const MainControllerStatistics statistics = controller->statistics();
+  EXPECT_EQ(statistics.answers[static_cast<std::size_t>(msgclient::Verdict::late)], 1U);
+  EXPECT_EQ(statistics.answers[static_cast<std::size_t>(msgclient::Verdict::refused)], 1U);
+  EXPECT_THAT(statistics.last_refusal, HasSubstr("batch 2 refused"));
+}
+
+TEST_F(MainControllerTest, DamagedMailIsAnsweredAsCorrupt) {
+  start("none");
+  emi.host().faults().flip_next = msgclient::EmiFaults::Flip{msgclient::MailKind::hand_over, 40, 0x10};
+  EXPECT_TRUE(batch_tick().handed_over);
+  EXPECT_FALSE(batch_taken);
+  tick();
+  EXPECT_EQ(controller->statistics().answers[static_cast<std::size_t>(msgclient::Verdict::corrupt)], 1U);
+}
+
+TEST_F(MainControllerTest, StuckBusIsCounted) {
+  start("none");
+  emi.host().faults().bus_stuck = true;
+  EXPECT_FALSE(batch_tick().posted);
+  const MainControllerStatistics statistics = controller->statistics();
+  EXPECT_EQ(statistics.not_posted, 1U);
+  EXPECT_EQ(statistics.trims_not_posted, 7U);
+  EXPECT_THAT(statistics.last_refusal, HasSubstr("bus is stuck"));
+}
+
+TEST_F(MainControllerTest, MeasuresNothingWithoutAClock) {
+  start("none", nullptr);
+  batch_tick();
+  EXPECT_EQ(controller->statistics().batch_compute_us.max, 0.0);
+  EXPECT_EQ(controller->statistics().plugins[0].step_us.max, 0.0);
+}
+
+TEST_F(MainControllerTest, MissingConfigurationIsAnError) {
+  MainControllerOptions options;
+  options.configuration = "/nowhere/walk.yaml";
+  EXPECT_THROW(MainController(robot, client, emi.host(), options), ConfigurationError);
+}
+
+}  // namespace
+}  // namespace gaitway::core

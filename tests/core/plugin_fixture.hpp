@@ -1,0 +1,48 @@
+// A memory block and managers of the test plug-ins in it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "gaitway/core/cycle.hpp"
+#include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/msgclient/memory_block.hpp"
+
+namespace gaitway::core {
+
+class PluginFixture : public testing::Test {
+ protected:
+  // `plugins`: the list under `plugins:`, in YAML.
+  std::unique_ptr<PluginManager> load(const std::string& plugins) {
+    PluginManagerOptions options;
+    options.robot_directory = GAITWAY_TEST_ROBOT;
+    options.plugin_path = {GAITWAY_TEST_PLUGINS};
+    return std::make_unique<PluginManager>(parse_configuration("plugins:\n" + plugins, "test.yaml"), options,
+                                           client);
+  }
+  // What the loading complains about; empty if it does not.
+  std::string refusal(const std::string& plugins) {
+    try {
+      load(plugins);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return {};
+  }
+  static Tick tick(std::uint32_t number) {
+    return tick_at(std::int64_t{number} * msgclient::kSlot_ns + kTickPhase_ns);
+  }
+
+  msgclient::MemoryBlock block;
+  msgclient::Client client = block.local_client("main_controller");
+  msgclient::Client other = block.local_client("other_process");
+};
+
+// An entry of the configuration for the plug-in `relay`.
+inline std::string relay(const std::string& name, const std::string& parameters) {
+  return "  - {name: " + name + ", library: relay.so, parameters: {" + parameters + "}}\n";
+}
+
+}  // namespace gaitway::core

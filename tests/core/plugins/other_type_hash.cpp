@@ -1,0 +1,33 @@
+// Built from another schema: its Correction has the same name and size, but another unit, and so another
+// hash.
+#include "gaitway/core/plugin.hpp"
+
+namespace {
+
+struct InMillimetres {
+  gaitway::Correction value;
+};
+
+}  // namespace
+
+template <>
+struct gaitway::TopicType<InMillimetres> {
+  static constexpr std::string_view name = "Correction";
+  static constexpr std::uint64_t hash = TopicType<Correction>::hash ^ 1;
+  static constexpr std::span<const FieldDescriptor> fields{};
+};
+
+namespace {
+
+class OtherTypeHash final : public gaitway::Plugin {
+ public:
+  explicit OtherTypeHash(gaitway::Setup& setup) : input_(setup.reads<InMillimetres>("out")) {}
+  void step(const gaitway::Tick&) override {}
+
+ private:
+  gaitway::Input<InMillimetres> input_;
+};
+
+}  // namespace
+
+GAITWAY_PLUGIN(OtherTypeHash, "other_type_hash", "1.0.0", "Means something else")

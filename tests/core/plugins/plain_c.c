@@ -1,0 +1,63 @@
+/* A plug-in in C: counts its steps in the topic `count`, and fails when its parameter `fail_at` says so. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "gaitway/core/plugin_abi.h"
+#include "gaitway/msgclient/topics.h"
+
+struct counter {
+  const gaitway_host* host;
+  gaitway_port* count;
+  int64_t fail_at;
+  uint32_t steps;
+};
+
+static gaitway_status activate(void* context, const gaitway_text* error) {
+  (void)error;
+  ((struct counter*)context)->steps = 0;
+  return GAITWAY_OK;
+}
+
+static gaitway_status step(void* context, const gaitway_tick* tick, const gaitway_text* error) {
+  struct counter* self = context;
+  struct gaitway_walk_command value = {0};
+  value.stamp_ns = tick->now_ns;
+  value.walk = ++self->steps;
+  if ((int64_t)self->steps == self->fail_at) {
+    snprintf(error->data, error->capacity, "step %u of C failed", (unsigned)self->steps);
+    return GAITWAY_FAILED;
+  }
+  return self->host->publish(self->host->context, self->count, &value);
+}
+
+static gaitway_status deactivate(void* context, const gaitway_text* error) {
+  (void)context;
+  (void)error;
+  return GAITWAY_OK;
+}
+
+static gaitway_status create(const gaitway_host* host, gaitway_instance* instance,
+                             const gaitway_text* error) {
+  const gaitway_topic topic = {
+      "count", "WalkCommand", GAITWAY_WALK_COMMAND_TYPE_HASH, sizeof(struct gaitway_walk_command), 0, NULL};
+  struct counter* self = calloc(1, sizeof *self);
+  if (self == NULL) {
+    snprintf(error->data, error->capacity, "no memory");
+    return GAITWAY_FAILED;
+  }
+  self->host = host;
+  if (host->parameter_integer(host->context, "fail_at", 0, "1", &self->fail_at, error) != GAITWAY_OK ||
+      host->open_topic(host->context, &topic, GAITWAY_WRITE, &self->count, error) != GAITWAY_OK) {
+    free(self);
+    return GAITWAY_FAILED;
+  }
+  instance->context = self;
+  instance->activate = activate;
+  instance->step = step;
+  instance->deactivate = deactivate;
+  instance->destroy = free;
+  return GAITWAY_OK;
+}
+
+const gaitway_plugin gaitway_plugin_entry = {GAITWAY_PLUGIN_HEAD, "plain_c", "1.0.0", "Counts its steps",
+                                             &create};
