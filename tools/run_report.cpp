@@ -176,13 +176,14 @@ std::string bus_timeline(const ReportInput& input) {
   }
   const double start_ms = std::floor(static_cast<double>(cycle.front().start_ns) * 1e-6 / 80.0) * 80.0;
   PlotFrame frame{.title = fmt::format("{} frames of one cycle, from t = {:.3f} s", cycle.size(), start_ms * 1e-3),
-                  .x_label = "time in the cycle [ms]; a dark line every 10 ms slot",
+                  .x_label = "time in the cycle [ms]; slots are 10 ms long",
                   .y_label = "",
                   .x_min = 0.0,
                   .x_max = 80.0,
                   .y_min = 0.0,
                   .y_max = 9.0,
-                  .height_px = 330.0};
+                  .height_px = 330.0,
+                  .left_px = 130.0};
   SvgPlot plot(frame);
   for (const can::MessageSpec& message : can::kFullProfile) {
     const auto row = static_cast<double>(message.kind);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace gaitway::tools {
@@ -30,6 +31,20 @@ nlohmann::ordered_json bus(const simulator::Cosimulation& run) {
            {{"min", statistics.eight_byte_us.min},
             {"mean", statistics.eight_byte_us.mean()},
             {"max", statistics.eight_byte_us.max}}}};
+}
+
+// What plug-ins, manager and message controller had to say; the oldest may have been overwritten.
+nlohmann::ordered_json events(const simulator::Cosimulation& run) {
+  const core::EventLog& log = run.main_controller().events();
+  auto list = nlohmann::ordered_json::array();
+  for (std::uint64_t number = log.first(); number < log.total(); ++number) {
+    const core::Event& event = log[number];
+    list.push_back({{"time_s", static_cast<double>(event.stamp_ns) * 1e-9},
+                    {"kind", core::event_kind_name(event.kind)},
+                    {"source", event.source()},
+                    {"text", event.text()}});
+  }
+  return {{"total", log.total()}, {"newest", list}};
 }
 
 }  // namespace
@@ -64,6 +79,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
         {"estimate_error_rms_m", metrics.zmp_estimate_error_m.value()},
         {"margin_min_m", metrics.zmp_reference_error_m.count() > 0 ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
                                                                    : nlohmann::ordered_json(nullptr)}}},
+      {"events", events(run)},
       {"digest", fmt::format("{:016x}", recorder.digest())}};
   if (metrics.fell) {
     result["fell_at_s"] = metrics.fell_at_s;
@@ -102,6 +118,14 @@ std::string summary_table(const nlohmann::ordered_json& s) {
   row("speed", fmt::format("{:.1f} x real time (physics alone: {:.1f} x)", number(s["real_time_factor"]),
                            number(s["physics_only_real_time_factor"])));
   row("digest", s["digest"].get<std::string>());
+  constexpr std::size_t kShownEvents = 5;
+  const auto& events = s["events"];
+  for (std::size_t i = 0; i < std::min(kShownEvents, events["newest"].size()); ++i) {
+    const auto& event = events["newest"][i];
+    row(i == 0 ? fmt::format("events ({})", events["total"].get<std::uint64_t>()) : "",
+        fmt::format("{:.3f} s {} {}: {}", number(event["time_s"]), event["source"].get<std::string>(),
+                    event["kind"].get<std::string>(), event["text"].get<std::string>()));
+  }
   return text;
 }
 

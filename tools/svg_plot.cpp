@@ -9,7 +9,7 @@
 namespace gaitway::tools {
 namespace {
 
-constexpr double kLeft_px = 64.0, kRight_px = 16.0, kTop_px = 44.0, kBottom_px = 42.0;
+constexpr double kRight_px = 16.0, kTop_px = 44.0, kBottom_px = 42.0;
 
 // 1, 2 or 5 times a power of ten, so that about `wanted` ticks fit the range.
 double tick_step(double range, double wanted) {
@@ -61,7 +61,7 @@ SvgPlot::SvgPlot(const PlotFrame& frame) : frame_(frame) {
     frame_.y_max = frame_.y_min + 1e-3;
   }
   if (frame_.equal_scale) {
-    const double metres_per_px = (frame_.x_max - frame_.x_min) / (frame_.width_px - kLeft_px - kRight_px);
+    const double metres_per_px = (frame_.x_max - frame_.x_min) / (frame_.width_px - frame_.left_px - kRight_px);
     const double needed_px = (frame_.y_max - frame_.y_min) / metres_per_px;
     frame_.height_px = std::clamp(needed_px, 120.0, 700.0) + kTop_px + kBottom_px;
     const double grow = (frame_.height_px - kTop_px - kBottom_px) * metres_per_px - (frame_.y_max - frame_.y_min);
@@ -71,7 +71,7 @@ SvgPlot::SvgPlot(const PlotFrame& frame) : frame_(frame) {
 }
 
 double SvgPlot::px(double x) const {
-  return kLeft_px + (x - frame_.x_min) / (frame_.x_max - frame_.x_min) * (frame_.width_px - kLeft_px - kRight_px);
+  return frame_.left_px + (x - frame_.x_min) / (frame_.x_max - frame_.x_min) * (frame_.width_px - frame_.left_px - kRight_px);
 }
 
 double SvgPlot::py(double y) const {
@@ -94,7 +94,7 @@ void SvgPlot::line(std::span<const Eigen::Vector2d> points, std::string_view col
   body_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"/>\n",
                        path, colour, width_px);
   if (!name.empty()) {
-    const double x = kLeft_px + legend_x_px_;
+    const double x = frame_.left_px + legend_x_px_;
     legend_ += fmt::format("<line x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"32\" y2=\"32\" stroke=\"{2}\" stroke-width=\"3\"/>"
                            "<text x=\"{3:.0f}\" y=\"36\">{4}</text>\n",
                            x, x + 18, colour, x + 24, escape_html(name));
@@ -135,9 +135,9 @@ void SvgPlot::draw_axes(std::string& out) const {
   for (const auto& [y, label] : ticks) {
     out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>"
                        "<text x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
-                       kLeft_px, right, py(y), kLeft_px - 6, py(y) + 4, escape_html(label));
+                       frame_.left_px, right, py(y), frame_.left_px - 6, py(y) + 4, escape_html(label));
   }
-  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (kLeft_px + right) / 2,
+  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", (frame_.left_px + right) / 2,
                      frame_.height_px - 6, escape_html(frame_.x_label));
   out += fmt::format("<text transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
                      (kTop_px + bottom) / 2, escape_html(frame_.y_label));
@@ -146,7 +146,7 @@ void SvgPlot::draw_axes(std::string& out) const {
 std::string SvgPlot::svg() const {
   std::string out = fmt::format("<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" role=\"img\">\n", frame_.width_px,
                                 frame_.height_px);
-  out += fmt::format("<text class=\"title\" x=\"{:.0f}\" y=\"16\">{}</text>\n", kLeft_px, escape_html(frame_.title));
+  out += fmt::format("<text class=\"title\" x=\"{:.0f}\" y=\"16\">{}</text>\n", frame_.left_px, escape_html(frame_.title));
   draw_axes(out);
   out += body_ + legend_ + "</svg>\n";
   return out;

@@ -14,6 +14,7 @@ struct PlotFrame {
   std::string title, x_label, y_label;
   double x_min = 0.0, x_max = 1.0, y_min = 0.0, y_max = 1.0;
   double width_px = 960.0, height_px = 300.0;
+  double left_px = 64.0;     // room for the labels of the y ticks
   bool equal_scale = false;  // one metre is as long in x as in y: the y range grows to fit
 };
 
