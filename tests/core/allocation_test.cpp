@@ -1,0 +1,86 @@
+// The cycle does not allocate: not with plans that go out, and not with faults and refusals.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "main_controller_fixture.hpp"
+
+namespace {
+
+thread_local bool counting = false;
+thread_local int allocations = 0;
+
+void* counted(std::size_t size) {
+  allocations += counting ? 1 : 0;
+  if (void* const memory = std::malloc(size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// Also what the plug-ins' libraries allocate with.
+void* operator new(std::size_t size) {
+  return counted(size);
+}
+void* operator new[](std::size_t size) {
+  return counted(size);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace gaitway::core {
+namespace {
+
+class Allocation : public MainControllerFixture {
+ protected:
+  // Allocations of the controller in four cycles, the first left out.
+  int allocations_of(const std::string& defect) {
+    start(defect);
+    batch_tick();
+    allocations = 0;
+    for (int i = 0; i < 32; ++i) {
+      now_ns = next_tick_ns(now_ns);
+      counting = true;
+      controller->step(now_ns);
+      counting = false;
+      if (emi.message().take_hand_over(*batch, now_ns + 9'000'000) == msgclient::TakeStatus::mail) {
+        answer(msgclient::Verdict::accepted);
+      }
+    }
+    return allocations;
+  }
+};
+
+TEST_F(Allocation, IsCountedByThisTest) {
+  allocations = 0;
+  counting = true;
+  const auto number = std::make_unique<int>(1);
+  counting = false;
+  EXPECT_EQ(allocations, *number);
+}
+
+TEST_F(Allocation, NoneWhileBatchesAreHandedOver) {
+  EXPECT_EQ(allocations_of("none"), 0);
+  EXPECT_EQ(controller->statistics().handed_over, 5U);
+}
+
+TEST_F(Allocation, NoneWhilePlansAreRefused) {
+  EXPECT_EQ(allocations_of("jump"), 0);
+  EXPECT_EQ(controller->statistics().refused_locally, 5U);
+}
+
+}  // namespace
+}  // namespace gaitway::core
