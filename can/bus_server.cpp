@@ -1,0 +1,331 @@
+// The bus's end of the bus socket: stations come and go, frames wait in transmit buffers until their time.
+#include "gaitway/can/bus_server.hpp"
+
+#include <fcntl.h>
+#include <sys/epoll.h>
+#include <sys/file.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "bus_protocol.hpp"
+#include "gaitway/can/bus_client.hpp"
+#include "gaitway/can/station_transmitter.hpp"
+
+namespace gaitway::can {
+namespace {
+
+using protocol::Kind;
+using protocol::Record;
+
+constexpr int kBacklog = 8;
+constexpr int kPacketsAStep = 256;  // of one client: bounds the time that one step takes
+// What may wait for a client beside its full socket: a second of a full bus. One that does not read for
+// longer goes.
+constexpr std::size_t kLongestBacklog = 8192;
+constexpr std::int64_t kLate_ns = 1'000'000;
+constexpr std::int64_t kNever_ns = std::numeric_limits<std::int64_t>::max();
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
+  throw BusError("bus socket '" + path.native() + "': " + what + ": " + std::strerror(errno));
+}
+
+// The kernel drops the lock with the process, so a living server is told from a stale socket without a race.
+BusDescriptor lock_beside(const std::filesystem::path& path) {
+  const std::string lock_path = path.native() + ".lock";
+  BusDescriptor lock(open(lock_path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600));
+  if (!lock) {
+    fail(path, "cannot make '" + lock_path + "'");
+  }
+  if (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
+    throw BusError("bus socket '" + path.native() +
+                   "': another bus serves it; end that one first, or choose another path");
+  }
+  return lock;
+}
+
+BusDescriptor listen_on(const std::filesystem::path& path) {
+  const sockaddr_un address = protocol::address_of(path);
+  BusDescriptor listener(socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!listener) {
+    fail(path, "cannot make a socket");
+  }
+  if (struct stat status{}; lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode)) {
+    unlink(path.c_str());  // we hold the lock: nobody serves it
+  }
+  if (bind(listener.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    fail(path, "cannot bind");
+  }
+  if (chmod(path.c_str(), 0600) != 0 || listen(listener.get(), kBacklog) != 0) {
+    fail(path, "cannot listen");
+  }
+  return listener;
+}
+
+// The transmit buffers of one client: frames that wait, each from its own time on.
+class TransmitBuffers {
+ public:
+  // False: all are occupied.
+  bool add(const Frame& frame, std::int64_t release_ns) noexcept {
+    return insert(frame, release_ns, next_order_++);
+  }
+
+  // Frames whose time has come are there to be taken; time does not run backwards.
+  void run_to(std::int64_t now_ns) noexcept { now_ns_ = now_ns; }
+  [[nodiscard]] std::int64_t next_release_ns() const noexcept {
+    std::int64_t next_ns = kNever_ns;
+    for (const Buffer& buffer : buffers_) {
+      if (buffer.used && buffer.release_ns > now_ns_) {
+        next_ns = std::min(next_ns, buffer.release_ns);
+      }
+    }
+    return next_ns;
+  }
+  [[nodiscard]] std::uint16_t next_id() const noexcept {
+    const Buffer* const buffer = most_urgent();
+    return buffer == nullptr ? std::uint16_t{0xFFFF} : buffer->frame.id;
+  }
+  bool take_frame(Frame& frame) noexcept {
+    const Buffer* const buffer = most_urgent();
+    if (buffer == nullptr) {
+      return false;
+    }
+    frame = buffer->frame;
+    buffers_[static_cast<std::size_t>(buffer - buffers_.data())].used = false;
+    return true;
+  }
+  void put_back(const Frame& frame) noexcept { insert(frame, now_ns_, 0); }
+
+ private:
+  struct Buffer {
+    bool used = false;
+    Frame frame;
+    std::int64_t release_ns = 0;
+    std::uint64_t order = 0;
+  };
+  bool insert(const Frame& frame, std::int64_t release_ns, std::uint64_t order) noexcept {
+    const auto free = std::find_if(buffers_.begin(), buffers_.end(), [](const Buffer& b) { return !b.used; });
+    if (free == buffers_.end()) {
+      return false;
+    }
+    *free = {true, frame, release_ns, order};
+    return true;
+  }
+  [[nodiscard]] const Buffer* most_urgent() const noexcept {
+    const Buffer* best = nullptr;
+    for (const Buffer& buffer : buffers_) {
+      const bool ready = buffer.used && buffer.release_ns <= now_ns_;
+      if (ready && (best == nullptr ||
+                    std::pair(buffer.frame.id, buffer.order) < std::pair(best->frame.id, best->order))) {
+        best = &buffer;
+      }
+    }
+    return best;
+  }
+
+  // One more than the client may have: the frame in the station's own buffer may have to come back.
+  std::array<Buffer, kTransmitBuffers + 1> buffers_{};
+  std::uint64_t next_order_ = 1;
+  std::int64_t now_ns_ = 0;
+};
+
+}  // namespace
+
+struct BusServer::Client {
+  Client(BusDescriptor connection, int station) : socket(std::move(connection)), transmitter(station) {
+    outgoing.reserve(kLongestBacklog);
+  }
+
+  BusDescriptor socket;
+  StationTransmitter transmitter;
+  TransmitBuffers buffers;
+  int waiting = 0;  // frames that have not been sent: in the buffers and on the bus
+  bool greeted = false;
+  bool paced = false;
+  bool gone = false;
+  std::int64_t reached_ns = 0;
+  std::vector<Record> outgoing;
+
+  void hand(const Record& record) {
+    gone = gone || outgoing.size() == kLongestBacklog;
+    if (!gone) {
+      outgoing.push_back(record);
+    }
+  }
+  bool take(const Record& record, std::int64_t time_ns, BusServerStatistics& statistics);
+  void flush();
+};
+
+// False: the client breaks the protocol.
+bool BusServer::Client::take(const Record& record, std::int64_t time_ns, BusServerStatistics& statistics) {
+  if (!greeted) {
+    greeted = record.kind == Kind::hello && record.start_ns == protocol::kMagic;
+    paced = record.flag == static_cast<std::uint8_t>(Pace::kept);
+    reached_ns = time_ns;  // a client that comes does not hold up a running bus
+    return greeted;
+  }
+  if (record.kind == Kind::mark) {
+    reached_ns = std::max(reached_ns, record.start_ns);
+    return true;
+  }
+  if (record.kind != Kind::transmit || !protocol::valid_frame(record) || waiting >= kTransmitBuffers) {
+    return false;
+  }
+  ++waiting;
+  statistics.late_frames += record.start_ns + kLate_ns < time_ns ? 1U : 0U;
+  return buffers.add(protocol::frame_of(record), record.start_ns);
+}
+
+void BusServer::Client::flush() {
+  std::size_t sent = 0;
+  while (!gone && sent < outgoing.size()) {
+    const std::size_t count = std::min(outgoing.size() - sent, protocol::kRecordsAPacket);
+    if (send(socket.get(), outgoing.data() + sent, count * sizeof(Record), MSG_NOSIGNAL) < 0) {
+      gone = errno != EAGAIN && errno != EWOULDBLOCK;
+      break;  // a full socket: it goes out with the next flush
+    }
+    sent += count;
+  }
+  outgoing.erase(outgoing.begin(), outgoing.begin() + static_cast<std::ptrdiff_t>(sent));
+}
+
+BusServer::BusServer(std::filesystem::path socket, std::int64_t start_ns)
+    : path_(std::move(socket)), time_ns_(start_ns) {
+  static_cast<void>(protocol::address_of(path_));  // refuses a bad path before anything is made
+  lock_ = lock_beside(path_);
+  listener_ = listen_on(path_);
+  epoll_ = BusDescriptor(epoll_create1(EPOLL_CLOEXEC));
+  if (!epoll_) {
+    fail(path_, "cannot wait for clients");
+  }
+  watch(listener_.get());
+}
+
+BusServer::~BusServer() {
+  unlink(path_.c_str());  // the lock file stays: another server may be waiting at it
+}
+
+void BusServer::watch(int fd) const {
+  epoll_event event{};
+  event.events = EPOLLIN | EPOLLRDHUP;
+  event.data.fd = fd;
+  if (epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event) != 0) {
+    fail(path_, "cannot wait for a client");
+  }
+}
+
+int BusServer::free_station() {
+  const auto free = std::find_if(free_stations_.begin(), free_stations_.end(),
+                                 [this](int station) { return !bus_.transmit_pending(station); });
+  if (free == free_stations_.end()) {
+    return bus_.attach();
+  }
+  const int station = *free;
+  free_stations_.erase(free);
+  return station;
+}
+
+void BusServer::step() {
+  while (true) {
+    BusDescriptor connection(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    if (!connection) {
+      break;  // nobody waits, or the system has no descriptor left, and then they wait on
+    }
+    watch(connection.get());
+    clients_.emplace_back(std::move(connection), free_station());
+    ++statistics_.clients;
+  }
+  for (auto client = clients_.begin(); client != clients_.end();) {
+    const auto next = std::next(client);
+    if (!serve(*client)) {
+      bus_.abort(client->transmitter.station());
+      free_stations_.push_back(client->transmitter.station());
+      clients_.erase(client);
+    }
+    client = next;
+  }
+}
+
+bool BusServer::serve(Client& client) {
+  protocol::Packet packet;
+  for (int i = 0; i < kPacketsAStep && !client.gone; ++i) {
+    const ssize_t bytes = recv(client.socket.get(), packet.data(), sizeof packet, 0);
+    if (bytes < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) {
+      return true;
+    }
+    if (bytes <= 0) {
+      return false;
+    }
+    const auto size = static_cast<std::size_t>(bytes);
+    bool whole = size % sizeof(Record) == 0;
+    for (std::size_t record = 0; whole && record < size / sizeof(Record); ++record) {
+      whole = client.take(packet[record], time_ns_, statistics_);
+    }
+    if (!whole) {
+      ++statistics_.broken;
+      return false;
+    }
+  }
+  statistics_.not_reading += client.outgoing.size() == kLongestBacklog ? 1U : 0U;
+  return !client.gone;
+}
+
+std::optional<SimulatedBus::Delivery> BusServer::advance(std::int64_t until_ns) {
+  while (true) {
+    offer();
+    std::int64_t stop_ns = until_ns;
+    for (const Client& client : clients_) {
+      stop_ns = std::min(stop_ns, client.buffers.next_release_ns());
+    }
+    if (const auto delivery = bus_.advance(stop_ns)) {
+      time_ns_ = std::max(time_ns_, delivery->end_ns);
+      hand_to_clients(*delivery);
+      return delivery;
+    }
+    time_ns_ = std::max(time_ns_, stop_ns);
+    if (stop_ns >= until_ns) {
+      return std::nullopt;
+    }
+  }
+}
+
+void BusServer::offer() {
+  for (Client& client : clients_) {
+    client.buffers.run_to(time_ns_);
+    client.transmitter.offer(bus_, client.buffers, time_ns_);
+  }
+}
+
+void BusServer::hand_to_clients(const SimulatedBus::Delivery& delivery) {
+  for (Client& client : clients_) {
+    const bool own = client.transmitter.station() == delivery.sender;
+    if (own) {
+      client.transmitter.on_sent();
+      --client.waiting;
+    } else if (delivery.lost) {
+      continue;
+    }
+    client.hand(protocol::record_of(own ? Kind::sent : Kind::delivery, delivery.frame, delivery.start_ns,
+                                    delivery.end_ns));
+  }
+}
+
+void BusServer::flush() {
+  for (Client& client : clients_) {
+    client.flush();
+  }
+}
+
+bool BusServer::reached(std::int64_t time_ns) const noexcept {
+  return std::all_of(clients_.begin(), clients_.end(), [time_ns](const Client& client) {
+    return !client.paced || client.reached_ns >= time_ns;
+  });
+}
+
+}  // namespace gaitway::can

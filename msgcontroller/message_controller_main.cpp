@@ -1,0 +1,292 @@
+// The `message_controller` process: owns the memory block, and runs the message controller in real time
+// between the main controller's process and the bus. Cycle n starts at n * 80 ms of CLOCK_MONOTONIC, for
+// every process of the robot.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "gaitway/can/bus_client.hpp"
+#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/msgclient/memory_block_server.hpp"
+#include "gaitway/msgcontroller/message_controller.hpp"
+#include "gaitway/msgcontroller/real_time.hpp"
+
+namespace {
+
+using namespace gaitway;
+using msgclient::kMillisecond_ns;
+
+constexpr int kExitFine = 0;
+constexpr int kExitBadInput = 1;
+constexpr int kExitLost = 3;
+constexpr int kPriority = 70;
+
+struct Options {
+  std::filesystem::path robot;
+  std::filesystem::path bus;
+  std::filesystem::path memory;
+  std::filesystem::path summary;
+  std::vector<double> walk;  // forward m/s, left m/s, turn rad/s; empty: nobody here commands a walk
+  double walk_after_s = 1.0;
+  double wait_s = 5.0;
+  double seconds = 0.0;
+};
+
+// Publishes one walk command after a while, as the scenario's player does.
+class WalkPlayer {
+ public:
+  WalkPlayer(msgclient::MemoryBlock& block, const Options& options, std::int64_t now_ns)
+      : client_(block.local_client("behavior")),
+        writer_(client_.write<WalkCommand>("walk_command")),
+        due_ns_(now_ns + static_cast<std::int64_t>(options.walk_after_s * 1e9)) {
+    command_.walk = 1;
+    command_.velocity[0] = options.walk[0];
+    command_.velocity[1] = options.walk[1];
+    command_.turn_rate = options.walk[2];
+    writer_.publish(WalkCommand{}, now_ns);
+  }
+  void step(std::int64_t now_ns) noexcept {
+    if (!published_ && now_ns >= due_ns_) {
+      published_ = true;
+      command_.stamp_ns = now_ns;
+      writer_.publish(command_, now_ns);
+    }
+  }
+
+ private:
+  msgclient::Client client_;
+  msgclient::Writer<WalkCommand> writer_;
+  std::int64_t due_ns_;
+  WalkCommand command_{};
+  bool published_ = false;
+};
+
+// Takes the message controller through its milliseconds in order, each with the frames that were on the bus
+// before it, however late the process wakes.
+class Timeline {
+ public:
+  Timeline(msgcontroller::MessageController& controller, can::BusPort& port, std::int64_t now_ns)
+      : controller_(controller), port_(port), next_ns_((now_ns / kMillisecond_ns + 1) * kMillisecond_ns) {}
+
+  void advance_to(std::int64_t now_ns) {
+    missed_ += next_ns_ <= now_ns ? static_cast<std::uint64_t>((now_ns - next_ns_) / kMillisecond_ns) : 0U;
+    for (; next_ns_ <= now_ns; next_ns_ += kMillisecond_ns) {
+      take_frames(next_ns_);
+      controller_.step(next_ns_);
+      if (now_ns - next_ns_ > can::kLongestWait_ns) {
+        drop_frames();
+      }
+      offer(next_ns_);
+      port_.flush(next_ns_);
+    }
+    take_frames(now_ns);
+    if (controller_.next_id() <= kLargestId) {
+      offer(now_ns);  // a repair goes out at once
+      port_.flush(next_ns_ - kMillisecond_ns);
+    }
+  }
+  [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
+  [[nodiscard]] std::uint64_t missed() const noexcept { return missed_; }
+  [[nodiscard]] std::uint64_t stale() const noexcept { return stale_; }
+
+ private:
+  static constexpr std::uint16_t kLargestId = 0x7FF;
+
+  void take_frames(std::int64_t until_ns) {
+    while (true) {
+      if (!arrived_) {
+        arrived_ = port_.receive();
+      }
+      if (!arrived_ || arrived_->end_ns > until_ns) {
+        return;
+      }
+      controller_.on_frame(arrived_->frame, arrived_->end_ns);
+      arrived_.reset();
+    }
+  }
+  void offer(std::int64_t now_ns) {
+    can::Frame frame;
+    while (controller_.take_frame(frame)) {
+      if (!port_.transmit(frame, now_ns)) {
+        controller_.put_back(frame);
+        return;
+      }
+    }
+  }
+  // An old SYNC would put the joints' clocks wrong; what else is lost with it the supervision repairs.
+  void drop_frames() noexcept {
+    can::Frame frame;
+    while (controller_.take_frame(frame)) {
+      ++stale_;
+    }
+  }
+
+  msgcontroller::MessageController& controller_;
+  can::BusPort& port_;
+  std::optional<can::TimedFrame> arrived_;  // its millisecond has not come yet
+  std::int64_t next_ns_;
+  std::uint64_t missed_ = 0;
+  std::uint64_t stale_ = 0;
+};
+
+// virtual_robot may still be starting: tries for a while.
+std::unique_ptr<can::BusClient> connect(const Options& options) {
+  const std::int64_t until_ns = real_time::monotonic_ns() + static_cast<std::int64_t>(options.wait_s * 1e9);
+  while (true) {
+    try {
+      return std::make_unique<can::BusClient>(options.bus, "message", can::Pace::kept);
+    } catch (const can::BusError&) {
+      if (real_time::monotonic_ns() >= until_ns || real_time::stop_requested != 0) {
+        throw;
+      }
+    }
+    real_time::wait_until(real_time::monotonic_ns() + 50 * kMillisecond_ns, {});
+  }
+}
+
+struct LoopResult {
+  int exit_code = kExitFine;
+  std::int64_t begin_ns = 0, end_ns = 0;
+  std::uint64_t missed = 0, stale = 0;
+  real_time::LatenessRecord lateness;
+};
+
+LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
+                    msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
+                    can::BusClient& bus) {
+  LoopResult result;
+  result.begin_ns = real_time::monotonic_ns();
+  const std::int64_t stop_ns = result.begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
+  std::optional<WalkPlayer> walk;
+  if (!options.walk.empty()) {
+    walk.emplace(block, options, result.begin_ns);
+  }
+  Timeline timeline(controller, bus, result.begin_ns);
+  std::array<pollfd, 2> wakes{pollfd{bus.wake_fd(), POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
+  while (real_time::stop_requested == 0) {
+    real_time::wait_until(timeline.next_ns(), wakes);
+    const std::int64_t now_ns = real_time::monotonic_ns();
+    if (now_ns >= timeline.next_ns()) {
+      result.lateness.add(now_ns - timeline.next_ns());
+    }
+    timeline.advance_to(now_ns);
+    block.beat(now_ns);
+    server.step();
+    if (walk) {
+      walk->step(now_ns);
+    }
+    if (bus.closed()) {
+      fmt::print(stderr, "message_controller: the bus on {} has gone. Has virtual_robot ended?\n",
+                 options.bus.string());
+      result.exit_code = kExitLost;
+      break;
+    }
+    if (options.seconds > 0.0 && now_ns >= stop_ns) {
+      break;
+    }
+  }
+  result.end_ns = real_time::monotonic_ns();
+  result.missed = timeline.missed();
+  result.stale = timeline.stale();
+  return result;
+}
+
+void write_summary(const Options& options, const NetworkState& state, const LoopResult& loop) {
+  const nlohmann::ordered_json summary = {
+      {"seconds", static_cast<double>(loop.end_ns - loop.begin_ns) * 1e-9},
+      {"handed_over", state.handed_over},
+      {"late", state.late},
+      {"refused", state.refused},
+      {"tails_played", state.tail_played},
+      {"repaired", state.repaired},
+      {"resynchronised", state.resynchronised},
+      {"missed_milliseconds", loop.missed},
+      {"stale_frames", loop.stale},
+      {"wake_up_latency_us",
+       {{"p50", loop.lateness.quantile_us(0.5)},
+        {"p99", loop.lateness.quantile_us(0.99)},
+        {"max", loop.lateness.max_us()}}}};
+  if (options.summary.empty()) {
+    fmt::print("{}\n", summary.dump(2));
+    return;
+  }
+  std::ofstream out(options.summary);
+  out << summary.dump(2) << '\n';
+  out.close();
+  if (!out) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written; is the folder writable?", options.summary.string()));
+  }
+}
+
+int run(const Options& options) {
+  if (!options.walk.empty() && options.walk.size() != 3) {
+    throw std::invalid_argument(
+        "--walk: wants VX,VY,WZ in m/s, m/s and rad/s: three numbers, for example 0.15,0,0.1");
+  }
+  const urdf::RobotModel robot = urdf::load_robot(options.robot);
+  msgclient::MemoryBlock block;
+  msgclient::Client client = block.local_client("message_controller");
+  msgclient::EmiMessage adapter(client);
+  msgcontroller::MessageController controller(robot, client, adapter);
+  const std::unique_ptr<can::BusClient> bus = connect(options);
+  block.beat(real_time::monotonic_ns());
+  msgclient::MemoryBlockServer server(block, options.memory);
+  real_time::ask_for_real_time("message_controller", kPriority);
+  const LoopResult result = run_loop(options, block, server, controller, *bus);
+  write_summary(options, controller.state(), result);
+  return result.exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{
+      "The message controller in real time: owns the memory block, sends batches over the bus and plays the "
+      "safe tail "
+      "when none comes"};
+  app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
+  app.add_option("--bus", options.bus, "Socket of the bus, as served by virtual_robot")->required();
+  app.add_option("--memory", options.memory, "Socket to give out the memory block on")->required();
+  app.add_option(
+         "--walk", options.walk,
+         "Command a walk VX,VY,WZ: forward m/s, left m/s, turn rad/s. Only while no plug-in commands it")
+      ->delimiter(',');
+  app.add_option("--walk-after", options.walk_after_s, "Seconds from the start to that command")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--wait", options.wait_s, "Seconds to wait for the bus at the start")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--summary", options.summary, "File for the summary (JSON) instead of the terminal");
+  app.footer(
+      "Examples:\n"
+      "  message_controller --robot urdf/humanoid22 --bus /tmp/bus.sock --memory /tmp/memory.sock\n"
+      "  message_controller --robot urdf/humanoid22 --bus b.sock --memory m.sock --walk 0.15,0,0 "
+      "--walk-after 2\n"
+      "Ends on SIGINT and SIGTERM; the joints then play out their batch and hold.\n"
+      "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the bus went away.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitFine : kExitBadInput;
+  }
+  real_time::stop_on_signals();
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "message_controller: {}\n", error.what());
+    return kExitBadInput;
+  }
+}

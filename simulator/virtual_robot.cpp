@@ -1,0 +1,278 @@
+// The `virtual_robot` process: the simulated body, its local controllers and the bus, paced by
+// CLOCK_MONOTONIC. To the message controller on the bus's socket it is what a robot on a CAN interface is.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "gaitway/can/bus_client.hpp"
+#include "gaitway/can/bus_server.hpp"
+#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/msgcontroller/real_time.hpp"
+#include "gaitway/simulator/joint_network.hpp"
+#include "gaitway/simulator/plant.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace {
+
+using namespace gaitway;
+using msgclient::kMillisecond_ns;
+
+constexpr int kExitFine = 0;
+constexpr int kExitBadInput = 1;
+constexpr int kPriority = 50;
+constexpr double kLargestClockDrift_ppm = 50.0;
+constexpr std::int64_t kWalkLogPeriod_ns = 10 * kMillisecond_ns;
+
+struct Options {
+  std::filesystem::path robot;
+  std::filesystem::path bus;
+  std::filesystem::path summary;
+  std::filesystem::path walk_log;
+  simulator::PlantOptions plant;
+  double seconds = 0.0;
+};
+
+struct LogRow {
+  double time_s;
+  Eigen::Vector3d base_m;
+  double trunk_tilt_rad;
+};
+
+// Body, joints and bus in one time base, a millisecond after the other.
+class VirtualRobot {
+ public:
+  VirtualRobot(const urdf::RobotModel& robot, const Options& options, std::int64_t start_ns)
+      : log_wanted_(!options.walk_log.empty()),
+        start_ns_(start_ns),
+        now_ns_(start_ns),
+        plant_(robot, options.plant),
+        joints_(robot, options.plant.seed, kLargestClockDrift_ppm),
+        server_(options.bus, start_ns) {
+    for (int joint = 0; joint < joints_.size(); ++joint) {
+      station_.push_back(server_.bus().attach());
+    }
+    start_m_ = plant_.truth().base.translation();
+    joints_.step(now_ns_, plant_.sensors());
+  }
+
+  // Bus up to the new instant, body, local controllers: the order of the co-simulation.
+  void advance_millisecond() {
+    for (int joint = 0; joint < joints_.size(); ++joint) {
+      offer(joint, now_ns_);
+    }
+    const std::int64_t until_ns = now_ns_ + kMillisecond_ns;
+    while (const auto delivery = server_.advance(until_ns)) {
+      deliver(*delivery);
+    }
+    plant_.step(joints_.torque_Nm());
+    now_ns_ = until_ns;
+    joints_.step(now_ns_, plant_.sensors());
+    watch();
+  }
+
+  [[nodiscard]] can::BusServer& server() noexcept { return server_; }
+  [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
+  [[nodiscard]] double time_s() const noexcept { return static_cast<double>(now_ns_ - start_ns_) * 1e-9; }
+  [[nodiscard]] const std::optional<double>& fell_at_s() const noexcept { return fell_at_s_; }
+  [[nodiscard]] double distance_m() const {
+    return (plant_.truth().base.translation() - start_m_).head<2>().norm();
+  }
+  [[nodiscard]] const std::vector<LogRow>& log() const noexcept { return log_; }
+
+ private:
+  void deliver(const can::SimulatedBus::Delivery& delivery) {
+    const bool from_joint = delivery.sender < joints_.size();  // they attached first
+    if (!delivery.lost) {
+      joints_.on_frame(delivery.frame, from_joint ? delivery.sender : -1, delivery.end_ns);
+    }
+    if (from_joint) {
+      offer(delivery.sender, delivery.end_ns);
+      return;
+    }
+    for (int joint = 0; joint < joints_.size(); ++joint) {
+      offer(joint, delivery.end_ns);  // an answer to a SYNC goes out at once
+    }
+  }
+  void offer(int joint, std::int64_t now_ns) {
+    const int station = station_[static_cast<std::size_t>(joint)];
+    can::Frame frame;
+    if (!server_.bus().transmit_pending(station) && joints_.joint(joint).take_frame(frame)) {
+      server_.bus().transmit(station, frame, now_ns);
+    }
+  }
+  void watch() {
+    if (!fell_at_s_ && plant_.fallen()) {
+      fell_at_s_ = time_s();
+      fmt::print(stderr, "virtual_robot: fell after {:.2f} s\n", *fell_at_s_);
+    }
+    if (log_wanted_ && (now_ns_ - start_ns_) % kWalkLogPeriod_ns == 0) {
+      const simulator::PlantTruth truth = plant_.truth();
+      log_.push_back({time_s(), truth.base.translation(), truth.trunk_tilt_rad});
+    }
+  }
+
+  bool log_wanted_;
+  std::int64_t start_ns_, now_ns_;
+  simulator::Plant plant_;
+  simulator::JointNetwork joints_;
+  can::BusServer server_;
+  std::vector<int> station_;
+  Eigen::Vector3d start_m_ = Eigen::Vector3d::Zero();
+  std::optional<double> fell_at_s_;
+  std::vector<LogRow> log_;
+};
+
+struct LoopResult {
+  double wall_s = 0.0;
+  std::uint64_t overruns = 0;  // milliseconds that were made up for, since the process woke too late for them
+  std::uint64_t waited = 0;    // milliseconds that waited for the message controller
+  std::uint64_t not_awaited = 0;  // milliseconds that went on without it, since it took too long
+  real_time::LatenessRecord lateness;
+};
+
+// Steps all milliseconds that have come, unless a client whose pace the bus keeps is behind: then the body
+// waits, too, for a bounded time, and makes up for it afterwards. So neither side's late wake-up disturbs the
+// robot.
+bool step_due(VirtualRobot& robot, std::int64_t now_ns, LoopResult& result) {
+  bool stepped = false;
+  for (std::int64_t due_ns = robot.now_ns() + kMillisecond_ns; due_ns <= now_ns; due_ns += kMillisecond_ns) {
+    if (!robot.server().reached(due_ns - kMillisecond_ns)) {
+      if (now_ns - due_ns < can::kLongestWait_ns) {
+        break;
+      }
+      ++result.not_awaited;
+    }
+    robot.advance_millisecond();
+    stepped = true;
+  }
+  return stepped;
+}
+
+LoopResult run_loop(VirtualRobot& robot, const Options& options) {
+  LoopResult result;
+  const std::int64_t begin_ns = real_time::monotonic_ns();
+  const std::int64_t stop_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
+  std::array<pollfd, 1> wakes{pollfd{robot.server().wake_fd(), POLLIN, 0}};
+  bool waiting = false;
+  std::int64_t now_ns = begin_ns;
+  while (real_time::stop_requested == 0 && (options.seconds <= 0.0 || now_ns < stop_ns)) {
+    const std::int64_t due_ns = robot.now_ns() + kMillisecond_ns;
+    real_time::wait_until(waiting ? due_ns + can::kLongestWait_ns : due_ns, wakes);
+    now_ns = real_time::monotonic_ns();
+    robot.server().step();
+    if (now_ns < due_ns) {
+      continue;  // a client spoke; its frames wait for their millisecond
+    }
+    if (!waiting) {
+      result.lateness.add(now_ns - due_ns);
+      result.overruns += static_cast<std::uint64_t>((now_ns - due_ns) / kMillisecond_ns);
+    }
+    const bool stepped = step_due(robot, now_ns, result);
+    robot.server().flush();
+    const bool behind = robot.now_ns() + kMillisecond_ns <= now_ns;
+    result.waited += behind && (stepped || !waiting) ? 1U : 0U;
+    waiting = behind;
+  }
+  result.wall_s = static_cast<double>(real_time::monotonic_ns() - begin_ns) * 1e-9;
+  return result;
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  out.close();
+  if (!out) {
+    throw std::runtime_error(fmt::format("{}: cannot be written; is the folder writable?", path.string()));
+  }
+}
+
+void write_results(const Options& options, const VirtualRobot& robot, const can::BusServer& server,
+                   const LoopResult& loop) {
+  nlohmann::ordered_json summary = {
+      {"fell", robot.fell_at_s().has_value()},
+      {"distance_m", robot.distance_m()},
+      {"seconds", robot.time_s()},
+      {"wall_seconds", loop.wall_s},
+      {"overruns", loop.overruns},
+      {"waits_for_the_message_controller", loop.waited},
+      {"milliseconds_without_it", loop.not_awaited},
+      {"frames", server.bus().statistics().frames},
+      {"bus_load", server.bus().statistics().load(static_cast<std::int64_t>(robot.time_s() * 1e9))},
+      {"late_frames", server.statistics().late_frames},
+      {"wake_up_latency_us",
+       {{"p50", loop.lateness.quantile_us(0.5)},
+        {"p99", loop.lateness.quantile_us(0.99)},
+        {"max", loop.lateness.max_us()}}}};
+  if (robot.fell_at_s()) {
+    summary["fell_at_s"] = *robot.fell_at_s();
+  }
+  if (options.summary.empty()) {
+    fmt::print("{}\n", summary.dump(2));
+  } else {
+    write_file(options.summary, summary.dump(2) + "\n");
+  }
+  if (!options.walk_log.empty()) {
+    std::string text = "time_s,base_x_m,base_y_m,base_z_m,trunk_tilt_rad\n";
+    for (const LogRow& row : robot.log()) {
+      text += fmt::format("{:.3f},{:.5f},{:.5f},{:.5f},{:.5f}\n", row.time_s, row.base_m.x(), row.base_m.y(),
+                          row.base_m.z(), row.trunk_tilt_rad);
+    }
+    write_file(options.walk_log, text);
+  }
+}
+
+int run(const Options& options) {
+  const urdf::RobotModel model = urdf::load_robot(options.robot);
+  const std::int64_t start_ns = real_time::monotonic_ns() / kMillisecond_ns * kMillisecond_ns;
+  VirtualRobot robot(model, options, start_ns);
+  real_time::ask_for_real_time("virtual_robot", kPriority);
+  const LoopResult result = run_loop(robot, options);
+  write_results(options, robot, robot.server(), result);
+  return kExitFine;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"The simulated robot in real time: body, local controllers and CAN bus, served on a socket"};
+  app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
+  app.add_option("--bus", options.bus, "Socket to serve the bus on")->required();
+  app.add_option("--seed", options.plant.seed, "Seed of mismatch, noise and clock drifts")
+      ->capture_default_str();
+  app.add_option("--mismatch", options.plant.mismatch, "Scale of what the planner does not know of the robot")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--summary", options.summary, "File for the summary (JSON) instead of the terminal");
+  app.add_option("--walk-log", options.walk_log, "File for where the base was, every 10 ms (CSV)");
+  app.footer(
+      "Examples:\n"
+      "  virtual_robot --robot urdf/humanoid22 --bus /tmp/bus.sock\n"
+      "  virtual_robot --robot urdf/humanoid22 --bus b.sock --seed 7 --seconds 60 --walk-log walk.csv\n"
+      "Ends on SIGINT and SIGTERM. Exit code: 0 ended as told (whether the robot fell is in the summary), 1 "
+      "the input "
+      "was bad and nothing moved.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitFine : kExitBadInput;
+  }
+  real_time::stop_on_signals();
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "virtual_robot: {}\n", error.what());
+    return kExitBadInput;
+  }
+}
