@@ -1,57 +1,36 @@
-// Draws the plant with MuJoCo's renderer in a surfaceless EGL context.
+// Draws the plant with MuJoCo's renderer.
 #include "gaitway/simulator/camera.hpp"
-
-#define EGL_EGLEXT_PROTOTYPES
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "camera_context.hpp"
 #include "plant_implementation.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
-// An OpenGL context without a window, current on this thread as long as it lives.
-class OffscreenContext {
- public:
-  OffscreenContext() : display_(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)) {
-    if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
-      throw std::runtime_error("EGL offers no surfaceless display (Debian: install libegl1 and libgl1-mesa-dri)");
-    }
-    constexpr EGLint kConfig[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                  EGL_DEPTH_SIZE,   24,              EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint found = 0;
-    eglBindAPI(EGL_OPENGL_API);
-    eglChooseConfig(display_, kConfig, &config, 1, &found);
-    context_ = eglCreateContext(display_, found > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
-    if (context_ == EGL_NO_CONTEXT || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
-      eglTerminate(display_);
-      throw std::runtime_error("EGL gives no OpenGL context (Debian: install libgl1-mesa-dri)");
-    }
-  }
-  ~OffscreenContext() {
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(display_, context_);
-    eglTerminate(display_);
-  }
-  OffscreenContext(const OffscreenContext&) = delete;
-  OffscreenContext& operator=(const OffscreenContext&) = delete;
-
- private:
-  EGLDisplay display_;
-  EGLContext context_ = EGL_NO_CONTEXT;
-};
-
 constexpr int kMaxGeoms = 1000;
+constexpr double kDistance_m = 1.5, kAzimuth_deg = -125.0, kElevation_deg = -11.0;
+constexpr double kLookAtHeight_m = 0.40;
+constexpr double kSunDistance_m = 2.0;
+
+void check_size(int width_px, int height_px) {
+  if (width_px < 1 || height_px < 1 || width_px > kLargestPictureWidth_px ||
+      height_px > kLargestPictureHeight_px) {
+    throw std::invalid_argument("a picture of " + std::to_string(width_px) + " x " +
+                                std::to_string(height_px) + " pixels: the camera makes 1 x 1 to " +
+                                std::to_string(kLargestPictureWidth_px) + " x " +
+                                std::to_string(kLargestPictureHeight_px));
+  }
+}
 
 }  // namespace
 
 struct Camera::Implementation {
   Implementation(const mjModel* physics_model, int width_px, int height_px)
       : model(physics_model), data(mj_makeData(model)), width(width_px), height(height_px) {
+    const OffscreenContext::Current current(offscreen);
     mjv_defaultScene(&scene);
     mjv_defaultOption(&option);
     mjv_defaultCamera(&camera);
@@ -60,17 +39,20 @@ struct Camera::Implementation {
     mjr_makeContext(model, &context, mjFONTSCALE_100);
     mjr_setBuffer(mjFB_OFFSCREEN, &context);
     camera.type = mjCAMERA_FREE;
-    camera.distance = 1.55;
-    camera.azimuth = -125.0;
-    camera.elevation = -12.0;
+    camera.distance = kDistance_m;
+    camera.azimuth = kAzimuth_deg;
+    camera.elevation = kElevation_deg;
     scene.flags[mjRND_REFLECTION] = 0;
   }
   ~Implementation() {
+    const OffscreenContext::Current current(offscreen);
     mjr_freeContext(&context);
     mjv_freeScene(&scene);
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
+
+  void aim(std::span<const double> positions);
 
   OffscreenContext offscreen;  // first: everything below needs it
   const mjModel* model;
@@ -82,19 +64,38 @@ struct Camera::Implementation {
   mjrContext context;
 };
 
-Camera::Camera(const Plant& plant, int width_px, int height_px)
-    : implementation_(std::make_unique<Implementation>(plant.implementation().model.get(), width_px, height_px)) {}
+// Camera and sun follow the robot: a shadow falls only within the sun's field of view.
+void Camera::Implementation::aim(std::span<const double> positions) {
+  camera.lookat[0] = positions[0];
+  camera.lookat[1] = positions[1];
+  camera.lookat[2] = kLookAtHeight_m;
+  mjv_updateScene(model, data.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
+  for (int i = 0; i < scene.nlight; ++i) {
+    mjvLight& light = scene.lights[i];
+    for (std::size_t axis = 0; light.castshadow != 0 && axis < 3; ++axis) {
+      light.pos[axis] = static_cast<float>(camera.lookat[axis] - kSunDistance_m * kSunDirection[axis]);
+    }
+  }
+}
+
+Camera::Camera(const Plant& plant, int width_px, int height_px) {
+  check_size(width_px, height_px);
+  implementation_ = std::make_unique<Implementation>(plant.implementation().model.get(), width_px, height_px);
+}
 Camera::~Camera() = default;
 
 Image Camera::render(std::span<const double> positions) {
   Implementation& self = *implementation_;
-  std::copy(positions.begin(), positions.end(), self.data->qpos);
-  mj_forward(self.model, self.data.get());
-  for (int axis = 0; axis < 2; ++axis) {
-    self.camera.lookat[axis] = positions[static_cast<std::size_t>(axis)];
+  if (positions.size() != static_cast<std::size_t>(self.model->nq)) {
+    throw std::invalid_argument("a pose of " + std::to_string(positions.size()) +
+                                " numbers: this robot's has " + std::to_string(self.model->nq));
   }
-  self.camera.lookat[2] = 0.40;
-  mjv_updateScene(self.model, self.data.get(), &self.option, nullptr, &self.camera, mjCAT_ALL, &self.scene);
+  const OffscreenContext::Current current(self.offscreen);
+  std::copy(positions.begin(), positions.end(), self.data->qpos);
+  mj_kinematics(self.model, self.data.get());
+  mj_comPos(self.model, self.data.get());
+  mj_camlight(self.model, self.data.get());
+  self.aim(positions);
   const mjrRect viewport{0, 0, self.width, self.height};
   mjr_render(viewport, &self.scene, &self.context);
   const std::size_t row = static_cast<std::size_t>(self.width) * 3;

@@ -8,10 +8,26 @@
 
 namespace gaitway::simulator {
 
-void write_film_strip(const std::string& file, std::span<const Image> images, int columns) {
-  if (images.empty()) {
-    throw std::runtime_error(file + ": there is no image to write");
+namespace {
+
+void check(const std::string& file, std::span<const Image> images, int columns) {
+  if (images.empty() || columns < 1) {
+    throw std::invalid_argument(file + ": a film strip needs at least one image and one column");
   }
+  for (const Image& image : images) {
+    const auto pixels = static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
+    if (image.width_px < 1 || image.height_px < 1 || image.width_px != images[0].width_px ||
+        image.height_px != images[0].height_px || image.rgb.size() != 3 * pixels) {
+      throw std::invalid_argument(file +
+                                  ": the images of a film strip must have one size and three bytes a pixel");
+    }
+  }
+}
+
+}  // namespace
+
+void write_film_strip(const std::string& file, std::span<const Image> images, int columns) {
+  check(file, images, columns);
   const int count = static_cast<int>(images.size());
   const int across = std::min(columns, count), down = (count + across - 1) / across;
   const int width = images[0].width_px, height = images[0].height_px;
@@ -20,7 +36,8 @@ void write_film_strip(const std::string& file, std::span<const Image> images, in
   for (int i = 0; i < count; ++i) {
     const Image& image = images[static_cast<std::size_t>(i)];
     for (int y = 0; y < height; ++y) {
-      const auto line = static_cast<std::size_t>((i / across) * height + y) * static_cast<std::size_t>(across);
+      const auto line =
+          static_cast<std::size_t>((i / across) * height + y) * static_cast<std::size_t>(across);
       const std::size_t to = (line + static_cast<std::size_t>(i % across)) * row;
       std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row), row,
                   pixels.begin() + static_cast<std::ptrdiff_t>(to));

@@ -15,7 +15,9 @@ struct SpecDeleter {
   void operator()(mjSpec* spec) const noexcept { mj_deleteSpec(spec); }
 };
 
-void copy(const Eigen::Vector3d& from, double* to) { std::copy_n(from.data(), 3, to); }
+void copy(const Eigen::Vector3d& from, double* to) {
+  std::copy_n(from.data(), 3, to);
+}
 
 void copy_pose(const Eigen::Isometry3d& pose, double* position, double* quaternion) {
   copy(pose.translation(), position);
@@ -62,8 +64,7 @@ void add_ground(mjSpec* spec, const urdf::RobotModel& robot) {
   mjs_setString(ground->material, "ground");
   mjsLight* const light = mjs_addLight(world, nullptr);
   light->type = mjLIGHT_DIRECTIONAL;
-  const double direction[3] = {-0.35, 0.45, -1.0};
-  std::copy_n(direction, 3, light->dir);
+  std::copy_n(kSunDirection.data(), 3, light->dir);
   light->castshadow = 1;
 }
 
@@ -88,8 +89,11 @@ void add_visuals(mjsBody* body, const urdf::Link& link) {
     mjsGeom* const geom = mjs_addGeom(body, nullptr);
     copy_pose(shape.pose, geom->pos, geom->quat);
     const Eigen::Vector3d half = shape.size_m / 2.0;
-    geom->type = shape.kind == Kind::box ? mjGEOM_BOX : shape.kind == Kind::cylinder ? mjGEOM_CYLINDER : mjGEOM_SPHERE;
-    const Eigen::Vector3d size = shape.kind == Kind::cylinder ? Eigen::Vector3d(half.x(), half.z(), 0.0) : half;
+    geom->type = shape.kind == Kind::box        ? mjGEOM_BOX
+                 : shape.kind == Kind::cylinder ? mjGEOM_CYLINDER
+                                                : mjGEOM_SPHERE;
+    const Eigen::Vector3d size =
+        shape.kind == Kind::cylinder ? Eigen::Vector3d(half.x(), half.z(), 0.0) : half;
     copy(size, geom->size);
     geom->contype = geom->conaffinity = 0;
     geom->mass = 0.0;
@@ -105,7 +109,8 @@ void set_inertia(mjsBody* body, const urdf::Link& link, double factor, const Eig
   body->mass = link.mass_kg * factor;
   copy(link.com_m + com_offset_m, body->ipos);
   const Eigen::Matrix3d inertia = link.inertia_kg_m2 * factor;
-  const double full[6] = {inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2), inertia(1, 2)};
+  const double full[6] = {inertia(0, 0), inertia(1, 1), inertia(2, 2),
+                          inertia(0, 1), inertia(0, 2), inertia(1, 2)};
   std::copy_n(full, 6, body->fullinertia);
 }
 
@@ -122,44 +127,64 @@ void add_hinge(mjsBody* body, const urdf::Joint& joint) {
   hinge->frictionloss = joint.motor.friction_Nm;
 }
 
-}  // namespace
-
-ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch) {
-  const std::unique_ptr<mjSpec, SpecDeleter> spec(mj_makeSpec());
-  spec->compiler.degree = 0;
-  spec->option.timestep = robot.physics_step_s;
-  spec->option.integrator = mjINT_IMPLICITFAST;
-  spec->option.solver = mjSOL_NEWTON;
-  spec->option.cone = mjCONE_PYRAMIDAL;
-  spec->option.iterations = 20;
-  spec->option.tolerance = 1e-6;
-  spec->visual.global.offwidth = 1920;
-  spec->visual.global.offheight = 1080;
-  add_ground(spec.get(), robot);
-
+void add_robot(mjSpec* spec, const urdf::RobotModel& robot, const ModelMismatch& mismatch) {
   std::vector<mjsBody*> bodies;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const urdf::Link& link = robot.links[i];
-    const bool is_base = link.parent_joint < 0;
-    mjsBody* parent = mjs_findBody(spec.get(), "world");
-    if (!is_base) {
-      parent = bodies[static_cast<std::size_t>(robot.joints[static_cast<std::size_t>(link.parent_joint)].parent_link)];
-    }
-    mjsBody* const body = mjs_addBody(parent, nullptr);
-    mjs_setName(body->element, link.name.c_str());
-    if (is_base) {
+    mjsBody* body = nullptr;
+    if (link.parent_joint < 0) {
+      body = mjs_addBody(mjs_findBody(spec, "world"), nullptr);
       mjs_addFreeJoint(body);
     } else {
       const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(link.parent_joint)];
+      body = mjs_addBody(bodies[static_cast<std::size_t>(joint.parent_link)], nullptr);
       copy_pose(joint.origin, body->pos, body->quat);
       add_hinge(body, joint);
     }
+    mjs_setName(body->element, link.name.c_str());
     const bool is_trunk = static_cast<int>(i) == robot.imu.link;
-    set_inertia(body, link, mismatch.mass_factor[i], is_trunk ? mismatch.trunk_com_offset_m : Eigen::Vector3d::Zero());
+    set_inertia(body, link, mismatch.mass_factor[i],
+                is_trunk ? mismatch.trunk_com_offset_m : Eigen::Vector3d::Zero());
     add_collision(body, link, robot);
     add_visuals(body, link);
     bodies.push_back(body);
   }
+}
+
+// Chosen for speed at equal motion: Newton converges in one or two iterations here, so that tighter
+// tolerances change nothing; the pyramidal cone is the faster one; islands and mid-phase cost more than they
+// save with one robot.
+void set_options(mjSpec& spec, const urdf::RobotModel& robot) {
+  spec.compiler.degree = 0;
+  spec.option.timestep = robot.physics_step_s;
+  spec.option.gravity[0] = spec.option.gravity[1] = 0.0;
+  spec.option.gravity[2] = -kGravity_m_per_s2;
+  spec.option.integrator = mjINT_IMPLICITFAST;
+  spec.option.solver = mjSOL_NEWTON;
+  spec.option.cone = mjCONE_PYRAMIDAL;
+  spec.option.iterations = 20;
+  spec.option.tolerance = 1e-6;
+  // No automatic reset either: a robot that blew up must be seen, not put back on its feet.
+  spec.option.disableflags |= mjDSBL_ISLAND | mjDSBL_MIDPHASE | mjDSBL_AUTORESET;
+  spec.visual.global.offwidth = kLargestPictureWidth_px;
+  spec.visual.global.offheight = kLargestPictureHeight_px;
+  spec.stat.extent = 1.0;             // m: the scale of the next line
+  spec.visual.map.shadowclip = 3.0F;  // half the width of what the sun sees: the foreground, too
+  spec.visual.quality.shadowsize = 4096;
+  for (int i = 0; i < 3; ++i) {
+    spec.visual.headlight.ambient[i] = 0.35F;
+    spec.visual.headlight.diffuse[i] = 0.30F;
+    spec.visual.headlight.specular[i] = 0.10F;
+  }
+}
+
+}  // namespace
+
+ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch) {
+  const std::unique_ptr<mjSpec, SpecDeleter> spec(mj_makeSpec());
+  set_options(*spec, robot);
+  add_ground(spec.get(), robot);
+  add_robot(spec.get(), robot, mismatch);
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
     throw std::runtime_error(robot.name + ": the physics model cannot be built: " + mjs_getError(spec.get()));

@@ -1,9 +1,11 @@
-// MuJoCo's model of the robot and the ground, built from the RobotModel alone: one truth for planner and physics.
+// MuJoCo's model of the robot and the ground, built from the RobotModel alone: one truth for planner and
+// physics.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -11,9 +13,14 @@
 
 namespace gaitway::simulator {
 
+inline constexpr double kGravity_m_per_s2 = 9.81;
+inline constexpr int kLargestPictureWidth_px = 1920, kLargestPictureHeight_px = 1080;
+inline constexpr std::array<double, 3> kSunDirection{-0.35, -0.45,
+                                                     -1.0};  // the way its light goes, in the world
+
 // How the simulated robot differs from its description.
 struct ModelMismatch {
-  std::vector<double> mass_factor;                             // each link's; inertia likewise
+  std::vector<double> mass_factor;  // each link's; inertia likewise
   Eigen::Vector3d trunk_com_offset_m = Eigen::Vector3d::Zero();
 };
 
@@ -26,8 +33,8 @@ struct DataDeleter {
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
-// Body i + 1 of the model is link i, hinge i is joint i (after the base's free joint). Throws std::runtime_error with
-// the compiler's words.
+// Body i + 1 of the model is link i, hinge i is joint i (after the base's free joint). Throws
+// std::runtime_error with the compiler's words.
 ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch);
 
 }  // namespace gaitway::simulator

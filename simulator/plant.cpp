@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "plant_implementation.hpp"
@@ -19,7 +20,6 @@ constexpr double kZeroDeviation_rad = 0.4 * std::numbers::pi / 180.0;
 const Eigen::Vector3d kTrunkComDeviation_m(0.006, 0.004, 0.006);
 constexpr double kFallenTilt_rad = 50.0 * std::numbers::pi / 180.0;
 constexpr double kFallenHeight_m = 0.2;
-constexpr double kGravity_m_per_s2 = 9.81;
 
 Eigen::Isometry3d body_pose(const mjData& data, int body) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -43,7 +43,8 @@ ModelMismatch draw_mismatch(const urdf::RobotModel& robot, RandomStream& random,
 struct PointVelocity {
   Eigen::Vector3d linear, angular;
 };
-PointVelocity point_velocity(const mjModel& model, const mjData& data, int body, const Eigen::Vector3d& point_m) {
+PointVelocity point_velocity(const mjModel& model, const mjData& data, int body,
+                             const Eigen::Vector3d& point_m) {
   double velocity[6];
   mj_objectVelocity(&model, &data, mjOBJ_XBODY, body, velocity, 0);  // angular, linear; at the body's origin
   PointVelocity result;
@@ -92,13 +93,21 @@ void Plant::Implementation::reset(mjData* state) const {
 }
 
 void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
+  if (command_Nm.size() != robot.joints.size()) {
+    throw std::invalid_argument(robot.name + ": step() takes " + std::to_string(robot.joints.size()) +
+                                " joint torques, not " + std::to_string(command_Nm.size()));
+  }
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const urdf::Motor& motor = robot.joints[j].motor;
+    if (!std::isfinite(command_Nm[j])) {
+      throw std::invalid_argument(robot.joints[j].name + ": the torque asked for is not a finite number");
+    }
     const double velocity = data->qvel[kFreeJointVelocities + j];
     const bool driving = command_Nm[j] * velocity > 0.0;
     const double fade = driving ? std::max(0.0, 1.0 - std::abs(velocity) / motor.speed_limit_rad_per_s) : 1.0;
     const double limit = motor.torque_limit_Nm * fade;
-    const double torque = std::clamp(command_Nm[j], -limit, limit);
+    // In single precision, so that a record of the torques replays to the bit.
+    const double torque = static_cast<double>(static_cast<float>(std::clamp(command_Nm[j], -limit, limit)));
     sensors.motor_torque_Nm[j] = torque;
     data->qfrc_applied[kFreeJointVelocities + j] = torque;
   }
@@ -150,9 +159,11 @@ void Plant::Implementation::read_sensors(bool first) {
   const Eigen::Vector3d gravity(0.0, 0.0, -kGravity_m_per_s2);
   const Eigen::Isometry3d imu = body_pose(*data, trunk_body) * robot.imu.pose;
   const PointVelocity motion = point_velocity(*model, *data, trunk_body, imu.translation());
-  const auto specific_force = [&](std::size_t which, const Eigen::Vector3d& velocity, const Eigen::Matrix3d& rotation) {
+  const auto specific_force = [&](std::size_t which, const Eigen::Vector3d& velocity,
+                                  const Eigen::Matrix3d& rotation) {
     const Eigen::Vector3d acceleration =
-        first ? Eigen::Vector3d::Zero().eval() : ((velocity - last_velocity_m_per_s[which]) / model->opt.timestep).eval();
+        first ? Eigen::Vector3d::Zero().eval()
+              : ((velocity - last_velocity_m_per_s[which]) / model->opt.timestep).eval();
     last_velocity_m_per_s[which] = velocity;
     Eigen::Vector3d force = rotation.transpose() * (acceleration - gravity);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -168,10 +179,13 @@ void Plant::Implementation::read_sensors(bool first) {
   // Roll and pitch from the direction of gravity in the sensor's frame.
   const Eigen::Vector3d up = imu.linear().row(2);
   sensors.inclination_rad.x() = std::atan2(up.y(), up.z()) + sigma.inclination_rad * normal();
-  sensors.inclination_rad.y() = std::atan2(-up.x(), std::hypot(up.y(), up.z())) + sigma.inclination_rad * normal();
+  sensors.inclination_rad.y() =
+      std::atan2(-up.x(), std::hypot(up.y(), up.z())) + sigma.inclination_rad * normal();
   for (std::size_t foot = 0; foot < 2; ++foot) {
-    const PointVelocity velocity = point_velocity(*model, *data, foot_body[foot], contact.sole[foot].translation());
-    sensors.foot_acceleration_m_per_s2[foot] = specific_force(1 + foot, velocity.linear, contact.sole[foot].linear());
+    const PointVelocity velocity =
+        point_velocity(*model, *data, foot_body[foot], contact.sole[foot].translation());
+    sensors.foot_acceleration_m_per_s2[foot] =
+        specific_force(1 + foot, velocity.linear, contact.sole[foot].linear());
     read_foot(foot);
     for (double& force : sensors.force_N[foot]) {
       force += sigma.force_N * normal();
@@ -179,11 +193,13 @@ void Plant::Implementation::read_sensors(bool first) {
   }
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const double angle = data->qpos[kFreeJointPositions + j] + zero_error_rad[j];
-    sensors.encoder_count[j] = static_cast<std::int32_t>(std::lround(angle / robot.joints[j].encoder_count_rad));
+    sensors.encoder_count[j] =
+        static_cast<std::int32_t>(std::lround(angle / robot.joints[j].encoder_count_rad));
   }
 }
 
-// A rigid plate on four equal springs: f_i = F/4 + a·(x_i − x_c) + b·(y_i − y_c), which keeps force and moments.
+// A rigid plate on four equal springs: f_i = F/4 + a·(x_i − x_c) + b·(y_i − y_c), which keeps force and
+// moments.
 void Plant::Implementation::read_foot(std::size_t foot) {
   const auto& cells = robot.feet[foot].cell_m;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
@@ -211,17 +227,23 @@ void Plant::step(std::span<const double> command_Nm) {
   Implementation& self = *implementation_;
   self.apply_motors(command_Nm);
   self.apply_pushes();
-  // mj_step in two halves: forces and integration, then poses and velocities of the new state. In between, contact
-  // points and the forces in them belong together.
+  // mj_step in two halves: forces and integration, then poses and velocities of the new state. In between,
+  // contact points and the forces in them belong together.
   mj_step2(self.model.get(), self.data.get());
   self.read_contacts();
   mj_step1(self.model.get(), self.data.get());
   self.read_sensors(false);
 }
 
-const PlantSensors& Plant::sensors() const noexcept { return implementation_->sensors; }
-const GroundContact& Plant::ground_contact() const noexcept { return implementation_->contact; }
-double Plant::time_s() const noexcept { return implementation_->data->time; }
+const PlantSensors& Plant::sensors() const noexcept {
+  return implementation_->sensors;
+}
+const GroundContact& Plant::ground_contact() const noexcept {
+  return implementation_->contact;
+}
+double Plant::time_s() const noexcept {
+  return implementation_->data->time;
+}
 
 std::span<const double> Plant::positions() const noexcept {
   return {implementation_->data->qpos, static_cast<std::size_t>(implementation_->model->nq)};
@@ -241,7 +263,8 @@ PlantTruth Plant::truth() const {
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const Eigen::Vector2d& cop = self.contact.foot_cop_m[foot];
     force += self.contact.normal_force_N[foot];
-    truth.cop_m += self.contact.normal_force_N[foot] * (self.contact.sole[foot] * Eigen::Vector3d(cop.x(), cop.y(), 0.0));
+    truth.cop_m += self.contact.normal_force_N[foot] *
+                   (self.contact.sole[foot] * Eigen::Vector3d(cop.x(), cop.y(), 0.0));
   }
   if (force > 0.0) {
     truth.cop_m /= force;
@@ -251,33 +274,53 @@ PlantTruth Plant::truth() const {
 
 bool Plant::fallen() const noexcept {
   const mjData& data = *implementation_->data;
-  return data.xmat[9 * implementation_->trunk_body + 8] < std::cos(kFallenTilt_rad) || data.xpos[3 + 2] < kFallenHeight_m;
+  // Asked the other way round, so that a state that is not a number counts as fallen.
+  const bool up = data.xmat[9 * implementation_->trunk_body + 8] >= std::cos(kFallenTilt_rad);
+  return !(up && data.xpos[3 + 2] >= kFallenHeight_m);
 }
 
-void Plant::push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s) {
+void Plant::push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns,
+                 double duration_s) {
   Implementation& self = *implementation_;
   const int id = mj_name2id(self.model.get(), mjOBJ_BODY, std::string(body).c_str());
   if (id <= 0) {
     throw std::invalid_argument("push: the robot has no body '" + std::string(body) + "'");
   }
+  const double length = direction.norm();
+  if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(impulse_Ns) || !(duration_s > 0.0) ||
+      !std::isfinite(duration_s)) {
+    throw std::invalid_argument(
+        "push on '" + std::string(body) +
+        "': direction must not be zero, duration must be > 0 s, and all must be finite");
+  }
   const long steps = std::max(1L, std::lround(duration_s / self.model->opt.timestep));
   const double force_N = impulse_Ns / (static_cast<double>(steps) * self.model->opt.timestep);
-  self.pushes.push_back({id, direction.normalized() * force_N, steps});
+  self.pushes.push_back({id, direction / length * force_N, steps});
 }
 
-double Plant::replay_wall_s(std::span<const float> applied_torque_Nm) const {
+Replay Plant::replay(std::span<const float> applied_torque_Nm) const {
   const Implementation& self = *implementation_;
   const DataPointer data(mj_makeData(self.model.get()));
   self.reset(data.get());
   const std::size_t joints = self.robot.joints.size();
+  if (applied_torque_Nm.size() % joints != 0) {
+    throw std::invalid_argument(self.robot.name + ": a replay takes whole rows of " + std::to_string(joints) +
+                                " joint torques; " + std::to_string(applied_torque_Nm.size()) +
+                                " values are not");
+  }
   const auto started = std::chrono::steady_clock::now();
-  for (std::size_t row = 0; row + joints <= applied_torque_Nm.size(); row += joints) {
+  for (std::size_t row = 0; row < applied_torque_Nm.size(); row += joints) {
     for (std::size_t j = 0; j < joints; ++j) {
       data->qfrc_applied[kFreeJointVelocities + j] = static_cast<double>(applied_torque_Nm[row + j]);
     }
     mj_step(self.model.get(), data.get());
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
+  return {.wall_s = wall.count(), .positions = {data->qpos, data->qpos + self.model->nq}};
+}
+
+double Plant::replay_wall_s(std::span<const float> applied_torque_Nm) const {
+  return replay(applied_torque_Nm).wall_s;
 }
 
 }  // namespace gaitway::simulator

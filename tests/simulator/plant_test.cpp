@@ -1,126 +1,128 @@
-// The simulated robot stands, falls, feels and repeats itself.
+// The simulated robot stands, falls, is pushed and repeats itself.
 #include "gaitway/simulator/plant.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
+#include <limits>
 
-#include "gaitway/simulator/camera.hpp"
+#include "home_servo.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
-urdf::RobotModel robot() {
-  return urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
-}
-
-// Holds the home posture with each joint's own servo gains.
-class HomeServo {
- public:
-  explicit HomeServo(const urdf::RobotModel& model) : model_(model), torque_(model.joints.size()) {}
-  std::span<const double> operator()(const Plant& plant) {
-    for (std::size_t j = 0; j < torque_.size(); ++j) {
-      const urdf::Joint& joint = model_.joints[j];
-      const double angle = plant.sensors().encoder_count[j] * joint.encoder_count_rad;
-      torque_[j] = joint.servo.stiffness_Nm_per_rad * (joint.home_rad - angle) -
-                   joint.servo.damping_Nms_per_rad * plant.velocities()[6 + j];
-    }
-    return torque_;
-  }
-
- private:
-  const urdf::RobotModel& model_;
-  std::vector<double> torque_;
-};
+constexpr double kGravity_m_per_s2 = 9.81;
 
 class PlantTest : public ::testing::Test {
  protected:
-  void stand(Plant& plant, double seconds) {
-    HomeServo servo(model_);
-    for (int i = 0; i < static_cast<int>(seconds * 1000); ++i) {
-      plant.step(servo(plant));
-    }
+  // Throws the robot up, pushes it in flight, and tells by how much its momentum changed in 0.2 s beyond what
+  // gravity does.
+  template <typename Push>
+  Eigen::Vector3d momentum_gained(Push push) {
+    Plant plant(model_, exact_);
+    throw_up(plant, model_);
+    servo_.hold(plant, 100);
+    const auto com_velocity = [&] {
+      const Eigen::Vector3d before = plant.truth().com_m;
+      servo_.hold(plant, 1);
+      return Eigen::Vector3d((plant.truth().com_m - before) / 0.001);
+    };
+    const Eigen::Vector3d before = com_velocity();
+    push(plant);
+    servo_.hold(plant, 199);
+    const Eigen::Vector3d gravity(0.0, 0.0, -kGravity_m_per_s2);
+    return model_.total_mass_kg() * (com_velocity() - before - 0.2 * gravity);
   }
-  urdf::RobotModel model_ = robot();
+
+  urdf::RobotModel model_ = humanoid22();
+  HomeServo servo_{model_};
   PlantOptions exact_{.seed = 1, .mismatch = 0.0, .sensor_noise = false};
+  std::vector<double> no_torque_ = std::vector<double>(model_.joints.size(), 0.0);
 };
+
+TEST_F(PlantTest, BeginsInTheHomePostureWithItsSolesOnTheGround) {
+  const Plant plant(model_, exact_);
+  for (const Eigen::Isometry3d& sole : plant.ground_contact().sole) {
+    EXPECT_NEAR(sole.translation().z(), 0.0, 1e-9);
+    EXPECT_NEAR(sole.linear()(2, 2), 1.0, 1e-9);
+  }
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    EXPECT_EQ(plant.positions()[7 + j], model_.joints[j].home_rad) << model_.joints[j].name;
+  }
+}
 
 TEST_F(PlantTest, StandsInItsHomePostureUnderItsServos) {
   Plant plant(model_, exact_);
-  stand(plant, 2.0);
+  servo_.hold(plant, 2000);
   EXPECT_FALSE(plant.fallen());
-  EXPECT_LT(plant.truth().trunk_tilt_rad, 0.03);
+  EXPECT_LT(plant.truth().trunk_tilt_rad, 0.01);
+  EXPECT_NEAR(plant.time_s(), 2.0, 1e-9);
   const GroundContact& contact = plant.ground_contact();
-  EXPECT_NEAR(contact.normal_force_N[0] + contact.normal_force_N[1], model_.total_mass_kg() * 9.81, 1.0);
+  EXPECT_NEAR(contact.normal_force_N[0] + contact.normal_force_N[1],
+              model_.total_mass_kg() * kGravity_m_per_s2, 0.1);
+  EXPECT_LT((plant.truth().cop_m - plant.truth().com_m).head<2>().norm(), 0.002);
+  for (const Eigen::Isometry3d& sole : contact.sole) {
+    EXPECT_NEAR(sole.translation().z(), 0.0, 0.001) << "sunk into the ground";
+  }
 }
 
 TEST_F(PlantTest, FallsWithoutTorqueAndSaysSo) {
   Plant plant(model_, exact_);
-  const std::vector<double> nothing(model_.joints.size(), 0.0);
+  EXPECT_FALSE(plant.fallen());
   for (int i = 0; i < 3000 && !plant.fallen(); ++i) {
-    plant.step(nothing);
+    plant.step(no_torque_);
   }
   EXPECT_TRUE(plant.fallen());
 }
 
-TEST_F(PlantTest, TheCellsSeeTheCentreOfPressure) {
+TEST_F(PlantTest, LiesOnTheGroundAfterAFall) {
   Plant plant(model_, exact_);
-  plant.push("trunk", Eigen::Vector3d::UnitX(), 0.5, 0.2);
-  HomeServo servo(model_);
-  for (int i = 0; i < 500; ++i) {
-    plant.step(servo(plant));
-    for (std::size_t foot = 0; foot < 2; ++foot) {
-      const double force = plant.ground_contact().normal_force_N[foot];
-      const auto& cells = plant.sensors().force_N[foot];
-      EXPECT_NEAR(std::accumulate(cells.begin(), cells.end(), 0.0), force, 1e-9);
-      if (force < 1.0) {
-        continue;
-      }
-      Eigen::Vector2d moment = Eigen::Vector2d::Zero();
-      for (std::size_t cell = 0; cell < 4; ++cell) {
-        moment += cells[cell] * model_.feet[foot].cell_m[cell];
-      }
-      EXPECT_LT((moment / force - plant.ground_contact().foot_cop_m[foot]).norm(), 1e-9);
-    }
+  for (int i = 0; i < 4000; ++i) {
+    plant.step(no_torque_);
   }
+  EXPECT_GT(plant.truth().base.translation().z(), 0.02);
+  EXPECT_LT(plant.truth().com_m.z(), 0.2);
 }
 
-TEST_F(PlantTest, APushMovesTheBodyByItsImpulse) {
+TEST_F(PlantTest, APushGivesItsImpulseWhateverTheLengthOfItsDirection) {
+  const Eigen::Vector3d gained =
+      momentum_gained([](Plant& plant) { plant.push("trunk", Eigen::Vector3d(3.0, 4.0, 0.0), 0.5, 0.1); });
+  EXPECT_LT((gained - Eigen::Vector3d(0.3, 0.4, 0.0)).norm(), 0.005);
+}
+
+TEST_F(PlantTest, PushesThatOverlapAddUp) {
+  const Eigen::Vector3d gained = momentum_gained([](Plant& plant) {
+    plant.push("trunk", Eigen::Vector3d::UnitX(), 0.2, 0.1);
+    plant.push("trunk", Eigen::Vector3d::UnitX(), 0.2, 0.03);
+    plant.push("pelvis", Eigen::Vector3d::UnitY(), 0.1, 0.001);
+  });
+  EXPECT_LT((gained - Eigen::Vector3d(0.4, 0.1, 0.0)).norm(), 0.005);
+}
+
+TEST_F(PlantTest, RefusesAPushThatIsNone) {
   Plant plant(model_, exact_);
-  stand(plant, 0.5);
-  const double before = plant.velocities()[0];
-  plant.push("pelvis", Eigen::Vector3d(2.0, 0.0, 0.0), 1.0, 0.01);
-  HomeServo servo(model_);
-  for (int i = 0; i < 10; ++i) {
-    plant.step(servo(plant));
-  }
-  EXPECT_GT(plant.velocities()[0] - before, 0.05);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(plant.push("tail", Eigen::Vector3d::UnitX(), 1.0, 0.1), std::invalid_argument);
+  EXPECT_THROW(plant.push("world", Eigen::Vector3d::UnitX(), 1.0, 0.1), std::invalid_argument);
+  EXPECT_THROW(plant.push("trunk", Eigen::Vector3d::Zero(), 1.0, 0.1), std::invalid_argument);
+  EXPECT_THROW(plant.push("trunk", Eigen::Vector3d(nan, 0.0, 0.0), 1.0, 0.1), std::invalid_argument);
+  EXPECT_THROW(plant.push("trunk", Eigen::Vector3d::UnitX(), nan, 0.1), std::invalid_argument);
+  EXPECT_THROW(plant.push("trunk", Eigen::Vector3d::UnitX(), 1.0, 0.0), std::invalid_argument);
 }
 
-TEST_F(PlantTest, TheImuFeelsGravityAtRestAndNothingInFreeFall) {
+TEST_F(PlantTest, RefusesTorquesThatAreTooFewOrNotNumbers) {
   Plant plant(model_, exact_);
-  stand(plant, 1.0);
-  EXPECT_NEAR(plant.sensors().acceleration_m_per_s2.norm(), 9.81, 0.2);
-  urdf::RobotModel high = model_;
-  Plant falling(high, exact_);
-  const std::vector<double> nothing(model_.joints.size(), 0.0);
-  falling.push("pelvis", Eigen::Vector3d::UnitZ(), 40.0, 0.05);  // off the ground
-  bool weightless = false;
-  for (int i = 0; i < 400; ++i) {
-    falling.step(nothing);
-    const auto& force = falling.ground_contact().normal_force_N;
-    weightless = weightless || (i > 60 && force[0] + force[1] == 0.0 &&
-                                falling.sensors().acceleration_m_per_s2.norm() < 3.0);
-  }
-  EXPECT_TRUE(weightless);
+  std::vector<double> torque = no_torque_;
+  torque[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(plant.step(torque), std::invalid_argument);
+  torque.pop_back();
+  EXPECT_THROW(plant.step(torque), std::invalid_argument);
 }
 
 TEST_F(PlantTest, OneSeedGivesTheSameMotionToTheBitAndAnotherAnother) {
   const auto end_of = [this](std::uint64_t seed) {
     Plant plant(model_, {.seed = seed, .mismatch = 1.0, .sensor_noise = true});
-    stand(plant, 0.5);
+    servo_.hold(plant, 500);
     std::vector<double> end(plant.positions().begin(), plant.positions().end());
     end.push_back(plant.sensors().acceleration_m_per_s2.x());
     return end;
@@ -129,47 +131,31 @@ TEST_F(PlantTest, OneSeedGivesTheSameMotionToTheBitAndAnotherAnother) {
   EXPECT_NE(end_of(3), end_of(4));
 }
 
-TEST_F(PlantTest, MismatchScalesWhatThePlannerDoesNotKnow) {
-  const auto zero_error = [this](double scale) {
-    const Plant plant(model_, {.seed = 5, .mismatch = scale, .sensor_noise = false});
-    double sum = 0.0;
-    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-      sum += std::abs(plant.sensors().encoder_count[j] * model_.joints[j].encoder_count_rad - model_.joints[j].home_rad);
-    }
-    return sum / static_cast<double>(model_.joints.size());
+TEST_F(PlantTest, SensorNoiseDoesNotChangeTheRobotItself) {
+  const auto end_of = [this](bool noise) {
+    Plant plant(model_, {.seed = 3, .mismatch = 1.0, .sensor_noise = noise});
+    servo_.hold(plant, 500);  // feels encoders alone, and those are without noise
+    return std::vector<double>(plant.positions().begin(), plant.positions().end());
   };
-  EXPECT_LT(zero_error(0.0), 1e-4);
-  EXPECT_NEAR(zero_error(1.0), 0.8 * 0.00698, 0.003);  // mean of |N| is 0.8 sigma, sigma 0.4 deg
-  EXPECT_NEAR(zero_error(2.0), 2.0 * zero_error(1.0), 2e-4);
+  EXPECT_EQ(end_of(false), end_of(true));
 }
 
-TEST_F(PlantTest, TheMotorsFadeAtSpeed) {
-  Plant plant(model_, exact_);
-  std::vector<double> full(model_.joints.size(), 0.0);
-  const auto elbow = static_cast<std::size_t>(model_.joint_index("left_elbow"));
-  full[elbow] = 100.0;
-  plant.step(full);
-  EXPECT_NEAR(plant.sensors().motor_torque_Nm[elbow], 8.0, 0.01);
-  for (int i = 0; i < 20; ++i) {
-    plant.step(full);
-    const double speed = plant.velocities()[6 + elbow];
-    if (speed > 0.1 && speed < 8.0) {
-      EXPECT_LT(plant.sensors().motor_torque_Nm[elbow], 8.0);
+TEST_F(PlantTest, AReplayOfItsTorquesEndsAtTheSamePlaceToTheBit) {
+  Plant plant(model_, {.seed = 2, .mismatch = 1.0, .sensor_noise = true});
+  std::vector<float> torques;
+  for (int i = 0; i < 3000; ++i) {
+    plant.step(servo_(plant));
+    for (const double torque : plant.sensors().motor_torque_Nm) {
+      torques.push_back(static_cast<float>(torque));
     }
   }
-}
-
-TEST_F(PlantTest, TheCameraSeesTheRobotAndTheStripIsAPicture) {
-  const Plant plant(model_, exact_);
-  Camera camera(plant, 160, 120);
-  const Image image = camera.render(plant.positions());
-  ASSERT_EQ(image.rgb.size(), 160U * 120U * 3U);
-  const auto [darkest, brightest] = std::minmax_element(image.rgb.begin(), image.rgb.end());
-  EXPECT_GT(*brightest - *darkest, 100) << "an empty picture";
-  const auto file = std::filesystem::temp_directory_path() / "gaitway_film_strip_test.png";
-  write_film_strip(file.string(), std::vector<Image>{image, image}, 2);
-  EXPECT_GT(std::filesystem::file_size(file), 1000U);
-  std::filesystem::remove(file);
+  const std::vector<double> before(plant.positions().begin(), plant.positions().end());
+  const Replay replay = plant.replay(torques);
+  EXPECT_EQ(replay.positions, before);
+  EXPECT_GT(replay.wall_s, 0.0);
+  EXPECT_EQ(std::vector<double>(plant.positions().begin(), plant.positions().end()), before);
+  torques.pop_back();
+  EXPECT_THROW((void)plant.replay_wall_s(torques), std::invalid_argument);
 }
 
 }  // namespace

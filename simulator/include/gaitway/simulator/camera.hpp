@@ -16,15 +16,19 @@ struct Image {
   std::vector<std::uint8_t> rgb;  // rows from top to bottom
 };
 
-// Needs EGL, but no display. Throws std::runtime_error naming the cause where no OpenGL is to be had.
+// Needs EGL, but no display. The plant must outlive its camera, and may neither be moved nor assigned
+// meanwhile. Several cameras may live at once; one is used by one thread at a time.
 class Camera {
  public:
+  // Throws std::runtime_error naming the cause where no OpenGL is to be had, std::invalid_argument for a size
+  // beyond 1 x 1 to 1920 x 1080.
   Camera(const Plant& plant, int width_px, int height_px);
   ~Camera();
   Camera(const Camera&) = delete;
   Camera& operator=(const Camera&) = delete;
 
-  // The robot in a pose (Plant::positions()), from its left and a little from the front.
+  // The robot in a pose (Plant::positions()), from its left and a little from the front; the camera follows
+  // the robot but does not turn with it. Throws std::invalid_argument for a pose of another robot.
   Image render(std::span<const double> positions);
 
  private:
@@ -32,7 +36,9 @@ class Camera {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// Images of one size in rows of `columns`, as a PNG. Throws std::runtime_error naming the file.
+// Images of one size in rows of `columns`, as a PNG; an unfinished last row is filled with white. Throws
+// std::runtime_error naming the file, std::invalid_argument for no image, unequal sizes or less than one
+// column.
 void write_film_strip(const std::string& file, std::span<const Image> images, int columns);
 
 }  // namespace gaitway::simulator

@@ -1,11 +1,11 @@
-// The physical robot in MuJoCo: bodies, contact, motors and what its sensors read. Knows nothing of the network.
+// The physical robot in MuJoCo: bodies, contact, motors and what its sensors read. Knows nothing of the
+// network.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,20 +24,25 @@ struct PlantOptions {
 
 // What the sensors read, in SI units, sensor frames; noise included.
 struct PlantSensors {
-  std::vector<std::int32_t> encoder_count;        // each joint; zero error of the mismatch included
-  std::vector<double> motor_torque_Nm;            // each joint, as limited by the motor
-  Eigen::Vector3d angular_velocity_rad_per_s;     // trunk gyro
-  Eigen::Vector3d acceleration_m_per_s2;          // trunk accelerometer (specific force: +g on z at rest)
-  Eigen::Vector2d inclination_rad;                // trunk roll, pitch against gravity, free of acceleration
-  // [Side][cell], as a rigid plate loads four cells: sum and moments are the contact's. A cell far behind the centre of
-  // pressure reads negative, as a preloaded cell does.
-  std::array<std::array<double, 4>, 2> force_N;
-  std::array<Eigen::Vector3d, 2> foot_acceleration_m_per_s2;  // [Side]
+  std::vector<std::int32_t> encoder_count;  // each joint; zero error of the mismatch included
+  std::vector<double> motor_torque_Nm;      // each joint, as limited by the motor and applied
+  Eigen::Vector3d angular_velocity_rad_per_s = Eigen::Vector3d::Zero();  // trunk gyro
+  // Trunk accelerometer: specific force (+g on z at rest), averaged over the step.
+  Eigen::Vector3d acceleration_m_per_s2 = Eigen::Vector3d::Zero();
+  // Trunk roll and pitch (rotation about z, then y, then x) against gravity: an ideal fused inclinometer,
+  // free of acceleration, without a low-pass of its own.
+  Eigen::Vector2d inclination_rad = Eigen::Vector2d::Zero();
+  // [Side][cell], as a rigid plate loads four cells: sum and moments are the contact's. A cell far behind the
+  // centre of pressure reads negative, as a preloaded cell does.
+  std::array<std::array<double, 4>, 2> force_N{};
+  // [Side]: the same at the origin of the sole frame.
+  std::array<Eigen::Vector3d, 2> foot_acceleration_m_per_s2{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 };
 
 // What happens between each foot and the ground: the truth, for reports and tests alone.
 struct GroundContact {
-  std::array<Eigen::Isometry3d, 2> sole{Eigen::Isometry3d::Identity(), Eigen::Isometry3d::Identity()};  // in the world
+  std::array<Eigen::Isometry3d, 2> sole{Eigen::Isometry3d::Identity(),
+                                        Eigen::Isometry3d::Identity()};  // in the world
   std::array<double, 2> normal_force_N{};
   // Centre of pressure of each foot in its own sole frame; valid where the force is > 0.
   std::array<Eigen::Vector2d, 2> foot_cop_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
@@ -46,39 +51,58 @@ struct GroundContact {
 struct PlantTruth {
   Eigen::Isometry3d base = Eigen::Isometry3d::Identity();  // pelvis in the world
   Eigen::Vector3d com_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d cop_m = Eigen::Vector3d::Zero();         // of both feet together, in the world
-  double trunk_tilt_rad = 0.0;                             // against the vertical
+  Eigen::Vector3d cop_m = Eigen::Vector3d::Zero();  // of both feet together, in the world
+  double trunk_tilt_rad = 0.0;                      // against the vertical
 };
 
+// A bare replay of recorded torques.
+struct Replay {
+  double wall_s = 0.0;
+  std::vector<double> positions;  // at the end, as Plant::positions()
+};
+
+// Depends on nothing but its options and commands: the same give the same motion to the bit. Not thread-safe.
 class Plant {
  public:
+  // Stands in the home posture, soles on the ground. Throws std::runtime_error where MuJoCo refuses the
+  // robot.
   Plant(const urdf::RobotModel& robot, const PlantOptions& options);
   ~Plant();
   Plant(Plant&&) noexcept;
   Plant& operator=(Plant&&) noexcept;
 
-  // Advances one physics step. `command_Nm`: torque asked of each motor. The motor gives at most its limit, fading to zero
-  // at its speed limit when it drives in the direction of motion; braking it gives the full limit.
+  // Advances one physics step. `command_Nm`: torque asked of each motor. The motor gives at most its limit,
+  // fading to zero at its speed limit when it drives in the direction of motion; braking it gives the full
+  // limit. What the motor gives is rounded to single precision. Throws std::invalid_argument for a wrong
+  // number of torques or one that is not finite.
   void step(std::span<const double> command_Nm);
 
   [[nodiscard]] const PlantSensors& sensors() const noexcept;  // of the present instant
   [[nodiscard]] PlantTruth truth() const;
   [[nodiscard]] const GroundContact& ground_contact() const noexcept;
-  [[nodiscard]] bool fallen() const noexcept;  // trunk tilt > 50° or base height < 0.2 m
+  [[nodiscard]] bool fallen() const noexcept;  // trunk tilt > 50°, base height < 0.2 m, or not a number
   [[nodiscard]] double time_s() const noexcept;
   // Hash input: qpos and qvel, bit for bit.
   [[nodiscard]] std::span<const double> positions() const noexcept;
   [[nodiscard]] std::span<const double> velocities() const noexcept;
 
-  // A constant force on a body for a while, in the world frame. Throws std::invalid_argument for an unknown body.
+  // A constant force at a body's (link's) centre of mass, in the world frame, that gives the impulse along
+  // the direction (of any length) in the duration, rounded to steps. Begins with the next step; several may
+  // overlap. Throws std::invalid_argument for an unknown body, a direction of no length, or a duration that
+  // is not positive.
   void push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s);
 
-  // Wall time in seconds of a bare replay: the same model from the same start, fed the given torques (one row of
-  // joint torques for each step, row-major), nothing else. Pushes are not replayed.
+  // The same model from the same start, fed the given torques (motor_torque_Nm, one row for each step,
+  // row-major) and nothing else: no sensors, no contacts read. Without pushes it ends where the recorded run
+  // did, to the bit; pushes are not replayed. The plant itself does not move.
+  [[nodiscard]] Replay replay(std::span<const float> applied_torque_Nm) const;
+  // Its wall time alone.
   [[nodiscard]] double replay_wall_s(std::span<const float> applied_torque_Nm) const;
 
   struct Implementation;
-  [[nodiscard]] const Implementation& implementation() const noexcept { return *implementation_; }  // for the camera
+  [[nodiscard]] const Implementation& implementation() const noexcept {
+    return *implementation_;
+  }  // for the camera
 
  private:
   std::unique_ptr<Implementation> implementation_;

@@ -1,0 +1,63 @@
+// The motors give what they can: full torque at rest and when braking, less the faster they drive.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "home_servo.hpp"
+
+namespace gaitway::simulator {
+namespace {
+
+class MotorTest : public ::testing::Test {
+ protected:
+  urdf::RobotModel model_ = humanoid22();
+  Plant plant_{model_, {.seed = 1, .mismatch = 0.0, .sensor_noise = false}};
+  HomeServo servo_{model_};
+  std::size_t elbow_ = static_cast<std::size_t>(model_.joint_index("left_elbow"));
+  urdf::Motor motor_ = model_.joints[elbow_].motor;
+
+  // Asks the elbow for a torque, holds everything else. Returns the elbow's speed before the step.
+  double drive(double torque_Nm) {
+    const double speed = plant_.velocities()[6 + elbow_];
+    const std::span<const double> hold = servo_(plant_);
+    std::vector<double> torque(hold.begin(), hold.end());
+    torque[elbow_] = torque_Nm;
+    plant_.step(torque);
+    return speed;
+  }
+  double given_Nm() const { return plant_.sensors().motor_torque_Nm[elbow_]; }
+};
+
+TEST_F(MotorTest, GivesWhatIsAskedBelowItsLimit) {
+  drive(1.25);
+  EXPECT_EQ(given_Nm(), 1.25);
+}
+
+TEST_F(MotorTest, FadesWithSpeedWhenDriving) {
+  double fastest = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const double speed = drive(-100.0);  // bends the arm
+    if (speed < 0.0) {
+      const double limit = motor_.torque_limit_Nm * std::max(0.0, 1.0 + speed / motor_.speed_limit_rad_per_s);
+      EXPECT_NEAR(given_Nm(), -limit, 1e-5);
+    } else {
+      EXPECT_NEAR(given_Nm(), -motor_.torque_limit_Nm, 1e-5);
+    }
+    fastest = std::max(fastest, -speed);
+  }
+  EXPECT_GT(fastest, 0.5 * motor_.speed_limit_rad_per_s) << "the arm hardly moved";
+  EXPECT_LT(fastest, motor_.speed_limit_rad_per_s + 0.1);
+}
+
+TEST_F(MotorTest, BrakesWithItsFullTorque) {
+  for (int i = 0; i < 20; ++i) {
+    drive(-100.0);
+  }
+  const double speed = drive(100.0);
+  ASSERT_LT(speed, -1.0);
+  EXPECT_NEAR(given_Nm(), motor_.torque_limit_Nm, 1e-5);
+}
+
+}  // namespace
+}  // namespace gaitway::simulator
