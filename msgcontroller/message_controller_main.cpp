@@ -15,18 +15,19 @@
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
+#include "gaitway/msgcontroller/bus_timeline.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
 #include "gaitway/msgcontroller/real_time.hpp"
 
 namespace {
 
 using namespace gaitway;
-using msgclient::kMillisecond_ns;
 
 constexpr int kExitFine = 0;
 constexpr int kExitBadInput = 1;
 constexpr int kExitLost = 3;
 constexpr int kPriority = 70;
+constexpr std::int64_t kBetweenTries_ns = 50 * msgclient::kMillisecond_ns;
 
 struct Options {
   std::filesystem::path robot;
@@ -68,87 +69,20 @@ class WalkPlayer {
   bool published_ = false;
 };
 
-// Takes the message controller through its milliseconds in order, each with the frames that were on the bus
-// before it, however late the process wakes.
-class Timeline {
- public:
-  Timeline(msgcontroller::MessageController& controller, can::BusPort& port, std::int64_t now_ns)
-      : controller_(controller), port_(port), next_ns_((now_ns / kMillisecond_ns + 1) * kMillisecond_ns) {}
-
-  void advance_to(std::int64_t now_ns) {
-    missed_ += next_ns_ <= now_ns ? static_cast<std::uint64_t>((now_ns - next_ns_) / kMillisecond_ns) : 0U;
-    for (; next_ns_ <= now_ns; next_ns_ += kMillisecond_ns) {
-      take_frames(next_ns_);
-      controller_.step(next_ns_);
-      if (now_ns - next_ns_ > can::kLongestWait_ns) {
-        drop_frames();
-      }
-      offer(next_ns_);
-      port_.flush(next_ns_);
-    }
-    take_frames(now_ns);
-    if (controller_.next_id() <= kLargestId) {
-      offer(now_ns);  // a repair goes out at once
-      port_.flush(next_ns_ - kMillisecond_ns);
-    }
-  }
-  [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
-  [[nodiscard]] std::uint64_t missed() const noexcept { return missed_; }
-  [[nodiscard]] std::uint64_t stale() const noexcept { return stale_; }
-
- private:
-  static constexpr std::uint16_t kLargestId = 0x7FF;
-
-  void take_frames(std::int64_t until_ns) {
-    while (true) {
-      if (!arrived_) {
-        arrived_ = port_.receive();
-      }
-      if (!arrived_ || arrived_->end_ns > until_ns) {
-        return;
-      }
-      controller_.on_frame(arrived_->frame, arrived_->end_ns);
-      arrived_.reset();
-    }
-  }
-  void offer(std::int64_t now_ns) {
-    can::Frame frame;
-    while (controller_.take_frame(frame)) {
-      if (!port_.transmit(frame, now_ns)) {
-        controller_.put_back(frame);
-        return;
-      }
-    }
-  }
-  // An old SYNC would put the joints' clocks wrong; what else is lost with it the supervision repairs.
-  void drop_frames() noexcept {
-    can::Frame frame;
-    while (controller_.take_frame(frame)) {
-      ++stale_;
-    }
-  }
-
-  msgcontroller::MessageController& controller_;
-  can::BusPort& port_;
-  std::optional<can::TimedFrame> arrived_;  // its millisecond has not come yet
-  std::int64_t next_ns_;
-  std::uint64_t missed_ = 0;
-  std::uint64_t stale_ = 0;
-};
-
-// virtual_robot may still be starting: tries for a while.
+// virtual_robot may still be starting: tries for a while. Nothing when told to stop meanwhile.
 std::unique_ptr<can::BusClient> connect(const Options& options) {
   const std::int64_t until_ns = real_time::monotonic_ns() + static_cast<std::int64_t>(options.wait_s * 1e9);
-  while (true) {
+  while (real_time::stop_requested == 0) {
     try {
       return std::make_unique<can::BusClient>(options.bus, "message", can::Pace::kept);
     } catch (const can::BusError&) {
-      if (real_time::monotonic_ns() >= until_ns || real_time::stop_requested != 0) {
+      if (real_time::monotonic_ns() >= until_ns) {
         throw;
       }
     }
-    real_time::wait_until(real_time::monotonic_ns() + 50 * kMillisecond_ns, {});
+    real_time::wait_until(real_time::monotonic_ns() + kBetweenTries_ns, {});
   }
+  return nullptr;
 }
 
 struct LoopResult {
@@ -157,6 +91,22 @@ struct LoopResult {
   std::uint64_t missed = 0, stale = 0;
   real_time::LatenessRecord lateness;
 };
+
+// One round of work; false when the bus has gone.
+bool work(msgcontroller::BusTimeline& timeline, can::BusClient& bus, std::int64_t now_ns,
+          const Options& options) {
+  try {
+    timeline.advance_to(now_ns);
+    if (!bus.closed()) {
+      return true;
+    }
+    fmt::print(stderr, "message_controller: the bus on {} has gone. Has virtual_robot ended?\n",
+               options.bus.string());
+  } catch (const can::BusError& error) {
+    fmt::print(stderr, "message_controller: {}\n", error.what());
+  }
+  return false;
+}
 
 LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
@@ -168,28 +118,23 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   if (!options.walk.empty()) {
     walk.emplace(block, options, result.begin_ns);
   }
-  Timeline timeline(controller, bus, result.begin_ns);
+  msgcontroller::BusTimeline timeline(controller, bus, result.begin_ns);
   std::array<pollfd, 2> wakes{pollfd{bus.wake_fd(), POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
-  while (real_time::stop_requested == 0) {
+  std::int64_t now_ns = result.begin_ns;
+  while (real_time::stop_requested == 0 && (options.seconds <= 0.0 || now_ns < stop_ns)) {
     real_time::wait_until(timeline.next_ns(), wakes);
-    const std::int64_t now_ns = real_time::monotonic_ns();
+    now_ns = real_time::monotonic_ns();
     if (now_ns >= timeline.next_ns()) {
       result.lateness.add(now_ns - timeline.next_ns());
     }
-    timeline.advance_to(now_ns);
+    if (!work(timeline, bus, now_ns, options)) {
+      result.exit_code = kExitLost;
+      break;
+    }
     block.beat(now_ns);
     server.step();
     if (walk) {
       walk->step(now_ns);
-    }
-    if (bus.closed()) {
-      fmt::print(stderr, "message_controller: the bus on {} has gone. Has virtual_robot ended?\n",
-                 options.bus.string());
-      result.exit_code = kExitLost;
-      break;
-    }
-    if (options.seconds > 0.0 && now_ns >= stop_ns) {
-      break;
     }
   }
   result.end_ns = real_time::monotonic_ns();
@@ -237,6 +182,9 @@ int run(const Options& options) {
   msgclient::EmiMessage adapter(client);
   msgcontroller::MessageController controller(robot, client, adapter);
   const std::unique_ptr<can::BusClient> bus = connect(options);
+  if (!bus) {
+    return kExitFine;
+  }
   block.beat(real_time::monotonic_ns());
   msgclient::MemoryBlockServer server(block, options.memory);
   real_time::ask_for_real_time("message_controller", kPriority);

@@ -28,7 +28,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
       message_controller_(robot_, message_client_, adapter_.message()),
       walk_command_(behavior_client_.write<WalkCommand>("walk_command")),
-      message_station_(bus_.attach()),
+      message_transmitter_(bus_.attach()),
       fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {
   for (int joint = 0; joint < joints_.size(); ++joint) {
     joint_station_.push_back(bus_.attach());
@@ -91,10 +91,10 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
   if (observer_ != nullptr) {
     observer_->on_frame(delivery);
   }
-  const bool from_message_controller = delivery.sender == message_station_;
+  const bool from_message_controller = delivery.sender == message_transmitter_.station();
   const int sender_joint = from_message_controller ? -1 : delivery.sender - joint_station_.front();
   if (from_message_controller) {
-    waiting_.reset();
+    message_transmitter_.on_sent();
   }
   if (!delivery.lost) {
     if (!from_message_controller) {
@@ -113,16 +113,7 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
 }
 
 void Cosimulation::offer_from_message_controller(std::int64_t now_ns) {
-  // One frame in flight; a more urgent one takes the place of a waiting one.
-  if (waiting_ && message_controller_.next_id() < waiting_->id && bus_.abort(message_station_)) {
-    message_controller_.put_back(*waiting_);
-    waiting_.reset();
-  }
-  can::Frame frame;
-  if (!waiting_ && message_controller_.take_frame(frame)) {
-    bus_.transmit(message_station_, frame, now_ns);
-    waiting_ = frame;
-  }
+  message_transmitter_.offer(bus_, message_controller_, now_ns);
 }
 
 void Cosimulation::offer_from_joint(int joint, std::int64_t now_ns) {

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <random>
 #include <vector>
 
 #include "gaitway/can/simulated_bus.hpp"
+#include "gaitway/can/station_transmitter.hpp"
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
@@ -89,9 +89,8 @@ class Cosimulation {
   msgclient::Writer<WalkCommand> walk_command_;
   CosimulationObserver* observer_ = nullptr;
 
-  int message_station_;
+  can::StationTransmitter message_transmitter_;
   std::vector<int> joint_station_;
-  std::optional<can::Frame> waiting_;              // the message controller's frame in its transmit buffer
   std::vector<std::int64_t> doorbells_due_ns_;     // host→message, in order of time
   std::int64_t silent_until_ns_ = 0;               // the main controller makes no tick before
   std::int64_t losses_until_ns_ = 0;

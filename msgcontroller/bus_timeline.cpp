@@ -1,0 +1,69 @@
+// Frames in, millisecond, frames out.
+#include "gaitway/msgcontroller/bus_timeline.hpp"
+
+#include "gaitway/can/bus_client.hpp"
+#include "gaitway/msgclient/cycle.hpp"
+
+namespace gaitway::msgcontroller {
+namespace {
+
+using msgclient::kMillisecond_ns;
+
+constexpr std::uint16_t kLargestId = 0x7FF;
+
+}  // namespace
+
+BusTimeline::BusTimeline(MessageController& controller, can::BusPort& port, std::int64_t now_ns)
+    : controller_(controller), port_(port), next_ns_((now_ns / kMillisecond_ns + 1) * kMillisecond_ns) {}
+
+void BusTimeline::advance_to(std::int64_t now_ns) {
+  if (next_ns_ <= now_ns) {
+    missed_ += static_cast<std::uint64_t>((now_ns - next_ns_) / kMillisecond_ns);
+  }
+  for (; next_ns_ <= now_ns; next_ns_ += kMillisecond_ns) {
+    take_frames(next_ns_);
+    controller_.step(next_ns_);
+    if (now_ns - next_ns_ > can::kLongestWait_ns) {
+      drop_frames();
+    }
+    offer(next_ns_);
+    port_.flush(next_ns_);
+  }
+  take_frames(now_ns);
+  if (controller_.next_id() <= kLargestId) {
+    offer(now_ns);  // a repair goes out at once
+    port_.flush(next_ns_ - kMillisecond_ns);
+  }
+}
+
+void BusTimeline::take_frames(std::int64_t until_ns) {
+  while (true) {
+    if (!arrived_) {
+      arrived_ = port_.receive();
+    }
+    if (!arrived_ || arrived_->end_ns > until_ns) {
+      return;
+    }
+    controller_.on_frame(arrived_->frame, arrived_->end_ns);
+    arrived_.reset();
+  }
+}
+
+void BusTimeline::offer(std::int64_t now_ns) {
+  can::Frame frame;
+  while (controller_.take_frame(frame)) {
+    if (!port_.transmit(frame, now_ns)) {
+      controller_.put_back(frame);
+      return;
+    }
+  }
+}
+
+void BusTimeline::drop_frames() noexcept {
+  can::Frame frame;
+  while (controller_.take_frame(frame)) {
+    ++stale_;
+  }
+}
+
+}  // namespace gaitway::msgcontroller

@@ -1,0 +1,43 @@
+// Takes the message controller through its milliseconds in order, each with the frames that were on the bus
+// before it, however late its process wakes: what it does depends on the robot's time alone, not on when it
+// gets round to it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gaitway/can/bus_port.hpp"
+#include "gaitway/msgcontroller/message_controller.hpp"
+
+namespace gaitway::msgcontroller {
+
+class BusTimeline {
+ public:
+  // Starts with the first millisecond after `now_ns`. Both references outlive it.
+  BusTimeline(MessageController& controller, can::BusPort& port, std::int64_t now_ns);
+
+  // All milliseconds up to `now_ns`, which may not run backwards; what waits to be sent is offered to the
+  // bus, each frame with its own millisecond. Frames of milliseconds further back than can::kLongestWait_ns
+  // are dropped and counted: an old SYNC would set the joints' clocks wrong, and whatever else is lost the
+  // supervision repairs. Throws what the port throws.
+  void advance_to(std::int64_t now_ns);
+
+  [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
+  // Milliseconds that were made up for, since advance_to() came too late for them.
+  [[nodiscard]] std::uint64_t missed() const noexcept { return missed_; }
+  [[nodiscard]] std::uint64_t stale() const noexcept { return stale_; }
+
+ private:
+  void take_frames(std::int64_t until_ns);
+  void offer(std::int64_t now_ns);
+  void drop_frames() noexcept;
+
+  MessageController& controller_;
+  can::BusPort& port_;
+  std::optional<can::TimedFrame> arrived_;  // its millisecond has not come yet
+  std::int64_t next_ns_;
+  std::uint64_t missed_ = 0;
+  std::uint64_t stale_ = 0;
+};
+
+}  // namespace gaitway::msgcontroller

@@ -1,0 +1,141 @@
+// However late the process wakes, the message controller lives through its milliseconds in order.
+#include "gaitway/msgcontroller/bus_timeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <filesystem>
+#include <vector>
+
+#include "gaitway/can/bus_client.hpp"
+#include "gaitway/can/message_table.hpp"
+#include "gaitway/msgclient/cycle.hpp"
+
+namespace gaitway::msgcontroller {
+namespace {
+
+using msgclient::kMillisecond_ns;
+using msgclient::kSlot_ns;
+
+constexpr std::int64_t kStart_ns = 1000 * msgclient::kCycle_ns - 500'000;
+
+// Keeps what is sent, with its time, and hands out what a test puts in.
+class RecordingPort final : public can::BusPort {
+ public:
+  struct Sent {
+    can::Frame frame;
+    std::int64_t at_ns;
+  };
+  bool transmit(const can::Frame& frame, std::int64_t now_ns) override {
+    if (occupied) {
+      return false;
+    }
+    sent.push_back({frame, now_ns});
+    return true;
+  }
+  [[nodiscard]] bool transmit_pending() const override { return false; }
+  std::optional<can::TimedFrame> receive() override {
+    if (arriving.empty()) {
+      return std::nullopt;
+    }
+    const can::TimedFrame frame = arriving.front();
+    arriving.pop_front();
+    return frame;
+  }
+  void flush(std::int64_t now_ns) override { flushed.push_back(now_ns); }
+  [[nodiscard]] int wake_fd() const noexcept override { return -1; }
+
+  // Times of the SYNCs that were sent.
+  [[nodiscard]] std::vector<std::int64_t> syncs() const {
+    std::vector<std::int64_t> times;
+    for (const Sent& item : sent) {
+      if (item.frame.id == can::id_of(can::MessageKind::sync)) {
+        times.push_back(item.at_ns);
+      }
+    }
+    return times;
+  }
+  bool occupied = false;
+  std::vector<Sent> sent;
+  std::vector<std::int64_t> flushed;
+  std::deque<can::TimedFrame> arriving;
+};
+
+class BusTimelineTest : public testing::Test {
+ protected:
+  // One feedback of every joint of the slot that begins at `slot_ns`, a microsecond apart.
+  void answer(std::int64_t slot_ns) {
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      can::Feedback feedback;
+      feedback.node = robot.joints[joint].node;
+      const auto home = std::lround(robot.joints[joint].home_rad / robot.joints[joint].count_rad);
+      feedback.reference_low = static_cast<std::uint8_t>(static_cast<std::uint64_t>(home) & 0xFU);
+      const std::int64_t end_ns = slot_ns + 2 * kMillisecond_ns + static_cast<std::int64_t>(joint) * 1000;
+      port.arriving.push_back({can::encode(feedback), end_ns - 1000, end_ns});
+    }
+  }
+
+  urdf::RobotModel robot =
+      urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
+  msgclient::MemoryBlock block;
+  msgclient::Client client = block.local_client("message_controller");
+  msgclient::EmiMessage adapter{client};
+  MessageController controller{robot, client, adapter};
+  RecordingPort port;
+  BusTimeline timeline{controller, port, kStart_ns};
+};
+
+TEST_F(BusTimelineTest, BeginsWithTheNextMillisecondAndMarksEachOne) {
+  timeline.advance_to(kStart_ns + 100'000);
+  EXPECT_TRUE(port.flushed.empty());
+  timeline.advance_to(kStart_ns + 3 * kMillisecond_ns);
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  EXPECT_EQ(port.flushed,
+            (std::vector{first_ns, first_ns + kMillisecond_ns, first_ns + 2 * kMillisecond_ns}));
+  EXPECT_EQ(timeline.next_ns(), first_ns + 3 * kMillisecond_ns);
+}
+
+TEST_F(BusTimelineTest, ALateWakeUpSendsEachSyncWithTheTimeOfItsSlot) {
+  timeline.advance_to(kStart_ns + 35 * kMillisecond_ns);
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  EXPECT_EQ(port.syncs(),
+            (std::vector{first_ns, first_ns + kSlot_ns, first_ns + 2 * kSlot_ns, first_ns + 3 * kSlot_ns}));
+  EXPECT_EQ(timeline.missed(), 34U);
+  EXPECT_EQ(timeline.stale(), 0U);
+}
+
+TEST_F(BusTimelineTest, WhatIsTooOldForTheBusIsDroppedAndCounted) {
+  const std::int64_t now_ns = kStart_ns + 500'000 + 20 * kSlot_ns;
+  timeline.advance_to(now_ns);
+  ASSERT_FALSE(port.syncs().empty());
+  EXPECT_GE(port.syncs().front(), now_ns - can::kLongestWait_ns);
+  EXPECT_EQ(port.syncs().size(), 6U);  // 50 ms ago, and since then
+  EXPECT_GE(timeline.stale(), 15U);
+  EXPECT_EQ(controller.state().cycle, 1002U) << "it knows the time all the same";
+}
+
+TEST_F(BusTimelineTest, AFrameComesBeforeTheMillisecondsThatFollowIt) {
+  timeline.advance_to(kStart_ns + kMillisecond_ns);
+  answer(kStart_ns + 500'000);
+  answer(kStart_ns + 500'000 + kSlot_ns);
+  timeline.advance_to(kStart_ns + 500'000 +
+                      2 * kSlot_ns);  // wakes two slots later, with both slots' feedback
+  JointStates states{};
+  ASSERT_TRUE(client.read<JointStates>("joint_states").read(states));
+  EXPECT_EQ(states.missing, 0U) << "each feedback fell into its own slot";
+  EXPECT_EQ(controller.state().resynchronised, 0U);
+}
+
+TEST_F(BusTimelineTest, WhatTheBusDoesNotTakeYetStaysInOrder) {
+  port.occupied = true;
+  timeline.advance_to(kStart_ns + kMillisecond_ns);
+  EXPECT_TRUE(port.sent.empty());
+  port.occupied = false;
+  timeline.advance_to(kStart_ns + kMillisecond_ns + 300'000);
+  ASSERT_EQ(port.sent.size(), 2U);  // SYNC and heartbeat
+  EXPECT_LT(port.sent[0].frame.id, port.sent[1].frame.id);
+  EXPECT_EQ(port.sent[0].at_ns, kStart_ns + kMillisecond_ns + 300'000);
+}
+
+}  // namespace
+}  // namespace gaitway::msgcontroller

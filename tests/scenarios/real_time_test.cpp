@@ -1,0 +1,236 @@
+// The chain as three processes in real time: virtual_robot, message_controller and main_controller walk
+// together, and each ends well whatever becomes of the others.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace gaitway::scenarios {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using testing::HasSubstr;
+
+const std::string kRobot = std::string(GAITWAY_SOURCE_DIR) + "/urdf/humanoid22";
+const std::string kConfig = std::string(GAITWAY_SOURCE_DIR) + "/core/config/walk.yaml";
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+bool until(Clock::duration at_most, const std::function<bool()>& done) {
+  const auto end = Clock::now() + at_most;
+  while (!done()) {
+    if (Clock::now() > end) {
+      return false;
+    }
+    std::this_thread::sleep_for(5ms);
+  }
+  return true;
+}
+
+// A program with its output in a file; killed with this object at the latest.
+class Process {
+ public:
+  Process(std::string program, std::filesystem::path output, std::vector<std::string> arguments)
+      : output_(std::move(output)) {
+    arguments.insert(arguments.begin(), std::move(program));
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) {
+      argv.push_back(argument.data());
+    }
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 1, output_.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+    posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    EXPECT_EQ(posix_spawn(&process_, argv[0], &actions, nullptr, argv.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process() {
+    if (process_ > 0) {
+      kill(process_, SIGKILL);
+      waitpid(process_, nullptr, 0);
+    }
+  }
+
+  void send(int signal) const { kill(process_, signal); }
+  // Its exit code; 1000 and more: a signal ended it; -1: it did not end.
+  int wait() {
+    int status = 0;
+    if (!until(10s, [&] { return waitpid(process_, &status, WNOHANG) == process_; })) {
+      return -1;
+    }
+    process_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  }
+  int stop() {
+    send(SIGTERM);
+    return wait();
+  }
+  [[nodiscard]] std::string output() const { return text_of(output_); }
+
+ private:
+  std::filesystem::path output_;
+  pid_t process_ = 0;
+};
+
+class RealTime : public testing::Test {
+ protected:
+  RealTime() {
+    std::string name = (std::filesystem::temp_directory_path() / "gaitway_rt_XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~RealTime() override { std::filesystem::remove_all(folder); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
+  [[nodiscard]] nlohmann::json summary(const std::string& name) const {
+    return nlohmann::json::parse(text_of(folder / name), nullptr, false);
+  }
+  std::unique_ptr<Process> start_robot() {
+    auto process = std::make_unique<Process>(
+        GAITWAY_VIRTUAL_ROBOT, folder / "robot.txt",
+        std::vector<std::string>{"--robot", kRobot, "--bus", path("bus"), "--summary", path("robot.json")});
+    EXPECT_TRUE(until(20s, [&] { return std::filesystem::exists(folder / "bus"); })) << process->output();
+    return process;
+  }
+  std::unique_ptr<Process> start_message_controller(const std::string& walk) {
+    auto process = std::make_unique<Process>(
+        GAITWAY_MESSAGE_CONTROLLER, folder / "message.txt",
+        std::vector<std::string>{"--robot", kRobot, "--bus", path("bus"), "--memory", path("memory"),
+                                 "--walk", walk, "--walk-after", "2", "--summary", path("message.json")});
+    EXPECT_TRUE(until(20s, [&] { return std::filesystem::exists(folder / "memory"); })) << process->output();
+    return process;
+  }
+  std::unique_ptr<Process> start_main_controller() {
+    return std::make_unique<Process>(
+        GAITWAY_MAIN_CONTROLLER, folder / "main.txt",
+        std::vector<std::string>{"--socket", path("memory"), "--robot", kRobot, "--config", kConfig,
+                                 "--plugin-path", GAITWAY_PLUGIN_DIR});
+  }
+  [[nodiscard]] std::string everything() const {
+    std::string all;
+    for (const char* file : {"robot.txt", "robot.json", "message.txt", "message.json", "main.txt"}) {
+      all += std::string("\n--- ") + file + "\n" + text_of(folder / file);
+    }
+    return all;
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(RealTime, ThreeProcessesWalkTogether) {
+  const auto robot = start_robot();
+  const auto message_controller = start_message_controller("0.12,0,0");
+  const auto main_controller = start_main_controller();
+  std::this_thread::sleep_for(12s);  // two of them until the walk begins
+  EXPECT_EQ(main_controller->stop(), 0) << main_controller->output();
+  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+  EXPECT_EQ(robot->stop(), 0) << robot->output();
+
+  const nlohmann::json walked = summary("robot.json");
+  ASSERT_TRUE(walked.is_object()) << everything();
+  EXPECT_FALSE(walked["fell"].get<bool>()) << everything();
+  EXPECT_GT(walked["distance_m"].get<double>(), 0.5) << everything();
+  EXPECT_LT(walked["distance_m"].get<double>(), 1.5) << everything();
+  const nlohmann::json handed = summary("message.json");
+  ASSERT_TRUE(handed.is_object()) << everything();
+  EXPECT_GT(handed["handed_over"].get<int>(), 100) << everything();
+  EXPECT_EQ(handed["refused"].get<int>(), 0) << everything();
+  for (const char* process : {"robot", "message"}) {
+    RecordProperty(process, summary(std::string(process) + ".json").dump());
+  }
+}
+
+TEST_F(RealTime, TheRobotStandsWhenTheMainControllerIsKilledWhileItWalks) {
+  const auto robot = start_robot();
+  const auto message_controller = start_message_controller("0.12,0,0");
+  const auto main_controller = start_main_controller();
+  std::this_thread::sleep_for(6s);
+  main_controller->send(SIGKILL);
+  EXPECT_EQ(main_controller->wait(), 1000 + SIGKILL);
+  std::this_thread::sleep_for(4s);  // the tail lasts two at most
+  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+  EXPECT_EQ(robot->stop(), 0) << robot->output();
+  ASSERT_TRUE(summary("robot.json").is_object()) << everything();
+  EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
+  EXPECT_GT(summary("robot.json")["distance_m"].get<double>(), 0.15) << "it walked before " << everything();
+  EXPECT_GE(summary("message.json")["tails_played"].get<int>(), 1) << everything();
+}
+
+TEST_F(RealTime, TheBusWaitsForAMessageControllerThatSleptForThirtyMilliseconds) {
+  const auto robot = start_robot();
+  const auto message_controller = start_message_controller("0.12,0,0");
+  const auto main_controller = start_main_controller();
+  std::this_thread::sleep_for(5s);
+  for (int nap = 0; nap < 10; ++nap) {  // falls on another phase of the cycle each time
+    message_controller->send(SIGSTOP);
+    std::this_thread::sleep_for(30ms);
+    message_controller->send(SIGCONT);
+    std::this_thread::sleep_for(337ms);
+  }
+  EXPECT_EQ(main_controller->stop(), 0) << main_controller->output();
+  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+  EXPECT_EQ(robot->stop(), 0) << robot->output();
+  ASSERT_TRUE(summary("robot.json").is_object()) << everything();
+  EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
+  EXPECT_GE(summary("robot.json")["waits_for_the_message_controller"].get<int>(), 10) << everything();
+  EXPECT_GE(summary("message.json")["missed_milliseconds"].get<int>(), 200) << everything();
+}
+
+TEST_F(RealTime, TheMessageControllerSaysThatTheBusHasGone) {
+  auto robot = start_robot();
+  const auto message_controller = start_message_controller("0,0,0");
+  robot.reset();  // killed
+  EXPECT_EQ(message_controller->wait(), 3);
+  EXPECT_THAT(message_controller->output(), HasSubstr("has gone"));
+}
+
+TEST_F(RealTime, WhatCannotWorkIsSaidInOneLineAndNothingMoves) {
+  Process no_bus(GAITWAY_MESSAGE_CONTROLLER, folder / "1.txt",
+                 {"--robot", kRobot, "--bus", path("nobody"), "--memory", path("memory"), "--wait", "0.1"});
+  EXPECT_EQ(no_bus.wait(), 1);
+  EXPECT_THAT(no_bus.output(), HasSubstr(path("nobody")));
+  EXPECT_THAT(no_bus.output(), HasSubstr("virtual_robot"));
+  Process bad_walk(GAITWAY_MESSAGE_CONTROLLER, folder / "2.txt",
+                   {"--robot", kRobot, "--bus", path("nobody"), "--memory", path("memory"), "--walk", "0.1"});
+  EXPECT_EQ(bad_walk.wait(), 1);
+  EXPECT_THAT(bad_walk.output(), HasSubstr("--walk"));
+  Process no_robot(GAITWAY_VIRTUAL_ROBOT, folder / "3.txt", {"--robot", path("none"), "--bus", path("bus")});
+  EXPECT_EQ(no_robot.wait(), 1);
+  EXPECT_THAT(no_robot.output(), HasSubstr(path("none")));
+  Process waiting(GAITWAY_MESSAGE_CONTROLLER, folder / "4.txt",
+                  {"--robot", kRobot, "--bus", path("nobody"), "--memory", path("memory"), "--wait", "60"});
+  std::this_thread::sleep_for(300ms);
+  EXPECT_EQ(waiting.stop(), 0) << waiting.output();
+}
+
+TEST_F(RealTime, HelpShowsExamples) {
+  for (const char* program : {GAITWAY_MESSAGE_CONTROLLER, GAITWAY_VIRTUAL_ROBOT}) {
+    Process help(program, folder / "help.txt", {"--help"});
+    EXPECT_EQ(help.wait(), 0);
+    EXPECT_THAT(help.output(), HasSubstr("Examples:"));
+    EXPECT_THAT(help.output(), HasSubstr("urdf/humanoid22"));
+  }
+}
+
+}  // namespace
+}  // namespace gaitway::scenarios
