@@ -13,8 +13,7 @@ namespace gaitway::simulator {
 namespace {
 
 [[noreturn]] void refuse(const std::string& cause) {
-  throw std::runtime_error("no pictures: " + cause +
-                           " (Debian: install libegl1, libgl1 and libgl1-mesa-dri)");
+  throw std::runtime_error("no pictures: " + cause + " (Debian: install libegl1 and libgl1-mesa-dri)");
 }
 
 // Never closed: EGL drivers leave threads and exit handlers behind.
@@ -59,7 +58,6 @@ struct OffscreenContext::Egl {
 };
 
 OffscreenContext::OffscreenContext() : egl_(std::make_unique<Egl>(load_library("libEGL.so.1"))) {
-  load_library("libGL.so.1");  // MuJoCo looks for it and ends the process where it is missing
   Egl& egl = *egl_;
   egl.display = egl.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (egl.display == EGL_NO_DISPLAY || egl.initialize(egl.display, nullptr, nullptr) == EGL_FALSE) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -23,8 +24,9 @@ constexpr double kFallenHeight_m = 0.2;
 
 Eigen::Isometry3d body_pose(const mjData& data, int body) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data.xmat + 9 * body);
-  pose.translation() = Eigen::Map<const Eigen::Vector3d>(data.xpos + 3 * body);
+  pose.linear() =
+      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data.xmat + std::ptrdiff_t{9} * body);
+  pose.translation() = Eigen::Map<const Eigen::Vector3d>(data.xpos + std::ptrdiff_t{3} * body);
   return pose;
 }
 
@@ -49,7 +51,8 @@ PointVelocity point_velocity(const mjModel& model, const mjData& data, int body,
   mj_objectVelocity(&model, &data, mjOBJ_XBODY, body, velocity, 0);  // angular, linear; at the body's origin
   PointVelocity result;
   result.angular = Eigen::Map<const Eigen::Vector3d>(velocity);
-  const Eigen::Vector3d arm = point_m - Eigen::Map<const Eigen::Vector3d>(data.xpos + 3 * body);
+  const Eigen::Vector3d arm =
+      point_m - Eigen::Map<const Eigen::Vector3d>(data.xpos + std::ptrdiff_t{3} * body);
   result.linear = Eigen::Map<const Eigen::Vector3d>(velocity + 3) + result.angular.cross(arm);
   return result;
 }
@@ -115,12 +118,12 @@ void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
 
 void Plant::Implementation::apply_pushes() {
   for (ActivePush& push : pushes) {
-    Eigen::Map<Eigen::Vector3d> applied(data->xfrc_applied + 6 * push.body);
+    Eigen::Map<Eigen::Vector3d> applied(data->xfrc_applied + std::ptrdiff_t{6} * push.body);
     applied.setZero();
   }
   std::erase_if(pushes, [](const ActivePush& push) { return push.steps_left == 0; });
   for (ActivePush& push : pushes) {
-    Eigen::Map<Eigen::Vector3d>(data->xfrc_applied + 6 * push.body) += push.force_N;
+    Eigen::Map<Eigen::Vector3d>(data->xfrc_applied + std::ptrdiff_t{6} * push.body) += push.force_N;
     --push.steps_left;
   }
 }
