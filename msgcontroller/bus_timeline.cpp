@@ -17,11 +17,18 @@ BusTimeline::BusTimeline(MessageController& controller, can::BusPort& port, std:
     : controller_(controller), port_(port), next_ns_((now_ns / kMillisecond_ns + 1) * kMillisecond_ns) {}
 
 void BusTimeline::advance_to(std::int64_t now_ns) {
-  if (next_ns_ <= now_ns) {
+  if (next_ns_ <= now_ns && !waits_) {
     missed_ += static_cast<std::uint64_t>((now_ns - next_ns_) / kMillisecond_ns);
   }
+  waits_ = false;
   for (; next_ns_ <= now_ns; next_ns_ += kMillisecond_ns) {
     take_frames(next_ns_);
+    // Feedback that is judged in another time slot than its own looks wrong, and would be repaired for
+    // nothing.
+    if (!port_.caught_up(next_ns_ - kMillisecond_ns) && now_ns - next_ns_ < can::kLongestWait_ns) {
+      waits_ = true;
+      break;
+    }
     controller_.step(next_ns_);
     if (now_ns - next_ns_ > can::kLongestWait_ns) {
       drop_frames();
@@ -29,7 +36,9 @@ void BusTimeline::advance_to(std::int64_t now_ns) {
     offer(next_ns_);
     port_.flush(next_ns_);
   }
-  take_frames(now_ns);
+  if (!waits_) {
+    take_frames(now_ns);
+  }
   if (controller_.next_id() <= kLargestId) {
     offer(now_ns);  // a repair goes out at once
     port_.flush(next_ns_ - kMillisecond_ns);

@@ -20,8 +20,10 @@ constexpr int kLastSlot = kSlotsPerCycle - 1;
 constexpr std::int64_t kDeadlineInLastSlot_ns = 2 * kMillisecond_ns;
 // Feedback that has not come by then is taken as missing for this slot; the main controller's tick follows.
 constexpr std::int64_t kPublishInSlot_ns = 4 * kMillisecond_ns;
-// No trim from the main controller by then: the message controller makes its own.
+// No trim from the main controller by then: the message controller makes its own. Once the main controller has been
+// silent for two slots, it does so as soon as the feedback is in, since every millisecond costs stability.
 constexpr std::int64_t kOwnTrimInSlot_ns = 7 * kMillisecond_ns;
+constexpr std::uint32_t kSilentSlots = 2;
 // A resynchronisation carries the absolute point and five more, so it must not take effect before slot 2.
 constexpr int kEarliestResyncSlot = kSlotsPerCycle - 1 - can::kResyncDeltas;
 
@@ -77,7 +79,8 @@ void MessageController::step(std::int64_t now_ns) noexcept {
   if (!feedback_published_ && in_slot_ns >= kPublishInSlot_ns) {
     publish_feedback(now_ns);
   }
-  if (!trim_sent_this_slot_ && in_slot_ns == kOwnTrimInSlot_ns) {
+  const bool host_is_silent = slots_since_start_ - last_host_trim_slot_ > kSilentSlots;
+  if (!trim_sent_this_slot_ && (host_is_silent ? feedback_published_ : in_slot_ns == kOwnTrimInSlot_ns)) {
     send_own_trim();
   }
 }
@@ -205,6 +208,7 @@ void MessageController::take_mails(std::int64_t now_ns) noexcept {
     std::array<double, kTrimChannels> angle{};
     std::copy(update.angle.begin(), update.angle.end(), angle.begin());
     send_trim(angle);
+    last_host_trim_slot_ = slots_since_start_;
   }
 }
 

@@ -122,9 +122,10 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   std::array<pollfd, 2> wakes{pollfd{bus.wake_fd(), POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
   std::int64_t now_ns = result.begin_ns;
   while (real_time::stop_requested == 0 && (options.seconds <= 0.0 || now_ns < stop_ns)) {
-    real_time::wait_until(timeline.next_ns(), wakes);
+    const bool waits = timeline.waits();
+    real_time::wait_until(timeline.next_ns() + (waits ? can::kLongestWait_ns : 0), wakes);
     now_ns = real_time::monotonic_ns();
-    if (now_ns >= timeline.next_ns()) {
+    if (now_ns >= timeline.next_ns() && !waits) {
       result.lateness.add(now_ns - timeline.next_ns());
     }
     if (!work(timeline, bus, now_ns, options)) {

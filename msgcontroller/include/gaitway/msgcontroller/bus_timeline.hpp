@@ -22,6 +22,8 @@ class BusTimeline {
   // supervision repairs. Throws what the port throws.
   void advance_to(std::int64_t now_ns);
 
+  // Waits for a bus that lags behind the clock: advance_to() goes no further before its frames have come.
+  [[nodiscard]] bool waits() const noexcept { return waits_; }
   [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
   // Milliseconds that were made up for, since advance_to() came too late for them.
   [[nodiscard]] std::uint64_t missed() const noexcept { return missed_; }
@@ -36,6 +38,7 @@ class BusTimeline {
   can::BusPort& port_;
   std::optional<can::TimedFrame> arrived_;  // its millisecond has not come yet
   std::int64_t next_ns_;
+  bool waits_ = false;
   std::uint64_t missed_ = 0;
   std::uint64_t stale_ = 0;
 };

@@ -14,7 +14,7 @@ struct JointGain {
 
 struct BalanceParameters {
   // Trims.
-  JointGain ankle_pitch{0.25, 0.05};  // of the stance leg; with both feet on the ground, of both legs
+  JointGain ankle_pitch{0.25, 0.03};  // of the stance leg; with both feet on the ground, of both legs
   JointGain ankle_roll{0.25, 0.03};
   JointGain hip_pitch{0.15, 0.03};  // of both legs, while standing
   JointGain hip_roll{0.0, 0.0};
