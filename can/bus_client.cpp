@@ -24,7 +24,7 @@ struct BusClient::Packets {
 };
 
 BusClient::BusClient(const std::filesystem::path& socket, std::string_view name, Pace pace)
-    : path_(socket), packets_(std::make_unique<Packets>()) {
+    : path_(socket), packets_(std::make_unique<Packets>()), pace_(pace) {
   const sockaddr_un address = protocol::address_of(path_);
   socket_ = BusDescriptor(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (!socket_) {
@@ -105,6 +105,8 @@ bool BusClient::receive_packet() {
 std::optional<TimedFrame> BusClient::receive() {
   while (packets_->incoming_next < packets_->incoming_count || receive_packet()) {
     const Record& record = packets_->incoming[packets_->incoming_next++];
+    // Records come in the bus's order: a frame tells how far it has run, too.
+    bus_time_ns_ = std::max(bus_time_ns_, record.kind == Kind::mark ? record.start_ns : record.end_ns);
     if (record.kind == Kind::sent) {
       --unsent_;
     } else if (record.kind == Kind::delivery && protocol::valid_frame(record)) {

@@ -20,7 +20,7 @@ inline constexpr std::size_t kRecordsAPacket = 64;
 enum class Kind : std::uint32_t {
   hello = 1,  // client: start_ns is the magic, frame data its name, flag whether the bus keeps its pace
   transmit,   // client: `frame` from start_ns on
-  mark,       // client: everything up to start_ns has been offered
+  mark,       // client: everything up to start_ns has been offered; server: the bus has run to start_ns
   delivery,   // server: `frame` of another station, from start_ns to end_ns
   sent        // server: the client's own `frame`, from start_ns to end_ns
 };

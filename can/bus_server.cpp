@@ -148,8 +148,10 @@ struct BusServer::Client {
   int waiting = 0;  // frames that have not been sent: in the buffers and on the bus
   bool greeted = false;
   bool paced = false;
+  bool started = false;  // has flushed once: a client that is still setting up does not hold up a running bus
   bool gone = false;
   std::int64_t reached_ns = 0;
+  std::int64_t told_ns = 0;  // how far it knows that the bus has run
   std::vector<Record> outgoing;
 
   void hand(const Record& record) {
@@ -167,11 +169,11 @@ bool BusServer::Client::take(const Record& record, std::int64_t time_ns, BusServ
   if (!greeted) {
     greeted = record.kind == Kind::hello && record.start_ns == protocol::kMagic;
     paced = record.flag == static_cast<std::uint8_t>(Pace::kept);
-    reached_ns = time_ns;  // a client that comes does not hold up a running bus
     return greeted;
   }
   if (record.kind == Kind::mark) {
     reached_ns = std::max(reached_ns, record.start_ns);
+    started = true;
     return true;
   }
   if (record.kind != Kind::transmit || !protocol::valid_frame(record) || waiting >= kTransmitBuffers) {
@@ -318,13 +320,17 @@ void BusServer::hand_to_clients(const SimulatedBus::Delivery& delivery) {
 
 void BusServer::flush() {
   for (Client& client : clients_) {
+    if (client.paced && client.told_ns < time_ns_) {
+      client.told_ns = time_ns_;
+      client.hand(Record{.kind = Kind::mark, .start_ns = time_ns_});
+    }
     client.flush();
   }
 }
 
 bool BusServer::reached(std::int64_t time_ns) const noexcept {
   return std::all_of(clients_.begin(), clients_.end(), [time_ns](const Client& client) {
-    return !client.paced || client.reached_ns >= time_ns;
+    return !client.paced || !client.started || client.reached_ns >= time_ns;
   });
 }
 

@@ -180,15 +180,37 @@ TEST_F(BusServerTest, TheBusKnowsHowFarAClientWhosePaceItKeepsHasCome) {
   EXPECT_TRUE(server->reached(kStart_ns + 5 * kMillisecond_ns)) << "nobody to wait for";
   std::optional<BusClient> paced(std::in_place, socket, "paced", Pace::kept);
   server->step();
-  EXPECT_TRUE(server->reached(kStart_ns)) << "a client that comes does not hold up a running bus";
+  EXPECT_TRUE(server->reached(kStart_ns + 5 * kMillisecond_ns)) << "it is still setting up";
+  paced->flush(kStart_ns);
+  server->step();
+  EXPECT_TRUE(server->reached(kStart_ns));
   EXPECT_FALSE(server->reached(kStart_ns + kMillisecond_ns));
   paced->flush(kStart_ns + kMillisecond_ns);
   server->step();
   EXPECT_TRUE(server->reached(kStart_ns + kMillisecond_ns));
   EXPECT_FALSE(server->reached(kStart_ns + 2 * kMillisecond_ns));
+  EXPECT_FALSE(paced->caught_up(kStart_ns + kMillisecond_ns)) << "the bus has not run yet";
+  EXPECT_TRUE(free_one.caught_up(kStart_ns + kMillisecond_ns)) << "it does not keep step";
+  run_to(kStart_ns + kMillisecond_ns);
+  EXPECT_TRUE(all_of(*paced).empty());
+  EXPECT_TRUE(paced->caught_up(kStart_ns + kMillisecond_ns));
+  EXPECT_FALSE(paced->caught_up(kStart_ns + kMillisecond_ns + 1));
   paced.reset();
   server->step();
   EXPECT_TRUE(server->reached(kStart_ns + 2 * kMillisecond_ns)) << "it has gone";
+}
+
+TEST_F(BusServerTest, AFrameTellsHowFarTheBusHasRunBeforeTheRoundsEndDoes) {
+  BusClient sender(socket, "sender", Pace::free);
+  BusClient paced(socket, "paced", Pace::kept);
+  sender.transmit(frame_of(0x100), kStart_ns + 3 * kMillisecond_ns);
+  sender.flush(kStart_ns);
+  run_to(kStart_ns + 20 * kMillisecond_ns);  // caught up in one go
+  ASSERT_TRUE(paced.receive());
+  EXPECT_TRUE(paced.caught_up(kStart_ns + 3 * kMillisecond_ns));
+  EXPECT_FALSE(paced.caught_up(kStart_ns + 4 * kMillisecond_ns));
+  EXPECT_FALSE(paced.receive());
+  EXPECT_TRUE(paced.caught_up(kStart_ns + 20 * kMillisecond_ns));
 }
 
 TEST_F(BusServerTest, AClientThatIsKilledLeavesTheBusWithItsFrames) {

@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "gaitway/can/bus_client.hpp"
@@ -43,6 +44,9 @@ class RecordingPort final : public can::BusPort {
     return frame;
   }
   void flush(std::int64_t now_ns) override { flushed.push_back(now_ns); }
+  [[nodiscard]] bool caught_up(std::int64_t time_ns) const noexcept override {
+    return bus_time_ns >= time_ns;
+  }
   [[nodiscard]] int wake_fd() const noexcept override { return -1; }
 
   // Times of the SYNCs that were sent.
@@ -56,6 +60,7 @@ class RecordingPort final : public can::BusPort {
     return times;
   }
   bool occupied = false;
+  std::int64_t bus_time_ns = std::numeric_limits<std::int64_t>::max();
   std::vector<Sent> sent;
   std::vector<std::int64_t> flushed;
   std::deque<can::TimedFrame> arriving;
@@ -124,6 +129,21 @@ TEST_F(BusTimelineTest, AFrameComesBeforeTheMillisecondsThatFollowIt) {
   ASSERT_TRUE(client.read<JointStates>("joint_states").read(states));
   EXPECT_EQ(states.missing, 0U) << "each feedback fell into its own slot";
   EXPECT_EQ(controller.state().resynchronised, 0U);
+}
+
+TEST_F(BusTimelineTest, WaitsABoundedTimeForABusThatLags) {
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  port.bus_time_ns = first_ns + 2 * kMillisecond_ns;
+  timeline.advance_to(first_ns + 10 * kMillisecond_ns);
+  EXPECT_TRUE(timeline.waits());
+  EXPECT_EQ(timeline.next_ns(), first_ns + 4 * kMillisecond_ns) << "a millisecond beyond the bus";
+  port.bus_time_ns = first_ns + 10 * kMillisecond_ns;
+  timeline.advance_to(first_ns + 10 * kMillisecond_ns);
+  EXPECT_FALSE(timeline.waits());
+  EXPECT_EQ(timeline.next_ns(), first_ns + 11 * kMillisecond_ns);
+  const std::int64_t now_ns = first_ns + 100 * kMillisecond_ns;
+  timeline.advance_to(now_ns);
+  EXPECT_EQ(timeline.next_ns(), now_ns - can::kLongestWait_ns + kMillisecond_ns) << "then it goes on without";
 }
 
 TEST_F(BusTimelineTest, WhatTheBusDoesNotTakeYetStaysInOrder) {

@@ -196,6 +196,27 @@ TEST_F(RealTime, TheBusWaitsForAMessageControllerThatSleptForThirtyMilliseconds)
   EXPECT_GE(summary("message.json")["missed_milliseconds"].get<int>(), 200) << everything();
 }
 
+TEST_F(RealTime, TheMessageControllerWaitsForARobotThatSleptForThirtyMilliseconds) {
+  const auto robot = start_robot();
+  const auto message_controller = start_message_controller("0.12,0,0");
+  const auto main_controller = start_main_controller();
+  std::this_thread::sleep_for(5s);
+  for (int nap = 0; nap < 10; ++nap) {
+    robot->send(SIGSTOP);
+    std::this_thread::sleep_for(30ms);
+    robot->send(SIGCONT);
+    std::this_thread::sleep_for(337ms);
+  }
+  EXPECT_EQ(main_controller->stop(), 0) << main_controller->output();
+  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+  EXPECT_EQ(robot->stop(), 0) << robot->output();
+  ASSERT_TRUE(summary("robot.json").is_object()) << everything();
+  EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
+  EXPECT_GE(summary("robot.json")["overruns"].get<int>(), 200) << everything();
+  EXPECT_EQ(summary("message.json")["resynchronised"].get<int>(), 0)
+      << "every feedback was judged in its own time slot " << everything();
+}
+
 TEST_F(RealTime, TheMessageControllerSaysThatTheBusHasGone) {
   auto robot = start_robot();
   const auto message_controller = start_message_controller("0,0,0");

@@ -41,6 +41,10 @@ class BusClient final : public BusPort {
   [[nodiscard]] bool transmit_pending() const override { return unsent_ > 0; }
   std::optional<TimedFrame> receive() override;
   void flush(std::int64_t now_ns) override;
+  // For a client whose pace the bus keeps; true for the others, which are not told.
+  [[nodiscard]] bool caught_up(std::int64_t time_ns) const noexcept override {
+    return pace_ == Pace::free || bus_time_ns_ >= time_ns;
+  }
   [[nodiscard]] int wake_fd() const noexcept override { return socket_.get(); }
 
   // The server has gone; nothing comes or goes any more.
@@ -55,6 +59,8 @@ class BusClient final : public BusPort {
   std::filesystem::path path_;
   BusDescriptor socket_;
   std::unique_ptr<Packets> packets_;
+  Pace pace_;
+  std::int64_t bus_time_ns_ = 0;
   int unsent_ = 0;  // frames that were offered and not yet reported as sent
   bool closed_ = false;
 };

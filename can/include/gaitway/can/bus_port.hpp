@@ -29,6 +29,12 @@ class BusPort {
   virtual std::optional<TimedFrame> receive() = 0;
   // Ends a round of work: everything that this station wanted to send up to `now_ns` has been offered.
   virtual void flush(std::int64_t now_ns) = 0;
+  // Whether everything that was on the bus up to `time_ns` has come, as far as the bus can tell: a simulated
+  // one may lag behind the clock, a real one never does.
+  [[nodiscard]] virtual bool caught_up(std::int64_t time_ns) const noexcept {
+    static_cast<void>(time_ns);
+    return true;
+  }
   // Where frames come from, to wait on with poll().
   [[nodiscard]] virtual int wake_fd() const noexcept = 0;
 };
