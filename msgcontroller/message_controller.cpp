@@ -95,6 +95,7 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
     begin_cycle();
   }
   playback_.enter_slot(slot);
+  prepared_before_last_slot_ = slot == kLastSlot && playback_.prepared();
   state_.cycle = static_cast<std::uint32_t>(slot_index / kSlotsPerCycle);
   state_.slot = static_cast<std::uint32_t>(slot);
   state_.stamp_ns = now_ns;
@@ -162,7 +163,8 @@ void MessageController::supervise(int joint, const can::Feedback& feedback) noex
     return;
   }
   // The prepared batch must have arrived by the feedback of the last slot; if not, it is sent once more.
-  if (playback_.slot() == kLastSlot && playback_.prepared() &&
+  // A segment of the safe tail is sent within the last slot, after the joints have answered its SYNC.
+  if (playback_.slot() == kLastSlot && prepared_before_last_slot_ && playback_.prepared() &&
       feedback.pending_toggle != playback_.prepared_segment().toggle) {
     ++state_.repaired;
     send_trajectory(joint);

@@ -153,7 +153,9 @@ TEST(RingStress, OvertakenCopiesAreDetected) {
   });
   std::vector<std::uint64_t> copy(1 + kTwoSlots.value_words());
   std::uint64_t torn = 0, detected = 0, whole = 0;
-  for (int i = 0; i < 2'000'000 && (detected < 100 || whole < 100); ++i) {
+  // A loaded machine may let the writer wait: time bounds the loop, not a number of looks.
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while ((detected < 100 || whole < 100) && std::chrono::steady_clock::now() < deadline) {
     const std::uint64_t sequence = ring::published(memory.data());
     if (sequence == 0) {
       continue;

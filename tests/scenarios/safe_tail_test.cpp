@@ -28,6 +28,7 @@ TEST_P(MainControllerDies, AtARandomInstantOfTheWalkAndTheRobotStands) {
   EXPECT_FALSE(run.metrics().fell) << "killed at " << instant_s << " s, fell at " << run.metrics().fell_at_s;
   EXPECT_EQ(run.cosimulation.message_controller().mode(), Mode::holding);
   EXPECT_GT(run.cosimulation.message_controller().state().tail_played, 0U);
+  EXPECT_EQ(run.cosimulation.message_controller().state().repaired, 0U) << "nothing was lost on the bus";
   EXPECT_LT(speed(run), 0.03);
 }
 

@@ -89,6 +89,7 @@ class MessageController {
   std::unique_ptr<CountPlan> incoming_;
   msgclient::TrimGains gains_{};
   bool stop_requested_ = false;
+  bool prepared_before_last_slot_ = false;  // the last slot's feedback can tell whether its frames arrived
   bool feedback_published_ = true;
   bool trim_sent_this_slot_ = false;
   std::uint32_t slots_since_start_ = 0;

@@ -16,7 +16,7 @@ struct BalanceParameters {
   // Trims.
   JointGain ankle_pitch{0.25, 0.03};  // of the stance leg; with both feet on the ground, of both legs
   JointGain ankle_roll{0.25, 0.03};
-  JointGain hip_pitch{0.15, 0.03};  // of both legs, while standing
+  JointGain hip_pitch{0.15, 0.015};  // of both legs, while standing
   JointGain hip_roll{0.0, 0.0};
   std::array<double, 2> attitude_reference_rad{};  // trunk roll, pitch
   double trim_limit_rad = 0.11;                    // no further than the robot's own limit
