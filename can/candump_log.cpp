@@ -30,7 +30,8 @@ void append_number(std::string& text, std::int64_t value, int width) {
 std::int64_t parse_number(std::string_view digits, int base, const char* what) {
   std::int64_t value = 0;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
-  if (digits.empty() || result.ec != std::errc() || result.ptr != digits.data() + digits.size() || value < 0) {
+  if (digits.empty() || result.ec != std::errc() || result.ptr != digits.data() + digits.size() ||
+      value < 0) {
     throw std::invalid_argument(std::string(what) + " '" + std::string(digits) + "' is not a number");
   }
   return value;
@@ -86,8 +87,8 @@ void CandumpWriter::close() {
 
 LoggedFrame parse_candump_line(std::string_view line) {
   const std::size_t dot = line.find('.'), close = line.find(") "), hash = line.find('#');
-  if (line.empty() || line.front() != '(' || dot == std::string_view::npos || close == std::string_view::npos ||
-      hash == std::string_view::npos || !(dot < close && close < hash)) {
+  if (line.empty() || line.front() != '(' || dot == std::string_view::npos ||
+      close == std::string_view::npos || hash == std::string_view::npos || !(dot < close && close < hash)) {
     throw std::invalid_argument("must look like '(seconds.microseconds) interface ID#DATA'");
   }
   const std::string_view fraction = line.substr(dot + 1, close - dot - 1);
@@ -109,7 +110,8 @@ LoggedFrame parse_candump_line(std::string_view line) {
   }
   logged.frame.size = static_cast<std::uint8_t>(data.size() / 2);
   for (std::size_t i = 0; i < logged.frame.size; ++i) {
-    logged.frame.data[i] = static_cast<std::uint8_t>(parse_number(data.substr(2 * i, 2), 16, "the data byte"));
+    logged.frame.data[i] =
+        static_cast<std::uint8_t>(parse_number(data.substr(2 * i, 2), 16, "the data byte"));
   }
   return logged;
 }

@@ -7,7 +7,7 @@ namespace gaitway::can {
 namespace {
 
 constexpr std::uint16_t kPolynomial = 0x4599;
-constexpr int kHeaderBits = 19;   // SOF, identifier, RTR, IDE, r0, DLC
+constexpr int kHeaderBits = 19;  // SOF, identifier, RTR, IDE, r0, DLC
 constexpr int kCrcBits = 15;
 constexpr int kTrailerBits = 10;  // CRC delimiter, ACK slot, ACK delimiter, end of frame (7)
 
@@ -23,8 +23,9 @@ constexpr std::array<std::uint16_t, 256> make_crc_table() {
   return table;
 }
 
-// Where the stuffing stands after some bits: the last bit and how often it has come in a row (1..5, stuff bits count).
-// After five equal bits a stuff bit of the other value follows at once, so a run never stays at five.
+// Where the stuffing stands after some bits: the last bit and how often it has come in a row (1..5, stuff
+// bits count). After five equal bits a stuff bit of the other value follows at once, so a run never stays at
+// five.
 struct StuffState {
   unsigned last = 0;
   unsigned run = 1;
@@ -73,7 +74,9 @@ std::uint32_t header(const Frame& frame) noexcept {
 
 std::uint16_t crc15(const Frame& frame) noexcept {
   unsigned crc = 0;
-  const auto take = [&crc](unsigned byte) { crc = ((crc << 8U) ^ kCrcTable[((crc >> 7U) ^ byte) & 0xFFU]) & 0x7FFFU; };
+  const auto take = [&crc](unsigned byte) {
+    crc = ((crc << 8U) ^ kCrcTable[((crc >> 7U) ^ byte) & 0xFFU]) & 0x7FFFU;
+  };
   // The header is padded with zeros in front, which leave a CRC that starts at zero as it is.
   const std::uint32_t bits = header(frame);
   take((bits >> 16U) & 0xFFU);

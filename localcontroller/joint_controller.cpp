@@ -9,7 +9,9 @@ constexpr double kTurn_rad = 6.283185307179586;
 constexpr double kPositionCount_rad = kTurn_rad / 65536.0;
 constexpr double kCurrentCount_Nm = 0.125;
 
-std::int32_t rounded(double value) noexcept { return static_cast<std::int32_t>(value < 0.0 ? value - 0.5 : value + 0.5); }
+std::int32_t rounded(double value) noexcept {
+  return static_cast<std::int32_t>(value < 0.0 ? value - 0.5 : value + 0.5);
+}
 
 // Rounds into [-limit, limit].
 std::int32_t saturated(double value, std::int32_t limit) noexcept {
@@ -54,7 +56,8 @@ void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noe
   } else if (frame.id == can::id_of(can::MessageKind::trim)) {
     const auto trim = config_.trim_channel >= 0 ? can::decode_trim(frame) : std::nullopt;
     if (trim) {
-      trim_.command(trim->count[static_cast<std::size_t>(config_.trim_channel)] * config_.trim_count_rad, now_ns);
+      trim_.command(trim->count[static_cast<std::size_t>(config_.trim_channel)] * config_.trim_count_rad,
+                    now_ns);
     }
   } else if ((frame.id | 1U) == can::id_of(can::MessageKind::trajectory, config_.node, true)) {
     if (const auto batch = can::decode_trajectory(frame)) {

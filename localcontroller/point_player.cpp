@@ -63,7 +63,8 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
 }
 
 void PointPlayer::start_batch(const can::Sync& sync) noexcept {
-  // Only a SYNC says that every joint's frame was sent and which toggle it bears; without it this joint would move alone.
+  // Only a SYNC says that every joint's frame was sent and which toggle it bears; without it this joint would
+  // move alone.
   has_repair_ = false;
   running_ = sync.batch_committed && has_pending_ && pending_toggle_ == sync.toggle;
   if (running_) {
@@ -75,7 +76,8 @@ void PointPlayer::start_batch(const can::Sync& sync) noexcept {
 
 void PointPlayer::begin_slot(int slot, std::int64_t now_ns) noexcept {
   slot_ = slot;
-  const bool moving_by_hand = !running_ && segment_duration_ns_ != kSlot_ns && now_ns < segment_start_ns_ + segment_duration_ns_;
+  const bool moving_by_hand =
+      !running_ && segment_duration_ns_ != kSlot_ns && now_ns < segment_start_ns_ + segment_duration_ns_;
   if (moving_by_hand) {
     return;
   }

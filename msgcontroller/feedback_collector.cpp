@@ -23,7 +23,8 @@ FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot)
 
 void FeedbackCollector::begin_slot(std::uint32_t slot_since_start) noexcept {
   slot_ = slot_since_start;
-  awaited_ = joint_count_ == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << static_cast<unsigned>(joint_count_)) - 1U;
+  awaited_ =
+      joint_count_ == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << static_cast<unsigned>(joint_count_)) - 1U;
 }
 
 void FeedbackCollector::take(int joint, const can::Feedback& feedback, std::int64_t now_ns) noexcept {
@@ -32,7 +33,8 @@ void FeedbackCollector::take(int joint, const can::Feedback& feedback, std::int6
   const std::uint32_t slots = slot_ - last_slot_[j];
   if (slots > 0) {
     joint_states_.velocity[j] =
-        last_slot_[j] == 0 ? 0.0 : (position - joint_states_.position[j]) / (kSlot_s * static_cast<double>(slots));
+        last_slot_[j] == 0 ? 0.0
+                           : (position - joint_states_.position[j]) / (kSlot_s * static_cast<double>(slots));
     last_slot_[j] = slot_;
   }
   joint_states_.position[j] = position;
@@ -46,7 +48,8 @@ void FeedbackCollector::take(int joint, const can::Feedback& feedback, std::int6
   awaited_ &= ~(std::uint64_t{1} << static_cast<unsigned>(joint));
 }
 
-void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double value, std::int64_t now_ns) noexcept {
+void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double value,
+                                     std::int64_t now_ns) noexcept {
   const auto side = static_cast<std::size_t>(channel.side);
   const auto index = static_cast<std::size_t>(channel.index);
   using Kind = urdf::SensorKind;

@@ -20,8 +20,9 @@ constexpr int kLastSlot = kSlotsPerCycle - 1;
 constexpr std::int64_t kDeadlineInLastSlot_ns = 2 * kMillisecond_ns;
 // Feedback that has not come by then is taken as missing for this slot; the main controller's tick follows.
 constexpr std::int64_t kPublishInSlot_ns = 4 * kMillisecond_ns;
-// No trim from the main controller by then: the message controller makes its own. Once the main controller has been
-// silent for two slots, it does so as soon as the feedback is in, since every millisecond costs stability.
+// No trim from the main controller by then: the message controller makes its own. Once the main controller
+// has been silent for two slots, it does so as soon as the feedback is in, since every millisecond costs
+// stability.
 constexpr std::int64_t kOwnTrimInSlot_ns = 7 * kMillisecond_ns;
 constexpr std::uint32_t kSilentSlots = 2;
 // A resynchronisation carries the absolute point and five more, so it must not take effect before slot 2.
@@ -105,7 +106,8 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
                                     .batch_committed = running.active,
                                     .toggle = running.toggle}));
   if (slot == 0) {
-    queue_.push(can::encode(can::Heartbeat{.mode = static_cast<std::uint8_t>(state_.mode), .cycle = state_.cycle}));
+    queue_.push(
+        can::encode(can::Heartbeat{.mode = static_cast<std::uint8_t>(state_.mode), .cycle = state_.cycle}));
   }
   ++slots_since_start_;
   feedback_.begin_slot(slots_since_start_);
@@ -138,7 +140,8 @@ void MessageController::send_trajectory(int joint) noexcept {
   can::Trajectory frame{.node = node_[static_cast<std::size_t>(joint)],
                         .toggle = playback_.prepared_segment().toggle};
   for (int slot = 0; slot < kBatchPoints; ++slot) {
-    frame.delta[static_cast<std::size_t>(slot)] = static_cast<std::int8_t>(playback_.prepared_delta(joint, slot));
+    frame.delta[static_cast<std::size_t>(slot)] =
+        static_cast<std::int8_t>(playback_.prepared_delta(joint, slot));
   }
   queue_.push(can::encode(frame));
 }
@@ -173,7 +176,8 @@ void MessageController::supervise(int joint, const can::Feedback& feedback) noex
     return;  // a repair is on its way, or a manual movement is under way
   }
   const Segment& running = playback_.running_segment();
-  const auto expected_low = static_cast<std::uint8_t>(static_cast<std::uint32_t>(expected_count(joint)) & 0xFU);
+  const auto expected_low =
+      static_cast<std::uint8_t>(static_cast<std::uint32_t>(expected_count(joint)) & 0xFU);
   const bool plays_batch = !running.active || (feedback.state == can::JointState::running &&
                                                feedback.executing_toggle == running.toggle);
   if (plays_batch && feedback.reference_low == expected_low) {
@@ -189,10 +193,11 @@ void MessageController::resynchronise(int joint) noexcept {
   }
   const auto j = static_cast<std::size_t>(joint);
   resync_until_[j] = slots_since_start_ + static_cast<std::uint32_t>(effective_slot - playback_.slot());
-  can::Resynchronisation frame{.node = node_[j],
-                               .toggle = playback_.running_segment().toggle,
-                               .slot = static_cast<std::uint8_t>(effective_slot),
-                               .count = static_cast<std::int16_t>(playback_.expected_count(joint, effective_slot))};
+  can::Resynchronisation frame{
+      .node = node_[j],
+      .toggle = playback_.running_segment().toggle,
+      .slot = static_cast<std::uint8_t>(effective_slot),
+      .count = static_cast<std::int16_t>(playback_.expected_count(joint, effective_slot))};
   for (int k = 0; k < can::kResyncDeltas && effective_slot + k < kLastSlot; ++k) {
     frame.delta[static_cast<std::size_t>(k)] =
         static_cast<std::int8_t>(playback_.expected_count(joint, effective_slot + k + 1) -
@@ -355,8 +360,10 @@ void MessageController::publish_feedback(std::int64_t now_ns) noexcept {
 void MessageController::send_trim(std::span<const double> angle_rad) noexcept {
   can::Trim trim;
   for (std::size_t channel = 0; channel < trim.count.size(); ++channel) {
-    const double limited = std::clamp(angle_rad[channel], -trim_settings_.limit_rad, trim_settings_.limit_rad);
-    trim.count[channel] = static_cast<std::int8_t>(std::clamp(std::lround(limited / trim_settings_.count_rad), -127L, 127L));
+    const double limited =
+        std::clamp(angle_rad[channel], -trim_settings_.limit_rad, trim_settings_.limit_rad);
+    trim.count[channel] =
+        static_cast<std::int8_t>(std::clamp(std::lround(limited / trim_settings_.count_rad), -127L, 127L));
   }
   queue_.push(can::encode(trim));
   trim_sent_this_slot_ = true;

@@ -12,7 +12,9 @@ namespace {
 
 using msgclient::kMillisecond_ns;
 
-std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(std::llround(seconds * 1e9)); }
+std::int64_t to_ns(double seconds) {
+  return static_cast<std::int64_t>(std::llround(seconds * 1e9));
+}
 
 }  // namespace
 

@@ -45,7 +45,8 @@ JointNetwork::JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, do
 }
 
 std::int64_t JointNetwork::local_time_ns(int joint, std::int64_t now_ns) const noexcept {
-  return static_cast<std::int64_t>(static_cast<double>(now_ns) * clock_rate_[static_cast<std::size_t>(joint)]);
+  return static_cast<std::int64_t>(static_cast<double>(now_ns) *
+                                   clock_rate_[static_cast<std::size_t>(joint)]);
 }
 
 void JointNetwork::step(std::int64_t now_ns, const PlantSensors& sensors) noexcept {

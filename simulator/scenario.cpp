@@ -24,9 +24,11 @@ Eigen::Vector3d three(const YamlValue& value, const urdf::Range& range) {
 }
 
 WalkEvent read_walk(const YamlValue& value) {
-  const Eigen::Vector3d command = three(value, {-kLargestTurnRate_rad_per_s, kLargestTurnRate_rad_per_s, "m/s, m/s, rad/s"});
+  const Eigen::Vector3d command =
+      three(value, {-kLargestTurnRate_rad_per_s, kLargestTurnRate_rad_per_s, "m/s, m/s, rad/s"});
   if (command.head<2>().norm() > kLargestSpeed_m_per_s) {
-    value.refuse(fmt::format("at most {} m/s may be commanded", kLargestSpeed_m_per_s), "Choose a lower speed.");
+    value.refuse(fmt::format("at most {} m/s may be commanded", kLargestSpeed_m_per_s),
+                 "Choose a lower speed.");
   }
   return {.velocity_m_per_s = command.head<2>(), .turn_rate_rad_per_s = command.z()};
 }
@@ -38,7 +40,8 @@ PushEvent read_push(const YamlValue& value) {
   push.body = value.at("body").text();
   push.direction = three(value.at("direction"), {-1e6, 1e6, ""});
   if (push.direction.norm() < 1e-9) {
-    value.at("direction").refuse("must not be zero", "Give the direction in the world frame, e.g. [0, 1, 0].");
+    value.at("direction")
+        .refuse("must not be zero", "Give the direction in the world frame, e.g. [0, 1, 0].");
   }
   push.impulse_Ns = value.at("impulse_Ns").number({0.0, kLargestImpulse_Ns, "N*s"});
   if (const auto duration = value.find("duration_s")) {
@@ -56,13 +59,15 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
     return MainControllerSilentFault{duration ? duration->number(kDuration) : 0.0};
   }
   if (kind == "lose_frames") {
-    return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}), value.at("duration_s").number(kDuration)};
+    return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}),
+                           value.at("duration_s").number(kDuration)};
   }
   value.at("kind").refuse("must be main_controller_silent or lose_frames", "Choose one of them.");
 }
 
 ScenarioEvent read_event(const YamlValue& value) {
-  constexpr std::array<std::string_view, 7> kKeys{"at_s", "walk", "stand", "stop", "emergency_stop", "push", "fault"};
+  constexpr std::array<std::string_view, 7> kKeys{"at_s",           "walk", "stand", "stop",
+                                                  "emergency_stop", "push", "fault"};
   value.require_map(kKeys);
   ScenarioEvent event{.at_s = value.at("at_s").number({0.0, kLongestRun_s, "s"}), .action = StopEvent{}};
   int actions = 0;
@@ -113,17 +118,22 @@ Scenario load_scenario(const std::filesystem::path& file) {
   return scenario;
 }
 
-Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_rate_rad_per_s, double seconds) {
+Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_rate_rad_per_s,
+                       double seconds) {
   constexpr double kStanding_s = 1.0;
   const Eigen::Vector2d velocity(forward_m_per_s, left_m_per_s);
-  if (!(velocity.norm() <= kLargestSpeed_m_per_s && std::abs(turn_rate_rad_per_s) <= kLargestTurnRate_rad_per_s)) {
-    throw urdf::RobotError(fmt::format(
-        "walk command {}, {} m/s and {} rad/s: at most {} m/s and {} rad/s may be commanded. Choose a lower speed.",
-        forward_m_per_s, left_m_per_s, turn_rate_rad_per_s, kLargestSpeed_m_per_s, kLargestTurnRate_rad_per_s));
+  if (!(velocity.norm() <= kLargestSpeed_m_per_s &&
+        std::abs(turn_rate_rad_per_s) <= kLargestTurnRate_rad_per_s)) {
+    throw urdf::RobotError(
+        fmt::format("walk command {}, {} m/s and {} rad/s: at most {} m/s and {} rad/s may be commanded. "
+                    "Choose a lower speed.",
+                    forward_m_per_s, left_m_per_s, turn_rate_rad_per_s, kLargestSpeed_m_per_s,
+                    kLargestTurnRate_rad_per_s));
   }
   Scenario scenario{.seconds = seconds, .events = {}};
-  scenario.events.push_back({.at_s = kStanding_s,
-                             .action = WalkEvent{.velocity_m_per_s = velocity, .turn_rate_rad_per_s = turn_rate_rad_per_s}});
+  scenario.events.push_back(
+      {.at_s = kStanding_s,
+       .action = WalkEvent{.velocity_m_per_s = velocity, .turn_rate_rad_per_s = turn_rate_rad_per_s}});
   return scenario;
 }
 

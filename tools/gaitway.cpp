@@ -8,7 +8,8 @@
 #include "gaitway/tools/run_command.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app{"Gaitway: the main controller of a humanoid robot, and everything below it that makes it move."};
+  CLI::App app{
+      "Gaitway: the main controller of a humanoid robot, and everything below it that makes it move."};
   app.require_subcommand(1);
   app.set_version_flag("--version", GAITWAY_VERSION);
   app.footer("Examples:\n  gaitway run --walk 0.15 --seconds 20\n  gaitway run --help");

@@ -7,7 +7,9 @@
 namespace gaitway::tools {
 namespace {
 
-std::filesystem::path executable_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
+std::filesystem::path executable_folder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
 
 // <prefix>/share/gaitway for an installed command, the source tree otherwise.
 std::filesystem::path shared_folder() {
@@ -17,9 +19,13 @@ std::filesystem::path shared_folder() {
 
 }  // namespace
 
-std::filesystem::path default_robot_directory() { return shared_folder() / "urdf" / "humanoid22"; }
+std::filesystem::path default_robot_directory() {
+  return shared_folder() / "urdf" / "humanoid22";
+}
 
-std::filesystem::path default_config_file() { return shared_folder() / "core" / "config" / "walk.yaml"; }
+std::filesystem::path default_config_file() {
+  return shared_folder() / "core" / "config" / "walk.yaml";
+}
 
 std::vector<std::filesystem::path> plugin_directories() {
   std::vector<std::filesystem::path> folders;

@@ -30,7 +30,9 @@ constexpr double kAfterFall_s = 1.0;  // shown after a fall, before the run ends
 constexpr int kPictures = 8;
 constexpr int kPictureWidth_px = 320, kPictureHeight_px = 360;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 simulator::Scenario scenario_of(const RunOptions& options) {
   if (options.scenario) {
@@ -89,8 +91,8 @@ class Snapshots {
 };
 
 // Runs the scenario to its end, or to a second after a fall; returns the wall time that it took.
-double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario, RunRecorder& recorder,
-                Snapshots& snapshots, const Progress& progress) {
+double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
+                RunRecorder& recorder, Snapshots& snapshots, const Progress& progress) {
   const auto started = Clock::now();
   const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
   auto next_event = scenario.events.begin();
@@ -129,7 +131,8 @@ void check(const RunOptions& options) {
     throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.15,0,0.1");
   }
   if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= 86400.0)) {
-    throw std::invalid_argument(fmt::format("--seconds {}: must be more than 0 and at most 86400", *options.seconds));
+    throw std::invalid_argument(
+        fmt::format("--seconds {}: must be more than 0 and at most 86400", *options.seconds));
   }
   if (!(options.mismatch >= 0.0 && options.mismatch <= 10.0)) {
     throw std::invalid_argument(fmt::format("--mismatch {}: must lie between 0 and 10", options.mismatch));
@@ -139,18 +142,23 @@ void check(const RunOptions& options) {
 }  // namespace
 
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
-  CLI::App* const run = app.add_subcommand("run", "Run the simulated robot headless, faster than real time, and report");
+  CLI::App* const run =
+      app.add_subcommand("run", "Run the simulated robot headless, faster than real time, and report");
   options.robot = default_robot_directory();
   options.config = default_config_file();
   run->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
-  run->add_option("--config", options.config, "Plug-ins of the main controller (YAML)")->capture_default_str();
-  auto* const scenario = run->add_option("--scenario", options.scenario, "Timed commands, pushes and faults (YAML)");
-  run->add_option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
+  run->add_option("--config", options.config, "Plug-ins of the main controller (YAML)")
+      ->capture_default_str();
+  auto* const scenario =
+      run->add_option("--scenario", options.scenario, "Timed commands, pushes and faults (YAML)");
+  run->add_option("--walk", options.walk,
+                  "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
       ->delimiter(',')
       ->excludes(scenario);
   run->add_option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)");
   run->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")->capture_default_str();
-  run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")->capture_default_str();
+  run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+      ->capture_default_str();
   run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
   run->add_flag("!--no-pictures", options.pictures, "Draw no film strip");
   run->add_flag("--quiet", options.quiet, "No progress line and no table");
@@ -185,7 +193,8 @@ int run(const RunOptions& options) {
   timing.wall_s += seconds_since(csv_started);
   timing.physics_only_wall_s = cosimulation.plant().replay_wall_s(recorder.torques());
 
-  const nlohmann::ordered_json result = summary(cosimulation, recorder, timing, options.seed, options.mismatch);
+  const nlohmann::ordered_json result =
+      summary(cosimulation, recorder, timing, options.seed, options.mismatch);
   write_json(options.out / "summary.json", result);
   const std::filesystem::path strip = options.out / "walk.png";
   std::filesystem::remove(strip);
@@ -199,7 +208,8 @@ int run(const RunOptions& options) {
   const core::MainControllerStatistics statistics = cosimulation.main_controller().statistics();
   write_report(options.out / "report.html", {robot, recorder, statistics, result, strip});
   if (!options.quiet) {
-    fmt::print("{}  results                   {}\n", summary_table(result), (options.out / "report.html").string());
+    fmt::print("{}  results                   {}\n", summary_table(result),
+               (options.out / "report.html").string());
   }
   return recorder.metrics().fell ? kExitFell : kExitFine;
 }

@@ -20,7 +20,9 @@ constexpr double kSlot_s = 0.010;
 constexpr std::int64_t kStartUp_ns = 2'000'000'000;  // from a walk command to steady walking
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double yaw_of(const Eigen::Isometry3d& pose) { return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)); }
+double yaw_of(const Eigen::Isometry3d& pose) {
+  return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
+}
 
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
   return {std::atan2(rotation(2, 1), rotation(2, 2)), std::asin(std::clamp(-rotation(2, 0), -1.0, 1.0)),
@@ -36,13 +38,15 @@ Eigen::Vector3d planned_foot(const MotionPlan& plan, std::size_t point, std::siz
 }
 
 // A plan-frame point, seen from the planned foot and laid out from the true one.
-Eigen::Vector2d transfer(const Eigen::Vector2d& point, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+Eigen::Vector2d transfer(const Eigen::Vector2d& point, const Eigen::Vector3d& from,
+                         const Eigen::Vector3d& to) {
   return to.head<2>() + Eigen::Rotation2Dd(to.z() - from.z()) * (point - from.head<2>());
 }
 
 }  // namespace
 
-RunRecorder::RunRecorder(simulator::Cosimulation& run, const std::filesystem::path& bus_log, bool keep_samples)
+RunRecorder::RunRecorder(simulator::Cosimulation& run, const std::filesystem::path& bus_log,
+                         bool keep_samples)
     : run_(run),
       joint_states_(run.client().read<JointStates>("joint_states")),
       foot_forces_(run.client().read<FootForces>("foot_forces")),

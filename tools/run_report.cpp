@@ -1,4 +1,5 @@
-// Lays out report.html: summary, film strip, the walk from above, joints, one cycle of the bus, compute times.
+// Lays out report.html: summary, film strip, the walk from above, joints, one cycle of the bus, compute
+// times.
 #include "gaitway/tools/run_report.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,8 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr std::string_view kBlue = "#2563eb", kOrange = "#ea580c", kGreen = "#059669", kGrey = "#94a3b8", kRed = "#dc2626";
+constexpr std::string_view kBlue = "#2563eb", kOrange = "#ea580c", kGreen = "#059669", kGrey = "#94a3b8",
+                           kRed = "#dc2626";
 
 constexpr std::string_view kStyle = R"(
 :root{color-scheme:light dark;--ink:#0f172a;--soft:#64748b;--line:#e2e8f0;--paper:#fff}
@@ -70,7 +72,8 @@ void draw_footprints(SvgPlot& plot, const urdf::RobotModel& robot, std::span<con
       if (!standing && force > 2 * kStandingForce_N) {
         standing = true;
         const Eigen::Vector4d& foot = sample.foot[side];
-        plot.polygon(sole_corners(robot.feet[side], {foot[0], foot[1], foot[3]}), side == 0 ? kBlue : kOrange, "none");
+        plot.polygon(sole_corners(robot.feet[side], {foot[0], foot[1], foot[3]}), side == 0 ? kBlue : kOrange,
+                     "none");
       } else if (standing && force < kStandingForce_N) {
         standing = false;
       }
@@ -95,8 +98,10 @@ std::string from_above(const ReportInput& input) {
   SvgPlot plot(frame);
   draw_footprints(plot, input.robot, samples);
   plot.line(series(samples, [](const RunSample& s) { return s.reference_zmp_m; }), kGrey, "reference ZMP");
-  plot.line(series(samples, [](const RunSample& s) { return s.measured_zmp_m; }), kGreen, "measured ZMP", 1.0);
-  plot.line(series(samples, [](const RunSample& s) -> Eigen::Vector2d { return s.com_m.head<2>(); }), kRed, "CoM", 2.0);
+  plot.line(series(samples, [](const RunSample& s) { return s.measured_zmp_m; }), kGreen, "measured ZMP",
+            1.0);
+  plot.line(series(samples, [](const RunSample& s) -> Eigen::Vector2d { return s.com_m.head<2>(); }), kRed,
+            "CoM", 2.0);
   return plot.svg();
 }
 
@@ -120,7 +125,8 @@ std::string zmp_over_time(const ReportInput& input, int axis) {
   frame.y_min = 1e9;
   frame.y_max = -1e9;
   for (const RunSample& sample : samples) {
-    for (const double value : {sample.com_m[axis], sample.measured_zmp_m[axis], sample.reference_zmp_m[axis]}) {
+    for (const double value :
+         {sample.com_m[axis], sample.measured_zmp_m[axis], sample.reference_zmp_m[axis]}) {
       if (std::isfinite(value)) {
         frame.y_min = std::min(frame.y_min, value - 0.01);
         frame.y_max = std::max(frame.y_max, value + 0.01);
@@ -160,9 +166,15 @@ std::string joint_tracking(const ReportInput& input, std::size_t joint) {
     }
   }
   SvgPlot plot(frame);
-  plot.line(series(samples, [&](const RunSample& s) { return Eigen::Vector2d(s.time_s, s.joint_reference_rad[joint] * kDegrees); }),
+  plot.line(series(samples,
+                   [&](const RunSample& s) {
+                     return Eigen::Vector2d(s.time_s, s.joint_reference_rad[joint] * kDegrees);
+                   }),
             kGrey, "reference", 2.0);
-  plot.line(series(samples, [&](const RunSample& s) { return Eigen::Vector2d(s.time_s, s.joint_position_rad[joint] * kDegrees); }),
+  plot.line(series(samples,
+                   [&](const RunSample& s) {
+                     return Eigen::Vector2d(s.time_s, s.joint_position_rad[joint] * kDegrees);
+                   }),
             kBlue, "measured");
   return plot.svg();
 }
@@ -175,15 +187,16 @@ std::string bus_timeline(const ReportInput& input) {
     return "<p>No batch was played in this run.</p>";
   }
   const double start_ms = std::floor(static_cast<double>(cycle.front().start_ns) * 1e-6 / 80.0) * 80.0;
-  PlotFrame frame{.title = fmt::format("{} frames of one cycle, from t = {:.3f} s", cycle.size(), start_ms * 1e-3),
-                  .x_label = "time in the cycle [ms]; slots are 10 ms long",
-                  .y_label = "",
-                  .x_min = 0.0,
-                  .x_max = 80.0,
-                  .y_min = 0.0,
-                  .y_max = 9.0,
-                  .height_px = 330.0,
-                  .left_px = 130.0};
+  PlotFrame frame{
+      .title = fmt::format("{} frames of one cycle, from t = {:.3f} s", cycle.size(), start_ms * 1e-3),
+      .x_label = "time in the cycle [ms]; slots are 10 ms long",
+      .y_label = "",
+      .x_min = 0.0,
+      .x_max = 80.0,
+      .y_min = 0.0,
+      .y_max = 9.0,
+      .height_px = 330.0,
+      .left_px = 130.0};
   SvgPlot plot(frame);
   for (const can::MessageSpec& message : can::kFullProfile) {
     const auto row = static_cast<double>(message.kind);
@@ -197,8 +210,10 @@ std::string bus_timeline(const ReportInput& input) {
     const auto row = static_cast<std::size_t>(identified->kind);
     const double from = static_cast<double>(delivery.start_ns) * 1e-6 - start_ms;
     const double to = static_cast<double>(delivery.end_ns) * 1e-6 - start_ms;
-    plot.box(from, to, 8.15 - static_cast<double>(row), 8.85 - static_cast<double>(row), kColours[row % kColours.size()],
-             fmt::format("0x{:03X} node {} · {:.3f} ms · {} bits", delivery.frame.id, identified->node, from, delivery.bits));
+    plot.box(from, to, 8.15 - static_cast<double>(row), 8.85 - static_cast<double>(row),
+             kColours[row % kColours.size()],
+             fmt::format("0x{:03X} node {} · {:.3f} ms · {} bits", delivery.frame.id, identified->node, from,
+                         delivery.bits));
   }
   return plot.svg();
 }
@@ -206,13 +221,15 @@ std::string bus_timeline(const ReportInput& input) {
 std::string compute_times(const ReportInput& input) {
   std::string rows;
   for (const core::PluginTiming& plugin : input.main_controller.plugins) {
-    rows += fmt::format("{:<16}{:>9}{:>10.1f}{:>10.1f}{:>10.1f}{:>8}\n", escape_html(plugin.name), plugin.steps,
-                        plugin.step_us.p50, plugin.step_us.p99, plugin.step_us.max, plugin.faults);
+    rows +=
+        fmt::format("{:<16}{:>9}{:>10.1f}{:>10.1f}{:>10.1f}{:>8}\n", escape_html(plugin.name), plugin.steps,
+                    plugin.step_us.p50, plugin.step_us.p99, plugin.step_us.max, plugin.faults);
   }
   const auto& batch = input.main_controller.batch_compute_us;
-  return fmt::format("<pre>{:<16}{:>9}{:>10}{:>10}{:>10}{:>8}\n{}{:<16}{:>9}{:>10.1f}{:>10.1f}{:>10.1f}</pre>\n", "plug-in",
-                     "steps", "p50 [us]", "p99 [us]", "max [us]", "faults", rows, "whole batch", "", batch.p50, batch.p99,
-                     batch.max);
+  return fmt::format(
+      "<pre>{:<16}{:>9}{:>10}{:>10}{:>10}{:>8}\n{}{:<16}{:>9}{:>10.1f}{:>10.1f}{:>10.1f}</pre>\n", "plug-in",
+      "steps", "p50 [us]", "p99 [us]", "max [us]", "faults", rows, "whole batch", "", batch.p50, batch.p99,
+      batch.max);
 }
 
 std::string film_strip(const std::filesystem::path& file) {
@@ -221,7 +238,9 @@ std::string film_strip(const std::filesystem::path& file) {
     return {};
   }
   const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(picture), {}};
-  return fmt::format("<h2>Pictures</h2>\n<img alt=\"the robot during the run\" src=\"data:image/png;base64,{}\">\n", base64(bytes));
+  return fmt::format(
+      "<h2>Pictures</h2>\n<img alt=\"the robot during the run\" src=\"data:image/png;base64,{}\">\n",
+      base64(bytes));
 }
 
 }  // namespace
@@ -237,18 +256,23 @@ void write_report(const std::filesystem::path& file, const ReportInput& input) {
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Gaitway run: {0}</title>"
       "<meta name=\"viewport\" content=\"width=device-width\"><style>{1}</style></head><body>\n"
       "<h1>{0}: a run of {2:.1f} s, seed {3}</h1>\n<pre>{4}</pre>\n{5}"
-      "<h2>The walk</h2>\n<p>Blue: left foot, orange: right foot. References are laid out from the true support foot.</p>\n{6}{7}{8}"
+      "<h2>The walk</h2>\n<p>Blue: left foot, orange: right foot. References are laid out from the true "
+      "support foot.</p>\n{6}{7}{8}"
       "<h2>Joint tracking</h2>\n<p>Two seconds from the middle of the run; the legs.</p>\n{9}"
-      "<h2>One 80 ms cycle of the bus</h2>\n<p>Hover over a frame for its identifier, node, time and length.</p>\n{10}"
-      "<h2>Compute times</h2>\n<p>Wall time of each step, measured on this machine.</p>\n{11}</body></html>\n",
+      "<h2>One 80 ms cycle of the bus</h2>\n<p>Hover over a frame for its identifier, node, time and "
+      "length.</p>\n{10}"
+      "<h2>Compute times</h2>\n<p>Wall time of each step, measured on this "
+      "machine.</p>\n{11}</body></html>\n",
       escape_html(input.robot.name), kStyle, input.summary["virtual_seconds"].get<double>(),
-      input.summary["seed"].get<std::uint64_t>(), escape_html(summary_table(input.summary)), film_strip(input.film_strip),
-      from_above(input), zmp_over_time(input, 0), zmp_over_time(input, 1), joints, bus_timeline(input), compute_times(input));
+      input.summary["seed"].get<std::uint64_t>(), escape_html(summary_table(input.summary)),
+      film_strip(input.film_strip), from_above(input), zmp_over_time(input, 0), zmp_over_time(input, 1),
+      joints, bus_timeline(input), compute_times(input));
   std::ofstream out(file, std::ios::binary);
   out << page;
   out.close();
   if (!out) {
-    throw std::runtime_error(fmt::format("{}: cannot be written; is the folder writable, is the disk full?", file.string()));
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written; is the folder writable, is the disk full?", file.string()));
   }
 }
 

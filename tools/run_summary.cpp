@@ -53,34 +53,34 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
                                const RunTiming& timing, std::uint64_t seed, double mismatch) {
   const RunMetrics& metrics = recorder.metrics();
   const double virtual_s = static_cast<double>(run.now_ns()) * 1e-9;
-  nlohmann::ordered_json result = {
-      {"robot", run.robot().name},
-      {"profile", "full"},
-      {"seed", seed},
-      {"mismatch", mismatch},
-      {"virtual_seconds", virtual_s},
-      {"wall_seconds", timing.wall_s},
-      {"real_time_factor", virtual_s / timing.wall_s},
-      {"physics_only_real_time_factor", virtual_s / timing.physics_only_wall_s},
-      {"fell", metrics.fell},
-      {"distance_m", metrics.distance_m()},
-      {"mean_speed_m_s", metrics.mean_speed_m_per_s()},
-      {"mean_side_speed_m_s", metrics.mean_side_speed_m_per_s()},
-      {"lateral_drift_m", metrics.lateral_drift_m()},
-      {"heading_drift_rad", metrics.heading_drift_rad()},
-      {"batches", batches(run)},
-      {"bus", bus(run)},
-      {"joints",
-       {{"tracking_rms_rad", metrics.tracking_rad.value()},
-        {"refused_points", run.main_controller().statistics().refused_points},
-        {"resynchronised", run.message_controller().state().resynchronised}}},
-      {"zmp",
-       {{"reference_error_rms_m", metrics.zmp_reference_error_m.value()},
-        {"estimate_error_rms_m", metrics.zmp_estimate_error_m.value()},
-        {"margin_min_m", metrics.zmp_reference_error_m.count() > 0 ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
-                                                                   : nlohmann::ordered_json(nullptr)}}},
-      {"events", events(run)},
-      {"digest", fmt::format("{:016x}", recorder.digest())}};
+  nlohmann::ordered_json result = {{"robot", run.robot().name},
+                                   {"profile", "full"},
+                                   {"seed", seed},
+                                   {"mismatch", mismatch},
+                                   {"virtual_seconds", virtual_s},
+                                   {"wall_seconds", timing.wall_s},
+                                   {"real_time_factor", virtual_s / timing.wall_s},
+                                   {"physics_only_real_time_factor", virtual_s / timing.physics_only_wall_s},
+                                   {"fell", metrics.fell},
+                                   {"distance_m", metrics.distance_m()},
+                                   {"mean_speed_m_s", metrics.mean_speed_m_per_s()},
+                                   {"mean_side_speed_m_s", metrics.mean_side_speed_m_per_s()},
+                                   {"lateral_drift_m", metrics.lateral_drift_m()},
+                                   {"heading_drift_rad", metrics.heading_drift_rad()},
+                                   {"batches", batches(run)},
+                                   {"bus", bus(run)},
+                                   {"joints",
+                                    {{"tracking_rms_rad", metrics.tracking_rad.value()},
+                                     {"refused_points", run.main_controller().statistics().refused_points},
+                                     {"resynchronised", run.message_controller().state().resynchronised}}},
+                                   {"zmp",
+                                    {{"reference_error_rms_m", metrics.zmp_reference_error_m.value()},
+                                     {"estimate_error_rms_m", metrics.zmp_estimate_error_m.value()},
+                                     {"margin_min_m", metrics.zmp_reference_error_m.count() > 0
+                                                          ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
+                                                          : nlohmann::ordered_json(nullptr)}}},
+                                   {"events", events(run)},
+                                   {"digest", fmt::format("{:016x}", recorder.digest())}};
   if (metrics.fell) {
     result["fell_at_s"] = metrics.fell_at_s;
   }
@@ -88,33 +88,40 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
 }
 
 std::string summary_table(const nlohmann::ordered_json& s) {
-  const auto number = [](const nlohmann::ordered_json& value) { return value.is_null() ? 0.0 : value.get<double>(); };
+  const auto number = [](const nlohmann::ordered_json& value) {
+    return value.is_null() ? 0.0 : value.get<double>();
+  };
   std::string text;
   const auto row = [&text](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<26}{}\n", label, value);
   };
-  row("result", s["fell"].get<bool>() ? fmt::format("FELL at {:.2f} s", number(s["fell_at_s"])) : "stayed up");
-  row("distance", fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
+  row("result",
+      s["fell"].get<bool>() ? fmt::format("FELL at {:.2f} s", number(s["fell_at_s"])) : "stayed up");
+  row("distance",
+      fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
   row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
                            number(s["heading_drift_rad"]) * 57.29578));
   const auto& b = s["batches"];
   row("batches", fmt::format("{} handed over, {} late, {} refused, {} cycles from the safe tail",
                              b["handed_over"].get<std::uint64_t>(), b["late"].get<std::uint64_t>(),
                              b["refused"].get<std::uint64_t>(), b["tail_played"].get<std::uint64_t>()));
-  row("batch compute", fmt::format("p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us", number(b["compute_us"]["p50"]),
-                                   number(b["compute_us"]["p99"]), number(b["compute_us"]["max"])));
+  row("batch compute",
+      fmt::format("p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us", number(b["compute_us"]["p50"]),
+                  number(b["compute_us"]["p99"]), number(b["compute_us"]["max"])));
   const auto& bus = s["bus"];
   row("bus", fmt::format("{} frames, load {:.1f} %, 8-byte frame {:.0f}/{:.1f}/{:.0f} us (min/mean/max)",
-                         bus["frames"].get<std::uint64_t>(), 100.0 * number(bus["load"]), number(bus["frame_us"]["min"]),
-                         number(bus["frame_us"]["mean"]), number(bus["frame_us"]["max"])));
+                         bus["frames"].get<std::uint64_t>(), 100.0 * number(bus["load"]),
+                         number(bus["frame_us"]["min"]), number(bus["frame_us"]["mean"]),
+                         number(bus["frame_us"]["max"])));
   row("joints", fmt::format("tracking {:.2f} deg RMS, {} refused points, {} resynchronised",
                             number(s["joints"]["tracking_rms_rad"]) * 57.29578,
                             s["joints"]["refused_points"].get<std::uint64_t>(),
                             s["joints"]["resynchronised"].get<std::uint64_t>()));
   const auto& zmp = s["zmp"];
-  row("ZMP", fmt::format("reference error {:.1f} mm RMS, estimate error {:.1f} mm RMS, margin at least {:.1f} mm",
-                         1e3 * number(zmp["reference_error_rms_m"]), 1e3 * number(zmp["estimate_error_rms_m"]),
-                         1e3 * number(zmp["margin_min_m"])));
+  row("ZMP",
+      fmt::format("reference error {:.1f} mm RMS, estimate error {:.1f} mm RMS, margin at least {:.1f} mm",
+                  1e3 * number(zmp["reference_error_rms_m"]), 1e3 * number(zmp["estimate_error_rms_m"]),
+                  1e3 * number(zmp["margin_min_m"])));
   row("speed", fmt::format("{:.1f} x real time (physics alone: {:.1f} x)", number(s["real_time_factor"]),
                            number(s["physics_only_real_time_factor"])));
   row("digest", s["digest"].get<std::string>());

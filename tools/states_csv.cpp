@@ -13,8 +13,10 @@ namespace {
 
 std::string header(const urdf::RobotModel& robot) {
   std::string line =
-      "time_s,mode,base_x_m,base_y_m,base_z_m,base_roll_rad,base_pitch_rad,base_yaw_rad,com_x_m,com_y_m,com_z_m,"
-      "reference_com_x_m,reference_com_y_m,cop_x_m,cop_y_m,measured_zmp_x_m,measured_zmp_y_m,reference_zmp_x_m,"
+      "time_s,mode,base_x_m,base_y_m,base_z_m,base_roll_rad,base_pitch_rad,base_yaw_rad,com_x_m,com_y_m,com_"
+      "z_m,"
+      "reference_com_x_m,reference_com_y_m,cop_x_m,cop_y_m,measured_zmp_x_m,measured_zmp_y_m,reference_zmp_x_"
+      "m,"
       "reference_zmp_y_m,gyro_x_rad_s,gyro_y_rad_s,gyro_z_rad_s,acceleration_x_m_s2,acceleration_y_m_s2,"
       "acceleration_z_m_s2,inclination_roll_rad,inclination_pitch_rad";
   for (const char* const side : {"left", "right"}) {
@@ -67,7 +69,8 @@ void append_sample(std::string& line, const RunSample& s) {
 
 }  // namespace
 
-void write_states_csv(const std::filesystem::path& file, const urdf::RobotModel& robot, std::span<const RunSample> samples) {
+void write_states_csv(const std::filesystem::path& file, const urdf::RobotModel& robot,
+                      std::span<const RunSample> samples) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "w"), std::fclose);
   if (!out) {
     throw std::runtime_error(fmt::format("{}: cannot be written; is the folder writable?", file.string()));

@@ -1,4 +1,5 @@
-// The message controller against a small bus of joints that answer: schedule, repair, resynchronisation, safe tail.
+// The message controller against a small bus of joints that answer: schedule, repair, resynchronisation, safe
+// tail.
 #include "gaitway/msgcontroller/message_controller.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,8 @@ class MessageControllerTest : public ::testing::Test {
     }
   }
 
-  // A batch that moves every joint by one count a point, then a tail of `tail` points that goes on half as fast.
+  // A batch that moves every joint by one count a point, then a tail of `tail` points that goes on half as
+  // fast.
   msgclient::HandOver batch(std::uint32_t sequence, int tail = 20) {
     msgclient::HandOver hand_over;
     hand_over.sequence = sequence;
@@ -122,11 +124,13 @@ class MessageControllerTest : public ::testing::Test {
   // Every joint's count, from its home, is `moved`.
   void expect_moved(std::int32_t moved) {
     for (std::size_t joint = 0; joint < bus_.size(); ++joint) {
-      EXPECT_EQ(bus_.count(joint) - JointsOnABus::home_count(robot_.joints[joint]), moved) << "joint " << joint;
+      EXPECT_EQ(bus_.count(joint) - JointsOnABus::home_count(robot_.joints[joint]), moved)
+          << "joint " << joint;
     }
   }
 
-  urdf::RobotModel robot_ = urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
+  urdf::RobotModel robot_ =
+      urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
   msgclient::MemoryBlock block_;
   msgclient::EmiAdapter adapter_{block_};
   msgclient::Client client_ = block_.local_client("message_controller");
@@ -204,8 +208,8 @@ TEST_F(MessageControllerTest, NoJointStaysOnACountThatIsNotKnownWhateverIsLost) 
   bus_.drop = [&state](const can::Frame& frame) {
     state = state * 1664525U + 1013904223U;
     const auto kind = can::identify(frame.id)->kind;
-    const bool may_be_lost = kind == can::MessageKind::trajectory || kind == can::MessageKind::resynchronisation ||
-                             kind == can::MessageKind::sync;
+    const bool may_be_lost = kind == can::MessageKind::trajectory ||
+                             kind == can::MessageKind::resynchronisation || kind == can::MessageKind::sync;
     return may_be_lost && (state >> 16U) % 20U == 0;
   };
   for (std::uint32_t sequence = 2; sequence < 40; ++sequence) {
@@ -270,7 +274,8 @@ TEST_F(MessageControllerTest, AStopPlaysTheTailAndRefusesBatchesUntilTheRobotSta
 TEST_F(MessageControllerTest, EmergencyStopReachesTheBusAtOnceAndEndsBatches) {
   hand_over(2);
   run_until(2 * kCycle_ns + 2 * kSlot_ns);
-  const msgclient::UserCommandMail stop{.sequence = 1, .kind = msgclient::UserCommandKind::emergency_stop_hold};
+  const msgclient::UserCommandMail stop{.sequence = 1,
+                                        .kind = msgclient::UserCommandKind::emergency_stop_hold};
   adapter_.host().post(stop, now_ns_);
   run_until(now_ns_ + 2 * kMillisecond_ns);
   EXPECT_EQ(adapter_.host().take_answer(now_ns_)->verdict, Verdict::accepted);

@@ -8,7 +8,9 @@
 namespace gaitway::msgcontroller {
 namespace {
 
-can::Frame frame(std::uint16_t id, std::uint8_t mark = 0) { return {.id = id, .size = 1, .data = {mark}}; }
+can::Frame frame(std::uint16_t id, std::uint8_t mark = 0) {
+  return {.id = id, .size = 1, .data = {mark}};
+}
 
 TEST(TransmitQueue, OffersTheLowestIdentifierFirst) {
   std::mt19937 random(7);

@@ -17,7 +17,8 @@ namespace {
 const simulator::Scenario kShortWalk{.seconds = 8.0, .events = {walk_at(1.0, 0.15)}};
 
 std::filesystem::path temporary_log(const std::string& name) {
-  return std::filesystem::temp_directory_path() / ("gaitway_" + name + "_" + std::to_string(getpid()) + ".log");
+  return std::filesystem::temp_directory_path() /
+         ("gaitway_" + name + "_" + std::to_string(getpid()) + ".log");
 }
 
 std::uint64_t digest_of(std::uint64_t seed) {
@@ -35,7 +36,8 @@ TEST(Chain, OneSeedGivesOneDigestAndAnotherAnother) {
 // Keeps every joint's reference count at the end of each time slot.
 class ReferenceRecorder final : public simulator::CosimulationObserver {
  public:
-  explicit ReferenceRecorder(simulator::Cosimulation& run, tools::RunRecorder& next) : run_(run), next_(next) {}
+  explicit ReferenceRecorder(simulator::Cosimulation& run, tools::RunRecorder& next)
+      : run_(run), next_(next) {}
   void on_frame(const can::SimulatedBus::Delivery& delivery) override { next_.on_frame(delivery); }
   void on_millisecond(std::int64_t now_ns) override {
     next_.on_millisecond(now_ns);

@@ -12,8 +12,20 @@
 
 namespace gaitway::scenarios {
 
+// How many seeds a scenario is played with.
+#ifdef GAITWAY_FEW_SEEDS
+constexpr int seeds(int /*wanted*/) {
+  return 2;
+}
+#else
+constexpr int seeds(int wanted) {
+  return wanted;
+}
+#endif
+
 inline const urdf::RobotModel& humanoid22() {
-  static const urdf::RobotModel robot = urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
+  static const urdf::RobotModel robot =
+      urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
   return robot;
 }
 
@@ -50,7 +62,8 @@ class SimulatedRun {
     simulator::CosimulationOptions result;
     result.plant.seed = seed;
     result.plant.mismatch = mismatch;
-    result.main_controller.configuration = std::filesystem::path(GAITWAY_SOURCE_DIR) / "core" / "config" / "walk.yaml";
+    result.main_controller.configuration =
+        std::filesystem::path(GAITWAY_SOURCE_DIR) / "core" / "config" / "walk.yaml";
     result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
     return result;
   }
@@ -59,6 +72,8 @@ class SimulatedRun {
 inline simulator::ScenarioEvent walk_at(double at_s, double forward, double left = 0.0, double turn = 0.0) {
   return {at_s, simulator::WalkEvent{.velocity_m_per_s = {forward, left}, .turn_rate_rad_per_s = turn}};
 }
-inline simulator::ScenarioEvent stand_at(double at_s) { return {at_s, simulator::WalkEvent{.walk = false}}; }
+inline simulator::ScenarioEvent stand_at(double at_s) {
+  return {at_s, simulator::WalkEvent{.walk = false}};
+}
 
 }  // namespace gaitway::scenarios

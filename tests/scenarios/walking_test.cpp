@@ -1,4 +1,5 @@
-// What the robot must be able to do on flat ground with a body that its planner knows only roughly (mismatch 1).
+// What the robot must be able to do on flat ground with a body that its planner knows only roughly (mismatch
+// 1).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,8 +57,8 @@ TEST_P(StopsTurnsAndSideSteps, SideSteps) {
   EXPECT_NEAR(std::abs(run.metrics().mean_side_speed_m_per_s()), 0.05, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, StraightWalk, ::testing::Range(1, 21));
-INSTANTIATE_TEST_SUITE_P(Seeds, StopsTurnsAndSideSteps, ::testing::Range(1, 11));
+INSTANTIATE_TEST_SUITE_P(Seeds, StraightWalk, ::testing::Range(1, 1 + seeds(20)));
+INSTANTIATE_TEST_SUITE_P(Seeds, StopsTurnsAndSideSteps, ::testing::Range(1, 1 + seeds(10)));
 
 }  // namespace
 }  // namespace gaitway::scenarios

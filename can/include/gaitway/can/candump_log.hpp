@@ -18,7 +18,8 @@ class CandumpWriter {
   // Throws std::runtime_error naming the file when it cannot be created.
   explicit CandumpWriter(const std::filesystem::path& file);
   void write(std::int64_t time_ns, const Frame& frame);
-  // Writes what is buffered and closes; throws std::runtime_error naming the file when something was not written.
+  // Writes what is buffered and closes; throws std::runtime_error naming the file when something was not
+  // written.
   void close();
 
  private:

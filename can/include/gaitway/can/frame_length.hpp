@@ -1,4 +1,5 @@
-// How long a data frame is on the wire, to the bit: CRC-15 and stuff bits are computed, not estimated. Freestanding.
+// How long a data frame is on the wire, to the bit: CRC-15 and stuff bits are computed, not estimated.
+// Freestanding.
 #pragma once
 
 #include <cstdint>

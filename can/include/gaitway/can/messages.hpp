@@ -12,10 +12,10 @@ namespace gaitway::can {
 
 using NodeId = std::uint8_t;  // 1..64: a local controller on the bus; 0 is the message controller
 
-inline constexpr int kBatchPoints = 8;        // points in one trajectory frame, one a time slot
-inline constexpr int kResyncDeltas = 5;       // points that follow the absolute one in a resynchronisation
-inline constexpr int kTrimChannels = 8;       // signed corrections in the trim frame
-inline constexpr int kFeedbackChannels = 2;   // 16-bit sensor channels in a feedback frame
+inline constexpr int kBatchPoints = 8;       // points in one trajectory frame, one a time slot
+inline constexpr int kResyncDeltas = 5;      // points that follow the absolute one in a resynchronisation
+inline constexpr int kTrimChannels = 8;      // signed corrections in the trim frame
+inline constexpr int kFeedbackChannels = 2;  // 16-bit sensor channels in a feedback frame
 
 // What the joints do on an emergency stop.
 enum class StopMode : std::uint8_t { hold = 0, soft = 1 };
@@ -36,10 +36,10 @@ struct UserCommand {
 
 // Sent at every slot edge; starts batches and keeps the joints' slots aligned.
 struct Sync {
-  std::uint16_t cycle = 0;           // low 16 bits of the cycle number = of the batch's sequence number
-  std::uint8_t slot = 0;             // 0..7
-  bool batch_committed = false;      // a batch for this cycle was sent: whoever holds it starts it at slot 0
-  bool toggle = false;               // toggle of the committed batch
+  std::uint16_t cycle = 0;       // low 16 bits of the cycle number = of the batch's sequence number
+  std::uint8_t slot = 0;         // 0..7
+  bool batch_committed = false;  // a batch for this cycle was sent: whoever holds it starts it at slot 0
+  bool toggle = false;           // toggle of the committed batch
   friend bool operator==(const Sync&, const Sync&) = default;
 };
 
@@ -59,8 +59,8 @@ enum class JointState : std::uint8_t {
 // One joint's merged feedback, at every slot edge; also its heartbeat.
 struct Feedback {
   NodeId node = 0;
-  std::int16_t position = 0;       // measured angle, in 1/65536 of a turn, joint zero = 0
-  std::int8_t current = 0;         // motor torque, in 1/8 N·m (rounded, saturating)
+  std::int16_t position = 0;  // measured angle, in 1/65536 of a turn, joint zero = 0
+  std::int8_t current = 0;    // motor torque, in 1/8 N·m (rounded, saturating)
   JointState state = JointState::holding;
   bool pending_toggle = false;     // toggle of the newest trajectory frame that the joint holds
   bool executing_toggle = false;   // toggle of the batch that it plays (or played last)
@@ -88,9 +88,9 @@ struct Trajectory {
 // Repairs one joint: its absolute count at the end of `slot`, and the changes of the slots after it.
 struct Resynchronisation {
   NodeId node = 0;
-  bool toggle = false;           // of the batch that it belongs to
-  std::uint8_t slot = 0;         // 0..7: the slot (of the running cycle) at whose SYNC it takes effect
-  std::int16_t count = 0;        // reference count at the end of that slot
+  bool toggle = false;     // of the batch that it belongs to
+  std::uint8_t slot = 0;   // 0..7: the slot (of the running cycle) at whose SYNC it takes effect
+  std::int16_t count = 0;  // reference count at the end of that slot
   std::array<std::int8_t, kResyncDeltas> delta{};  // of slot+1 ...; past the batch's end: zero, unused
   friend bool operator==(const Resynchronisation&, const Resynchronisation&) = default;
 };

@@ -38,8 +38,8 @@ class SimulatedBus {
   int attach();
 
   // Offers a frame to the bus from `now_ns` on; it takes part in every arbitration until it has been sent.
-  // False, and nothing changes, when the station's transmit buffer is occupied. Two stations never send the same
-  // identifier on a real bus; here the lower station would win.
+  // False, and nothing changes, when the station's transmit buffer is occupied. Two stations never send the
+  // same identifier on a real bus; here the lower station would win.
   bool transmit(int station, const Frame& frame, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool transmit_pending(int station) const noexcept;
   // Takes a waiting frame back; false when there is none or it is already on the wire.
@@ -53,8 +53,9 @@ class SimulatedBus {
     int bits = 0;               // exact length with stuff bits, without the interframe space
     bool lost = false;          // a fault: no receiver has it, though its sender thinks that it was sent
   };
-  // The next frame that completes at or before `until_ns`, in order of time; nothing when none does. The caller
-  // handles the delivery (and may transmit() in answer, at end_ns or later) and calls again until nothing comes.
+  // The next frame that completes at or before `until_ns`, in order of time; nothing when none does. The
+  // caller handles the delivery (and may transmit() in answer, at end_ns or later) and calls again until
+  // nothing comes.
   std::optional<Delivery> advance(std::int64_t until_ns) noexcept;
 
   // Decides for each frame, at its start, whether it gets lost. Empty: none does.
@@ -72,8 +73,8 @@ class SimulatedBus {
 
   std::int64_t bit_time_ns_;
   std::vector<Station> stations_;
-  int waiting_ = 0;                     // stations with a pending frame that is not on the wire
-  std::int64_t free_from_ns_ = 0;       // end of the last interframe space
+  int waiting_ = 0;                // stations with a pending frame that is not on the wire
+  std::int64_t free_from_ns_ = 0;  // end of the last interframe space
   std::optional<Delivery> on_wire_;
   std::function<bool(const Frame&, std::int64_t)> loss_;
   BusStatistics statistics_;

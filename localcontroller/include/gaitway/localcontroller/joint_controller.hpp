@@ -1,5 +1,6 @@
-// One joint's local controller: plays the points of its batch, servoes at 1 ms, filters its sensors and answers
-// with one feedback frame a time slot. No heap, no exceptions, no operating system: it runs on a microcontroller.
+// One joint's local controller: plays the points of its batch, servoes at 1 ms, filters its sensors and
+// answers with one feedback frame a time slot. No heap, no exceptions, no operating system: it runs on a
+// microcontroller.
 #pragma once
 
 #include <array>
@@ -18,15 +19,15 @@ namespace gaitway::localcontroller {
 // What one joint's firmware is configured with; the loader fills it from the robot's network file.
 struct JointConfig {
   can::NodeId node = 0;
-  double count_rad = 0.0;                // size of a count on the wire
-  double encoder_count_rad = 0.0;        // size of an encoder count
-  double stiffness_Nm_per_rad = 0.0;     // position gain of the servo
-  double damping_Nms_per_rad = 0.0;      // velocity gain; the reference's velocity is fed forward
-  double torque_limit_Nm = 0.0;          // fades to zero at speed_limit_rad_per_s in the driving direction
+  double count_rad = 0.0;             // size of a count on the wire
+  double encoder_count_rad = 0.0;     // size of an encoder count
+  double stiffness_Nm_per_rad = 0.0;  // position gain of the servo
+  double damping_Nms_per_rad = 0.0;   // velocity gain; the reference's velocity is fed forward
+  double torque_limit_Nm = 0.0;       // fades to zero at speed_limit_rad_per_s in the driving direction
   double speed_limit_rad_per_s = 0.0;
   double lower_rad = 0.0, upper_rad = 0.0;  // position limits that the reference never leaves
   std::int32_t initial_reference_count = 0;
-  int trim_channel = -1;                 // which of the trim frame's 8 values is this joint's; -1: none
+  int trim_channel = -1;  // which of the trim frame's 8 values is this joint's; -1: none
   double trim_count_rad = 0.0;
   double trim_slew_rad_per_s = 0.0;
   double trim_limit_rad = 0.0;

@@ -1,5 +1,5 @@
-// Plays the eight points of a batch: one change of the reference count a time slot, interpolated in between. Starts
-// batches on SYNC only, so that all joints start together; goes on alone when a SYNC is lost.
+// Plays the eight points of a batch: one change of the reference count a time slot, interpolated in between.
+// Starts batches on SYNC only, so that all joints start together; goes on alone when a SYNC is lost.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ class PointPlayer {
 
   // A new batch, to be started by a SYNC that names its toggle. A repeated frame changes nothing.
   void on_trajectory(const can::Trajectory& batch) noexcept;
-  // A repair; takes effect at the SYNC of its slot. One for a slot that has begun does nothing: the next feedback
-  // shows the message controller that it came too late.
+  // A repair; takes effect at the SYNC of its slot. One for a slot that has begun does nothing: the next
+  // feedback shows the message controller that it came too late.
   void on_resynchronisation(const can::Resynchronisation& repair) noexcept;
   void on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
   // Moves to a count over some slots; only while no batch runs. False otherwise.

@@ -28,7 +28,8 @@ class SensorFilter {
     if (!(mean > -32767.0F)) {  // also what is not a number
       return -32767;
     }
-    return mean < 32767.0F ? static_cast<std::int16_t>(mean < 0.0F ? mean - 0.5F : mean + 0.5F) : std::int16_t{32767};
+    return mean < 32767.0F ? static_cast<std::int16_t>(mean < 0.0F ? mean - 0.5F : mean + 0.5F)
+                           : std::int16_t{32767};
   }
 
  private:

@@ -1,5 +1,5 @@
-// The joint's position servo: proportional to the position error, damping on the velocity error, torque limited as the
-// motor can give it.
+// The joint's position servo: proportional to the position error, damping on the velocity error, torque
+// limited as the motor can give it.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,11 @@ class Servo {
  public:
   explicit Servo(const ServoGains& gains) noexcept : gains_(gains) {}
 
-  // One servo period. Measured position from the encoder; velocity from its differences, smoothed by a first-order
-  // low-pass with a time constant of two periods: enough against quantisation, little enough for the damping.
-  double step(double reference_rad, double reference_rate_rad_per_s, double measured_rad, double period_s) noexcept;
+  // One servo period. Measured position from the encoder; velocity from its differences, smoothed by a
+  // first-order low-pass with a time constant of two periods: enough against quantisation, little enough for
+  // the damping.
+  double step(double reference_rad, double reference_rate_rad_per_s, double measured_rad,
+              double period_s) noexcept;
   [[nodiscard]] double velocity_rad_per_s() const noexcept { return velocity_rad_per_s_; }
   [[nodiscard]] bool saturated() const noexcept { return saturated_; }
 

@@ -1,5 +1,5 @@
-// The joint's trim: goes to each commanded correction evenly over one time slot, at a limited rate, and fades out when
-// none comes any more. Even, because the servo feeds the rate forward: a step would kick the joint.
+// The joint's trim: goes to each commanded correction evenly over one time slot, at a limited rate, and fades
+// out when none comes any more. Even, because the servo feeds the rate forward: a step would kick the joint.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@ inline constexpr double kTrimInterval_s = 0.010;  // between two trim frames
 
 class TrimSlew {
  public:
-  TrimSlew(double limit_rad, double slew_rad_per_s) noexcept : limit_rad_(limit_rad), slew_rad_per_s_(slew_rad_per_s) {}
+  TrimSlew(double limit_rad, double slew_rad_per_s) noexcept
+      : limit_rad_(limit_rad), slew_rad_per_s_(slew_rad_per_s) {}
 
   void command(double angle_rad, std::int64_t now_ns) noexcept {
     commanded_ns_ = now_ns;

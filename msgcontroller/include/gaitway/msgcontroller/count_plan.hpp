@@ -1,5 +1,6 @@
-// A hand-over in counts: the batch and its safe tail as the joints will count them. Rounding each absolute point,
-// and sending differences of rounded points, is the error feedback: what one point loses, the next one gains.
+// A hand-over in counts: the batch and its safe tail as the joints will count them. Rounding each absolute
+// point, and sending differences of rounded points, is the error feedback: what one point loses, the next one
+// gains.
 #pragma once
 
 #include <array>
@@ -28,8 +29,9 @@ struct CountPlanProblem {
   double counts = 0.0;  // the change that was asked for
 };
 
-// Converts a hand-over. `count_rad`: size of a count of each joint. `start_count`: each joint's reference where the
-// batch begins. Every change of 10 ms must fit the signed byte of a trajectory frame; nothing is clipped.
+// Converts a hand-over. `count_rad`: size of a count of each joint. `start_count`: each joint's reference
+// where the batch begins. Every change of 10 ms must fit the signed byte of a trajectory frame; nothing is
+// clipped.
 CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const double> count_rad,
                            std::span<const std::int32_t> start_count, CountPlan& plan) noexcept;
 

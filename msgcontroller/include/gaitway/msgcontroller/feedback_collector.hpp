@@ -1,4 +1,5 @@
-// Gathers one time slot's feedback frames into the topics that everybody reads: joint states, foot forces, IMU.
+// Gathers one time slot's feedback frames into the topics that everybody reads: joint states, foot forces,
+// IMU.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// The message controller: takes batches from the main controller, sends them over the bus slot by slot, gathers
-// feedback into topics, repairs what was lost, and plays the safe tail when no batch comes. Passive: it is told the
-// time once a millisecond and at each arrival.
+// The message controller: takes batches from the main controller, sends them over the bus slot by slot,
+// gathers feedback into topics, repairs what was lost, and plays the safe tail when no batch comes. Passive:
+// it is told the time once a millisecond and at each arrival.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ class MessageController {
 
   // To be called at every millisecond of the clock, before the frames of that millisecond are exchanged.
   void step(std::int64_t now_ns) noexcept;
-  // Takes what the main controller has put into the mailboxes; step() does so, too. To be called when a doorbell rings
-  // between two milliseconds.
+  // Takes what the main controller has put into the mailboxes; step() does so, too. To be called when a
+  // doorbell rings between two milliseconds.
   void take_mails(std::int64_t now_ns) noexcept;
   // A frame arrived from the bus.
   void on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept;
@@ -95,7 +95,8 @@ class MessageController {
   std::uint32_t slots_since_start_ = 0;
   std::uint32_t last_host_trim_slot_ = 0;  // slot since start in which the main controller last sent a trim
   std::uint64_t unanswered_ = 0;
-  std::array<std::uint32_t, kMaxJoints> resync_until_{};  // until this slot a joint's count may differ: a repair is on its way
+  std::array<std::uint32_t, kMaxJoints>
+      resync_until_{};  // until this slot a joint's count may differ: a repair is on its way
 };
 
 }  // namespace gaitway::msgcontroller

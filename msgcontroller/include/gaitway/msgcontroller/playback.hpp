@@ -1,5 +1,5 @@
-// What the joints are told to play: the running cycle's eight points, the prepared ones of the next cycle, and the
-// newest accepted plan whose safe tail takes over when no newer batch arrives.
+// What the joints are told to play: the running cycle's eight points, the prepared ones of the next cycle,
+// and the newest accepted plan whose safe tail takes over when no newer batch arrives.
 #pragma once
 
 #include <array>

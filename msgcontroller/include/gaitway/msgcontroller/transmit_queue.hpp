@@ -1,5 +1,5 @@
-// The message controller's transmit queue: always offers the frame of highest priority (lowest identifier) to the
-// bus; frames of one identifier keep their order. Fixed capacity, no allocation.
+// The message controller's transmit queue: always offers the frame of highest priority (lowest identifier) to
+// the bus; frames of one identifier keep their order. Fixed capacity, no allocation.
 #pragma once
 
 #include <algorithm>

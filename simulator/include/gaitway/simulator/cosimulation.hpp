@@ -1,7 +1,7 @@
 // The whole chain in one process and in virtual time: physics, 22 local controllers, the CAN bus in its own
-// microsecond events, the message controller, and the main controller with its plug-ins. Deterministic to the bit
-// for one seed. Order inside one millisecond: physics, local controllers, message controller and main controller at
-// their instants, bus.
+// microsecond events, the message controller, and the main controller with its plug-ins. Deterministic to the
+// bit for one seed. Order inside one millisecond: physics, local controllers, message controller and main
+// controller at their instants, bus.
 #pragma once
 
 #include <cstdint>
@@ -91,8 +91,8 @@ class Cosimulation {
 
   can::StationTransmitter message_transmitter_;
   std::vector<int> joint_station_;
-  std::vector<std::int64_t> doorbells_due_ns_;     // host→message, in order of time
-  std::int64_t silent_until_ns_ = 0;               // the main controller makes no tick before
+  std::vector<std::int64_t> doorbells_due_ns_;  // host→message, in order of time
+  std::int64_t silent_until_ns_ = 0;            // the main controller makes no tick before
   std::int64_t losses_until_ns_ = 0;
   double loss_probability_ = 0.0;
   std::uint32_t user_commands_ = 0;

@@ -9,5 +9,4 @@ namespace gaitway::simulator {
 // Configuration of the local controller of joint `joint` (index into RobotModel::joints), standing at home.
 localcontroller::JointConfig joint_config(const urdf::RobotModel& robot, int joint);
 
-
 }  // namespace gaitway::simulator

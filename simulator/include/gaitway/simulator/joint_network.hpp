@@ -1,4 +1,5 @@
-// All local controllers of the simulated robot: each with its own drifting clock, its encoder and sensor channels.
+// All local controllers of the simulated robot: each with its own drifting clock, its encoder and sensor
+// channels.
 #pragma once
 
 #include <cstdint>

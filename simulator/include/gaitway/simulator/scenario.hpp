@@ -46,7 +46,9 @@ struct LoseFramesFault {
 
 struct ScenarioEvent {
   double at_s = 0.0;
-  std::variant<WalkEvent, StopEvent, EmergencyStopEvent, PushEvent, MainControllerSilentFault, LoseFramesFault> action;
+  std::variant<WalkEvent, StopEvent, EmergencyStopEvent, PushEvent, MainControllerSilentFault,
+               LoseFramesFault>
+      action;
 };
 
 struct Scenario {
@@ -62,6 +64,7 @@ inline constexpr double kLargestTurnRate_rad_per_s = 2.0;
 Scenario load_scenario(const std::filesystem::path& file);
 
 // Stands for one second, then walks.
-Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_rate_rad_per_s, double seconds);
+Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_rate_rad_per_s,
+                       double seconds);
 
 }  // namespace gaitway::simulator

@@ -1,5 +1,5 @@
-// Where the robot, the configuration and the plug-ins are found when nobody says otherwise: in the source tree for a
-// build tree's command, beside the command for an installed one.
+// Where the robot, the configuration and the plug-ins are found when nobody says otherwise: in the source
+// tree for a build tree's command, beside the command for an installed one.
 #pragma once
 
 #include <filesystem>

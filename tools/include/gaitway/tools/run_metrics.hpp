@@ -39,11 +39,14 @@ class CentreOfPressureMean {
   // Of both feet together, in the sole frame of `side`; false when nothing touches the ground.
   [[nodiscard]] bool in_sole_frame(int side, Eigen::Vector2d& cop_m) const;
   // Mean normal force on a foot during that slot.
-  [[nodiscard]] double mean_force_N(std::size_t foot) const { return closed_.foot_force[foot] / closed_.samples; }
+  [[nodiscard]] double mean_force_N(std::size_t foot) const {
+    return closed_.foot_force[foot] / closed_.samples;
+  }
 
  private:
   struct Sum {
-    std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  // in sole frame 0, 1
+    std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(),
+                                          Eigen::Vector2d::Zero()};  // in sole frame 0, 1
     double force = 0.0;
     std::array<double, 2> foot_force{};
     double samples = 1e-9;
@@ -59,20 +62,23 @@ struct RunMetrics {
   Eigen::Vector2d start_m = Eigen::Vector2d::Zero();
   double start_yaw_rad = 0.0;
   Eigen::Vector2d end_m = Eigen::Vector2d::Zero();
-  double end_yaw_rad = 0.0;         // unwrapped
-  double commanded_yaw_rad = 0.0;   // integral of the commanded turn rate
+  double end_yaw_rad = 0.0;        // unwrapped
+  double commanded_yaw_rad = 0.0;  // integral of the commanded turn rate
   // From two seconds after the first walk command to its end: for the mean speed.
-  double path_m = 0.0;              // along the heading that the robot has at each instant
-  double sideways_m = 0.0;          // to its left
+  double path_m = 0.0;      // along the heading that the robot has at each instant
+  double sideways_m = 0.0;  // to its left
   double walked_s = 0.0;
-  RootMeanSquare tracking_rad;      // reference (with trim) minus encoder, all joints
+  RootMeanSquare tracking_rad;           // reference (with trim) minus encoder, all joints
   RootMeanSquare zmp_reference_error_m;  // measured minus reference ZMP while walking
   RootMeanSquare zmp_estimate_error_m;   // ZMP of the cells minus centre of pressure while walking
-  double zmp_margin_min_m = std::numeric_limits<double>::infinity();  // inside the polygon of the feet that bear load, while walking
+  double zmp_margin_min_m = std::numeric_limits<double>::infinity();  // inside the polygon of the feet that
+                                                                      // bear load, while walking
 
   [[nodiscard]] double distance_m() const { return (end_m - start_m).norm(); }
   [[nodiscard]] double mean_speed_m_per_s() const { return walked_s > 0.0 ? path_m / walked_s : 0.0; }
-  [[nodiscard]] double mean_side_speed_m_per_s() const { return walked_s > 0.0 ? sideways_m / walked_s : 0.0; }
+  [[nodiscard]] double mean_side_speed_m_per_s() const {
+    return walked_s > 0.0 ? sideways_m / walked_s : 0.0;
+  }
   [[nodiscard]] double lateral_drift_m() const {
     const Eigen::Rotation2Dd to_start(-start_yaw_rad);
     return (to_start * (end_m - start_m)).y();

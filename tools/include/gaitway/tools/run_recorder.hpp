@@ -1,5 +1,5 @@
-// Watches a co-simulation and keeps what reports, metrics and logs need: every frame, a sample each 10 ms, one 80 ms
-// cycle of the bus, applied torques for the bare replay, and the digest.
+// Watches a co-simulation and keeps what reports, metrics and logs need: every frame, a sample each 10 ms,
+// one 80 ms cycle of the bus, applied torques for the bare replay, and the digest.
 #pragma once
 
 #include <array>

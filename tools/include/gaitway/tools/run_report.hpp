@@ -23,6 +23,7 @@ struct ReportInput {
 void write_report(const std::filesystem::path& file, const ReportInput& input);
 
 // states.csv: a header line with units, then one line a sample; opens in PlotJuggler.
-void write_states_csv(const std::filesystem::path& file, const urdf::RobotModel& robot, std::span<const RunSample> samples);
+void write_states_csv(const std::filesystem::path& file, const urdf::RobotModel& robot,
+                      std::span<const RunSample> samples);
 
 }  // namespace gaitway::tools

@@ -1,4 +1,5 @@
-// One row of a run's record, every 10 ms: what the robot did, what it was asked for and what its sensors said.
+// One row of a run's record, every 10 ms: what the robot did, what it was asked for and what its sensors
+// said.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,8 +11,8 @@
 namespace gaitway::tools {
 
 struct RunTiming {
-  double wall_s = 0.0;                  // of the whole chain with its logs, without pictures and report
-  double physics_only_wall_s = 0.0;     // of the bare replay of the same torques
+  double wall_s = 0.0;               // of the whole chain with its logs, without pictures and report
+  double physics_only_wall_s = 0.0;  // of the bare replay of the same torques
 };
 
 nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,

@@ -1,5 +1,5 @@
-// A small chart as inline SVG: axes with round ticks, lines, bars, polygons, a legend. Enough for reports that open
-// everywhere and carry no script.
+// A small chart as inline SVG: axes with round ticks, lines, bars, polygons, a legend. Enough for reports
+// that open everywhere and carry no script.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,8 @@ class SvgPlot {
   explicit SvgPlot(const PlotFrame& frame);
 
   // Points with a NaN break the line.
-  void line(std::span<const Eigen::Vector2d> points, std::string_view colour, std::string_view name, double width_px = 1.5);
+  void line(std::span<const Eigen::Vector2d> points, std::string_view colour, std::string_view name,
+            double width_px = 1.5);
   void polygon(std::span<const Eigen::Vector2d> corners, std::string_view stroke, std::string_view fill);
   // A filled box in data coordinates, with a tooltip.
   void box(double x0, double x1, double y0, double y1, std::string_view colour, std::string_view tooltip);
