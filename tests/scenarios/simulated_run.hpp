@@ -12,16 +12,10 @@
 
 namespace gaitway::scenarios {
 
-// How many seeds a scenario is played with.
-#ifdef GAITWAY_FEW_SEEDS
-constexpr int seeds(int /*wanted*/) {
-  return 2;
+// How many seeds a scenario is played with; the build says which share of the stated number.
+constexpr int seeds(int stated) {
+  return (stated * GAITWAY_SEED_PERCENT + 99) / 100;
 }
-#else
-constexpr int seeds(int wanted) {
-  return wanted;
-}
-#endif
 
 inline const urdf::RobotModel& humanoid22() {
   static const urdf::RobotModel robot =
