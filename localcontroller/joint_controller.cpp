@@ -74,15 +74,22 @@ void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noe
     }
   } else if (frame.id == can::id_of(can::MessageKind::emergency_stop)) {
     if (const auto stop = can::decode_emergency_stop(frame)) {
-      soft_ = stop->mode == can::StopMode::soft;
+      // A joint that has gone soft may lie anywhere by now: a later `hold` must not pull it back.
+      soft_ = soft_ || stop->mode == can::StopMode::soft;
       player_.freeze(now_ns);
     }
   }
 }
 
 void JointController::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
-  player_.on_sync(sync, now_ns);
-  feedback_pending_ = true;
+  feedback_pending_ = player_.on_sync(sync, now_ns) || feedback_pending_;
+}
+
+void JointController::reset() noexcept {
+  player_.restart(rounded(measured_rad_ / config_.count_rad));
+  trim_ = TrimSlew(config_.trim_limit_rad, config_.trim_slew_rad_per_s);
+  reference_rad_ = player_.count() * config_.count_rad;
+  soft_ = false;
 }
 
 double JointController::step(std::int64_t now_ns, const JointSensors& sensors) noexcept {

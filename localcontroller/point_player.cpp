@@ -19,32 +19,39 @@ void PointPlayer::on_trajectory(const can::Trajectory& batch) noexcept {
 }
 
 void PointPlayer::on_resynchronisation(const can::Resynchronisation& repair) noexcept {
-  repair_ = repair;
-  has_repair_ = repair.slot > slot_;
+  if (!frozen_ && repair.slot > slot_) {
+    repair_ = repair;
+    has_repair_ = true;
+  }
 }
 
-void PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
-  if (frozen_) {
-    return;
+bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
+  if (synchronised_ && sync.cycle == sync_cycle_ && sync.slot == sync_slot_) {
+    return false;  // CAN may deliver a frame twice
   }
-  if (apply_repair(sync, now_ns)) {
-    return;
-  }
+  synchronised_ = true;
+  sync_cycle_ = sync.cycle;
+  sync_slot_ = sync.slot;
   if (sync.slot == 0) {
     start_batch(sync);
     begin_slot(0, now_ns);
-    return;
+    return true;
   }
-  if (sync.slot == slot_) {
-    return;  // taken already, when the SYNC was overdue
+  if (apply_repair(sync, now_ns)) {
+    return true;
   }
-  // Slots whose SYNC was lost count, too: their points are made up for within this one.
+  running_ = running_ && sync.cycle == batch_cycle_;  // the SYNC that ended the batch was lost
   if (running_) {
+    if (sync.slot <= slot_) {
+      return true;  // taken already, when the SYNC was overdue
+    }
+    // Slots whose SYNC was lost count, too: their points are made up for within this one.
     for (int missed = slot_ + 1; missed < sync.slot; ++missed) {
       count_ += executing_[static_cast<std::size_t>(missed)];
     }
   }
   begin_slot(sync.slot, now_ns);
+  return true;
 }
 
 bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexcept {
@@ -52,12 +59,22 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
     return false;
   }
   has_repair_ = false;
-  slot_ = sync.slot;
+  if (sync.batch_committed && sync.toggle != repair_.toggle) {
+    return false;  // it was for a batch that is over
+  }
   running_ = sync.batch_committed;
   executing_toggle_ = repair_.toggle;
-  for (int k = 0; k < can::kResyncDeltas && slot_ + 1 + k <= kLastSlot; ++k) {
-    executing_[static_cast<std::size_t>(slot_ + 1 + k)] = repair_.delta[static_cast<std::size_t>(k)];
+  batch_cycle_ = sync.cycle;
+  if (pending_toggle_ == repair_.toggle) {
+    has_pending_ = false;  // the batch that is repaired came too late to be started
+  } else if (!has_pending_) {
+    pending_toggle_ = repair_.toggle;  // else the loss of the next batch's frame would look like its arrival
   }
+  std::size_t slot = std::size_t{repair_.slot} + 1;
+  for (std::size_t k = 0; k < repair_.delta.size() && slot < executing_.size(); ++k, ++slot) {
+    executing_[slot] = repair_.delta[k];
+  }
+  enter_slot(sync.slot, now_ns);
   begin_segment(repair_.count, now_ns, kSlot_ns);
   return true;
 }
@@ -70,15 +87,25 @@ void PointPlayer::start_batch(const can::Sync& sync) noexcept {
   if (running_) {
     executing_ = pending_;
     executing_toggle_ = pending_toggle_;
+    batch_cycle_ = sync.cycle;
+  }
+  if (sync.batch_committed) {
+    // Started, or passed over: toggles alternate, so a later commit of this toggle would mean another batch.
     has_pending_ = false;
+    pending_toggle_ = sync.toggle;
   }
 }
 
-void PointPlayer::begin_slot(int slot, std::int64_t now_ns) noexcept {
+void PointPlayer::enter_slot(int slot, std::int64_t now_ns) noexcept {
   slot_ = slot;
+  slot_start_ns_ = now_ns;
+}
+
+void PointPlayer::begin_slot(int slot, std::int64_t now_ns) noexcept {
+  enter_slot(slot, now_ns);
   const bool moving_by_hand =
       !running_ && segment_duration_ns_ != kSlot_ns && now_ns < segment_start_ns_ + segment_duration_ns_;
-  if (moving_by_hand) {
+  if (moving_by_hand || frozen_) {
     return;
   }
   begin_segment(running_ ? count_ + executing_[static_cast<std::size_t>(slot)] : count_, now_ns, kSlot_ns);
@@ -102,22 +129,34 @@ bool PointPlayer::move_to(std::int32_t count, int duration_slots, std::int64_t n
 }
 
 void PointPlayer::freeze(std::int64_t now_ns) noexcept {
+  if (frozen_) {
+    return;
+  }
   const double here = reference(now_ns).count;
   begin_segment(static_cast<std::int32_t>(here < 0.0 ? here - 0.5 : here + 0.5), now_ns, kSlot_ns);
   running_ = false;
   has_pending_ = false;
+  has_repair_ = false;
   frozen_ = true;
 }
 
+void PointPlayer::restart(std::int32_t count) noexcept {
+  const std::int32_t within = count < lowest_ ? lowest_ : count > highest_ ? highest_ : count;
+  *this = PointPlayer(within, lowest_, highest_);
+}
+
 bool PointPlayer::advance_without_sync(std::int64_t now_ns) noexcept {
-  if (!running_ || now_ns - segment_start_ns_ < kSlot_ns + kSyncGrace_ns) {
+  if (!synchronised_ || now_ns - slot_start_ns_ < kSlot_ns + kSyncGrace_ns) {
     return false;
   }
-  if (slot_ == kLastSlot) {
+  // A batch is played point by point; while holding, slots that nobody asked for are skipped.
+  const std::int64_t slots = running_ ? 1 : (now_ns - slot_start_ns_) / kSlot_ns;
+  const std::int64_t next = slot_ + slots;
+  if (next > kLastSlot) {
     running_ = false;  // played out: holds
-    return false;
+    has_repair_ = false;
   }
-  begin_slot(slot_ + 1, segment_start_ns_ + kSlot_ns);
+  begin_slot(static_cast<int>(next % can::kBatchPoints), slot_start_ns_ + slots * kSlot_ns);
   return true;
 }
 

@@ -50,6 +50,10 @@ class JointController {
   // One servo period (1 ms): returns the motor torque in N·m.
   double step(std::int64_t now_ns, const JointSensors& sensors) noexcept;
 
+  // Ends an emergency stop, by the user's order only: the joint holds where it was measured last, without
+  // trim, and takes batches again from the next SYNC on. Nothing on the bus does this.
+  void reset() noexcept;
+
   // The next frame to send, highest priority first; false when there is none.
   bool take_frame(can::Frame& frame) noexcept;
 

@@ -23,12 +23,18 @@ class PointPlayer {
   // A repair; takes effect at the SYNC of its slot. One for a slot that has begun does nothing: the next
   // feedback shows the message controller that it came too late.
   void on_resynchronisation(const can::Resynchronisation& repair) noexcept;
-  void on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
+  // Begins a slot. False, and nothing changes, for a repetition of the last SYNC. A batch starts on slot 0
+  // only, and one that was passed over there (another one was committed) is dropped.
+  bool on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
   // Moves to a count over some slots; only while no batch runs. False otherwise.
   bool move_to(std::int32_t count, int duration_slots, std::int64_t now_ns) noexcept;
   // Freezes the reference where it is now; batches are ignored from then on.
   void freeze(std::int64_t now_ns) noexcept;
-  // Takes the next slot when SYNC is overdue. True when it did.
+  // Leaves all that behind, as after a restart, with `count` (kept within the limits) as the reference. Slots
+  // and batches begin again with the next SYNC.
+  void restart(std::int32_t count) noexcept;
+  // Takes the next slot when SYNC is overdue, whether a batch runs or not. True when it did. A batch is
+  // played to its end in this way; none is started.
   bool advance_without_sync(std::int64_t now_ns) noexcept;
 
   // Reference at the end of the running slot.
@@ -48,7 +54,7 @@ class PointPlayer {
   void begin_slot(int slot, std::int64_t now_ns) noexcept;
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
   void start_batch(const can::Sync& sync) noexcept;
-  void stop_batch() noexcept { running_ = false; }
+  void enter_slot(int slot, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool apply_repair(const can::Sync& sync, std::int64_t now_ns) noexcept;
 
   std::int32_t count_;
@@ -58,7 +64,12 @@ class PointPlayer {
   std::int64_t segment_duration_ns_ = kSlot_ns;
   bool started_ = false;  // the first segment has begun
   int slot_ = 0;          // running slot of the cycle
-  bool running_ = false;  // a batch is being played
+  std::int64_t slot_start_ns_ = 0;
+  bool synchronised_ = false;     // a SYNC has come
+  std::uint16_t sync_cycle_ = 0;  // of the last SYNC
+  int sync_slot_ = 0;
+  std::uint16_t batch_cycle_ = 0;  // in which the executing batch runs
+  bool running_ = false;           // a batch is being played
   bool frozen_ = false;
   bool has_pending_ = false;
   bool pending_toggle_ = false;

@@ -18,8 +18,8 @@ class Servo {
   explicit Servo(const ServoGains& gains) noexcept : gains_(gains) {}
 
   // One servo period. Measured position from the encoder; velocity from its differences, smoothed by a
-  // first-order low-pass with a time constant of two periods: enough against quantisation, little enough for
-  // the damping.
+  // first-order low-pass that takes half of each new difference (time constant 1.4 periods, -3 dB at 115 Hz
+  // for 1 ms): enough against quantisation, little enough for the damping.
   double step(double reference_rad, double reference_rate_rad_per_s, double measured_rad,
               double period_s) noexcept;
   [[nodiscard]] double velocity_rad_per_s() const noexcept { return velocity_rad_per_s_; }

@@ -1,0 +1,22 @@
+# Fails when an object needs a symbol that a microcontroller without heap, exceptions and operating system lacks.
+# All undefined symbols must be our own or memory routines that every freestanding compiler may call.
+foreach(index RANGE 1 ${CMAKE_ARGC})
+  if("${CMAKE_ARGV${index}}" MATCHES "\\.o$")
+    string(REGEX REPLACE "^-DOBJECTS=" "" object "${CMAKE_ARGV${index}}")
+    list(APPEND objects "${object}")
+  endif()
+endforeach()
+if(NOT objects)
+  message(FATAL_ERROR "no objects to check")
+endif()
+foreach(object IN LISTS objects)
+  execute_process(COMMAND "${NM}" --undefined-only --format=posix "${object}" OUTPUT_VARIABLE symbols
+                  COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE "\n" ";" symbols "${symbols}")
+  foreach(symbol IN LISTS symbols)
+    string(REGEX REPLACE " .*" "" name "${symbol}")
+    if(name AND NOT name MATCHES "^(_ZN[KR]*7gaitway.*|memcpy|memset|memmove|memcmp|__stack_chk_fail|_GLOBAL_OFFSET_TABLE_|__(asan|ubsan|tsan)_.*)$")
+      message(SEND_ERROR "${object} needs '${name}'")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,259 @@
+// One joint as the bus sees it: frames in, torque and frames out.
+#include "gaitway/localcontroller/joint_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace gaitway::localcontroller {
+namespace {
+
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
+constexpr can::NodeId kNode = 7;
+
+class JointControllerTest : public testing::Test {
+ protected:
+  static JointConfig config() {
+    JointConfig joint;
+    joint.node = kNode;
+    joint.count_rad = 0.05 * 3.141592653589793 / 180.0;
+    joint.encoder_count_rad = 6.283185307179586 / 65536.0;
+    joint.stiffness_Nm_per_rad = 300.0;
+    joint.damping_Nms_per_rad = 4.0;
+    joint.torque_limit_Nm = 8.0;
+    joint.speed_limit_rad_per_s = 8.0;
+    joint.lower_rad = -1.0;
+    joint.upper_rad = 1.0;
+    joint.trim_channel = 2;
+    joint.trim_count_rad = 0.001;
+    joint.trim_slew_rad_per_s = 2.0;
+    joint.trim_limit_rad = 0.05;
+    joint.channel_scale[0] = 0.01F;
+    joint.channel_scale[1] = 0.001F;
+    return joint;
+  }
+  // One millisecond.
+  double step() {
+    now_ns += kMillisecond_ns;
+    return joint.step(now_ns, sensors);
+  }
+  void run(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      step();
+    }
+  }
+  template <class Message>
+  void send(const Message& message) {
+    joint.on_frame(can::encode(message), now_ns);
+  }
+  void sync(int slot, bool committed = false, bool toggle = false) {
+    send(can::Sync{cycle, static_cast<std::uint8_t>(slot), committed, toggle});
+  }
+  std::vector<can::Frame> frames() {
+    std::vector<can::Frame> all;
+    can::Frame frame;
+    while (joint.take_frame(frame)) {
+      all.push_back(frame);
+    }
+    return all;
+  }
+  std::optional<can::Feedback> feedback() {
+    std::optional<can::Feedback> last;
+    for (const can::Frame& frame : frames()) {
+      if (const auto decoded = can::decode_feedback(frame)) {
+        last = decoded;
+      }
+    }
+    return last;
+  }
+
+  std::uint16_t cycle = 1;
+  std::int64_t now_ns = 0;
+  JointSensors sensors;
+  JointController joint{config()};
+};
+
+TEST_F(JointControllerTest, AnswersEachSyncWithOneFeedbackFrameOfWhatItMeasured) {
+  sensors = {.encoder_count = -1234, .channel = {12.344F, -3.0F}};
+  run(20);
+  EXPECT_TRUE(frames().empty()) << "nothing to say before the first SYNC";
+  sync(0);
+  run(1);
+  const auto all = frames();
+  ASSERT_EQ(all.size(), 1U);
+  const auto message = can::decode_feedback(all.front());
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->node, kNode);
+  EXPECT_EQ(message->position, -1234);
+  EXPECT_EQ(message->current, 64) << "8 N*m: the limit";
+  EXPECT_EQ(message->channel[0], 1234);
+  EXPECT_EQ(message->channel[1], -3000);
+  EXPECT_EQ(message->state, can::JointState::holding);
+}
+
+TEST_F(JointControllerTest, ReportsWhatItHoldsWhatItPlaysAndTheLowBitsOfItsCount) {
+  send(can::Trajectory{kNode, true, {-3, 5, 0, 0, 0, 0, 0, 0}});
+  send(can::Trajectory{kNode + 1, false, {50, 50}});
+  sync(0, true, true);
+  run(1);
+  auto message = feedback();
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->state, can::JointState::running);
+  EXPECT_TRUE(message->pending_toggle);
+  EXPECT_TRUE(message->executing_toggle);
+  EXPECT_EQ(message->reference_low, 0xD);  // -3
+  run(9);
+  send(can::Trajectory{kNode, false, {}});
+  sync(1, true, true);
+  run(1);
+  message = feedback();
+  ASSERT_TRUE(message);
+  EXPECT_FALSE(message->pending_toggle);
+  EXPECT_TRUE(message->executing_toggle);
+  EXPECT_EQ(message->reference_low, 2);
+}
+
+TEST_F(JointControllerTest, GoesOnSendingFeedbackEverySlotWhenSyncIsLost) {
+  sync(0);
+  run(1);
+  frames();
+  int count = 0;
+  for (int ms = 0; ms < 1000; ++ms) {
+    step();
+    count += static_cast<int>(frames().size());
+  }
+  EXPECT_NEAR(count, 100, 1);
+}
+
+TEST_F(JointControllerTest, ARepeatedSyncIsNotAnsweredTwice) {
+  sync(0);
+  run(1);
+  EXPECT_EQ(frames().size(), 1U);
+  sync(0);
+  run(1);
+  EXPECT_TRUE(frames().empty());
+}
+
+TEST_F(JointControllerTest, ReportsAPositionLimitWhenItBeginsAndWhenItEnds) {
+  const auto limit = static_cast<std::int32_t>(1.0 / config().count_rad);
+  for (int slot = 0; slot < 2; ++slot) {
+    sync(slot);
+    run(10);
+  }
+  send(can::UserCommand{kNode, static_cast<std::int16_t>(limit + 200), 1});
+  run(1);
+  std::optional<can::FaultReport> report;
+  for (const can::Frame& frame : frames()) {
+    report = report ? report : can::decode_fault_report(frame);
+  }
+  ASSERT_TRUE(report);
+  EXPECT_EQ(*report, (can::FaultReport{kNode, static_cast<std::uint8_t>(can::Fault::position_limit)}));
+  EXPECT_EQ(joint.reference_count(), limit);
+  run(30);
+  EXPECT_LE(joint.reference_rad(), 1.0);
+  frames();
+  send(can::UserCommand{kNode, 0, 50});
+  run(1);
+  report.reset();
+  for (const can::Frame& frame : frames()) {
+    report = report ? report : can::decode_fault_report(frame);
+  }
+  // The fault may have ended with the slot that held the joint there; then nothing is left to report.
+  EXPECT_TRUE(!report || report->faults == 0);
+}
+
+TEST_F(JointControllerTest, ATrimIsLimitedSlewedAndFadesOutWithoutNewOnes) {
+  double last = 0.0;
+  for (int ms = 0; ms < 100; ++ms) {
+    if (ms % 10 == 0) {
+      send(can::Trim{{0, 0, 127, 0, 0, 0, 0, 0}});
+    }
+    step();
+    ASSERT_LE(std::abs(joint.trim_rad() - last), 2.0 * 0.001 + 1e-12) << "slew limit, at " << ms << " ms";
+    last = joint.trim_rad();
+  }
+  EXPECT_NEAR(last, 0.05, 1e-12) << "limited: 0.127 rad were commanded";
+  run(20);
+  EXPECT_NEAR(joint.trim_rad(), 0.05, 1e-12) << "two frames may get lost";
+  run(60);
+  EXPECT_NEAR(joint.trim_rad(), 0.0, 1e-12);
+}
+
+TEST_F(JointControllerTest, AnEmergencyStopHoldKeepsThePositionAndIgnoresBatches) {
+  send(can::Trajectory{kNode, true, {100, 100, 100, 100, 100, 100, 100, 100}});
+  sync(0, true, true);
+  run(14);
+  send(can::EmergencyStop{can::StopMode::hold});
+  const double stopped_rad = joint.reference_rad();
+  for (int slot = 2; slot < 8; ++slot) {
+    sync(slot, true, true);
+    run(10);
+  }
+  EXPECT_NEAR(joint.reference_rad(), stopped_rad, 1.1 * 100 * config().count_rad / 10);
+  EXPECT_EQ(joint.state(), can::JointState::holding);
+}
+
+TEST_F(JointControllerTest, AnEmergencyStopSoftTakesTheTorqueAwayAndNoOtherStopGivesItBack) {
+  sensors.encoder_count = 2000;
+  run(5);
+  ASSERT_LT(step(), -1.0);
+  send(can::EmergencyStop{can::StopMode::soft});
+  EXPECT_EQ(step(), 0.0);
+  EXPECT_EQ(joint.state(), can::JointState::soft);
+  send(can::EmergencyStop{can::StopMode::hold});
+  EXPECT_EQ(step(), 0.0) << "the joint may lie anywhere by now: it must not spring back to its old reference";
+}
+
+TEST_F(JointControllerTest, AResetStartsAgainFromWhereTheJointIs) {
+  send(can::EmergencyStop{can::StopMode::soft});
+  sensors.encoder_count = 5000;
+  run(10);
+  joint.reset();
+  EXPECT_EQ(joint.state(), can::JointState::holding);
+  EXPECT_NEAR(step(), 0.0, 300.0 * config().count_rad) << "within a count: no jerk";
+  send(can::Trajectory{kNode, true, {10}});
+  const std::int32_t before = joint.reference_count();
+  sync(0, true, true);
+  EXPECT_EQ(joint.reference_count(), before + 10);
+}
+
+TEST_F(JointControllerTest, FollowsItsBatchesOnASimulatedJoint) {
+  constexpr double kInertia_kgm2 = 0.03;
+  double position = 0.0, speed = 0.0, largest_error = 0.0;
+  bool toggle = true;
+  for (int ms = 0; ms < 1600; ++ms) {
+    const int slot = ms / 10 % 8;
+    if (ms % 80 == 0) {
+      can::Trajectory batch{kNode, toggle, {}};
+      for (int k = 0; k < 8; ++k) {  // 0.2 rad at 1.25 Hz
+        const auto count = [](int point) {
+          return std::lround(0.2 / config().count_rad * std::sin(7.854 * 0.01 * point));
+        };
+        const int point = ms / 10 + k;
+        batch.delta[static_cast<std::size_t>(k)] = static_cast<std::int8_t>(count(point + 1) - count(point));
+      }
+      send(batch);
+    }
+    if (ms % 10 == 0) {
+      sync(slot, true, toggle);
+      if (slot == 7) {
+        toggle = !toggle;
+        ++cycle;
+      }
+    }
+    sensors.encoder_count = static_cast<std::int32_t>(std::lround(position / config().encoder_count_rad));
+    const double torque = step();
+    for (int i = 0; i < 10; ++i) {
+      speed += (torque - 0.15 * speed) / kInertia_kgm2 * 1e-4;
+      position += speed * 1e-4;
+    }
+    largest_error = ms > 300 ? std::max(largest_error, std::abs(position - joint.reference_rad())) : 0.0;
+  }
+  EXPECT_LT(largest_error, 0.01);
+  EXPECT_NEAR(joint.reference_rad(), 0.2 * std::sin(7.854 * 1.6), 2 * config().count_rad);
+}
+
+}  // namespace
+}  // namespace gaitway::localcontroller
