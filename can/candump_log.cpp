@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view kHex = "0123456789ABCDEF";
 constexpr std::size_t kBuffer_bytes = std::size_t{1} << 16U;
+constexpr std::int64_t kLatest_s = 9'000'000'000;  // what 64 bits of nanoseconds hold
 
 // Appends `value` with at least `width` digits.
 void append_number(std::string& text, std::int64_t value, int width) {
@@ -45,6 +46,12 @@ CandumpWriter::CandumpWriter(const std::filesystem::path& file)
     throw std::runtime_error(file.string() + ": cannot be created; is the folder there and writable?");
   }
   buffer_.reserve(kBuffer_bytes + 64);
+}
+
+CandumpWriter::~CandumpWriter() {
+  if (file_) {
+    flush();  // whoever wants to know whether it worked has called close()
+  }
 }
 
 void CandumpWriter::write(std::int64_t time_ns, const Frame& frame) {
@@ -86,20 +93,30 @@ void CandumpWriter::close() {
 }
 
 LoggedFrame parse_candump_line(std::string_view line) {
-  const std::size_t dot = line.find('.'), close = line.find(") "), hash = line.find('#');
+  const std::size_t close = line.find(") "), hash = line.find('#');
+  const std::size_t dot = line.substr(0, close).find('.');
+  const std::size_t space = close == std::string_view::npos ? close : line.find(' ', close + 2);
   if (line.empty() || line.front() != '(' || dot == std::string_view::npos ||
-      close == std::string_view::npos || hash == std::string_view::npos || !(dot < close && close < hash)) {
+      space == std::string_view::npos || hash == std::string_view::npos || space == close + 2 ||
+      space > hash) {
     throw std::invalid_argument("must look like '(seconds.microseconds) interface ID#DATA'");
   }
   const std::string_view fraction = line.substr(dot + 1, close - dot - 1);
   if (fraction.size() != 6) {
     throw std::invalid_argument("the time must have six digits after the point");
   }
+  const std::int64_t seconds = parse_number(line.substr(1, dot - 1), 10, "the time");
+  if (seconds > kLatest_s) {
+    throw std::invalid_argument("the time must be at most " + std::to_string(kLatest_s) + " s");
+  }
   LoggedFrame logged;
-  logged.time_ns = parse_number(line.substr(1, dot - 1), 10, "the time") * 1'000'000'000 +
-                   parse_number(fraction, 10, "the time") * 1000;
-  const std::size_t space = line.rfind(' ', hash);
-  const std::int64_t id = parse_number(line.substr(space + 1, hash - space - 1), 16, "the identifier");
+  logged.time_ns = seconds * 1'000'000'000 + parse_number(fraction, 10, "the time") * 1000;
+  const std::string_view digits = line.substr(space + 1, hash - space - 1);
+  if (digits.size() != 3) {
+    throw std::invalid_argument("the identifier '" + std::string(digits) +
+                                "' must have three digits: the network has no 29-bit identifiers");
+  }
+  const std::int64_t id = parse_number(digits, 16, "the identifier");
   if (id > 0x7FF) {
     throw std::invalid_argument("the identifier must have 11 bits (at most 7FF)");
   }

@@ -6,6 +6,49 @@
 namespace gaitway::can {
 namespace {
 
+// Fields lie within their frame and do not overlap; no field is wider than the packer's 32 bits.
+constexpr bool fields_fit(const MessageSpec& message) {
+  std::uint64_t taken = 0;
+  for (const FieldSpec& field : message.fields) {
+    if (field.width == 0 || field.width > 32 || field.first_bit + field.width > 8 * message.size) {
+      return false;
+    }
+    const std::uint64_t bits = ((std::uint64_t{1} << field.width) - 1) << field.first_bit;
+    if ((taken & bits) != 0) {
+      return false;
+    }
+    taken |= bits;
+  }
+  return true;
+}
+
+constexpr bool fields_fit() {
+  for (const MessageSpec& message : kFullProfile) {
+    if (message.size > 8 || !fields_fit(message)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Row k is message kind k, and all identifiers of a more urgent kind lie below those of a less urgent one.
+constexpr bool in_order_of_priority() {
+  int last_id = -1;
+  for (std::size_t kind = 0; kind < kFullProfile.size(); ++kind) {
+    const MessageSpec& message = kFullProfile[kind];
+    const bool for_nodes = message.ids_per_node != 0;
+    const int first_id = id_of(message.kind, for_nodes ? NodeId{1} : NodeId{0});
+    if (message.kind != static_cast<MessageKind>(kind) || first_id <= last_id) {
+      return false;
+    }
+    last_id = id_of(message.kind, for_nodes ? kLargestNode : NodeId{0}, message.ids_per_node == 2);
+  }
+  return last_id <= 0x7FF;
+}
+
+static_assert(fields_fit(), "a field of the message table overlaps another or leaves its frame");
+static_assert(in_order_of_priority(), "identifiers of the message table overlap or are out of order");
+
 // Collects the fields of one message, in the table's order, into its frame.
 class FieldWriter {
  public:

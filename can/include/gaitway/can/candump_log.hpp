@@ -17,6 +17,11 @@ class CandumpWriter {
  public:
   // Throws std::runtime_error naming the file when it cannot be created.
   explicit CandumpWriter(const std::filesystem::path& file);
+  // Writes what is buffered, so that the log of a run that ends with an exception is whole, too.
+  ~CandumpWriter();
+  CandumpWriter(CandumpWriter&&) noexcept = default;
+  CandumpWriter& operator=(CandumpWriter&&) = delete;
+  // `time_ns` must not be negative.
   void write(std::int64_t time_ns, const Frame& frame);
   // Writes what is buffered and closes; throws std::runtime_error naming the file when something was not
   // written.

@@ -1,0 +1,144 @@
+// The table of all messages and the codecs that follow it.
+#include "gaitway/can/message_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+namespace gaitway::can {
+namespace {
+
+std::mt19937 random_source(42);
+
+int draw(int lowest, int highest) {
+  return std::uniform_int_distribution<int>(lowest, highest)(random_source);
+}
+template <class T>
+T draw_any() {
+  return static_cast<T>(draw(std::numeric_limits<T>::min(), std::numeric_limits<T>::max()));
+}
+template <class Array>
+void draw_into(Array& values) {
+  for (auto& value : values) {
+    value = draw_any<typename Array::value_type>();
+  }
+}
+NodeId draw_node() {
+  return static_cast<NodeId>(draw(1, kLargestNode));
+}
+
+template <class Message, class Decode>
+void expect_round_trip(const Message& message, Decode decode, MessageKind kind) {
+  const Frame frame = encode(message);
+  EXPECT_EQ(frame.size, spec(kind).size);
+  const auto identified = identify(frame.id);
+  ASSERT_TRUE(identified);
+  EXPECT_EQ(identified->kind, kind);
+  const auto decoded = decode(frame);
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(*decoded, message);
+}
+
+TEST(MessageTable, EveryIdentifierBelongsToOneMessageAndIsIdentifiedAsIt) {
+  std::map<std::uint16_t, Identified> owner;
+  for (const MessageSpec& message : kFullProfile) {
+    const int nodes = message.ids_per_node == 0 ? 0 : kLargestNode;
+    for (int node = nodes == 0 ? 0 : 1; node <= nodes; ++node) {
+      for (const bool toggle : {false, true}) {
+        if (toggle && message.ids_per_node != 2) {
+          continue;
+        }
+        const Identified identified{message.kind, static_cast<NodeId>(node), toggle};
+        const auto inserted = owner.emplace(id_of(message.kind, identified.node, toggle), identified);
+        EXPECT_TRUE(inserted.second) << message.name << " of node " << node;
+      }
+    }
+  }
+  for (unsigned id = 0; id <= 0x7FF; ++id) {
+    const auto expected = owner.find(static_cast<std::uint16_t>(id));
+    const auto identified = identify(static_cast<std::uint16_t>(id));
+    ASSERT_EQ(identified.has_value(), expected != owner.end()) << id;
+    if (identified) {
+      EXPECT_EQ(*identified, expected->second);
+    }
+  }
+}
+
+TEST(MessageTable, KindsAreInOrderOfPriority) {
+  using enum MessageKind;
+  constexpr std::array kOrder{emergency_stop, user_command,      sync,     trim, feedback, fault_report,
+                              trajectory,     resynchronisation, heartbeat};
+  for (std::size_t i = 1; i < kOrder.size(); ++i) {
+    const auto last_of = [](MessageKind kind) {
+      return id_of(kind, spec(kind).ids_per_node == 0 ? NodeId{0} : kLargestNode,
+                   spec(kind).ids_per_node == 2);
+    };
+    EXPECT_LT(last_of(kOrder[i - 1]),
+              id_of(kOrder[i], spec(kOrder[i]).ids_per_node == 0 ? NodeId{0} : NodeId{1}));
+  }
+}
+
+TEST(Codecs, EveryMessageComesBackAsItWas) {
+  for (int i = 0; i < 2000; ++i) {
+    expect_round_trip(EmergencyStop{draw(0, 1) == 0 ? StopMode::hold : StopMode::soft}, decode_emergency_stop,
+                      MessageKind::emergency_stop);
+    expect_round_trip(UserCommand{draw_node(), draw_any<std::int16_t>(), draw_any<std::uint8_t>()},
+                      decode_user_command, MessageKind::user_command);
+    expect_round_trip(Sync{draw_any<std::uint16_t>(), static_cast<std::uint8_t>(draw(0, 7)), draw(0, 1) == 1,
+                           draw(0, 1) == 1},
+                      decode_sync, MessageKind::sync);
+    Trim trim;
+    draw_into(trim.count);
+    expect_round_trip(trim, decode_trim, MessageKind::trim);
+    Feedback feedback{draw_node(),
+                      draw_any<std::int16_t>(),
+                      draw_any<std::int8_t>(),
+                      static_cast<JointState>(draw(0, 3)),
+                      draw(0, 1) == 1,
+                      draw(0, 1) == 1,
+                      static_cast<std::uint8_t>(draw(0, 15)),
+                      {}};
+    draw_into(feedback.channel);
+    expect_round_trip(feedback, decode_feedback, MessageKind::feedback);
+    expect_round_trip(FaultReport{draw_node(), draw_any<std::uint8_t>()}, decode_fault_report,
+                      MessageKind::fault_report);
+    Trajectory trajectory{draw_node(), draw(0, 1) == 1, {}};
+    draw_into(trajectory.delta);
+    expect_round_trip(trajectory, decode_trajectory, MessageKind::trajectory);
+    Resynchronisation repair{
+        draw_node(), draw(0, 1) == 1, static_cast<std::uint8_t>(draw(0, 7)), draw_any<std::int16_t>(), {}};
+    draw_into(repair.delta);
+    expect_round_trip(repair, decode_resynchronisation, MessageKind::resynchronisation);
+    expect_round_trip(Heartbeat{draw_any<std::uint8_t>(), static_cast<std::uint32_t>(random_source())},
+                      decode_heartbeat, MessageKind::heartbeat);
+  }
+}
+
+// The layout on the wire, written out by hand: what a .dbc file or another implementation relies on.
+TEST(Codecs, BytesLieWhereTheTableSays) {
+  EXPECT_EQ(encode(Trajectory{5, true, {1, -1, 2, -2, 3, -3, 127, -128}}),
+            (Frame{0x10B, 8, {0x01, 0xFF, 0x02, 0xFE, 0x03, 0xFD, 0x7F, 0x80}}));
+  EXPECT_EQ(encode(Sync{0x1234, 5, true, true}), (Frame{0x008, 3, {0x34, 0x12, 0x1D}}));
+  EXPECT_EQ(encode(Feedback{2, -2, -1, JointState::soft, true, false, 0x9, {0x1234, -1}}),
+            (Frame{0x042, 8, {0xFE, 0xFF, 0xFF, 0xA9, 0x34, 0x12, 0xFF, 0xFF}}));
+  EXPECT_EQ(encode(Resynchronisation{1, true, 6, -2, {1, 2, 3, 4, -5}}),
+            (Frame{0x201, 8, {0xFE, 0xFF, 0x0E, 0x01, 0x02, 0x03, 0x04, 0xFB}}));
+  EXPECT_EQ(encode(UserCommand{22, 0x0102, 9}), (Frame{0x002, 4, {22, 0x02, 0x01, 9}}));
+}
+
+TEST(Codecs, WhatIsNotTheMessageIsRefused) {
+  const Frame sync = encode(Sync{1, 2, true, false});
+  EXPECT_FALSE(decode_trim(sync));
+  for (std::uint8_t size = 0; size <= 8; ++size) {
+    EXPECT_EQ(decode_sync(Frame{sync.id, size, sync.data}).has_value(), size == 3);
+  }
+  EXPECT_FALSE(decode_emergency_stop(Frame{0x001, 1, {2}})) << "no such mode";
+  EXPECT_FALSE(decode_user_command(Frame{0x002, 4, {0, 0, 0, 1}})) << "no such node";
+  EXPECT_FALSE(decode_user_command(Frame{0x002, 4, {65, 0, 0, 1}})) << "no such node";
+  EXPECT_FALSE(decode_feedback(Frame{id_of(MessageKind::feedback, 65), 8, {}}));
+}
+
+}  // namespace
+}  // namespace gaitway::can
