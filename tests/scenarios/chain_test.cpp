@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 #include "gaitway/can/candump_log.hpp"
@@ -139,6 +141,23 @@ TEST(Chain, EverySlotHasOneSyncAndOneFeedbackFromEveryJoint) {
     EXPECT_EQ(counts.at(can::MessageKind::feedback), 22) << "slot " << slot;
   }
   std::filesystem::remove(log);
+}
+
+TEST(Readme, ShowsThePluginThatIsBuilt) {
+  const auto content = [](const char* file) {
+    std::ifstream in(std::filesystem::path(GAITWAY_SOURCE_DIR) / file);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  const std::string plugin = content("docs/examples/ankle_trim.cpp");
+  ASSERT_FALSE(plugin.empty());
+  EXPECT_NE(content("README.md").find(plugin), std::string::npos);
+}
+
+TEST(Readme, TheRobotWalksWithItsPlugin) {
+  SimulatedRun run(10, {}, "docs/examples/ankle_trim.yaml");
+  run.play({.seconds = 11.0, .events = {walk_at(1.0, 0.1)}});
+  EXPECT_FALSE(run.metrics().fell);
+  EXPECT_GT(run.metrics().distance_m(), 0.7);
 }
 
 }  // namespace

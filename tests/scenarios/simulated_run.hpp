@@ -25,8 +25,10 @@ inline const urdf::RobotModel& humanoid22() {
 
 class SimulatedRun {
  public:
-  explicit SimulatedRun(std::uint64_t seed, const std::filesystem::path& bus_log = {}, double mismatch = 1.0)
-      : cosimulation(humanoid22(), options(seed, mismatch)), recorder(cosimulation, bus_log, false) {
+  // `configuration`: plug-ins of the main controller, relative to the source tree.
+  explicit SimulatedRun(std::uint64_t seed, const std::filesystem::path& bus_log = {},
+                        const std::filesystem::path& configuration = "core/config/walk.yaml")
+      : cosimulation(humanoid22(), options(seed, configuration)), recorder(cosimulation, bus_log, false) {
     cosimulation.observe(&recorder);
   }
 
@@ -52,12 +54,11 @@ class SimulatedRun {
   tools::RunRecorder recorder;
 
  private:
-  static simulator::CosimulationOptions options(std::uint64_t seed, double mismatch) {
+  static simulator::CosimulationOptions options(std::uint64_t seed,
+                                                const std::filesystem::path& configuration) {
     simulator::CosimulationOptions result;
     result.plant.seed = seed;
-    result.plant.mismatch = mismatch;
-    result.main_controller.configuration =
-        std::filesystem::path(GAITWAY_SOURCE_DIR) / "core" / "config" / "walk.yaml";
+    result.main_controller.configuration = std::filesystem::path(GAITWAY_SOURCE_DIR) / configuration;
     result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
     return result;
   }
