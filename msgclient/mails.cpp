@@ -27,6 +27,8 @@ std::string_view reason_text(Reason reason) noexcept {
       return "a position is outside the joint's limits";
     case Reason::stopping:
       return "a stop was asked for: the safe tail plays to its end first";
+    case Reason::moving_by_hand:
+      return "a joint is still moving by a manual command";
     case Reason::emergency_stopped:
       return "the robot is in emergency stop";
     case Reason::not_standing:

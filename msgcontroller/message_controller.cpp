@@ -256,6 +256,11 @@ void MessageController::judge(const msgclient::HandOver& hand_over, std::int64_t
   if (stop_requested_) {
     return refuse(Reason::stopping);
   }
+  // A batch begins where its joints stand, so a joint that moves by hand must have arrived by then.
+  const std::uint32_t slots_to_start = static_cast<std::uint32_t>(kSlotsPerCycle - playback_.slot());
+  if (moving_by_hand_until_ > slots_since_start_ + slots_to_start) {
+    return refuse(Reason::moving_by_hand);
+  }
   if (hand_over.sequence < next_cycle || now_ns > deadline_ns) {
     return refuse(Reason::too_late);
   }
@@ -346,6 +351,7 @@ msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail
   playback_.hold(static_cast<int>(mail.joint), count);
   // While it moves there, its reference is its own affair.
   resync_until_[j] = slots_since_start_ + duration + 2U;
+  moving_by_hand_until_ = std::max(moving_by_hand_until_, resync_until_[j]);
   return Reason::none;
 }
 

@@ -303,6 +303,21 @@ TEST_F(MessageControllerTest, AManualJointCommandMovesOneJointWhileStanding) {
   EXPECT_EQ(controller_.state().resynchronised, 0U) << "the joint's own movement is no error";
 }
 
+TEST_F(MessageControllerTest, RefusesABatchThatWouldBeginDuringAManualMovement) {
+  run_until(kCycle_ns);
+  const msgclient::UserCommandMail move{.sequence = 1,
+                                        .kind = msgclient::UserCommandKind::manual_joint,
+                                        .joint = 3,
+                                        .position = static_cast<float>(robot_.joints[3].home_rad),
+                                        .duration_slots = 30};
+  adapter_.host().post(move, now_ns_);
+  run_until(now_ns_ + 2 * kMillisecond_ns);
+  adapter_.host().take_answer(now_ns_);
+  EXPECT_EQ(hand_over(2).reason, msgclient::Reason::moving_by_hand);
+  first_sequence_ = 6;
+  EXPECT_EQ(hand_over(6).verdict, Verdict::accepted) << "the joint has arrived by then";
+}
+
 TEST_F(MessageControllerTest, WritesTrimsOfItsOwnWhenTheMainControllerIsSilent) {
   run_until(2 * kCycle_ns - 16 * kMillisecond_ns);
   auto mail = std::make_unique<msgclient::HandOver>(batch(2));

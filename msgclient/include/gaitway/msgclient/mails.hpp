@@ -53,6 +53,7 @@ enum class Reason : std::uint32_t {
   too_fast,           // a change between two points that doesn't fit a trajectory frame
   beyond_limits,      // outside the joint's limits
   stopping,           // a stop was asked for: the safe tail plays to its end first
+  moving_by_hand,     // a manual joint command is still being carried out
   emergency_stopped,  // not while an emergency stop holds
   not_standing,       // a manual joint command while the robot moves
   unknown_joint,

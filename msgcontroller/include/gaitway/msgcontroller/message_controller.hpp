@@ -93,7 +93,8 @@ class MessageController {
   bool feedback_published_ = true;
   bool trim_sent_this_slot_ = false;
   std::uint32_t slots_since_start_ = 0;
-  std::uint32_t last_host_trim_slot_ = 0;  // slot since start in which the main controller last sent a trim
+  std::uint32_t last_host_trim_slot_ = 0;   // slot since start in which the main controller last sent a trim
+  std::uint32_t moving_by_hand_until_ = 0;  // slot since start at which the last manual movement has ended
   std::uint64_t unanswered_ = 0;
   std::array<std::uint32_t, kMaxJoints>
       resync_until_{};  // until this slot a joint's count may differ: a repair is on its way
