@@ -9,7 +9,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "name_suggestion.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -127,7 +127,8 @@ void ParameterSet::require_all_declared() const {
   for (const ParameterEntry& entry : entries_) {
     if (std::find(known.begin(), known.end(), entry.name) == known.end()) {
       throw ConfigurationError(fmt::format("{}:{}: plug-in '{}' has no parameter '{}'. {}", file_.string(),
-                                           entry.line, plugin_, entry.name, suggest(entry.name, known)));
+                                           entry.line, plugin_, entry.name,
+                                           urdf::suggest(entry.name, known)));
     }
   }
 }

@@ -17,7 +17,7 @@ PluginManager::PluginManager(const Configuration& configuration, const PluginMan
     : options_(options) {
   try {
     load(configuration);
-    put_in_order(client);
+    put_in_order(configuration, client);
     for (const auto& slot : slots_) {
       slot->plugin->bind(client);
     }
@@ -66,7 +66,7 @@ void PluginManager::load(const Configuration& configuration) {
   }
 }
 
-void PluginManager::put_in_order(const msgclient::Client& client) {
+void PluginManager::put_in_order(const Configuration& configuration, const msgclient::Client& client) {
   std::vector<DataFlowNode> nodes;
   for (const auto& slot : slots_) {
     nodes.push_back(slot->plugin->node());
@@ -75,7 +75,13 @@ void PluginManager::put_in_order(const msgclient::Client& client) {
   for (const msgclient::TopicInfo& topic : client.directory()) {
     external.push_back({topic.descriptor.name, topic.writer});
   }
-  const DataFlow flow = order_by_data_flow(nodes, external);
+  const DataFlow flow = [&] {
+    try {
+      return order_by_data_flow(nodes, external);
+    } catch (const PluginError& error) {
+      throw PluginError(fmt::format("{}: {}", configuration.file.string(), error.what()));
+    }
+  }();
   std::vector<std::unique_ptr<Slot>> ordered;
   for (const std::size_t index : flow.order) {
     for (const std::size_t other : flow.order) {

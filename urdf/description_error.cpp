@@ -21,7 +21,8 @@ void refuse(const Complaint& complaint) {
   if (!complaint.remedy.empty()) {
     text += ". " + complaint.remedy;
   }
-  throw RobotError(text + ".");
+  const bool ends = text.ends_with('.') || text.ends_with('?');
+  throw RobotError(ends ? text : text + ".");
 }
 
 }  // namespace gaitway::urdf

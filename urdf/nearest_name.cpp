@@ -1,5 +1,5 @@
 // Edit distance, one row of the table at a time.
-#include "nearest_name.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,7 +40,7 @@ std::string suggest(std::string_view name, std::span<const std::string> candidat
   if (const auto nearest = nearest_name(name, candidates)) {
     return fmt::format("Did you mean '{}'?", *nearest);
   }
-  return fmt::format("Known here: {}", fmt::join(candidates, ", "));
+  return candidates.empty() ? "There is none." : fmt::format("Known here: {}.", fmt::join(candidates, ", "));
 }
 
 }  // namespace gaitway::urdf

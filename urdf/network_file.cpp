@@ -7,9 +7,9 @@
 #include <map>
 #include <numbers>
 
-#include "nearest_name.hpp"
-#include "sensor_channels.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 #include "gaitway/urdf/yaml_value.hpp"
+#include "sensor_channels.hpp"
 
 namespace gaitway::urdf {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "description_error.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 #include "joint_rules.hpp"
 #include "kdl_tree.hpp"
-#include "nearest_name.hpp"
 #include "network_file.hpp"
 #include "urdf_file.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "nearest_name.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::urdf {
 namespace {

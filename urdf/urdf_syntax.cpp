@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "description_error.hpp"
-#include "nearest_name.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::urdf {
 namespace {

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "description_error.hpp"
-#include "nearest_name.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -30,35 +31,62 @@ std::string kind_of(const YAML::Node& node) {
 
 YamlValue YamlValue::read(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) {
+  std::error_code unknown;
+  if (!stream || std::filesystem::is_directory(file, unknown)) {
     urdf::refuse({file, 0, "", "", "the file is missing or cannot be read",
-                  "A robot's folder holds robot.urdf and robot.yaml"});
+                  "Check the path and the file's permissions"});
   }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return parse(text.str(), file);
+}
+
+YamlValue YamlValue::parse(const std::string& text, const std::filesystem::path& file) {
   try {
-    return YamlValue(YAML::Load(stream), file, "");
-  } catch (const YAML::ParserException& error) {
+    return YamlValue(YAML::Load(text), file, "");
+  } catch (const YAML::Exception& error) {
     urdf::refuse({file, error.mark.line + 1, fmt::format("column {}", error.mark.column + 1), "",
                   "malformed YAML: " + error.msg, "Check indentation, brackets and quotes there and above"});
   }
+}
+
+std::vector<std::pair<std::string, YamlValue>> YamlValue::entries() const {
+  if (!node_.IsMap()) {
+    refuse("must be a map of keys and values", "Write 'key: value', one a line");
+  }
+  std::vector<std::pair<std::string, YamlValue>> result;
+  for (const auto& entry : node_) {
+    const YamlValue key = key_of(entry.first);
+    const std::string name = key.text();
+    const auto same = [&name](const auto& other) { return other.first == name; };
+    if (std::any_of(result.begin(), result.end(), same)) {
+      key.refuse("the key stands here twice", "Remove one of the two");
+    }
+    result.emplace_back(name, YamlValue(entry.second, file_, child_path(name)));
+  }
+  return result;
 }
 
 void YamlValue::require_map(std::span<const std::string_view> keys) const {
   if (!node_.IsMap()) {
     refuse("must be a map of keys and values", fmt::format("Give it the keys {}", fmt::join(keys, ", ")));
   }
-  std::vector<std::string> seen;
   for (const auto& entry : node_) {
-    const YamlValue key(entry.first, file_, path_.empty() ? "key" : path_ + " key");
-    const std::string name = key.text();
-    if (std::find(keys.begin(), keys.end(), name) == keys.end()) {
+    const YamlValue key = key_of(entry.first);
+    if (std::find(keys.begin(), keys.end(), key.text()) == keys.end()) {
       const std::vector<std::string> known(keys.begin(), keys.end());
-      key.refuse("there is no such key", suggest(name, known));
+      key.refuse("there is no such key", suggest(key.text(), known));
     }
-    if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
-      key.refuse("the key stands here twice", "Remove one of the two");
-    }
-    seen.push_back(name);
   }
+  (void)entries();  // each once
+}
+
+YamlValue YamlValue::key_of(const YAML::Node& key) const {
+  return {key, file_, path_.empty() ? "key" : path_ + " key"};
+}
+
+std::string YamlValue::child_path(std::string_view key) const {
+  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
 YamlValue YamlValue::at(std::string_view key) const {
@@ -76,7 +104,7 @@ std::optional<YamlValue> YamlValue::find(std::string_view key) const {
   if (!child.IsDefined()) {
     return std::nullopt;
   }
-  return YamlValue(child, file_, path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key));
+  return YamlValue(child, file_, child_path(key));
 }
 
 std::vector<YamlValue> YamlValue::items() const {
@@ -124,7 +152,7 @@ int YamlValue::integer(int lowest, int highest) const {
 
 std::string YamlValue::text() const {
   if (!node_.IsScalar()) {
-    refuse("must be a name", "Write a single word");
+    refuse("must be a plain text", "Write a word or a number, no list and no map");
   }
   return node_.Scalar();
 }

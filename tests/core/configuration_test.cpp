@@ -44,20 +44,20 @@ TEST(Configuration, TheDefaultOneListsThePluginsOfWalking) {
 
 TEST(Configuration, UnknownKeyNamesLineAndNearest) {
   EXPECT_THAT(refusal("plugins:\n  - name: a\n    libary: x.so\n"),
-              testing::AllOf(HasSubstr("walk.yaml:3: plugins[0]: unknown key 'libary'"),
+              testing::AllOf(HasSubstr("walk.yaml:3: plugins[0] key = 'libary': there is no such key"),
                              HasSubstr("Did you mean 'library'?")));
   EXPECT_THAT(refusal("plugin:\n  - name: a\n"),
-              HasSubstr("walk.yaml:1: the configuration: unknown key 'plugin'"));
+              HasSubstr("walk.yaml:1: key = 'plugin': there is no such key. Did you mean 'plugins'?"));
 }
 
 TEST(Configuration, DuplicateNameNamesBothLines) {
   EXPECT_THAT(refusal("plugins:\n  - name: a\n  - name: b\n  - name: a\n"),
-              HasSubstr("walk.yaml:4: name: 'a' is already the plug-in of line 2"));
+              HasSubstr("walk.yaml:4: plugins[2].name = 'a': is already the plug-in of line 2"));
 }
 
 TEST(Configuration, DuplicateKey) {
   EXPECT_THAT(refusal("plugins:\n  - name: a\n    parameters:\n      x: 1\n      x: 2\n"),
-              HasSubstr("walk.yaml:5: parameters of 'a': the key 'x' is there twice"));
+              HasSubstr("walk.yaml:5: plugins[0].parameters key = 'x': the key stands here twice"));
 }
 
 TEST(Configuration, MissingNameAndEmptyLists) {
@@ -70,12 +70,12 @@ TEST(Configuration, MissingNameAndEmptyLists) {
 
 TEST(Configuration, ParameterThatIsAList) {
   EXPECT_THAT(refusal("plugins:\n  - name: a\n    parameters: {gains: [1, 2]}\n"),
-              HasSubstr("walk.yaml:3: parameter 'gains' of 'a' must be one value"));
+              HasSubstr("walk.yaml:3: plugins[0].parameters.gains = a list of 2: must be a plain text"));
 }
 
 TEST(Configuration, MalformedYamlNamesItsLine) {
   EXPECT_THAT(refusal("plugins:\n  - name: a\n    parameters: {x: 1\n"),
-              testing::ContainsRegex("walk.yaml:[0-9]+: no valid YAML"));
+              testing::ContainsRegex("walk.yaml:[0-9]+: column [0-9]+: malformed YAML"));
 }
 
 TEST(Configuration, MissingFile) {
@@ -83,7 +83,7 @@ TEST(Configuration, MissingFile) {
     read_configuration("/nowhere/walk.yaml");
     FAIL() << "was accepted";
   } catch (const ConfigurationError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("/nowhere/walk.yaml: cannot be read"));
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/walk.yaml: the file is missing or cannot be read"));
   }
 }
 

@@ -78,7 +78,7 @@ class PluginManager {
   };
 
   void load(const Configuration& configuration);
-  void put_in_order(const msgclient::Client& client);
+  void put_in_order(const Configuration& configuration, const msgclient::Client& client);
   void unload() noexcept;
   void step(Slot& slot, const Tick& tick) noexcept;
   void publish_statistics(const Tick& tick) noexcept;

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gaitway/urdf/robot_model.hpp"
@@ -27,15 +28,20 @@ class YamlValue {
  public:
   // Reads a whole file; complains about a missing file and, with line and column, about malformed YAML.
   static YamlValue read(const std::filesystem::path& file);
+  // The same of a text; `file` is what complaints call it.
+  static YamlValue parse(const std::string& text, const std::filesystem::path& file);
 
   // The value is a map with these keys only, each once; complains about an unknown one and names the nearest.
   void require_map(std::span<const std::string_view> keys) const;
 
   [[nodiscard]] YamlValue at(std::string_view key) const;  // must be there
   [[nodiscard]] std::optional<YamlValue> find(std::string_view key) const;
+  // Of a map with any keys, each once, in the file's order.
+  [[nodiscard]] std::vector<std::pair<std::string, YamlValue>> entries() const;
   [[nodiscard]] std::vector<YamlValue> items() const;  // of a list
   [[nodiscard]] std::vector<YamlValue> items(std::size_t count) const;
 
+  [[nodiscard]] bool is_empty() const { return node_.IsNull(); }  // a key with nothing behind it
   [[nodiscard]] double number(const Range& range) const;
   [[nodiscard]] int integer(int lowest, int highest) const;
   [[nodiscard]] std::string text() const;
@@ -56,6 +62,9 @@ class YamlValue {
  private:
   YamlValue(YAML::Node node, std::filesystem::path file, std::string path)
       : node_(std::move(node)), file_(std::move(file)), path_(std::move(path)) {}
+
+  [[nodiscard]] YamlValue key_of(const YAML::Node& key) const;
+  [[nodiscard]] std::string child_path(std::string_view key) const;
 
   YAML::Node node_;
   std::filesystem::path file_;

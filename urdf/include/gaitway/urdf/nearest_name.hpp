@@ -16,7 +16,8 @@ namespace gaitway::urdf {
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> candidates);
 
-// "Did you mean 'x'?", or "Known here: a, b, c" where nothing is near.
+// "Did you mean 'x'?", or "Known here: a, b, c." where nothing is near, or "There is none." without
+// candidates.
 [[nodiscard]] std::string suggest(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace gaitway::urdf
