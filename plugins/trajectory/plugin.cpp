@@ -1,16 +1,20 @@
 // The plug-in `trajectory`: connects the walking pattern to its topics.
 #include "gaitway/core/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/trajectory/limit_report.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
+#include "gaitway/trajectory/reach_check.hpp"
 #include "gaitway/trajectory/standing_posture.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
 namespace {
 
-// The configuration's numbers; what it leaves out comes from the robot and from GaitParameters.
+// The configuration's numbers; what it leaves out comes from the robot and from GaitParameters. Throws
+// std::invalid_argument if they break a rule or a leg cannot reach the footsteps.
 GaitParameters configured(Setup& setup) {
-  GaitParameters p = with_standing_posture({}, urdf::load_robot(setup.robot_directory()));
+  const urdf::RobotModel robot = urdf::load_robot(setup.robot_directory());
+  GaitParameters p = with_standing_posture({}, robot);
   const auto set = [&setup](double& value, const char* name, const char* unit) {
     value = setup.parameter(name, value, unit);
   };
@@ -38,19 +42,14 @@ GaitParameters configured(Setup& setup) {
   set(p.preview_s, "preview", "s");
   set(p.zmp_error_weight, "zmp_error_weight", "1");
   set(p.jerk_weight, "jerk_weight", "1");
+  p.validate();
+  require_reachable(p, robot);
   return p;
 }
 
 class Trajectory final : public Plugin {
  public:
-  explicit Trajectory(Setup& setup)
-      : pattern_(configured(setup)),
-        walk_(setup.reads_optional<WalkCommand>("walk_command")),
-        network_(setup.reads_optional<NetworkState>("network_state")),
-        correction_(setup.reads_previous<Correction>("correction")),
-        plan_(setup.writes<MotionPlan>("motion_plan")) {
-    setup.period(Period::batch);
-  }
+  explicit Trajectory(Setup& setup) : Trajectory(setup, configured(setup)) {}
 
   void step(const Tick& tick) override {
     MotionPlan& plan = plan_.value();
@@ -66,11 +65,33 @@ class Trajectory final : public Plugin {
     const WalkCommand walk = walk_.has_value() ? walk_.read() : WalkCommand{};
     const Correction correction = correction_.has_value() ? correction_.read() : Correction{};
     pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction, plan);
+    report_limits(walk);
     continuity_.published(tick.batch_sequence, pattern_.final_stance());
     plan_.publish();
   }
 
  private:
+  Trajectory(Setup& setup, const GaitParameters& parameters)
+      : pattern_(parameters),
+        limits_(parameters),
+        report_(setup.reporter()),
+        walk_(setup.reads_optional<WalkCommand>("walk_command")),
+        network_(setup.reads_optional<NetworkState>("network_state")),
+        correction_(setup.reads_previous<Correction>("correction")),
+        plan_(setup.writes<MotionPlan>("motion_plan")) {
+    setup.period(Period::batch);
+  }
+
+  // A command is limited, never in silence.
+  void report_limits(const WalkCommand& walk) noexcept {
+    const StepLimit news = limits_.news(walk, pattern_.applied_limits());
+    for (const StepLimit rule : kStepLimits) {
+      if (has(news, rule)) {
+        report_(rule == StepLimit::acceleration ? Severity::info : Severity::warning, limits_.text(rule));
+      }
+    }
+  }
+
   // Without a network (a plug-in check, a log replay) every batch counts as accepted.
   PlanDecision decide(const Tick& tick) {
     if (!network_.has_value()) {
@@ -83,6 +104,8 @@ class Trajectory final : public Plugin {
   }
 
   WalkingPattern pattern_;
+  LimitReport limits_;
+  Reporter report_;
   PlanContinuity continuity_;
   Input<WalkCommand> walk_;
   Input<NetworkState> network_;

@@ -1,0 +1,36 @@
+// Whether the legs can reach every footstep that the gait parameters allow.
+#pragma once
+
+#include <array>
+
+#include "gaitway/trajectory/gait_parameters.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::trajectory {
+
+// The part of a leg that reaches for a footstep: from the hip pitch axis over the knee to the ankle pitch
+// axis. Lengths in m; measured in the zero posture.
+struct LegReach {
+  double hip_forward_m = 0.0;    // of the hip ahead of the CoM in the standing posture
+  double hip_left_m = 0.0;       // of the hip beside the middle between the soles, positive to the left
+  double ankle_height_m = 0.0;   // above the sole
+  double ankle_forward_m = 0.0;  // ahead of the sole's origin
+  double ankle_left_m = 0.0;     // beside the sole's origin
+  double longest_m = 0.0;        // hip to ankle, the knee as straight as its limits let it be
+  double shortest_m = 0.0;       // the knee as bent as its limits let it be
+};
+
+[[nodiscard]] std::array<LegReach, 2> leg_reach(const urdf::RobotModel& robot);  // [Side]
+
+// Largest distance of hip and ankle in double support over the corners of the footstep limits, m: the feet
+// stand (forward, spacing, turn) apart, the base turned half-way, the CoM between them as far from one foot
+// as the cart-table's steady walk has it.
+[[nodiscard]] double farthest_hip_to_ankle_m(const GaitParameters& parameters, const LegReach& leg,
+                                             double step_forward_m, double foot_spacing_m);
+
+// Throws std::invalid_argument naming parameter, value, rule ("footstep unreachable: ...") and remedy if a
+// leg is too short for the farthest footstep, or cannot be folded for the highest lift. Keeps 2 mm of the leg
+// in hand.
+void require_reachable(const GaitParameters& parameters, const urdf::RobotModel& robot);
+
+}  // namespace gaitway::trajectory

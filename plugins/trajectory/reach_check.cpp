@@ -1,0 +1,160 @@
+// Leg lengths from the joints' origins, and the farthest corner of the footstep limits.
+#include "gaitway/trajectory/reach_check.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "gaitway/urdf/forward_kinematics.hpp"
+
+namespace gaitway::trajectory {
+namespace {
+
+constexpr double kInHand_m = 0.002;  // of the leg's length, for balance feedback and the way of the CoM
+
+// Largest and smallest cosine over an interval of angles.
+double largest_cosine(double from_rad, double to_rad) noexcept {
+  constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+  const bool over_zero = std::floor(to_rad / kTurn_rad) >= std::ceil(from_rad / kTurn_rad);
+  return over_zero ? 1.0 : std::max(std::cos(from_rad), std::cos(to_rad));
+}
+double smallest_cosine(double from_rad, double to_rad) noexcept {
+  return -largest_cosine(from_rad + std::numbers::pi, to_rad + std::numbers::pi);
+}
+
+struct Axis {
+  Eigen::Vector3d point_m, direction;
+};
+
+Axis axis_of(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero, int index) {
+  const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
+  const Eigen::Isometry3d frame = zero.link_pose(joint.parent_link) * joint.origin;
+  return {frame.translation(), frame.linear() * joint.axis};
+}
+
+LegReach measure(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero,
+                 const urdf::ForwardKinematics& home, urdf::Side side) {
+  const auto& joints = robot.legs[static_cast<std::size_t>(side)].joints;
+  const Axis hip = axis_of(robot, zero, joints[2]), knee = axis_of(robot, zero, joints[3]);
+  const Eigen::Vector3d ankle_m = axis_of(robot, zero, joints[4]).point_m;
+  const Eigen::Vector3d thigh = knee.point_m - hip.point_m, shin = ankle_m - knee.point_m;
+  // The knee turns the shin about its axis; what lies along the axis stays.
+  const double along_m = knee.direction.dot(thigh + shin);
+  const Eigen::Vector3d a = thigh - knee.direction * knee.direction.dot(thigh);
+  const Eigen::Vector3d b = shin - knee.direction * knee.direction.dot(shin);
+  const double angle_rad = std::atan2(knee.direction.dot(a.cross(b)), a.dot(b));  // 0: stretched
+  const urdf::Joint& knee_joint = robot.joints[static_cast<std::size_t>(joints[3])];
+  const double from_rad = angle_rad + knee_joint.lower_rad, to_rad = angle_rad + knee_joint.upper_rad;
+  const auto distance_m = [&](double cosine) {
+    const double planar = a.squaredNorm() + b.squaredNorm() + 2.0 * a.norm() * b.norm() * cosine;
+    return std::sqrt(std::max(0.0, planar) + along_m * along_m);
+  };
+  const Eigen::Vector3d ankle = zero.sole_pose(side).inverse() * ankle_m;
+  const Eigen::Vector3d middle_m = 0.5 * (home.sole_pose(urdf::Side::left).translation() +
+                                          home.sole_pose(urdf::Side::right).translation());
+  return {.hip_forward_m = hip.point_m.x() - home.com_m().x(),
+          .hip_left_m = hip.point_m.y() - middle_m.y(),
+          .ankle_height_m = ankle.z(),
+          .ankle_forward_m = ankle.x(),
+          .ankle_left_m = ankle.y(),
+          .longest_m = distance_m(largest_cosine(from_rad, to_rad)),
+          .shortest_m = distance_m(smallest_cosine(from_rad, to_rad))};
+}
+
+// Where the CoM is at the ends of double support: its distance from the farther foot as a share of the step.
+// The steady walk of the cart-table: from -x to x over the stance foot, then with the speed x ω coth(ω T/2)
+// to the next.
+double farther_share(const GaitParameters& p) noexcept {
+  const double omega = std::sqrt(kGravity_m_per_s2 / p.com_height_m);
+  const double swing_s = p.swing_points() * kPointPeriod_s;
+  const double double_support_s = p.double_support_points() * kPointPeriod_s;
+  return 1.0 - 1.0 / (2.0 + omega * double_support_s / std::tanh(0.5 * omega * swing_s));
+}
+
+[[noreturn]] void refuse(std::string_view name, double value_m, const std::string& rule,
+                         std::string_view remedy) {
+  throw std::invalid_argument(
+      fmt::format("trajectory: parameter {} = {:.4g} m: footstep unreachable: {}. {} in the plug-in's "
+                  "configuration.",
+                  name, value_m, rule, remedy));
+}
+
+}  // namespace
+
+std::array<LegReach, 2> leg_reach(const urdf::RobotModel& robot) {
+  urdf::ForwardKinematics zero(robot);
+  zero.compute(std::vector<double>(robot.joints.size(), 0.0));
+  const urdf::ForwardKinematics home(robot);
+  return {measure(robot, zero, home, urdf::Side::left), measure(robot, zero, home, urdf::Side::right)};
+}
+
+double farthest_hip_to_ankle_m(const GaitParameters& p, const LegReach& leg, double step_forward_m,
+                               double foot_spacing_m) {
+  const double far = farther_share(p);
+  const double side = leg.hip_left_m < 0.0 ? -1.0 : 1.0;
+  double farthest_m = 0.0;
+  for (const double share : {far, 1.0 - far}) {
+    for (const double turn_rad : {-0.5 * p.max_step_turn_rad, 0.5 * p.max_step_turn_rad}) {
+      for (const double ahead_m : {share * step_forward_m, -share * step_forward_m}) {
+        // In the heading of the base: the CoM keeps over the reference ZMP, the foot is turned against it.
+        const Eigen::Rotation2Dd foot(turn_rad);
+        const Eigen::Vector2d sole = Eigen::Vector2d(ahead_m, side * share * foot_spacing_m) -
+                                     foot * Eigen::Vector2d(p.zmp_forward_m, 0.0);
+        const Eigen::Vector2d ankle = sole + foot * Eigen::Vector2d(leg.ankle_forward_m, leg.ankle_left_m);
+        const Eigen::Vector2d hip(leg.hip_forward_m, leg.hip_left_m);
+        farthest_m =
+            std::max(farthest_m, std::hypot((ankle - hip).norm(), p.hip_height_m - leg.ankle_height_m));
+      }
+    }
+  }
+  return farthest_m;
+}
+
+void require_reachable(const GaitParameters& p, const urdf::RobotModel& robot) {
+  for (const LegReach& leg : leg_reach(robot)) {
+    const double reach_m = leg.longest_m - kInHand_m;
+    const auto too_far = [&](double forward_m, double spacing_m) {
+      return farthest_hip_to_ankle_m(p, leg, forward_m, spacing_m) > reach_m;
+    };
+    const auto rule = [&](double forward_m, double spacing_m) {
+      return fmt::format(
+          "with hip_height = {:.4g} m, max_foot_spacing = {:.4g} m and max_step_turn = {:.4g} rad, hip and "
+          "ankle "
+          "are {:.4g} m apart in double support, but the leg reaches {:.4g} m",
+          p.hip_height_m, p.max_foot_spacing_m, p.max_step_turn_rad,
+          farthest_hip_to_ankle_m(p, leg, forward_m, spacing_m), reach_m);
+    };
+    if (too_far(0.0, p.foot_spacing_m)) {
+      refuse("hip_height", p.hip_height_m, rule(0.0, p.foot_spacing_m), "Lower hip_height");
+    }
+    if (too_far(0.0, p.max_foot_spacing_m)) {
+      refuse("max_foot_spacing", p.max_foot_spacing_m, rule(0.0, p.max_foot_spacing_m),
+             "Lower max_foot_spacing or hip_height");
+    }
+    if (too_far(p.max_step_forward_m, p.max_foot_spacing_m)) {
+      refuse("max_step_forward", p.max_step_forward_m, rule(p.max_step_forward_m, p.max_foot_spacing_m),
+             "Lower max_step_forward, max_foot_spacing or hip_height");
+    }
+    if (too_far(p.max_step_backward_m, p.max_foot_spacing_m)) {
+      refuse("max_step_backward", p.max_step_backward_m, rule(p.max_step_backward_m, p.max_foot_spacing_m),
+             "Lower max_step_backward, max_foot_spacing or hip_height");
+    }
+    const double folded_m = p.hip_height_m - leg.ankle_height_m - p.lift_m;
+    if (folded_m < leg.shortest_m + kInHand_m) {
+      refuse(
+          "lift", p.lift_m,
+          fmt::format("with hip_height = {:.4g} m, hip and ankle come as near as {:.4g} m, but the leg folds "
+                      "to {:.4g} m",
+                      p.hip_height_m, folded_m, leg.shortest_m + kInHand_m),
+          "Lower lift or raise hip_height");
+    }
+  }
+}
+
+}  // namespace gaitway::trajectory
