@@ -5,6 +5,10 @@ namespace gaitway::localcontroller {
 namespace {
 
 constexpr int kLastSlot = can::kBatchPoints - 1;
+// A segment is not made shorter than this, so that making up for lost time is no jump.
+constexpr std::int64_t kShortestSegment_ns = 1'000'000;
+// Until the joint takes the next slot without SYNC: it does so in a servo step, and those are 1 ms apart.
+constexpr std::int64_t kLongestCoast_ns = kSyncGrace_ns + 1'000'000;
 
 }  // namespace
 
@@ -32,26 +36,33 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
   synchronised_ = true;
   sync_cycle_ = sync.cycle;
   sync_slot_ = sync.slot;
+  if (running_ && sync.cycle != batch_cycle_) {  // the SYNC that ended the batch was lost
+    make_up_until(can::kBatchPoints);
+    running_ = false;
+  }
   if (sync.slot == 0) {
     start_batch(sync);
-    begin_slot(0, now_ns);
+    begin_slot(0, now_ns, now_ns);
     return true;
   }
   if (apply_repair(sync, now_ns)) {
     return true;
   }
-  running_ = running_ && sync.cycle == batch_cycle_;  // the SYNC that ended the batch was lost
   if (running_) {
     if (sync.slot <= slot_) {
       return true;  // taken already, when the SYNC was overdue
     }
-    // Slots whose SYNC was lost count, too: their points are made up for within this one.
-    for (int missed = slot_ + 1; missed < sync.slot; ++missed) {
-      count_ += executing_[static_cast<std::size_t>(missed)];
-    }
+    make_up_until(sync.slot);
   }
-  begin_slot(sync.slot, now_ns);
+  begin_slot(sync.slot, now_ns, now_ns);
   return true;
+}
+
+// Slots whose SYNC was lost count, too: their points are made up for within the slot that begins.
+void PointPlayer::make_up_until(int slot) noexcept {
+  for (int missed = slot_ + 1; missed < slot; ++missed) {
+    count_ = within_limits(count_ + executing_[static_cast<std::size_t>(missed)]);
+  }
 }
 
 bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexcept {
@@ -101,23 +112,30 @@ void PointPlayer::enter_slot(int slot, std::int64_t now_ns) noexcept {
   slot_start_ns_ = now_ns;
 }
 
-void PointPlayer::begin_slot(int slot, std::int64_t now_ns) noexcept {
-  enter_slot(slot, now_ns);
-  const bool moving_by_hand =
-      !running_ && segment_duration_ns_ != kSlot_ns && now_ns < segment_start_ns_ + segment_duration_ns_;
-  if (moving_by_hand || frozen_) {
+void PointPlayer::begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns) noexcept {
+  enter_slot(slot, start_ns);
+  const bool arrives_by_hand =
+      !running_ && moves_by_hand_ && now_ns < segment_start_ns_ + segment_duration_ns_;
+  if (arrives_by_hand || frozen_) {
     return;
   }
-  begin_segment(running_ ? count_ + executing_[static_cast<std::size_t>(slot)] : count_, now_ns, kSlot_ns);
+  const std::int64_t left_ns = start_ns + kSlot_ns - now_ns;
+  begin_segment(running_ ? count_ + executing_[static_cast<std::size_t>(slot)] : count_, now_ns,
+                left_ns > kShortestSegment_ns ? left_ns : kShortestSegment_ns);
 }
 
 void PointPlayer::begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept {
   from_ = started_ ? reference(now_ns).count : static_cast<double>(count_);
   started_ = true;
-  at_limit_ = count < lowest_ || count > highest_;
-  count_ = count < lowest_ ? lowest_ : count > highest_ ? highest_ : count;
+  count_ = within_limits(count);
+  at_limit_ = count_ != count;
   segment_start_ns_ = now_ns;
   segment_duration_ns_ = duration_ns;
+  moves_by_hand_ = false;
+}
+
+std::int32_t PointPlayer::within_limits(std::int32_t count) const noexcept {
+  return count < lowest_ ? lowest_ : count > highest_ ? highest_ : count;
 }
 
 bool PointPlayer::move_to(std::int32_t count, int duration_slots, std::int64_t now_ns) noexcept {
@@ -125,6 +143,7 @@ bool PointPlayer::move_to(std::int32_t count, int duration_slots, std::int64_t n
     return false;
   }
   begin_segment(count, now_ns, duration_slots * kSlot_ns);
+  moves_by_hand_ = true;
   return true;
 }
 
@@ -141,8 +160,7 @@ void PointPlayer::freeze(std::int64_t now_ns) noexcept {
 }
 
 void PointPlayer::restart(std::int32_t count) noexcept {
-  const std::int32_t within = count < lowest_ ? lowest_ : count > highest_ ? highest_ : count;
-  *this = PointPlayer(within, lowest_, highest_);
+  *this = PointPlayer(within_limits(count), lowest_, highest_);
 }
 
 bool PointPlayer::advance_without_sync(std::int64_t now_ns) noexcept {
@@ -156,20 +174,24 @@ bool PointPlayer::advance_without_sync(std::int64_t now_ns) noexcept {
     running_ = false;  // played out: holds
     has_repair_ = false;
   }
-  begin_slot(static_cast<int>(next % can::kBatchPoints), slot_start_ns_ + slots * kSlot_ns);
+  begin_slot(static_cast<int>(next % can::kBatchPoints), slot_start_ns_ + slots * kSlot_ns, now_ns);
   return true;
 }
 
 PointPlayer::Reference PointPlayer::reference(std::int64_t now_ns) const noexcept {
   const std::int64_t elapsed_ns = now_ns - segment_start_ns_;
   const double target = static_cast<double>(count_);
-  if (elapsed_ns >= segment_duration_ns_) {
-    return {target, 0.0};
+  const double rate = (target - from_) / (static_cast<double>(segment_duration_ns_) * 1e-9);
+  const std::int64_t beyond_ns = elapsed_ns - segment_duration_ns_;
+  if (beyond_ns < 0) {
+    return {from_ + rate * (elapsed_ns > 0 ? static_cast<double>(elapsed_ns) * 1e-9 : 0.0), rate};
   }
-  const double duration_s = static_cast<double>(segment_duration_ns_) * 1e-9;
-  const double rate = (target - from_) / duration_s;
-  const double elapsed_s = elapsed_ns > 0 ? static_cast<double>(elapsed_ns) * 1e-9 : 0.0;
-  return {from_ + rate * elapsed_s, rate};
+  // The next SYNC is due: at a stall here the servo would brake with all its torque, and then catch up.
+  const double coasting = target + rate * (static_cast<double>(beyond_ns) * 1e-9);
+  if (running_ && beyond_ns < kLongestCoast_ns && coasting >= lowest_ && coasting <= highest_) {
+    return {coasting, rate};
+  }
+  return {target, 0.0};
 }
 
 }  // namespace gaitway::localcontroller

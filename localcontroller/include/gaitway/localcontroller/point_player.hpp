@@ -39,7 +39,9 @@ class PointPlayer {
 
   // Reference at the end of the running slot.
   [[nodiscard]] std::int32_t count() const noexcept { return count_; }
-  // Interpolated reference, in counts, and its rate in counts per second.
+  // Interpolated reference, in counts, and its rate in counts per second. While a batch runs and the next
+  // SYNC is late, the reference coasts on at its last rate, within the limits and for kSyncGrace_ns at most;
+  // what it ran ahead is taken back within the next slot.
   struct Reference {
     double count = 0.0;
     double rate_per_s = 0.0;
@@ -51,19 +53,23 @@ class PointPlayer {
   [[nodiscard]] bool at_limit() const noexcept { return at_limit_; }
 
  private:
-  void begin_slot(int slot, std::int64_t now_ns) noexcept;
+  // The slot began at `start_ns`; its segment ends with it.
+  void begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns) noexcept;
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
   void start_batch(const can::Sync& sync) noexcept;
+  void make_up_until(int slot) noexcept;
   void enter_slot(int slot, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool apply_repair(const can::Sync& sync, std::int64_t now_ns) noexcept;
+  [[nodiscard]] std::int32_t within_limits(std::int32_t count) const noexcept;
 
   std::int32_t count_;
   double from_;  // where the interpolation of this segment began, in counts
   std::int32_t lowest_, highest_;
   std::int64_t segment_start_ns_ = 0;
   std::int64_t segment_duration_ns_ = kSlot_ns;
-  bool started_ = false;  // the first segment has begun
-  int slot_ = 0;          // running slot of the cycle
+  bool moves_by_hand_ = false;  // this segment is a manual movement
+  bool started_ = false;        // the first segment has begun
+  int slot_ = 0;                // running slot of the cycle
   std::int64_t slot_start_ns_ = 0;
   bool synchronised_ = false;     // a SYNC has come
   std::uint16_t sync_cycle_ = 0;  // of the last SYNC
