@@ -77,6 +77,7 @@ void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noe
       // A joint that has gone soft may lie anywhere by now: a later `hold` must not pull it back.
       soft_ = soft_ || stop->mode == can::StopMode::soft;
       player_.freeze(now_ns);
+      trim_.freeze();
     }
   }
 }

@@ -16,11 +16,19 @@ class TrimSlew {
       : limit_rad_(limit_rad), slew_rad_per_s_(slew_rad_per_s) {}
 
   void command(double angle_rad, std::int64_t now_ns) noexcept {
+    if (frozen_) {
+      return;
+    }
     commanded_ns_ = now_ns;
     head_for(limited(angle_rad, limit_rad_));
   }
+  // Stays where it is, whatever comes.
+  void freeze() noexcept {
+    frozen_ = true;
+    pace_rad_per_s_ = 0.0;
+  }
   void step(std::int64_t now_ns, double period_s) noexcept {
-    if (now_ns - commanded_ns_ > kTrimTimeout_ns && target_rad_ != 0.0) {
+    if (!frozen_ && now_ns - commanded_ns_ > kTrimTimeout_ns && target_rad_ != 0.0) {
       head_for(0.0);
     }
     const double change = limited(target_rad_ - angle_rad_, pace_rad_per_s_ * period_s);
@@ -45,6 +53,7 @@ class TrimSlew {
   double pace_rad_per_s_ = 0.0;  // at which the target is approached
   double rate_rad_per_s_ = 0.0;  // of the last step
   std::int64_t commanded_ns_ = 0;
+  bool frozen_ = false;
 };
 
 }  // namespace gaitway::localcontroller
