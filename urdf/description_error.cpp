@@ -6,6 +6,13 @@
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::urdf {
+namespace {
+
+std::string as_sentence(const std::string& text) {
+  return text.ends_with('.') || text.ends_with('?') ? text : text + ".";
+}
+
+}  // namespace
 
 void refuse(const Complaint& complaint) {
   std::string text = complaint.file.string();
@@ -17,12 +24,12 @@ void refuse(const Complaint& complaint) {
     text += complaint.field;
     text += complaint.value.empty() ? ": " : fmt::format(" = {}: ", complaint.value);
   }
-  text += complaint.rule;
+  text += as_sentence(complaint.rule);
   if (!complaint.remedy.empty()) {
-    text += ". " + complaint.remedy;
+    text += ' ';
+    text += as_sentence(complaint.remedy);
   }
-  const bool ends = text.ends_with('.') || text.ends_with('?');
-  throw RobotError(ends ? text : text + ".");
+  throw RobotError(text);
 }
 
 }  // namespace gaitway::urdf

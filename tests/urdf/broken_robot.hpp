@@ -64,6 +64,7 @@ class BrokenRobot {
     return file + ":" + std::to_string(1 + std::count(content.begin(), end, '\n')) + ": ";
   }
 
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] RobotModel load() const { return load_robot(folder_); }
 
   // What load_robot() says; nothing may appear on the terminal meanwhile.
