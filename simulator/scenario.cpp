@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
+#include "gaitway/urdf/nearest_name.hpp"
 #include "gaitway/urdf/yaml_value.hpp"
 
 namespace gaitway::simulator {
@@ -33,11 +35,22 @@ WalkEvent read_walk(const YamlValue& value) {
   return {.velocity_m_per_s = command.head<2>(), .turn_rate_rad_per_s = command.z()};
 }
 
-PushEvent read_push(const YamlValue& value) {
+std::string read_body(const YamlValue& value, const urdf::RobotModel& robot) {
+  std::vector<std::string> known;
+  std::transform(robot.links.begin(), robot.links.end(), std::back_inserter(known),
+                 [](const urdf::Link& link) { return link.name; });
+  const std::string body = value.text();
+  if (std::find(known.begin(), known.end(), body) == known.end()) {
+    value.refuse(fmt::format("the robot '{}' has no such link", robot.name), urdf::suggest(body, known));
+  }
+  return body;
+}
+
+PushEvent read_push(const YamlValue& value, const urdf::RobotModel& robot) {
   constexpr std::array<std::string_view, 4> kKeys{"body", "direction", "impulse_Ns", "duration_s"};
   value.require_map(kKeys);
   PushEvent push;
-  push.body = value.at("body").text();
+  push.body = read_body(value.at("body"), robot);
   push.direction = three(value.at("direction"), {-1e6, 1e6, ""});
   if (push.direction.norm() < 1e-9) {
     value.at("direction")
@@ -56,6 +69,9 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
   const std::string kind = value.at("kind").text();
   const auto duration = value.find("duration_s");
   if (kind == "main_controller_silent") {
+    if (const auto probability = value.find("probability")) {
+      probability->refuse("does not belong to main_controller_silent", "Leave it out");
+    }
     return MainControllerSilentFault{duration ? duration->number(kDuration) : 0.0};
   }
   if (kind == "lose_frames") {
@@ -65,7 +81,13 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
   value.at("kind").refuse("must be main_controller_silent or lose_frames", "Choose one of them.");
 }
 
-ScenarioEvent read_event(const YamlValue& value) {
+void require_true(const YamlValue& value) {
+  if (value.text() != "true") {
+    value.refuse("must be true", "Leave the event out if it shall not happen");
+  }
+}
+
+ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
   constexpr std::array<std::string_view, 7> kKeys{"at_s",           "walk", "stand", "stop",
                                                   "emergency_stop", "push", "fault"};
   value.require_map(kKeys);
@@ -80,9 +102,12 @@ ScenarioEvent read_event(const YamlValue& value) {
     if (key == "walk") {
       event.action = read_walk(*action);
     } else if (key == "stand") {
+      require_true(*action);
       event.action = WalkEvent{.walk = false};
+    } else if (key == "stop") {
+      require_true(*action);
     } else if (key == "push") {
-      event.action = read_push(*action);
+      event.action = read_push(*action, robot);
     } else if (key == "fault") {
       event.action = read_fault(*action);
     } else if (key == "emergency_stop") {
@@ -102,7 +127,7 @@ ScenarioEvent read_event(const YamlValue& value) {
 
 }  // namespace
 
-Scenario load_scenario(const std::filesystem::path& file) {
+Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel& robot) {
   constexpr std::array<std::string_view, 2> kKeys{"seconds", "events"};
   const YamlValue root = YamlValue::read(file);
   root.require_map(kKeys);
@@ -110,7 +135,7 @@ Scenario load_scenario(const std::filesystem::path& file) {
   scenario.seconds = root.at("seconds").number({0.001, kLongestRun_s, "s"});
   if (const auto events = root.find("events")) {
     for (const YamlValue& event : events->items()) {
-      scenario.events.push_back(read_event(event));
+      scenario.events.push_back(read_event(event, robot));
     }
   }
   std::stable_sort(scenario.events.begin(), scenario.events.end(),

@@ -2,10 +2,37 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "gaitway/tools/run_command.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
+
+namespace {
+
+// Names what was not understood and the nearest command or option; what CLI11 says alone leaves that open.
+void explain_rest(const CLI::App& app) {
+  const std::vector<std::string> rest = app.remaining(true);
+  if (rest.empty()) {
+    return;
+  }
+  std::vector<std::string> known;
+  for (const CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(command->get_name());
+    for (const CLI::Option* const option : command->get_options()) {
+      std::transform(option->get_lnames().begin(), option->get_lnames().end(), std::back_inserter(known),
+                     [](const std::string& name) { return "--" + name; });
+    }
+  }
+  fmt::print(stderr, "gaitway: '{}': there is no such command or option. {}\n", rest.front(),
+             gaitway::urdf::suggest(rest.front(), known));
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{
@@ -15,7 +42,15 @@ int main(int argc, char** argv) {
   app.footer("Examples:\n  gaitway run --walk 0.15 --seconds 20\n  gaitway run --help");
   gaitway::tools::RunOptions run_options;
   const CLI::App* const run = gaitway::tools::add_run_command(app, run_options);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (app.exit(error) == 0) {
+      return gaitway::tools::kExitFine;  // --help, --version
+    }
+    explain_rest(app);
+    return gaitway::tools::kExitBadInput;
+  }
   try {
     if (run->parsed()) {
       return gaitway::tools::run(run_options);

@@ -34,9 +34,9 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-simulator::Scenario scenario_of(const RunOptions& options) {
+simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotModel& robot) {
   if (options.scenario) {
-    simulator::Scenario scenario = simulator::load_scenario(*options.scenario);
+    simulator::Scenario scenario = simulator::load_scenario(*options.scenario, robot);
     scenario.seconds = options.seconds.value_or(scenario.seconds);
     return scenario;
   }
@@ -126,13 +126,27 @@ void write_json(const std::filesystem::path& file, const nlohmann::ordered_json&
   }
 }
 
+// The folder for the results is there and a file can be made in it; said before anything moves.
+void prepare_output(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const std::filesystem::path probe = folder / ".gaitway_writable";
+  const bool writable = !error && std::ofstream(probe).is_open();
+  if (!writable) {
+    throw std::invalid_argument(
+        fmt::format("--out {}: must be a folder that can be written to{}. Choose another one",
+                    folder.string(), error ? " (" + error.message() + ")" : ""));
+  }
+  std::filesystem::remove(probe, error);
+}
+
 void check(const RunOptions& options) {
   if (options.walk && (options.walk->empty() || options.walk->size() > 3)) {
     throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.15,0,0.1");
   }
-  if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= 86400.0)) {
+  if (options.seconds && !(*options.seconds >= 0.001 && *options.seconds <= 86400.0)) {
     throw std::invalid_argument(
-        fmt::format("--seconds {}: must be more than 0 and at most 86400", *options.seconds));
+        fmt::format("--seconds {}: must lie between 0.001 and 86400", *options.seconds));
   }
   if (!(options.mismatch >= 0.0 && options.mismatch <= 10.0)) {
     throw std::invalid_argument(fmt::format("--mismatch {}: must lie between 0 and 10", options.mismatch));
@@ -156,7 +170,9 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->delimiter(',')
       ->excludes(scenario);
   run->add_option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)");
-  run->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")->capture_default_str();
+  run->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       ->capture_default_str();
   run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
@@ -173,15 +189,15 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
 
 int run(const RunOptions& options) {
   check(options);
-  const simulator::Scenario scenario = scenario_of(options);
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
+  const simulator::Scenario scenario = scenario_of(options, robot);
   simulator::CosimulationOptions cosimulation_options;
   cosimulation_options.plant.seed = options.seed;
   cosimulation_options.plant.mismatch = options.mismatch;
   cosimulation_options.main_controller.configuration = options.config;
   cosimulation_options.main_controller.plugin_path = plugin_directories();
   simulator::Cosimulation cosimulation(robot, cosimulation_options);
-  std::filesystem::create_directories(options.out);
+  prepare_output(options.out);
 
   RunRecorder recorder(cosimulation, options.out / "bus.log", true);
   cosimulation.observe(&recorder);

@@ -17,6 +17,8 @@
 #include <variant>
 #include <vector>
 
+#include "gaitway/urdf/robot_model.hpp"
+
 namespace gaitway::simulator {
 
 struct WalkEvent {
@@ -60,8 +62,8 @@ struct Scenario {
 inline constexpr double kLargestSpeed_m_per_s = 1.0;
 inline constexpr double kLargestTurnRate_rad_per_s = 2.0;
 
-// Throws urdf::RobotError with file, line, field, value and rule.
-Scenario load_scenario(const std::filesystem::path& file);
+// Throws urdf::RobotError with file, line, field, value and rule. Pushes must name a link of `robot`.
+Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel& robot);
 
 // Stands for one second, then walks.
 Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_rate_rad_per_s,
