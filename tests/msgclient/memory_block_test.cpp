@@ -5,22 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "gaitway/msgclient/topics.hpp"
+#include "topic_error.hpp"
 
 namespace gaitway::msgclient {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-template <class Action>
-std::string error_of(Action&& action) {
-  try {
-    action();
-  } catch (const TopicError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(MemoryBlock, DeliversTheNewestValueWithItsSequenceAndStamp) {
   MemoryBlock block;

@@ -20,22 +20,13 @@
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "topic_error.hpp"
 
 namespace gaitway::msgclient {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-template <class Action>
-std::string error_of(Action&& action) {
-  try {
-    action();
-  } catch (const TopicError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 // A forked child must not outlive a test that fails.
 void end_with_parent() {

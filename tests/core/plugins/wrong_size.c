@@ -1,15 +1,5 @@
 /* Its tick has another size than ours; create must not be called. */
-#include <stdlib.h>
-
-#include "gaitway/core/plugin_abi.h"
-
-static gaitway_status create(const gaitway_host* host, gaitway_instance* instance,
-                             const gaitway_text* error) {
-  (void)host;
-  (void)instance;
-  (void)error;
-  abort();
-}
+#include "never_created.h"
 
 const gaitway_plugin gaitway_plugin_entry = {GAITWAY_PLUGIN_MAGIC,
                                              GAITWAY_PLUGIN_ABI,
@@ -24,4 +14,4 @@ const gaitway_plugin gaitway_plugin_entry = {GAITWAY_PLUGIN_MAGIC,
                                              "wrong_size",
                                              "1.0.0",
                                              "Edited its header",
-                                             &create};
+                                             &never_created};
