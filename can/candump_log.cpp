@@ -135,8 +135,8 @@ LoggedFrame parse_candump_line(std::string_view line) {
 
 std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) {
-    throw std::runtime_error(file.string() + ": cannot be read; does the file exist?");
+  if (!in || std::filesystem::is_directory(file)) {
+    throw std::runtime_error(file.string() + ": cannot be read; is it a file that exists?");
   }
   std::vector<LoggedFrame> frames;
   std::string line;
@@ -149,6 +149,9 @@ std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& file) {
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(file.string() + ":" + std::to_string(number) + ": " + error.what());
     }
+  }
+  if (in.bad()) {
+    throw std::runtime_error(file.string() + ": could not be read to its end");
   }
   return frames;
 }

@@ -105,5 +105,21 @@ TEST_F(CandumpLogTest, FileAndLineAreNamed) {
   EXPECT_THROW(CandumpWriter("/nonexistent/folder/bus.log"), std::runtime_error);
 }
 
+TEST_F(CandumpLogTest, AFolderIsNoLog) {
+  EXPECT_THROW(read_candump_log(testing::TempDir()), std::runtime_error);
+}
+
+TEST_F(CandumpLogTest, AFullDiskIsReportedWhenTheLogIsClosed) {
+  CandumpWriter writer("/dev/full");
+  writer.write(0, {0x123, 0, {}});
+  try {
+    writer.close();
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/dev/full: could not be written whole"));
+  }
+  EXPECT_NO_THROW(writer.close()) << "closed";
+}
+
 }  // namespace
 }  // namespace gaitway::can

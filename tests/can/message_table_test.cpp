@@ -138,6 +138,35 @@ TEST(Codecs, WhatIsNotTheMessageIsRefused) {
   EXPECT_FALSE(decode_user_command(Frame{0x002, 4, {0, 0, 0, 1}})) << "no such node";
   EXPECT_FALSE(decode_user_command(Frame{0x002, 4, {65, 0, 0, 1}})) << "no such node";
   EXPECT_FALSE(decode_feedback(Frame{id_of(MessageKind::feedback, 65), 8, {}}));
+  for (unsigned mode = 0; mode < 256; ++mode) {
+    EXPECT_EQ(decode_emergency_stop(Frame{0x001, 1, {static_cast<std::uint8_t>(mode)}}).has_value(),
+              mode <= 1);
+    EXPECT_EQ(decode_user_command(Frame{0x002, 4, {static_cast<std::uint8_t>(mode)}}).has_value(),
+              mode >= 1 && mode <= kLargestNode);
+  }
+}
+
+// The payload {1, 0, ...} is defined for every message.
+TEST(Codecs, EachDecoderTakesTheIdentifiersAndTheSizeOfItsMessageOnly) {
+  const auto expect_only = [](MessageKind kind, auto decode) {
+    for (unsigned id = 0; id <= 0x7FF; ++id) {
+      const auto identified = identify(static_cast<std::uint16_t>(id));
+      for (std::uint8_t size = 0; size <= 8; ++size) {
+        const bool own = identified && identified->kind == kind && size == spec(kind).size;
+        ASSERT_EQ(decode(Frame{static_cast<std::uint16_t>(id), size, {1}}).has_value(), own)
+            << spec(kind).name << " at identifier " << id << " with " << int{size} << " bytes";
+      }
+    }
+  };
+  expect_only(MessageKind::emergency_stop, decode_emergency_stop);
+  expect_only(MessageKind::user_command, decode_user_command);
+  expect_only(MessageKind::sync, decode_sync);
+  expect_only(MessageKind::trim, decode_trim);
+  expect_only(MessageKind::feedback, decode_feedback);
+  expect_only(MessageKind::fault_report, decode_fault_report);
+  expect_only(MessageKind::trajectory, decode_trajectory);
+  expect_only(MessageKind::resynchronisation, decode_resynchronisation);
+  expect_only(MessageKind::heartbeat, decode_heartbeat);
 }
 
 }  // namespace

@@ -126,6 +126,67 @@ TEST_F(SimulatedBusTest, StatisticsCountEightByteFramesWithTheirInterframeSpace)
   EXPECT_DOUBLE_EQ(statistics.load(1'000'000), static_cast<double>(statistics.busy_ns) / 1e6);
 }
 
+// 22 joints and the message controller, each with a new frame as soon as its last one is out.
+std::vector<SimulatedBus::Delivery> saturate(int frames_each) {
+  constexpr int kStations = 23;
+  SimulatedBus bus;
+  std::mt19937 random(5);
+  std::vector<int> left(kStations, frames_each);
+  const auto offer = [&](int station, std::int64_t now_ns) {
+    int& rest = left[static_cast<std::size_t>(station)];
+    if (rest > 0) {
+      --rest;
+      const auto id = static_cast<std::uint16_t>(random() % 64 * 32 + static_cast<unsigned>(station));
+      const auto size = static_cast<std::uint8_t>(random() % 9);
+      EXPECT_TRUE(bus.transmit(station, frame_of(id, size, static_cast<std::uint8_t>(rest)), now_ns));
+    }
+  };
+  for (int station = 0; station < kStations; ++station) {
+    offer(bus.attach(), 0);
+  }
+  std::vector<SimulatedBus::Delivery> all;
+  while (const auto delivery = bus.advance(std::numeric_limits<std::int64_t>::max() / 2)) {
+    all.push_back(*delivery);
+    offer(delivery->sender, delivery->end_ns);
+  }
+  const std::int64_t end_ns = all.back().end_ns + kInterframeBits * kBit_ns;
+  EXPECT_DOUBLE_EQ(bus.statistics().load(end_ns), 1.0) << "never idle";
+  return all;
+}
+
+TEST_F(SimulatedBusTest, ASaturatedBusLosesNothingAndKeepsEachStationsOrder) {
+  constexpr int kFramesEach = 255;
+  const auto all = saturate(kFramesEach);
+  ASSERT_EQ(all.size(), 23U * kFramesEach);
+  std::vector<int> last(23, kFramesEach);
+  for (const auto& delivery : all) {
+    int& before = last[static_cast<std::size_t>(delivery.sender)];
+    if (delivery.frame.size > 0) {
+      ASSERT_LT(delivery.frame.data[0], before);
+      before = delivery.frame.data[0];
+    }
+  }
+}
+
+TEST_F(SimulatedBusTest, TheSameTrafficTakesTheSameCourse) {
+  const auto once = saturate(50), again = saturate(50);
+  ASSERT_EQ(once.size(), again.size());
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    ASSERT_EQ(once[i].frame, again[i].frame);
+    ASSERT_EQ(once[i].start_ns, again[i].start_ns);
+    ASSERT_EQ(once[i].sender, again[i].sender);
+  }
+}
+
+TEST_F(SimulatedBusTest, BitsStartOnTheBussOwnRaster) {
+  bus.transmit(0, frame_of(0x100), 5'001);
+  bus.transmit(1, frame_of(0x050), 6'000);
+  const auto all = run_to(1'000'000);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].frame.id, 0x050) << "offered before the next bit begins";
+  EXPECT_EQ(all[0].start_ns, 6'000);
+}
+
 // Random traffic, looked at afterwards: whenever a frame started, no waiting one was more urgent, and the bus
 // was never idle while one waited.
 TEST_F(SimulatedBusTest, RandomTrafficNeverBreaksTheRulesOfArbitration) {
