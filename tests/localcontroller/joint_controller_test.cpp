@@ -182,6 +182,50 @@ TEST_F(JointControllerTest, ATrimIsLimitedSlewedAndFadesOutWithoutNewOnes) {
   EXPECT_NEAR(joint.trim_rad(), 0.0, 1e-12);
 }
 
+TEST_F(JointControllerTest, TheServoTracksReferenceAndTrimAndTheTrimsRate) {
+  run(10);
+  send(can::Trim{{0, 0, 5}});  // 5 mrad over 10 ms: 0.5 rad/s
+  EXPECT_NEAR(step(), 300.0 * 0.0005 + 4.0 * 0.5, 1e-9);
+  run(20);
+  EXPECT_NEAR(step(), 300.0 * 0.005, 1e-9);
+}
+
+TEST_F(JointControllerTest, ARepairReachesThisJointOnly) {
+  sync(0, true, true);  // its trajectory frame was lost
+  send(can::Resynchronisation{kNode, true, 2, 60, {7}});
+  send(can::Resynchronisation{kNode + 1, true, 2, 90, {7}});
+  for (int slot = 1; slot < 4; ++slot) {
+    run(10);
+    sync(slot, true, true);
+  }
+  EXPECT_EQ(joint.reference_count(), 67);
+  EXPECT_EQ(joint.state(), can::JointState::running);
+}
+
+TEST_F(JointControllerTest, LimitsThatLieBetweenCountsAreRoundedInwards) {
+  const auto reached = [](double lower_counts, double upper_counts, std::int16_t wanted) {
+    JointConfig limited = config();
+    limited.lower_rad = lower_counts * limited.count_rad;
+    limited.upper_rad = upper_counts * limited.count_rad;
+    limited.initial_reference_count = static_cast<std::int32_t>((lower_counts + upper_counts) / 2.0);
+    JointController other(limited);
+    other.on_frame(can::encode(can::UserCommand{kNode, wanted, 1}), 0);
+    return other.reference_count();
+  };
+  EXPECT_EQ(reached(-10.7, 10.7, 500), 10);
+  EXPECT_EQ(reached(-10.7, 10.7, -500), -10);
+  EXPECT_EQ(reached(3.2, 40.5, -500), 4) << "a knee";
+  EXPECT_EQ(reached(-40.5, -3.2, 500), -4);
+}
+
+TEST_F(JointControllerTest, AFaultThatNobodyFetchedAtOnceIsReportedAllTheSame) {
+  sync(0);
+  run(10);
+  send(can::UserCommand{kNode, 32767, 1});
+  run(5);
+  EXPECT_EQ(fault_reports(), std::vector<int>{static_cast<int>(can::Fault::position_limit)});
+}
+
 TEST_F(JointControllerTest, AnEmergencyStopHoldKeepsThePositionAndIgnoresBatches) {
   send(can::Trajectory{kNode, true, {100, 100, 100, 100, 100, 100, 100, 100}});
   sync(0, true, true);

@@ -229,6 +229,50 @@ TEST_F(PointPlayerTest, ARepairFindsItsSlotThoughSyncsBeforeItWereLostWhileHoldi
   EXPECT_EQ(player.count(), 40);
 }
 
+TEST_F(PointPlayerTest, ARepairWaitsForItsSlotAndLeavesAHoldingJointHolding) {
+  take_sync(0, false);
+  take_sync(1, false);
+  player.on_resynchronisation({.node = 3, .toggle = true, .slot = 4, .count = 40, .delta = {9, 9}});
+  take_sync(2, false);
+  take_sync(3, false);
+  EXPECT_EQ(player.count(), 0);
+  take_sync(4, false);
+  EXPECT_EQ(player.count(), 40);
+  EXPECT_FALSE(player.running()) << "no batch is committed: the count alone was wrong";
+  take_sync(5, false);
+  EXPECT_EQ(player.count(), 40);
+}
+
+TEST_F(PointPlayerTest, ARepairThatMissedItsSlotIsNotAppliedACycleLater) {
+  take_sync(0, false);
+  player.on_resynchronisation({.node = 3, .toggle = true, .slot = 5, .count = 40});
+  run_alone(slot_ns(0), slot_ns(9));  // all SYNCs lost, that of the next cycle, too
+  ++cycle;
+  for (int slot = 1; slot < 8; ++slot) {
+    take_sync(slot, false);
+  }
+  EXPECT_EQ(player.count(), 0);
+}
+
+TEST_F(PointPlayerTest, ABatchThatCameTooLateAndWasRepairedNeverStarts) {
+  take_sync(0);
+  player.on_trajectory(batch(true));
+  player.on_resynchronisation({.node = 3, .toggle = true, .slot = 2, .count = 6, .delta = {4, 5, 6, 7, 8}});
+  for (int slot = 1; slot < 8; ++slot) {
+    take_sync(slot);
+  }
+  EXPECT_EQ(player.count(), 36);
+  cycle = static_cast<std::uint16_t>(cycle + 2);  // a cycle's SYNCs and two batches are lost
+  take_sync(0);
+  EXPECT_FALSE(player.running());
+  EXPECT_EQ(player.count(), 36);
+}
+
+TEST_F(PointPlayerTest, AMissedBatchIsNotTakenForTheNextOne) {
+  take_sync(0);  // toggle 1 was committed, its frame lost
+  EXPECT_TRUE(player.pending_toggle()) << "or the loss of the next frame, toggle 0, would go unnoticed";
+}
+
 TEST_F(PointPlayerTest, TheReferenceStaysWithinItsLimits) {
   player = PointPlayer(0, -10, 10);
   player.on_trajectory(batch(true, {8, 8, 8, -1}));
@@ -257,6 +301,17 @@ TEST_F(PointPlayerTest, MovesByHandInAStraightLineWhileHoldingOnly) {
   player.on_trajectory(batch(true));
   take_sync(0);
   EXPECT_FALSE(player.move_to(0, 10, slot_ns(0)));
+}
+
+TEST_F(PointPlayerTest, FreezesOnTheNearestCount) {
+  for (const int sign : {-1, 1}) {
+    player = PointPlayer(0, -kLimit, kLimit);
+    player.on_trajectory(batch(true, {static_cast<std::int8_t>(sign * 101)}));
+    take_sync(0);
+    player.freeze(slot_ns(0) + 6 * kMillisecond_ns);  // at 60.6
+    EXPECT_EQ(player.count(), sign * 61);
+    ++cycle;
+  }
 }
 
 TEST_F(PointPlayerTest, FrozenItStaysWhereItIsWhateverComes) {

@@ -137,13 +137,35 @@ TEST(SlotEdges, WhatACoastingJointRanAheadItTakesBackWhenTheBatchHasEnded) {
   EXPECT_DOUBLE_EQ(last, 400.0);
 }
 
-TEST(SlotEdges, CoastingNeverLeavesThePositionLimits) {
-  PointPlayer player(0, -100, 100);
-  player.on_trajectory({.node = 3, .toggle = true, .delta = {99, 0, 0, 0, 0, 0, 0, 0}});
-  player.on_sync(committed(0, 0, true), 0);
-  for (std::int64_t now_ns = 0; now_ns <= 12 * kMillisecond_ns; now_ns += kMillisecond_ns / 10) {
-    ASSERT_LE(player.reference(now_ns).count, 100.0);
+TEST(SlotEdges, CoastingNeverLeavesThePositionLimitsAndEnds) {
+  for (const int sign : {-1, 1}) {
+    PointPlayer player(0, -100, 100);
+    player.on_trajectory({.node = 3, .toggle = true, .delta = {static_cast<std::int8_t>(sign * 99)}});
+    player.on_sync(committed(0, 0, true), 0);
+    for (std::int64_t now_ns = 0; now_ns <= 12 * kMillisecond_ns; now_ns += kMillisecond_ns / 10) {
+      ASSERT_LE(std::abs(player.reference(now_ns).count), 100.0);
+    }
   }
+  PointPlayer player(0, -kLimit, kLimit);
+  player.on_trajectory({.node = 3, .toggle = true, .delta = {99}});
+  player.on_sync(committed(0, 0, true), 0);
+  EXPECT_GT(player.reference(11 * kMillisecond_ns).count, 99.0);
+  EXPECT_DOUBLE_EQ(player.reference(13 * kMillisecond_ns).count, 99.0);
+}
+
+TEST(SlotEdges, AServoThatWasHeldUpForSlotsPlaysThemOneAfterTheOtherWithoutAJump) {
+  PointPlayer player(0, -kLimit, kLimit);
+  player.on_trajectory({.node = 3, .toggle = true, .delta = {10, 10, 10, 10, 10, 10, 10, 10}});
+  player.on_sync(committed(0, 0, true), 0);
+  double last = player.reference(10 * kMillisecond_ns).count;
+  for (std::int64_t now_ns = 38 * kMillisecond_ns; now_ns < 110 * kMillisecond_ns;
+       now_ns += kMillisecond_ns) {
+    player.advance_without_sync(now_ns);
+    const double count = player.reference(now_ns).count;
+    ASSERT_LE(std::abs(count - last), 10.0) << now_ns;
+    last = count;
+  }
+  EXPECT_DOUBLE_EQ(last, 80.0);
 }
 
 TEST(SlotEdges, PointsWhoseSyncsWereLostAtTheEndOfABatchAreMadeUpForByTheNext) {
