@@ -76,7 +76,7 @@ TEST_F(Footsteps, SpeedIsScaledOntoTheEllipsoidWithItsDirectionKept) {
 }
 
 TEST_F(Footsteps, VelocityChangesByTheAccelerationOfOneStep) {
-  const Velocity2 v = planner.next_velocity({}, {0.2, 0.0, -0.45}, applied);
+  const Velocity2 v = planner.next_velocity({}, {0.2, 0.0, -0.44}, applied);
   EXPECT_NEAR(v.forward_m_per_s, 0.25 * 0.4, 1e-12);
   EXPECT_NEAR(v.turn_rad_per_s, -0.4, 1e-12);
   EXPECT_EQ(applied, StepLimit::acceleration);

@@ -43,7 +43,7 @@ TEST(LimitReport, NamesCommandRuleAndValue) {
               AllOf(HasSubstr("walk 1, 0 m/s, 0 rad/s"), HasSubstr("rule speed"),
                     HasSubstr("at most 0.35 forward, 0.25 backward")));
   EXPECT_THAT(report.text(StepLimit::length),
-              AllOf(HasSubstr("rule length"), HasSubstr("max_step_forward 0.14 m")));
+              AllOf(HasSubstr("rule length"), HasSubstr("max_step_forward 0.12 m")));
   EXPECT_THAT(report.text(StepLimit::spacing), HasSubstr("max_foot_spacing 0.16 m"));
   EXPECT_THAT(report.text(StepLimit::turn), HasSubstr("max_step_turn 0.24 rad"));
   EXPECT_THAT(report.text(StepLimit::sole_gap), HasSubstr("min_sole_gap 0.008 m"));

@@ -36,7 +36,7 @@ struct GaitParameters {
   double zmp_inward_m = 0.010;   // and towards the other foot
 
   // Limits of a footstep against its stance foot.
-  double max_step_forward_m = 0.140;
+  double max_step_forward_m = 0.120;  // 0.30 m/s at 0.40 s a step: the knees' speed allows little more
   double max_step_backward_m = 0.100;
   double max_foot_spacing_m = 0.160;
   double min_sole_gap_m = 0.008;  // clear distance between the soles' rectangles when a foot lands
