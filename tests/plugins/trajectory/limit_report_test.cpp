@@ -41,7 +41,7 @@ TEST(LimitReport, NamesCommandRuleAndValue) {
   (void)report.news(walk(1.0), StepLimit::speed);
   EXPECT_THAT(report.text(StepLimit::speed),
               AllOf(HasSubstr("walk 1, 0 m/s, 0 rad/s"), HasSubstr("rule speed"),
-                    HasSubstr("at most 0.35 forward, 0.25 backward")));
+                    HasSubstr("at most 0.3 forward, 0.25 backward")));
   EXPECT_THAT(report.text(StepLimit::length),
               AllOf(HasSubstr("rule length"), HasSubstr("max_step_forward 0.12 m")));
   EXPECT_THAT(report.text(StepLimit::spacing), HasSubstr("max_foot_spacing 0.16 m"));
