@@ -81,6 +81,7 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
   } else if (!has_pending_) {
     pending_toggle_ = repair_.toggle;  // else the loss of the next batch's frame would look like its arrival
   }
+  executing_[repair_.slot] = 0;  // the way to the repair's count is none of the batch's points
   std::size_t slot = std::size_t{repair_.slot} + 1;
   for (std::size_t k = 0; k < repair_.delta.size() && slot < executing_.size(); ++k, ++slot) {
     executing_[slot] = repair_.delta[k];
@@ -181,17 +182,23 @@ bool PointPlayer::advance_without_sync(std::int64_t now_ns) noexcept {
 PointPlayer::Reference PointPlayer::reference(std::int64_t now_ns) const noexcept {
   const std::int64_t elapsed_ns = now_ns - segment_start_ns_;
   const double target = static_cast<double>(count_);
-  const double rate = (target - from_) / (static_cast<double>(segment_duration_ns_) * 1e-9);
   const std::int64_t beyond_ns = elapsed_ns - segment_duration_ns_;
   if (beyond_ns < 0) {
+    const double rate = (target - from_) / (static_cast<double>(segment_duration_ns_) * 1e-9);
     return {from_ + rate * (elapsed_ns > 0 ? static_cast<double>(elapsed_ns) * 1e-9 : 0.0), rate};
   }
   // The next SYNC is due: at a stall here the servo would brake with all its torque, and then catch up.
+  const double rate = coasting_rate_per_s();
   const double coasting = target + rate * (static_cast<double>(beyond_ns) * 1e-9);
   if (running_ && beyond_ns < kLongestCoast_ns && coasting >= lowest_ && coasting <= highest_) {
     return {coasting, rate};
   }
   return {target, 0.0};
+}
+
+double PointPlayer::coasting_rate_per_s() const noexcept {
+  const int next = slot_ < kLastSlot ? slot_ + 1 : kLastSlot;
+  return executing_[static_cast<std::size_t>(next)] / (static_cast<double>(kSlot_ns) * 1e-9);
 }
 
 }  // namespace gaitway::localcontroller

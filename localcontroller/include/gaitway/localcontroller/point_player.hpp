@@ -40,8 +40,8 @@ class PointPlayer {
   // Reference at the end of the running slot.
   [[nodiscard]] std::int32_t count() const noexcept { return count_; }
   // Interpolated reference, in counts, and its rate in counts per second. While a batch runs and the next
-  // SYNC is late, the reference coasts on at its last rate, within the limits and for kSyncGrace_ns at most;
-  // what it ran ahead is taken back within the next slot.
+  // SYNC is late, the reference coasts on towards the next point (past the last one at that point's rate),
+  // within the limits and until the joint takes the next slot alone.
   struct Reference {
     double count = 0.0;
     double rate_per_s = 0.0;
@@ -60,6 +60,7 @@ class PointPlayer {
   void make_up_until(int slot) noexcept;
   void enter_slot(int slot, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool apply_repair(const can::Sync& sync, std::int64_t now_ns) noexcept;
+  [[nodiscard]] double coasting_rate_per_s() const noexcept;
   [[nodiscard]] std::int32_t within_limits(std::int32_t count) const noexcept;
 
   std::int32_t count_;
