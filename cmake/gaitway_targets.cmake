@@ -39,13 +39,15 @@ function(gaitway_test name)
   endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gtest_main GTest::gmock gaitway_compiler)
-  # The renderer's own threads live in a library that the thread sanitizer cannot see into.
-  set(environment "")
-  if(GAITWAY_SANITIZE MATCHES "thread")
-    set(environment ENVIRONMENT "TSAN_OPTIONS=ignore_noninstrumented_modules=1")
+  set(properties TIMEOUT ${arg_TIMEOUT})
+  if(arg_LABELS)
+    list(APPEND properties LABELS ${arg_LABELS})
   endif()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
-    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" ${environment})
+  # The renderer's own threads live in a library that the thread sanitizer cannot see into.
+  if(GAITWAY_SANITIZE MATCHES "thread")
+    list(APPEND properties ENVIRONMENT "TSAN_OPTIONS=ignore_noninstrumented_modules=1")
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
 endfunction()
 
 function(gaitway_benchmark name)
