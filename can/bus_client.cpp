@@ -9,6 +9,7 @@
 #include <string>
 
 #include "bus_protocol.hpp"
+#include "gaitway/process/listening_socket.hpp"
 
 namespace gaitway::can {
 
@@ -25,8 +26,8 @@ struct BusClient::Packets {
 
 BusClient::BusClient(const std::filesystem::path& socket, std::string_view name, Pace pace)
     : path_(socket), packets_(std::make_unique<Packets>()), pace_(pace) {
-  const sockaddr_un address = protocol::address_of(path_);
-  socket_ = BusDescriptor(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const sockaddr_un address = process::socket_address(path_);
+  socket_ = process::FileDescriptor(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (!socket_) {
     fail("cannot make a socket");
   }

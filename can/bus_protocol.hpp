@@ -2,12 +2,9 @@
 // socket. Both ends run on one machine, so the records travel as they lie in memory.
 #pragma once
 
-#include <sys/un.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <utility>
 
 #include "gaitway/can/frame.hpp"
@@ -48,8 +45,5 @@ inline Frame frame_of(const Record& record) noexcept {
 inline bool valid_frame(const Record& record) noexcept {
   return record.id <= 0x7FF && record.size <= 8;
 }
-
-// Throws BusError when the path is too long for a Unix socket.
-sockaddr_un address_of(const std::filesystem::path& path);
 
 }  // namespace gaitway::can::protocol

@@ -1,12 +1,7 @@
 // The bus's end of the bus socket: stations come and go, frames wait in transmit buffers until their time.
 #include "gaitway/can/bus_server.hpp"
 
-#include <fcntl.h>
-#include <sys/epoll.h>
-#include <sys/file.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -31,42 +26,6 @@ constexpr int kPacketsAStep = 256;  // of one client: bounds the time that one s
 constexpr std::size_t kLongestBacklog = 8192;
 constexpr std::int64_t kLate_ns = 1'000'000;
 constexpr std::int64_t kNever_ns = std::numeric_limits<std::int64_t>::max();
-
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
-  throw BusError("bus socket '" + path.native() + "': " + what + ": " + std::strerror(errno));
-}
-
-// The kernel drops the lock with the process, so a living server is told from a stale socket without a race.
-BusDescriptor lock_beside(const std::filesystem::path& path) {
-  const std::string lock_path = path.native() + ".lock";
-  BusDescriptor lock(open(lock_path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600));
-  if (!lock) {
-    fail(path, "cannot make '" + lock_path + "'");
-  }
-  if (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
-    throw BusError("bus socket '" + path.native() +
-                   "': another bus serves it; end that one first, or choose another path");
-  }
-  return lock;
-}
-
-BusDescriptor listen_on(const std::filesystem::path& path) {
-  const sockaddr_un address = protocol::address_of(path);
-  BusDescriptor listener(socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (!listener) {
-    fail(path, "cannot make a socket");
-  }
-  if (struct stat status{}; lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode)) {
-    unlink(path.c_str());  // we hold the lock: nobody serves it
-  }
-  if (bind(listener.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    fail(path, "cannot bind");
-  }
-  if (chmod(path.c_str(), 0600) != 0 || listen(listener.get(), kBacklog) != 0) {
-    fail(path, "cannot listen");
-  }
-  return listener;
-}
 
 // The transmit buffers of one client: frames that wait, each from its own time on.
 class TransmitBuffers {
@@ -138,11 +97,12 @@ class TransmitBuffers {
 }  // namespace
 
 struct BusServer::Client {
-  Client(BusDescriptor connection, int station) : socket(std::move(connection)), transmitter(station) {
+  Client(process::FileDescriptor connection, int station)
+      : socket(std::move(connection)), transmitter(station) {
     outgoing.reserve(kLongestBacklog);
   }
 
-  BusDescriptor socket;
+  process::FileDescriptor socket;
   StationTransmitter transmitter;
   TransmitBuffers buffers;
   int waiting = 0;  // frames that have not been sent: in the buffers and on the bus
@@ -198,29 +158,9 @@ void BusServer::Client::flush() {
 }
 
 BusServer::BusServer(std::filesystem::path socket, std::int64_t start_ns)
-    : path_(std::move(socket)), time_ns_(start_ns) {
-  static_cast<void>(protocol::address_of(path_));  // refuses a bad path before anything is made
-  lock_ = lock_beside(path_);
-  listener_ = listen_on(path_);
-  epoll_ = BusDescriptor(epoll_create1(EPOLL_CLOEXEC));
-  if (!epoll_) {
-    fail(path_, "cannot wait for clients");
-  }
-  watch(listener_.get());
-}
+    : listener_(std::move(socket), "bus"), time_ns_(start_ns) {}
 
-BusServer::~BusServer() {
-  unlink(path_.c_str());  // the lock file stays: another server may be waiting at it
-}
-
-void BusServer::watch(int fd) const {
-  epoll_event event{};
-  event.events = EPOLLIN | EPOLLRDHUP;
-  event.data.fd = fd;
-  if (epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event) != 0) {
-    fail(path_, "cannot wait for a client");
-  }
-}
+BusServer::~BusServer() = default;
 
 int BusServer::free_station() {
   const auto free = std::find_if(free_stations_.begin(), free_stations_.end(),
@@ -235,11 +175,11 @@ int BusServer::free_station() {
 
 void BusServer::step() {
   while (true) {
-    BusDescriptor connection(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    process::FileDescriptor connection = listener_.accept();
     if (!connection) {
       break;  // nobody waits, or the system has no descriptor left, and then they wait on
     }
-    watch(connection.get());
+    listener_.watch(connection);
     clients_.emplace_back(std::move(connection), free_station());
     ++statistics_.clients;
   }

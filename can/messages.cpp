@@ -52,7 +52,7 @@ static_assert(in_order_of_priority(), "identifiers of the message table overlap 
 // Collects the fields of one message, in the table's order, into its frame.
 class FieldWriter {
  public:
-  FieldWriter(MessageKind kind, NodeId node = 0, bool toggle = false) noexcept
+  explicit FieldWriter(MessageKind kind, NodeId node = 0, bool toggle = false) noexcept
       : fields_(spec(kind).fields), frame_{.id = id_of(kind, node, toggle), .size = spec(kind).size} {}
 
   FieldWriter& put(std::int64_t value) noexcept {

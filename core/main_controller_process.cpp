@@ -1,20 +1,15 @@
 // The `main_controller` process: the main controller in real time, beside a message controller process. All
 // processes of one robot share CLOCK_MONOTONIC: cycle n starts at n * 80 ms of it.
 #include <fmt/format.h>
-#include <sched.h>
-#include <signal.h>
-#include <sys/mman.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <string>
 
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/process/real_time.hpp"
 
 namespace {
 
@@ -31,11 +26,6 @@ constexpr std::int64_t kSilence_ns = 1'000'000'000;
 constexpr std::uint64_t kTicksBetweenPrints = 100;
 constexpr std::uint64_t kEventsPerPrint = 5;
 
-volatile sig_atomic_t stop_requested = 0;
-extern "C" void request_stop(int) {
-  stop_requested = 1;
-}
-
 struct Options {
   std::filesystem::path robot;
   std::filesystem::path socket;
@@ -43,42 +33,6 @@ struct Options {
   double seconds = 0.0;
   bool quiet = false;
 };
-
-std::int64_t monotonic_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
-
-void sleep_until(std::int64_t deadline_ns) {
-  timespec deadline{};
-  deadline.tv_sec = deadline_ns / 1'000'000'000;
-  deadline.tv_nsec = deadline_ns % 1'000'000'000;
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR &&
-         stop_requested == 0) {
-  }
-}
-
-void stop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = &request_stop;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
-// Where the rights are missing a plain message: it runs then as well, with more jitter.
-void ask_for_real_time() {
-  sched_param priority{};
-  priority.sched_priority = kPriority;
-  if (sched_setscheduler(0, SCHED_FIFO, &priority) != 0) {
-    fmt::print(stderr, "main_controller: no SCHED_FIFO ({}): ticks may come late under load\n",
-               std::strerror(errno));
-  }
-  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
-    fmt::print(stderr, "main_controller: memory is not locked ({}): a page fault may delay a tick\n",
-               std::strerror(errno));
-  }
-}
 
 // Prints what is new in the event log; leaves out all but a few at a time.
 class EventPrinter {
@@ -104,7 +58,7 @@ class EventPrinter {
 struct LoopResult {
   int exit_code = kExitFine;
   std::uint64_t missed_ticks = 0;
-  core::DurationHistogram lateness;
+  process::DurationHistogram lateness;
 };
 
 // Absolute deadlines: lateness of one tick does not move the next.
@@ -112,13 +66,15 @@ LoopResult run_ticks(core::MainController& controller, const msgclient::Client& 
                      const Options& options) {
   LoopResult result;
   EventPrinter printer;
-  const std::int64_t begin_ns = monotonic_ns();
+  const std::int64_t begin_ns = process::monotonic_ns();
   std::int64_t deadline_ns = core::next_tick_ns(begin_ns);
   const std::int64_t end_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
-  for (std::uint64_t tick = 0; stop_requested == 0; ++tick) {
-    sleep_until(deadline_ns);
-    const std::int64_t now_ns = monotonic_ns();
-    if (stop_requested != 0 || (options.seconds > 0.0 && now_ns >= end_ns)) {
+  for (std::uint64_t tick = 0; !process::stop_requested(); ++tick) {
+    std::int64_t now_ns = process::monotonic_ns();
+    for (; now_ns < deadline_ns && !process::stop_requested(); now_ns = process::monotonic_ns()) {
+      process::wait_until(deadline_ns, {});
+    }
+    if (process::stop_requested() || (options.seconds > 0.0 && now_ns >= end_ns)) {
       break;
     }
     result.lateness.add(now_ns - deadline_ns);
@@ -134,7 +90,7 @@ LoopResult run_ticks(core::MainController& controller, const msgclient::Client& 
     if (tick % kTicksBetweenPrints == 0 && !options.quiet) {
       printer.print(controller.events());
     }
-    const std::int64_t next_ns = core::next_tick_ns(std::max(monotonic_ns(), deadline_ns));
+    const std::int64_t next_ns = core::next_tick_ns(std::max(process::monotonic_ns(), deadline_ns));
     result.missed_ticks += static_cast<std::uint64_t>((next_ns - deadline_ns) / msgclient::kSlot_ns - 1);
     deadline_ns = next_ns;
   }
@@ -165,7 +121,7 @@ int run(const Options& options) {
   msgclient::Client client = msgclient::Client::connect(options.socket, "main_controller");
   msgclient::EmiHost host(client);
   core::MainController controller(robot, client, host, options.controller);
-  ask_for_real_time();
+  process::ask_for_real_time("main_controller", kPriority);
   const LoopResult result = run_ticks(controller, client, options);
   if (!options.quiet) {
     print_summary(controller, result);
@@ -205,7 +161,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitFine : kExitBadInput;
   }
-  stop_on_signals();
+  process::stop_on_signals();
   try {
     return run(options);
   } catch (const std::exception& error) {

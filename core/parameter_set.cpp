@@ -43,7 +43,7 @@ const ParameterEntry* ParameterSet::find(std::string_view name) const noexcept {
 }
 
 Parameter& ParameterSet::declare(std::string_view name, ParameterKind kind, std::string_view unit,
-                                 std::string fallback) {
+                                 const std::string& fallback) {
   const auto same = [name](const Parameter& other) { return other.name == name; };
   const auto before = std::find_if(declared_.begin(), declared_.end(), same);
   if (before != declared_.end()) {

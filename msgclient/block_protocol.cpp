@@ -31,18 +31,6 @@ Received outcome(ssize_t received, std::size_t expected) noexcept {
 
 }  // namespace
 
-sockaddr_un address_of(const std::filesystem::path& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  const std::string& text = path.native();
-  if (text.empty() || text.size() >= sizeof address.sun_path) {
-    throw TopicError(fmt::format("socket '{}': a path of 1 to {} bytes is needed; choose another one", text,
-                                 sizeof address.sun_path - 1));
-  }
-  std::memcpy(address.sun_path, text.data(), text.size());
-  return address;
-}
-
 bool send_request(int socket, const Request& request) noexcept {
   return send(socket, &request, sizeof request, MSG_NOSIGNAL | MSG_DONTWAIT) ==
          static_cast<ssize_t>(sizeof request);
@@ -91,7 +79,7 @@ Received receive_answer(int socket, ReceivedAnswer& received) noexcept {
       for (std::size_t i = 0; i < here && count < kMaxFds; ++i) {
         int fd = -1;
         std::memcpy(&fd, CMSG_DATA(header) + i * sizeof(int), sizeof(int));
-        received.fds[count++] = FileDescriptor(fd);
+        received.fds[count++] = process::FileDescriptor(fd);
       }
     }
   }

@@ -2,10 +2,7 @@
 // SCM_RIGHTS.
 #pragma once
 
-#include <sys/un.h>
-
 #include <array>
-#include <filesystem>
 #include <optional>
 
 #include "directory.hpp"
@@ -49,11 +46,10 @@ struct Answer {
 
 struct ReceivedAnswer {
   Answer answer;
-  std::array<FileDescriptor, kMaxFds> fds;
+  std::array<process::FileDescriptor, kMaxFds> fds;
 };
 
 // Throws TopicError for a path that doesn't fit a socket address.
-sockaddr_un address_of(const std::filesystem::path& path);
 
 // One packet, never waiting and without SIGPIPE. False: not sent.
 bool send_request(int socket, const Request& request) noexcept;

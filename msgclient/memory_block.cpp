@@ -37,7 +37,7 @@ MemoryBlock::~MemoryBlock() = default;
 MemoryBlock::MemoryBlock(MemoryBlock&&) noexcept = default;
 MemoryBlock& MemoryBlock::operator=(MemoryBlock&&) noexcept = default;
 
-Client MemoryBlock::local_client(std::string name) {
+Client MemoryBlock::local_client(const std::string& name) {
   return Client(std::make_shared<LocalSource>(registry_, name), name);
 }
 void MemoryBlock::beat(std::int64_t now_ns) noexcept {

@@ -1,15 +1,6 @@
 // The server's side of set-up: requests in, descriptors out.
 #include "gaitway/msgclient/memory_block_server.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/epoll.h>
-#include <sys/file.h>
-#include <sys/socket.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstring>
 
 #include "block_protocol.hpp"
@@ -18,55 +9,8 @@
 namespace gaitway::msgclient {
 namespace {
 
-constexpr int kBacklog = 16;
+constexpr int kClientsAStep = 16;
 constexpr int kRequestsAStep = 32;  // of one client: bounds the time that one step takes
-
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
-  throw TopicError(fmt::format("socket '{}': {}: {}", path.native(), what, std::strerror(errno)));
-}
-
-// The lock file tells a living server from a stale socket without a race: the kernel drops the lock with the
-// process.
-FileDescriptor lock_beside(const std::filesystem::path& path) {
-  const std::string lock_path = path.native() + ".lock";
-  FileDescriptor lock(open(lock_path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600));
-  if (!lock) {
-    fail(path, fmt::format("cannot make '{}'", lock_path));
-  }
-  if (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
-    throw TopicError(fmt::format(
-        "socket '{}': another message controller serves it; end that one first, or choose another path",
-        path.native()));
-  }
-  return lock;
-}
-
-FileDescriptor listen_on(const std::filesystem::path& path) {
-  const sockaddr_un address = protocol::address_of(path);
-  FileDescriptor listener(socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (!listener) {
-    fail(path, "cannot make a socket");
-  }
-  if (struct stat status{}; lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode)) {
-    unlink(path.c_str());  // we hold the lock: nobody serves it
-  }
-  if (bind(listener.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    fail(path, "cannot bind");
-  }
-  if (chmod(path.c_str(), 0600) != 0 || listen(listener.get(), kBacklog) != 0) {
-    fail(path, "cannot listen");
-  }
-  return listener;
-}
-
-void watch(int epoll, int fd) {
-  epoll_event event{};
-  event.events = EPOLLIN | EPOLLRDHUP;
-  event.data.fd = fd;
-  if (epoll_ctl(epoll, EPOLL_CTL_ADD, fd, &event) != 0) {
-    throw TopicError(fmt::format("memory block server: epoll_ctl: {}", std::strerror(errno)));
-  }
-}
 
 TopicDescriptor descriptor_of(const protocol::Request& request) {
   return {std::string(name_of(request.topic)),
@@ -81,7 +25,7 @@ TopicDescriptor descriptor_of(const protocol::Request& request) {
 struct Reply {
   protocol::Answer answer;
   std::array<int, protocol::kMaxFds> fds{};
-  std::array<FileDescriptor, protocol::kMaxFds> made;
+  std::array<process::FileDescriptor, protocol::kMaxFds> made;
 
   void give(const Segment& segment, Access access) {
     const std::size_t index = answer.fd_count++;
@@ -124,27 +68,17 @@ Reply reply_to(TopicRegistry& registry, ClientId client, const protocol::Request
 }  // namespace
 
 struct MemoryBlockServer::Connection {
-  FileDescriptor socket;
+  process::FileDescriptor socket;
   ClientId id = 0;
 };
 
 MemoryBlockServer::MemoryBlockServer(const MemoryBlock& block, std::filesystem::path socket)
-    : registry_(block.registry()),
-      path_(std::move(socket)),
-      lock_(lock_beside(path_)),
-      listener_(listen_on(path_)),
-      epoll_(epoll_create1(EPOLL_CLOEXEC)) {
-  if (!epoll_) {
-    fail(path_, "cannot make an epoll descriptor");
-  }
-  watch(epoll_.get(), listener_.get());
-}
+    : registry_(block.registry()), listener_(std::move(socket), "message controller") {}
 
 MemoryBlockServer::~MemoryBlockServer() {
   for (const Connection& connection : connections_) {
     registry_->release_all(connection.id);
   }
-  unlink(path_.c_str());
 }
 
 std::size_t MemoryBlockServer::client_count() const noexcept {
@@ -163,12 +97,12 @@ void MemoryBlockServer::step() {
 }
 
 void MemoryBlockServer::accept_clients() {
-  for (int i = 0; i < kBacklog; ++i) {
-    FileDescriptor socket(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+  for (int i = 0; i < kClientsAStep; ++i) {
+    process::FileDescriptor socket = listener_.accept();
     if (!socket) {
       return;
     }
-    watch(epoll_.get(), socket.get());
+    listener_.watch(socket);
     connections_.push_back({std::move(socket), registry_->new_client()});
     if (!serve(connections_.back())) {
       drop(std::prev(connections_.end()));

@@ -10,6 +10,7 @@
 #include "block_protocol.hpp"
 #include "directory.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/process/listening_socket.hpp"
 
 namespace gaitway::msgclient {
 namespace {
@@ -26,7 +27,7 @@ class Connection {
       throw TopicError(
           fmt::format("client '{}': a name has 1 to {} characters", client_name_, kMaxNameLength));
     }
-    const sockaddr_un address = protocol::address_of(path);
+    const sockaddr_un address = process::socket_address(path);
     const timeval limit{timeout.count() / 1000, timeout.count() % 1000 * 1000};
     if (!socket_ || setsockopt(socket_.get(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit) != 0 ||
         setsockopt(socket_.get(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit) != 0 ||
@@ -81,7 +82,7 @@ class Connection {
   std::filesystem::path path_;
   std::string client_name_;
   std::chrono::milliseconds timeout_;
-  FileDescriptor socket_;
+  process::FileDescriptor socket_;
   bool broken_ = false;
 };
 

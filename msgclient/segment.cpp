@@ -31,13 +31,7 @@ void* map_fd(int fd, std::size_t bytes, Access access) {
 
 }  // namespace
 
-FileDescriptor::~FileDescriptor() {
-  if (fd_ >= 0) {
-    close(fd_);
-  }
-}
-
-Segment::Segment(FileDescriptor fd, void* data, std::size_t bytes) noexcept
+Segment::Segment(process::FileDescriptor fd, void* data, std::size_t bytes) noexcept
     : fd_(std::move(fd)), data_(data), bytes_(bytes) {}
 
 Segment::Segment(Segment&& other) noexcept
@@ -57,7 +51,7 @@ Segment::~Segment() {
 }
 
 Segment Segment::create(const std::string& name, std::size_t bytes) {
-  FileDescriptor fd(memfd_create(name.c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  process::FileDescriptor fd(memfd_create(name.c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!fd) {
     fail("memfd_create of " + name);
   }
@@ -69,7 +63,7 @@ Segment Segment::create(const std::string& name, std::size_t bytes) {
   return Segment(std::move(fd), data, bytes);
 }
 
-Segment Segment::map(FileDescriptor fd, std::size_t bytes, Access access) {
+Segment Segment::map(process::FileDescriptor fd, std::size_t bytes, Access access) {
   struct stat status {};
   if (fstat(fd.get(), &status) != 0) {
     fail("fstat");
@@ -84,9 +78,9 @@ Segment Segment::map(FileDescriptor fd, std::size_t bytes, Access access) {
   return Segment(std::move(fd), data, bytes);
 }
 
-FileDescriptor Segment::reopen_read_only() const {
+process::FileDescriptor Segment::reopen_read_only() const {
   const std::string path = "/proc/self/fd/" + std::to_string(fd_.get());
-  FileDescriptor fd(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  process::FileDescriptor fd(open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!fd) {
     fail("cannot open " + path + " for reading");
   }

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -17,7 +16,9 @@
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/bus_timeline.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
-#include "gaitway/msgcontroller/real_time.hpp"
+#include "gaitway/process/duration_histogram.hpp"
+#include "gaitway/process/real_time.hpp"
+#include "gaitway/process/text_file.hpp"
 
 namespace {
 
@@ -71,16 +72,16 @@ class WalkPlayer {
 
 // virtual_robot may still be starting: tries for a while. Nothing when told to stop meanwhile.
 std::unique_ptr<can::BusClient> connect(const Options& options) {
-  const std::int64_t until_ns = real_time::monotonic_ns() + static_cast<std::int64_t>(options.wait_s * 1e9);
-  while (real_time::stop_requested == 0) {
+  const std::int64_t until_ns = process::monotonic_ns() + static_cast<std::int64_t>(options.wait_s * 1e9);
+  while (!process::stop_requested()) {
     try {
       return std::make_unique<can::BusClient>(options.bus, "message", can::Pace::kept);
     } catch (const can::BusError&) {
-      if (real_time::monotonic_ns() >= until_ns) {
+      if (process::monotonic_ns() >= until_ns) {
         throw;
       }
     }
-    real_time::wait_until(real_time::monotonic_ns() + kBetweenTries_ns, {});
+    process::wait_until(process::monotonic_ns() + kBetweenTries_ns, {});
   }
   return nullptr;
 }
@@ -89,7 +90,7 @@ struct LoopResult {
   int exit_code = kExitFine;
   std::int64_t begin_ns = 0, end_ns = 0;
   std::uint64_t missed = 0, stale = 0;
-  real_time::LatenessRecord lateness;
+  process::DurationHistogram lateness;
 };
 
 // One round of work; false when the bus has gone.
@@ -112,7 +113,7 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
                     can::BusClient& bus) {
   LoopResult result;
-  result.begin_ns = real_time::monotonic_ns();
+  result.begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = result.begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
   std::optional<WalkPlayer> walk;
   if (!options.walk.empty()) {
@@ -121,10 +122,10 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   msgcontroller::BusTimeline timeline(controller, bus, result.begin_ns);
   std::array<pollfd, 2> wakes{pollfd{bus.wake_fd(), POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
   std::int64_t now_ns = result.begin_ns;
-  while (real_time::stop_requested == 0 && (options.seconds <= 0.0 || now_ns < stop_ns)) {
+  while (!process::stop_requested() && (options.seconds <= 0.0 || now_ns < stop_ns)) {
     const bool waits = timeline.waits();
-    real_time::wait_until(timeline.next_ns() + (waits ? can::kLongestWait_ns : 0), wakes);
-    now_ns = real_time::monotonic_ns();
+    process::wait_until(timeline.next_ns() + (waits ? can::kLongestWait_ns : 0), wakes);
+    now_ns = process::monotonic_ns();
     if (now_ns >= timeline.next_ns() && !waits) {
       result.lateness.add(now_ns - timeline.next_ns());
     }
@@ -138,13 +139,14 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
       walk->step(now_ns);
     }
   }
-  result.end_ns = real_time::monotonic_ns();
+  result.end_ns = process::monotonic_ns();
   result.missed = timeline.missed();
   result.stale = timeline.stale();
   return result;
 }
 
 void write_summary(const Options& options, const NetworkState& state, const LoopResult& loop) {
+  const process::DurationSummary late = loop.lateness.summary();
   const nlohmann::ordered_json summary = {
       {"seconds", static_cast<double>(loop.end_ns - loop.begin_ns) * 1e-9},
       {"handed_over", state.handed_over},
@@ -155,20 +157,11 @@ void write_summary(const Options& options, const NetworkState& state, const Loop
       {"resynchronised", state.resynchronised},
       {"missed_milliseconds", loop.missed},
       {"stale_frames", loop.stale},
-      {"wake_up_latency_us",
-       {{"p50", loop.lateness.quantile_us(0.5)},
-        {"p99", loop.lateness.quantile_us(0.99)},
-        {"max", loop.lateness.max_us()}}}};
+      {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
   if (options.summary.empty()) {
     fmt::print("{}\n", summary.dump(2));
-    return;
-  }
-  std::ofstream out(options.summary);
-  out << summary.dump(2) << '\n';
-  out.close();
-  if (!out) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written; is the folder writable?", options.summary.string()));
+  } else {
+    process::write_text_file(options.summary, summary.dump(2) + "\n");
   }
 }
 
@@ -186,9 +179,9 @@ int run(const Options& options) {
   if (!bus) {
     return kExitFine;
   }
-  block.beat(real_time::monotonic_ns());
+  block.beat(process::monotonic_ns());
   msgclient::MemoryBlockServer server(block, options.memory);
-  real_time::ask_for_real_time("message_controller", kPriority);
+  process::ask_for_real_time("message_controller", kPriority);
   const LoopResult result = run_loop(options, block, server, controller, *bus);
   write_summary(options, controller.state(), result);
   return result.exit_code;
@@ -231,7 +224,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitFine : kExitBadInput;
   }
-  real_time::stop_on_signals();
+  process::stop_on_signals();
   try {
     return run(options);
   } catch (const std::exception& error) {

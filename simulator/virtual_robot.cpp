@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -15,7 +14,9 @@
 #include "gaitway/can/bus_client.hpp"
 #include "gaitway/can/bus_server.hpp"
 #include "gaitway/msgclient/cycle.hpp"
-#include "gaitway/msgcontroller/real_time.hpp"
+#include "gaitway/process/duration_histogram.hpp"
+#include "gaitway/process/real_time.hpp"
+#include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -135,7 +136,7 @@ struct LoopResult {
   std::uint64_t overruns = 0;  // milliseconds that were made up for, since the process woke too late for them
   std::uint64_t waited = 0;    // milliseconds that waited for the message controller
   std::uint64_t not_awaited = 0;  // milliseconds that went on without it, since it took too long
-  real_time::LatenessRecord lateness;
+  process::DurationHistogram lateness;
 };
 
 // Steps all milliseconds that have come, unless a client whose pace the bus keeps is behind: then the body
@@ -158,15 +159,15 @@ bool step_due(VirtualRobot& robot, std::int64_t now_ns, LoopResult& result) {
 
 LoopResult run_loop(VirtualRobot& robot, const Options& options) {
   LoopResult result;
-  const std::int64_t begin_ns = real_time::monotonic_ns();
+  const std::int64_t begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
   std::array<pollfd, 1> wakes{pollfd{robot.server().wake_fd(), POLLIN, 0}};
   bool waiting = false;
   std::int64_t now_ns = begin_ns;
-  while (real_time::stop_requested == 0 && (options.seconds <= 0.0 || now_ns < stop_ns)) {
+  while (!process::stop_requested() && (options.seconds <= 0.0 || now_ns < stop_ns)) {
     const std::int64_t due_ns = robot.now_ns() + kMillisecond_ns;
-    real_time::wait_until(waiting ? due_ns + can::kLongestWait_ns : due_ns, wakes);
-    now_ns = real_time::monotonic_ns();
+    process::wait_until(waiting ? due_ns + can::kLongestWait_ns : due_ns, wakes);
+    now_ns = process::monotonic_ns();
     robot.server().step();
     if (now_ns < due_ns) {
       continue;  // a client spoke; its frames wait for their millisecond
@@ -181,21 +182,13 @@ LoopResult run_loop(VirtualRobot& robot, const Options& options) {
     result.waited += behind && (stepped || !waiting) ? 1U : 0U;
     waiting = behind;
   }
-  result.wall_s = static_cast<double>(real_time::monotonic_ns() - begin_ns) * 1e-9;
+  result.wall_s = static_cast<double>(process::monotonic_ns() - begin_ns) * 1e-9;
   return result;
-}
-
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  out.close();
-  if (!out) {
-    throw std::runtime_error(fmt::format("{}: cannot be written; is the folder writable?", path.string()));
-  }
 }
 
 void write_results(const Options& options, const VirtualRobot& robot, const can::BusServer& server,
                    const LoopResult& loop) {
+  const process::DurationSummary late = loop.lateness.summary();
   nlohmann::ordered_json summary = {
       {"fell", robot.fell_at_s().has_value()},
       {"distance_m", robot.distance_m()},
@@ -207,17 +200,14 @@ void write_results(const Options& options, const VirtualRobot& robot, const can:
       {"frames", server.bus().statistics().frames},
       {"bus_load", server.bus().statistics().load(static_cast<std::int64_t>(robot.time_s() * 1e9))},
       {"late_frames", server.statistics().late_frames},
-      {"wake_up_latency_us",
-       {{"p50", loop.lateness.quantile_us(0.5)},
-        {"p99", loop.lateness.quantile_us(0.99)},
-        {"max", loop.lateness.max_us()}}}};
+      {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
   if (robot.fell_at_s()) {
     summary["fell_at_s"] = *robot.fell_at_s();
   }
   if (options.summary.empty()) {
     fmt::print("{}\n", summary.dump(2));
   } else {
-    write_file(options.summary, summary.dump(2) + "\n");
+    process::write_text_file(options.summary, summary.dump(2) + "\n");
   }
   if (!options.walk_log.empty()) {
     std::string text = "time_s,base_x_m,base_y_m,base_z_m,trunk_tilt_rad\n";
@@ -225,15 +215,15 @@ void write_results(const Options& options, const VirtualRobot& robot, const can:
       text += fmt::format("{:.3f},{:.5f},{:.5f},{:.5f},{:.5f}\n", row.time_s, row.base_m.x(), row.base_m.y(),
                           row.base_m.z(), row.trunk_tilt_rad);
     }
-    write_file(options.walk_log, text);
+    process::write_text_file(options.walk_log, text);
   }
 }
 
 int run(const Options& options) {
   const urdf::RobotModel model = urdf::load_robot(options.robot);
-  const std::int64_t start_ns = real_time::monotonic_ns() / kMillisecond_ns * kMillisecond_ns;
+  const std::int64_t start_ns = process::monotonic_ns() / kMillisecond_ns * kMillisecond_ns;
   VirtualRobot robot(model, options, start_ns);
-  real_time::ask_for_real_time("virtual_robot", kPriority);
+  process::ask_for_real_time("virtual_robot", kPriority);
   const LoopResult result = run_loop(robot, options);
   write_results(options, robot, robot.server(), result);
   return kExitFine;
@@ -268,7 +258,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitFine : kExitBadInput;
   }
-  real_time::stop_on_signals();
+  process::stop_on_signals();
   try {
     return run(options);
   } catch (const std::exception& error) {

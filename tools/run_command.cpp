@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/tools/installation.hpp"
@@ -117,15 +118,6 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
   return seconds_since(started);
 }
 
-void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& value) {
-  std::ofstream out(file);
-  out << value.dump(2) << '\n';
-  out.close();
-  if (!out) {
-    throw std::runtime_error(fmt::format("{}: cannot be written; is the folder writable?", file.string()));
-  }
-}
-
 // The folder for the results is there and a file can be made in it; said before anything moves.
 void prepare_output(const std::filesystem::path& folder) {
   std::error_code error;
@@ -211,7 +203,7 @@ int run(const RunOptions& options) {
 
   const nlohmann::ordered_json result =
       summary(cosimulation, recorder, timing, options.seed, options.mismatch);
-  write_json(options.out / "summary.json", result);
+  process::write_text_file(options.out / "summary.json", result.dump(2) + "\n");
   const std::filesystem::path strip = options.out / "walk.png";
   std::filesystem::remove(strip);
   if (options.pictures) {

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "gaitway/can/message_table.hpp"
+#include "gaitway/process/text_file.hpp"
 #include "gaitway/tools/run_summary.hpp"
 #include "gaitway/tools/support_polygon.hpp"
 #include "gaitway/tools/svg_plot.hpp"
@@ -267,13 +267,7 @@ void write_report(const std::filesystem::path& file, const ReportInput& input) {
       input.summary["seed"].get<std::uint64_t>(), escape_html(summary_table(input.summary)),
       film_strip(input.film_strip), from_above(input), zmp_over_time(input, 0), zmp_over_time(input, 1),
       joints, bus_timeline(input), compute_times(input));
-  std::ofstream out(file, std::ios::binary);
-  out << page;
-  out.close();
-  if (!out) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written; is the folder writable, is the disk full?", file.string()));
-  }
+  process::write_text_file(file, page);
 }
 
 }  // namespace gaitway::tools

@@ -7,7 +7,7 @@ namespace gaitway::trajectory {
 
 GaitParameters with_standing_posture(GaitParameters parameters, const urdf::RobotModel& robot) {
   const urdf::ForwardKinematics home(robot);
-  const Eigen::Vector3d com = home.com_m();
+  const Eigen::Vector3d& com = home.com_m();
   const Eigen::Vector3d left = home.sole_pose(urdf::Side::left).translation();
   const Eigen::Vector3d right = home.sole_pose(urdf::Side::right).translation();
   parameters.com_height_m = com.z() - 0.5 * (left.z() + right.z());

@@ -298,7 +298,7 @@ void WalkingPattern::write_tail(MotionPlan& plan) noexcept {
   do {
     for (int i = 0; i < kBatch; ++i, ++count) {
       advance(tail_state_, tail_reference_, count);
-      write_point(tail_state_, static_cast<std::size_t>(kBatch + count), plan);
+      write_point(tail_state_, static_cast<std::size_t>(kBatch) + static_cast<std::size_t>(count), plan);
     }
   } while (tail_state_.phase != Phase::stand && count + kBatch <= static_cast<int>(kMaxTailPoints));
   plan.tail_count = static_cast<std::uint32_t>(count);

@@ -57,7 +57,7 @@ class Process {
       }
     }
     close(ends[1]);
-    ready_ = FileDescriptor(ends[0]);
+    ready_ = process::FileDescriptor(ends[0]);
   }
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -79,7 +79,7 @@ class Process {
 
  private:
   inline static std::function<void()> work_ready_;
-  FileDescriptor ready_;
+  process::FileDescriptor ready_;
   pid_t pid_ = -1;
 };
 
@@ -305,16 +305,13 @@ TEST_F(Processes, MissingAndHangingServersAreNamed) {
   MemoryBlockServer never_stepped(block, socket);
   EXPECT_THAT(error_of([&] { (void)Client::connect(socket, "a", std::chrono::milliseconds(20)); }),
               HasSubstr("no answer within 20 ms"));
-  EXPECT_THAT(error_of([&] { MemoryBlockServer second(block, socket); }),
-              HasSubstr("another message controller"));
-  EXPECT_THAT(error_of([&] { MemoryBlockServer unusable(block, folder / std::string(200, 'x')); }),
-              HasSubstr("xxx"));
+  EXPECT_THROW(MemoryBlockServer(block, socket), process::SocketError) << "one serves it already";
 }
 
 TEST_F(Processes, AClientThatTalksNonsenseIsDroppedAlone) {
   start_server();
   Client good = Client::connect(socket, "good");
-  FileDescriptor bad(::socket(AF_UNIX, SOCK_SEQPACKET, 0));
+  process::FileDescriptor bad(::socket(AF_UNIX, SOCK_SEQPACKET, 0));
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::strncpy(address.sun_path, socket.c_str(), sizeof address.sun_path - 1);

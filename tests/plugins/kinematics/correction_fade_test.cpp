@@ -31,7 +31,7 @@ TEST(CorrectionFade, StaysForHalfTheTailAndIsGoneAtItsEnd) {
   for (unsigned point = kBatch + kTail / 2; point < kBatch + kTail; ++point) {
     const double share = fade.at(point).com_m.x() / kFirst.com_m.x();
     EXPECT_LT(share, last);
-    EXPECT_GT(share, last - 1.51 / (kTail / 2)) << "no faster than one and a half times the mean";
+    EXPECT_GT(share, last - 1.51 / (kTail * 0.5)) << "no faster than one and a half times the mean";
     last = share;
   }
   EXPECT_EQ(fade.at(kBatch + kTail - 1).com_m, Eigen::Vector2d::Zero());

@@ -9,6 +9,7 @@
 
 #include "gaitway/can/bus_error.hpp"
 #include "gaitway/can/bus_port.hpp"
+#include "gaitway/process/file_descriptor.hpp"
 
 namespace gaitway::can {
 
@@ -57,7 +58,7 @@ class BusClient final : public BusPort {
   [[noreturn]] void fail(std::string_view what) const;
 
   std::filesystem::path path_;
-  BusDescriptor socket_;
+  process::FileDescriptor socket_;
   std::unique_ptr<Packets> packets_;
   Pace pace_;
   std::int64_t bus_time_ns_ = 0;

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "gaitway/can/bus_error.hpp"
 #include "gaitway/can/simulated_bus.hpp"
+#include "gaitway/process/listening_socket.hpp"
 
 namespace gaitway::can {
 
@@ -25,8 +25,9 @@ struct BusServerStatistics {
 // Passive: owns no thread and reads no clock. A round is step(), advance() until nothing comes, flush().
 class BusServer {
  public:
-  // Listens on `socket`; a stale socket file is replaced. Only this user can connect. Throws BusError if
-  // another server answers there or the path is unusable. `start_ns`: the time of the bus.
+  // Listens on `socket`; a stale socket file is replaced. Only this user can connect. Throws
+  // process::SocketError if another server answers there or the path is unusable. `start_ns`: the time of the
+  // bus.
   BusServer(std::filesystem::path socket, std::int64_t start_ns);
   ~BusServer();
   BusServer(const BusServer&) = delete;
@@ -49,19 +50,17 @@ class BusServer {
   [[nodiscard]] std::size_t client_count() const noexcept { return clients_.size(); }
   [[nodiscard]] const BusServerStatistics& statistics() const noexcept { return statistics_; }
   // Readable when step() has something to do.
-  [[nodiscard]] int wake_fd() const noexcept { return epoll_.get(); }
+  [[nodiscard]] int wake_fd() const noexcept { return listener_.wake_fd(); }
 
  private:
   struct Client;
-  void watch(int fd) const;
   bool serve(Client& client);  // false: it has gone, or has to go
   void offer();
   void hand_to_clients(const SimulatedBus::Delivery& delivery);
   int free_station();
 
   SimulatedBus bus_;
-  std::filesystem::path path_;
-  BusDescriptor lock_, listener_, epoll_;
+  process::ListeningSocket listener_;
   std::list<Client> clients_;
   std::vector<int> free_stations_;  // of clients that went
   std::int64_t time_ns_;            // how far the bus has run

@@ -15,6 +15,7 @@
 #include "gaitway/core/joint_plan_check.hpp"
 #include "gaitway/core/plugin_manager.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::core {
@@ -47,8 +48,8 @@ struct MainControllerStatistics {
   std::array<std::uint64_t, 4> answers{};               // to hand-overs: [msgclient::Verdict]
   std::array<std::uint64_t, 4> user_command_answers{};  // [msgclient::Verdict]
   std::string last_refusal;                             // of here or of the message controller, for people
-  DurationSummary batch_compute_us;                     // wall time of a whole tick that prepares a batch
-  DurationSummary tick_compute_us;                      // of the other ticks
+  process::DurationSummary batch_compute_us;            // wall time of a whole tick that prepares a batch
+  process::DurationSummary tick_compute_us;             // of the other ticks
   std::vector<PluginTiming> plugins;                    // in the order of the steps
 };
 
@@ -102,8 +103,8 @@ class MainController {
 
   MainControllerStatistics counts_;  // its texts and summaries stay empty: statistics() fills them in
   std::array<char, 256> last_refusal_{};
-  DurationHistogram batch_wall_;
-  DurationHistogram tick_wall_;
+  process::DurationHistogram batch_wall_;
+  process::DurationHistogram tick_wall_;
 };
 
 }  // namespace gaitway::core

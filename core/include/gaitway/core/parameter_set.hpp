@@ -42,7 +42,8 @@ class ParameterSet {
   [[nodiscard]] const std::deque<Parameter>& declared() const noexcept { return declared_; }
 
  private:
-  Parameter& declare(std::string_view name, ParameterKind kind, std::string_view unit, std::string fallback);
+  Parameter& declare(std::string_view name, ParameterKind kind, std::string_view unit,
+                     const std::string& fallback);
   [[nodiscard]] const ParameterEntry* find(std::string_view name) const noexcept;
   template <class Number>
   Number numeric(std::string_view name, Number fallback, std::string_view unit, ParameterKind kind);

@@ -11,7 +11,6 @@
 
 #include "gaitway/core/configuration.hpp"
 #include "gaitway/core/data_flow.hpp"
-#include "gaitway/core/duration_histogram.hpp"
 #include "gaitway/core/event_log.hpp"
 #include "gaitway/core/loaded_plugin.hpp"
 #include "gaitway/core/plugin_library.hpp"
@@ -19,6 +18,7 @@
 #include "gaitway/core/wall_clock.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/process/duration_histogram.hpp"
 
 namespace gaitway::core {
 
@@ -32,7 +32,7 @@ struct PluginTiming {
   std::string name;
   std::uint64_t steps = 0;
   std::uint64_t faults = 0;
-  DurationSummary step_us;  // wall time
+  process::DurationSummary step_us;  // wall time
 };
 
 class PluginManager {
@@ -70,7 +70,7 @@ class PluginManager {
   struct Slot {  // a plug-in and what is counted about it
     std::unique_ptr<LoadedPlugin> plugin;
     std::vector<bool> depends_on;  // [index in the order of the steps]
-    DurationHistogram step_wall;
+    process::DurationHistogram step_wall;
     std::uint64_t steps = 0;
     std::uint64_t faults = 0;
     std::int64_t last_step_ns = 0;

@@ -31,7 +31,7 @@ class MemoryBlock {
   MemoryBlock& operator=(MemoryBlock&&) noexcept;
 
   // A client in this process.
-  [[nodiscard]] Client local_client(std::string name);
+  [[nodiscard]] Client local_client(const std::string& name);
   // Shows all clients that the owner lives; for the cycle.
   void beat(std::int64_t now_ns) noexcept;
 

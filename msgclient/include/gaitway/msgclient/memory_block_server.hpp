@@ -7,6 +7,7 @@
 #include <list>
 
 #include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/process/listening_socket.hpp"
 
 namespace gaitway::msgclient {
 
@@ -15,8 +16,8 @@ namespace gaitway::msgclient {
 // server during set-up only.
 class MemoryBlockServer {
  public:
-  // Listens on `socket`; a stale socket file is replaced. Only this user can connect. Throws TopicError if
-  // another server answers there or the path is unusable.
+  // Listens on `socket`; a stale socket file is replaced. Only this user can connect. Throws
+  // process::SocketError if another server answers there or the path is unusable.
   MemoryBlockServer(const MemoryBlock& block, std::filesystem::path socket);
   ~MemoryBlockServer();
   MemoryBlockServer(const MemoryBlockServer&) = delete;
@@ -30,7 +31,7 @@ class MemoryBlockServer {
   [[nodiscard]] std::size_t client_count() const noexcept;
   // For those that want to sleep until something comes: readable when step() has something to do (an epoll
   // descriptor).
-  [[nodiscard]] int wake_fd() const noexcept { return epoll_.get(); }
+  [[nodiscard]] int wake_fd() const noexcept { return listener_.wake_fd(); }
 
  private:
   struct Connection;
@@ -41,10 +42,7 @@ class MemoryBlockServer {
   void drop(std::list<Connection>::iterator connection);
 
   std::shared_ptr<TopicRegistry> registry_;
-  std::filesystem::path path_;
-  FileDescriptor lock_;
-  FileDescriptor listener_;
-  FileDescriptor epoll_;
+  process::ListeningSocket listener_;
   std::list<Connection> connections_;
 };
 

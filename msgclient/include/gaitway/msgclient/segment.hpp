@@ -4,27 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
+
+#include "gaitway/process/file_descriptor.hpp"
 
 namespace gaitway::msgclient {
-
-// Owns a file descriptor.
-class FileDescriptor {
- public:
-  FileDescriptor() = default;
-  explicit FileDescriptor(int fd) noexcept : fd_(fd) {}
-  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  ~FileDescriptor();
-  [[nodiscard]] int get() const noexcept { return fd_; }
-  [[nodiscard]] explicit operator bool() const noexcept { return fd_ >= 0; }
-
- private:
-  int fd_ = -1;
-};
 
 enum class Access : std::uint32_t { read_only = 0, read_write = 1 };
 
@@ -38,7 +21,7 @@ class Segment {
   // Makes zeroed memory. Throws std::system_error.
   static Segment create(const std::string& name, std::size_t bytes);
   // Maps received memory; checks the seals and the size. Throws TopicError or std::system_error.
-  static Segment map(FileDescriptor fd, std::size_t bytes, Access access);
+  static Segment map(process::FileDescriptor fd, std::size_t bytes, Access access);
 
   Segment(Segment&& other) noexcept;
   Segment& operator=(Segment&& other) noexcept;
@@ -48,12 +31,12 @@ class Segment {
   [[nodiscard]] std::size_t size() const noexcept { return bytes_; }
   [[nodiscard]] int fd() const noexcept { return fd_.get(); }
   // A further descriptor of the same memory through which it can only be read.
-  [[nodiscard]] FileDescriptor reopen_read_only() const;
+  [[nodiscard]] process::FileDescriptor reopen_read_only() const;
 
  private:
-  Segment(FileDescriptor fd, void* data, std::size_t bytes) noexcept;
+  Segment(process::FileDescriptor fd, void* data, std::size_t bytes) noexcept;
 
-  FileDescriptor fd_;
+  process::FileDescriptor fd_;
   void* data_ = nullptr;
   std::size_t bytes_ = 0;
 };

@@ -60,8 +60,8 @@ class YamlValue {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
-  YamlValue(YAML::Node node, std::filesystem::path file, std::string path)
-      : node_(std::move(node)), file_(std::move(file)), path_(std::move(path)) {}
+  YamlValue(const YAML::Node& node, std::filesystem::path file, std::string path)
+      : node_(node), file_(std::move(file)), path_(std::move(path)) {}
 
   [[nodiscard]] YamlValue key_of(const YAML::Node& key) const;
   [[nodiscard]] std::string child_path(std::string_view key) const;

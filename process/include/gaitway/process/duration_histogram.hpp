@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace gaitway::core {
+namespace gaitway::process {
 
 struct DurationSummary {  // [µs]
   double p50 = 0.0;
@@ -72,4 +72,4 @@ class DurationHistogram {
   std::uint64_t largest_ns_ = 0;
 };
 
-}  // namespace gaitway::core
+}  // namespace gaitway::process

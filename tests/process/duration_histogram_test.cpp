@@ -1,5 +1,5 @@
 // Percentiles against sorted durations.
-#include "gaitway/core/duration_histogram.hpp"
+#include "gaitway/process/duration_histogram.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace gaitway::core {
+namespace gaitway::process {
 namespace {
 
 TEST(DurationHistogram, IsEmptyAtFirst) {
@@ -47,4 +47,4 @@ TEST(DurationHistogram, TakesAnyDuration) {
 }
 
 }  // namespace
-}  // namespace gaitway::core
+}  // namespace gaitway::process
