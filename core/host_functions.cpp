@@ -32,15 +32,22 @@ void check_topic(const gaitway_topic* topic, gaitway_access access) {
   }
 }
 
+void check_parameter(const gaitway_parameter* parameter) {
+  if (parameter == nullptr || parameter->name == nullptr || parameter->name[0] == '\0') {
+    throw PluginError("declares a parameter without a name");
+  }
+  if (parameter->fallback.kind > GAITWAY_TEXT ||
+      (parameter->fallback.kind == GAITWAY_TEXT && parameter->fallback.text == nullptr)) {
+    throw PluginError(fmt::format("declares its parameter '{}' without a default", parameter->name));
+  }
+}
+
 }  // namespace
 
 gaitway_host HostFunctions::table(LoadedPlugin& plugin) noexcept {
   return {.context = &plugin,
           .open_topic = &open_topic,
-          .parameter_number = &parameter_number,
-          .parameter_integer = &parameter_integer,
-          .parameter_flag = &parameter_flag,
-          .parameter_text = &parameter_text,
+          .parameter = &parameter,
           .set_period = &set_period,
           .robot_directory = &robot_directory,
           .read = &read,
@@ -84,31 +91,12 @@ gaitway_status HostFunctions::open_topic(void* context, const gaitway_topic* top
   });
 }
 
-gaitway_status HostFunctions::parameter_number(void* context, const char* name, double fallback,
-                                               const char* unit, double* value,
-                                               const gaitway_text* error) noexcept {
-  return in_create(context, error,
-                   [&](LoadedPlugin& plugin) { *value = plugin.parameters_.number(name, fallback, unit); });
-}
-
-gaitway_status HostFunctions::parameter_integer(void* context, const char* name, std::int64_t fallback,
-                                                const char* unit, std::int64_t* value,
-                                                const gaitway_text* error) noexcept {
-  return in_create(context, error,
-                   [&](LoadedPlugin& plugin) { *value = plugin.parameters_.integer(name, fallback, unit); });
-}
-
-gaitway_status HostFunctions::parameter_flag(void* context, const char* name, std::uint32_t fallback,
-                                             std::uint32_t* value, const gaitway_text* error) noexcept {
+gaitway_status HostFunctions::parameter(void* context, const gaitway_parameter* parameter,
+                                        gaitway_value* value, const gaitway_text* error) noexcept {
   return in_create(context, error, [&](LoadedPlugin& plugin) {
-    *value = plugin.parameters_.flag(name, fallback != 0) ? 1 : 0;
+    check_parameter(parameter);
+    *value = plugin.parameters_.declare(*parameter);
   });
-}
-
-gaitway_status HostFunctions::parameter_text(void* context, const char* name, const char* fallback,
-                                             const char** value, const gaitway_text* error) noexcept {
-  return in_create(context, error,
-                   [&](LoadedPlugin& plugin) { *value = plugin.parameters_.text(name, fallback).c_str(); });
 }
 
 gaitway_status HostFunctions::set_period(void* context, gaitway_period period,
@@ -139,8 +127,8 @@ void HostFunctions::report(void* context, gaitway_severity severity, const char*
   const EventKind kind = severity == GAITWAY_INFO      ? EventKind::info
                          : severity == GAITWAY_WARNING ? EventKind::warning
                                                        : EventKind::error;
-  plugin.events_.add(plugin.tick_.now_ns, plugin.tick_.tick, kind, plugin.name_,
-                     {text, text == nullptr ? 0 : strnlen(text, kLongestReport)});
+  plugin.events_->add(plugin.tick_.now_ns, plugin.tick_.tick, kind, plugin.name_,
+                      {text, text == nullptr ? 0 : strnlen(text, kLongestReport)});
 }
 
 }  // namespace gaitway::core

@@ -10,15 +10,8 @@ struct HostFunctions {
 
   static gaitway_status open_topic(void* context, const gaitway_topic* topic, gaitway_access access,
                                    gaitway_port** port, const gaitway_text* error) noexcept;
-  static gaitway_status parameter_number(void* context, const char* name, double fallback, const char* unit,
-                                         double* value, const gaitway_text* error) noexcept;
-  static gaitway_status parameter_integer(void* context, const char* name, std::int64_t fallback,
-                                          const char* unit, std::int64_t* value,
-                                          const gaitway_text* error) noexcept;
-  static gaitway_status parameter_flag(void* context, const char* name, std::uint32_t fallback,
-                                       std::uint32_t* value, const gaitway_text* error) noexcept;
-  static gaitway_status parameter_text(void* context, const char* name, const char* fallback,
-                                       const char** value, const gaitway_text* error) noexcept;
+  static gaitway_status parameter(void* context, const gaitway_parameter* parameter, gaitway_value* value,
+                                  const gaitway_text* error) noexcept;
   static gaitway_status set_period(void* context, gaitway_period period, const gaitway_text* error) noexcept;
   static const char* robot_directory(void* context) noexcept;
   static gaitway_status read(void* context, gaitway_port* port, void* value, gaitway_sample* sample) noexcept;

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "host_functions.hpp"
 
 namespace gaitway::core {
@@ -19,20 +17,23 @@ PluginLibrary load(const PluginEntry& entry, const PluginSource& source, const s
   }
 }
 
-std::string place_of(const PluginEntry& entry, const std::filesystem::path& file) {
-  return fmt::format("plug-in '{}' ({}:{})", entry.name, file.string(), entry.line);
-}
-
 }  // namespace
 
 LoadedPlugin::LoadedPlugin(const PluginEntry& entry, const PluginSource& source, EventLog& events)
-    : name_(entry.name),
-      place_(place_of(entry, source.configuration_file)),
+    : ManagedPlugin(entry, source.configuration_file, events),
       robot_directory_(source.robot_directory.string()),
       library_(load(entry, source, place_)),
-      parameters_(source.configuration_file, entry.name, entry.parameters),
-      events_(events),
       host_(HostFunctions::table(*this)) {
+  construct();
+  try {
+    parameters_.require_all_declared();
+  } catch (...) {
+    instance_.destroy(instance_.context);
+    throw;
+  }
+}
+
+void LoadedPlugin::construct() {
   const gaitway_text text = error_text();
   const gaitway_status status = library_.entry().create(&host_, &instance_, &text);
   phase_ = Phase::idle;
@@ -49,40 +50,14 @@ LoadedPlugin::LoadedPlugin(const PluginEntry& entry, const PluginSource& source,
     if (instance_.destroy != nullptr) {
       instance_.destroy(instance_.context);
     }
-    throw PluginError(
-        fmt::format("{}: create left a function of its instance out. Fill in all four", place_));
-  }
-  try {
-    parameters_.require_all_declared();
-  } catch (...) {
-    instance_.destroy(instance_.context);
-    throw;
+    throw PluginError(fmt::format(
+        "{}: create left out one of activate, step, deactivate and destroy. Fill in all four", place_));
   }
 }
 
 LoadedPlugin::~LoadedPlugin() {
-  deactivate();
+  LoadedPlugin::deactivate();
   instance_.destroy(instance_.context);
-}
-
-gaitway_text LoadedPlugin::error_text() noexcept {
-  error_text_[0] = '\0';
-  return {error_text_.data(), static_cast<std::uint32_t>(error_text_.size()), 0};
-}
-
-void LoadedPlugin::fail(std::string_view what) {
-  throw PluginError(
-      fmt::format("{}: {}: {}", place_, what, fault().empty() ? "it did not say why" : fault()));
-}
-
-void LoadedPlugin::bind(msgclient::Client& client) {
-  try {
-    for (TopicPort& port : ports_) {
-      port.bind(client);
-    }
-  } catch (const msgclient::TopicError& error) {
-    throw PluginError(fmt::format("{}: {}", place_, error.what()));
-  }
 }
 
 void LoadedPlugin::activate() {
@@ -101,18 +76,11 @@ void LoadedPlugin::deactivate() noexcept {
   phase_ = Phase::idle;
   const gaitway_text text = error_text();
   if (instance_.deactivate(instance_.context, &text) != GAITWAY_OK) {
-    events_.add(tick_.now_ns, tick_.tick, EventKind::error, name_, fault());
+    events_->add(tick_.now_ns, tick_.tick, EventKind::error, name_, fault());
   }
 }
 
-void LoadedPlugin::take_snapshots() noexcept {
-  for (TopicPort& port : ports_) {
-    port.take_snapshot();
-  }
-}
-
-bool LoadedPlugin::step(const Tick& tick) noexcept {
-  tick_ = tick;
+bool LoadedPlugin::run(const Tick& tick) noexcept {
   const gaitway_tick plain{.now_ns = tick.now_ns,
                            .batch_start_ns = tick.batch_start_ns,
                            .batch_sequence = tick.batch_sequence,
@@ -124,50 +92,52 @@ bool LoadedPlugin::step(const Tick& tick) noexcept {
   const gaitway_status status = instance_.step(instance_.context, &plain, &text);
   phase_ = Phase::active;
   if (status != GAITWAY_OK && fault().empty()) {
-    fmt::format_to_n(error_text_.data(), error_text_.size() - 1, "step answered {} without a text", status)
-        .out[0] = '\0';
+    fmt::format_to_n(text.data, text.capacity - 1, "step answered {} without a text", status).out[0] = '\0';
   }
-  if (status == GAITWAY_OK && check_outputs()) {
-    for (TopicPort& port : ports_) {
-      port.commit(tick.now_ns);
-    }
-    return true;
-  }
-  for (TopicPort& port : ports_) {
-    port.discard();
-  }
-  return false;
+  return status == GAITWAY_OK;
 }
 
-bool LoadedPlugin::check_outputs() noexcept {
-  for (const TopicPort& port : ports_) {
-    const auto problem = port.find_non_finite();
-    if (!problem) {
-      continue;
-    }
-    const FloatField& field = *problem->field;
-    const std::uint32_t columns = field.count / field.rows;
-    fmt::format_to_n(error_text_.data(), error_text_.size() - 1,
-                     "topic '{}': field '{}'[{}][{}] is not finite; all numbers of an output must be",
-                     port.use().topic, field.name, problem->element / columns, problem->element % columns)
-        .out[0] = '\0';
+bool LoadedPlugin::save_state(PluginState& state) noexcept {
+  state.size = 0;
+  state.version = 0;
+  if (instance_.save_state == nullptr) {
+    return true;
+  }
+  gaitway_state plain{state.bytes.data(), PluginState::kCapacity, 0, 0, 0};
+  const gaitway_text text = error_text();
+  if (instance_.save_state(instance_.context, &plain, &text) != GAITWAY_OK) {
     return false;
   }
+  if (plain.size > PluginState::kCapacity) {
+    set_fault("save_state claims more bytes than there is room for");
+    return false;
+  }
+  state.size = plain.size;
+  state.version = plain.version;
   return true;
 }
 
-DataFlowNode LoadedPlugin::node() const {
-  DataFlowNode node{name_, {}};
-  for (const TopicPort& port : ports_) {
-    node.uses.push_back(port.use());
+bool LoadedPlugin::restore_state(const PluginState& state) noexcept {
+  const gaitway_text text = error_text();
+  if (state.version == 0) {
+    return true;  // nothing was handed on
   }
-  return node;
+  if (instance_.restore_state == nullptr) {
+    set_fault("takes no state over, but its predecessor hands some on");
+    return false;
+  }
+  const gaitway_state plain{const_cast<std::byte*>(state.bytes.data()), PluginState::kCapacity, state.size,
+                            state.version, 0};
+  return instance_.restore_state(instance_.context, &plain, &text) == GAITWAY_OK;
 }
 
-bool LoadedPlugin::uses(std::string_view topic, Access access) const noexcept {
-  return std::any_of(ports_.begin(), ports_.end(), [&](const TopicPort& port) {
-    return port.use().access == access && port.use().topic == topic;
-  });
+bool LoadedPlugin::set_parameter(const char* name, const gaitway_value& value) noexcept {
+  const gaitway_text text = error_text();
+  if (instance_.set_parameter == nullptr) {
+    set_fault("changes no parameter while it runs");
+    return false;
+  }
+  return instance_.set_parameter(instance_.context, name, &value, &text) == GAITWAY_OK;
 }
 
 }  // namespace gaitway::core

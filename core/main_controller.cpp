@@ -112,7 +112,7 @@ void MainController::post_trim(const Tick& tick, TickReport& report) noexcept {
 }
 
 void MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
-  if (const LoadedPlugin* const failed = manager_.fault_behind("joint_plan")) {
+  if (const ManagedPlugin* const failed = manager_.fault_behind("joint_plan")) {
     ++counts_.spoiled;
     std::array<char, 160> text{};
     const auto end =

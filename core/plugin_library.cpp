@@ -60,7 +60,10 @@ void check_border(const gaitway_plugin& entry, const std::filesystem::path& file
                          Size{"gaitway_tick", entry.tick_size, sizeof(gaitway_tick)},
                          Size{"gaitway_topic", entry.topic_size, sizeof(gaitway_topic)},
                          Size{"gaitway_float_field", entry.float_field_size, sizeof(gaitway_float_field)},
-                         Size{"gaitway_sample", entry.sample_size, sizeof(gaitway_sample)}};
+                         Size{"gaitway_sample", entry.sample_size, sizeof(gaitway_sample)},
+                         Size{"gaitway_parameter", entry.parameter_size, sizeof(gaitway_parameter)},
+                         Size{"gaitway_value", entry.value_size, sizeof(gaitway_value)},
+                         Size{"gaitway_state", entry.state_size, sizeof(gaitway_state)}};
   for (const Size& size : sizes) {
     if (size.theirs != size.ours) {
       throw PluginError(fmt::format("{}: its {} has {} bytes, this main controller's {}. {}", file.string(),

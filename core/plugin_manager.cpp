@@ -140,7 +140,7 @@ void PluginManager::publish_statistics(const Tick& tick) noexcept {
   statistics_writer_->publish(statistics_, tick.now_ns);
 }
 
-const LoadedPlugin* PluginManager::fault_behind(std::string_view topic) const noexcept {
+const ManagedPlugin* PluginManager::fault_behind(std::string_view topic) const noexcept {
   const auto writes = [topic](const auto& slot) { return slot->plugin->uses(topic, Access::write); };
   const auto writer = std::find_if(slots_.begin(), slots_.end(), writes);
   for (std::size_t i = 0; writer != slots_.end() && i < slots_.size(); ++i) {

@@ -74,6 +74,16 @@ void TopicPort::bind(msgclient::Client& client) {
   }
 }
 
+void TopicPort::take_output(TopicPort& from) noexcept {
+  const bool same = use_.access == Access::write && from.use_.access == Access::write &&
+                    use_.topic == from.use_.topic && use_.type_hash == from.use_.type_hash &&
+                    use_.size == from.use_.size;
+  if (same && from.writer_) {
+    writer_.emplace(std::move(*from.writer_));
+    from.writer_.reset();
+  }
+}
+
 gaitway_status TopicPort::read(void* value, gaitway_sample& sample) noexcept {
   if (!reader_) {
     return GAITWAY_FAILED;

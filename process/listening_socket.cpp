@@ -26,8 +26,9 @@ sockaddr_un socket_address(const std::filesystem::path& path) {
   address.sun_family = AF_UNIX;
   const std::string& text = path.native();
   if (text.empty() || text.size() >= sizeof address.sun_path) {
-    throw SocketError("socket '" + text + "': a path has 1 to " + std::to_string(sizeof address.sun_path - 1) +
-                      " characters, this one has " + std::to_string(text.size()) + "; choose another one");
+    throw SocketError("socket '" + text + "': a path has 1 to " +
+                      std::to_string(sizeof address.sun_path - 1) + " characters, this one has " +
+                      std::to_string(text.size()) + "; choose another one");
   }
   std::memcpy(address.sun_path, text.data(), text.size());
   return address;

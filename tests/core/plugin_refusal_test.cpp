@@ -34,7 +34,7 @@ TEST_F(PluginRefusal, MissingEntrySymbol) {
 
 TEST_F(PluginRefusal, OtherAbi) {
   EXPECT_THAT(refusal("  - {name: a, library: other_abi.so}\n"),
-              AllOf(HasSubstr("built for plug-in ABI 2"), HasSubstr("speaks ABI 1")));
+              AllOf(HasSubstr("built for plug-in ABI 3"), HasSubstr("speaks ABI 2")));
 }
 
 TEST_F(PluginRefusal, OtherStructSize) {

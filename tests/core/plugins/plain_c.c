@@ -46,11 +46,15 @@ static gaitway_status create(const gaitway_host* host, gaitway_instance* instanc
     return GAITWAY_FAILED;
   }
   self->host = host;
-  if (host->parameter_integer(host->context, "fail_at", 0, "1", &self->fail_at, error) != GAITWAY_OK ||
+  const gaitway_parameter fail_at = {
+      "fail_at", "1", "step that fails; 0: none", {GAITWAY_INTEGER, 0, 0, 0, NULL}, 0, 1e6, 0, 0};
+  gaitway_value value;
+  if (host->parameter(host->context, &fail_at, &value, error) != GAITWAY_OK ||
       host->open_topic(host->context, &topic, GAITWAY_WRITE, &self->count, error) != GAITWAY_OK) {
     free(self);
     return GAITWAY_FAILED;
   }
+  self->fail_at = value.integer;
   instance->context = self;
   instance->activate = activate;
   instance->step = step;

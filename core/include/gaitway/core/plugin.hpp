@@ -16,14 +16,17 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
+#include "gaitway/core/detail/live_parameters.hpp"
 #include "gaitway/core/detail/plugin_border.hpp"
 #include "gaitway/core/plugin_abi.h"
+#include "gaitway/core/state_archive.hpp"
 #include "gaitway/core/tick.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
@@ -124,54 +127,75 @@ class Reporter {
   const gaitway_host* host_;
 };
 
+// What a number may be, and what it is for.
+struct ParameterLimits {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  std::string_view doc = "";  // one line for people
+};
+
+// The value of a parameter that may change between two steps.
+template <detail::ParameterValue T>
+class Live {
+ public:
+  [[nodiscard]] T get() const noexcept { return *value_; }
+  operator T() const noexcept { return *value_; }  // NOLINT(google-explicit-constructor): it is that value
+
+ private:
+  friend class Setup;
+  explicit Live(const T* value) : value_(value) {}
+  const T* value_;
+};
+
 // What a plug-in's constructor declares: topics, parameters, period. For the constructor only. Throws
 // SetupError.
 class Setup {
  public:
-  Setup(const gaitway_host* host, const std::uint64_t* step) : host_(host), step_(step) {}
+  Setup(const gaitway_host* host, const std::uint64_t* step, detail::LiveParameters* live)
+      : host_(host), step_(step), live_(live) {}
   Setup(const Setup&) = delete;
   Setup& operator=(const Setup&) = delete;
 
   // The configuration's value, or `fallback`. A number may carry its unit there ("0.4 s"); without one it is
-  // taken in `unit`, with another one it is refused.
-  [[nodiscard]] double parameter(std::string_view name, double fallback, std::string_view unit = "1") {
-    double value = fallback;
-    check([&](const gaitway_text* error) {
-      return host_->parameter_number(host_->context, std::string(name).c_str(), fallback,
-                                     std::string(unit).c_str(), &value, error);
-    });
-    return value;
+  // taken in `unit`, with another one, or outside of `limits`, it is refused.
+  [[nodiscard]] double parameter(std::string_view name, double fallback, std::string_view unit = "1",
+                                 const ParameterLimits& limits = {}) {
+    return declare(name, number(fallback), unit, limits, false).number;
   }
   template <std::integral I>
   requires(!std::same_as<I, bool>) [[nodiscard]] std::int64_t
-      parameter(std::string_view name, I fallback, std::string_view unit = "1") {
-    std::int64_t value = 0;
-    check([&](const gaitway_text* error) {
-      return host_->parameter_integer(host_->context, std::string(name).c_str(),
-                                      static_cast<std::int64_t>(fallback), std::string(unit).c_str(), &value,
-                                      error);
-    });
-    return value;
+      parameter(std::string_view name, I fallback, std::string_view unit = "1",
+                const ParameterLimits& limits = {}) {
+    return declare(name, integer(static_cast<std::int64_t>(fallback)), unit, limits, false).integer;
   }
   template <std::same_as<bool> B>
-  [[nodiscard]] bool parameter(std::string_view name, B fallback) {
-    std::uint32_t value = 0;
-    check([&](const gaitway_text* error) {
-      return host_->parameter_flag(host_->context, std::string(name).c_str(), fallback ? 1U : 0U, &value,
-                                   error);
-    });
-    return value != 0;
+  [[nodiscard]] bool parameter(std::string_view name, B fallback, std::string_view doc = "") {
+    return declare(name, flag(fallback), "", {.doc = doc}, false).integer != 0;
   }
-  [[nodiscard]] std::string parameter(std::string_view name, const std::string& fallback) {
-    const char* value = nullptr;
-    check([&](const gaitway_text* error) {
-      return host_->parameter_text(host_->context, std::string(name).c_str(), fallback.c_str(), &value,
-                                   error);
-    });
-    return value;
+  [[nodiscard]] std::string parameter(std::string_view name, const std::string& fallback,
+                                      std::string_view doc = "") {
+    const gaitway_value value{GAITWAY_TEXT, 0, 0.0, 0, fallback.c_str()};
+    return declare(name, value, "", {.doc = doc}, false).text;
   }
-  [[nodiscard]] std::string parameter(std::string_view name, const char* fallback) {
-    return parameter(name, std::string(fallback));
+  [[nodiscard]] std::string parameter(std::string_view name, const char* fallback,
+                                      std::string_view doc = "") {
+    return parameter(name, std::string(fallback), doc);
+  }
+  // A parameter that may be changed while the robot walks, between two steps.
+  [[nodiscard]] Live<double> live_parameter(std::string_view name, double fallback,
+                                            std::string_view unit = "1", const ParameterLimits& limits = {}) {
+    return live<double>(name, number(fallback), unit, limits);
+  }
+  template <std::integral I>
+  requires(!std::same_as<I, bool>)
+      [[nodiscard]] Live<std::int64_t> live_parameter(std::string_view name, I fallback,
+                                                      std::string_view unit = "1",
+                                                      const ParameterLimits& limits = {}) {
+    return live<std::int64_t>(name, integer(static_cast<std::int64_t>(fallback)), unit, limits);
+  }
+  template <std::same_as<bool> B>
+  [[nodiscard]] Live<bool> live_parameter(std::string_view name, B fallback, std::string_view doc = "") {
+    return live<bool>(name, flag(fallback), "", {.doc = doc});
   }
 
   // How often step() is called. Default: every tick.
@@ -236,8 +260,37 @@ class Setup {
     return port;
   }
 
+  static gaitway_value number(double value) noexcept { return {GAITWAY_NUMBER, 0, value, 0, nullptr}; }
+  static gaitway_value integer(std::int64_t value) noexcept {
+    return {GAITWAY_INTEGER, 0, 0.0, value, nullptr};
+  }
+  static gaitway_value flag(bool value) noexcept { return {GAITWAY_FLAG, 0, 0.0, value ? 1 : 0, nullptr}; }
+  gaitway_value declare(std::string_view name, const gaitway_value& fallback, std::string_view unit,
+                        const ParameterLimits& limits, bool live) {
+    const std::string name_text(name), unit_text(unit), doc_text(limits.doc);
+    const gaitway_parameter wanted{.name = name_text.c_str(),
+                                   .unit = unit_text.c_str(),
+                                   .doc = doc_text.c_str(),
+                                   .fallback = fallback,
+                                   .lowest = limits.lowest,
+                                   .highest = limits.highest,
+                                   .live = live ? 1U : 0U,
+                                   .reserved = 0};
+    gaitway_value value{};
+    check(
+        [&](const gaitway_text* error) { return host_->parameter(host_->context, &wanted, &value, error); });
+    return value;
+  }
+  template <detail::ParameterValue T>
+  Live<T> live(std::string_view name, const gaitway_value& fallback, std::string_view unit,
+               const ParameterLimits& limits) {
+    const gaitway_value value = declare(name, fallback, unit, limits, true);
+    return Live<T>(live_->add<T>(name, detail::value_as<T>(value)));
+  }
+
   const gaitway_host* host_;
   const std::uint64_t* step_;
+  detail::LiveParameters* live_;
 };
 
 // A plug-in. Its constructor takes Setup&, may allocate and may throw. All calls come from one thread at a
@@ -255,6 +308,13 @@ class Plugin {
   // of this step is published, and the fault is counted and reported.
   virtual void step(const Tick& tick) = 0;
   virtual void deactivate() {}
+
+  // What the next version of this plug-in is to go on from when it is put in this one's place while the robot
+  // walks: the new one is constructed, restored, activated, stepped. Another version number or another size
+  // is refused, and then this one stays. 0: nothing is handed on. No allocation.
+  [[nodiscard]] virtual std::uint32_t state_version() const { return 0; }
+  virtual void save_state(StateWriter&) const {}
+  virtual void restore_state(StateReader&) {}
 };
 
 }  // namespace gaitway

@@ -8,6 +8,8 @@
  *
  * Life of an instance, all of it on one thread at a time:
  *   create -> activate -> step ... step -> deactivate -> (activate ... | destroy)
+ * Between create and activate restore_state may be called once; between two steps save_state and
+ * set_parameter.
  * A function marked [set-up] may allocate, read files and take its time; one marked [cycle] may not allocate,
  * lock or make system calls. */
 #ifndef GAITWAY_CORE_PLUGIN_ABI_H
@@ -20,7 +22,7 @@ extern "C" {
 #endif
 
 #define GAITWAY_PLUGIN_MAGIC 0x4757504cu /* "GWPL" */
-#define GAITWAY_PLUGIN_ABI 1u            /* grows whenever anything below changes */
+#define GAITWAY_PLUGIN_ABI 2u            /* grows whenever anything below changes */
 
 /* What every callback answers. Negative: it failed, and the error text says why. */
 typedef int32_t gaitway_status;
@@ -77,6 +79,37 @@ typedef struct gaitway_sample {
   int64_t stamp_ns;  /* tick at which it was published; of topics from elsewhere, what their writer says */
 } gaitway_sample;
 
+/* What a parameter holds. */
+typedef uint32_t gaitway_kind;
+enum { GAITWAY_NUMBER = 0, GAITWAY_INTEGER = 1, GAITWAY_FLAG = 2, GAITWAY_TEXT = 3 };
+
+typedef struct gaitway_value {
+  gaitway_kind kind;
+  uint32_t reserved;
+  double number;
+  int64_t integer;  /* of a flag 0 or 1 */
+  const char* text; /* of a value that the host gives: belongs to the host, lives until destroy returns */
+} gaitway_value;
+
+typedef struct gaitway_parameter {
+  const char* name;
+  const char* unit; /* "1": a plain number; flags and texts have none */
+  const char* doc;  /* one line for people; may be empty */
+  gaitway_value fallback;
+  double lowest, highest; /* what is allowed; of flags and texts without meaning */
+  uint32_t live;          /* 1: may be changed between two steps, then set_parameter is called */
+  uint32_t reserved;
+} gaitway_parameter;
+
+/* What one version of a plug-in hands on to the next. Its meaning is the plug-in's own. */
+typedef struct gaitway_state {
+  void* data;
+  uint32_t capacity; /* bytes at `data` */
+  uint32_t size;     /* bytes in use */
+  uint32_t version;  /* grows whenever the meaning of the bytes changes; 0: nothing is handed on */
+  uint32_t reserved;
+} gaitway_state;
+
 typedef uint32_t gaitway_period;
 enum { GAITWAY_EVERY_TICK = 0, GAITWAY_EVERY_BATCH = 1 };
 
@@ -93,17 +126,10 @@ typedef struct gaitway_host {
    * checked, so it has no value before activate. */
   gaitway_status (*open_topic)(void* context, const gaitway_topic* topic, gaitway_access access,
                                gaitway_port** port, const gaitway_text* error);
-  /* [set-up] In create only. Each declares a parameter and gives the configuration's value, or the default.
-   * Fails for a value of another type or unit. `unit`: "1" for a plain number. */
-  gaitway_status (*parameter_number)(void* context, const char* name, double fallback, const char* unit,
-                                     double* value, const gaitway_text* error);
-  gaitway_status (*parameter_integer)(void* context, const char* name, int64_t fallback, const char* unit,
-                                      int64_t* value, const gaitway_text* error);
-  gaitway_status (*parameter_flag)(void* context, const char* name, uint32_t fallback, uint32_t* value,
-                                   const gaitway_text* error);
-  /* The text belongs to the host and lives until destroy returns. */
-  gaitway_status (*parameter_text)(void* context, const char* name, const char* fallback, const char** value,
-                                   const gaitway_text* error);
+  /* [set-up] In create only. Declares a parameter and gives the configuration's value, or the default. Fails
+   * for a value of another kind or unit, or out of range. */
+  gaitway_status (*parameter)(void* context, const gaitway_parameter* parameter, gaitway_value* value,
+                              const gaitway_text* error);
   /* [set-up] In create only. Default: every tick. */
   gaitway_status (*set_period)(void* context, gaitway_period period, const gaitway_text* error);
   /* [set-up] Folder of the robot's description; belongs to the host and lives until destroy returns. */
@@ -122,22 +148,31 @@ typedef struct gaitway_host {
   void (*report)(void* context, gaitway_severity severity, const char* text);
 } gaitway_host;
 
-/* What create fills in. All but destroy answer a status and, when they fail, an error text. */
+/* What create fills in. All but destroy answer a status and, when they fail, an error text. The first five
+ * are there in every instance; the others may be null. */
 typedef struct gaitway_instance {
   void* context;
   gaitway_status (*activate)(void* context, const gaitway_text* error);                       /* [set-up] */
   gaitway_status (*step)(void* context, const gaitway_tick* tick, const gaitway_text* error); /* [cycle] */
   gaitway_status (*deactivate)(void* context, const gaitway_text* error);                     /* [set-up] */
   void (*destroy)(void* context);                                                             /* [set-up] */
+  /* [cycle] Between two steps: a live parameter has this value from now on. */
+  gaitway_status (*set_parameter)(void* context, const char* name, const gaitway_value* value,
+                                  const gaitway_text* error);
+  /* [cycle] Between two steps: fills in data, size and version, at most `capacity` bytes. */
+  gaitway_status (*save_state)(void* context, gaitway_state* state, const gaitway_text* error);
+  /* [cycle] Before activate, of a new version that takes over from another: fails for another version or
+   * size. */
+  gaitway_status (*restore_state)(void* context, const gaitway_state* state, const gaitway_text* error);
 } gaitway_instance;
 
-/* The one exported symbol. Its first nine numbers keep their places in every future version. */
+/* The one exported symbol. Its first nine numbers keep their places in every future version. Whether the
+ * instance's functions fit is for instance_size to tell. */
 typedef struct gaitway_plugin {
   uint32_t magic; /* GAITWAY_PLUGIN_MAGIC */
   uint32_t abi;   /* GAITWAY_PLUGIN_ABI */
-  uint32_t plugin_size, host_size, instance_size, tick_size, topic_size, float_field_size,
-      sample_size; /* sizeof each */
-  uint32_t reserved;
+  uint32_t plugin_size, host_size, instance_size, tick_size, topic_size, float_field_size, sample_size,
+      parameter_size, value_size, state_size; /* sizeof each */
   const char* name;
   const char* version;
   const char* description;
@@ -150,7 +185,8 @@ typedef struct gaitway_plugin {
   GAITWAY_PLUGIN_MAGIC, GAITWAY_PLUGIN_ABI, (uint32_t)sizeof(gaitway_plugin),                             \
       (uint32_t)sizeof(gaitway_host), (uint32_t)sizeof(gaitway_instance), (uint32_t)sizeof(gaitway_tick), \
       (uint32_t)sizeof(gaitway_topic), (uint32_t)sizeof(gaitway_float_field),                             \
-      (uint32_t)sizeof(gaitway_sample), 0u
+      (uint32_t)sizeof(gaitway_sample), (uint32_t)sizeof(gaitway_parameter),                              \
+      (uint32_t)sizeof(gaitway_value), (uint32_t)sizeof(gaitway_state)
 
 extern __attribute__((visibility("default"))) const gaitway_plugin gaitway_plugin_entry;
 

@@ -53,13 +53,13 @@ class PluginManager {
 
   // Whether in the last step a plug-in failed on which this topic depends: its writer, or a plug-in that the
   // writer reads from in the same tick, directly or not. The first such plug-in; nullptr: none.
-  [[nodiscard]] const LoadedPlugin* fault_behind(std::string_view topic) const noexcept;
+  [[nodiscard]] const ManagedPlugin* fault_behind(std::string_view topic) const noexcept;
   // Whether a plug-in uses the topic.
   [[nodiscard]] bool uses(std::string_view topic) const noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return slots_.size(); }
   // In the order of the steps: 0 <= index < size().
-  [[nodiscard]] const LoadedPlugin& plugin(std::size_t index) const noexcept {
+  [[nodiscard]] const ManagedPlugin& plugin(std::size_t index) const noexcept {
     return *slots_[index]->plugin;
   }
   [[nodiscard]] std::vector<PluginTiming> timings() const;
@@ -68,7 +68,7 @@ class PluginManager {
 
  private:
   struct Slot {  // a plug-in and what is counted about it
-    std::unique_ptr<LoadedPlugin> plugin;
+    std::unique_ptr<ManagedPlugin> plugin;
     std::vector<bool> depends_on;  // [index in the order of the steps]
     process::DurationHistogram step_wall;
     std::uint64_t steps = 0;

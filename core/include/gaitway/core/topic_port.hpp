@@ -37,6 +37,9 @@ class TopicPort {
   // Set-up: throws msgclient::TopicError.
   void bind(msgclient::Client& client);
 
+  // If both write the same topic and `from` has it open: takes it over. For the cycle.
+  void take_output(TopicPort& from) noexcept;
+
   // What the ABI's read says. Of read_previous: the value that take_snapshot() took.
   gaitway_status read(void* value, gaitway_sample& sample) noexcept;
   // Before any plug-in of a tick is stepped; for read_previous only.

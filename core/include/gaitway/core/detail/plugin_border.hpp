@@ -11,7 +11,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "gaitway/core/detail/live_parameters.hpp"
 #include "gaitway/core/plugin_abi.h"
+#include "gaitway/core/state_archive.hpp"
 #include "gaitway/core/tick.hpp"
 #include "gaitway/msgclient/type_descriptor.hpp"
 
@@ -75,9 +77,10 @@ class PluginBorder {
                                const gaitway_text* error) noexcept {
     return guarded(error, [&] {
       auto border = std::make_unique<PluginBorder>();
-      SetupType setup(host, &border->calls_);
+      SetupType setup(host, &border->calls_, &border->live_);
       border->plugin_ = std::make_unique<Class>(setup);
-      *instance = {border.release(), &activate, &step, &deactivate, &destroy};
+      *instance = {border.release(), &activate,      &step,       &deactivate,
+                   &destroy,         &set_parameter, &save_state, &restore_state};
     });
   }
 
@@ -99,6 +102,40 @@ class PluginBorder {
   }
   static void destroy(void* context) noexcept { delete static_cast<PluginBorder*>(context); }
 
+  static gaitway_status set_parameter(void* context, const char* name, const gaitway_value* value,
+                                      const gaitway_text* error) noexcept {
+    if (static_cast<PluginBorder*>(context)->live_.set(name, *value)) {
+      return GAITWAY_OK;
+    }
+    write_text(error, "this parameter does not change while the plug-in runs");
+    return GAITWAY_FAILED;
+  }
+  static gaitway_status save_state(void* context, gaitway_state* state, const gaitway_text* error) noexcept {
+    return guarded(error, [&] {
+      const Base& plugin = *static_cast<PluginBorder*>(context)->plugin_;
+      StateWriter writer({static_cast<std::byte*>(state->data), state->capacity});
+      state->version = plugin.state_version();
+      plugin.save_state(writer);
+      state->size = static_cast<std::uint32_t>(writer.size());
+    });
+  }
+  static gaitway_status restore_state(void* context, const gaitway_state* state,
+                                      const gaitway_text* error) noexcept {
+    return guarded(error, [&] {
+      Base& plugin = *static_cast<PluginBorder*>(context)->plugin_;
+      if (plugin.state_version() != state->version) {
+        throw StateError("takes over state of version " + std::to_string(plugin.state_version()) +
+                         ", but was handed version " + std::to_string(state->version));
+      }
+      StateReader reader({static_cast<const std::byte*>(state->data), state->size});
+      plugin.restore_state(reader);
+      if (reader.left() != 0) {
+        throw StateError("left " + std::to_string(reader.left()) + " of " + std::to_string(state->size) +
+                         " bytes of the state that was handed on");
+      }
+    });
+  }
+
   template <class Function>
   static gaitway_status call(void* context, const gaitway_text* error, const Function& function) noexcept {
     auto& border = *static_cast<PluginBorder*>(context);
@@ -119,6 +156,7 @@ class PluginBorder {
   }
 
   std::uint64_t calls_ = 0;  // by which inputs know that a new step has begun
+  LiveParameters live_;
   std::unique_ptr<Class> plugin_;
 };
 

@@ -1,0 +1,93 @@
+// A plug-in as its manager sees it, wherever it runs: its topics, its life, and its step, of which nothing is
+// published unless all went well.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "gaitway/core/configuration.hpp"
+#include "gaitway/core/data_flow.hpp"
+#include "gaitway/core/event_log.hpp"
+#include "gaitway/core/parameter_set.hpp"
+#include "gaitway/core/tick.hpp"
+#include "gaitway/core/topic_port.hpp"
+#include "gaitway/msgclient/client.hpp"
+
+namespace gaitway::core {
+
+// Bytes that one version of a plug-in hands on to the next, in fixed memory.
+struct PluginState {
+  static constexpr std::size_t kCapacity = std::size_t{64} * 1024;
+  std::array<std::byte, kCapacity> bytes{};
+  std::uint32_t size = 0;
+  std::uint32_t version = 0;  // 0: nothing is handed on
+};
+
+// Stays where it is: the plug-in holds pointers into it. What may throw throws PluginError (ConfigurationError
+// for a parameter), with the plug-in's name and place.
+class ManagedPlugin {
+ public:
+  virtual ~ManagedPlugin() = default;
+  ManagedPlugin(const ManagedPlugin&) = delete;
+  ManagedPlugin& operator=(const ManagedPlugin&) = delete;
+
+  // Opens the topics; of a successor all but the outputs that `predecessor` has, too.
+  void bind(msgclient::Client& client, const ManagedPlugin* predecessor = nullptr);
+  // Moves those outputs over, here or back. For the cycle.
+  void take_outputs(ManagedPlugin& predecessor) noexcept;
+  // Where its events go from now on.
+  void set_event_log(EventLog& events) noexcept { events_ = &events; }
+
+  virtual void activate() = 0;
+  virtual void deactivate() noexcept = 0;
+
+  // For the cycle.
+  [[nodiscard]] bool is_due(const Tick& tick) const noexcept { return tick.batch || period_ == Period::tick; }
+  void take_snapshots() noexcept;
+  // Publishes the outputs if all went well. False: a fault; nothing was published and fault() says why.
+  bool step(const Tick& tick) noexcept;
+  [[nodiscard]] std::string_view fault() const noexcept { return error_text_.data(); }
+  // Between two steps. False: refused or failed, and fault() says why.
+  virtual bool save_state(PluginState& state) noexcept = 0;
+  virtual bool restore_state(const PluginState& state) noexcept = 0;
+  virtual bool set_parameter(const char* name, const gaitway_value& value) noexcept = 0;
+
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  [[nodiscard]] const std::string& place() const noexcept { return place_; }
+  [[nodiscard]] const ParameterSet& parameters() const noexcept { return parameters_; }
+  [[nodiscard]] ParameterSet& parameters() noexcept { return parameters_; }
+  [[nodiscard]] Period period() const noexcept { return period_; }
+  [[nodiscard]] virtual std::string_view version() const noexcept = 0;
+  [[nodiscard]] DataFlowNode node() const;
+  [[nodiscard]] bool uses(std::string_view topic, Access access) const noexcept;
+
+ protected:
+  ManagedPlugin(const PluginEntry& entry, const std::filesystem::path& configuration_file, EventLog& events);
+
+  // Runs one step of the plug-in's own code, which stages its outputs in the ports. False: error_text_ says
+  // why.
+  virtual bool run(const Tick& tick) noexcept = 0;
+
+  [[nodiscard]] gaitway_text error_text() noexcept;
+  void set_fault(std::string_view text) noexcept;
+  [[noreturn]] void fail(std::string_view what);
+
+  std::string name_;
+  std::string place_;  // "plug-in 'x' (walk.yaml:4)"
+  ParameterSet parameters_;
+  EventLog* events_;
+  std::list<TopicPort> ports_;  // stable addresses: the plug-in holds them
+  Period period_ = Period::tick;
+  Tick tick_;
+
+ private:
+  bool check_outputs() noexcept;
+
+  std::array<char, 1024> error_text_{};
+};
+
+}  // namespace gaitway::core
