@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "library_copy.hpp"
+
 namespace gaitway::core {
 namespace {
 
@@ -77,6 +79,15 @@ void check_border(const gaitway_plugin& entry, const std::filesystem::path& file
   }
 }
 
+// What the loader says, with the library's own name instead of its copy's.
+std::string loader_error(const std::string& copy, const std::filesystem::path& file) {
+  std::string text = dlerror();
+  for (std::size_t at = text.find(copy); at != std::string::npos; at = text.find(copy)) {
+    text.replace(at, copy.size(), file.filename().string());
+  }
+  return text;
+}
+
 }  // namespace
 
 SearchPath plugin_search_path(const SearchPath& given) {
@@ -106,12 +117,11 @@ SearchPath plugin_search_path(const SearchPath& given) {
 PluginLibrary::PluginLibrary(const std::string& library, const std::filesystem::path& base,
                              const SearchPath& path)
     : file_(find_library(library, base, path)) {
-  handle_ = dlopen(file_.c_str(), RTLD_NOW | RTLD_LOCAL);
+  copy_ = std::make_unique<LibraryCopy>(file_);
+  handle_ = dlopen(copy_->path().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle_ == nullptr) {
-    throw PluginError(
-        fmt::format("{} cannot be loaded: {}. Is it a shared library for this machine, with all that it "
-                    "links to installed?",
-                    file_.string(), dlerror()));
+    throw PluginError(fmt::format("{} cannot be loaded: {}. Is all that it links to installed?",
+                                  file_.string(), loader_error(copy_->path(), file_)));
   }
   try {
     entry_ = static_cast<const gaitway_plugin*>(dlsym(handle_, kEntrySymbol));
@@ -127,6 +137,12 @@ PluginLibrary::PluginLibrary(const std::string& library, const std::filesystem::
     throw;
   }
 }
+
+PluginLibrary::PluginLibrary(PluginLibrary&& other) noexcept
+    : file_(std::move(other.file_)),
+      copy_(std::move(other.copy_)),
+      handle_(std::exchange(other.handle_, nullptr)),
+      entry_(std::exchange(other.entry_, nullptr)) {}
 
 PluginLibrary::~PluginLibrary() {
   if (handle_ != nullptr) {

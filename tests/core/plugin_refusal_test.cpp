@@ -1,7 +1,11 @@
 // Every way to be unfit is refused by its own error, before anything moves.
+#include <elf.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
+#include <cstddef>
 #include <fstream>
+#include <iterator>
 
 #include "plugin_fixture.hpp"
 
@@ -11,7 +15,27 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-class PluginRefusal : public PluginFixture {};
+class PluginRefusal : public PluginFixture {
+ protected:
+  static std::string bytes_of(const std::string& library) {
+    std::ifstream in(std::string(GAITWAY_TEST_PLUGINS "/") + library, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+// A file that claims to be a plug-in's library.
+class LibraryFile {
+ public:
+  explicit LibraryFile(const std::string& bytes) { std::ofstream(path_, std::ios::binary) << bytes; }
+  LibraryFile(const LibraryFile&) = delete;
+  LibraryFile& operator=(const LibraryFile&) = delete;
+  ~LibraryFile() { std::filesystem::remove(path_); }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] std::string entry() const { return "  - {name: sway, library: " + path_ + "}\n"; }
+
+ private:
+  std::string path_ = testing::TempDir() + "gaitway_library_" + std::to_string(getpid()) + ".so";
+};
 
 TEST_F(PluginRefusal, MissingFileNamesThePlacesTried) {
   EXPECT_THAT(refusal("  - {name: sway, library: libsway.so}\n"),
@@ -19,12 +43,37 @@ TEST_F(PluginRefusal, MissingFileNamesThePlacesTried) {
                     HasSubstr(GAITWAY_TEST_PLUGINS "/libsway.so"), HasSubstr("/lib/libsway.so")));
 }
 
-TEST_F(PluginRefusal, FileThatIsNoLibraryIsNotLoadable) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "gaitway_no_library.so";
-  std::ofstream(file) << "text";
-  EXPECT_THAT(refusal("  - {name: sway, library: " + file.string() + "}\n"),
-              AllOf(HasSubstr(file.string()), HasSubstr("cannot be loaded")));
-  std::filesystem::remove(file);
+TEST_F(PluginRefusal, FileThatIsNoLibrary) {
+  const LibraryFile file("text");
+  EXPECT_THAT(refusal(file.entry()), AllOf(HasSubstr(file.path()), HasSubstr("is no shared library"),
+                                           HasSubstr("4 bytes"), HasSubstr("Was it built to its end?")));
+}
+
+TEST_F(PluginRefusal, LibraryForAnotherMachine) {
+  std::string bytes = bytes_of("relay.so");
+  bytes[offsetof(Elf64_Ehdr, e_machine)] = static_cast<char>(EM_RISCV);
+  const LibraryFile file(bytes);
+  EXPECT_THAT(refusal(file.entry()),
+              AllOf(HasSubstr(file.path()), HasSubstr("is a library for RISC-V"), HasSubstr("Build it for")));
+}
+
+TEST_F(PluginRefusal, LibraryThatIsCutOff) {
+  const std::string bytes = bytes_of("relay.so");
+  const LibraryFile file(bytes.substr(0, bytes.size() / 2));
+  EXPECT_THAT(refusal(file.entry()), AllOf(HasSubstr(file.path()), HasSubstr("is cut off")));
+}
+
+TEST_F(PluginRefusal, ProgramInsteadOfALibrary) {
+  std::string bytes = bytes_of("relay.so");
+  bytes[offsetof(Elf64_Ehdr, e_type)] = static_cast<char>(ET_REL);
+  const LibraryFile file(bytes);
+  EXPECT_THAT(refusal(file.entry()), HasSubstr("is an ELF file, but no shared library"));
+}
+
+TEST_F(PluginRefusal, UnresolvedSymbolIsNamed) {
+  EXPECT_THAT(refusal("  - {name: a, library: unresolved_symbol.so}\n"),
+              AllOf(HasSubstr("unresolved_symbol.so cannot be loaded"),
+                    HasSubstr("undefined symbol: gaitway_test_defined_nowhere")));
 }
 
 TEST_F(PluginRefusal, MissingEntrySymbol) {

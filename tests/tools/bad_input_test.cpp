@@ -207,7 +207,7 @@ TEST_F(BadInput, PluginsThatCannotBeLoaded) {
   expect_plugin_refused("{name: other, library: " + test_plugin("throws_in_constructor") + "}",
                         {"plug-in 'other' (", "its constructor failed: no calibration file"});
   expect_plugin_refused("{name: other, library: " + quoted(file("robot.urdf")) + "}",
-                        {"plug-in 'other' (", "cannot be loaded"});
+                        {"plug-in 'other' (", "is no shared library"});
   expect_plugin_refused("{name: other, library: libother.so}",
                         {"plug-in 'other' (", "no library 'libother.so'"});
 }

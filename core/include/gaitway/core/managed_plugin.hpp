@@ -27,8 +27,8 @@ struct PluginState {
   std::uint32_t version = 0;  // 0: nothing is handed on
 };
 
-// Stays where it is: the plug-in holds pointers into it. What may throw throws PluginError (ConfigurationError
-// for a parameter), with the plug-in's name and place.
+// Stays where it is: the plug-in holds pointers into it. What may throw throws PluginError
+// (ConfigurationError for a parameter), with the plug-in's name and place.
 class ManagedPlugin {
  public:
   virtual ~ManagedPlugin() = default;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "gaitway/core/plugin_abi.h"
@@ -17,18 +17,20 @@ using SearchPath = std::vector<std::filesystem::path>;
 // folder ../lib beside the running executable; each once.
 [[nodiscard]] SearchPath plugin_search_path(const SearchPath& given);
 
-// Keeps the library open for its life. Movable.
+class LibraryCopy;
+
+// Keeps the library open for its life. Movable. What is loaded is a private copy in memory, so that the file
+// may be overwritten or truncated meanwhile; a library that looks for others relative to itself ($ORIGIN)
+// does not find them.
 class PluginLibrary {
  public:
   // `library`: a file name that is looked for on `path`, or a path (with a slash), relative to `base`. Throws
-  // PluginError: no such file (with all places tried), not loadable, no entry symbol, another ABI or struct
+  // PluginError: no such file (with all places tried), no shared library for this
+  // machine, a symbol that is missing, no entry symbol, another ABI or struct
   // size.
   PluginLibrary(const std::string& library, const std::filesystem::path& base, const SearchPath& path);
   ~PluginLibrary();
-  PluginLibrary(PluginLibrary&& other) noexcept
-      : file_(std::move(other.file_)),
-        handle_(std::exchange(other.handle_, nullptr)),
-        entry_(std::exchange(other.entry_, nullptr)) {}
+  PluginLibrary(PluginLibrary&& other) noexcept;
   PluginLibrary& operator=(PluginLibrary&&) = delete;
 
   [[nodiscard]] const gaitway_plugin& entry() const noexcept { return *entry_; }
@@ -36,6 +38,7 @@ class PluginLibrary {
 
  private:
   std::filesystem::path file_;
+  std::unique_ptr<LibraryCopy> copy_;
   void* handle_ = nullptr;
   const gaitway_plugin* entry_ = nullptr;
 };
