@@ -53,8 +53,9 @@ void check_header(const std::filesystem::path& file, int fd, std::int64_t size) 
   Elf64_Ehdr header{};
   const ssize_t got = pread(fd, &header, sizeof header, 0);
   if (got < EI_NIDENT || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
-    refuse(file, fmt::format("is no shared library: it has no ELF header ({} bytes). Was it built to its end?",
-                             size));
+    refuse(
+        file,
+        fmt::format("is no shared library: it has no ELF header ({} bytes). Was it built to its end?", size));
   }
   if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_ident[EI_DATA] != kData ||
       header.e_machine != kMachine) {
@@ -64,8 +65,9 @@ void check_header(const std::filesystem::path& file, int fd, std::int64_t size) 
   if (got < static_cast<ssize_t>(sizeof header) || header.e_type != ET_DYN) {
     refuse(file, "is an ELF file, but no shared library. Build it with gaitway_plugin(), or with -shared");
   }
-  const auto tables = std::max<std::uint64_t>(header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize,
-                                              header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
+  const auto tables =
+      std::max<std::uint64_t>(header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize,
+                              header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
   if (tables > static_cast<std::uint64_t>(size)) {
     refuse(file, fmt::format("is cut off: it has {} bytes, its tables reach to {}. Was it built to its end?",
                              size, tables));
@@ -86,10 +88,11 @@ LibraryCopy::LibraryCopy(const std::filesystem::path& file) {
     refuse(file, fmt::format("no memory for a private copy: {}", std::strerror(errno)));
   }
   for (std::int64_t copied = 0; copied < status.st_size;) {
-    const ssize_t count = sendfile(memory_.get(), source.get(), nullptr,
-                                   static_cast<std::size_t>(status.st_size - copied));
+    const ssize_t count =
+        sendfile(memory_.get(), source.get(), nullptr, static_cast<std::size_t>(status.st_size - copied));
     if (count <= 0) {
-      refuse(file, fmt::format("cannot be copied: {}", count == 0 ? "it became shorter" : std::strerror(errno)));
+      refuse(file,
+             fmt::format("cannot be copied: {}", count == 0 ? "it became shorter" : std::strerror(errno)));
     }
     copied += count;
   }

@@ -1,4 +1,5 @@
-// A shared library's private copy in memory: whoever overwrites or truncates the file afterwards harms nobody.
+// A shared library's private copy in memory: whoever overwrites or truncates the file afterwards harms
+// nobody.
 #pragma once
 
 #include <filesystem>

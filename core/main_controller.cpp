@@ -54,9 +54,12 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   host_.charge_read(crossing_bytes_, now_ns);
   manager_.step(tick);
   post_trim(tick, report);
-  if (tick.batch) {
+  if (tick.batch && hand_over(tick, report) == HandOverOutcome::unusable &&
+      manager_.take_trial_back(tick, last_refusal_.data())) {
+    post_trim(tick, report);
     hand_over(tick, report);
   }
+  manager_.end_trial(tick);
   const std::int64_t duration_ns = wall_clock_ == nullptr ? 0 : wall_clock_() - begin_ns;
   (tick.batch ? batch_wall_ : tick_wall_).add(duration_ns);
   return report;
@@ -111,7 +114,7 @@ void MainController::post_trim(const Tick& tick, TickReport& report) noexcept {
   }
 }
 
-void MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
+MainController::HandOverOutcome MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
   if (const ManagedPlugin* const failed = manager_.fault_behind("joint_plan")) {
     ++counts_.spoiled;
     std::array<char, 160> text{};
@@ -119,14 +122,14 @@ void MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
         fmt::format_to_n(text.data(), text.size(), "batch {} is not handed over: plug-in '{}' failed",
                          tick.batch_sequence, failed->name());
     note_refusal(tick, {text.data(), std::min(end.size, text.size())});
-    return;
+    return HandOverOutcome::unusable;
   }
   if (!joint_plan_reader_.read(*plan_) || plan_->sequence != tick.batch_sequence) {
     ++counts_.without_plan;
-    return;
+    return HandOverOutcome::nothing;
   }
   if (!plan_is_usable(tick) || !msgclient::make_hand_over(*plan_, trim_, *posted_)) {
-    return;
+    return HandOverOutcome::unusable;
   }
   const msgclient::PostResult result = host_.post(*posted_, tick.now_ns);
   if (!result) {
@@ -136,11 +139,12 @@ void MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
                  result.status == msgclient::PostStatus::bus_stuck
                      ? "the EMI's bus is stuck: the batch was not handed over"
                      : "the message controller has not taken the batch before: this one was not handed over");
-    return;
+    return HandOverOutcome::not_taken;
   }
   ++counts_.handed_over;
   report.handed_over = report.posted = true;
   report.transfer_ns = std::max(report.transfer_ns, result.transfer_ns);
+  return HandOverOutcome::posted;
 }
 
 bool MainController::plan_is_usable(const Tick& tick) noexcept {

@@ -14,9 +14,12 @@ constexpr std::size_t kReportedPlugins = std::size(PluginStatistics{}.steps);
 
 PluginManager::PluginManager(const Configuration& configuration, const PluginManagerOptions& options,
                              msgclient::Client& client)
-    : options_(options) {
+    : options_(options),
+      configuration_file_(configuration.file),
+      search_path_(plugin_search_path(options.plugin_path)),
+      client_(client) {
   try {
-    load(configuration);
+    load_all(configuration);
     put_in_order(configuration, client);
     for (const auto& slot : slots_) {
       slot->plugin->bind(client);
@@ -49,19 +52,22 @@ void PluginManager::unload() noexcept {
   }
 }
 
-void PluginManager::load(const Configuration& configuration) {
-  const SearchPath path = plugin_search_path(options_.plugin_path);
-  const PluginSource source{configuration.file, options_.robot_directory, path};
+std::unique_ptr<ManagedPlugin> PluginManager::load(const PluginEntry& entry, EventLog& events) const {
+  const PluginSource source{configuration_file_, options_.robot_directory, search_path_};
+  return std::make_unique<LoadedPlugin>(entry, source, events);
+}
+
+void PluginManager::load_all(const Configuration& configuration) {
   for (const PluginEntry& entry : configuration.plugins) {
-    const auto same = [&entry](const auto& slot) { return slot->plugin->name() == entry.name; };
-    if (std::any_of(slots_.begin(), slots_.end(), same)) {
+    if (index_of(entry.name) < slots_.size()) {
       throw ConfigurationError(
           fmt::format("{}:{}: name: '{}' is there twice. Names must be unique: give one of them "
                       "another name",
                       configuration.file.string(), entry.line, entry.name));
     }
-    auto slot = std::make_unique<Slot>();
-    slot->plugin = std::make_unique<LoadedPlugin>(entry, source, events_);
+    auto slot = std::make_unique<PluginSlot>();
+    slot->plugin = load(entry, events_);
+    slot->configured = slots_.size();
     slots_.push_back(std::move(slot));
   }
 }
@@ -82,7 +88,7 @@ void PluginManager::put_in_order(const Configuration& configuration, const msgcl
       throw PluginError(fmt::format("{}: {}", configuration.file.string(), error.what()));
     }
   }();
-  std::vector<std::unique_ptr<Slot>> ordered;
+  std::vector<std::unique_ptr<PluginSlot>> ordered;
   for (const std::size_t index : flow.order) {
     for (const std::size_t other : flow.order) {
       slots_[index]->depends_on.push_back(flow.depends_on[index][other]);
@@ -95,27 +101,47 @@ void PluginManager::put_in_order(const Configuration& configuration, const msgcl
 }
 
 int PluginManager::step(const Tick& tick) noexcept {
+  end_trial(tick);
   for (const auto& slot : slots_) {
     slot->failed = false;
+    slot->stepped = !slot->plugin->is_due(tick);
+  }
+  if (tick.batch && change_phase_ == ChangePhase::waiting) {
+    begin_change(tick);
+  }
+  for (const auto& slot : slots_) {
     if (slot->plugin->is_due(tick)) {
       slot->plugin->take_snapshots();
     }
   }
-  int failed = 0;
-  for (const auto& slot : slots_) {
-    if (slot->plugin->is_due(tick)) {
-      step(*slot, tick);
-      failed += slot->failed ? 1 : 0;
-    }
-  }
+  const int failed = step_all(tick);
   if (tick.batch) {
     publish_statistics(tick);
   }
   return failed;
 }
 
-void PluginManager::step(Slot& slot, const Tick& tick) noexcept {
+// Those that have not had their turn yet, in order; anew from the start when the order changes on the way.
+int PluginManager::step_all(const Tick& tick) noexcept {
+  int failed = 0;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    PluginSlot& slot = *slots_[i];
+    if (slot.stepped) {
+      continue;
+    }
+    step(slot, tick);
+    if (slot.failed && &slot == trial_) {
+      take_change_back(tick, "the new one failed in its first step", slot.plugin->fault());
+      return failed + step_all(tick);
+    }
+    failed += slot.failed ? 1 : 0;
+  }
+  return failed;
+}
+
+void PluginManager::step(PluginSlot& slot, const Tick& tick) noexcept {
   const std::int64_t begin_ns = wall_ns();
+  slot.stepped = true;
   slot.failed = !slot.plugin->step(tick);
   slot.last_step_ns = wall_ns() - begin_ns;
   slot.step_wall.add(slot.last_step_ns);
@@ -126,12 +152,26 @@ void PluginManager::step(Slot& slot, const Tick& tick) noexcept {
   }
 }
 
+void PluginManager::set_parameter(std::string_view plugin, std::string_view parameter,
+                                  const std::string& text) {
+  const std::size_t index = index_of(plugin);
+  if (index == slots_.size()) {
+    throw PluginError(fmt::format("there is no plug-in '{}'", plugin));
+  }
+  ManagedPlugin& target = *slots_[index]->plugin;
+  const gaitway_value value = target.parameters().read_change(parameter, text);
+  if (!target.set_parameter(std::string(parameter).c_str(), value)) {
+    throw PluginError(fmt::format("{}: parameter '{}': {}", target.place(), parameter, target.fault()));
+  }
+  target.parameters().keep(parameter, value);
+}
+
 void PluginManager::publish_statistics(const Tick& tick) noexcept {
   statistics_.stamp_ns = tick.now_ns;
   const std::size_t count = std::min(slots_.size(), kReportedPlugins);
   statistics_.plugin_count = static_cast<std::uint32_t>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Slot& slot = *slots_[i];
+    const PluginSlot& slot = *slots_[i];
     statistics_.steps[i] = slot.steps;
     statistics_.faults[i] = slot.faults;
     statistics_.last_step_ns[i] = slot.last_step_ns;

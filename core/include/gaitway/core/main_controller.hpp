@@ -68,13 +68,21 @@ class MainController {
 
   [[nodiscard]] MainControllerStatistics statistics() const;
   [[nodiscard]] const PluginManager& plugins() const noexcept { return manager_; }
+  // For changes while the robot walks.
+  [[nodiscard]] PluginManager& plugins() noexcept { return manager_; }
   // Faults, refusals and what plug-ins report.
   [[nodiscard]] const EventLog& events() const noexcept { return manager_.events(); }
 
  private:
   void take_answers(const Tick& tick) noexcept;
   void post_trim(const Tick& tick, TickReport& report) noexcept;
-  void hand_over(const Tick& tick, TickReport& report) noexcept;
+  enum class HandOverOutcome : std::uint8_t {
+    posted,
+    nothing,    // no plug-in has a plan for that cycle
+    unusable,   // a plug-in behind the plan failed, or the plan breaks a rule
+    not_taken,  // by the EMI
+  };
+  HandOverOutcome hand_over(const Tick& tick, TickReport& report) noexcept;
   [[nodiscard]] bool plan_is_usable(const Tick& tick) noexcept;
   // Where the joints' references are when the batch begins; empty: not known.
   [[nodiscard]] std::span<const double> start_reference(const Tick& tick) noexcept;

@@ -2,9 +2,11 @@
 // data flow.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,12 +15,12 @@
 #include "gaitway/core/data_flow.hpp"
 #include "gaitway/core/event_log.hpp"
 #include "gaitway/core/loaded_plugin.hpp"
+#include "gaitway/core/plugin_change.hpp"
 #include "gaitway/core/plugin_library.hpp"
 #include "gaitway/core/tick.hpp"
 #include "gaitway/core/wall_clock.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/process/duration_histogram.hpp"
 
 namespace gaitway::core {
 
@@ -51,6 +53,27 @@ class PluginManager {
   // at its next turn. Returns how many failed. For the cycle.
   int step(const Tick& tick) noexcept;
 
+  // --- Changes while the robot walks. One at a time: prepare, schedule, step until there is a result.
+  // Off the tick, by another thread if need be: loads and constructs the plug-in, checks the data flow with
+  // it in place of its namesake (or beside the others if it has none), opens its inputs and activates it.
+  // Throws ConfigurationError or PluginError, and nothing has changed.
+  [[nodiscard]] std::unique_ptr<PluginChange> prepare_replacement(const PluginEntry& entry);
+  [[nodiscard]] std::unique_ptr<PluginChange> prepare_removal(const std::string& name);
+  // The change takes place in the next step() that prepares a batch: the old plug-in's state and outputs go
+  // over to the new one. If the new one fails in that step, the old one takes its turn in the same tick and
+  // stays. False: another change is on its way.
+  bool schedule(std::unique_ptr<PluginChange> change) noexcept;
+  // Between step() and end_trial(): what the new plug-in did is of no use. Puts the old one back and steps it
+  // and all that depend on it again. False: there is no new plug-in on trial.
+  bool take_trial_back(const Tick& tick, std::string_view why) noexcept;
+  // The new plug-in has stood its first tick. The next step() says so, too.
+  void end_trial(const Tick& tick) noexcept;
+  // Off the tick: what became of the change; destroys the plug-in that is no longer needed. Nothing while it
+  // is under way.
+  [[nodiscard]] std::optional<ChangeResult> take_result();
+  // Between two steps: changes a live parameter. Throws ConfigurationError or PluginError.
+  void set_parameter(std::string_view plugin, std::string_view parameter, const std::string& text);
+
   // Whether in the last step a plug-in failed on which this topic depends: its writer, or a plug-in that the
   // writer reads from in the same tick, directly or not. The first such plug-in; nullptr: none.
   [[nodiscard]] const ManagedPlugin* fault_behind(std::string_view topic) const noexcept;
@@ -67,28 +90,37 @@ class PluginManager {
   [[nodiscard]] const EventLog& events() const noexcept { return events_; }
 
  private:
-  struct Slot {  // a plug-in and what is counted about it
-    std::unique_ptr<ManagedPlugin> plugin;
-    std::vector<bool> depends_on;  // [index in the order of the steps]
-    process::DurationHistogram step_wall;
-    std::uint64_t steps = 0;
-    std::uint64_t faults = 0;
-    std::int64_t last_step_ns = 0;
-    bool failed = false;  // in the last step
-  };
+  enum class ChangePhase : std::uint8_t { none, waiting, trial, done, failed };
 
-  void load(const Configuration& configuration);
+  void load_all(const Configuration& configuration);
+  [[nodiscard]] std::unique_ptr<ManagedPlugin> load(const PluginEntry& entry, EventLog& events) const;
   void put_in_order(const Configuration& configuration, const msgclient::Client& client);
   void unload() noexcept;
-  void step(Slot& slot, const Tick& tick) noexcept;
+  int step_all(const Tick& tick) noexcept;
+  void step(PluginSlot& slot, const Tick& tick) noexcept;
+  [[nodiscard]] std::size_t index_of(std::string_view name) const noexcept;  // size(): none has this name
+  [[nodiscard]] std::unique_ptr<PluginChange> plan_change(const std::string& name,
+                                                          std::unique_ptr<PluginSlot> incoming,
+                                                          std::unique_ptr<EventLog> news,
+                                                          std::size_t old) const;
+  void begin_change(const Tick& tick) noexcept;
+  void fail_change(const Tick& tick, std::string_view what, std::string_view why) noexcept;
+  void take_change_back(const Tick& tick, std::string_view what, std::string_view why) noexcept;
   void publish_statistics(const Tick& tick) noexcept;
   [[nodiscard]] std::int64_t wall_ns() const noexcept {
     return options_.wall_clock == nullptr ? 0 : options_.wall_clock();
   }
 
   PluginManagerOptions options_;
-  EventLog events_;
-  std::vector<std::unique_ptr<Slot>> slots_;  // in the order of the steps
+  std::filesystem::path configuration_file_;
+  SearchPath search_path_;
+  msgclient::Client& client_;
+  EventLog events_, discarded_events_;
+  std::vector<std::unique_ptr<PluginSlot>> slots_;  // in the order of the steps
+  std::unique_ptr<PluginChange> change_;
+  ChangePhase change_phase_ = ChangePhase::none;
+  PluginSlot* trial_ = nullptr;  // the new plug-in in its first tick
+  std::array<char, 256> change_text_{};
   std::unique_ptr<msgclient::Writer<PluginStatistics>> statistics_writer_;
   PluginStatistics statistics_{};
 };
