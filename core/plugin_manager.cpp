@@ -67,6 +67,7 @@ void PluginManager::load_all(const Configuration& configuration) {
     }
     auto slot = std::make_unique<PluginSlot>();
     slot->plugin = load(entry, events_);
+    slot->entry = entry;
     slot->configured = slots_.size();
     slots_.push_back(std::move(slot));
   }
@@ -154,11 +155,7 @@ void PluginManager::step(PluginSlot& slot, const Tick& tick) noexcept {
 
 void PluginManager::set_parameter(std::string_view plugin, std::string_view parameter,
                                   const std::string& text) {
-  const std::size_t index = index_of(plugin);
-  if (index == slots_.size()) {
-    throw PluginError(fmt::format("there is no plug-in '{}'", plugin));
-  }
-  ManagedPlugin& target = *slots_[index]->plugin;
+  ManagedPlugin& target = *slots_[require(plugin)]->plugin;
   const gaitway_value value = target.parameters().read_change(parameter, text);
   if (!target.set_parameter(std::string(parameter).c_str(), value)) {
     throw PluginError(fmt::format("{}: parameter '{}': {}", target.place(), parameter, target.fault()));

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -26,12 +27,26 @@ std::size_t PluginManager::index_of(std::string_view name) const noexcept {
   return static_cast<std::size_t>(std::find_if(slots_.begin(), slots_.end(), same) - slots_.begin());
 }
 
+std::size_t PluginManager::require(std::string_view name) const {
+  const std::size_t index = index_of(name);
+  if (index == slots_.size()) {
+    std::vector<std::string> names;
+    for (const auto& slot : slots_) {
+      names.push_back(slot->plugin->name());
+    }
+    throw PluginError(
+        fmt::format("there is no plug-in '{}'. {}", name, urdf::suggest(std::string(name), names)));
+  }
+  return index;
+}
+
 std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEntry& entry) {
   const std::size_t old = index_of(entry.name);
   const ManagedPlugin* const predecessor = old < slots_.size() ? slots_[old]->plugin.get() : nullptr;
   auto news = std::make_unique<EventLog>();
   auto slot = std::make_unique<PluginSlot>();
   slot->plugin = load(entry, *news);
+  slot->entry = entry;
   slot->configured = predecessor != nullptr ? slots_[old]->configured : slots_.size();
   auto change = plan_change(entry.name, std::move(slot), std::move(news), old);
   ManagedPlugin& incoming = *change->incoming()->plugin;
@@ -40,18 +55,24 @@ std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEnt
   return change;
 }
 
-std::unique_ptr<PluginChange> PluginManager::prepare_removal(const std::string& name) {
-  const std::size_t old = index_of(name);
-  if (old == slots_.size()) {
-    throw PluginError(fmt::format("there is no plug-in '{}' to unload", name));
+std::unique_ptr<PluginChange> PluginManager::prepare_reload(const std::string& name,
+                                                            const std::string& library) {
+  PluginEntry entry = slots_[require(name)]->entry;
+  if (!library.empty()) {
+    entry.library = library;
   }
-  return plan_change(name, nullptr, std::make_unique<EventLog>(), old);
+  return prepare_replacement(entry);
+}
+
+std::unique_ptr<PluginChange> PluginManager::prepare_removal(const std::string& name) {
+  return plan_change(name, nullptr, std::make_unique<EventLog>(), require(name));
 }
 
 // Checks the data flow of the plug-ins as they will be.
 std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name,
                                                          std::unique_ptr<PluginSlot> incoming,
-                                                         std::unique_ptr<EventLog> news, std::size_t old) const {
+                                                         std::unique_ptr<EventLog> news,
+                                                         std::size_t old) const {
   std::vector<std::size_t> places;  // as PluginChange means them
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (i != old) {
@@ -128,7 +149,8 @@ void PluginManager::begin_change(const Tick& tick) noexcept {
 
 void PluginManager::fail_change(const Tick& tick, std::string_view what, std::string_view why) noexcept {
   change_phase_ = ChangePhase::failed;
-  fmt::format_to_n(change_text_.data(), change_text_.size() - 1, "not changed: {}: {}", what, why).out[0] = '\0';
+  fmt::format_to_n(change_text_.data(), change_text_.size() - 1, "not changed: {}: {}", what, why).out[0] =
+      '\0';
   events_.add(tick.now_ns, tick.tick, EventKind::error, change_->name(), change_text_.data());
 }
 

@@ -35,6 +35,10 @@ class Kinematics final : public Plugin {
     joint_plan_.publish();
   }
 
+  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
+  void save_state(StateWriter& state) const override { state(solver_); }
+  void restore_state(StateReader& state) override { state(solver_); }
+
  private:
   BaseOffset correction_at(std::int64_t now_ns) {
     const Correction& correction = correction_.read();

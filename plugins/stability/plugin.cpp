@@ -59,6 +59,10 @@ class Stability final : public Plugin {
     correction_.publish();
   }
 
+  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
+  void save_state(StateWriter& state) const override { state(controller_); }
+  void restore_state(StateReader& state) override { state(controller_); }
+
  private:
   BalanceController controller_;
   Input<Estimate> estimate_;

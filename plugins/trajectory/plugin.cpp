@@ -70,6 +70,10 @@ class Trajectory final : public Plugin {
     plan_.publish();
   }
 
+  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
+  void save_state(StateWriter& state) const override { state(pattern_, continuity_); }
+  void restore_state(StateReader& state) override { state(pattern_, continuity_); }
+
  private:
   Trajectory(Setup& setup, const GaitParameters& parameters)
       : pattern_(parameters),

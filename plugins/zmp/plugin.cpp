@@ -74,6 +74,10 @@ class Zmp final : public Plugin {
     joint_missing_.update(faults.missing != 0, report_);
   }
 
+  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
+  void save_state(StateWriter& state) const override { state(estimator_); }
+  void restore_state(StateReader& state) override { state(estimator_); }
+
  private:
   StateEstimator estimator_;
   Input<JointStates> joint_states_;

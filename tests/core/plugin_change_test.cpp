@@ -1,4 +1,5 @@
-// Plug-ins are replaced, loaded and unloaded between two batches; what goes wrong leaves the old one in place.
+// Plug-ins are replaced, loaded and unloaded between two batches; what goes wrong leaves the old one in
+// place.
 #include <gmock/gmock.h>
 
 #include "plugin_fixture.hpp"
@@ -131,7 +132,8 @@ TEST_F(PluginChangeTest, WhatCannotBePreparedChangesNothing) {
   EXPECT_THAT(prepare("  - {name: c, library: other_abi.so}\n"), HasSubstr("ABI"));
   EXPECT_THAT(prepare("  - {name: c, library: missing_symbol.so}\n"), HasSubstr("gaitway_plugin_entry"));
   EXPECT_THAT(prepare("  - {name: c, library: throws_in_activate.so}\n"), HasSubstr("nobody writes it"));
-  EXPECT_THAT(prepare(counter("c", "to: elsewhere")), HasSubstr("'r' reads topic 'out', but nobody writes it"));
+  EXPECT_THAT(prepare(counter("c", "to: elsewhere")),
+              HasSubstr("'r' reads topic 'out', but nobody writes it"));
   EXPECT_THAT(prepare(counter("second", "")), HasSubstr("two writers"));
   EXPECT_THAT(complaint([&] { (void)manager->prepare_removal("c"); }), HasSubstr("nobody writes it"));
   EXPECT_THAT(complaint([&] { (void)manager->prepare_removal("d"); }), HasSubstr("no plug-in 'd'"));
@@ -172,12 +174,14 @@ TEST_F(PluginChangeTest, TheFileMayBeOverwrittenAndCutOffWhileItIsInUse) {
   const auto manager = load("  - {name: c, library: " + file.string() + "}\n");
   std::filesystem::resize_file(file, 100);
   EXPECT_THAT(run(*manager, 1, 3), ElementsAre(1, 2, 3));
-  EXPECT_THAT(
-      complaint([&] { (void)manager->prepare_replacement(entry("  - {name: c, library: " + file.string() + "}\n")); }),
-      HasSubstr("is cut off"));
+  EXPECT_THAT(complaint([&] {
+                (void)manager->prepare_replacement(entry("  - {name: c, library: " + file.string() + "}\n"));
+              }),
+              HasSubstr("is cut off"));
   std::filesystem::copy_file(GAITWAY_TEST_PLUGINS "/counter.so", file,
                              std::filesystem::copy_options::overwrite_existing);
-  ASSERT_TRUE(manager->schedule(manager->prepare_replacement(entry("  - {name: c, library: " + file.string() + "}\n"))));
+  ASSERT_TRUE(manager->schedule(
+      manager->prepare_replacement(entry("  - {name: c, library: " + file.string() + "}\n"))));
   EXPECT_THAT(run(*manager, 5, 6), ElementsAre(4, 5));
   std::filesystem::remove(file);
 }

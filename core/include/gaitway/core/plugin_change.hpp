@@ -17,6 +17,7 @@ namespace gaitway::core {
 // A plug-in in its manager, and what is counted about it.
 struct PluginSlot {
   std::unique_ptr<ManagedPlugin> plugin;
+  PluginEntry entry;             // as it was loaded
   std::size_t configured = 0;    // its place in the configuration: the order where data flow leaves it open
   std::vector<bool> depends_on;  // [index in the order of the steps]
   process::DurationHistogram step_wall;
@@ -43,7 +44,8 @@ class PluginChange {
   // `next`: the order of the steps after the change: indices into the slots before it, or kIncoming.
   // `outgoing`: index of the slot that leaves, or kIncoming: none does.
   PluginChange(std::string name, std::unique_ptr<PluginSlot> incoming, std::unique_ptr<EventLog> news,
-               std::vector<std::size_t> next, std::vector<std::vector<bool>> depends_on, std::size_t outgoing);
+               std::vector<std::size_t> next, std::vector<std::vector<bool>> depends_on,
+               std::size_t outgoing);
 
   // Moves the slots to the new order, and back. For the cycle.
   void apply(std::vector<std::unique_ptr<PluginSlot>>& slots) noexcept;

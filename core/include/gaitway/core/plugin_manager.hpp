@@ -58,6 +58,9 @@ class PluginManager {
   // it in place of its namesake (or beside the others if it has none), opens its inputs and activates it.
   // Throws ConfigurationError or PluginError, and nothing has changed.
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_replacement(const PluginEntry& entry);
+  // The same plug-in anew, with its parameters; `library`: from this file; empty: from where it was.
+  [[nodiscard]] std::unique_ptr<PluginChange> prepare_reload(const std::string& name,
+                                                             const std::string& library = {});
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_removal(const std::string& name);
   // The change takes place in the next step() that prepares a batch: the old plug-in's state and outputs go
   // over to the new one. If the new one fails in that step, the old one takes its turn in the same tick and
@@ -99,6 +102,7 @@ class PluginManager {
   int step_all(const Tick& tick) noexcept;
   void step(PluginSlot& slot, const Tick& tick) noexcept;
   [[nodiscard]] std::size_t index_of(std::string_view name) const noexcept;  // size(): none has this name
+  [[nodiscard]] std::size_t require(std::string_view name) const;            // throws PluginError
   [[nodiscard]] std::unique_ptr<PluginChange> plan_change(const std::string& name,
                                                           std::unique_ptr<PluginSlot> incoming,
                                                           std::unique_ptr<EventLog> news,

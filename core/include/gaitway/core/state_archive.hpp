@@ -3,8 +3,8 @@
 //   void save_state(gaitway::StateWriter& state) const override { state(phase_, amplitude_); }
 //   void restore_state(gaitway::StateReader& state) override { state(phase_, amplitude_); }
 //
-// Takes numbers, enums, fixed arrays of them (std::array, Eigen vectors and matrices of fixed size),
-// std::optional, and classes with
+// Takes numbers, enums, plain structs without pointers, fixed arrays (std::array, Eigen vectors and matrices
+// of fixed size), std::optional, and classes with
 //   template <class Self, class Archive> static void visit_state(Self& self, Archive& archive) {
 //     archive(self.a_, self.b_);
 //   }
@@ -29,7 +29,11 @@ class StateError : public std::runtime_error {
 namespace detail {
 
 template <class T>
-concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
+template <class T, class Archive>
+concept Visited = requires(T value, Archive archive) {
+  T::visit_state(value, archive);
+};
 template <class T>
 concept Optional = requires(T value) {
   value.has_value();
@@ -57,19 +61,20 @@ class StateWriter {
  private:
   template <class T>
   void put(const T& value) {
-    if constexpr (detail::Plain<T>) {
-      if (room_.size() - size_ < sizeof value) {
-        throw StateError("the state is larger than what a plug-in may hand on");
-      }
-      std::memcpy(room_.data() + size_, &value, sizeof value);
-      size_ += sizeof value;
+    if constexpr (detail::Visited<const T, StateWriter&>) {
+      T::visit_state(value, *this);
     } else if constexpr (detail::Optional<T>) {
       put(value.has_value());
       if (value) put(*value);
     } else if constexpr (detail::Elements<T>) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(value.size()); ++i) put(value.data()[i]);
     } else {
-      T::visit_state(value, *this);
+      static_assert(detail::Plain<T>, "give this class a visit_state(), see above");
+      if (room_.size() - size_ < sizeof value) {
+        throw StateError("the state is larger than what a plug-in may hand on");
+      }
+      std::memcpy(room_.data() + size_, &value, sizeof value);
+      size_ += sizeof value;
     }
   }
 
@@ -92,12 +97,8 @@ class StateReader {
  private:
   template <class T>
   void get(T& value) {
-    if constexpr (detail::Plain<T>) {
-      if (left() < sizeof value) {
-        throw StateError("the state that was handed on is too short");
-      }
-      std::memcpy(&value, bytes_.data() + used_, sizeof value);
-      used_ += sizeof value;
+    if constexpr (detail::Visited<T, StateReader&>) {
+      T::visit_state(value, *this);
     } else if constexpr (detail::Optional<T>) {
       bool present = false;
       get(present);
@@ -106,7 +107,12 @@ class StateReader {
     } else if constexpr (detail::Elements<T>) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(value.size()); ++i) get(value.data()[i]);
     } else {
-      T::visit_state(value, *this);
+      static_assert(detail::Plain<T>, "give this class a visit_state(), see above");
+      if (left() < sizeof value) {
+        throw StateError("the state that was handed on is too short");
+      }
+      std::memcpy(&value, bytes_.data() + used_, sizeof value);
+      used_ += sizeof value;
     }
   }
 

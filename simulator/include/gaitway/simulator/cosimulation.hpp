@@ -63,6 +63,8 @@ class Cosimulation {
     return message_controller_;
   }
   [[nodiscard]] const core::MainController& main_controller() const noexcept { return *main_controller_; }
+  // For changes between two milliseconds.
+  [[nodiscard]] core::PluginManager& plugins() noexcept { return main_controller_->plugins(); }
   [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
   [[nodiscard]] const urdf::RobotModel& robot() const noexcept { return robot_; }
 

@@ -45,11 +45,21 @@ class BatchSolver {
 
   [[nodiscard]] const WholeBodyPlacement& placement() const noexcept { return placement_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.fade_, self.sequence_, self.last_);
+  }
+
  private:
   struct Knot {  // a point at which the base was placed
     double point = 0.0;
     Eigen::Vector2d used_m = Eigen::Vector2d::Zero();     // offset with which the legs were solved
     Eigen::Vector2d refined_m = Eigen::Vector2d::Zero();  // best known offset
+    template <class Self, class Archive>
+    static void visit_state(Self& self, Archive& archive) {
+      archive(self.point, self.used_m, self.refined_m);
+    }
   };
   struct Run;  // the state of one call
 

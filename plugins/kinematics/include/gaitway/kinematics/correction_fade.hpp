@@ -9,6 +9,10 @@ namespace gaitway::kinematics {
 struct BaseOffset {
   Eigen::Vector2d com_m = Eigen::Vector2d::Zero();         // added to the CoM reference, heading frame
   Eigen::Vector2d attitude_rad = Eigen::Vector2d::Zero();  // added roll, pitch of the base
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.com_m, self.attitude_rad);
+  }
 };
 
 // Over the batch's points the offset goes linearly from what the robot plays just before the batch to the new
@@ -23,6 +27,12 @@ class CorrectionFade {
 
   // Offset at a point: 0 is the first of the batch; beyond the tail's end as at its end.
   [[nodiscard]] BaseOffset at(std::uint64_t point) const noexcept;
+
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.sequence_, self.batch_count_, self.tail_count_, self.start_, self.target_);
+  }
 
  private:
   std::uint32_t sequence_ = 0;  // 0: none yet

@@ -36,6 +36,12 @@ class BalanceController {
   [[nodiscard]] const TrimFeedback& trims() const noexcept { return trims_; }
   [[nodiscard]] const HeadingFeedback& heading() const noexcept { return heading_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.timeline_, self.trims_, self.heading_, self.lean_, self.without_contact_s_);
+  }
+
  private:
   [[nodiscard]] bool is_usable(const Estimate* estimate, std::int64_t now_ns) const noexcept;
   [[nodiscard]] static std::optional<std::size_t> support_of(const std::optional<PlanMoment>& moment,

@@ -25,6 +25,12 @@ class HeadingFeedback {
 
   [[nodiscard]] double error_rad() const noexcept { return error_rad_; }  // filtered
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.last_difference_rad_, self.slip_rad_, self.corrected_rad_, self.error_rad_);
+  }
+
  private:
   double gain_per_s_, limit_rad_per_s_, filter_s_;
   std::optional<double> last_difference_rad_;  // measured - planned

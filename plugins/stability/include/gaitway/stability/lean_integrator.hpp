@@ -22,6 +22,12 @@ class LeanIntegrator {
   // Roll, pitch to add to the base's attitude: against the lean.
   [[nodiscard]] const std::array<double, 2>& offset_rad() const noexcept { return offset_rad_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.offset_rad_);
+  }
+
  private:
   double gain_per_s_, limit_rad_;
   std::array<double, 2> reference_rad_;

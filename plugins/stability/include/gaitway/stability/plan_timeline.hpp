@@ -27,6 +27,12 @@ class PlanTimeline {
   [[nodiscard]] std::optional<PlanMoment> at(std::int64_t now_ns,
                                              std::optional<std::uint32_t> accepted_sequence) const noexcept;
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.kept_, self.newest_);
+  }
+
  private:
   struct Excerpt {
     std::uint32_t sequence = 0;  // 0: none

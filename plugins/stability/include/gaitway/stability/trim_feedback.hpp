@@ -28,6 +28,12 @@ class TrimFeedback {
   [[nodiscard]] const msgclient::TrimGains& gains() const noexcept { return matrix_.gains; }
   [[nodiscard]] double limit_rad() const noexcept { return limit_rad_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.standing_s_, self.share_, self.hip_share_, self.law_rad_);
+  }
+
  private:
   void update_hip_share(bool both_feet) noexcept;
 

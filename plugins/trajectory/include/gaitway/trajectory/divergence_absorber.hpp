@@ -11,6 +11,10 @@ namespace gaitway::trajectory {
 struct ZmpOffset {
   static constexpr int kCapacity = 128;
   Eigen::Matrix<double, kCapacity, 2> point = Eigen::Matrix<double, kCapacity, 2>::Zero();
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.point);
+  }
 };
 
 // The divergent component of the CoM's motion ξ = c + ċ/ω (Takenaka et al., IROS 2009; Englsberger et al.,

@@ -32,6 +32,12 @@ class PlanContinuity {
   // Where the tail of the last accepted batch ends; the origin when there was none.
   [[nodiscard]] const Pose2& restart_stance() const noexcept { return accepted_stance_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.published_sequence_, self.published_stance_, self.accepted_stance_, self.broken_);
+  }
+
  private:
   std::uint32_t published_sequence_ = 0;  // 0: none, or its fate is settled
   Pose2 published_stance_, accepted_stance_;

@@ -18,6 +18,10 @@ struct Cart {
   Eigen::Matrix<double, 3, 2> motion =
       Eigen::Matrix<double, 3, 2>::Zero();                    // rows: m, m/s, m/s²; columns x, y
   Eigen::RowVector2d error_sum = Eigen::RowVector2d::Zero();  // of ZMP − reference, m
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.motion, self.error_sum);
+  }
 };
 
 struct PreviewParameters {

@@ -33,6 +33,11 @@ struct Step {
   Eigen::RowVector2d zmp_from = Eigen::RowVector2d::Zero(), zmp_to = Eigen::RowVector2d::Zero();
 
   [[nodiscard]] int points() const noexcept { return double_support_points + swing_points; }
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.swing, self.double_support_points, self.swing_points, self.last, self.lead_in, self.stance,
+            self.landing, self.velocity_before, self.velocity, self.zmp_from, self.zmp_to);
+  }
 };
 
 // All that a plan depends on; copied to make the safe tail.
@@ -47,6 +52,11 @@ struct PatternState {
   Step step;  // in flight while walking
   SwingFoot swing;
   std::array<Quintic, 2> settle;  // x, y of the CoM
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.phase, self.elapsed_points, self.cart, self.divergence, self.zmp_offset, self.feet,
+            self.foot_height_m, self.step, self.swing, self.settle);
+  }
 };
 
 // Plans in the frame `plan`. No allocation, no exception after construction.
@@ -73,6 +83,12 @@ class WalkingPattern {
   // The reference that the last batch's preview followed, offset included; row 0 is the batch's start. Empty
   // unless walking.
   [[nodiscard]] const ZmpReference& reference() const noexcept { return batch_reference_; }
+
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.state_, self.final_stance_);
+  }
 
  private:
   static constexpr int kMaxSteps = 40;

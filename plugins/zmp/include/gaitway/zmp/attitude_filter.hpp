@@ -33,6 +33,12 @@ class AttitudeFilter {
 
   [[nodiscard]] const Attitude& attitude() const noexcept { return attitude_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.has_tilt_, self.attitude_);
+  }
+
  private:
   double time_constant_s_;
   bool has_tilt_ = false;

@@ -32,6 +32,12 @@ class ComFilter {
   [[nodiscard]] const Eigen::Vector3d& state() const noexcept { return state_; }
   [[nodiscard]] const Eigen::Vector3d& gain() const noexcept { return gain_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.state_);
+  }
+
  private:
   double dt_s_;
   Eigen::Vector3d gain_ = Eigen::Vector3d::Zero();

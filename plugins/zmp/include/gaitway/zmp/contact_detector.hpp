@@ -27,6 +27,12 @@ class ContactDetector {
   }
   [[nodiscard]] urdf::Side support() const noexcept { return support_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.contact_, self.support_);
+  }
+
  private:
   ContactThresholds thresholds_;
   std::array<bool, 2> contact_{};

@@ -19,6 +19,12 @@ class GyroBias {
   [[nodiscard]] const Eigen::Vector3d& bias_rad_per_s() const noexcept { return bias_; }
   [[nodiscard]] bool is_still() const noexcept { return still_s_ >= still_time_s_; }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.bias_, self.still_s_, self.learned_s_);
+  }
+
  private:
   double still_rate_, still_joint_rate_, still_time_s_, time_constant_s_, limit_;
   Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();

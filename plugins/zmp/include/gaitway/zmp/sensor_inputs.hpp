@@ -53,12 +53,24 @@ class SensorInputs {
     return inclination_;
   }
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.joints_, self.forces_, self.imu_, self.faults_, self.position_rad_, self.fastest_leg_joint_,
+            self.force_N_, self.gyro_, self.acceleration_, self.inclination_);
+  }
+
  private:
   struct Source {
     std::uint64_t joints = 0;   // that bring it, as bits
     std::int64_t stamp_ns = 0;  // of the last good value
     int slots = 0;              // since the value before; 0: nothing new
     bool seen = false;
+
+    template <class Self, class Archive>
+    static void visit_state(Self& self, Archive& archive) {
+      archive(self.stamp_ns, self.slots, self.seen);
+    }
   };
 
   [[nodiscard]] bool is_fresh(const Source& source, std::int64_t stamp_ns, std::int64_t now_ns,

@@ -38,6 +38,13 @@ class StateEstimator {
   // Natural frequency of the pendulum at the estimated CoM height, sqrt(g / height).
   [[nodiscard]] double omega_rad_per_s() const noexcept;
 
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.contacts_, self.bias_, self.attitude_, self.com_, self.angular_velocity_, self.zmp_m_,
+            self.support_, self.started_, self.inputs_);
+  }
+
  private:
   void update_attitude() noexcept;
   void update_pressure() noexcept;
