@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <thread>
 
 #include "gaitway/core/main_controller.hpp"
+#include "gaitway/core/plugin_requests.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/process/real_time.hpp"
 
@@ -55,6 +57,24 @@ class EventPrinter {
   std::uint64_t next_ = 0;
 };
 
+// Plug-ins are loaded and destroyed beside the ticks, at ordinary priority.
+class Workshop {
+ public:
+  explicit Workshop(core::PluginRequests& requests)
+      : requests_(requests), thread_([&requests] {
+          while (requests.wait_for_work()) {
+            requests.work();
+          }
+        }) {}
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  ~Workshop() { requests_.end_work(); }
+
+ private:
+  core::PluginRequests& requests_;
+  std::jthread thread_;  // joined after end_work()
+};
+
 struct LoopResult {
   int exit_code = kExitFine;
   std::uint64_t missed_ticks = 0;
@@ -62,8 +82,8 @@ struct LoopResult {
 };
 
 // Absolute deadlines: lateness of one tick does not move the next.
-LoopResult run_ticks(core::MainController& controller, const msgclient::Client& client,
-                     const Options& options) {
+LoopResult run_ticks(core::MainController& controller, core::PluginRequests& requests,
+                     const msgclient::Client& client, const Options& options) {
   LoopResult result;
   EventPrinter printer;
   const std::int64_t begin_ns = process::monotonic_ns();
@@ -87,6 +107,7 @@ LoopResult run_ticks(core::MainController& controller, const msgclient::Client& 
       result.exit_code = kExitLost;
       break;
     }
+    requests.step(now_ns);
     if (tick % kTicksBetweenPrints == 0 && !options.quiet) {
       printer.print(controller.events());
     }
@@ -121,8 +142,10 @@ int run(const Options& options) {
   msgclient::Client client = msgclient::Client::connect(options.socket, "main_controller");
   msgclient::EmiHost host(client);
   core::MainController controller(robot, client, host, options.controller);
+  core::PluginRequests requests(client, controller.plugins());
+  const Workshop workshop(requests);
   process::ask_for_real_time("main_controller", kPriority);
-  const LoopResult result = run_ticks(controller, client, options);
+  const LoopResult result = run_ticks(controller, requests, client, options);
   if (!options.quiet) {
     print_summary(controller, result);
   }

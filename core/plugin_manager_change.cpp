@@ -199,8 +199,8 @@ std::optional<ChangeResult> PluginManager::take_result() {
   if (change_phase_ != ChangePhase::done && change_phase_ != ChangePhase::failed) {
     return std::nullopt;
   }
-  ChangeResult result{change_->name(), change_phase_ == ChangePhase::done, change_text_.data()};
-  change_.reset();  // destroys the plug-in that is no longer needed
+  ChangeResult result{change_->name(), change_phase_ == ChangePhase::done, change_text_.data(), nullptr};
+  result.remains = std::move(change_);
   change_phase_ = ChangePhase::none;
   return result;
 }

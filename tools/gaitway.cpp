@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/tools/ctl_command.hpp"
 #include "gaitway/tools/run_command.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
 
@@ -42,6 +43,8 @@ int main(int argc, char** argv) {
   app.footer("Examples:\n  gaitway run --walk 0.15 --seconds 20\n  gaitway run --help");
   gaitway::tools::RunOptions run_options;
   const CLI::App* const run = gaitway::tools::add_run_command(app, run_options);
+  gaitway::tools::CtlOptions ctl_options;
+  const CLI::App* const ctl = gaitway::tools::add_ctl_command(app, ctl_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -54,6 +57,9 @@ int main(int argc, char** argv) {
   try {
     if (run->parsed()) {
       return gaitway::tools::run(run_options);
+    }
+    if (ctl->parsed()) {
+      return gaitway::tools::ctl(*ctl, ctl_options);
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "gaitway: {}\n", error.what());

@@ -18,9 +18,7 @@ constexpr int kReloads = 100;
 // A walk with turns; plug-ins named in `reloaded` are replaced by turns, one in each batch.
 class ReloadedRun : public SimulatedRun {
  public:
-  ReloadedRun() : SimulatedRun(1) {
-    apply(walk_at(0.0, 0.15));
-  }
+  ReloadedRun() : SimulatedRun(1) { apply(walk_at(0.0, 0.15)); }
   void walk_until(double end_s) {
     while (time_s() < end_s && !metrics().fell) {
       cosimulation.advance_millisecond();
@@ -70,7 +68,8 @@ TEST_P(Reload, AHundredTimesWhileWalkingMakesNoDifferenceToTheJoints) {
   run.walk_until(end_of_run_s(kReloads));
   run.recorder.finish();
   EXPECT_FALSE(run.metrics().fell);
-  EXPECT_EQ(run.recorder.digest(), undisturbed_digest()) << "every frame and joint state is as without reloads";
+  EXPECT_EQ(run.recorder.digest(), undisturbed_digest())
+      << "every frame and joint state is as without reloads";
 }
 INSTANTIATE_TEST_SUITE_P(Plugins, Reload, testing::Values("trajectory", "kinematics", "stability", "zmp"),
                          [](const auto& instance) { return std::string(instance.param); });

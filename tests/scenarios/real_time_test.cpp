@@ -176,6 +176,32 @@ TEST_F(RealTime, TheRobotStandsWhenTheMainControllerIsKilledWhileItWalks) {
   EXPECT_GE(summary("message.json")["tails_played"].get<int>(), 1) << everything();
 }
 
+TEST_F(RealTime, PlugInsAreReplacedFromTheCommandLineWhileTheRobotWalks) {
+  const auto robot = start_robot();
+  const auto message_controller = start_message_controller("0.15,0,0");
+  const auto main_controller = start_main_controller();
+  const auto ctl = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"ctl", "--socket", path("memory")});
+    Process command(GAITWAY_COMMAND, folder / "ctl.txt", arguments);
+    const int code = command.wait();
+    return std::to_string(code) + " " + command.output();
+  };
+  std::this_thread::sleep_for(3s);  // it walks
+  for (const char* const plugin : {"trajectory", "kinematics", "stability", "zmp"}) {
+    EXPECT_THAT(ctl({"reload", plugin}),
+                testing::AllOf(testing::StartsWith("0 "), HasSubstr("state handed on")))
+        << everything();
+  }
+  EXPECT_THAT(ctl({"reload", "trajektory"}),
+              testing::AllOf(testing::StartsWith("2 "), HasSubstr("Did you mean 'trajectory'?")));
+  EXPECT_THAT(ctl({"unload", "kinematics"}), testing::AllOf(testing::StartsWith("0 "))) << everything();
+  EXPECT_THAT(ctl({"load", "kinematics"}), testing::AllOf(testing::StartsWith("0 "))) << everything();
+  EXPECT_EQ(main_controller->stop(), 0);
+  EXPECT_EQ(message_controller->stop(), 0);
+  EXPECT_EQ(robot->stop(), 0);
+  EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
+}
+
 TEST_F(RealTime, TheBusWaitsForAMessageControllerThatSleptForThirtyMilliseconds) {
   const auto robot = start_robot();
   const auto message_controller = start_message_controller("0.12,0,0");

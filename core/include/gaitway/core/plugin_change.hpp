@@ -28,13 +28,6 @@ struct PluginSlot {
   bool failed = false;   // in the last step
 };
 
-// What became of a change. `text` is for people.
-struct ChangeResult {
-  std::string name;  // of the plug-in
-  bool done = false;
-  std::string text;
-};
-
 // Everything that the tick needs to put it in place, and to take it back, without allocating. Made by
 // PluginManager::prepare_*.
 class PluginChange {
@@ -74,6 +67,14 @@ class PluginChange {
   std::size_t outgoing_index_;
   std::vector<std::unique_ptr<PluginSlot>> room_;
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();
+};
+
+// What became of a change. `text` is for people.
+struct ChangeResult {
+  std::string name;  // of the plug-in
+  bool done = false;
+  std::string text;
+  std::unique_ptr<PluginChange> remains;  // destroys the plug-in that is no longer needed
 };
 
 }  // namespace gaitway::core

@@ -71,8 +71,7 @@ class PluginManager {
   bool take_trial_back(const Tick& tick, std::string_view why) noexcept;
   // The new plug-in has stood its first tick. The next step() says so, too.
   void end_trial(const Tick& tick) noexcept;
-  // Off the tick: what became of the change; destroys the plug-in that is no longer needed. Nothing while it
-  // is under way.
+  // Off the tick: what became of the change. Nothing while it is under way.
   [[nodiscard]] std::optional<ChangeResult> take_result();
   // Between two steps: changes a live parameter. Throws ConfigurationError or PluginError.
   void set_parameter(std::string_view plugin, std::string_view parameter, const std::string& text);

@@ -1,0 +1,114 @@
+// Requests over the memory block: taken, carried out, answered, also with a second thread for what takes time.
+#include "gaitway/core/plugin_requests.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <thread>
+
+#include "plugin_fixture.hpp"
+
+namespace gaitway::core {
+namespace {
+
+using testing::HasSubstr;
+
+class PluginRequestsTest : public PluginFixture {
+ protected:
+  static PluginRequest request(PluginVerb verb, const std::string& plugin, const std::string& library = {}) {
+    PluginRequest result{};
+    result.number = 7;
+    result.verb = static_cast<std::uint32_t>(verb);
+    std::memcpy(result.plugin, plugin.data(), plugin.size());
+    std::memcpy(result.library, library.data(), library.size());
+    return result;
+  }
+  // Ticks until the answer is there; `work` stands for the other thread.
+  template <class Work>
+  PluginAnswer ask(const PluginRequest& wanted, const Work& work) {
+    EXPECT_TRUE(writer.push(wanted, 0));
+    PluginAnswer answer{};
+    for (int i = 0; i < 100'000 && !answers.read(answer); ++i) {
+      manager->step(tick(++number));
+      requests.step(0);
+      work();
+    }
+    EXPECT_EQ(answer.number, 7U);
+    return answer;
+  }
+  PluginAnswer ask(const PluginRequest& wanted) {
+    return ask(wanted, [this] { requests.work(); });
+  }
+  static std::string text_of(const PluginAnswer& answer) {
+    return reinterpret_cast<const char*>(answer.text);
+  }
+  double value() {
+    Correction correction{};
+    EXPECT_TRUE(other.read<Correction>("out").read(correction));
+    return correction.com_offset[0];
+  }
+
+  std::unique_ptr<PluginManager> manager =
+      load("  - {name: c, library: counter.so}\n" + relay("r", "from: out, to: copy"));
+  PluginRequests requests{client, *manager};
+  msgclient::StreamReader<PluginAnswer> answers = other.read_stream<PluginAnswer>("plugin_answer");
+  msgclient::QueueWriter<PluginRequest> writer = other.write_queue<PluginRequest>("plugin_request");
+  std::uint32_t number = 0;
+};
+
+TEST_F(PluginRequestsTest, ReloadsWithoutLosingACount) {
+  const PluginAnswer answer = ask(request(PluginVerb::reload, "c"));
+  EXPECT_TRUE(answer.done) << text_of(answer);
+  EXPECT_THAT(text_of(answer), HasSubstr("8 bytes of state handed on"));
+  EXPECT_EQ(value(), number);
+}
+
+TEST_F(PluginRequestsTest, LoadsAndUnloads) {
+  EXPECT_TRUE(ask(request(PluginVerb::unload, "r")).done);
+  EXPECT_EQ(manager->size(), 1U);
+  const PluginAnswer answer = ask(request(PluginVerb::load, "plain", "plain_c.so"));
+  EXPECT_TRUE(answer.done) << text_of(answer);
+  EXPECT_EQ(manager->size(), 2U);
+}
+
+TEST_F(PluginRequestsTest, SetsALiveParameter) {
+  PluginRequest set = request(PluginVerb::set, "c");
+  std::strcpy(reinterpret_cast<char*>(set.parameter), "offset");
+  std::strcpy(reinterpret_cast<char*>(set.value), "0.5 m");
+  EXPECT_TRUE(ask(set).done);
+  manager->step(tick(++number));
+  EXPECT_EQ(value(), number + 0.5);
+}
+
+TEST_F(PluginRequestsTest, RefusesWithAReasonAndChangesNothing) {
+  const auto refused = [this](const PluginRequest& wanted) {
+    const PluginAnswer answer = ask(wanted);
+    EXPECT_FALSE(answer.done);
+    return text_of(answer);
+  };
+  EXPECT_THAT(refused(request(PluginVerb::reload, "d")), HasSubstr("there is no plug-in 'd'"));
+  EXPECT_THAT(refused(request(PluginVerb::reload, "c", "other_abi.so")), HasSubstr("ABI"));
+  EXPECT_THAT(refused(request(PluginVerb::reload, "c", "throws_in_constructor.so")),
+              HasSubstr("no calibration file"));
+  EXPECT_THAT(refused(request(PluginVerb::unload, "c")), HasSubstr("nobody writes it"));
+  EXPECT_THAT(refused(request(static_cast<PluginVerb>(9), "c")), HasSubstr("no verb 9"));
+  EXPECT_EQ(value(), number) << "it went on counting";
+}
+
+TEST_F(PluginRequestsTest, AnotherThreadDoesTheSlowPart) {
+  std::thread worker([this] {
+    while (requests.wait_for_work()) {
+      requests.work();
+    }
+  });
+  for (int i = 0; i < 10; ++i) {
+    const PluginAnswer answer = ask(request(PluginVerb::reload, "c"), [] { std::this_thread::yield(); });
+    EXPECT_TRUE(answer.done) << text_of(answer);
+    EXPECT_EQ(value(), number);
+  }
+  requests.end_work();
+  worker.join();
+}
+
+}  // namespace
+}  // namespace gaitway::core

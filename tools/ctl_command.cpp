@@ -1,0 +1,120 @@
+// One request over the memory block, one answer.
+#include "gaitway/tools/ctl_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+
+#include "gaitway/core/plugin_requests.hpp"
+#include "gaitway/msgclient/client.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/process/real_time.hpp"
+#include "gaitway/tools/run_command.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using core::PluginVerb;
+
+struct Verb {
+  const char* name;
+  PluginVerb verb;
+  const char* help;
+};
+constexpr std::array kVerbs{
+    Verb{"reload", PluginVerb::reload, "Put a plug-in's new version in its place, with its state"},
+    Verb{"load", PluginVerb::load, "Load a plug-in beside the others"},
+    Verb{"unload", PluginVerb::unload, "Take a plug-in out"},
+    Verb{"set", PluginVerb::set, "Change a parameter that may change while the plug-in runs"}};
+
+template <std::size_t size>
+void copy_text(const std::string& text, std::uint8_t (&field)[size], std::string_view what) {
+  if (text.size() >= size) {
+    throw std::invalid_argument(fmt::format("{} '{}' is longer than {} bytes", what, text, size - 1));
+  }
+  std::memcpy(field, text.data(), text.size());
+}
+
+PluginRequest request_of(PluginVerb verb, const CtlOptions& options) {
+  PluginRequest request{};
+  request.number = std::random_device{}();
+  request.verb = static_cast<std::uint32_t>(verb);
+  copy_text(options.plugin, request.plugin, "the plug-in's name");
+  // The main controller has a working directory of its own.
+  const bool is_path = options.library.find('/') != std::string::npos;
+  copy_text(is_path ? std::filesystem::absolute(options.library).string() : options.library, request.library,
+            "the library's path");
+  copy_text(options.parameter, request.parameter, "the parameter's name");
+  copy_text(options.value, request.value, "the value");
+  return request;
+}
+
+PluginVerb parsed_verb(const CLI::App& command) {
+  const auto verb = std::find_if(kVerbs.begin(), kVerbs.end(),
+                                 [&](const Verb& one) { return command.got_subcommand(one.name); });
+  return verb->verb;  // one is required
+}
+
+}  // namespace
+
+CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
+  CLI::App* const command = app.add_subcommand("ctl", "Change the plug-ins of a running main controller");
+  command->add_option("--socket", options.socket, "Socket of the message controller's memory block")->required();
+  command->add_option("--timeout", options.timeout_s, "Seconds to wait for the answer")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command->require_subcommand(1);
+  for (const Verb& verb : kVerbs) {
+    CLI::App* const sub = command->add_subcommand(verb.name, verb.help);
+    sub->add_option("plugin", options.plugin, "Its name in the configuration")->required();
+    if (verb.verb == PluginVerb::set) {
+      sub->add_option("parameter", options.parameter, "Name of the parameter")->required();
+      sub->add_option("value", options.value, "New value, with its unit")->required();
+    } else if (verb.verb != PluginVerb::unload) {
+      sub->add_option("--library", options.library, "File, or name on the plug-in path; default: as before");
+    }
+  }
+  command->footer(
+      "Examples:\n"
+      "  gaitway ctl --socket /run/gaitway.sock reload trajectory\n"
+      "  gaitway ctl --socket /run/gaitway.sock reload sway --library build/libsway.so\n"
+      "  gaitway ctl --socket /run/gaitway.sock set sway amplitude \"0.03 m\"\n"
+      "A plug-in that cannot take its place leaves the old one where it is. Exit code: 0 done, 1 the input was\n"
+      "bad or nobody serves the socket, 2 refused, 3 no answer.");
+  return command;
+}
+
+int ctl(const CLI::App& command, const CtlOptions& options) {
+  const PluginRequest request = request_of(parsed_verb(command), options);
+  msgclient::Client client = msgclient::Client::connect(options.socket, "ctl");
+  auto answers = client.read_stream<PluginAnswer>("plugin_answer");
+  auto requests = client.write_queue<PluginRequest>("plugin_request");
+  if (!requests.push(request, process::monotonic_ns())) {
+    fmt::print(stderr, "gaitway ctl: too many requests are waiting. Is the main controller running?\n");
+    return kExitNoAnswer;
+  }
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.timeout_s);
+  PluginAnswer answer{};
+  while (std::chrono::steady_clock::now() < end) {
+    if (answers.read(answer) && answer.number == request.number) {
+      const auto* const text = reinterpret_cast<const char*>(answer.text);
+      const bool done = answer.done != 0;
+      fmt::print(done ? stdout : stderr, "{}: {}\n", options.plugin,
+                 std::string_view(text, strnlen(text, sizeof answer.text)));
+      return done ? kExitFine : kExitRefused;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the memory block has no doorbell for us
+  }
+  fmt::print(stderr, "gaitway ctl: no answer within {} s. Is the main controller running?\n", options.timeout_s);
+  return kExitNoAnswer;
+}
+
+}  // namespace gaitway::tools
