@@ -47,7 +47,8 @@ TEST_F(Footsteps, LimitIsNamed) {
 
 TEST_F(Footsteps, TurnedFootStaysClearOfTheStanceFoot) {
   for (const Side swing : {Side::left, Side::right}) {
-    for (double turn = -0.24; turn <= 0.24; turn += 0.04) {
+    for (int percent = -24; percent <= 24; percent += 4) {
+      const double turn = percent * 0.01;
       const double side = sign_of(swing);
       const double y = side * planner.least_spacing_m(swing, turn);
       double innermost = 1.0;
