@@ -1,28 +1,27 @@
 # The few functions with which a room declares its targets, so that each CMakeLists.txt stays a few lines.
+include(gaitway_plugin_module)
 
 # The public headers of a room: its include/ folder. The warnings apply to what we compile, not to our users.
 function(gaitway_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   if(arg_SOURCES)
     add_library(gaitway_${name} STATIC ${arg_SOURCES})
-    target_include_directories(gaitway_${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include")
-    target_link_libraries(gaitway_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS} $<BUILD_INTERFACE:gaitway_compiler>)
+    target_include_directories(gaitway_${name} PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>")
+    target_link_libraries(gaitway_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
+    # Options alone, no link: the exported package must not name this target.
+    target_compile_options(gaitway_${name} PRIVATE $<TARGET_PROPERTY:gaitway_compiler,INTERFACE_COMPILE_OPTIONS>)
   else()
     add_library(gaitway_${name} INTERFACE)
-    target_include_directories(gaitway_${name} INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    target_include_directories(gaitway_${name} INTERFACE "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>")
     target_link_libraries(gaitway_${name} INTERFACE ${arg_LINKS})
   endif()
   add_library(gaitway::${name} ALIAS gaitway_${name})
 endfunction()
 
-# A plug-in: lib/libgaitway_plugin_<name>.so with the entry symbol visible and nothing else.
+# A plug-in: lib/gaitway/plugins/libgaitway_plugin_<name>.so.
 function(gaitway_plugin name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
-  add_library(gaitway_plugin_${name} MODULE ${arg_SOURCES})
-  target_link_libraries(gaitway_plugin_${name} PRIVATE gaitway::plugin ${arg_LINKS} gaitway_compiler)
-  target_link_options(gaitway_plugin_${name} PRIVATE
-    "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plugin.map" "LINKER:--exclude-libs,ALL")
-  set_target_properties(gaitway_plugin_${name} PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/plugin.map")
+  gaitway_plugin_module(gaitway_plugin_${name} ${ARGN})
+  target_link_libraries(gaitway_plugin_${name} PRIVATE gaitway_compiler)
 endfunction()
 
 function(gaitway_executable name)

@@ -163,9 +163,8 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
   app.add_option("--config", options.controller.configuration, "Plug-ins and their parameters (YAML)")
       ->required();
-  app.add_option(
-      "--plugin-path", options.controller.plugin_path,
-      "Folders to look for plug-ins in, before GAITWAY_PLUGIN_PATH and ../lib beside this program");
+  app.add_option("--plugin-path", options.controller.plugin_path,
+                 "Folders to look for plug-ins in, before GAITWAY_PLUGIN_PATH and the shipped ones");
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "gaitway/process/installation.hpp"
 #include "library_copy.hpp"
 
 namespace gaitway::core {
@@ -106,11 +107,7 @@ SearchPath plugin_search_path(const SearchPath& given) {
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
-  std::error_code unknown;
-  const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) {
-    add(executable.parent_path().parent_path() / "lib");
-  }
+  add(process::shipped_plugin_directory());
   return path;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "gaitway/msgclient/cycle.hpp"
 
@@ -29,13 +30,15 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       plant_(robot_, options.plant),
       joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
       message_controller_(robot_, message_client_, adapter_.message()),
-      walk_command_(behavior_client_.write<WalkCommand>("walk_command")),
       message_transmitter_(bus_.attach()),
       fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {
   for (int joint = 0; joint < joints_.size(); ++joint) {
     joint_station_.push_back(bus_.attach());
   }
-  walk_command_.publish(WalkCommand{}, 0);
+  if (!options_.plugin_commands_walk) {
+    walk_command_.emplace(behavior_client_.write<WalkCommand>("walk_command"));
+    walk_command_->publish(WalkCommand{}, 0);
+  }
   main_controller_ =
       std::make_unique<core::MainController>(robot_, main_client_, adapter_.host(), options_.main_controller);
 }
@@ -137,13 +140,16 @@ void Cosimulation::apply(const ScenarioEvent& event) {
   struct Visitor {
     Cosimulation& self;
     void operator()(const WalkEvent& walk) const {
+      if (!self.walk_command_) {
+        throw std::invalid_argument("a plug-in writes walk_command: it alone commands the walk");
+      }
       WalkCommand command{};
       command.stamp_ns = self.now_ns_;
       command.walk = walk.walk ? 1U : 0U;
       command.velocity[0] = walk.velocity_m_per_s.x();
       command.velocity[1] = walk.velocity_m_per_s.y();
       command.turn_rate = walk.turn_rate_rad_per_s;
-      self.walk_command_.publish(command, self.now_ns_);
+      self.walk_command_->publish(command, self.now_ns_);
     }
     void operator()(const StopEvent&) const { post(msgclient::UserCommandKind::stop); }
     void operator()(const EmergencyStopEvent& stop) const {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "gaitway/tools/ctl_command.hpp"
+#include "gaitway/tools/new_plugin_command.hpp"
+#include "gaitway/tools/plugins_command.hpp"
 #include "gaitway/tools/run_command.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
 
@@ -33,18 +35,24 @@ void explain_rest(const CLI::App& app) {
              gaitway::urdf::suggest(rest.front(), known));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_gaitway(int argc, char** argv) {
   CLI::App app{
       "Gaitway: the main controller of a humanoid robot, and everything below it that makes it move."};
   app.require_subcommand(1);
   app.set_version_flag("--version", GAITWAY_VERSION);
-  app.footer("Examples:\n  gaitway run --walk 0.15 --seconds 20\n  gaitway run --help");
+  app.footer(
+      "Examples:\n"
+      "  gaitway run --walk 0.15 --seconds 20\n"
+      "  gaitway new-plugin my_gait --kind trajectory\n"
+      "  gaitway run --help");
   gaitway::tools::RunOptions run_options;
+  gaitway::tools::NewPluginOptions new_plugin_options;
+  gaitway::tools::PluginsOptions plugins_options;
   const CLI::App* const run = gaitway::tools::add_run_command(app, run_options);
   gaitway::tools::CtlOptions ctl_options;
   const CLI::App* const ctl = gaitway::tools::add_ctl_command(app, ctl_options);
+  const CLI::App* const new_plugin = gaitway::tools::add_new_plugin_command(app, new_plugin_options);
+  const CLI::App* const plugins = gaitway::tools::add_plugins_command(app, plugins_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -54,16 +62,28 @@ int main(int argc, char** argv) {
     explain_rest(app);
     return gaitway::tools::kExitBadInput;
   }
+  if (run->parsed()) {
+    return gaitway::tools::run(run_options);
+  }
+  if (ctl->parsed()) {
+    return gaitway::tools::ctl(*ctl, ctl_options);
+  }
+  if (plugins->parsed()) {
+    return gaitway::tools::list_plugins(plugins_options);
+  }
+  if (new_plugin->parsed()) {
+    gaitway::tools::write_new_plugin(new_plugin_options);
+  }
+  return gaitway::tools::kExitFine;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    if (run->parsed()) {
-      return gaitway::tools::run(run_options);
-    }
-    if (ctl->parsed()) {
-      return gaitway::tools::ctl(*ctl, ctl_options);
-    }
+    return run_gaitway(argc, argv);
   } catch (const std::exception& error) {
     fmt::print(stderr, "gaitway: {}\n", error.what());
     return gaitway::tools::kExitBadInput;
   }
-  return gaitway::tools::kExitFine;
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -12,10 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "gaitway/core/plugin_exchange.hpp"
+#include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
-#include "gaitway/tools/installation.hpp"
 #include "gaitway/tools/run_recorder.hpp"
 #include "gaitway/tools/run_report.hpp"
 #include "gaitway/tools/run_summary.hpp"
@@ -35,15 +37,38 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// The file, or the shipped scenario of that name.
+std::filesystem::path scenario_file(const std::filesystem::path& given) {
+  const std::filesystem::path shipped = process::scenario_directory() / given;
+  return !std::filesystem::exists(given) && std::filesystem::exists(shipped) ? shipped : given;
+}
+
 simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotModel& robot) {
   if (options.scenario) {
-    simulator::Scenario scenario = simulator::load_scenario(*options.scenario, robot);
+    simulator::Scenario scenario = simulator::load_scenario(scenario_file(*options.scenario), robot);
     scenario.seconds = options.seconds.value_or(scenario.seconds);
     return scenario;
   }
   std::vector<double> walk = options.walk.value_or(std::vector<double>{kDefaultSpeed_m_per_s});
   walk.resize(3, 0.0);
   return simulator::walk_scenario(walk[0], walk[1], walk[2], options.seconds.value_or(kDefaultSeconds));
+}
+
+// A plug-in that commands the walk is not contradicted: what was asked for is refused, the default is left
+// out.
+void leave_walk_to(const std::string& plugin, const RunOptions& options, simulator::Scenario& scenario) {
+  const auto walks = [](const simulator::ScenarioEvent& event) {
+    return std::holds_alternative<simulator::WalkEvent>(event.action);
+  };
+  const bool asked = options.walk ||
+                     (options.scenario && std::any_of(scenario.events.begin(), scenario.events.end(), walks));
+  if (asked) {
+    throw std::invalid_argument(
+        fmt::format("{}: the plug-in '{}' writes walk_command and alone commands the walk. Leave the walk "
+                    "out, or the plug-in",
+                    options.walk ? "--walk" : options.scenario->string(), plugin));
+  }
+  std::erase_if(scenario.events, walks);
 }
 
 // A line that rewrites itself on a terminal, and nothing where output goes to a file.
@@ -145,18 +170,34 @@ void check(const RunOptions& options) {
   }
 }
 
+core::PluginExchange plugins_of(const RunOptions& options) {
+  core::PluginExchange plugins =
+      core::put_in(core::read_configuration(options.config), options.with,
+                   {.robot_directory = options.robot, .plugin_path = core::plugin_search_path({})});
+  for (const core::AddedPlugin& added : plugins.added) {
+    if (!options.quiet) {
+      fmt::print("{}\n", core::describe(added));
+    }
+  }
+  return plugins;
+}
+
 }  // namespace
 
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   CLI::App* const run =
       app.add_subcommand("run", "Run the simulated robot headless, faster than real time, and report");
-  options.robot = default_robot_directory();
-  options.config = default_config_file();
+  options.robot = process::default_robot_directory();
+  options.config = process::default_config_file();
   run->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
   run->add_option("--config", options.config, "Plug-ins of the main controller (YAML)")
       ->capture_default_str();
-  auto* const scenario =
-      run->add_option("--scenario", options.scenario, "Timed commands, pushes and faults (YAML)");
+  run->add_option("--with", options.with,
+                  "Plug-in library to run, in the place of those whose topics it writes; may be given again")
+      ->allow_extra_args(false);
+  auto* const scenario = run->add_option("--scenario", options.scenario,
+                                         "Timed commands, pushes and faults (YAML); a file, or the name of a "
+                                         "shipped one");
   run->add_option("--walk", options.walk,
                   "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
       ->delimiter(',')
@@ -174,7 +215,8 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       "Examples:\n"
       "  gaitway run                                      walks straight on at 0.15 m/s for 20 s\n"
       "  gaitway run --walk 0.1,0.03,0.2 --seconds 30     forward, sideways and turning\n"
-      "  gaitway run --scenario tools/scenarios/push.yaml --seed 7 --out out/push\n"
+      "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
+      "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
       "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
   return run;
 }
@@ -182,12 +224,18 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
 int run(const RunOptions& options) {
   check(options);
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
-  const simulator::Scenario scenario = scenario_of(options, robot);
+  simulator::Scenario scenario = scenario_of(options, robot);
+  const core::PluginExchange plugins = plugins_of(options);
+  const std::string commander = plugins.writer_of("walk_command");
+  if (!commander.empty()) {
+    leave_walk_to(commander, options, scenario);
+  }
   simulator::CosimulationOptions cosimulation_options;
   cosimulation_options.plant.seed = options.seed;
   cosimulation_options.plant.mismatch = options.mismatch;
   cosimulation_options.main_controller.configuration = options.config;
-  cosimulation_options.main_controller.plugin_path = plugin_directories();
+  cosimulation_options.main_controller.plugins = plugins.configuration;
+  cosimulation_options.plugin_commands_walk = !commander.empty();
   simulator::Cosimulation cosimulation(robot, cosimulation_options);
   prepare_output(options.out);
 

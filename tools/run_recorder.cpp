@@ -54,6 +54,7 @@ RunRecorder::RunRecorder(simulator::Cosimulation& run, const std::filesystem::pa
       estimate_(run.client().read<Estimate>("estimate")),
       motion_plan_(run.client().read<MotionPlan>("motion_plan")),
       trim_(run.client().read<TrimCommand>("trim")),
+      walk_command_(run.client().read<WalkCommand>("walk_command")),
       keep_samples_(keep_samples) {
   if (!bus_log.empty()) {
     bus_log_.emplace(bus_log);
@@ -93,6 +94,7 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
   }
   if (core::is_tick(now_ns - msgclient::kMillisecond_ns)) {
     read_plan();
+    follow_walk_command(now_ns);
     add_sample(now_ns);
   }
 }
@@ -117,14 +119,26 @@ const MotionPlan* RunRecorder::running_plan(std::uint32_t cycle) const noexcept 
 
 void RunRecorder::on_event(const simulator::ScenarioEvent& event, std::int64_t now_ns) {
   if (const auto* const walk = std::get_if<simulator::WalkEvent>(&event.action)) {
-    commanded_turn_rate_rad_per_s_ = walk->walk ? walk->turn_rate_rad_per_s : 0.0;
-    if (walk->walk != walking_) {
-      walking_ = walk->walk;
-      walking_since_ns_ = now_ns;
-    }
+    on_command(walk->walk, walk->turn_rate_rad_per_s, now_ns);
   } else if (std::holds_alternative<simulator::StopEvent>(event.action)) {
     walking_ = false;
     commanded_turn_rate_rad_per_s_ = 0.0;
+  }
+}
+
+void RunRecorder::on_command(bool walk, double turn_rate_rad_per_s, std::int64_t now_ns) {
+  commanded_turn_rate_rad_per_s_ = walk ? turn_rate_rad_per_s : 0.0;
+  if (walk != walking_) {
+    walking_ = walk;
+    walking_since_ns_ = now_ns;
+  }
+}
+
+// Where a plug-in commands the walk there are no walk events.
+void RunRecorder::follow_walk_command(std::int64_t now_ns) {
+  WalkCommand command{};
+  if (run_.plugin_commands_walk() && walk_command_.read(command).status == msgclient::ReadStatus::value) {
+    on_command(command.walk != 0, command.turn_rate, now_ns);
   }
 }
 

@@ -22,7 +22,8 @@ namespace gaitway::core {
 
 struct MainControllerOptions {
   std::filesystem::path configuration;      // YAML; see configuration.hpp
-  SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and ../lib beside the executable
+  std::optional<Configuration> plugins;     // instead of reading that file
+  SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
   WallClock wall_clock = &steady_clock_ns;  // for compute times; nullptr: they count as 0
 };
 

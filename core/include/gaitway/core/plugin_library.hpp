@@ -14,7 +14,7 @@ namespace gaitway::core {
 using SearchPath = std::vector<std::filesystem::path>;
 
 // `given`, then the folders of the environment variable GAITWAY_PLUGIN_PATH (colons between them), then the
-// folder ../lib beside the running executable; each once.
+// folder of the shipped plug-ins; each once.
 [[nodiscard]] SearchPath plugin_search_path(const SearchPath& given);
 
 class LibraryCopy;

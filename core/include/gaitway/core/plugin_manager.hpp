@@ -26,7 +26,7 @@ namespace gaitway::core {
 
 struct PluginManagerOptions {
   std::filesystem::path robot_directory;
-  SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and ../lib beside the executable
+  SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
   WallClock wall_clock = &steady_clock_ns;  // measures steps; nullptr: they count as 0
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct CosimulationOptions {
   PlantOptions plant;
   double largest_clock_drift_ppm = 50.0;
   core::MainControllerOptions main_controller;
+  bool plugin_commands_walk = false;  // a plug-in writes `walk_command`: walk events are refused
   // What the main controller's work is charged in virtual time: from a tick to its mails lying in the window.
   std::int64_t tick_cost_ns = 100'000;
   std::int64_t batch_cost_ns = 500'000;
@@ -51,7 +53,8 @@ class Cosimulation {
   void observe(CosimulationObserver* observer) noexcept { observer_ = observer; }
   void advance_millisecond();
 
-  // From outside; all of it takes effect in the millisecond that comes next.
+  // From outside; all of it takes effect in the millisecond that comes next. Throws std::invalid_argument for
+  // a walk event when a plug-in commands the walk.
   void apply(const ScenarioEvent& event);
 
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
@@ -66,6 +69,7 @@ class Cosimulation {
   // For changes between two milliseconds.
   [[nodiscard]] core::PluginManager& plugins() noexcept { return main_controller_->plugins(); }
   [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
+  [[nodiscard]] bool plugin_commands_walk() const noexcept { return options_.plugin_commands_walk; }
   [[nodiscard]] const urdf::RobotModel& robot() const noexcept { return robot_; }
 
  private:
@@ -88,7 +92,7 @@ class Cosimulation {
   can::SimulatedBus bus_;
   msgcontroller::MessageController message_controller_;
   std::unique_ptr<core::MainController> main_controller_;
-  msgclient::Writer<WalkCommand> walk_command_;
+  std::optional<msgclient::Writer<WalkCommand>> walk_command_;  // none: a plug-in writes it
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

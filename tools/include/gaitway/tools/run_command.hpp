@@ -16,8 +16,9 @@ class App;
 namespace gaitway::tools {
 
 struct RunOptions {
-  std::filesystem::path robot;   // folder with robot.urdf and robot.yaml
-  std::filesystem::path config;  // plug-ins of the main controller
+  std::filesystem::path robot;              // folder with robot.urdf and robot.yaml
+  std::filesystem::path config;             // plug-ins of the main controller
+  std::vector<std::filesystem::path> with;  // libraries put into it; see core/plugin_exchange.hpp
   std::optional<std::filesystem::path> scenario;
   std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
   std::optional<double> seconds;

@@ -40,6 +40,8 @@ class RunRecorder final : public simulator::CosimulationObserver {
 
  private:
   void read_plan();
+  void follow_walk_command(std::int64_t now_ns);
+  void on_command(bool walk, double turn_rate_rad_per_s, std::int64_t now_ns);
   void add_sample(std::int64_t now_ns);
   [[nodiscard]] const MotionPlan* running_plan(std::uint32_t cycle) const noexcept;
   void measure_progress(std::int64_t now_ns, const RunSample& sample);
@@ -53,6 +55,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   msgclient::Reader<Estimate> estimate_;
   msgclient::Reader<MotionPlan> motion_plan_;
   msgclient::Reader<TrimCommand> trim_;
+  msgclient::Reader<WalkCommand> walk_command_;
   std::optional<can::CandumpWriter> bus_log_;
   bool keep_samples_;
   RunDigest digest_;

@@ -1,0 +1,80 @@
+# What is installed and packaged, and the same layout and CMake package in the build tree. See
+# process/include/gaitway/process/installation.hpp for the layout.
+include(CMakePackageConfigHelpers)
+
+set(gaitway_package_folder lib/cmake/gaitway)
+set(gaitway_built_package "${CMAKE_BINARY_DIR}/${gaitway_package_folder}")
+set(gaitway_shipped_plugins gaitway_plugin_trajectory gaitway_plugin_kinematics gaitway_plugin_zmp gaitway_plugin_stability)
+set(gaitway_author_libraries plugin msgclient_topics simulated_robot_headers process msgclient urdf
+    trajectory kinematics zmp stability)
+
+# Files that programs read: linked into the build tree, copied by an installation.
+function(gaitway_shared_folder name source)
+  file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway")
+  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/${source}" "${CMAKE_BINARY_DIR}/share/gaitway/${name}" SYMBOLIC)
+endfunction()
+gaitway_shared_folder(urdf urdf)
+gaitway_shared_folder(config core/config)
+gaitway_shared_folder(scenarios tools/scenarios)
+gaitway_shared_folder(templates tools/templates)
+install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
+install(DIRECTORY core/config tools/scenarios tools/templates DESTINATION share/gaitway)
+install(FILES docs/first-plugin.md docs/architecture.md docs/real_time.md LICENSE DESTINATION share/doc/gaitway)
+install(DIRECTORY docs/examples DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
+
+# Programs and what they load.
+foreach(program IN ITEMS gaitway main_controller message_controller virtual_robot)
+  set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/gaitway")
+  install(TARGETS ${program} RUNTIME DESTINATION bin)
+endforeach()
+install(TARGETS ${gaitway_shipped_plugins} LIBRARY DESTINATION lib/gaitway/plugins)
+set_target_properties(gaitway_simulated_robot PROPERTIES INSTALL_RPATH "$ORIGIN")
+install(TARGETS gaitway_simulated_robot LIBRARY DESTINATION lib/gaitway)
+install(FILES "${gaitway_mujoco_library}" DESTINATION lib/gaitway)
+
+# Headers: of core and msgclient only what a plug-in's author includes, which plugin.hpp says itself.
+file(STRINGS core/include/gaitway/core/plugin.hpp core_includes REGEX "^#include \"gaitway/core/[a-z_]+\\.hp*\"")
+list(TRANSFORM core_includes REPLACE "^#include \"(.*)\"$" "core/include/\\1")
+install(FILES core/include/gaitway/core/plugin.hpp ${core_includes} DESTINATION include/gaitway/core)
+install(DIRECTORY core/include/gaitway/core/detail DESTINATION include/gaitway/core)
+install(FILES msgclient/include/gaitway/msgclient/type_descriptor.hpp msgclient/include/gaitway/msgclient/trim_law.hpp
+              "${CMAKE_BINARY_DIR}/msgclient/generated/gaitway/msgclient/topics.h"
+              "${CMAKE_BINARY_DIR}/msgclient/generated/gaitway/msgclient/topics.hpp"
+        DESTINATION include/gaitway/msgclient)
+install(FILES simulator/include/gaitway/simulator/simulated_robot.hpp DESTINATION include/gaitway/simulator)
+install(DIRECTORY urdf/include/ plugins/trajectory/include/ plugins/kinematics/include/ plugins/zmp/include/
+                  plugins/stability/include/ DESTINATION include)
+
+# The CMake package and the pkg-config file.
+foreach(library IN LISTS gaitway_author_libraries)
+  set_target_properties(gaitway_${library} PROPERTIES EXPORT_NAME ${library})
+  install(TARGETS gaitway_${library} EXPORT gaitway ARCHIVE DESTINATION lib/gaitway INCLUDES DESTINATION include)
+endforeach()
+install(EXPORT gaitway NAMESPACE gaitway:: FILE gaitwayTargets.cmake DESTINATION ${gaitway_package_folder})
+export(EXPORT gaitway NAMESPACE gaitway:: FILE "${gaitway_built_package}/gaitwayTargets.cmake")
+configure_file(cmake/gaitwayConfig.cmake.in "${gaitway_built_package}/gaitwayConfig.cmake" @ONLY)
+write_basic_package_version_file("${gaitway_built_package}/gaitwayConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+foreach(file IN ITEMS cmake/plugin.map cmake/gaitway_plugin_module.cmake msgclient/schema/generate_topics.cmake
+        msgclient/schema/generate.py)
+  configure_file(${file} "${gaitway_built_package}" COPYONLY)
+  get_filename_component(name ${file} NAME)
+  install(FILES "${gaitway_built_package}/${name}" DESTINATION ${gaitway_package_folder})
+endforeach()
+install(FILES "${gaitway_built_package}/gaitwayConfig.cmake" "${gaitway_built_package}/gaitwayConfigVersion.cmake"
+        DESTINATION ${gaitway_package_folder})
+configure_file(cmake/gaitway-plugin.pc.in "${CMAKE_BINARY_DIR}/lib/pkgconfig/gaitway-plugin.pc" @ONLY)
+install(FILES "${CMAKE_BINARY_DIR}/lib/pkgconfig/gaitway-plugin.pc" DESTINATION lib/pkgconfig)
+
+# One Debian package. Recommended: what building a plug-in and drawing pictures take.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The Gaitway developers <gaitway@localhost>")
+set(CPACK_PACKAGE_VENDOR "Gaitway")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${GAITWAY_MUJOCO_DIR}")
+list(JOIN "g++;cmake;make;libgtest-dev;libgmock-dev;libeigen3-dev;liborocos-kdl-dev;liburdfdom-dev;libyaml-cpp-dev;libfmt-dev;libegl1;libgl1-mesa-dri"
+     ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
+include(CPack)

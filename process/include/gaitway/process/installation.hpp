@@ -1,0 +1,25 @@
+// Where the parts of this installation lie, found from the place of the running code: nothing of it is fixed
+// at build time, so an installation may be moved. A build tree is laid out like an installation.
+//
+//   <root>/bin                          programs
+//   <root>/lib/gaitway                  libraries that they bring along; plugins/ the plug-ins
+//   <root>/share/gaitway                urdf/, config/, scenarios/, templates/
+#pragma once
+
+#include <filesystem>
+
+namespace gaitway::process {
+
+// The folders hold what they should, or std::runtime_error says where it was looked for.
+[[nodiscard]] std::filesystem::path default_robot_directory();
+[[nodiscard]] std::filesystem::path default_config_file();
+[[nodiscard]] std::filesystem::path scenario_directory();
+[[nodiscard]] std::filesystem::path template_directory();
+
+// Where the shipped plug-ins are; empty if this code lies in no installation.
+[[nodiscard]] std::filesystem::path shipped_plugin_directory();
+
+// The folder that find_package(gaitway) needs as gaitway_DIR.
+[[nodiscard]] std::filesystem::path package_directory();
+
+}  // namespace gaitway::process

@@ -1,0 +1,73 @@
+// Finds the parts of an installation.
+#include "gaitway/process/installation.hpp"
+
+#include <dlfcn.h>
+
+#include <stdexcept>
+
+namespace gaitway::process {
+namespace {
+
+// The program, or the shared library that this code was linked into.
+std::filesystem::path own_file() {
+  static const char mark = 0;
+  Dl_info info{};
+  if (dladdr(&mark, &info) != 0 && info.dli_fname != nullptr) {
+    const std::filesystem::path file = info.dli_fname;
+    if (file.filename().string().find(".so") != std::string::npos) {
+      return std::filesystem::canonical(file);
+    }
+  }
+  return std::filesystem::read_symlink("/proc/self/exe");
+}
+
+// The nearest folder above that holds share/gaitway; empty: none does.
+std::filesystem::path root() {
+  for (std::filesystem::path folder = own_file().parent_path();; folder = folder.parent_path()) {
+    if (std::filesystem::exists(folder / "share" / "gaitway" / "urdf")) {
+      return folder;
+    }
+    if (folder == folder.root_path()) {
+      return {};
+    }
+  }
+}
+
+std::filesystem::path shared(const char* part) {
+  const std::filesystem::path found = root();
+  if (found.empty()) {
+    throw std::runtime_error("no share/gaitway beside or above " + own_file().string() +
+                             ". Install gaitway as a whole, or name the files with options");
+  }
+  return found / "share" / "gaitway" / part;
+}
+
+}  // namespace
+
+std::filesystem::path default_robot_directory() {
+  return shared("urdf") / "humanoid22";
+}
+
+std::filesystem::path default_config_file() {
+  return shared("config") / "walk.yaml";
+}
+
+std::filesystem::path scenario_directory() {
+  return shared("scenarios");
+}
+
+std::filesystem::path template_directory() {
+  return shared("templates");
+}
+
+std::filesystem::path shipped_plugin_directory() {
+  const std::filesystem::path found = root();
+  return found.empty() ? found : found / "lib" / "gaitway" / "plugins";
+}
+
+std::filesystem::path package_directory() {
+  const std::filesystem::path found = shared("").parent_path().parent_path().parent_path();
+  return found / "lib" / "cmake" / "gaitway";
+}
+
+}  // namespace gaitway::process
