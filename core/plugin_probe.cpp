@@ -80,9 +80,13 @@ void write_description(const LoadedPlugin& plugin, TextWriter& out) {
   for (const Parameter& parameter : plugin.parameters().declared()) {
     for (const std::string_view text :
          {std::string_view(parameter.name), parameter_kind_name(parameter.kind),
-          std::string_view(parameter.unit), std::string_view(parameter.fallback)}) {
+          std::string_view(parameter.unit), std::string_view(parameter.fallback),
+          std::string_view(parameter.doc)}) {
       out.add(text);
     }
+    out.add(fmt::format("{}", parameter.lowest));
+    out.add(fmt::format("{}", parameter.highest));
+    out.add(parameter.live ? "live" : "fixed");
   }
 }
 
@@ -99,7 +103,11 @@ PluginDescription read_description(TextReader& in) {
     description.topics.push_back(topic);
   }
   for (std::size_t count = in.next_count(); count > 0; --count) {
-    description.parameters.push_back({in.next(), in.next(), in.next(), in.next()});
+    DescribedParameter parameter{in.next(), in.next(), in.next(), in.next(), in.next()};
+    parameter.lowest = std::stod(in.next());
+    parameter.highest = std::stod(in.next());
+    parameter.live = in.next() == "live";
+    description.parameters.push_back(parameter);
   }
   return description;
 }

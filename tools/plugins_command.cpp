@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -61,10 +62,17 @@ ordered_json as_json(const core::PluginDescription& plugin) {
         {{"name", topic.name}, {"type", topic.type_name}, {"access", access_name(topic.access)}});
   }
   for (const core::DescribedParameter& parameter : plugin.parameters) {
-    parameters.push_back({{"name", parameter.name},
-                          {"kind", parameter.kind},
-                          {"unit", parameter.unit},
-                          {"default", parameter.fallback}});
+    ordered_json described{{"name", parameter.name},       {"kind", parameter.kind},
+                           {"unit", parameter.unit},       {"default", parameter.fallback},
+                           {"description", parameter.doc}, {"live", parameter.live}};
+    const bool is_number = parameter.kind == "number" || parameter.kind == "integer";
+    if (is_number && std::isfinite(parameter.lowest)) {
+      described["lowest"] = parameter.lowest;
+    }
+    if (is_number && std::isfinite(parameter.highest)) {
+      described["highest"] = parameter.highest;
+    }
+    parameters.push_back(described);
   }
   return {{"name", plugin.name},
           {"version", plugin.version},
@@ -96,8 +104,10 @@ void print(const core::PluginDescription& plugin) {
   fmt::print("  writes      {}\n", topics_of(plugin, true));
   for (const core::DescribedParameter& parameter : plugin.parameters) {
     const bool has_unit = !parameter.unit.empty() && parameter.unit != "1";
-    fmt::print("  {:<11} {} = {}{}\n", &parameter == plugin.parameters.data() ? "parameters" : "",
-               parameter.name, parameter.fallback, has_unit ? " " + parameter.unit : "");
+    fmt::print("  {:<11} {} = {}{}{}{}\n", &parameter == plugin.parameters.data() ? "parameters" : "",
+               parameter.name, parameter.fallback, has_unit ? " " + parameter.unit : "",
+               parameter.live ? ", may be changed while it runs" : "",
+               parameter.doc.empty() ? "" : "  " + parameter.doc);
   }
 }
 

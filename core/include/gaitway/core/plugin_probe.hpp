@@ -25,6 +25,10 @@ struct DescribedParameter {
   std::string kind;      // parameter_kind_name()
   std::string unit;      // "1": a plain number; empty for flags and texts
   std::string fallback;  // the default, as text
+  std::string doc;       // one line for people; may be empty
+  double lowest = 0.0;   // of numbers; infinite: no limit
+  double highest = 0.0;
+  bool live = false;  // may be changed while the plug-in runs
 };
 
 struct PluginDescription {

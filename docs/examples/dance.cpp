@@ -1,0 +1,71 @@
+// The plug-in dance: a gait of its own, with high steps that sway from side to side; see
+// docs/first-plugin.md. pattern.
+#include <cmath>
+
+#include "gaitway/core/plugin.hpp"
+#include "gaitway/trajectory/plan_continuity.hpp"
+#include "gaitway/trajectory/reach_check.hpp"
+#include "gaitway/trajectory/standing_posture.hpp"
+#include "gaitway/trajectory/walking_pattern.hpp"
+
+namespace trajectory = gaitway::trajectory;
+
+class Dance final : public gaitway::Plugin {
+ public:
+  explicit Dance(gaitway::Setup& setup)
+      : pattern_(gait(setup)),
+        sway_m_per_s_(setup.parameter("sway", 0.04, "m/s")),
+        walk_(setup.reads_optional<gaitway::WalkCommand>("walk_command")),
+        network_(setup.reads<gaitway::NetworkState>("network_state")),
+        correction_(setup.reads_previous<gaitway::Correction>("correction")),
+        plan_(setup.writes<gaitway::MotionPlan>("motion_plan")) {
+    setup.period(gaitway::Period::batch);
+  }
+
+  // Every 80 ms: the next eight points, and the safe tail that brings the robot to a stand.
+  void step(const gaitway::Tick& tick) override {
+    const gaitway::NetworkState& network = network_.read();
+    const auto decision = continuity_.decide(
+        tick.batch_sequence, static_cast<trajectory::NetworkMode>(network.mode), network.accepted_sequence);
+    if (decision == trajectory::PlanDecision::wait) {
+      plan_.value() = {};
+      return plan_.publish();
+    }
+    if (decision == trajectory::PlanDecision::begin_anew) {
+      pattern_.reset_to_stand(continuity_.restart_stance());
+    }
+    pattern_.plan(tick.batch_sequence, tick.batch_start_ns, swayed(tick), correction_.read(), plan_.value());
+    continuity_.published(tick.batch_sequence, pattern_.final_stance());
+    plan_.publish();
+  }
+
+ private:
+  // The walk that is commanded, and to the left and to the right in turn.
+  gaitway::WalkCommand swayed(const gaitway::Tick& tick) {
+    constexpr double kSwayRate_rad_per_s = 1.5;
+    gaitway::WalkCommand walk = walk_.read();
+    const double time_s = static_cast<double>(tick.batch_start_ns) * 1e-9;
+    walk.velocity[1] += sway_m_per_s_ * std::sin(kSwayRate_rad_per_s * time_s);
+    return walk;
+  }
+
+  static trajectory::GaitParameters gait(gaitway::Setup& setup) {
+    const auto robot = gaitway::urdf::load_robot(setup.robot_directory());
+    auto gait = trajectory::with_standing_posture({}, robot);
+    gait.lift_m = setup.parameter("lift", 0.045, "m");
+    gait.step_time_s = setup.parameter("step_time", 0.48, "s");
+    gait.validate();
+    trajectory::require_reachable(gait, robot);
+    return gait;
+  }
+
+  trajectory::WalkingPattern pattern_;
+  double sway_m_per_s_;
+  trajectory::PlanContinuity continuity_;
+  gaitway::Input<gaitway::WalkCommand> walk_;
+  gaitway::Input<gaitway::NetworkState> network_;
+  gaitway::Input<gaitway::Correction> correction_;
+  gaitway::Output<gaitway::MotionPlan> plan_;
+};
+
+GAITWAY_PLUGIN(Dance, "dance", "0.1.0", "Walks slowly, with high steps, and sways")
