@@ -1,6 +1,7 @@
 # What is installed and packaged, and the same layout and CMake package in the build tree. See
 # process/include/gaitway/process/installation.hpp for the layout.
 include(CMakePackageConfigHelpers)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packaging takes what is built; tests need not be
 
 set(gaitway_package_folder lib/cmake/gaitway)
 set(gaitway_built_package "${CMAKE_BINARY_DIR}/${gaitway_package_folder}")
@@ -75,6 +76,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${GAITWAY_MUJOCO_DIR}")
-list(JOIN "g++;cmake;make;libgtest-dev;libgmock-dev;libeigen3-dev;liborocos-kdl-dev;liburdfdom-dev;libyaml-cpp-dev;libfmt-dev;libegl1;libgl1-mesa-dri"
-     ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
+set(gaitway_recommended g++ cmake make libgtest-dev libgmock-dev libeigen3-dev liborocos-kdl-dev liburdfdom-dev
+    libyaml-cpp-dev libfmt-dev libegl1 libgl1-mesa-dri)
+list(JOIN gaitway_recommended ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 include(CPack)

@@ -115,11 +115,13 @@ Whereabouts SimulatedRobot::whereabouts() const {
 }
 
 double SimulatedRobot::joint_position(std::string_view joint) const {
-  return topic<JointStates>("joint_states").position[implementation_->joint(joint)];
+  const std::size_t index = implementation_->joint(joint);
+  return topic<JointStates>("joint_states").position[index];
 }
 
 double SimulatedRobot::joint_reference(std::string_view joint) const {
-  return topic<JointStates>("joint_states").reference_position[implementation_->joint(joint)];
+  const std::size_t index = implementation_->joint(joint);
+  return topic<JointStates>("joint_states").reference_position[index];
 }
 
 void SimulatedRobot::read_topic(std::string_view name, std::string_view type_name, std::uint64_t type_hash,

@@ -115,6 +115,18 @@ TEST_F(AuthorCommands, WithRefusesWhatIsNoPlugin) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
+TEST_F(AuthorCommands, APluginThatCommandsTheWalkIsNotContradicted) {
+  const std::string with = "run --no-pictures --out out --with " + std::string(GAITWAY_TEMPLATES) +
+                           "/libgaitway_plugin_template_behavior.so";
+  expect_refused(with + " --walk 0.1", "'plugin_name' writes walk_command and alone commands the walk");
+  expect_refused(with + " --scenario push.yaml", "alone commands the walk");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  ASSERT_EQ(gaitway(with + " --seconds 8"), 0) << complaint_;
+  const nlohmann::json summary = nlohmann::json::parse(text("out/summary.json"));
+  EXPECT_GT(summary["distance_m"], 0.4);
+  EXPECT_GT(summary["mean_speed_m_s"], 0.05) << "measured from the plug-in's own command";
+}
+
 TEST_F(AuthorCommands, PluginsAreListedWithWhatTheyDeclare) {
   ASSERT_EQ(gaitway("plugins --json"), 0) << complaint_;
   const nlohmann::json list = nlohmann::json::parse(said_);
