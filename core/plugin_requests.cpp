@@ -31,8 +31,8 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
     case PluginVerb::set:
       break;
   }
-  throw PluginError(fmt::format("there is no verb {}: 0 reloads, 1 loads, 2 unloads, 3 sets a parameter",
-                                request.verb));
+  throw PluginError(
+      fmt::format("there is no verb {}: 0 reloads, 1 loads, 2 unloads, 3 sets a parameter", request.verb));
 }
 
 }  // namespace

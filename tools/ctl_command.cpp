@@ -67,7 +67,8 @@ PluginVerb parsed_verb(const CLI::App& command) {
 
 CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
   CLI::App* const command = app.add_subcommand("ctl", "Change the plug-ins of a running main controller");
-  command->add_option("--socket", options.socket, "Socket of the message controller's memory block")->required();
+  command->add_option("--socket", options.socket, "Socket of the message controller's memory block")
+      ->required();
   command->add_option("--timeout", options.timeout_s, "Seconds to wait for the answer")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
@@ -87,7 +88,8 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
       "  gaitway ctl --socket /run/gaitway.sock reload trajectory\n"
       "  gaitway ctl --socket /run/gaitway.sock reload sway --library build/libsway.so\n"
       "  gaitway ctl --socket /run/gaitway.sock set sway amplitude \"0.03 m\"\n"
-      "A plug-in that cannot take its place leaves the old one where it is. Exit code: 0 done, 1 the input was\n"
+      "A plug-in that cannot take its place leaves the old one where it is. Exit code: 0 done, 1 the input "
+      "was\n"
       "bad or nobody serves the socket, 2 refused, 3 no answer.");
   return command;
 }
@@ -113,7 +115,8 @@ int ctl(const CLI::App& command, const CtlOptions& options) {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the memory block has no doorbell for us
   }
-  fmt::print(stderr, "gaitway ctl: no answer within {} s. Is the main controller running?\n", options.timeout_s);
+  fmt::print(stderr, "gaitway ctl: no answer within {} s. Is the main controller running?\n",
+             options.timeout_s);
   return kExitNoAnswer;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gaitway/tools/ctl_command.hpp"
+#include "gaitway/tools/dev_command.hpp"
 #include "gaitway/tools/new_plugin_command.hpp"
 #include "gaitway/tools/plugins_command.hpp"
 #include "gaitway/tools/run_command.hpp"
@@ -50,6 +51,8 @@ int run_gaitway(int argc, char** argv) {
   gaitway::tools::PluginsOptions plugins_options;
   const CLI::App* const run = gaitway::tools::add_run_command(app, run_options);
   gaitway::tools::CtlOptions ctl_options;
+  gaitway::tools::DevOptions dev_options;
+  const CLI::App* const dev = gaitway::tools::add_dev_command(app, dev_options);
   const CLI::App* const ctl = gaitway::tools::add_ctl_command(app, ctl_options);
   const CLI::App* const new_plugin = gaitway::tools::add_new_plugin_command(app, new_plugin_options);
   const CLI::App* const plugins = gaitway::tools::add_plugins_command(app, plugins_options);
@@ -64,6 +67,9 @@ int run_gaitway(int argc, char** argv) {
   }
   if (run->parsed()) {
     return gaitway::tools::run(run_options);
+  }
+  if (dev->parsed()) {
+    return gaitway::tools::develop(dev_options);
   }
   if (ctl->parsed()) {
     return gaitway::tools::ctl(*ctl, ctl_options);

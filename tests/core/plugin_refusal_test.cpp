@@ -38,9 +38,10 @@ class LibraryFile {
 };
 
 TEST_F(PluginRefusal, MissingFileNamesThePlacesTried) {
-  EXPECT_THAT(refusal("  - {name: sway, library: libsway.so}\n"),
-              AllOf(HasSubstr("plug-in 'sway' (test.yaml:2)"), HasSubstr("no library 'libsway.so'"),
-                    HasSubstr(GAITWAY_TEST_PLUGINS "/libsway.so"), HasSubstr("/lib/gaitway/plugins/libsway.so")));
+  EXPECT_THAT(
+      refusal("  - {name: sway, library: libsway.so}\n"),
+      AllOf(HasSubstr("plug-in 'sway' (test.yaml:2)"), HasSubstr("no library 'libsway.so'"),
+            HasSubstr(GAITWAY_TEST_PLUGINS "/libsway.so"), HasSubstr("/lib/gaitway/plugins/libsway.so")));
 }
 
 TEST_F(PluginRefusal, FileThatIsNoLibrary) {

@@ -1,5 +1,5 @@
-// Requests to change the plug-ins while the robot walks: taken from the queue `plugin_request`, answered in the
-// stream `plugin_answer`. What takes its time is done by a second thread, which the binary owns.
+// Requests to change the plug-ins while the robot walks: taken from the queue `plugin_request`, answered in
+// the stream `plugin_answer`. What takes its time is done by a second thread, which the binary owns.
 #pragma once
 
 #include <atomic>
@@ -31,7 +31,16 @@ class PluginRequests {
 
  private:
   // Whose turn it is: step()'s, but for preparing and clearing.
-  enum class Stage : std::uint32_t { idle, preparing, prepared, refused, scheduled, clearing, cleared, ended };
+  enum class Stage : std::uint32_t {
+    idle,
+    preparing,
+    prepared,
+    refused,
+    scheduled,
+    clearing,
+    cleared,
+    ended
+  };
 
   void begin(std::int64_t now_ns);
   void prepare();

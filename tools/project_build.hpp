@@ -1,0 +1,42 @@
+// Builds a plug-in's project with CMake in a process of its own.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gaitway/process/file_descriptor.hpp"
+
+namespace gaitway::tools {
+
+class ProjectBuild {
+ public:
+  ProjectBuild(std::filesystem::path project, std::filesystem::path build);
+  ~ProjectBuild();
+  ProjectBuild(const ProjectBuild&) = delete;
+  ProjectBuild& operator=(const ProjectBuild&) = delete;
+
+  // Configures if need be, then builds. Ends a build that is still running.
+  void start();
+  [[nodiscard]] bool running() const noexcept { return process_ > 0; }
+  // Readable when the running build has ended.
+  [[nodiscard]] int wake_fd() const noexcept { return ended_.get(); }
+  // Whether it succeeded; nothing while it runs. `wait`: until it has ended.
+  std::optional<bool> take_result(bool wait = false);
+  // What the last one printed.
+  [[nodiscard]] std::string output() const;
+  // The newest plug-in library in the build folder; empty: there is none.
+  [[nodiscard]] std::filesystem::path library() const;
+
+ private:
+  void stop() noexcept;
+
+  std::filesystem::path project_, build_, log_;
+  pid_t process_ = 0;
+  process::FileDescriptor ended_;
+};
+
+}  // namespace gaitway::tools
