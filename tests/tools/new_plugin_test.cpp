@@ -123,8 +123,8 @@ TEST_F(AuthorCommands, APluginThatCommandsTheWalkIsNotContradicted) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
   ASSERT_EQ(gaitway(with + " --seconds 8"), 0) << complaint_;
   const nlohmann::json summary = nlohmann::json::parse(text("out/summary.json"));
-  EXPECT_GT(summary["distance_m"], 0.4);
-  EXPECT_GT(summary["mean_speed_m_s"], 0.05) << "measured from the plug-in's own command";
+  EXPECT_GT(summary["distance_m"], 0.3);
+  EXPECT_GT(summary["mean_speed_m_s"], 0.02) << "measured from the plug-in's own command";
 }
 
 TEST_F(AuthorCommands, PluginsAreListedWithWhatTheyDeclare) {
