@@ -1,5 +1,5 @@
-// One loop: the robot walks in real time, the sources are watched, builds run beside it, and what they give is
-// put in its place between two batches.
+// One loop: the robot walks in real time, the sources are watched, builds run beside it, and what they give
+// is put in its place between two batches.
 #include "gaitway/tools/dev_command.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace gaitway::tools {
 namespace {
 
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
-constexpr double kStand_s = 1.0;       // before it walks
+constexpr double kStand_s = 1.0;         // before it walks
 constexpr double kVerdictAfter_s = 3.0;  // of walking with a new version
 
 // The walking robot with the plug-in among the shipped ones.
@@ -114,14 +114,13 @@ class DevelopmentRobot {
 class Development {
  public:
   explicit Development(const DevOptions& options)
-      : options_(options),
-        build_(options.project, options.build),
-        watch_(options.project, options.build) {}
+      : options_(options), build_(options.project, options.build), watch_(options.project, options.build) {}
 
   int run() {
     build_first();
     robot_ = std::make_unique<DevelopmentRobot>(build_.library(), options_);
-    fmt::print("The robot walks with it. Change the sources in {}; Ctrl-C ends.\n", options_.project.string());
+    fmt::print("The robot walks with it. Change the sources in {}; Ctrl-C ends.\n",
+               options_.project.string());
     verdict_at_s_ = kStand_s + kVerdictAfter_s;
     const std::int64_t end_ns = process::monotonic_ns() + static_cast<std::int64_t>(options_.seconds * 1e9);
     process::stop_on_signals();
@@ -142,8 +141,8 @@ class Development {
     std::fflush(stdout);
     build_.start();
     if (!build_.take_result(true).value_or(false)) {
-      throw std::runtime_error(fmt::format("{}\n{}: does not build; see above", build_.output(),
-                                           options_.project.string()));
+      throw std::runtime_error(
+          fmt::format("{}\n{}: does not build; see above", build_.output(), options_.project.string()));
     }
     if (build_.library().empty()) {
       throw std::runtime_error(fmt::format(
@@ -198,9 +197,11 @@ class Development {
   }
   void print_verdict() {
     const core::PluginTiming timing = robot_->timing();
-    fmt::print("  {}: upright at {:.2f} m; step p50 {:.1f} us, p99 {:.1f} us, max {:.1f} us; {} of {} steps failed\n",
-               timing.faults == 0 ? "GOOD" : "FAULTS", robot_->walked_m(), timing.step_us.p50, timing.step_us.p99,
-               timing.step_us.max, timing.faults, timing.steps);
+    fmt::print(
+        "  {}: upright at {:.2f} m; step p50 {:.1f} us, p99 {:.1f} us, max {:.1f} us; {} of {} steps "
+        "failed\n",
+        timing.faults == 0 ? "GOOD" : "FAULTS", robot_->walked_m(), timing.step_us.p50, timing.step_us.p99,
+        timing.step_us.max, timing.faults, timing.steps);
   }
 
   DevOptions options_;
@@ -230,7 +231,8 @@ CLI::App* add_dev_command(CLI::App& app, DevOptions& options) {
       "Examples:\n"
       "  gaitway new-plugin sway && gaitway dev sway\n"
       "  gaitway dev sway --walk 0.1,0,0.2\n"
-      "The robot walks in real time. A version that does not build, load, or stand its first step leaves the\n"
+      "The robot walks in real time. A version that does not build, load, or stand its first step leaves "
+      "the\n"
       "one before it where it is.");
   return command;
 }
@@ -238,11 +240,13 @@ CLI::App* add_dev_command(CLI::App& app, DevOptions& options) {
 int develop(const DevOptions& options) {
   DevOptions complete = options;
   complete.project = std::filesystem::canonical(options.project);
-  complete.build = options.build.empty() ? complete.project / "build" : std::filesystem::absolute(options.build);
+  complete.build =
+      options.build.empty() ? complete.project / "build" : std::filesystem::absolute(options.build);
   if (!std::filesystem::exists(complete.project / "CMakeLists.txt")) {
-    throw std::invalid_argument(fmt::format("{}: has no CMakeLists.txt. Is it a plug-in's project? Make one with "
-                                            "'gaitway new-plugin'",
-                                            complete.project.string()));
+    throw std::invalid_argument(
+        fmt::format("{}: has no CMakeLists.txt. Is it a plug-in's project? Make one with "
+                    "'gaitway new-plugin'",
+                    complete.project.string()));
   }
   return Development(complete).run();
 }

@@ -46,8 +46,13 @@ void ProjectBuild::stop() noexcept {
 
 void ProjectBuild::start() {
   stop();
-  std::vector<std::string> arguments{"sh",           "-c",     kScript, "gaitway-dev", project_.string(),
-                                     build_.string(), process::package_directory().string()};
+  std::vector<std::string> arguments{"sh",
+                                     "-c",
+                                     kScript,
+                                     "gaitway-dev",
+                                     project_.string(),
+                                     build_.string(),
+                                     process::package_directory().string()};
   std::vector<char*> argv;
   for (std::string& argument : arguments) {
     argv.push_back(argument.data());
@@ -59,7 +64,11 @@ void ProjectBuild::start() {
   posix_spawn_file_actions_adddup2(&actions, 1, 2);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);  // a group of its own, to be ended as one
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);  // ours blocks what ends the build
+  posix_spawnattr_setflags(&attributes,
+                           POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);  // ended as one group
   const int error = posix_spawn(&process_, "/bin/sh", &actions, &attributes, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
@@ -88,7 +97,8 @@ std::filesystem::path ProjectBuild::library() const {
   std::filesystem::path newest;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(build_)) {
     const bool is_newer =
-        entry.is_regular_file() && entry.path().extension() == ".so" && core::is_plugin_library(entry.path()) &&
+        entry.is_regular_file() && entry.path().extension() == ".so" &&
+        core::is_plugin_library(entry.path()) &&
         (newest.empty() || entry.last_write_time() > std::filesystem::last_write_time(newest));
     if (is_newer) {
       newest = entry.path();

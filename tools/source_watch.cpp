@@ -16,10 +16,11 @@ namespace gaitway::tools {
 namespace {
 
 bool is_source(std::string_view name) {
-  constexpr std::array<std::string_view, 7> kEndings{".cpp", ".cc", ".c", ".hpp", ".h", ".cmake", "CMakeLists.txt"};
-  return !name.starts_with('.') && std::any_of(kEndings.begin(), kEndings.end(), [name](std::string_view ending) {
-    return name.ends_with(ending);
-  });
+  constexpr std::array<std::string_view, 7> kEndings{".cpp",   ".cc",           ".c", ".hpp", ".h",
+                                                     ".cmake", "CMakeLists.txt"};
+  return !name.starts_with('.') &&
+         std::any_of(kEndings.begin(), kEndings.end(),
+                     [name](std::string_view ending) { return name.ends_with(ending); });
 }
 
 }  // namespace
@@ -32,8 +33,9 @@ SourceWatch::SourceWatch(const std::filesystem::path& project, const std::filesy
     if (!entry->is_directory()) {
       continue;
     }
-    const bool skipped = entry->path().filename().string().starts_with('.') ||
-                         (std::filesystem::exists(build) && std::filesystem::equivalent(entry->path(), build));
+    const bool skipped =
+        entry->path().filename().string().starts_with('.') ||
+        (std::filesystem::exists(build) && std::filesystem::equivalent(entry->path(), build));
     if (skipped) {
       entry.disable_recursion_pending();
     } else {
