@@ -11,7 +11,9 @@ namespace {
 constexpr double kTick_s = 0.010;
 constexpr double kGravity_m_per_s2 = 9.81;
 constexpr double kLeastForceShare = 0.02;  // of the body weight: with less, a ZMP says nothing
-constexpr int kLongestGapSlots = 10;       // of the IMU; after a longer one, roll and pitch start anew
+// Without joint states the pendulum is predicted, but it is unstable: after so many ticks the CoM is held.
+constexpr int kMostBlindTicks = 10;
+constexpr int kLongestGapSlots = 10;  // of the IMU; after a longer one, roll and pitch start anew
 
 const EstimatorParameters& checked(const EstimatorParameters& parameters) {
   parameters.validate();
@@ -114,7 +116,8 @@ void StateEstimator::update_com() noexcept {
   }
   const InputFaults& faults = inputs_.faults();
   zmp_m_ = zmp_in(support_);
-  if (!faults.joints_stale || !faults.forces_stale) {
+  blind_ticks_ = faults.joints_stale ? std::min(blind_ticks_ + 1, kMostBlindTicks) : 0;
+  if (!faults.joints_stale || (!faults.forces_stale && blind_ticks_ < kMostBlindTicks)) {
     const bool in_the_air =
         !contacts_.in_contact(urdf::Side::left) && !contacts_.in_contact(urdf::Side::right);
     const double stiffness = in_the_air ? 0.0 : omega_rad_per_s() * omega_rad_per_s();

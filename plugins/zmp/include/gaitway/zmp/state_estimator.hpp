@@ -69,6 +69,7 @@ class StateEstimator {
   Eigen::Vector2d zmp_m_ = Eigen::Vector2d::Zero();
   urdf::Side support_ = urdf::Side::left;
   bool started_ = false;
+  int blind_ticks_ = 0;  // without joint states
 };
 
 }  // namespace gaitway::zmp
