@@ -7,11 +7,13 @@
 #include <exception>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gaitway/tools/ctl_command.hpp"
 #include "gaitway/tools/dev_command.hpp"
 #include "gaitway/tools/new_plugin_command.hpp"
+#include "gaitway/tools/plugin_check_command.hpp"
 #include "gaitway/tools/plugins_command.hpp"
 #include "gaitway/tools/run_command.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
@@ -56,6 +58,8 @@ int run_gaitway(int argc, char** argv) {
   const CLI::App* const ctl = gaitway::tools::add_ctl_command(app, ctl_options);
   const CLI::App* const new_plugin = gaitway::tools::add_new_plugin_command(app, new_plugin_options);
   const CLI::App* const plugins = gaitway::tools::add_plugins_command(app, plugins_options);
+  gaitway::tools::CheckPluginOptions check_options;
+  const CLI::App* const check = gaitway::tools::add_check_plugin_command(app, check_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -67,6 +71,9 @@ int run_gaitway(int argc, char** argv) {
   }
   if (run->parsed()) {
     return gaitway::tools::run(run_options);
+  }
+  if (check->parsed()) {
+    return gaitway::tools::check_plugin(check_options);
   }
   if (dev->parsed()) {
     return gaitway::tools::develop(dev_options);
@@ -86,6 +93,9 @@ int run_gaitway(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 3 && argv[1] == std::string_view(gaitway::plugin_check::kWorkerCommand)) {
+    return gaitway::plugin_check::run_worker(argv[2]);
+  }
   try {
     return run_gaitway(argc, argv);
   } catch (const std::exception& error) {
