@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstring>
 
 #ifndef PR_SET_SYSCALL_USER_DISPATCH
 #define PR_SET_SYSCALL_USER_DISPATCH 59
@@ -33,6 +34,7 @@ volatile char selector = kAllow;
 bool dispatch_is_on = false;
 std::atomic<bool> memory_is_counted{false};
 std::atomic<std::int64_t> live_bytes{0};
+std::atomic<int> allocation_fill{0};
 std::array<CaughtCall, kKept> caught{};
 int caught_count = 0;
 
@@ -119,6 +121,15 @@ void start_counting_memory() noexcept {
 }
 std::int64_t live_memory_bytes() noexcept {
   return live_bytes;
+}
+void set_allocation_fill(int fill) noexcept {
+  allocation_fill = fill;
+}
+void fill_allocated(void* memory, std::size_t bytes) noexcept {
+  const int fill = allocation_fill.load(std::memory_order_relaxed);
+  if (fill != 0 && memory != nullptr) {
+    std::memset(memory, fill, bytes);
+  }
 }
 void count_allocated(void* memory) noexcept {
   if (memory_is_counted.load(std::memory_order_relaxed) && memory != nullptr) {

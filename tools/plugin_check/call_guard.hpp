@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace gaitway::plugin_check {
@@ -43,7 +44,11 @@ void clear_caught_calls() noexcept;
 void start_counting_memory() noexcept;
 [[nodiscard]] std::int64_t live_memory_bytes() noexcept;
 
-// For the interposed functions: `memory` was allocated, or is about to be freed.
+// What memory is filled with when it is allocated, so that what nobody initialises is seen; 0: nothing.
+void set_allocation_fill(int fill) noexcept;
+
+// For the interposed functions: `bytes` were allocated at `memory`, or it is about to be freed.
+void fill_allocated(void* memory, std::size_t bytes) noexcept;
 void count_allocated(void* memory) noexcept;
 void count_freed(void* memory) noexcept;
 // For the interposed functions: notes the call if a guard is on.

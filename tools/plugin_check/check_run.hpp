@@ -1,6 +1,7 @@
 // What a check's process works with: the job, the recorded walk, and where findings go.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,9 +19,15 @@ class CheckRun {
   CheckRun(const Job& job, const NominalRecord& record, Board& board)
       : job_(job), record_(record), board_(board) {}
 
-  // A check consists of cases, tried one after the other. False: this one was tried by a process that died.
+  // A check consists of cases, tried one after the other. False: this one was tried by a process that died,
+  // or there is no time for it any more, which the report says.
   bool begin(std::string_view name);
   [[nodiscard]] const std::string& case_name() const noexcept { return case_name_; }
+
+  // The quick form's time is up: a loop over many steps may end early.
+  [[nodiscard]] bool time_is_up() const noexcept {
+    return !job_.full && std::chrono::steady_clock::now() - start_ > kLongestQuick;
+  }
 
   void finding(std::string_view what, std::string_view where, std::string_view remedy);
   void figure(std::string_view name, const nlohmann::ordered_json& value);
@@ -35,12 +42,14 @@ class CheckRun {
   [[nodiscard]] int findings() const noexcept { return findings_; }
 
  private:
+  static constexpr std::chrono::seconds kLongestQuick{4};
   const Job& job_;
   const NominalRecord& record_;
   Board& board_;
   std::uint32_t next_case_ = 0;
   std::string case_name_;
   int findings_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 // The parameters of a job with one of them set anew.

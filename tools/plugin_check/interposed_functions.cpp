@@ -25,8 +25,10 @@ using gaitway::plugin_check::count_allocated;
 using gaitway::plugin_check::count_freed;
 using gaitway::plugin_check::note_call;
 
-void* counted(void* memory) noexcept {
+// Fresh memory on its way out.
+void* filled(void* memory, std::size_t bytes) noexcept {
   count_allocated(memory);
+  gaitway::plugin_check::fill_allocated(memory, bytes);
   return memory;
 }
 
@@ -42,7 +44,7 @@ Function* behind(const char* name) noexcept {
 
 GAITWAY_INTERPOSED void* malloc(std::size_t bytes) noexcept {
   note_call("malloc");
-  return counted(__libc_malloc(bytes));
+  return filled(__libc_malloc(bytes), bytes);
 }
 GAITWAY_INTERPOSED void free(void* memory) noexcept {
   if (memory != nullptr) {
@@ -53,7 +55,9 @@ GAITWAY_INTERPOSED void free(void* memory) noexcept {
 }
 GAITWAY_INTERPOSED void* calloc(std::size_t count, std::size_t bytes) noexcept {
   note_call("calloc");
-  return counted(__libc_calloc(count, bytes));
+  void* const memory = __libc_calloc(count, bytes);
+  count_allocated(memory);
+  return memory;
 }
 GAITWAY_INTERPOSED void* realloc(void* memory, std::size_t bytes) noexcept {
   note_call("realloc");
@@ -64,15 +68,15 @@ GAITWAY_INTERPOSED void* realloc(void* memory, std::size_t bytes) noexcept {
 }
 GAITWAY_INTERPOSED void* memalign(std::size_t alignment, std::size_t bytes) noexcept {
   note_call("memalign");
-  return counted(__libc_memalign(alignment, bytes));
+  return filled(__libc_memalign(alignment, bytes), bytes);
 }
 GAITWAY_INTERPOSED void* aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept {
   note_call("aligned_alloc");
-  return counted(__libc_memalign(alignment, bytes));
+  return filled(__libc_memalign(alignment, bytes), bytes);
 }
 GAITWAY_INTERPOSED int posix_memalign(void** memory, std::size_t alignment, std::size_t bytes) noexcept {
   note_call("posix_memalign");
-  *memory = counted(__libc_memalign(alignment, bytes));
+  *memory = filled(__libc_memalign(alignment, bytes), bytes);
   return *memory == nullptr ? ENOMEM : 0;
 }
 

@@ -1,16 +1,17 @@
 // The process behind `determinism` and `two_instances`: one pass through the walk, every output noted. The
 // starter compares two such processes.
-#include <cstdlib>
 #include <memory>
 #include <random>
 #include <vector>
 
+#include "call_guard.hpp"
 #include "check_run.hpp"
 #include "topic_rules.hpp"
 
 namespace gaitway::plugin_check {
 namespace {
 
+constexpr int kFirstFill = 0xc1, kSecondFill = 0x3f;  // of memory that nobody initialised
 constexpr std::uint32_t kStatusPort = 1000;
 constexpr std::uint64_t kNeighbourOffset = 40;  // ticks by which the other instance is ahead
 constexpr std::uint64_t kNeighbourEnd = 240;    // tick at which it is destroyed
@@ -47,7 +48,8 @@ void check_outputs(CheckRun& run) {
   const bool second = run.job().variant == "second";
   std::vector<std::unique_ptr<char[]>> heap;
   if (run.job().check == "determinism") {
-    set_stack_fill(second ? 0x3f : 0xc1);
+    set_stack_fill(second ? kSecondFill : kFirstFill);
+    set_allocation_fill(second ? kSecondFill : kFirstFill);
     heap = another_heap(second ? run.job().seed : 0);
   }
   const SpecimenLibrary library(run.job().plugin, run.board());

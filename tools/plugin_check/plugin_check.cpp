@@ -27,7 +27,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostDeaths = 4;  // of one check's processes, before it is given up
-constexpr int kFirstFill = 0x51, kSecondFill = 0xae;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -43,6 +42,7 @@ struct Outcome {
   CheckResult result;
   std::string not_usable;
   bool unusable = false;
+  int untried = 0;  // cases for which there was no time
   WorkerEnding ending;
   std::vector<OutputDigest> digests;
 };
@@ -56,6 +56,8 @@ void read_lines(const Board& board, Outcome& outcome) {
       outcome.result.figures[line["figure"]["name"].get<std::string>()] = line["figure"]["value"];
     } else if (line.contains("remark")) {
       outcome.result.remark = line["remark"];
+    } else if (line.contains("untried")) {
+      ++outcome.untried;
     } else if (line.contains("skipped")) {
       outcome.result.skipped = line["skipped"];
     } else if (line.contains("not_usable")) {
@@ -86,7 +88,7 @@ class Checker {
   void record_walk();
   [[nodiscard]] Job job(const std::string& check, const std::string& variant = "") const;
   // All cases of a check, in as many processes as it takes.
-  Outcome run_check(const Job& job, int malloc_fill = 0) const;
+  Outcome run_check(const Job& job) const;
   Outcome compare_runs(const std::string& check) const;
   bool run_gates(Report& report);
   void run_rest(Report& report);
@@ -152,14 +154,14 @@ Job Checker::job(const std::string& check, const std::string& variant) const {
           .first_case = 0};
 }
 
-Outcome Checker::run_check(const Job& asked, int malloc_fill) const {
+Outcome Checker::run_check(const Job& asked) const {
   Outcome outcome;
   outcome.result.check = asked.check;
   Job job = asked;
   const auto start = Clock::now();
   for (int deaths = 0; deaths < kMostDeaths; ++deaths) {
     Board board;
-    outcome.ending = run_worker_process(job, board, record_.get(), limits_, malloc_fill);
+    outcome.ending = run_worker_process(job, board, record_.get(), limits_);
     read_lines(board, outcome);
     if (outcome.ending.ending == Ending::finished) {
       const auto digests = board.digests();
@@ -173,14 +175,18 @@ Outcome Checker::run_check(const Job& asked, int malloc_fill) const {
     }
     job.first_case = next_case;
   }
+  if (outcome.untried > 0) {
+    outcome.result.remark += fmt::format("; no time for {} cases, --full tries all", outcome.untried);
+    outcome.result.figures["untried"] = outcome.untried;
+  }
   outcome.result.seconds = seconds_since(start);
   return outcome;
 }
 
 Outcome Checker::compare_runs(const std::string& check) const {
   const bool determinism = check == "determinism";
-  Outcome first = run_check(job(check, "first"), determinism ? kFirstFill : 0);
-  const Outcome second = run_check(job(check, "second"), determinism ? kSecondFill : 0);
+  Outcome first = run_check(job(check, "first"));
+  const Outcome second = run_check(job(check, "second"));
   first.result.seconds += second.result.seconds;
   if (!first.result.findings.empty() || !second.result.findings.empty()) {
     first.result.findings.insert(first.result.findings.end(), second.result.findings.begin(),
@@ -262,15 +268,14 @@ bool Checker::run_gates(Report& report) {
 }
 
 void Checker::run_rest(Report& report) {
-  bool deterministic = true;
+  // What is not deterministic cannot be compared, and what is shared by instances cannot be handed on.
   const auto comparisons = [&] {
-    const Outcome determinism = compare_runs("determinism");
-    deterministic = determinism.result.findings.empty();
-    add(report, determinism.result);
-    for (const char* const check : {"two_instances", "state"}) {
-      if (deterministic) {
-        add(report,
-            check == std::string_view("state") ? run_check(job(check)).result : compare_runs(check).result);
+    bool comparable = true;
+    for (const char* const check : {"determinism", "two_instances", "state"}) {
+      if (comparable) {
+        Outcome outcome = check == std::string_view("state") ? run_check(job(check)) : compare_runs(check);
+        comparable = outcome.result.findings.empty();
+        add(report, std::move(outcome.result));
       }
     }
     add(report, run_check(job("unload")).result);
@@ -285,7 +290,7 @@ void Checker::run_rest(Report& report) {
   others();
   beside.get();
   add(report, run_check(job("budget")).result);
-  skip_rest(report, "the outputs are not deterministic; nothing can be compared");
+  skip_rest(report, "its outputs cannot be compared; see determinism and two_instances");
 }
 
 Report Checker::run() {

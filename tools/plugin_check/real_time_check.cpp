@@ -150,7 +150,7 @@ void check_real_time(CheckRun& run) {
     specimen.step(run.record(), n);
   }
   const std::uint64_t wanted = run.job().full ? kFullSteps : kSteps;
-  for (std::uint64_t steps = 0; steps < wanted && run.findings() < kMostFindings; ++n) {
+  for (std::uint64_t steps = 0; steps < wanted && run.findings() < kMostFindings && !run.time_is_up(); ++n) {
     if (specimen.prepare_step(run.record(), n)) {
       watch.step(specimen);
       ++steps;

@@ -2,6 +2,7 @@
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
+#include <malloc.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -23,7 +24,7 @@ namespace gaitway::plugin_check {
 namespace {
 
 constexpr std::size_t kAlternateStack = std::size_t{256} * 1024;
-constexpr rlim_t kMostMemory = rlim_t{6} << 30;  // a huge parameter may not take the machine's
+constexpr rlim_t kMostMemory = rlim_t{12} << 30;  // a huge parameter may not take the machine's
 
 BoardPage* crash_page = nullptr;
 ElfSymbols* crash_symbols = nullptr;
@@ -97,6 +98,7 @@ void limit_memory() {
 #if !GAITWAY_PLUGIN_CHECK_SANITIZED
   const rlimit limit{kMostMemory, kMostMemory};
   setrlimit(RLIMIT_AS, &limit);
+  mallopt(M_ARENA_MAX, 1);  // or every thread that a plug-in leaves behind takes a great part of it
 #endif
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
@@ -107,6 +109,10 @@ void limit_memory() {
 bool CheckRun::begin(std::string_view name) {
   const std::uint32_t index = next_case_++;
   if (index < job_.first_case) {
+    return false;
+  }
+  if (time_is_up()) {
+    board_.add_line({{"untried", name}});
     return false;
   }
   case_name_ = name;

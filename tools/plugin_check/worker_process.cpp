@@ -16,30 +16,10 @@
 #include "gaitway/plugin_check/plugin_check.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 
-extern char** environ;
-
 namespace gaitway::plugin_check {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr std::string_view kFillVariable = "MALLOC_PERTURB_=";
-
-// The environment with this value of the allocator's fill.
-std::vector<std::string> environment_with(int malloc_fill) {
-  std::vector<std::string> environment;
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    if (!std::string_view(*variable).starts_with(kFillVariable)) {
-      environment.emplace_back(*variable);
-    }
-  }
-  if (malloc_fill != 0) {
-    environment.push_back(fmt::format("{}{}", kFillVariable, malloc_fill));
-    environment.emplace_back("GAITWAY_PLUGIN_CHECK=" +
-                             std::string(static_cast<std::size_t>(malloc_fill), 'x'));
-  }
-  return environment;
-}
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
@@ -86,30 +66,27 @@ WorkerEnding watch(pid_t child, Board& board, const WatchLimits& limits) {
   return fine ? WorkerEnding{} : WorkerEnding{Ending::crashed, ending_text(status, board), board.place()};
 }
 
-[[noreturn]] void become_worker(char* const* arguments, char* const* environment, int board, int record) {
+[[noreturn]] void become_worker(char* const* arguments, int board, int record) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   dup2(board, kBoardDescriptor);
   if (record >= 0) {
     dup2(record, kRecordDescriptor);
   }
-  execve("/proc/self/exe", arguments, environment);
+  execv("/proc/self/exe", arguments);
   _exit(127);
 }
 
 }  // namespace
 
-WorkerEnding run_worker_process(const Job& job, Board& board, int record_fd, const WatchLimits& limits,
-                                int malloc_fill) {
+WorkerEnding run_worker_process(const Job& job, Board& board, int record_fd, const WatchLimits& limits) {
   std::vector<std::string> arguments{"gaitway", kWorkerCommand, to_text(job)};
-  std::vector<std::string> environment = environment_with(malloc_fill);
   const std::vector<char*> argument_pointers = pointers_to(arguments);
-  const std::vector<char*> environment_pointers = pointers_to(environment);
   const pid_t child = fork();
   if (child < 0) {
     throw CheckError(fmt::format("no process for the check '{}': {}", job.check, std::strerror(errno)));
   }
   if (child == 0) {
-    become_worker(argument_pointers.data(), environment_pointers.data(), board.fd(), record_fd);
+    become_worker(argument_pointers.data(), board.fd(), record_fd);
   }
   return watch(child, board, limits);
 }

@@ -24,10 +24,8 @@ struct WatchLimits {
   std::chrono::milliseconds total{120000};
 };
 
-// Runs this executable with kWorkerCommand. `record_fd`: the recorded walk, or -1. `malloc_fill`: what memory
-// is filled with when it is allocated; 0: not filled.
-WorkerEnding run_worker_process(const Job& job, Board& board, int record_fd, const WatchLimits& limits,
-                                int malloc_fill = 0);
+// Runs this executable with kWorkerCommand. `record_fd`: the recorded walk, or -1.
+WorkerEnding run_worker_process(const Job& job, Board& board, int record_fd, const WatchLimits& limits);
 
 // The same watch over a copy of this process that runs `work`, for what is not the plug-in's own check.
 WorkerEnding run_forked(Board& board, const WatchLimits& limits, const std::function<void()>& work);
