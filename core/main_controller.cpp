@@ -15,7 +15,8 @@ constexpr std::uint32_t kHolding = 2;  // NetworkState::mode
 PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainControllerOptions& options) {
   return {.robot_directory = robot.directory,
           .plugin_path = options.plugin_path,
-          .wall_clock = options.wall_clock};
+          .wall_clock = options.wall_clock,
+          .isolation = options.isolation};
 }
 
 // Topics of the message controller lie beyond the EMI.

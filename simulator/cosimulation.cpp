@@ -61,6 +61,7 @@ void Cosimulation::advance_millisecond() {
 
 void Cosimulation::main_controller_tick() {
   const core::TickReport report = main_controller_->step(now_ns_);
+  main_controller_->maintain(now_ns_);
   const std::int64_t cost_ns = report.batch ? options_.batch_cost_ns : options_.tick_cost_ns;
   if (report.posted) {
     ring_at(now_ns_ + cost_ns + report.transfer_ns);

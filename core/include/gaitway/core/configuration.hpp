@@ -3,9 +3,11 @@
 //   plugins:
 //     - name: trajectory                           # unique; also what faults and statistics are called by
 //       library: libgaitway_plugin_trajectory.so   # on the search path; default: libgaitway_plugin_<name>.so
+//       isolation: none                            # default; process: in a process of its own
 //       parameters: {step_time: 0.4 s, lift: 0.03 m}
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -25,11 +27,14 @@ struct ParameterEntry {
   int line = 0;      // 1 is the first
 };
 
+enum class Isolation : std::uint8_t { none, process };
+
 struct PluginEntry {
   std::string name;
   std::string library;
   int line = 0;
   std::vector<ParameterEntry> parameters = {};
+  Isolation isolation = Isolation::none;
 };
 
 struct Configuration {

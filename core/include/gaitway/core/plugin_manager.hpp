@@ -14,6 +14,7 @@
 #include "gaitway/core/configuration.hpp"
 #include "gaitway/core/data_flow.hpp"
 #include "gaitway/core/event_log.hpp"
+#include "gaitway/core/isolation_options.hpp"
 #include "gaitway/core/loaded_plugin.hpp"
 #include "gaitway/core/plugin_change.hpp"
 #include "gaitway/core/plugin_library.hpp"
@@ -28,6 +29,7 @@ struct PluginManagerOptions {
   std::filesystem::path robot_directory;
   SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
   WallClock wall_clock = &steady_clock_ns;  // measures steps; nullptr: they count as 0
+  IsolationOptions isolation = {};          // of plug-ins in processes of their own
 };
 
 struct PluginTiming {
@@ -52,6 +54,9 @@ class PluginManager {
   // Steps every plug-in that is due. What fails is counted, reported, publishes nothing, and is stepped again
   // at its next turn. Returns how many failed. For the cycle.
   int step(const Tick& tick) noexcept;
+
+  // Off the tick, once after each: replaces the processes of isolated plug-ins that ended.
+  void maintain(std::int64_t now_ns) noexcept;
 
   // --- Changes while the robot walks. One at a time: prepare, schedule, step until there is a result.
   // Off the tick, by another thread if need be: loads and constructs the plug-in, checks the data flow with
