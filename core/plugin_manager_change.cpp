@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "gaitway/core/plugin_manager.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
@@ -85,8 +85,8 @@ std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name
   const auto slot_at = [&](std::size_t place) -> const PluginSlot& {
     return place == PluginChange::kIncoming ? *incoming : *slots_[place];
   };
-  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-    return slot_at(a).configured < slot_at(b).configured;
+  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(slot_at(a).configured, a) < std::pair(slot_at(b).configured, b);
   });
   std::vector<DataFlowNode> nodes;
   for (const std::size_t place : places) {

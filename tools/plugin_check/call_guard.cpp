@@ -64,7 +64,7 @@ void on_system_call(int, siginfo_t* info, void* context) {
   guarded = was_guarded;
 }
 
-bool switch_dispatch_on() noexcept {
+[[maybe_unused]] bool switch_dispatch_on() noexcept {  // not beside a sanitizer
   struct sigaction action {};
   action.sa_sigaction = &on_system_call;
   action.sa_flags = SA_SIGINFO;
@@ -72,7 +72,7 @@ bool switch_dispatch_on() noexcept {
   return prctl(PR_SET_SYSCALL_USER_DISPATCH, PR_SYS_DISPATCH_ON, 0L, 0L, &selector) == 0;
 }
 #else
-bool switch_dispatch_on() noexcept {
+[[maybe_unused]] bool switch_dispatch_on() noexcept {  // not beside a sanitizer
   return false;
 }
 #endif
