@@ -39,7 +39,7 @@ SpecimenLibrary::SpecimenLibrary(const std::filesystem::path& file, Board& board
   board.enter(Call::none);
 }
 
-void SpecimenLibrary::close() noexcept {
+void SpecimenLibrary::unload() noexcept {
   if (handle_ != nullptr) {
     board_.enter(Call::unload);
     dlclose(handle_);

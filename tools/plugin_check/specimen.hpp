@@ -17,10 +17,11 @@ class SpecimenLibrary {
  public:
   // Loads the file itself, not a copy, so that addresses in it have its name. Throws std::runtime_error.
   SpecimenLibrary(const std::filesystem::path& file, Board& board);
-  ~SpecimenLibrary() { close(); }
+  // Leaves the library loaded: a thread that the plug-in forgot may still run in it.
+  ~SpecimenLibrary() = default;
   SpecimenLibrary(const SpecimenLibrary&) = delete;
   SpecimenLibrary& operator=(const SpecimenLibrary&) = delete;
-  void close() noexcept;
+  void unload() noexcept;
 
   [[nodiscard]] const gaitway_plugin& entry() const noexcept { return *entry_; }
   [[nodiscard]] Board& board() const noexcept { return board_; }

@@ -70,7 +70,7 @@ bool round_is_clean(CheckRun& run, const ProcessResources& before) {
                 "end and join threads in deactivate or the destructor; a plug-in needs none");
     return false;  // its code must stay: the thread runs in it
   }
-  library.close();
+  library.unload();
   if (is_mapped(run.job().plugin)) {
     run.finding("the library is still in memory after it was closed", "after unload",
                 why_it_stays(run.job().plugin));
