@@ -39,7 +39,8 @@ std::string library_of(const YamlValue& value) {
 }
 
 PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
-  constexpr std::array<std::string_view, 3> kKeys{"name", "library", "parameters"};
+  constexpr std::array<std::string_view, 6> kKeys{"name",     "library", "parameters",
+                                                  "fallback", "budget",  "give_up_after"};
   map.require_map(kKeys);
   PluginEntry entry;
   entry.line = map.line();
@@ -52,6 +53,7 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
       entry.parameters.push_back({name, value.text(), value.line()});
     }
   }
+  entry.containment = read_containment(map);
   return entry;
 }
 

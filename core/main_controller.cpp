@@ -15,7 +15,11 @@ constexpr std::uint32_t kHolding = 2;  // NetworkState::mode
 PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainControllerOptions& options) {
   return {.robot_directory = robot.directory,
           .plugin_path = options.plugin_path,
-          .wall_clock = options.wall_clock};
+          .wall_clock = options.wall_clock,
+          .wall_time_decides = options.wall_time_decides,
+          .injected_faults = options.injected_faults,
+          .step_watch = options.step_watch,
+          .left_out = options.left_out};
 }
 
 // Topics of the message controller lie beyond the EMI.
@@ -54,6 +58,7 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   take_answers(tick);
   host_.charge_read(crossing_bytes_, now_ns);
   manager_.step(tick);
+  report.declared_cost_ns = manager_.declared_cost_ns();
   post_trim(tick, report);
   if (tick.batch && hand_over(tick, report) == HandOverOutcome::unusable &&
       manager_.take_trial_back(tick, last_refusal_.data())) {

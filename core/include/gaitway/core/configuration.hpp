@@ -4,6 +4,7 @@
 //     - name: trajectory                           # unique; also what faults and statistics are called by
 //       library: libgaitway_plugin_trajectory.so   # on the search path; default: libgaitway_plugin_<name>.so
 //       parameters: {step_time: 0.4 s, lift: 0.03 m}
+//       budget: 5 ms                               # and what else containment_settings.hpp says
 #pragma once
 
 #include <filesystem>
@@ -11,6 +12,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "gaitway/core/containment_settings.hpp"
 
 namespace gaitway::core {
 
@@ -30,6 +33,7 @@ struct PluginEntry {
   std::string library;
   int line = 0;
   std::vector<ParameterEntry> parameters = {};
+  ContainmentSettings containment = {};
 };
 
 struct Configuration {
