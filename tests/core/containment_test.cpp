@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kMisbehaves = "  - {name: balance, library: misbehaves.so";
+constexpr const char* kFailsAsTold = "  - {name: balance, library: fails_as_told.so";
 
 class ContainmentTest : public PluginFixture {
  protected:
@@ -21,7 +21,7 @@ class ContainmentTest : public PluginFixture {
     options.injected_faults = &faults;
     orders.publish(WalkCommand{}, 0);
     manager = std::make_unique<PluginManager>(
-        parse_configuration("plugins:\n" + std::string(kMisbehaves) + settings + "}\n" +
+        parse_configuration("plugins:\n" + std::string(kFailsAsTold) + settings + "}\n" +
                                 relay("reader", "from: correction, to: copy"),
                             "test.yaml"),
         options, client);
@@ -218,11 +218,11 @@ TEST_F(ContainmentTest, FallbackThatWritesNoneOfItsTopicsIsRefused) {
 }
 
 TEST_F(ContainmentTest, SettingsAreReadStrictly) {
-  EXPECT_THAT(refusal(std::string(kMisbehaves) + ", fallback: stopp}\n"), HasSubstr("'stop'"));
-  EXPECT_THAT(refusal(std::string(kMisbehaves) + ", budget: 200}\n"), HasSubstr("with its unit"));
-  EXPECT_THAT(refusal(std::string(kMisbehaves) + ", budget: 2 s}\n"), HasSubstr("between 1 us and 80 ms"));
-  EXPECT_THAT(refusal(std::string(kMisbehaves) + ", give_up_after: {faults: 0}}\n"), HasSubstr("faults"));
-  EXPECT_THAT(refusal(std::string(kMisbehaves) + ", give_up_after: {fault: 1}}\n"), HasSubstr("faults"));
+  EXPECT_THAT(refusal(std::string(kFailsAsTold) + ", fallback: stopp}\n"), HasSubstr("'stop'"));
+  EXPECT_THAT(refusal(std::string(kFailsAsTold) + ", budget: 200}\n"), HasSubstr("with its unit"));
+  EXPECT_THAT(refusal(std::string(kFailsAsTold) + ", budget: 2 s}\n"), HasSubstr("between 1 us and 80 ms"));
+  EXPECT_THAT(refusal(std::string(kFailsAsTold) + ", give_up_after: {faults: 0}}\n"), HasSubstr("faults"));
+  EXPECT_THAT(refusal(std::string(kFailsAsTold) + ", give_up_after: {fault: 1}}\n"), HasSubstr("faults"));
 }
 
 TEST_F(ContainmentTest, LeftOutPluginIsStoodInForFromTheStart) {

@@ -9,9 +9,9 @@ namespace {
 
 using namespace gaitway;
 
-class Misbehaves final : public Plugin {
+class FailsAsTold final : public Plugin {
  public:
-  explicit Misbehaves(Setup& setup)
+  explicit FailsAsTold(Setup& setup)
       : orders_(setup.reads<WalkCommand>("orders")),
         trim_(setup.writes<TrimCommand>("trim")),
         correction_(setup.writes<Correction>("correction")) {
@@ -46,4 +46,4 @@ class Misbehaves final : public Plugin {
 
 }  // namespace
 
-GAITWAY_PLUGIN(Misbehaves, "misbehaves", "1.0.0", "Fails as told")
+GAITWAY_PLUGIN(FailsAsTold, "fails_as_told", "1.0.0", "Fails as told")
