@@ -38,8 +38,17 @@ std::string library_of(const YamlValue& value) {
   return library;
 }
 
+Isolation isolation_of(const YamlValue& value) {
+  const std::string text = value.text();
+  if (text != "process" && text != "none") {
+    value.refuse("must be 'process' or 'none'",
+                 "'process' runs the plug-in in a process of its own, 'none' in the main controller's");
+  }
+  return text == "process" ? Isolation::process : Isolation::none;
+}
+
 PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
-  constexpr std::array<std::string_view, 6> kKeys{"name",     "library", "parameters",
+  constexpr std::array<std::string_view, 7> kKeys{"name",     "library", "isolation",    "parameters",
                                                   "fallback", "budget",  "give_up_after"};
   map.require_map(kKeys);
   PluginEntry entry;
@@ -47,6 +56,9 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
   entry.name = name_of(map.at("name"), others);
   const auto library = map.find("library");
   entry.library = library ? library_of(*library) : fmt::format("libgaitway_plugin_{}.so", entry.name);
+  if (const auto isolation = map.find("isolation")) {
+    entry.isolation = isolation_of(*isolation);
+  }
   const auto parameters = map.find("parameters");
   if (parameters && !parameters->is_empty()) {
     for (const auto& [name, value] : parameters->entries()) {

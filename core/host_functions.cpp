@@ -1,45 +1,19 @@
 // Each function finds its plug-in in `context`.
 #include "host_functions.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cstring>
 
 #include "gaitway/core/detail/plugin_border.hpp"
+#include "plugin_declarations.hpp"
 
 namespace gaitway::core {
 namespace {
-
-constexpr std::size_t kLongestReport = 160;
 
 LoadedPlugin& plugin_of(void* context) noexcept {
   return *static_cast<LoadedPlugin*>(context);
 }
 TopicPort& port_of(gaitway_port* port) noexcept {
   return *reinterpret_cast<TopicPort*>(port);
-}
-
-void check_topic(const gaitway_topic* topic, gaitway_access access) {
-  if (topic == nullptr || topic->name == nullptr || topic->type_name == nullptr || topic->size == 0) {
-    throw PluginError("opens a topic without name, type or size");
-  }
-  if (access > GAITWAY_WRITE) {
-    throw PluginError(fmt::format("opens topic '{}' with the unknown access {}", topic->name, access));
-  }
-  if (topic->float_field_count > 0 && topic->float_fields == nullptr) {
-    throw PluginError(fmt::format("opens topic '{}' without its floating-point fields", topic->name));
-  }
-}
-
-void check_parameter(const gaitway_parameter* parameter) {
-  if (parameter == nullptr || parameter->name == nullptr || parameter->name[0] == '\0') {
-    throw PluginError("declares a parameter without a name");
-  }
-  if (parameter->fallback.kind > GAITWAY_TEXT ||
-      (parameter->fallback.kind == GAITWAY_TEXT && parameter->fallback.text == nullptr)) {
-    throw PluginError(fmt::format("declares its parameter '{}' without a default", parameter->name));
-  }
 }
 
 }  // namespace
@@ -62,7 +36,7 @@ gaitway_status HostFunctions::in_create(void* context, const gaitway_text* error
   LoadedPlugin& plugin = plugin_of(context);
   try {
     if (plugin.phase_ != LoadedPlugin::Phase::creating) {
-      throw PluginError("topics, parameters and period are declared in the constructor only");
+      throw PluginError(kConstructorOnly);
     }
     function(plugin);
     return GAITWAY_OK;
@@ -78,15 +52,7 @@ gaitway_status HostFunctions::in_create(void* context, const gaitway_text* error
 gaitway_status HostFunctions::open_topic(void* context, const gaitway_topic* topic, gaitway_access access,
                                          gaitway_port** port, const gaitway_text* error) noexcept {
   return in_create(context, error, [&](LoadedPlugin& plugin) {
-    check_topic(topic, access);
-    const auto kind = static_cast<Access>(access);
-    const bool twice = std::any_of(plugin.ports_.begin(), plugin.ports_.end(), [&](const TopicPort& other) {
-      return kind == Access::write && other.use().access == kind && other.use().topic == topic->name;
-    });
-    if (twice) {
-      throw PluginError(fmt::format("opens topic '{}' twice for writing. Keep the one Output", topic->name));
-    }
-    plugin.ports_.emplace_back(*topic, kind);
+    plugin.declare_topic(topic, access);
     *port = reinterpret_cast<gaitway_port*>(&plugin.ports_.back());
   });
 }
@@ -102,9 +68,7 @@ gaitway_status HostFunctions::parameter(void* context, const gaitway_parameter* 
 gaitway_status HostFunctions::set_period(void* context, gaitway_period period,
                                          const gaitway_text* error) noexcept {
   return in_create(context, error, [&](LoadedPlugin& plugin) {
-    if (period > GAITWAY_EVERY_BATCH) {
-      throw PluginError(fmt::format("sets the unknown period {}", period));
-    }
+    check_period(period);
     plugin.period_ = static_cast<Period>(period);
   });
 }

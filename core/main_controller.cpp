@@ -16,6 +16,7 @@ PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainCo
   return {.robot_directory = robot.directory,
           .plugin_path = options.plugin_path,
           .wall_clock = options.wall_clock,
+          .isolation = options.isolation,
           .wall_time_decides = options.wall_time_decides,
           .injected_faults = options.injected_faults,
           .step_watch = options.step_watch,

@@ -110,6 +110,7 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
     if (options.controller.step_watch != nullptr) {
       options.controller.step_watch->count_tick();
     }
+    controller.maintain(now_ns);
     if (now_ns - client.heartbeat_ns() > kSilence_ns) {
       fmt::print(stderr,
                  "main_controller: no sign of life of the message controller on {} for {} ms. Is it still "
@@ -186,6 +187,7 @@ int run(Options options) {
 
 int main(int argc, char** argv) {
   Options options;
+  options.controller.isolation.lock_step = false;
   CLI::App app{
       "The main controller in real time: steps the plug-ins and hands their plans to a message controller "
       "process"};

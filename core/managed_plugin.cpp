@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin_declarations.hpp"
+
 namespace gaitway::core {
 
 ManagedPlugin::ManagedPlugin(const PluginEntry& entry, const std::filesystem::path& configuration_file,
@@ -29,6 +31,15 @@ void ManagedPlugin::set_fault(std::string_view text) noexcept {
 void ManagedPlugin::fail(std::string_view what) {
   throw PluginError(
       fmt::format("{}: {}: {}", place_, what, fault().empty() ? "it did not say why" : fault()));
+}
+
+void ManagedPlugin::declare_topic(const gaitway_topic* topic, gaitway_access access) {
+  check_topic(topic, access);
+  const auto kind = static_cast<Access>(access);
+  if (kind == Access::write && uses(topic->name, kind)) {
+    throw PluginError(fmt::format("opens topic '{}' twice for writing. Keep the one Output", topic->name));
+  }
+  ports_.emplace_back(*topic, kind);
 }
 
 void ManagedPlugin::bind(msgclient::Client& client, const ManagedPlugin* predecessor) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "gaitway/core/isolated_plugin.hpp"
+
 namespace gaitway::core {
 PluginManager::PluginManager(const Configuration& configuration, const PluginManagerOptions& options,
                              msgclient::Client& client)
@@ -49,7 +51,16 @@ void PluginManager::unload() noexcept {
 
 std::unique_ptr<ManagedPlugin> PluginManager::load(const PluginEntry& entry, EventLog& events) const {
   const PluginSource source{configuration_file_, options_.robot_directory, search_path_};
+  if (entry.isolation == Isolation::process) {
+    return std::make_unique<IsolatedPlugin>(entry, source, options_.isolation, events);
+  }
   return std::make_unique<LoadedPlugin>(entry, source, events);
+}
+
+void PluginManager::maintain(std::int64_t now_ns) noexcept {
+  for (const auto& slot : slots_) {
+    slot->plugin->maintain(now_ns);
+  }
 }
 
 void PluginManager::load_all(const Configuration& configuration) {

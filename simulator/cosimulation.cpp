@@ -65,6 +65,7 @@ void Cosimulation::advance_millisecond() {
 
 void Cosimulation::main_controller_tick() {
   const core::TickReport report = main_controller_->step(now_ns_);
+  main_controller_->maintain(now_ns_);
   const std::int64_t cost_ns =
       (report.batch ? options_.batch_cost_ns : options_.tick_cost_ns) + report.declared_cost_ns;
   busy_until_ns_ = now_ns_ + report.declared_cost_ns;

@@ -23,8 +23,9 @@ std::filesystem::path temporary_log(const std::string& name) {
          ("gaitway_" + name + "_" + std::to_string(getpid()) + ".log");
 }
 
-std::uint64_t digest_of(std::uint64_t seed) {
-  SimulatedRun run(seed);
+std::uint64_t digest_of(std::uint64_t seed,
+                        const std::filesystem::path& configuration = "core/config/walk.yaml") {
+  SimulatedRun run(seed, {}, configuration);
   run.play(kShortWalk);
   return run.recorder.digest();
 }
@@ -33,6 +34,10 @@ TEST(Chain, OneSeedGivesOneDigestAndAnotherAnother) {
   const std::uint64_t first = digest_of(1);
   EXPECT_EQ(first, digest_of(1));
   EXPECT_NE(first, digest_of(2));
+}
+
+TEST(Chain, PluginsInProcessesOfTheirOwnChangeNothing) {
+  EXPECT_EQ(digest_of(1), digest_of(1, "tests/scenarios/isolated.yaml"));
 }
 
 // Keeps every joint's reference count at the end of each time slot.

@@ -3,10 +3,12 @@
 //   plugins:
 //     - name: trajectory                           # unique; also what faults and statistics are called by
 //       library: libgaitway_plugin_trajectory.so   # on the search path; default: libgaitway_plugin_<name>.so
+//       isolation: none                            # default; process: in a process of its own
 //       parameters: {step_time: 0.4 s, lift: 0.03 m}
 //       budget: 5 ms                               # and what else containment_settings.hpp says
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -28,11 +30,14 @@ struct ParameterEntry {
   int line = 0;      // 1 is the first
 };
 
+enum class Isolation : std::uint8_t { none, process };
+
 struct PluginEntry {
   std::string name;
   std::string library;
   int line = 0;
   std::vector<ParameterEntry> parameters = {};
+  Isolation isolation = Isolation::none;
   ContainmentSettings containment = {};
 };
 

@@ -25,6 +25,7 @@ struct MainControllerOptions {
   std::optional<Configuration> plugins;     // instead of reading that file
   SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
   WallClock wall_clock = &steady_clock_ns;  // for compute times; nullptr: they count as 0
+  IsolationOptions isolation = {};          // of plug-ins in processes of their own
   // As in PluginManagerOptions.
   bool wall_time_decides = false;
   const PluginFaultTable* injected_faults = nullptr;
@@ -73,6 +74,8 @@ class MainController {
   // One tick: reads answers, steps the plug-ins, posts the trims if they are new and, at a batch tick, checks
   // the newest joint plan and hands it over. For the cycle: no allocation, lock or exception.
   TickReport step(std::int64_t now_ns) noexcept;
+  // Off the tick, once after each: what must not delay one.
+  void maintain(std::int64_t now_ns) noexcept { manager_.maintain(now_ns); }
 
   [[nodiscard]] MainControllerStatistics statistics() const;
   [[nodiscard]] const PluginManager& plugins() const noexcept { return manager_; }

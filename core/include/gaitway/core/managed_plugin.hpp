@@ -45,6 +45,8 @@ class ManagedPlugin {
 
   virtual void activate() = 0;
   virtual void deactivate() noexcept = 0;
+  // Off the tick, once after each: what can wait until then, such as a process that is to be started again.
+  virtual void maintain(std::int64_t /*now_ns*/) noexcept {}
 
   // For the cycle.
   [[nodiscard]] bool is_due(const Tick& tick) const noexcept { return tick.batch || period_ == Period::tick; }
@@ -86,6 +88,8 @@ class ManagedPlugin {
   // why.
   virtual bool run(const Tick& tick) noexcept = 0;
 
+  // Appends a port. Throws PluginError.
+  void declare_topic(const gaitway_topic* topic, gaitway_access access);
   [[nodiscard]] gaitway_text error_text() noexcept;
   [[noreturn]] void fail(std::string_view what);
 

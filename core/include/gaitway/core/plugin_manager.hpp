@@ -14,6 +14,7 @@
 #include "gaitway/core/configuration.hpp"
 #include "gaitway/core/data_flow.hpp"
 #include "gaitway/core/event_log.hpp"
+#include "gaitway/core/isolation_options.hpp"
 #include "gaitway/core/loaded_plugin.hpp"
 #include "gaitway/core/plugin_change.hpp"
 #include "gaitway/core/plugin_fault_table.hpp"
@@ -30,6 +31,7 @@ struct PluginManagerOptions {
   std::filesystem::path robot_directory;
   SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
   WallClock wall_clock = &steady_clock_ns;  // measures steps; nullptr: they count as 0
+  IsolationOptions isolation = {};          // of plug-ins in processes of their own
   // Whether measured time counts against the budgets, as in real time. In virtual time only declared costs
   // do.
   bool wall_time_decides = false;
@@ -67,6 +69,9 @@ class PluginManager {
   int step(const Tick& tick) noexcept;
   // What faults that were injected made the last step cost.
   [[nodiscard]] std::int64_t declared_cost_ns() const noexcept { return declared_cost_ns_; }
+
+  // Off the tick, once after each: replaces the processes of isolated plug-ins that ended.
+  void maintain(std::int64_t now_ns) noexcept;
 
   // --- Changes while the robot walks. One at a time: prepare, schedule, step until there is a result.
   // Off the tick, by another thread if need be: loads and constructs the plug-in, checks the data flow with

@@ -42,7 +42,7 @@ class StateEstimator {
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.contacts_, self.bias_, self.attitude_, self.com_, self.angular_velocity_, self.zmp_m_,
-            self.support_, self.started_, self.inputs_);
+            self.support_, self.started_, self.blind_ticks_, self.inputs_);
   }
 
  private:

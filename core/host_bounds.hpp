@@ -1,0 +1,23 @@
+// What a plug-in host may not do, set before any of the plug-in's code runs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace gaitway::core {
+
+struct HostBounds {
+  std::uint64_t memory_limit_bytes = 0;
+  std::uint64_t descriptor_limit = 0;
+};
+
+// For a process's main thread, once: closes all descriptors from `first_closed` on, sets limits on memory and
+// descriptors, no core file, no new rights, a priority below that of the manager, and refuses system calls
+// that start or trace processes, signal others, reach the network, or lift these bounds. A refused call
+// answers EPERM and is remembered. Where the kernel has no such filter, RLIMIT_NPROC 0 stands for it.
+void enter_host_bounds(const HostBounds& bounds, int first_closed) noexcept;
+
+// The first refused call since the last question, for people; empty: none.
+[[nodiscard]] std::string take_refused_call();
+
+}  // namespace gaitway::core

@@ -1,0 +1,64 @@
+// The other end of an isolated plug-in: loads its library, asks the manager for what it declares, and runs
+// its calls on values in the shared segment.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gaitway/core/data_flow.hpp"
+#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/msgclient/segment.hpp"
+#include "gaitway/process/file_descriptor.hpp"
+#include "isolation_exchange.hpp"
+
+namespace gaitway::core {
+
+inline constexpr int kHostSocket = 3;  // where the manager left it
+
+class PluginHost {
+ public:
+  explicit PluginHost(process::FileDescriptor socket) : socket_(std::move(socket)) {}
+  PluginHost(const PluginHost&) = delete;
+  PluginHost& operator=(const PluginHost&) = delete;
+
+  // Until the manager says so, or goes. Returns the exit code.
+  int run();
+
+ private:
+  struct Port {
+    Access access = Access::read;
+    std::uint32_t size = 0;
+    PortArea* area = nullptr;
+    [[nodiscard]] std::byte* value() const noexcept { return reinterpret_cast<std::byte*>(area + 1); }
+  };
+  struct Functions;  // of gaitway_host
+  enum class Phase : std::uint8_t { creating, idle, stepping };
+
+  bool create();
+  bool construct();
+  bool attach();
+  void serve();
+  void answer(const HostRequest& request, HostReply& reply) noexcept;
+  gaitway_status call(const HostRequest& request, HostReply& reply, const gaitway_text& error) noexcept;
+  gaitway_status step(const HostRequest& request, HostReply& reply, const gaitway_text& error) noexcept;
+  gaitway_status save_state(HostReply& reply, const gaitway_text& error) noexcept;
+  gaitway_status restore_state(const HostRequest& request, const gaitway_text& error) noexcept;
+  gaitway_status set_parameter(const HostRequest& request, const gaitway_text& error) noexcept;
+
+  process::FileDescriptor socket_;
+  std::unique_ptr<PluginLibrary> library_;
+  std::string robot_directory_;
+  std::deque<Port> ports_;         // stable addresses: the plug-in holds them
+  std::deque<std::string> texts_;  // values of parameters
+  gaitway_host host_{};
+  gaitway_instance instance_{};
+  Phase phase_ = Phase::creating;
+  bool hands_state_on_ = true;  // until a save shows that it does not
+  std::unique_ptr<msgclient::Segment> segment_;
+  ExchangeHeader* exchange_ = nullptr;
+};
+
+}  // namespace gaitway::core
