@@ -48,7 +48,8 @@ Isolation isolation_of(const YamlValue& value) {
 }
 
 PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
-  constexpr std::array<std::string_view, 4> kKeys{"name", "library", "isolation", "parameters"};
+  constexpr std::array<std::string_view, 7> kKeys{"name",     "library", "isolation",    "parameters",
+                                                  "fallback", "budget",  "give_up_after"};
   map.require_map(kKeys);
   PluginEntry entry;
   entry.line = map.line();
@@ -64,6 +65,7 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
       entry.parameters.push_back({name, value.text(), value.line()});
     }
   }
+  entry.containment = read_containment(map);
   return entry;
 }
 

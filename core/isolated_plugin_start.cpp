@@ -167,6 +167,8 @@ void IsolatedPlugin::take_topic(PacketReader& packet) {
     field.count = packet.number<std::uint32_t>();
     field.bytes = packet.number<std::uint32_t>();
     field.rows = packet.number<std::uint32_t>();
+    field.lowest = packet.number<double>();
+    field.highest = packet.number<double>();
     fields.push_back(field);
   }
   topic.float_field_count = count;

@@ -16,7 +16,11 @@ PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainCo
   return {.robot_directory = robot.directory,
           .plugin_path = options.plugin_path,
           .wall_clock = options.wall_clock,
-          .isolation = options.isolation};
+          .isolation = options.isolation,
+          .wall_time_decides = options.wall_time_decides,
+          .injected_faults = options.injected_faults,
+          .step_watch = options.step_watch,
+          .left_out = options.left_out};
 }
 
 // Topics of the message controller lie beyond the EMI.
@@ -55,6 +59,7 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   take_answers(tick);
   host_.charge_read(crossing_bytes_, now_ns);
   manager_.step(tick);
+  report.declared_cost_ns = manager_.declared_cost_ns();
   post_trim(tick, report);
   if (tick.batch && hand_over(tick, report) == HandOverOutcome::unusable &&
       manager_.take_trial_back(tick, last_refusal_.data())) {

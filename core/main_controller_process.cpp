@@ -1,15 +1,21 @@
 // The `main_controller` process: the main controller in real time, beside a message controller process. All
 // processes of one robot share CLOCK_MONOTONIC: cycle n starts at n * 80 ms of it.
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/core/plugin_requests.hpp"
+#include "gaitway/core/step_watch.hpp"
+#include "gaitway/core/supervisor.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/process/real_time.hpp"
 
@@ -34,6 +40,8 @@ struct Options {
   core::MainControllerOptions controller;
   double seconds = 0.0;
   bool quiet = false;
+  bool supervised = false;
+  int step_watch = -1;  // descriptor that the supervisor hands on; -1: nobody supervises
 };
 
 // Prints what is new in the event log; leaves out all but a few at a time.
@@ -99,6 +107,9 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
     }
     result.lateness.add(now_ns - deadline_ns);
     controller.step(now_ns);
+    if (options.controller.step_watch != nullptr) {
+      options.controller.step_watch->count_tick();
+    }
     controller.maintain(now_ns);
     if (now_ns - client.heartbeat_ns() > kSilence_ns) {
       fmt::print(stderr,
@@ -133,12 +144,31 @@ void print_summary(const core::MainController& controller, const LoopResult& loo
   fmt::print("  batch compute     p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n", s.batch_compute_us.p50,
              s.batch_compute_us.p99, s.batch_compute_us.max);
   for (const core::PluginTiming& plugin : s.plugins) {
-    fmt::print("  {:<17} {} steps, {} faults, p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n", plugin.name,
-               plugin.steps, plugin.faults, plugin.step_us.p50, plugin.step_us.p99, plugin.step_us.max);
+    fmt::print("  {:<17} {}, {} steps, {} faults, {} overruns, p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n",
+               plugin.name, core::service_state_name(plugin.state), plugin.steps, plugin.faults,
+               plugin.overruns, plugin.step_us.p50, plugin.step_us.p99, plugin.step_us.max);
   }
 }
 
-int run(const Options& options) {
+// The same command line, without the wish to be supervised.
+int run_supervised(int argc, char** argv, bool quiet) {
+  core::SupervisorOptions options{.program = "/proc/self/exe", .arguments = {}, .quiet = quiet};
+  for (int i = 1; i < argc; ++i) {
+    if (std::string_view(argv[i]) != "--supervised") {
+      options.arguments.emplace_back(argv[i]);
+    }
+  }
+  return core::supervise(options);
+}
+
+int run(Options options) {
+  std::optional<core::StepWatch> watch;
+  if (options.step_watch >= 0) {
+    watch.emplace(core::StepWatch::open(options.step_watch));
+    options.controller.step_watch = &*watch;
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // never without its supervisor
+  }
+  options.controller.wall_time_decides = true;
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
   msgclient::Client client = msgclient::Client::connect(options.socket, "main_controller");
   msgclient::EmiHost host(client);
@@ -171,6 +201,12 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_flag("--quiet", options.quiet, "No events and no summary");
+  app.add_option("--without", options.controller.left_out,
+                 "Plug-ins of the configuration that are not loaded; built-in fallbacks write their topics")
+      ->allow_extra_args(false);
+  app.add_flag("--supervised", options.supervised,
+               "Start again at once when a plug-in brings the process down, without that plug-in");
+  app.add_option("--step-watch", options.step_watch)->group("");  // the supervisor's own
   app.footer(
       "Examples:\n"
       "  main_controller --socket /run/gaitway.sock --robot urdf/humanoid22 --config core/config/walk.yaml\n"
@@ -179,7 +215,7 @@ int main(int argc, char** argv) {
       "Ends on SIGINT and SIGTERM; the message controller then plays the safe tail to its end and the robot "
       "stands.\n"
       "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the message controller went "
-      "away.");
+      "away, 4 supervised: it died more than three times within a minute.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -187,7 +223,7 @@ int main(int argc, char** argv) {
   }
   process::stop_on_signals();
   try {
-    return run(options);
+    return options.supervised ? run_supervised(argc, argv, options.quiet) : run(options);
   } catch (const std::exception& error) {
     fmt::print(stderr, "main_controller: {}\n", error.what());
     return kExitBadInput;

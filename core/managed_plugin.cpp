@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "plugin_declarations.hpp"
 
@@ -69,32 +70,75 @@ void ManagedPlugin::take_snapshots() noexcept {
   }
 }
 
-bool ManagedPlugin::step(const Tick& tick) noexcept {
+bool ManagedPlugin::prepare(const Tick& tick, double offset) noexcept {
   tick_ = tick;
-  if (run(tick) && check_outputs()) {
-    for (TopicPort& port : ports_) {
-      port.commit(tick.now_ns);
+  const bool ran = run(tick);
+  for (TopicPort& port : ports_) {
+    if (ran && offset != 0.0) {
+      port.spoil_staged(offset);
     }
-    return true;
   }
+  return ran && check_outputs();
+}
+
+void ManagedPlugin::commit() noexcept {
+  for (TopicPort& port : ports_) {
+    port.commit(tick_.now_ns);
+  }
+}
+
+void ManagedPlugin::discard() noexcept {
   for (TopicPort& port : ports_) {
     port.discard();
   }
-  return false;
+}
+
+bool ManagedPlugin::step(const Tick& tick) noexcept {
+  const bool fine = prepare(tick);
+  fine ? commit() : discard();
+  return fine;
+}
+
+bool ManagedPlugin::publish_in_place(std::string_view topic, std::uint64_t type_hash, const void* value,
+                                     std::int64_t stamp_ns) noexcept {
+  const auto port = std::find_if(ports_.begin(), ports_.end(), [&](const TopicPort& candidate) {
+    const TopicUse& use = candidate.use();
+    return use.access == Access::write && use.type_hash == type_hash && use.topic == topic;
+  });
+  return port != ports_.end() && port->publish_now(value, stamp_ns);
+}
+
+std::int64_t ManagedPlugin::take_input_age_ns() noexcept {
+  std::int64_t oldest_ns = 0;
+  for (TopicPort& port : ports_) {
+    oldest_ns = std::max(oldest_ns, port.take_read_age_ns(tick_.now_ns));
+  }
+  return oldest_ns;
 }
 
 bool ManagedPlugin::check_outputs() noexcept {
   for (const TopicPort& port : ports_) {
-    const auto problem = port.find_non_finite();
+    const auto problem = port.find_bad_number();
     if (!problem) {
       continue;
     }
     const FloatField& field = *problem->field;
     const std::uint32_t columns = field.count / field.rows;
-    fmt::format_to_n(error_text_.data(), error_text_.size() - 1,
-                     "topic '{}': field '{}'[{}][{}] is not finite; all numbers of an output must be",
-                     port.use().topic, field.name, problem->element / columns, problem->element % columns)
-        .out[0] = '\0';
+    const std::uint32_t row = problem->element / columns, column = problem->element % columns;
+    char* const to = error_text_.data();
+    const std::size_t room = error_text_.size() - 1;
+    const std::string_view topic = port.use().topic;
+    char* const end =
+        std::isfinite(problem->value)
+            ? fmt::format_to_n(to, room,
+                               "topic '{}': field '{}'[{}][{}] is {:g}; it must lie between {:g} and {:g}",
+                               topic, field.name, row, column, problem->value, field.lowest, field.highest)
+                  .out
+            : fmt::format_to_n(
+                  to, room, "topic '{}': field '{}'[{}][{}] is not finite; all numbers of an output must be",
+                  topic, field.name, row, column)
+                  .out;
+    *end = '\0';
     return false;
   }
   return true;

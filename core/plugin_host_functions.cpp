@@ -23,6 +23,7 @@ PacketWriter describe(const gaitway_topic& topic, gaitway_access access) {
   for (std::uint32_t i = 0; i < topic.float_field_count; ++i) {
     const gaitway_float_field& field = topic.float_fields[i];
     packet.text(field.name).number(field.offset).number(field.count).number(field.bytes).number(field.rows);
+    packet.number(field.lowest).number(field.highest);
   }
   return packet;
 }

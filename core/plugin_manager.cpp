@@ -8,12 +8,6 @@
 #include "gaitway/core/isolated_plugin.hpp"
 
 namespace gaitway::core {
-namespace {
-
-constexpr std::size_t kReportedPlugins = std::size(PluginStatistics{}.steps);
-
-}  // namespace
-
 PluginManager::PluginManager(const Configuration& configuration, const PluginManagerOptions& options,
                              msgclient::Client& client)
     : options_(options),
@@ -25,6 +19,7 @@ PluginManager::PluginManager(const Configuration& configuration, const PluginMan
     put_in_order(configuration, client);
     for (const auto& slot : slots_) {
       slot->plugin->bind(client);
+      contain(*slot);
     }
     try {
       statistics_writer_ = std::make_unique<msgclient::Writer<PluginStatistics>>(
@@ -76,12 +71,17 @@ void PluginManager::load_all(const Configuration& configuration) {
                       "another name",
                       configuration.file.string(), entry.line, entry.name));
     }
+    if (std::find(options_.left_out.begin(), options_.left_out.end(), entry.name) !=
+        options_.left_out.end()) {
+      continue;
+    }
     auto slot = std::make_unique<PluginSlot>();
     slot->plugin = load(entry, events_);
     slot->entry = entry;
     slot->configured = slots_.size();
     slots_.push_back(std::move(slot));
   }
+  add_stand_ins(configuration);
 }
 
 void PluginManager::put_in_order(const Configuration& configuration, const msgclient::Client& client) {
@@ -114,8 +114,9 @@ void PluginManager::put_in_order(const Configuration& configuration, const msgcl
 
 int PluginManager::step(const Tick& tick) noexcept {
   end_trial(tick);
+  declared_cost_ns_ = 0;
   for (const auto& slot : slots_) {
-    slot->failed = false;
+    slot->failed = slot->covered = false;
     slot->stepped = !slot->plugin->is_due(tick);
   }
   if (tick.batch && change_phase_ == ChangePhase::waiting) {
@@ -151,19 +152,6 @@ int PluginManager::step_all(const Tick& tick) noexcept {
   return failed;
 }
 
-void PluginManager::step(PluginSlot& slot, const Tick& tick) noexcept {
-  const std::int64_t begin_ns = wall_ns();
-  slot.stepped = true;
-  slot.failed = !slot.plugin->step(tick);
-  slot.last_step_ns = wall_ns() - begin_ns;
-  slot.step_wall.add(slot.last_step_ns);
-  ++slot.steps;
-  if (slot.failed) {
-    ++slot.faults;
-    events_.add(tick.now_ns, tick.tick, EventKind::fault, slot.plugin->name(), slot.plugin->fault());
-  }
-}
-
 void PluginManager::set_parameter(std::string_view plugin, std::string_view parameter,
                                   const std::string& text) {
   ManagedPlugin& target = *slots_[require(plugin)]->plugin;
@@ -174,25 +162,11 @@ void PluginManager::set_parameter(std::string_view plugin, std::string_view para
   target.parameters().keep(parameter, value);
 }
 
-void PluginManager::publish_statistics(const Tick& tick) noexcept {
-  statistics_.stamp_ns = tick.now_ns;
-  const std::size_t count = std::min(slots_.size(), kReportedPlugins);
-  statistics_.plugin_count = static_cast<std::uint32_t>(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const PluginSlot& slot = *slots_[i];
-    statistics_.steps[i] = slot.steps;
-    statistics_.faults[i] = slot.faults;
-    statistics_.last_step_ns[i] = slot.last_step_ns;
-    statistics_.worst_step_ns[i] = slot.step_wall.max_ns();
-  }
-  statistics_writer_->publish(statistics_, tick.now_ns);
-}
-
 const ManagedPlugin* PluginManager::fault_behind(std::string_view topic) const noexcept {
   const auto writes = [topic](const auto& slot) { return slot->plugin->uses(topic, Access::write); };
   const auto writer = std::find_if(slots_.begin(), slots_.end(), writes);
   for (std::size_t i = 0; writer != slots_.end() && i < slots_.size(); ++i) {
-    if (slots_[i]->failed && (*writer)->depends_on[i]) {
+    if (slots_[i]->failed && !slots_[i]->covered && (*writer)->depends_on[i]) {
       return slots_[i]->plugin.get();
     }
   }
@@ -201,16 +175,23 @@ const ManagedPlugin* PluginManager::fault_behind(std::string_view topic) const n
 
 bool PluginManager::uses(std::string_view topic) const noexcept {
   constexpr std::array kAccesses{Access::read, Access::read_previous, Access::read_optional, Access::write};
+  const auto reads = [topic](FallbackKind kind) {
+    const auto topics = topics_read_by(kind);
+    return std::find(topics.begin(), topics.end(), topic) != topics.end();
+  };
   return std::any_of(slots_.begin(), slots_.end(), [&](const auto& slot) {
+    const auto& fallbacks = slot->containment.fallbacks().kinds();
     return std::any_of(kAccesses.begin(), kAccesses.end(),
-                       [&](Access access) { return slot->plugin->uses(topic, access); });
+                       [&](Access access) { return slot->plugin->uses(topic, access); }) ||
+           std::any_of(fallbacks.begin(), fallbacks.end(), reads);
   });
 }
 
 std::vector<PluginTiming> PluginManager::timings() const {
   std::vector<PluginTiming> result;
   for (const auto& slot : slots_) {
-    result.push_back({slot->plugin->name(), slot->steps, slot->faults, slot->step_wall.summary()});
+    result.push_back({slot->plugin->name(), slot->steps, slot->faults, slot->step_wall.summary(),
+                      slot->containment.overruns(), slot->containment.state()});
   }
   return result;
 }

@@ -51,6 +51,7 @@ std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEnt
   auto change = plan_change(entry.name, std::move(slot), std::move(news), old);
   ManagedPlugin& incoming = *change->incoming()->plugin;
   incoming.bind(client_, predecessor);
+  contain(*change->incoming());
   incoming.activate();
   return change;
 }
@@ -124,7 +125,8 @@ void PluginManager::begin_change(const Tick& tick) noexcept {
   const bool replaces = change.outgoing_index() != PluginChange::kIncoming;
   ManagedPlugin* const old = replaces ? slots_[change.outgoing_index()]->plugin.get() : nullptr;
   if (incoming != nullptr && old != nullptr) {
-    if (!old->save_state(change.state())) {
+    // One that is out of service has nothing to hand on that is of use.
+    if (slots_[change.outgoing_index()]->containment.is_stepped() && !old->save_state(change.state())) {
       return fail_change(tick, "the running one cannot hand its state on", old->fault());
     }
     if (!incoming->plugin->restore_state(change.state())) {

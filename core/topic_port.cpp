@@ -4,33 +4,52 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
+#include <limits>
 
 #include "gaitway/msgclient/topics.hpp"
 
 namespace gaitway::core {
 namespace {
 
-// Exponent bits all set: infinite or not a number. The loop has no branch but its last one, so that compilers
-// vectorise it.
-template <class Word>
-std::optional<std::uint32_t> first_non_finite(const std::byte* data, std::uint32_t count,
-                                              Word exponent) noexcept {
-  Word found = 0;
+// Neither finite nor within the limits: one comparison finds both, since none holds for a NaN. The loop has
+// no branch, so that compilers vectorise it.
+template <class Number>
+std::optional<std::uint32_t> first_beyond(const std::byte* data, std::uint32_t count, double lowest,
+                                          double highest) noexcept {
+  constexpr auto kLargest = static_cast<double>(std::numeric_limits<Number>::max());
+  const auto low = static_cast<Number>(std::max(lowest, -kLargest));
+  const auto high = static_cast<Number>(std::min(highest, kLargest));
+  const auto is_good = [&](std::uint32_t i) {
+    Number number;
+    std::memcpy(&number, data + i * sizeof(Number), sizeof(Number));
+    return static_cast<unsigned>(number >= low) & static_cast<unsigned>(number <= high);
+  };
+  unsigned good = 1;
   for (std::uint32_t i = 0; i < count; ++i) {
-    Word word;
-    std::memcpy(&word, data + i * sizeof(Word), sizeof(Word));
-    found |= static_cast<Word>((word & exponent) == exponent);
+    good &= is_good(i);
   }
-  for (std::uint32_t i = 0; found != 0 && i < count; ++i) {
-    Word word;
-    std::memcpy(&word, data + i * sizeof(Word), sizeof(Word));
-    if ((word & exponent) == exponent) {
+  for (std::uint32_t i = 0; good == 0 && i < count; ++i) {
+    if (is_good(i) == 0) {
       return i;
     }
   }
   return std::nullopt;
+}
+
+const StandardTopic* standard_topic(std::string_view name, std::uint64_t type_hash) noexcept {
+  const auto found = std::find_if(
+      kStandardTopics.begin(), kStandardTopics.end(),
+      [&](const StandardTopic& topic) { return topic.name == name && topic.type->hash == type_hash; });
+  return found == kStandardTopics.end() ? nullptr : &*found;
+}
+
+// A standard type's limits say what makes sense in its topic. Under another name it may mean anything.
+bool has_limits(const TopicUse& use) noexcept {
+  const bool standard_type =
+      std::any_of(kStandardTypes.begin(), kStandardTypes.end(),
+                  [&](const TypeDescriptor* type) { return type->hash == use.type_hash; });
+  return !standard_type || standard_topic(use.topic, use.type_hash) != nullptr;
 }
 
 // Of a plan only the points that it claims to have are in use; one with sequence 0 has none.
@@ -61,8 +80,13 @@ TopicPort::TopicPort(const gaitway_topic& topic, Access access)
           "of {} bytes. Correct the plug-in's field table",
           topic.name, field.name, field.count, field.bytes, field.offset, topic.size));
     }
-    float_fields_.push_back({field.name, field.offset, field.count, field.bytes, field.rows});
+    const bool limited = (field.lowest != 0.0 || field.highest != 0.0) && has_limits(use_);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    float_fields_.push_back({field.name, field.offset, field.count, field.bytes, field.rows,
+                             limited ? field.lowest : -kInfinity, limited ? field.highest : kInfinity});
   }
+  const StandardTopic* const standard = standard_topic(use_.topic, use_.type_hash);
+  periodic_ = standard == nullptr || standard->period_ns > 0;
 }
 
 void TopicPort::bind(msgclient::Client& client) {
@@ -99,7 +123,15 @@ gaitway_status TopicPort::read(void* value, gaitway_sample& sample) noexcept {
       sample = {result.sequence, result.stamp_ns};
     }
   }
+  read_stamp_ns_ = sample.stamp_ns;
   return sample.sequence == 0 ? GAITWAY_NO_VALUE : GAITWAY_OK;
+}
+
+std::int64_t TopicPort::take_read_age_ns(std::int64_t now_ns) noexcept {
+  const bool counts = read_stamp_ns_ != 0 && periodic_;
+  const std::int64_t age_ns = counts ? now_ns - read_stamp_ns_ : 0;
+  read_stamp_ns_ = 0;
+  return age_ns;
 }
 
 void TopicPort::take_snapshot() noexcept {
@@ -137,21 +169,57 @@ std::uint32_t TopicPort::elements_in_use(const FloatField& field) const noexcept
   return field.count / field.rows * rows;
 }
 
-std::optional<NonFinite> TopicPort::find_non_finite() const noexcept {
+double TopicPort::number_at(const FloatField& field, std::uint32_t element) const noexcept {
+  const std::byte* const data = copy_.data() + field.offset + std::size_t{element} * field.bytes;
+  double value = 0.0;
+  float single = 0.0F;
+  if (field.bytes == sizeof single) {
+    std::memcpy(&single, data, sizeof single);
+    value = static_cast<double>(single);
+  } else {
+    std::memcpy(&value, data, sizeof value);
+  }
+  return value;
+}
+
+std::optional<BadNumber> TopicPort::find_bad_number() const noexcept {
   if (!staged_) {
     return std::nullopt;
   }
   for (const FloatField& field : float_fields_) {
     const std::byte* const data = copy_.data() + field.offset;
     const std::uint32_t count = elements_in_use(field);
-    const auto element = field.bytes == 4
-                             ? first_non_finite<std::uint32_t>(data, count, 0x7f80'0000U)
-                             : first_non_finite<std::uint64_t>(data, count, 0x7ff0'0000'0000'0000U);
+    const auto element = field.bytes == 4 ? first_beyond<float>(data, count, field.lowest, field.highest)
+                                          : first_beyond<double>(data, count, field.lowest, field.highest);
     if (element) {
-      return NonFinite{&field, *element};
+      return BadNumber{&field, *element, number_at(field, *element)};
     }
   }
   return std::nullopt;
+}
+
+void TopicPort::spoil_staged(double offset) noexcept {
+  if (!staged_) {
+    return;
+  }
+  for (const FloatField& field : float_fields_) {
+    const double value = number_at(field, 0) + offset;
+    const auto single = static_cast<float>(value);
+    std::byte* const data = copy_.data() + field.offset;
+    if (field.bytes == sizeof single) {
+      std::memcpy(data, &single, sizeof single);
+    } else {
+      std::memcpy(data, &value, sizeof value);
+    }
+  }
+}
+
+bool TopicPort::publish_now(const void* value, std::int64_t stamp_ns) noexcept {
+  if (!writer_) {
+    return false;
+  }
+  writer_->publish(value, stamp_ns);
+  return true;
 }
 
 }  // namespace gaitway::core

@@ -1,12 +1,15 @@
 // Lock-step of all parts of the chain.
 #include "gaitway/simulator/cosimulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::simulator {
 namespace {
@@ -39,6 +42,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
     walk_command_.emplace(behavior_client_.write<WalkCommand>("walk_command"));
     walk_command_->publish(WalkCommand{}, 0);
   }
+  options_.main_controller.injected_faults = &plugin_faults_;
   main_controller_ =
       std::make_unique<core::MainController>(robot_, main_client_, adapter_.host(), options_.main_controller);
 }
@@ -48,7 +52,7 @@ Cosimulation::~Cosimulation() = default;
 void Cosimulation::advance_millisecond() {
   joints_.step(now_ns_, plant_.sensors());
   message_controller_.step(now_ns_);
-  if (core::is_tick(now_ns_) && now_ns_ >= silent_until_ns_) {
+  if (core::is_tick(now_ns_) && now_ns_ >= std::max(silent_until_ns_, busy_until_ns_)) {
     main_controller_tick();
   }
   exchange_frames(now_ns_ + kMillisecond_ns);
@@ -62,7 +66,9 @@ void Cosimulation::advance_millisecond() {
 void Cosimulation::main_controller_tick() {
   const core::TickReport report = main_controller_->step(now_ns_);
   main_controller_->maintain(now_ns_);
-  const std::int64_t cost_ns = report.batch ? options_.batch_cost_ns : options_.tick_cost_ns;
+  const std::int64_t cost_ns =
+      (report.batch ? options_.batch_cost_ns : options_.tick_cost_ns) + report.declared_cost_ns;
+  busy_until_ns_ = now_ns_ + report.declared_cost_ns;
   if (report.posted) {
     ring_at(now_ns_ + cost_ns + report.transfer_ns);
   }
@@ -137,6 +143,21 @@ void Cosimulation::inject_losses() {
   });
 }
 
+void Cosimulation::inject(const PluginFault& fault) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < plugins().size(); ++i) {
+    known.push_back(plugins().plugin(i).name());
+  }
+  if (std::find(known.begin(), known.end(), fault.plugin) == known.end()) {
+    throw urdf::RobotError(fmt::format("fault of plug-in '{}': the main controller has none of this name. {}",
+                                       fault.plugin, urdf::suggest(fault.plugin, known)));
+  }
+  const bool overruns = fault.how == core::PluginFaultKind::overruns;
+  plugin_faults_.inject(
+      fault.plugin, {fault.how, overruns ? to_ns(fault.cost_s) : 0},
+      fault.duration_s > 0.0 ? now_ns_ + to_ns(fault.duration_s) : std::numeric_limits<std::int64_t>::max());
+}
+
 void Cosimulation::apply(const ScenarioEvent& event) {
   struct Visitor {
     Cosimulation& self;
@@ -169,6 +190,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       self.losses_until_ns_ = self.now_ns_ + to_ns(fault.duration_s);
       self.inject_losses();
     }
+    void operator()(const PluginFault& fault) const { self.inject(fault); }
     void post(msgclient::UserCommandKind kind) const {
       const msgclient::UserCommandMail mail{.sequence = ++self.user_commands_, .kind = kind};
       self.ring_at(self.now_ns_ + self.adapter_.host().post(mail, self.now_ns_).transfer_ns);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "gaitway/urdf/nearest_name.hpp"
 #include "gaitway/urdf/yaml_value.hpp"
@@ -63,10 +64,42 @@ PushEvent read_push(const YamlValue& value, const urdf::RobotModel& robot) {
   return push;
 }
 
+PluginFault read_plugin_fault(const YamlValue& value) {
+  using Kind = core::PluginFaultKind;
+  constexpr std::array<std::pair<std::string_view, Kind>, 4> kHow{{{"throws", Kind::throws},
+                                                                   {"not_a_number", Kind::not_a_number},
+                                                                   {"jumps", Kind::jumps},
+                                                                   {"overruns", Kind::overruns}}};
+  constexpr std::array<std::string_view, 5> kKeys{"kind", "plugin", "how", "duration_s", "cost_s"};
+  value.require_map(kKeys);
+  PluginFault fault;
+  fault.plugin = value.at("plugin").text();
+  const YamlValue how = value.at("how");
+  const auto found =
+      std::find_if(kHow.begin(), kHow.end(), [&](const auto& entry) { return entry.first == how.text(); });
+  if (found == kHow.end()) {
+    how.refuse("must be throws, not_a_number, jumps or overruns", "Choose one of them.");
+  }
+  fault.how = found->second;
+  if (const auto duration = value.find("duration_s")) {
+    fault.duration_s = duration->number(kDuration);
+  }
+  if (const auto cost = value.find("cost_s")) {
+    if (fault.how != Kind::overruns) {
+      cost->refuse("belongs to a step that overruns", "Leave it out");
+    }
+    fault.cost_s = cost->number({1e-6, 10.0, "s"});
+  }
+  return fault;
+}
+
 decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
   constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "probability"};
-  value.require_map(kKeys);
   const std::string kind = value.at("kind").text();
+  if (kind == "plugin_fails") {
+    return read_plugin_fault(value);
+  }
+  value.require_map(kKeys);
   const auto duration = value.find("duration_s");
   if (kind == "main_controller_silent") {
     if (const auto probability = value.find("probability")) {
@@ -78,7 +111,8 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
     return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}),
                            value.at("duration_s").number(kDuration)};
   }
-  value.at("kind").refuse("must be main_controller_silent or lose_frames", "Choose one of them.");
+  value.at("kind").refuse("must be main_controller_silent, lose_frames or plugin_fails",
+                          "Choose one of them.");
 }
 
 void require_true(const YamlValue& value) {

@@ -46,13 +46,17 @@ static gaitway_status step(void* context, const gaitway_tick* tick, const gaitwa
 }
 
 /* A run of numbers that the host checks before it publishes them. */
-#define NUMBERS(type, field, rows) \
-  { #field, offsetof(type, field), sizeof(((type*)0)->field) / sizeof(double), sizeof(double), rows }
+#define NUMBERS(type, field, rows, lowest, highest)                                                          \
+  {                                                                                                          \
+#field, offsetof(type, field), sizeof(((type*)0)->field) / sizeof(double), sizeof(double), rows, lowest, \
+        highest                                                                                              \
+  }
 
 static gaitway_status open_topics(struct nod* self, const gaitway_text* error) {
-  static const gaitway_float_field trim_numbers[] = {NUMBERS(struct gaitway_trim_command, angle, 8)};
+  static const gaitway_float_field trim_numbers[] = {
+      NUMBERS(struct gaitway_trim_command, angle, 8, -0.35, 0.35)};
   static const gaitway_float_field correction_numbers[] = {
-      NUMBERS(struct gaitway_correction, base_attitude_offset, 2)};
+      NUMBERS(struct gaitway_correction, base_attitude_offset, 2, -0.35, 0.35)};
   const gaitway_topic estimate = {"estimate", "Estimate", GAITWAY_ESTIMATE_TYPE_HASH, sizeof self->estimate,
                                   0,          NULL};
   const gaitway_topic trim = {"trim", "TrimCommand", GAITWAY_TRIM_COMMAND_TYPE_HASH, sizeof self->trim,

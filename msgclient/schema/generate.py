@@ -8,6 +8,7 @@ Padding is made explicit: where C would leave a hole, a field `paddingN` is put,
 
 import argparse
 import keyword
+import math
 import pathlib
 import re
 import sys
@@ -19,7 +20,7 @@ SCALARS = {
     "int32": ("int32_t", 4), "uint32": ("uint32_t", 4), "int64": ("int64_t", 8), "uint64": ("uint64_t", 8),
     "float32": ("float", 4), "float64": ("double", 8),
 }
-FIELD_KEYS = {"name", "type", "shape", "unit", "frame", "doc"}
+FIELD_KEYS = {"name", "type", "shape", "unit", "frame", "doc", "limit"}
 MAX_RANK = 4
 MAX_TYPE_BYTES = 1 << 20
 RESERVED = set(keyword.kwlist) | {"double", "float", "int", "char", "struct", "default", "switch", "namespace", "template"}
@@ -65,6 +66,7 @@ class Field:
             value = raw.get(key, "")
             require(isinstance(value, str) and "\n" not in value and "*/" not in value, f"{where}: {key} must be one line of text")
             setattr(self, key, value)
+        self.limit = self.read_limit(where, raw.get("limit"))
         shape = raw.get("shape", [])
         require(isinstance(shape, list) and len(shape) <= MAX_RANK, f"{where}: shape must be a list of at most {MAX_RANK} extents")
         self.extents, self.c_extents = [], []
@@ -80,13 +82,23 @@ class Field:
             self.size *= number
         self.offset = 0
 
+    # Lowest and highest number that a published value may have; None: whatever is finite.
+    def read_limit(self, where, limit):
+        if limit is None:
+            return None
+        require(self.type in ("float32", "float64"), f"{where}: limit belongs to float32 and float64; leave it out")
+        numbers = isinstance(limit, list) and len(limit) == 2 and all(type(bound) in (int, float) and math.isfinite(bound) for bound in limit)
+        require(numbers and limit[0] < limit[1], f"{where}: limit {limit!r} must be [lowest, highest], two finite numbers in rising order")
+        return tuple(map(float, limit))
+
     def canonical(self):
         return f"{self.name}:{self.type}[{','.join(map(str, self.extents))}]|{self.unit}|{self.frame};"
 
     def comment(self):
         frame = f"in {self.frame}" if self.frame else ""
         unit = f"[{self.unit}]" if self.unit else ""
-        return ", ".join(part for part in (" ".join(p for p in (unit, frame) if p), self.doc) if part)
+        limit = f"{self.limit[0]:g} to {self.limit[1]:g}" if self.limit else ""
+        return ", ".join(part for part in (" ".join(p for p in (unit, frame) if p), self.doc, limit) if part)
 
 
 class Type:
@@ -187,8 +199,9 @@ def cpp_type(entry):
              f"  static constexpr std::array<FieldDescriptor, {len(entry.fields)}> fields = {{{{"]
     for field in entry.fields:
         extents = ", ".join(map(str, field.extents))
+        limit = f", {field.limit[0]!r}, {field.limit[1]!r}" if field.limit else ""
         lines.append(f"      {{{quoted(field.name)}, ScalarType::{field.type}_value, {len(field.extents)}, {{{extents}}}, "
-                     f"{quoted(field.unit)}, {quoted(field.frame)}, {quoted(field.doc)}, {field.offset}}},")
+                     f"{quoted(field.unit)}, {quoted(field.frame)}, {quoted(field.doc)}, {field.offset}{limit}}},")
     lines += ["  }};",
               f"  static constexpr TypeDescriptor descriptor{{name, hash, {entry.size}, fields, {quoted(entry.doc)}}};",
               "};",

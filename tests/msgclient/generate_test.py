@@ -49,6 +49,12 @@ class GenerateTest(unittest.TestCase):
     def test_bad_extent_is_refused(self):
         self.refused('{name = "a", type = "int8", shape = [0]}', "'a'", "at least 1")
 
+    def test_bad_limit_is_refused(self):
+        self.refused('{name = "a", type = "int8", limit = [0, 1]}', "'a'", "float32 and float64")
+        self.refused('{name = "a", type = "float32", limit = [1.0]}', "'a'", "[lowest, highest]")
+        self.refused('{name = "a", type = "float32", limit = [1.0, 1.0]}', "'a'", "rising order")
+        self.refused('{name = "a", type = "float32", limit = [0.0, inf]}', "'a'", "finite")
+
     def test_bad_name_is_refused(self):
         self.refused('{name = "Upper", type = "int8"}', "'Upper'")
 
@@ -67,7 +73,7 @@ class GenerateTest(unittest.TestCase):
                       '{name = "a", type = "float32", shape = [3], unit = "m", frame = "plan"}',
                       '{name = "b", type = "float32", shape = [3], unit = "m", frame = "base"}'):
             self.assertNotEqual(base, self.hash_of(other), other)
-        self.assertEqual(base, self.hash_of('{name = "a", type = "float32", shape = ["kCount"], unit = "m", frame = "base", doc = "x"}'))
+        self.assertEqual(base, self.hash_of('{name = "a", type = "float32", shape = ["kCount"], unit = "m", frame = "base", doc = "x", limit = [-1, 2.5]}'))
 
     def test_holes_become_explicit_padding(self):
         entry = schema_of('{name = "a", type = "uint8"}, {name = "b", type = "float64"}, {name = "c", type = "uint16"}').types[0]

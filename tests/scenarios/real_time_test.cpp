@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -120,11 +121,41 @@ class RealTime : public testing::Test {
     EXPECT_TRUE(until(20s, [&] { return std::filesystem::exists(folder / "memory"); })) << process->output();
     return process;
   }
-  std::unique_ptr<Process> start_main_controller() {
-    return std::make_unique<Process>(
-        GAITWAY_MAIN_CONTROLLER, folder / "main.txt",
-        std::vector<std::string>{"--socket", path("memory"), "--robot", kRobot, "--config", kConfig,
-                                 "--plugin-path", GAITWAY_PLUGIN_DIR});
+  std::unique_ptr<Process> start_main_controller(const std::string& config = kConfig,
+                                                 const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"--socket", path("memory"), "--robot",       kRobot,
+                                       "--config", config,         "--plugin-path", GAITWAY_PLUGIN_DIR};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return std::make_unique<Process>(GAITWAY_MAIN_CONTROLLER, folder / "main.txt", arguments);
+  }
+  // The shipped plug-ins, with one as balance feedback that takes the process down while the robot walks.
+  [[nodiscard]] std::string crashing_config(const std::string& parameters) const {
+    std::ofstream(folder / "crash.yaml")
+        << "plugins:\n  - name: zmp\n  - name: trajectory\n  - name: kinematics\n"
+           "  - {name: stability, library: " GAITWAY_TEST_PLUGINS "/crashes.so, parameters: {"
+        << parameters << "}}\n";
+    return path("crash.yaml");
+  }
+  // Walks until the plug-in 'stability' brings the process down, and some seconds on.
+  void walk_through_a_death(const std::string& parameters, const std::string& how) {
+    const auto robot = start_robot();
+    const auto message_controller = start_message_controller("0.12,0,0");
+    const auto main_controller = start_main_controller(crashing_config(parameters), {"--supervised"});
+    EXPECT_TRUE(until(20s, [&] { return main_controller->output().find("back after") != std::string::npos; }))
+        << everything();
+    std::this_thread::sleep_for(4s);
+    EXPECT_EQ(main_controller->stop(), 0) << main_controller->output();
+    EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+    EXPECT_EQ(robot->stop(), 0) << robot->output();
+    EXPECT_THAT(main_controller->output(), HasSubstr("in plug-in 'stability', the process " + how));
+    EXPECT_THAT(main_controller->output(), HasSubstr("started again, without 'stability'"));
+    const std::string text = main_controller->output();
+    const int back_ms = std::atoi(text.c_str() + text.find("back after") + std::strlen("back after "));
+    EXPECT_LE(back_ms, 1000) << text;
+    RecordProperty("back_ms", back_ms);
+    ASSERT_TRUE(summary("robot.json").is_object()) << everything();
+    EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
+    EXPECT_GE(summary("message.json")["tails_played"].get<int>(), 1) << everything();
   }
   [[nodiscard]] std::string everything() const {
     std::string all;
@@ -200,6 +231,14 @@ TEST_F(RealTime, PlugInsAreReplacedFromTheCommandLineWhileTheRobotWalks) {
   EXPECT_EQ(message_controller->stop(), 0);
   EXPECT_EQ(robot->stop(), 0);
   EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
+}
+
+TEST_F(RealTime, ACrashInAPluginLeavesTheRobotUpAndTheMainControllerIsBackWithoutIt) {
+  walk_through_a_death("after_ticks: 500", "was ended by signal 11");
+}
+
+TEST_F(RealTime, APluginThatHangsLeavesTheRobotUpAndTheMainControllerIsBackWithoutIt) {
+  walk_through_a_death("after_ticks: 500, hangs: true", "made no tick for 1000 ms");
 }
 
 TEST_F(RealTime, TheBusWaitsForAMessageControllerThatSleptForThirtyMilliseconds) {

@@ -265,8 +265,11 @@ TEST_F(BadInput, ScenarioPushesAndFaultsThatCannotBe) {
                           {".push.impulse_Ns = '1000': must be 0..50 N*s"});
   expect_scenario_refused("{at_s: 2, push: {body: trunk, direction: [1, 0, 0], impulse: 1}}",
                           {"key = 'impulse'", "Did you mean 'impulse_Ns'?"});
-  expect_scenario_refused("{at_s: 2, fault: {kind: lose_frame, probability: 0.1, duration_s: 1}}",
-                          {".fault.kind = 'lose_frame': must be main_controller_silent or lose_frames"});
+  expect_scenario_refused(
+      "{at_s: 2, fault: {kind: lose_frame, probability: 0.1, duration_s: 1}}",
+      {".fault.kind = 'lose_frame': must be main_controller_silent, lose_frames or plugin_fails"});
+  expect_scenario_refused("{at_s: 2, fault: {kind: plugin_fails, plugin: zmp, how: sulks}}",
+                          {".fault.how = 'sulks': must be throws, not_a_number, jumps or overruns"});
   expect_scenario_refused("{at_s: 2, fault: {kind: lose_frames, probability: 2, duration_s: 1}}",
                           {".fault.probability = '2': must be 0..1"});
   expect_scenario_refused("{at_s: 2, fault: {kind: main_controller_silent, probability: 0.5}}",

@@ -5,6 +5,7 @@
 //       library: libgaitway_plugin_trajectory.so   # on the search path; default: libgaitway_plugin_<name>.so
 //       isolation: none                            # default; process: in a process of its own
 //       parameters: {step_time: 0.4 s, lift: 0.03 m}
+//       budget: 5 ms                               # and what else containment_settings.hpp says
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "gaitway/core/containment_settings.hpp"
 
 namespace gaitway::core {
 
@@ -35,6 +38,7 @@ struct PluginEntry {
   int line = 0;
   std::vector<ParameterEntry> parameters = {};
   Isolation isolation = Isolation::none;
+  ContainmentSettings containment = {};
 };
 
 struct Configuration {

@@ -26,6 +26,11 @@ struct MainControllerOptions {
   SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
   WallClock wall_clock = &steady_clock_ns;  // for compute times; nullptr: they count as 0
   IsolationOptions isolation = {};          // of plug-ins in processes of their own
+  // As in PluginManagerOptions.
+  bool wall_time_decides = false;
+  const PluginFaultTable* injected_faults = nullptr;
+  StepWatch* step_watch = nullptr;
+  std::vector<std::string> left_out = {};
 };
 
 // What a tick did.
@@ -34,6 +39,8 @@ struct TickReport {
   bool handed_over = false;      // and handed it over
   bool posted = false;           // some mail lies in the window and its doorbell rang
   std::int64_t transfer_ns = 0;  // from the tick until the last of them has crossed the bus
+  // What injected faults made the tick cost, on top of what it is charged anyway.
+  std::int64_t declared_cost_ns = 0;
 };
 
 struct MainControllerStatistics {

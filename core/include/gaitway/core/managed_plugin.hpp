@@ -16,6 +16,7 @@
 #include "gaitway/core/tick.hpp"
 #include "gaitway/core/topic_port.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/msgclient/topics.hpp"
 
 namespace gaitway::core {
 
@@ -50,9 +51,22 @@ class ManagedPlugin {
   // For the cycle.
   [[nodiscard]] bool is_due(const Tick& tick) const noexcept { return tick.batch || period_ == Period::tick; }
   void take_snapshots() noexcept;
-  // Publishes the outputs if all went well. False: a fault; nothing was published and fault() says why.
+  // Runs one step and checks what it staged; then commit() or discard(). False: a fault, and fault() says
+  // why. `offset`, if not 0, is put onto the first number of each field of the outputs: an injected fault.
+  bool prepare(const Tick& tick, double offset = 0.0) noexcept;
+  void commit() noexcept;  // publishes what was staged
+  void discard() noexcept;
+  // Both together: publishes the outputs if all went well.
   bool step(const Tick& tick) noexcept;
   [[nodiscard]] std::string_view fault() const noexcept { return error_text_.data(); }
+  void set_fault(std::string_view text) noexcept;
+  // In the plug-in's place, through its own output: one writer a topic. False: it is none of its outputs.
+  template <class T>
+  bool publish_in_place(std::string_view topic, const T& value, std::int64_t stamp_ns) noexcept {
+    return publish_in_place(topic, TopicType<T>::hash, &value, stamp_ns);
+  }
+  // The oldest value of a periodic topic that it read in its last step.
+  [[nodiscard]] std::int64_t take_input_age_ns() noexcept;
   // Between two steps. False: refused or failed, and fault() says why.
   virtual bool save_state(PluginState& state) noexcept = 0;
   virtual bool restore_state(const PluginState& state) noexcept = 0;
@@ -77,7 +91,6 @@ class ManagedPlugin {
   // Appends a port. Throws PluginError.
   void declare_topic(const gaitway_topic* topic, gaitway_access access);
   [[nodiscard]] gaitway_text error_text() noexcept;
-  void set_fault(std::string_view text) noexcept;
   [[noreturn]] void fail(std::string_view what);
 
   std::string name_;
@@ -90,6 +103,8 @@ class ManagedPlugin {
 
  private:
   bool check_outputs() noexcept;
+  bool publish_in_place(std::string_view topic, std::uint64_t type_hash, const void* value,
+                        std::int64_t stamp_ns) noexcept;
 
   std::array<char, 1024> error_text_{};
 };

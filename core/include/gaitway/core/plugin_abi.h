@@ -55,13 +55,15 @@ enum {
   GAITWAY_WRITE = 3          /* the topic's only writer */
 };
 
-/* A run of floating-point numbers in a topic's value; the host refuses to publish a non-finite one. */
+/* A run of floating-point numbers in a topic's value; the host refuses to publish one that is not finite or
+ * lies beyond the limits. */
 typedef struct gaitway_float_field {
   const char* name;
-  uint32_t offset; /* bytes from the start of the value */
-  uint32_t count;  /* numbers */
-  uint32_t bytes;  /* of a number: 4 or 8 */
-  uint32_t rows;   /* first extent of an array, 1 for a scalar: divides `count` */
+  uint32_t offset;        /* bytes from the start of the value */
+  uint32_t count;         /* numbers */
+  uint32_t bytes;         /* of a number: 4 or 8 */
+  uint32_t rows;          /* first extent of an array, 1 for a scalar: divides `count` */
+  double lowest, highest; /* what is allowed; both 0: whatever is finite */
 } gaitway_float_field;
 
 typedef struct gaitway_topic {

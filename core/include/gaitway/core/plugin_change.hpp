@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/core/containment.hpp"
 #include "gaitway/core/event_log.hpp"
 #include "gaitway/core/managed_plugin.hpp"
 #include "gaitway/process/duration_histogram.hpp"
@@ -25,7 +26,11 @@ struct PluginSlot {
   std::uint64_t faults = 0;
   std::int64_t last_step_ns = 0;
   bool stepped = false;  // in this tick
-  bool failed = false;   // in the last step
+  bool failed = false;   // in the last step, or out of service
+  bool covered = false;  // and its fallback wrote all its topics
+  Containment containment;
+  std::int64_t worst_input_age_ns = 0;
+  std::uint32_t watch_id = 0;  // by which StepWatch knows it
 };
 
 // Everything that the tick needs to put it in place, and to take it back, without allocating. Made by

@@ -17,7 +17,9 @@
 #include "gaitway/core/isolation_options.hpp"
 #include "gaitway/core/loaded_plugin.hpp"
 #include "gaitway/core/plugin_change.hpp"
+#include "gaitway/core/plugin_fault_table.hpp"
 #include "gaitway/core/plugin_library.hpp"
+#include "gaitway/core/step_watch.hpp"
 #include "gaitway/core/tick.hpp"
 #include "gaitway/core/wall_clock.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -30,6 +32,13 @@ struct PluginManagerOptions {
   SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
   WallClock wall_clock = &steady_clock_ns;  // measures steps; nullptr: they count as 0
   IsolationOptions isolation = {};          // of plug-ins in processes of their own
+  // Whether measured time counts against the budgets, as in real time. In virtual time only declared costs
+  // do.
+  bool wall_time_decides = false;
+  const PluginFaultTable* injected_faults = nullptr;  // nullptr: none; outlives the manager
+  StepWatch* step_watch = nullptr;                    // nullptr: nobody watches; outlives the manager
+  // Of the configuration's plug-ins: not loaded; fallbacks write their topics.
+  std::vector<std::string> left_out = {};
 };
 
 struct PluginTiming {
@@ -37,6 +46,8 @@ struct PluginTiming {
   std::uint64_t steps = 0;
   std::uint64_t faults = 0;
   process::DurationSummary step_us;  // wall time
+  std::uint64_t overruns = 0;        // of the faults: steps over budget
+  ServiceState state = ServiceState::works;
 };
 
 class PluginManager {
@@ -51,9 +62,13 @@ class PluginManager {
   PluginManager(const PluginManager&) = delete;
   PluginManager& operator=(const PluginManager&) = delete;
 
-  // Steps every plug-in that is due. What fails is counted, reported, publishes nothing, and is stepped again
-  // at its next turn. Returns how many failed. For the cycle.
+  // Steps every plug-in that is due. What fails (a throw, a number that is not finite or beyond its limits, a
+  // step over budget) is counted, reported and publishes nothing: its fallback writes its topics before those
+  // that depend on them are stepped. It is stepped again at its next turn, unless it failed too often: then
+  // it is out of service. Returns how many failed or are out of service. For the cycle.
   int step(const Tick& tick) noexcept;
+  // What faults that were injected made the last step cost.
+  [[nodiscard]] std::int64_t declared_cost_ns() const noexcept { return declared_cost_ns_; }
 
   // Off the tick, once after each: replaces the processes of isolated plug-ins that ended.
   void maintain(std::int64_t now_ns) noexcept;
@@ -81,8 +96,9 @@ class PluginManager {
   // Between two steps: changes a live parameter. Throws ConfigurationError or PluginError.
   void set_parameter(std::string_view plugin, std::string_view parameter, const std::string& text);
 
-  // Whether in the last step a plug-in failed on which this topic depends: its writer, or a plug-in that the
-  // writer reads from in the same tick, directly or not. The first such plug-in; nullptr: none.
+  // Whether in the last step a plug-in failed on which this topic depends (its writer, or a plug-in that the
+  // writer reads from in the same tick, directly or not) and no fallback wrote all its topics. The first such
+  // plug-in; nullptr: none.
   [[nodiscard]] const ManagedPlugin* fault_behind(std::string_view topic) const noexcept;
   // Whether a plug-in uses the topic.
   [[nodiscard]] bool uses(std::string_view topic) const noexcept;
@@ -103,8 +119,14 @@ class PluginManager {
   [[nodiscard]] std::unique_ptr<ManagedPlugin> load(const PluginEntry& entry, EventLog& events) const;
   void put_in_order(const Configuration& configuration, const msgclient::Client& client);
   void unload() noexcept;
+  void add_stand_ins(const Configuration& configuration);
+  // Budget, fallback and watch of a plug-in whose topics are declared.
+  void contain(PluginSlot& slot);
   int step_all(const Tick& tick) noexcept;
   void step(PluginSlot& slot, const Tick& tick) noexcept;
+  bool run_step(PluginSlot& slot, const Tick& tick) noexcept;
+  void note_success(PluginSlot& slot, const Tick& tick) noexcept;
+  void note_fault(PluginSlot& slot, const Tick& tick, bool overrun) noexcept;
   [[nodiscard]] std::size_t index_of(std::string_view name) const noexcept;  // size(): none has this name
   [[nodiscard]] std::size_t require(std::string_view name) const;            // throws PluginError
   [[nodiscard]] std::unique_ptr<PluginChange> plan_change(const std::string& name,
@@ -114,6 +136,7 @@ class PluginManager {
   void begin_change(const Tick& tick) noexcept;
   void fail_change(const Tick& tick, std::string_view what, std::string_view why) noexcept;
   void take_change_back(const Tick& tick, std::string_view what, std::string_view why) noexcept;
+  void fill_statistics(const Tick& tick) noexcept;
   void publish_statistics(const Tick& tick) noexcept;
   [[nodiscard]] std::int64_t wall_ns() const noexcept {
     return options_.wall_clock == nullptr ? 0 : options_.wall_clock();
@@ -127,6 +150,7 @@ class PluginManager {
   std::vector<std::unique_ptr<PluginSlot>> slots_;  // in the order of the steps
   std::unique_ptr<PluginChange> change_;
   ChangePhase change_phase_ = ChangePhase::none;
+  std::int64_t declared_cost_ns_ = 0;
   PluginSlot* trial_ = nullptr;  // the new plug-in in its first tick
   std::array<char, 256> change_text_{};
   std::unique_ptr<msgclient::Writer<PluginStatistics>> statistics_writer_;

@@ -21,12 +21,15 @@ struct FloatField {
   std::uint32_t count = 0;
   std::uint32_t bytes = 0;  // of a number: 4 or 8
   std::uint32_t rows = 1;   // first extent
+  double lowest = 0.0;      // what is allowed
+  double highest = 0.0;
 };
 
-// The first number that is not finite.
-struct NonFinite {
+// The first number that is not finite or lies beyond its field's limits.
+struct BadNumber {
   const FloatField* field = nullptr;
   std::uint32_t element = 0;  // flat index into the field
+  double value = 0.0;
 };
 
 class TopicPort {
@@ -51,12 +54,21 @@ class TopicPort {
   // Publishes what was staged, if anything.
   void commit(std::int64_t stamp_ns) noexcept;
   // Looks through the staged value's floating-point numbers, as far as they are in use.
-  [[nodiscard]] std::optional<NonFinite> find_non_finite() const noexcept;
+  [[nodiscard]] std::optional<BadNumber> find_bad_number() const noexcept;
+  // For faults that are injected: `offset` onto the first number of each field of the staged value.
+  void spoil_staged(double offset) noexcept;
+  // Past stage() and checks: out at once. False: nobody has it open here.
+  bool publish_now(const void* value, std::int64_t stamp_ns) noexcept;
+
+  // Age of the value that was read since the last call; 0: none was, or it is of a topic that is written on
+  // change only.
+  std::int64_t take_read_age_ns(std::int64_t now_ns) noexcept;
 
   [[nodiscard]] const TopicUse& use() const noexcept { return use_; }
 
  private:
   [[nodiscard]] std::uint32_t elements_in_use(const FloatField& field) const noexcept;
+  [[nodiscard]] double number_at(const FloatField& field, std::uint32_t element) const noexcept;
 
   TopicUse use_;
   std::vector<FloatField> float_fields_;
@@ -65,6 +77,8 @@ class TopicPort {
   std::vector<std::byte> copy_;  // staged output, or the snapshot
   gaitway_sample snapshot_{};
   bool staged_ = false;
+  bool periodic_ = true;
+  std::int64_t read_stamp_ns_ = 0;  // of the value that was read; 0: none since the last look
 };
 
 }  // namespace gaitway::core

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -45,6 +46,9 @@ struct FieldDescriptor {
   std::string_view frame;                // empty: no frame
   std::string_view doc;
   std::uint32_t offset;  // bytes from the start of the value
+  // What a number of a published value may be; floating-point fields only.
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] constexpr std::uint32_t elements() const noexcept {
     std::uint32_t count = 1;
@@ -100,7 +104,8 @@ class Fnv1a64 {
 
 }  // namespace detail
 
-// FNV-1a 64 over "Name{field:type[extents]|unit|frame;...}". Doc texts don't count.
+// FNV-1a 64 over "Name{field:type[extents]|unit|frame;...}". Doc texts and limits
+// don't count.
 constexpr std::uint64_t type_hash(std::string_view name, std::span<const FieldDescriptor> fields) noexcept {
   detail::Fnv1a64 hash;
   hash.add(name);

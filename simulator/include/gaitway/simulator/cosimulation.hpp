@@ -54,7 +54,8 @@ class Cosimulation {
   void advance_millisecond();
 
   // From outside; all of it takes effect in the millisecond that comes next. Throws std::invalid_argument for
-  // a walk event when a plug-in commands the walk.
+  // a walk event when a plug-in commands the walk, urdf::RobotError for a fault of a plug-in that is not
+  // there.
   void apply(const ScenarioEvent& event);
 
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
@@ -80,6 +81,7 @@ class Cosimulation {
   void offer_from_joint(int joint, std::int64_t now_ns);
   void ring_at(std::int64_t due_ns);
   void inject_losses();
+  void inject(const PluginFault& fault);
 
   urdf::RobotModel robot_;
   CosimulationOptions options_;
@@ -91,6 +93,7 @@ class Cosimulation {
   JointNetwork joints_;
   can::SimulatedBus bus_;
   msgcontroller::MessageController message_controller_;
+  core::PluginFaultTable plugin_faults_;
   std::unique_ptr<core::MainController> main_controller_;
   std::optional<msgclient::Writer<WalkCommand>> walk_command_;  // none: a plug-in writes it
   CosimulationObserver* observer_ = nullptr;
@@ -99,6 +102,7 @@ class Cosimulation {
   std::vector<int> joint_station_;
   std::vector<std::int64_t> doorbells_due_ns_;  // host→message, in order of time
   std::int64_t silent_until_ns_ = 0;            // the main controller makes no tick before
+  std::int64_t busy_until_ns_ = 0;              // with a tick that injected faults made long
   std::int64_t losses_until_ns_ = 0;
   double loss_probability_ = 0.0;
   std::uint32_t user_commands_ = 0;

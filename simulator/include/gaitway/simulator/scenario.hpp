@@ -9,6 +9,7 @@
 //     - {at_s: 10.0, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}
 //     - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3.0}}
 //     - {at_s: 15.0, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}
+//     - {at_s: 17.0, fault: {kind: plugin_fails, plugin: zmp, how: throws, duration_s: 1.0}}
 #pragma once
 
 #include <Eigen/Core>
@@ -17,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include "gaitway/core/plugin_fault_table.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
@@ -45,11 +47,18 @@ struct LoseFramesFault {
   double probability = 0.0;
   double duration_s = 0.0;
 };
+// A plug-in's steps fail for a while; 0: for ever.
+struct PluginFault {
+  std::string plugin;
+  core::PluginFaultKind how = core::PluginFaultKind::throws;
+  double duration_s = 0.0;
+  double cost_s = 0.006;  // of a step that overruns
+};
 
 struct ScenarioEvent {
   double at_s = 0.0;
   std::variant<WalkEvent, StopEvent, EmergencyStopEvent, PushEvent, MainControllerSilentFault,
-               LoseFramesFault>
+               LoseFramesFault, PluginFault>
       action;
 };
 

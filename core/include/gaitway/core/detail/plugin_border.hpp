@@ -55,7 +55,9 @@ class FloatFields {
                          .offset = field.offset,
                          .count = field.elements(),
                          .bytes = scalar_size(field.type),
-                         .rows = field.rank > 0 ? field.extents[0] : 1});
+                         .rows = field.rank > 0 ? field.extents[0] : 1,
+                         .lowest = field.lowest,
+                         .highest = field.highest});
     }
   }
   [[nodiscard]] std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(fields_.size()); }

@@ -1,0 +1,59 @@
+// What one plug-in may cost, how often it may fail, and who stands in for it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "gaitway/core/containment_settings.hpp"
+#include "gaitway/core/fallback.hpp"
+#include "gaitway/core/tick.hpp"
+
+namespace gaitway::core {
+
+enum class ServiceState : std::uint8_t {
+  works,
+  failing,         // failed in its last step: its fallback stands in
+  out_of_service,  // not stepped any more: its fallback stays
+  left_out         // not loaded at the start: its fallback stays
+};
+[[nodiscard]] std::string_view service_state_name(ServiceState state) noexcept;
+
+// All but set-up is for the cycle.
+class Containment {
+ public:
+  Containment() = default;  // stepped without end, no fallback
+  Containment(const ContainmentSettings& settings, Period period, FallbackSet fallbacks);
+
+  [[nodiscard]] bool is_over_budget(std::int64_t cost_ns) const noexcept { return cost_ns > budget_ns_; }
+  // True: the plug-in is out of service with this fault.
+  bool note_fault(const Tick& tick, bool overrun) noexcept;
+  // How many faults in a row have ended with this step.
+  std::uint64_t note_success(const Tick& tick) noexcept;
+  void leave_out() noexcept { state_ = ServiceState::left_out; }
+
+  [[nodiscard]] ServiceState state() const noexcept { return state_; }
+  [[nodiscard]] bool is_stepped() const noexcept { return state_ != ServiceState::out_of_service; }
+  [[nodiscard]] std::int64_t budget_ns() const noexcept { return budget_ns_; }
+  [[nodiscard]] std::uint64_t overruns() const noexcept { return overruns_; }
+  [[nodiscard]] std::uint64_t faults_in_a_row() const noexcept { return in_a_row_; }
+  [[nodiscard]] std::int64_t failing_since_ns() const noexcept { return failing_since_ns_; }  // this row
+  [[nodiscard]] FallbackSet& fallbacks() noexcept { return fallbacks_; }
+  [[nodiscard]] const FallbackSet& fallbacks() const noexcept { return fallbacks_; }
+
+ private:
+  [[nodiscard]] bool is_to_be_given_up(const Tick& tick) noexcept;
+
+  GiveUpRule give_up_;
+  Period period_ = Period::tick;
+  std::int64_t budget_ns_ = kTickBudget_ns;
+  FallbackSet fallbacks_;
+  ServiceState state_ = ServiceState::works;
+  std::uint64_t overruns_ = 0;
+  std::uint64_t in_a_row_ = 0;
+  std::int64_t failing_since_ns_ = 0;
+  std::uint64_t faults_ = 0;
+  std::array<std::int64_t, GiveUpRule::kMostFaults> fault_ns_{};  // the last ones, as a ring
+};
+
+}  // namespace gaitway::core

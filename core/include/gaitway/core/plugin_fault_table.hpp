@@ -1,0 +1,72 @@
+// Faults that are injected into plug-ins' steps, to show that they are contained: filled by whoever plays a
+// scenario, looked at by the plug-in manager.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace gaitway::core {
+
+enum class PluginFaultKind : std::uint8_t {
+  none,
+  throws,        // the step ends in an exception
+  not_a_number,  // each output's fields begin with a NaN
+  jumps,         // ... with a number that lies 1000 beyond
+  overruns       // the step takes longer
+};
+
+struct PluginFault {
+  PluginFaultKind kind = PluginFaultKind::none;
+  std::int64_t cost_ns = 0;  // declared time of the step, in a run whose wall time does not count
+};
+
+// For one thread. Nothing allocates.
+class PluginFaultTable {
+ public:
+  static constexpr std::size_t kCapacity = 32;
+
+  // From now until `until_ns`; takes the place of an earlier fault of that plug-in. False: no room.
+  bool inject(std::string_view plugin, const PluginFault& fault,
+              std::int64_t until_ns = std::numeric_limits<std::int64_t>::max()) noexcept {
+    Entry* const own = find(plugin);
+    Entry* const entry = own != nullptr ? own : find({});
+    if (entry == nullptr || plugin.size() > entry->name.size()) {
+      return false;
+    }
+    entry->length = plugin.size();
+    std::copy(plugin.begin(), plugin.end(), entry->name.begin());
+    entry->fault = fault;
+    entry->until_ns = until_ns;
+    return true;
+  }
+  [[nodiscard]] PluginFault at(std::string_view plugin, std::int64_t now_ns) const noexcept {
+    const Entry* const entry = find(plugin);
+    return entry != nullptr && now_ns < entry->until_ns ? entry->fault : PluginFault{};
+  }
+
+ private:
+  struct Entry {
+    std::array<char, 48> name{};
+    std::size_t length = 0;
+    PluginFault fault;
+    std::int64_t until_ns = 0;
+  };
+  template <class Entries>
+  static auto find_in(Entries& entries, std::string_view plugin) noexcept -> decltype(entries.data()) {
+    const auto found = std::find_if(entries.begin(), entries.end(), [plugin](const Entry& entry) {
+      return std::string_view(entry.name.data(), entry.length) == plugin;
+    });
+    return found == entries.end() ? nullptr : &*found;
+  }
+  [[nodiscard]] const Entry* find(std::string_view plugin) const noexcept {
+    return find_in(entries_, plugin);
+  }
+  [[nodiscard]] Entry* find(std::string_view plugin) noexcept { return find_in(entries_, plugin); }
+
+  std::array<Entry, kCapacity> entries_{};
+};
+
+}  // namespace gaitway::core

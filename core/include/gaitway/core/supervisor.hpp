@@ -1,0 +1,28 @@
+// The main controller under supervision: a crash in a plug-in ends its process; another one is started at
+// once, without that plug-in. Meanwhile the message controller plays its safe tail.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gaitway::core {
+
+struct SupervisorOptions {
+  std::string program;                 // the main controller's executable
+  std::vector<std::string> arguments;  // of the worker
+  bool quiet = false;                  // reports deaths only
+};
+
+inline constexpr int kMostRestarts = 3;
+inline constexpr std::int64_t kRestartWindow_ns = 60'000'000'000;
+// A worker that has made ticks and makes none for so long hangs, and is ended.
+inline constexpr std::int64_t kHang_ns = 1'000'000'000;
+inline constexpr int kExitGivenUp = 4;
+
+// Starts the worker with `--step-watch FD` and, after a crash, `--without NAME` of the plug-in that was being
+// stepped. Returns when it ended by itself (its exit code), when it was told to by SIGINT or SIGTERM, or
+// after more than kMostRestarts deaths in kRestartWindow_ns (kExitGivenUp). Throws std::system_error.
+int supervise(const SupervisorOptions& options);
+
+}  // namespace gaitway::core

@@ -1,0 +1,213 @@
+// Watches one worker at a time by its pidfd, and by the ticks that it counts in shared memory.
+#include "gaitway/core/supervisor.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <system_error>
+
+#include "gaitway/core/step_watch.hpp"
+#include "gaitway/process/file_descriptor.hpp"
+#include "gaitway/process/real_time.hpp"
+
+namespace gaitway::core {
+namespace {
+
+constexpr std::int64_t kLook_ns = 20'000'000;           // between two looks at the ticks
+constexpr std::int64_t kLongestEnd_ns = 5'000'000'000;  // from SIGTERM to the end
+
+struct Death {
+  int exit_code = 0;
+  int signal = 0;  // 0: it ended by itself
+  bool hung = false;
+  std::int64_t at_ns = 0;
+  std::string plugin;  // that was being stepped; empty: none
+};
+
+// Ended with this object at the latest.
+class Worker {
+ public:
+  Worker(const SupervisorOptions& options, const std::vector<std::string>& left_out)
+      : watch_(StepWatch::make()) {
+    std::vector<std::string> arguments{options.program};
+    arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
+    arguments.insert(arguments.end(), {"--step-watch", std::to_string(watch_.descriptor())});
+    for (const std::string& name : left_out) {
+      arguments.insert(arguments.end(), {"--without", name});
+    }
+    spawn(arguments);
+    pidfd_ = process::FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
+    if (!pidfd_) {
+      throw std::system_error(errno, std::generic_category(), "watching the main controller's process");
+    }
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  ~Worker() {
+    if (process_ > 0) {
+      kill(process_, SIGKILL);
+      waitpid(process_, nullptr, 0);
+    }
+  }
+
+  // Waits for its end, until `deadline_ns` or a signal.
+  bool has_ended(std::int64_t deadline_ns) {
+    pollfd ready{pidfd_.get(), POLLIN, 0};
+    process::wait_until(deadline_ns, {&ready, 1});
+    return (ready.revents & POLLIN) != 0;
+  }
+  Death take_death() {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = 0;
+    Death death{.at_ns = process::monotonic_ns(), .plugin = watch_.current()};
+    death.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    death.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    return death;
+  }
+  void send(int signal) const { kill(process_, signal); }
+  [[nodiscard]] std::uint64_t ticks() const noexcept { return watch_.ticks(); }
+
+ private:
+  void spawn(std::vector<std::string>& arguments) {
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) {
+      argv.push_back(argument.data());
+    }
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawn_file_actions_init(&actions);
+    posix_spawnattr_init(&attributes);
+    // Onto itself: the worker inherits it.
+    posix_spawn_file_actions_adddup2(&actions, watch_.descriptor(), watch_.descriptor());
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    const int error = posix_spawn(&process_, argv[0], &actions, &attributes, argv.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) {
+      process_ = 0;
+      throw std::system_error(error, std::generic_category(), "starting the main controller's process");
+    }
+  }
+
+  StepWatch watch_;
+  pid_t process_ = 0;
+  process::FileDescriptor pidfd_;
+};
+
+class Supervisor {
+ public:
+  explicit Supervisor(const SupervisorOptions& options) : options_(options) {}
+
+  int run() {
+    while (true) {
+      Worker worker(options_, left_out_);
+      const Death death = watch(worker);
+      if (death.signal == 0 || process::stop_requested()) {
+        return death.exit_code;
+      }
+      if (!may_restart(death)) {
+        return kExitGivenUp;
+      }
+    }
+  }
+
+ private:
+  Death watch(Worker& worker) {
+    std::uint64_t ticks = 0;
+    std::int64_t tick_ns = process::monotonic_ns();
+    while (true) {
+      const std::int64_t now_ns = process::monotonic_ns();
+      if (worker.has_ended(now_ns + kLook_ns)) {
+        return worker.take_death();
+      }
+      if (process::stop_requested()) {
+        return end(worker);
+      }
+      if (worker.ticks() != ticks) {
+        report_return(ticks);
+        ticks = worker.ticks();
+        tick_ns = now_ns;
+      } else if (ticks > 0 && now_ns - tick_ns > kHang_ns) {
+        worker.send(SIGKILL);
+        Death death = worker.take_death();
+        death.hung = true;
+        return death;
+      }
+    }
+  }
+
+  static Death end(Worker& worker) {
+    worker.send(SIGTERM);
+    const std::int64_t deadline_ns = process::monotonic_ns() + kLongestEnd_ns;
+    while (!worker.has_ended(deadline_ns)) {
+      if (process::monotonic_ns() >= deadline_ns) {
+        worker.send(SIGKILL);
+        break;
+      }
+    }
+    return worker.take_death();
+  }
+
+  void report_return(std::uint64_t ticks_before) {
+    if (ticks_before == 0 && died_ns_ != 0 && !options_.quiet) {
+      fmt::print(stderr, "main_controller: back after {} ms\n",
+                 (process::monotonic_ns() - died_ns_) / 1'000'000);
+    }
+  }
+
+  // Says what happened.
+  bool may_restart(const Death& death) {
+    died_ns_ = death.at_ns;
+    deaths_ns_.push_back(death.at_ns);
+    std::erase_if(deaths_ns_, [&](std::int64_t at_ns) { return death.at_ns - at_ns > kRestartWindow_ns; });
+    const std::string how =
+        death.hung ? fmt::format("made no tick for {} ms and was ended", kHang_ns / 1'000'000)
+                   : fmt::format("was ended by signal {} ({})", death.signal, strsignal(death.signal));
+    const std::string where =
+        death.plugin.empty() ? "outside of any plug-in" : fmt::format("in plug-in '{}'", death.plugin);
+    fmt::print(stderr, "main_controller: {:.3f} s: {}, the process {}\n",
+               static_cast<double>(death.at_ns) * 1e-9, where, how);
+    if (deaths_ns_.size() > static_cast<std::size_t>(kMostRestarts)) {
+      fmt::print(
+          stderr,
+          "main_controller: {} deaths within {} s: not started again. The message controller's safe tail "
+          "keeps the robot standing\n",
+          deaths_ns_.size(), kRestartWindow_ns / 1'000'000'000);
+      return false;
+    }
+    const bool known = std::find(left_out_.begin(), left_out_.end(), death.plugin) != left_out_.end();
+    if (!death.plugin.empty() && !known) {
+      left_out_.push_back(death.plugin);
+    }
+    fmt::print(stderr, "main_controller: started again{}\n",
+               left_out_.empty() ? "" : fmt::format(", without '{}'", fmt::join(left_out_, "', '")));
+    return true;
+  }
+
+  const SupervisorOptions& options_;
+  std::vector<std::string> left_out_;
+  std::vector<std::int64_t> deaths_ns_;
+  std::int64_t died_ns_ = 0;
+};
+
+}  // namespace
+
+int supervise(const SupervisorOptions& options) {
+  return Supervisor(options).run();
+}
+
+}  // namespace gaitway::core

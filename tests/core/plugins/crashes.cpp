@@ -1,0 +1,46 @@
+// Writes trims and corrections of zero, and after some ticks takes its whole process down, or hangs it.
+#include <cstdint>
+#include <string>
+
+#include "gaitway/core/plugin.hpp"
+
+namespace {
+
+using namespace gaitway;
+
+class Crashes final : public Plugin {
+ public:
+  explicit Crashes(Setup& setup)
+      : after_ticks_(setup.parameter("after_ticks", 600)),
+        hangs_(setup.parameter("hangs", false)),
+        estimate_(setup.reads<Estimate>("estimate")),
+        trim_(setup.writes<TrimCommand>("trim")),
+        correction_(setup.writes<Correction>("correction")) {}
+
+  void step(const Tick& tick) override {
+    trim_.value().stamp_ns = correction_.value().stamp_ns = tick.now_ns;
+    trim_.value().channel_count = kTrimChannels;
+    trim_.publish();
+    correction_.publish();
+    if (++ticks_ < after_ticks_) {
+      return;
+    }
+    while (hangs_) {
+      trim_.publish();
+    }
+    volatile int* const nowhere = nullptr;
+    *nowhere = 1;
+  }
+
+ private:
+  std::int64_t after_ticks_;
+  bool hangs_;
+  std::int64_t ticks_ = 0;
+  Input<Estimate> estimate_;
+  Output<TrimCommand> trim_;
+  Output<Correction> correction_;
+};
+
+}  // namespace
+
+GAITWAY_PLUGIN(Crashes, "crashes", "1.0.0", "Takes its process down")

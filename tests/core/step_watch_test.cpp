@@ -1,0 +1,34 @@
+// What one side notes, the other side of the shared memory sees.
+#include "gaitway/core/step_watch.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace gaitway::core {
+namespace {
+
+TEST(StepWatch, TheOtherSideSeesWhoIsBeingStepped) {
+  StepWatch watcher = StepWatch::make();
+  StepWatch worker = StepWatch::open(dup(watcher.descriptor()));
+  const std::uint32_t first = worker.add("first"), second = worker.add("second");
+  EXPECT_EQ(watcher.current(), "");
+  worker.enter(second);
+  EXPECT_EQ(watcher.current(), "second");
+  worker.enter(first);
+  EXPECT_EQ(watcher.current(), "first");
+  worker.leave();
+  EXPECT_EQ(watcher.current(), "");
+  worker.count_tick();
+  EXPECT_EQ(watcher.ticks(), 1U);
+}
+
+TEST(StepWatch, MoreThanItHasRoomForAreNotNamed) {
+  StepWatch watch = StepWatch::make();
+  for (std::uint32_t i = 0; i < StepWatch::kCapacity; ++i) {
+    EXPECT_NE(watch.add("plug-in"), 0U);
+  }
+  EXPECT_EQ(watch.add("late"), 0U);
+}
+
+}  // namespace
+}  // namespace gaitway::core

@@ -1,0 +1,89 @@
+// Each plug-in fails in each way at a random instant of the walk: its fallback stands in within the same
+// tick, the event names plug-in, cause and time, and the robot does not fall.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <random>
+#include <string>
+#include <tuple>
+
+#include "simulated_run.hpp"
+
+namespace gaitway::scenarios {
+namespace {
+
+using core::PluginFaultKind;
+
+constexpr std::array<const char*, 4> kPlugins{"zmp", "stability", "trajectory", "kinematics"};
+struct Way {
+  PluginFaultKind how;
+  const char* name;
+  const char* cause;  // part of the event's text
+};
+constexpr std::array<Way, 4> kWays{{{PluginFaultKind::throws, "throws", "threw"},
+                                    {PluginFaultKind::not_a_number, "not_a_number", "finite"},
+                                    {PluginFaultKind::jumps, "jumps", ""},
+                                    {PluginFaultKind::overruns, "overruns", "budget"}}};
+constexpr double kAfter_s = 10.0;
+
+// A few in every run, fifty in the long one.
+constexpr int trials() {
+  return GAITWAY_SEED_PERCENT >= 500 ? 50 : (2 * GAITWAY_SEED_PERCENT + 99) / 100;
+}
+
+// Every plug-in in every way; the trials take turns at them.
+class PluginFails : public ::testing::TestWithParam<std::tuple<int, int, int>> {};
+
+// The first event of a fault; nullptr: there is none.
+const core::Event* first_event(const core::EventLog& events, std::string_view source, core::EventKind kind) {
+  for (std::uint64_t i = events.first(); i < events.total(); ++i) {
+    if (events[i].kind == kind && events[i].source() == source) {
+      return &events[i];
+    }
+  }
+  return nullptr;
+}
+
+TEST_P(PluginFails, AtARandomInstantOfTheWalkAndTheRobotDoesNotFall) {
+  const auto [plugin, way_index, trial] = GetParam();
+  const Way& way = kWays[static_cast<std::size_t>(way_index)];
+  const std::string name = kPlugins[static_cast<std::size_t>(plugin)];
+  std::mt19937 random(static_cast<unsigned>(1000 * trial + 10 * plugin + way_index));
+  const double instant_s = 4.0 + 0.001 * static_cast<double>(random() % 2000);
+  // Half of them for ever; the others from one step to two seconds.
+  const double duration_s = trial % 2 == 0 ? 0.0 : 0.01 + 0.001 * static_cast<double>(random() % 2000);
+  SimulatedRun run(static_cast<std::uint64_t>(trial));
+  run.play({.seconds = instant_s + kAfter_s,
+            .events = {walk_at(1.0, 0.15),
+                       {instant_s, simulator::PluginFault{name, way.how, duration_s, 0.006}}}});
+  EXPECT_FALSE(run.metrics().fell) << name << " " << way.name << " at " << instant_s << " s for "
+                                   << duration_s << " s (0: ever), fell at " << run.metrics().fell_at_s;
+  const core::EventLog& events = run.cosimulation.main_controller().events();
+  // What kinematics publishes is checked as a whole, beyond its step.
+  const bool refused =
+      name == "kinematics" && (way.how == PluginFaultKind::not_a_number || way.how == PluginFaultKind::jumps);
+  const core::Event* const event = refused ? first_event(events, "main_controller", core::EventKind::refusal)
+                                           : first_event(events, name, core::EventKind::fault);
+  if (duration_s == 0.0) {
+    ASSERT_NE(event, nullptr);
+  }
+  if (event != nullptr && events.first() == 0) {
+    EXPECT_THAT(std::string(event->text()), testing::HasSubstr(way.cause));
+    EXPECT_GE(static_cast<double>(event->stamp_ns) * 1e-9, instant_s - 0.001);
+    EXPECT_LT(static_cast<double>(event->stamp_ns) * 1e-9, instant_s + 0.1);
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<std::tuple<int, int, int>>& info) {
+  const auto [plugin, way, trial] = info.param;
+  return std::string(kPlugins[static_cast<std::size_t>(plugin)]) + "_" +
+         kWays[static_cast<std::size_t>(way)].name + "_" + std::to_string(trial);
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomInstants, PluginFails,
+                         ::testing::Combine(::testing::Range(0, 4), ::testing::Range(0, 4),
+                                            ::testing::Range(1, 1 + trials())),
+                         name_of);
+
+}  // namespace
+}  // namespace gaitway::scenarios
