@@ -13,34 +13,34 @@ std::string_view service_state_name(ServiceState state) noexcept {
 Containment::Containment(const ContainmentSettings& settings, Period period, FallbackSet fallbacks)
     : give_up_(settings.give_up),
       period_(period),
-      budget_ns_(settings.budget_ns > 0    ? settings.budget_ns
-                 : period == Period::batch ? kBatchBudget_ns
-                                           : kTickBudget_ns),
+      budget_ns_(step_budget_ns(settings, period == Period::batch)),
       fallbacks_(std::move(fallbacks)) {}
 
-bool Containment::is_to_be_given_up(const Tick& tick) noexcept {
+bool Containment::is_one_too_many(const Tick& tick) noexcept {
+  fault_ns_[faults_ % fault_ns_.size()] = tick.now_ns;
+  ++faults_;
+  ++ruled_in_a_row_;
   if (period_ == Period::batch) {
-    return in_a_row_ >= static_cast<std::uint64_t>(give_up_.batches);
+    return ruled_in_a_row_ >= static_cast<std::uint64_t>(give_up_.batches);
   }
   const auto wanted = static_cast<std::uint64_t>(give_up_.faults);
   return faults_ >= wanted &&
          tick.now_ns - fault_ns_[(faults_ - wanted) % fault_ns_.size()] <= give_up_.within_ns;
 }
 
-bool Containment::note_fault(const Tick& tick, bool overrun) noexcept {
+bool Containment::note_fault(const Tick& tick, bool overrun, Recovery recovery) noexcept {
   failing_since_ns_ = in_a_row_ == 0 ? tick.now_ns : failing_since_ns_;
   ++in_a_row_;
-  fault_ns_[faults_ % fault_ns_.size()] = tick.now_ns;
-  ++faults_;
   overruns_ += overrun ? 1U : 0U;
-  const bool given_up = is_to_be_given_up(tick);
+  const bool given_up = recovery == Recovery::given_up ||
+                        (recovery == Recovery::not_needed && is_one_too_many(tick));
   state_ = given_up ? ServiceState::out_of_service : ServiceState::failing;
   return given_up;
 }
 
 std::uint64_t Containment::note_success(const Tick& tick) noexcept {
   const std::uint64_t ended = in_a_row_;
-  in_a_row_ = 0;
+  in_a_row_ = ruled_in_a_row_ = 0;
   if (state_ != ServiceState::left_out) {
     state_ = ServiceState::works;
     fallbacks_.follow(tick);

@@ -64,7 +64,7 @@ void IsolatedPlugin::deactivate() noexcept {
     }
   } else if (condition_ != Condition::idle) {
     link_.reset();
-    condition_ = Condition::out_of_service;
+    condition_ = Condition::given_up;
   }
 }
 
@@ -168,8 +168,9 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
                   .batch = tick.batch ? 1U : 0U,
                   .reserved = 0};
   begin(HostCall::step);
-  const std::int64_t budget_ns = tick.batch ? options_.batch_budget_ns : options_.tick_budget_ns;
-  const std::int64_t limit_ns = options_.lock_step ? options_.watchdog_ns : budget_ns;
+  const std::int64_t limit_ns = options_.lock_step
+                                    ? options_.watchdog_ns
+                                    : step_budget_ns(containment_, period_ == Period::batch);
   const Outcome outcome = await(limit_ns);
   if (outcome == Outcome::answered) {
     return finish_step(tick);
@@ -295,20 +296,18 @@ void IsolatedPlugin::lose(std::string_view what, std::int64_t now_ns) noexcept {
   std::array<char, 512> text{};
   format_into(text, "{}", what);
   loss_text_ = text;
-  set_fault(what.substr(0, text.size() - 1));
   if (recent >= options_.replacements) {
-    condition_ = Condition::out_of_service;
-    std::array<char, 250> report{};
-    format_into(report, "out of service: its process was replaced {} times within {:g} s. Last: {}", recent,
+    condition_ = Condition::given_up;
+    format_into(loss_text_, "its process was replaced {} times within {:g} s; last, {}", recent,
                 static_cast<double>(options_.replacement_window_ns) * 1e-9, std::string_view(text.data()));
-    events_->add(now_ns, tick_.tick, EventKind::error, name_, report.data());
   }
+  set_fault(loss_text_.data());
 }
 
 void IsolatedPlugin::restate_loss() noexcept {
   std::array<char, 700> text{};
   format_into(text, "{} since {:.3f} s: {}",
-              condition_ == Condition::out_of_service ? "out of service" : "is being replaced",
+              condition_ == Condition::given_up ? "out of service" : "is being replaced",
               static_cast<double>(lost_ns_) * 1e-9, std::string_view(loss_text_.data()));
   set_fault(text.data());
 }

@@ -37,6 +37,7 @@ IsolatedPlugin::IsolatedPlugin(const PluginEntry& entry, const PluginSource& sou
                                const IsolationOptions& options, EventLog& events)
     : ManagedPlugin(entry, source.configuration_file, events),
       options_(options),
+      containment_(entry.containment),
       library_(entry.library),
       base_(source.configuration_file.parent_path().string()),
       robot_directory_(source.robot_directory.string()),

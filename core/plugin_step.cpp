@@ -144,7 +144,7 @@ void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun)
   }
   Containment& containment = slot.containment;
   FallbackSet& fallbacks = containment.fallbacks();
-  const bool given_up = containment.note_fault(tick, overrun);
+  const bool given_up = containment.note_fault(tick, overrun, slot.plugin->recovery());
   const bool first = containment.faults_in_a_row() == 1;
   slot.covered = fallbacks.act(tick, *slot.plugin);
   std::array<char, 250> text{};

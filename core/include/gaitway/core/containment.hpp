@@ -7,6 +7,7 @@
 
 #include "gaitway/core/containment_settings.hpp"
 #include "gaitway/core/fallback.hpp"
+#include "gaitway/core/managed_plugin.hpp"
 #include "gaitway/core/tick.hpp"
 
 namespace gaitway::core {
@@ -26,8 +27,9 @@ class Containment {
   Containment(const ContainmentSettings& settings, Period period, FallbackSet fallbacks);
 
   [[nodiscard]] bool is_over_budget(std::int64_t cost_ns) const noexcept { return cost_ns > budget_ns_; }
-  // True: the plug-in is out of service with this fault.
-  bool note_fault(const Tick& tick, bool overrun) noexcept;
+  // True: the plug-in is out of service with this fault. While its recovery is under way, that has the say
+  // instead of the rule.
+  bool note_fault(const Tick& tick, bool overrun, Recovery recovery) noexcept;
   // How many faults in a row have ended with this step.
   std::uint64_t note_success(const Tick& tick) noexcept;
   void leave_out() noexcept { state_ = ServiceState::left_out; }
@@ -42,7 +44,8 @@ class Containment {
   [[nodiscard]] const FallbackSet& fallbacks() const noexcept { return fallbacks_; }
 
  private:
-  [[nodiscard]] bool is_to_be_given_up(const Tick& tick) noexcept;
+  // By the rule, with one more fault.
+  [[nodiscard]] bool is_one_too_many(const Tick& tick) noexcept;
 
   GiveUpRule give_up_;
   Period period_ = Period::tick;
@@ -52,7 +55,7 @@ class Containment {
   std::uint64_t overruns_ = 0;
   std::uint64_t in_a_row_ = 0;
   std::int64_t failing_since_ns_ = 0;
-  std::uint64_t faults_ = 0;
+  std::uint64_t faults_ = 0, ruled_in_a_row_ = 0;  // of those that the rule counts
   std::array<std::int64_t, GiveUpRule::kMostFaults> fault_ns_{};  // the last ones, as a ring
 };
 

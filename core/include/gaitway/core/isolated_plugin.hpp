@@ -36,7 +36,11 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool set_parameter(const char* name, const gaitway_value& value) noexcept override;
 
   [[nodiscard]] std::string_view version() const noexcept override { return version_; }
-  [[nodiscard]] bool out_of_service() const noexcept { return condition_ == Condition::out_of_service; }
+  [[nodiscard]] Recovery recovery() const noexcept override {
+    return condition_ <= Condition::late        ? Recovery::not_needed
+           : condition_ == Condition::given_up ? Recovery::given_up
+                                               : Recovery::under_way;
+  }
 
  private:
   enum class Condition : std::uint8_t {
@@ -47,7 +51,7 @@ class IsolatedPlugin final : public ManagedPlugin {
     creating,    // a new one constructs the plug-in
     restoring,   // and takes the last state over
     activating,  // and is activated
-    out_of_service
+    given_up     // it ended too often: no new one
   };
 
   bool run(const Tick& tick) noexcept override;
@@ -81,6 +85,7 @@ class IsolatedPlugin final : public ManagedPlugin {
   void restate_loss() noexcept;
 
   const IsolationOptions options_;
+  const ContainmentSettings containment_;
   std::string library_, base_, robot_directory_, host_binary_, version_;
   SearchPath search_path_;
   std::unique_ptr<HostLink> link_;

@@ -1,5 +1,5 @@
 // How long the manager waits for a plug-in in a process of its own, how often it replaces that process, and
-// what the process may use.
+// what the process may use. A step's own budget is the plug-in's, wherever it runs.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,6 @@ struct IsolationOptions {
   // Virtual time: the step waits for its host, and wall time decides nothing but when a host hangs. False,
   // real time: a step that has no answer within its budget is late.
   bool lock_step = true;
-  std::int64_t tick_budget_ns = 2'000'000;       // of a tick that prepares no batch
-  std::int64_t batch_budget_ns = 5'000'000;      // of one that does
   std::int64_t hang_ns = 100'000'000;            // real time: no answer for so long ends the host
   std::int64_t watchdog_ns = 2'000'000'000;      // lock-step: the same, by the wall clock
   std::int64_t start_limit_ns = 30'000'000'000;  // of a start, by the wall clock

@@ -28,6 +28,13 @@ struct PluginState {
   std::uint32_t version = 0;  // 0: nothing is handed on
 };
 
+// What a plug-in does about its own last fault.
+enum class Recovery : std::uint8_t {
+  not_needed,
+  under_way,  // its process is being replaced
+  given_up    // it was replaced too often
+};
+
 // Stays where it is: the plug-in holds pointers into it. What may throw throws PluginError
 // (ConfigurationError for a parameter), with the plug-in's name and place.
 class ManagedPlugin {
@@ -47,6 +54,8 @@ class ManagedPlugin {
   virtual void deactivate() noexcept = 0;
   // Off the tick, once after each: what can wait until then, such as a process that is to be started again.
   virtual void maintain(std::int64_t /*now_ns*/) noexcept {}
+
+  [[nodiscard]] virtual Recovery recovery() const noexcept { return Recovery::not_needed; }
 
   // For the cycle.
   [[nodiscard]] bool is_due(const Tick& tick) const noexcept { return tick.batch || period_ == Period::tick; }
