@@ -24,7 +24,7 @@ install(FILES docs/first-plugin.md docs/plugin-check.md docs/architecture.md doc
 install(DIRECTORY docs/examples DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
 
 # Programs and what they load.
-foreach(program IN ITEMS gaitway main_controller message_controller virtual_robot)
+foreach(program IN ITEMS gaitway main_controller gaitway_plugin_host message_controller virtual_robot)
   set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/gaitway")
   install(TARGETS ${program} RUNTIME DESTINATION bin)
 endforeach()

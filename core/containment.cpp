@@ -32,8 +32,8 @@ bool Containment::note_fault(const Tick& tick, bool overrun, Recovery recovery) 
   failing_since_ns_ = in_a_row_ == 0 ? tick.now_ns : failing_since_ns_;
   ++in_a_row_;
   overruns_ += overrun ? 1U : 0U;
-  const bool given_up = recovery == Recovery::given_up ||
-                        (recovery == Recovery::not_needed && is_one_too_many(tick));
+  const bool given_up =
+      recovery == Recovery::given_up || (recovery == Recovery::not_needed && is_one_too_many(tick));
   state_ = given_up ? ServiceState::out_of_service : ServiceState::failing;
   return given_up;
 }

@@ -142,11 +142,14 @@ void step_back_behind_manager() noexcept {
 void enter_host_bounds(const HostBounds& bounds, int first_closed) noexcept {
   syscall(SYS_close_range, static_cast<unsigned>(first_closed), ~0U, 0U);
   step_back_behind_manager();
+  limit(RLIMIT_CORE, 0);
+  if (bounds.memory_limit_bytes == 0) {
+    return;
+  }
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their shadow memory is far larger
   limit(RLIMIT_AS, bounds.memory_limit_bytes);
 #endif
   limit(RLIMIT_NOFILE, bounds.descriptor_limit);
-  limit(RLIMIT_CORE, 0);
   struct sigaction action {};
   action.sa_sigaction = &refuse;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;

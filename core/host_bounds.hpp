@@ -7,7 +7,8 @@
 namespace gaitway::core {
 
 struct HostBounds {
-  std::uint64_t memory_limit_bytes = 0;
+  std::uint64_t memory_limit_bytes =
+      0;  // 0: of all this only the descriptors, the core file and the priority
   std::uint64_t descriptor_limit = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "host_process.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
@@ -13,8 +14,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "gaitway/core/plugin_error.hpp"
+#include "gaitway/process/installation.hpp"
 #include "plugin_host.hpp"
 
 extern char** environ;
@@ -67,16 +70,18 @@ std::filesystem::path find_plugin_host() {
   }
   std::error_code unknown;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
-  const std::array places{folder / kBinary, folder.parent_path() / "libexec" / "gaitway" / kBinary};
-  for (const std::filesystem::path& place : places) {
+  const std::filesystem::path root = process::installation_root();
+  std::vector<std::string> tried;
+  for (const std::filesystem::path& place : {folder / kBinary, root / "bin" / kBinary}) {
     if (access(place.c_str(), X_OK) == 0) {
       return place;
     }
+    tried.push_back(place.string());
   }
   throw PluginError(
-      fmt::format("isolation: process needs the program {}; tried {} and {}. Install it, or name it in "
+      fmt::format("isolation: process needs the program {}; tried {}. Install it, or name it in "
                   "GAITWAY_PLUGIN_HOST",
-                  kBinary, places[0].string(), places[1].string()));
+                  kBinary, fmt::join(tried, ", ")));
 }
 
 HostProcess::HostProcess(const std::filesystem::path& binary, const process::FileDescriptor& socket,

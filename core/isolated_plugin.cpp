@@ -168,9 +168,8 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
                   .batch = tick.batch ? 1U : 0U,
                   .reserved = 0};
   begin(HostCall::step);
-  const std::int64_t limit_ns = options_.lock_step
-                                    ? options_.watchdog_ns
-                                    : step_budget_ns(containment_, period_ == Period::batch);
+  const std::int64_t limit_ns =
+      options_.lock_step ? options_.watchdog_ns : step_budget_ns(containment_, period_ == Period::batch);
   const Outcome outcome = await(limit_ns);
   if (outcome == Outcome::answered) {
     return finish_step(tick);

@@ -87,8 +87,10 @@ bool IsolatedPlugin::attend_start(std::int64_t wait_ns) {
     }
     const std::int64_t now_ns = process::monotonic_ns();
     if (now_ns - start_began_ns_ > options_.start_limit_ns) {
-      throw PluginError(fmt::format("its host has not constructed the plug-in within {} s",
-                                    options_.start_limit_ns / (1000 * kMillisecond_ns)));
+      throw PluginError(fmt::format(
+          "its host has not constructed the plug-in within {:g} s. Look for a loop or a wait in its "
+          "constructor",
+          static_cast<double>(options_.start_limit_ns) * 1e-9));
     }
     if (now_ns >= end_ns) {
       return false;

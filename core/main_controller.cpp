@@ -20,6 +20,7 @@ PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainCo
           .wall_time_decides = options.wall_time_decides,
           .injected_faults = options.injected_faults,
           .step_watch = options.step_watch,
+          .try_at_start = options.try_at_start,
           .left_out = options.left_out};
 }
 

@@ -188,6 +188,7 @@ int run(Options options) {
 int main(int argc, char** argv) {
   Options options;
   options.controller.isolation.lock_step = false;
+  options.controller.try_at_start = true;
   CLI::App app{
       "The main controller in real time: steps the plug-ins and hands their plans to a message controller "
       "process"};

@@ -42,18 +42,27 @@ void ManagedPlugin::declare_topic(const gaitway_topic* topic, gaitway_access acc
   ports_.emplace_back(*topic, kind);
 }
 
-void ManagedPlugin::bind(msgclient::Client& client, const ManagedPlugin* predecessor) {
+template <class Wanted>
+void ManagedPlugin::bind_ports(msgclient::Client& client, const Wanted& wanted) {
   try {
     for (TopicPort& port : ports_) {
-      const bool inherited = predecessor != nullptr && port.use().access == Access::write &&
-                             predecessor->uses(port.use().topic, Access::write);
-      if (!inherited) {
+      if (wanted(port.use())) {
         port.bind(client);
       }
     }
   } catch (const msgclient::TopicError& error) {
     throw PluginError(fmt::format("{}: {}", place_, error.what()));
   }
+}
+
+void ManagedPlugin::bind(msgclient::Client& client, const ManagedPlugin* predecessor) {
+  bind_ports(client, [predecessor](const TopicUse& use) {
+    return predecessor == nullptr || use.access != Access::write || !predecessor->uses(use.topic, use.access);
+  });
+}
+
+void ManagedPlugin::bind_inputs(msgclient::Client& client) {
+  bind_ports(client, [](const TopicUse& use) { return use.access != Access::write; });
 }
 
 void ManagedPlugin::take_outputs(ManagedPlugin& predecessor) noexcept {

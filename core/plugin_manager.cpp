@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gaitway/core/isolated_plugin.hpp"
+#include "plugin_trial.hpp"
 
 namespace gaitway::core {
 PluginManager::PluginManager(const Configuration& configuration, const PluginManagerOptions& options,
@@ -50,11 +51,10 @@ void PluginManager::unload() noexcept {
 }
 
 std::unique_ptr<ManagedPlugin> PluginManager::load(const PluginEntry& entry, EventLog& events) const {
-  const PluginSource source{configuration_file_, options_.robot_directory, search_path_};
   if (entry.isolation == Isolation::process) {
-    return std::make_unique<IsolatedPlugin>(entry, source, options_.isolation, events);
+    return std::make_unique<IsolatedPlugin>(entry, source(), options_.isolation, events);
   }
-  return std::make_unique<LoadedPlugin>(entry, source, events);
+  return std::make_unique<LoadedPlugin>(entry, source(), events);
 }
 
 void PluginManager::maintain(std::int64_t now_ns) noexcept {
@@ -74,6 +74,9 @@ void PluginManager::load_all(const Configuration& configuration) {
     if (std::find(options_.left_out.begin(), options_.left_out.end(), entry.name) !=
         options_.left_out.end()) {
       continue;
+    }
+    if (options_.try_at_start && entry.isolation == Isolation::none) {
+      const PluginTrial trial(entry, source(), options_.isolation);
     }
     auto slot = std::make_unique<PluginSlot>();
     slot->plugin = load(entry, events_);
@@ -115,6 +118,7 @@ void PluginManager::put_in_order(const Configuration& configuration, const msgcl
 int PluginManager::step(const Tick& tick) noexcept {
   end_trial(tick);
   declared_cost_ns_ = 0;
+  now_ns_.store(tick.now_ns, std::memory_order_relaxed);
   for (const auto& slot : slots_) {
     slot->failed = slot->covered = false;
     slot->stepped = !slot->plugin->is_due(tick);

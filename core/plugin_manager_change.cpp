@@ -7,6 +7,7 @@
 
 #include "gaitway/core/plugin_manager.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
+#include "plugin_trial.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -43,6 +44,10 @@ std::size_t PluginManager::require(std::string_view name) const {
 std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEntry& entry) {
   const std::size_t old = index_of(entry.name);
   const ManagedPlugin* const predecessor = old < slots_.size() ? slots_[old]->plugin.get() : nullptr;
+  std::optional<PluginTrial> trial;
+  if (entry.isolation == Isolation::none) {
+    trial.emplace(entry, source(), options_.isolation);
+  }
   auto news = std::make_unique<EventLog>();
   auto slot = std::make_unique<PluginSlot>();
   slot->plugin = load(entry, *news);
@@ -50,6 +55,9 @@ std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEnt
   slot->configured = predecessor != nullptr ? slots_[old]->configured : slots_.size();
   auto change = plan_change(entry.name, std::move(slot), std::move(news), old);
   ManagedPlugin& incoming = *change->incoming()->plugin;
+  if (trial) {
+    trial->first_step(client_, now_ns_.load(std::memory_order_relaxed));
+  }
   incoming.bind(client_, predecessor);
   contain(*change->incoming());
   incoming.activate();

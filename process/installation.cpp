@@ -21,8 +21,19 @@ std::filesystem::path own_file() {
   return std::filesystem::read_symlink("/proc/self/exe");
 }
 
+std::filesystem::path shared(const char* part) {
+  const std::filesystem::path found = installation_root();
+  if (found.empty()) {
+    throw std::runtime_error("no share/gaitway beside or above " + own_file().string() +
+                             ". Install gaitway as a whole, or name the files with options");
+  }
+  return found / "share" / "gaitway" / part;
+}
+
+}  // namespace
+
 // The nearest folder above that holds share/gaitway; empty: none does.
-std::filesystem::path root() {
+std::filesystem::path installation_root() {
   for (std::filesystem::path folder = own_file().parent_path();; folder = folder.parent_path()) {
     if (std::filesystem::exists(folder / "share" / "gaitway" / "urdf")) {
       return folder;
@@ -32,17 +43,6 @@ std::filesystem::path root() {
     }
   }
 }
-
-std::filesystem::path shared(const char* part) {
-  const std::filesystem::path found = root();
-  if (found.empty()) {
-    throw std::runtime_error("no share/gaitway beside or above " + own_file().string() +
-                             ". Install gaitway as a whole, or name the files with options");
-  }
-  return found / "share" / "gaitway" / part;
-}
-
-}  // namespace
 
 std::filesystem::path default_robot_directory() {
   return shared("urdf") / "humanoid22";
@@ -61,7 +61,7 @@ std::filesystem::path template_directory() {
 }
 
 std::filesystem::path shipped_plugin_directory() {
-  const std::filesystem::path found = root();
+  const std::filesystem::path found = installation_root();
   return found.empty() ? found : found / "lib" / "gaitway" / "plugins";
 }
 

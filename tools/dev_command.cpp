@@ -43,6 +43,7 @@ class DevelopmentRobot {
     fmt::print("{}\n", core::describe(plugins.added.front()));
     simulator::CosimulationOptions simulation;
     simulation.main_controller.configuration = config;
+    simulation.main_controller.try_at_start = true;
     simulation.main_controller.plugins = plugins.configuration;
     commands_itself_ = !plugins.writer_of("walk_command").empty();
     simulation.plugin_commands_walk = commands_itself_;

@@ -234,6 +234,7 @@ int run(const RunOptions& options) {
   cosimulation_options.plant.seed = options.seed;
   cosimulation_options.plant.mismatch = options.mismatch;
   cosimulation_options.main_controller.configuration = options.config;
+  cosimulation_options.main_controller.try_at_start = true;
   cosimulation_options.main_controller.plugins = plugins.configuration;
   cosimulation_options.plugin_commands_walk = !commander.empty();
   simulator::Cosimulation cosimulation(robot, cosimulation_options);

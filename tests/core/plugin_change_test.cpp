@@ -140,6 +140,37 @@ TEST_F(PluginChangeTest, WhatCannotBePreparedChangesNothing) {
   EXPECT_THAT(run(*manager, 5, 7, "copy"), ElementsAre(1, 2, 3));
 }
 
+// Each is tried in a process of its own before its code runs in this one.
+TEST_F(PluginChangeTest, OneThatCrashesOrHangsIsRefusedAndTheOldOneGoesOn) {
+  isolation.start_limit_ns = isolation.watchdog_ns = 300'000'000;
+  const auto manager = load(counter("c", ""));
+  const auto prepare = [&](const std::string& library, const std::string& parameters) {
+    return complaint([&] {
+      (void)manager->prepare_replacement(
+          entry("  - {name: c, library: " + library + ".so, parameters: {" + parameters + "}}\n"));
+    });
+  };
+  EXPECT_THAT(prepare("crashes_in_constructor", ""),
+              HasSubstr("was ended by SIGABRT while it constructed the plug-in"));
+  EXPECT_THAT(prepare("hangs_in_constructor", ""), HasSubstr("has not constructed the plug-in within 0.3 s"));
+  for (const char* const how : {"segfault", "abort", "exit", "loop"}) {
+    EXPECT_THAT(prepare("misbehaves", std::string("at: 6, how: ") + how),
+                HasSubstr("tried in a process of its own: "))
+        << how;
+  }
+  EXPECT_THAT(run(*manager, 5, 7), ElementsAre(1, 2, 3));
+}
+
+TEST_F(PluginChangeTest, AtTheStartTooOneThatCrashesOrHangsIsRefusedWhenAskedFor) {
+  isolation.start_limit_ns = 300'000'000;
+  try_at_start = true;
+  for (const char* const library : {"crashes_in_constructor", "hangs_in_constructor"}) {
+    EXPECT_THAT(refusal(std::string("  - {name: c, library: ") + library + ".so}\n"),
+                AllOf(HasSubstr("plug-in 'c' (test.yaml:2)"), HasSubstr("constructed the plug-in")));
+  }
+  EXPECT_EQ(refusal(counter("c", "")), "");
+}
+
 TEST_F(PluginChangeTest, PlugInsComeAndGo) {
   const auto manager = load(counter("c", ""));
   ASSERT_TRUE(manager->schedule(manager->prepare_replacement(entry(relay("r", "from: out, to: copy")))));

@@ -19,6 +19,8 @@ class PluginFixture : public testing::Test {
     PluginManagerOptions options;
     options.robot_directory = GAITWAY_TEST_ROBOT;
     options.plugin_path = {GAITWAY_TEST_PLUGINS};
+    options.isolation = isolation;
+    options.try_at_start = try_at_start;
     return std::make_unique<PluginManager>(parse_configuration("plugins:\n" + plugins, "test.yaml"), options,
                                            client);
   }
@@ -35,6 +37,8 @@ class PluginFixture : public testing::Test {
     return tick_at(std::int64_t{number} * msgclient::kSlot_ns + kTickPhase_ns);
   }
 
+  IsolationOptions isolation;
+  bool try_at_start = false;
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("main_controller");
   msgclient::Client other = block.local_client("other_process");

@@ -55,7 +55,7 @@ class Containment {
   std::uint64_t overruns_ = 0;
   std::uint64_t in_a_row_ = 0;
   std::int64_t failing_since_ns_ = 0;
-  std::uint64_t faults_ = 0, ruled_in_a_row_ = 0;  // of those that the rule counts
+  std::uint64_t faults_ = 0, ruled_in_a_row_ = 0;                 // of those that the rule counts
   std::array<std::int64_t, GiveUpRule::kMostFaults> fault_ns_{};  // the last ones, as a ring
 };
 

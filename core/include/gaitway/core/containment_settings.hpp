@@ -44,7 +44,8 @@ struct ContainmentSettings {
 inline constexpr std::int64_t kTickBudget_ns = 2'000'000;
 inline constexpr std::int64_t kBatchBudget_ns = 5'000'000;
 
-// Of a step of a plug-in with these settings; `every_batch`: it is stepped in ticks that prepare a batch alone.
+// Of a step of a plug-in with these settings; `every_batch`: it is stepped in ticks that prepare a batch
+// alone.
 [[nodiscard]] constexpr std::int64_t step_budget_ns(const ContainmentSettings& settings,
                                                     bool every_batch) noexcept {
   return settings.budget_ns > 0 ? settings.budget_ns : every_batch ? kBatchBudget_ns : kTickBudget_ns;

@@ -37,7 +37,7 @@ class IsolatedPlugin final : public ManagedPlugin {
 
   [[nodiscard]] std::string_view version() const noexcept override { return version_; }
   [[nodiscard]] Recovery recovery() const noexcept override {
-    return condition_ <= Condition::late        ? Recovery::not_needed
+    return condition_ <= Condition::late       ? Recovery::not_needed
            : condition_ == Condition::given_up ? Recovery::given_up
                                                : Recovery::under_way;
   }

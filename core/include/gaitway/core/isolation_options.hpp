@@ -17,8 +17,9 @@ struct IsolationOptions {
   std::int64_t restart_delay_ns = 40'000'000;
   std::uint32_t replacements = 3;  // at most so many (0..8) within the window; then out of service
   std::int64_t replacement_window_ns = 10'000'000'000;
-  std::uint64_t memory_limit_bytes = std::uint64_t{512} << 20U;  // address space of the host
-  std::uint32_t descriptor_limit = 64;                           // open files of the host
+  // Address space of the host. 0: it has no bounds at all; for a plug-in's trial before it runs in-process.
+  std::uint64_t memory_limit_bytes = std::uint64_t{512} << 20U;
+  std::uint32_t descriptor_limit = 64;  // open files of the host
 };
 
 }  // namespace gaitway::core

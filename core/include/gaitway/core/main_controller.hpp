@@ -30,6 +30,7 @@ struct MainControllerOptions {
   bool wall_time_decides = false;
   const PluginFaultTable* injected_faults = nullptr;
   StepWatch* step_watch = nullptr;
+  bool try_at_start = false;
   std::vector<std::string> left_out = {};
 };
 

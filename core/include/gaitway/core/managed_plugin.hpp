@@ -45,6 +45,8 @@ class ManagedPlugin {
 
   // Opens the topics; of a successor all but the outputs that `predecessor` has, too.
   void bind(msgclient::Client& client, const ManagedPlugin* predecessor = nullptr);
+  // Opens the inputs alone: of a plug-in that publishes nothing.
+  void bind_inputs(msgclient::Client& client);
   // Moves those outputs over, here or back. For the cycle.
   void take_outputs(ManagedPlugin& predecessor) noexcept;
   // Where its events go from now on.
@@ -111,6 +113,8 @@ class ManagedPlugin {
   Tick tick_;
 
  private:
+  template <class Wanted>
+  void bind_ports(msgclient::Client& client, const Wanted& wanted);
   bool check_outputs() noexcept;
   bool publish_in_place(std::string_view topic, std::uint64_t type_hash, const void* value,
                         std::int64_t stamp_ns) noexcept;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -37,6 +38,9 @@ struct PluginManagerOptions {
   bool wall_time_decides = false;
   const PluginFaultTable* injected_faults = nullptr;  // nullptr: none; outlives the manager
   StepWatch* step_watch = nullptr;                    // nullptr: nobody watches; outlives the manager
+  // Whether each in-process plug-in is first constructed in a throw-away process, so that one that crashes or
+  // hangs there is refused by name. Changes at run time always go that way.
+  bool try_at_start = false;
   // Of the configuration's plug-ins: not loaded; fallbacks write their topics.
   std::vector<std::string> left_out = {};
 };
@@ -74,9 +78,10 @@ class PluginManager {
   void maintain(std::int64_t now_ns) noexcept;
 
   // --- Changes while the robot walks. One at a time: prepare, schedule, step until there is a result.
-  // Off the tick, by another thread if need be: loads and constructs the plug-in, checks the data flow with
-  // it in place of its namesake (or beside the others if it has none), opens its inputs and activates it.
-  // Throws ConfigurationError or PluginError, and nothing has changed.
+  // Off the tick, by another thread if need be: tries the plug-in in a throw-away process, loads and
+  // constructs it, checks the data flow with it in place of its namesake (or beside the others if it has
+  // none), opens its inputs and activates it. Throws ConfigurationError or PluginError, and nothing has
+  // changed.
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_replacement(const PluginEntry& entry);
   // The same plug-in anew, with its parameters; `library`: from this file; empty: from where it was.
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_reload(const std::string& name,
@@ -116,6 +121,9 @@ class PluginManager {
   enum class ChangePhase : std::uint8_t { none, waiting, trial, done, failed };
 
   void load_all(const Configuration& configuration);
+  [[nodiscard]] PluginSource source() const {
+    return {configuration_file_, options_.robot_directory, search_path_};
+  }
   [[nodiscard]] std::unique_ptr<ManagedPlugin> load(const PluginEntry& entry, EventLog& events) const;
   void put_in_order(const Configuration& configuration, const msgclient::Client& client);
   void unload() noexcept;
@@ -151,7 +159,8 @@ class PluginManager {
   std::unique_ptr<PluginChange> change_;
   ChangePhase change_phase_ = ChangePhase::none;
   std::int64_t declared_cost_ns_ = 0;
-  PluginSlot* trial_ = nullptr;  // the new plug-in in its first tick
+  std::atomic<std::int64_t> now_ns_ = 0;  // of the last step
+  PluginSlot* trial_ = nullptr;           // the new plug-in in its first tick
   std::array<char, 256> change_text_{};
   std::unique_ptr<msgclient::Writer<PluginStatistics>> statistics_writer_;
   PluginStatistics statistics_{};

@@ -10,6 +10,9 @@
 
 namespace gaitway::process {
 
+// The root; empty if this code lies in no installation.
+[[nodiscard]] std::filesystem::path installation_root();
+
 // The folders hold what they should, or std::runtime_error says where it was looked for.
 [[nodiscard]] std::filesystem::path default_robot_directory();
 [[nodiscard]] std::filesystem::path default_config_file();
