@@ -8,6 +8,7 @@
 #include "gaitway/core/plugin_manager.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
 #include "plugin_trial.hpp"
+#include "stand_in.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -19,6 +20,10 @@ std::vector<ExternalTopic> topics_of_others(const msgclient::Client& client) {
     external.push_back({topic.descriptor.name, ours ? std::string() : topic.writer});
   }
   return external;
+}
+
+bool is_stand_in(const PluginSlot& slot) {
+  return dynamic_cast<const StandIn*>(slot.plugin.get()) != nullptr;
 }
 
 }  // namespace
@@ -42,22 +47,30 @@ std::size_t PluginManager::require(std::string_view name) const {
 }
 
 std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEntry& entry) {
-  const std::size_t old = index_of(entry.name);
-  const ManagedPlugin* const predecessor = old < slots_.size() ? slots_[old]->plugin.get() : nullptr;
   std::optional<PluginTrial> trial;
   if (entry.isolation == Isolation::none) {
     trial.emplace(entry, source(), options_.isolation);
   }
   auto news = std::make_unique<EventLog>();
+  auto plugin = load(entry, *news);
+  return plan_replacement(entry, std::move(plugin), std::move(news), trial ? &*trial : nullptr);
+}
+
+std::unique_ptr<PluginChange> PluginManager::plan_replacement(const PluginEntry& entry,
+                                                              std::unique_ptr<ManagedPlugin> plugin,
+                                                              std::unique_ptr<EventLog> news,
+                                                              PluginTrial* trial) {
+  const std::size_t old = index_of(entry.name);
+  const ManagedPlugin* const predecessor = old < slots_.size() ? slots_[old]->plugin.get() : nullptr;
   auto slot = std::make_unique<PluginSlot>();
-  slot->plugin = load(entry, *news);
+  slot->plugin = std::move(plugin);
   slot->entry = entry;
   slot->configured = predecessor != nullptr ? slots_[old]->configured : slots_.size();
   auto change = plan_change(entry.name, std::move(slot), std::move(news), old);
-  ManagedPlugin& incoming = *change->incoming()->plugin;
-  if (trial) {
+  if (trial != nullptr) {
     trial->first_step(client_, now_ns_.load(std::memory_order_relaxed));
   }
+  ManagedPlugin& incoming = *change->incoming()->plugin;
   incoming.bind(client_, predecessor);
   contain(*change->incoming());
   incoming.activate();
@@ -75,6 +88,26 @@ std::unique_ptr<PluginChange> PluginManager::prepare_reload(const std::string& n
 
 std::unique_ptr<PluginChange> PluginManager::prepare_removal(const std::string& name) {
   return plan_change(name, nullptr, std::make_unique<EventLog>(), require(name));
+}
+
+std::unique_ptr<PluginChange> PluginManager::prepare_stop(const std::string& name) {
+  const PluginSlot& running = *slots_[require(name)];
+  if (is_stand_in(running)) {
+    throw PluginError(fmt::format("'{}' is stopped already", name));
+  }
+  auto news = std::make_unique<EventLog>();
+  auto stand_in = std::make_unique<StandIn>(running.entry, StandIn::topics_for(running.plugin->node()),
+                                            configuration_file_, *news,
+                                            FallbackSource{client_, options_.robot_directory});
+  return plan_replacement(running.entry, std::move(stand_in), std::move(news), nullptr);
+}
+
+std::unique_ptr<PluginChange> PluginManager::prepare_start(const std::string& name) {
+  const PluginSlot& stopped = *slots_[require(name)];
+  if (!is_stand_in(stopped)) {
+    throw PluginError(fmt::format("'{}' is not stopped. To load it anew, use reload", name));
+  }
+  return prepare_replacement(stopped.entry);
 }
 
 // Checks the data flow of the plug-ins as they will be.

@@ -28,11 +28,16 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
            .library = library.empty() ? fmt::format("libgaitway_plugin_{}.so", plugin) : library});
     case PluginVerb::unload:
       return manager.prepare_removal(plugin);
+    case PluginVerb::stop:
+      return manager.prepare_stop(plugin);
+    case PluginVerb::start:
+      return manager.prepare_start(plugin);
     case PluginVerb::set:
       break;
   }
   throw PluginError(
-      fmt::format("there is no verb {}: 0 reloads, 1 loads, 2 unloads, 3 sets a parameter", request.verb));
+      fmt::format("there is no verb {}: 0 reloads, 1 loads, 2 unloads, 3 sets a parameter, 4 stops, 5 starts",
+                  request.verb));
 }
 
 }  // namespace

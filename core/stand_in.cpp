@@ -37,7 +37,7 @@ bool is_needed(std::string_view topic, const Nodes& loaded) {
 StandIn::StandIn(const PluginEntry& entry, const std::vector<std::string>& topics,
                  const std::filesystem::path& configuration_file, EventLog& events,
                  const FallbackSource& source)
-    : ManagedPlugin(entry, configuration_file, events), source_(source) {
+    : ManagedPlugin(entry, configuration_file, events), wanted_(entry.containment.fallback), source_(source) {
   for (const StandardTopic& topic : kStandardTopics) {
     if (std::find(topics.begin(), topics.end(), topic.name) == topics.end()) {
       continue;
@@ -50,7 +50,7 @@ StandIn::StandIn(const PluginEntry& entry, const std::vector<std::string>& topic
 }
 
 void StandIn::activate() {
-  fallbacks_ = FallbackSet(*this, FallbackKind::by_topics, source_);
+  fallbacks_ = FallbackSet(*this, wanted_, source_);
 }
 
 // A fallback that still waits for its inputs is no fault.
@@ -66,7 +66,7 @@ bool StandIn::save_state(PluginState& state) noexcept {
 }
 
 bool StandIn::set_parameter(const char*, const gaitway_value&) noexcept {
-  set_fault("the plug-in was left out");
+  set_fault("the plug-in is not loaded");
   return false;
 }
 
@@ -93,6 +93,16 @@ std::vector<std::string> StandIn::topics_for(const PluginEntry& entry, const Nod
     const FallbackKind kind = fallback_of_topic(topic.name, topic.type->hash);
     if (kind != FallbackKind::none && !is_written(topic.name, loaded, external) && is_its(topic, kind)) {
       topics.emplace_back(topic.name);
+    }
+  }
+  return topics;
+}
+
+std::vector<std::string> StandIn::topics_for(const DataFlowNode& running) {
+  std::vector<std::string> topics;
+  for (const TopicUse& use : running.uses) {
+    if (use.access == Access::write && fallback_of_topic(use.topic, use.type_hash) != FallbackKind::none) {
+      topics.push_back(use.topic);
     }
   }
   return topics;

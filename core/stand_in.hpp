@@ -1,5 +1,5 @@
-// In the place of a plug-in that was left out at the start: nothing is loaded; built-in fallbacks write the
-// topics that the others miss.
+// In the place of a plug-in that was left out at the start or stopped since: nothing is loaded; built-in
+// fallbacks write the topics that the others miss.
 #pragma once
 
 #include <string>
@@ -30,10 +30,13 @@ class StandIn final : public ManagedPlugin {
   [[nodiscard]] static std::vector<std::string> topics_for(const PluginEntry& entry,
                                                            const std::vector<DataFlowNode>& loaded,
                                                            const std::vector<ExternalTopic>& external);
+  // Of a running plug-in's own topics those that a fallback can write.
+  [[nodiscard]] static std::vector<std::string> topics_for(const DataFlowNode& running);
 
  private:
   bool run(const Tick& tick) noexcept override;
 
+  FallbackKind wanted_;
   FallbackSource source_;
   FallbackSet fallbacks_;
 };

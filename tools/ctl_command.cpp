@@ -33,6 +33,8 @@ constexpr std::array kVerbs{
     Verb{"reload", PluginVerb::reload, "Put a plug-in's new version in its place, with its state"},
     Verb{"load", PluginVerb::load, "Load a plug-in beside the others"},
     Verb{"unload", PluginVerb::unload, "Take a plug-in out"},
+    Verb{"stop", PluginVerb::stop, "Take a plug-in out of service: fallbacks write its topics"},
+    Verb{"start", PluginVerb::start, "Load a plug-in that was stopped or left out, afresh"},
     Verb{"set", PluginVerb::set, "Change a parameter that may change while the plug-in runs"}};
 
 template <std::size_t size>
@@ -79,7 +81,7 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
     if (verb.verb == PluginVerb::set) {
       sub->add_option("parameter", options.parameter, "Name of the parameter")->required();
       sub->add_option("value", options.value, "New value, with its unit")->required();
-    } else if (verb.verb != PluginVerb::unload) {
+    } else if (verb.verb == PluginVerb::reload || verb.verb == PluginVerb::load) {
       sub->add_option("--library", options.library, "File, or name on the plug-in path; default: as before");
     }
   }
@@ -87,6 +89,7 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
       "Examples:\n"
       "  gaitway ctl --socket /run/gaitway.sock reload trajectory\n"
       "  gaitway ctl --socket /run/gaitway.sock reload sway --library build/libsway.so\n"
+      "  gaitway ctl --socket /run/gaitway.sock stop stability\n"
       "  gaitway ctl --socket /run/gaitway.sock set sway amplitude \"0.03 m\"\n"
       "A plug-in that cannot take its place leaves the old one where it is. Exit code: 0 done, 1 the input "
       "was\n"

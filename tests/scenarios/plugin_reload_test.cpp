@@ -74,5 +74,34 @@ TEST_P(Reload, AHundredTimesWhileWalkingMakesNoDifferenceToTheJoints) {
 INSTANTIATE_TEST_SUITE_P(Plugins, Reload, testing::Values("trajectory", "kinematics", "stability", "zmp"),
                          [](const auto& instance) { return std::string(instance.param); });
 
+// Fallbacks take its place while it is away, whatever it is; afterwards the robot walks (again).
+class StoppedAndStarted : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(StoppedAndStarted, RobotStaysUpAndWalksAfterwards) {
+  const std::string name(GetParam());
+  ReloadedRun run;
+  run.walk_until(4.0);
+  core::PluginManager& plugins = run.cosimulation.plugins();
+  ASSERT_TRUE(plugins.schedule(plugins.prepare_stop(name)));
+  run.walk_until(4.3);
+  ASSERT_EQ(run.done, 1) << run.last_text;
+  EXPECT_THROW((void)plugins.prepare_stop(name), core::PluginError) << "it is stopped already";
+  run.walk_until(9.0);
+  ASSERT_FALSE(run.metrics().fell) << "fell at " << run.metrics().fell_at_s;
+  ASSERT_TRUE(plugins.schedule(plugins.prepare_start(name)));
+  run.walk_until(9.3);
+  ASSERT_EQ(run.done, 2) << run.last_text;
+  EXPECT_THROW((void)plugins.prepare_start(name), core::PluginError) << "it is not stopped";
+  run.walk_until(11.0);
+  const auto place = [&] { return run.cosimulation.plant().truth().base.translation().head<2>().eval(); };
+  const Eigen::Vector2d before = place();
+  run.walk_until(17.0);
+  EXPECT_FALSE(run.metrics().fell) << "fell at " << run.metrics().fell_at_s;
+  EXPECT_GT((place() - before).norm(), 0.5) << "of 0.9 m in these 6 s";
+}
+INSTANTIATE_TEST_SUITE_P(Plugins, StoppedAndStarted,
+                         testing::Values("trajectory", "kinematics", "stability", "zmp"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
 }  // namespace
 }  // namespace gaitway::scenarios

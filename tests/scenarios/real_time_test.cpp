@@ -227,6 +227,10 @@ TEST_F(RealTime, PlugInsAreReplacedFromTheCommandLineWhileTheRobotWalks) {
               testing::AllOf(testing::StartsWith("2 "), HasSubstr("Did you mean 'trajectory'?")));
   EXPECT_THAT(ctl({"unload", "kinematics"}), testing::AllOf(testing::StartsWith("0 "))) << everything();
   EXPECT_THAT(ctl({"load", "kinematics"}), testing::AllOf(testing::StartsWith("0 "))) << everything();
+  EXPECT_THAT(ctl({"stop", "stability"}), testing::StartsWith("0 ")) << everything();
+  EXPECT_THAT(ctl({"start", "stability"}), testing::StartsWith("0 ")) << everything();
+  EXPECT_THAT(ctl({"start", "stability"}),
+              testing::AllOf(testing::StartsWith("2 "), HasSubstr("is not stopped")));
   EXPECT_EQ(main_controller->stop(), 0);
   EXPECT_EQ(message_controller->stop(), 0);
   EXPECT_EQ(robot->stop(), 0);

@@ -16,7 +16,7 @@ enum class ServiceState : std::uint8_t {
   works,
   failing,         // failed in its last step: its fallback stands in
   out_of_service,  // not stepped any more: its fallback stays
-  left_out         // not loaded at the start: its fallback stays
+  left_out         // not loaded at the start, or stopped since: its fallback stays
 };
 [[nodiscard]] std::string_view service_state_name(ServiceState state) noexcept;
 

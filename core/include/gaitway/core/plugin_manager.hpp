@@ -28,6 +28,8 @@
 
 namespace gaitway::core {
 
+class PluginTrial;
+
 struct PluginManagerOptions {
   std::filesystem::path robot_directory;
   SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
@@ -87,6 +89,9 @@ class PluginManager {
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_reload(const std::string& name,
                                                              const std::string& library = {});
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_removal(const std::string& name);
+  // Fallbacks take its place, and its code is unloaded; until it is started again, afresh, from its entry.
+  [[nodiscard]] std::unique_ptr<PluginChange> prepare_stop(const std::string& name);
+  [[nodiscard]] std::unique_ptr<PluginChange> prepare_start(const std::string& name);
   // The change takes place in the next step() that prepares a batch: the old plug-in's state and outputs go
   // over to the new one. If the new one fails in that step, the old one takes its turn in the same tick and
   // stays. False: another change is on its way.
@@ -137,6 +142,11 @@ class PluginManager {
   void note_fault(PluginSlot& slot, const Tick& tick, bool overrun) noexcept;
   [[nodiscard]] std::size_t index_of(std::string_view name) const noexcept;  // size(): none has this name
   [[nodiscard]] std::size_t require(std::string_view name) const;            // throws PluginError
+  // With what takes the place of slot `old`, ready to be scheduled.
+  [[nodiscard]] std::unique_ptr<PluginChange> plan_replacement(const PluginEntry& entry,
+                                                               std::unique_ptr<ManagedPlugin> plugin,
+                                                               std::unique_ptr<EventLog> news,
+                                                               PluginTrial* trial);
   [[nodiscard]] std::unique_ptr<PluginChange> plan_change(const std::string& name,
                                                           std::unique_ptr<PluginSlot> incoming,
                                                           std::unique_ptr<EventLog> news,

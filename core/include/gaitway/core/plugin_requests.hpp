@@ -13,7 +13,7 @@
 
 namespace gaitway::core {
 
-enum class PluginVerb : std::uint32_t { reload = 0, load = 1, unload = 2, set = 3 };
+enum class PluginVerb : std::uint32_t { reload = 0, load = 1, unload = 2, set = 3, stop = 4, start = 5 };
 
 class PluginRequests {
  public:
