@@ -8,8 +8,8 @@
  *
  * Life of an instance, all of it on one thread at a time:
  *   create -> activate -> step ... step -> deactivate -> (activate ... | destroy)
- * Between create and activate restore_state may be called once; between two steps save_state and
- * set_parameter.
+ * Before the first step restore_state may be called once, right before or after activate; between two steps
+ * save_state and set_parameter.
  * A function marked [set-up] may allocate, read files and take its time; one marked [cycle] may not allocate,
  * lock or make system calls. */
 #ifndef GAITWAY_CORE_PLUGIN_ABI_H
@@ -163,13 +163,13 @@ typedef struct gaitway_instance {
                                   const gaitway_text* error);
   /* [cycle] Between two steps: fills in data, size and version, at most `capacity` bytes. */
   gaitway_status (*save_state)(void* context, gaitway_state* state, const gaitway_text* error);
-  /* [cycle] Before activate, of a new version that takes over from another: fails for another version or
-   * size. */
+  /* [cycle] Before the first step, of a new version that takes over from another: fails for another version
+   * or size. */
   gaitway_status (*restore_state)(void* context, const gaitway_state* state, const gaitway_text* error);
 } gaitway_instance;
 
-/* The one exported symbol. Its first nine numbers keep their places in every future version. Whether the
- * instance's functions fit is for instance_size to tell. */
+/* The one exported symbol. Its first two numbers keep their places in every future version; the sizes
+ * are compared only when these agree. */
 typedef struct gaitway_plugin {
   uint32_t magic; /* GAITWAY_PLUGIN_MAGIC */
   uint32_t abi;   /* GAITWAY_PLUGIN_ABI */
