@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 
 namespace gaitway::kinematics {
 namespace {
@@ -153,6 +154,23 @@ void BatchSolver::write(JointPlan& joint_plan, int point, const BothLegs& legs) 
       row[model_.legs[side].joints[i]] = static_cast<float>(legs[side].angle_rad[i]);
     }
   }
+}
+
+bool BatchSolver::plan_batch(std::uint32_t sequence, const MotionPlan& plan, const Correction& correction,
+                             JointPlan& joint_plan) {
+  if (plan.sequence != sequence) {
+    joint_plan.sequence = 0;
+    joint_plan.joint_count = 0;
+    joint_plan.tail_count = 0;
+    return false;
+  }
+  const BaseOffset offset{{correction.com_offset[0], correction.com_offset[1]},
+                          {correction.base_attitude_offset[0], correction.base_attitude_offset[1]}};
+  const BatchOutcome outcome = solve(plan, offset, joint_plan);
+  if (!outcome.solved()) {
+    throw std::runtime_error("batch " + std::to_string(sequence) + ": " + describe(outcome));
+  }
+  return true;
 }
 
 std::string BatchSolver::describe(const BatchOutcome& outcome) const {

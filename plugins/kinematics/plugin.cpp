@@ -1,5 +1,4 @@
 // Connects the batch solver to its topics: motion plan and correction in, joint plan out.
-#include <stdexcept>
 #include <string>
 
 #include "gaitway/core/plugin.hpp"
@@ -26,12 +25,8 @@ class Kinematics final : public Plugin {
 
   // Throws if a foot pose cannot be reached: the batch is not handed over then, and the safe tail plays on.
   void step(const Tick& tick) override {
-    const MotionPlan& plan = motion_plan_.read();
-    if (!motion_plan_.has_value() || plan.sequence != tick.batch_sequence) return publish_no_plan();
-    const BatchOutcome outcome = solver_.solve(plan, correction_at(tick.now_ns), joint_plan_.value());
-    if (!outcome.solved()) {
-      throw std::runtime_error("batch " + std::to_string(plan.sequence) + ": " + solver_.describe(outcome));
-    }
+    solver_.plan_batch(tick.batch_sequence, motion_plan_.read(), correction_at(tick.now_ns),
+                       joint_plan_.value());
     joint_plan_.publish();
   }
 
@@ -40,19 +35,9 @@ class Kinematics final : public Plugin {
   void restore_state(StateReader& state) override { state(solver_); }
 
  private:
-  BaseOffset correction_at(std::int64_t now_ns) {
-    const Correction& correction = correction_.read();
-    if (!correction_.has_value() || correction_.age_ns(now_ns) > kCorrectionLifetime_ns) return {};
-    return {{correction.com_offset[0], correction.com_offset[1]},
-            {correction.base_attitude_offset[0], correction.base_attitude_offset[1]}};
-  }
-
-  void publish_no_plan() {
-    JointPlan& joint_plan = joint_plan_.value();
-    joint_plan.sequence = 0;
-    joint_plan.joint_count = 0;
-    joint_plan.tail_count = 0;
-    joint_plan_.publish();
+  Correction correction_at(std::int64_t now_ns) {
+    const bool asked = correction_.has_value() && correction_.age_ns(now_ns) <= kCorrectionLifetime_ns;
+    return asked ? correction_.read() : Correction{};
   }
 
   BatchSolver solver_;

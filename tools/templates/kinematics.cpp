@@ -1,6 +1,5 @@
 // The plug-in plugin_name: the shipped leg kinematics, and arms that swing against the legs.
 #include <cmath>
-#include <stdexcept>
 
 #include "gaitway/core/plugin.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
@@ -22,17 +21,8 @@ class PluginName final : public gaitway::Plugin {
   void step(const gaitway::Tick& tick) override {
     const gaitway::MotionPlan& motion = motion_.read();
     gaitway::JointPlan& joints = joints_.value();
-    if (motion.sequence != tick.batch_sequence) {
-      joints = {};
-      return joints_.publish();
-    }
-    const gaitway::Correction& wish = correction_.read();
-    const auto outcome = solver_.solve(motion,
-                                       {{wish.com_offset[0], wish.com_offset[1]},
-                                        {wish.base_attitude_offset[0], wish.base_attitude_offset[1]}},
-                                       joints);
-    if (!outcome.solved()) {
-      throw std::runtime_error(solver_.describe(outcome));
+    if (!solver_.plan_batch(tick.batch_sequence, motion, correction_.read(), joints)) {
+      return joints_.publish();  // there is no plan yet
     }
     for (int point = 0; point < gaitway::kBatchPoints + static_cast<int>(motion.tail_count); ++point) {
       const double swing_rad = swing_rad_per_m_ * left_foot_ahead_m(motion, point);

@@ -1,6 +1,5 @@
 // The plug-in plugin_name: turns the head to where the robot will walk; the legs are the shipped kinematics'.
 #include <algorithm>
-#include <stdexcept>
 
 #include "gaitway/core/plugin.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
@@ -19,21 +18,13 @@ class PluginName final : public gaitway::Plugin {
     setup.period(gaitway::Period::batch);
   }
 
-  // Every 80 ms: joint angles for each point of the plan and of its safe tail.
+  // Every 80 ms: joint angles for each point of the plan and of its safe tail. Throws where a foot is out of
+  // reach: the safe tail plays then.
   void step(const gaitway::Tick& tick) override {
     const gaitway::MotionPlan& motion = motion_.read();
     gaitway::JointPlan& joints = joints_.value();
-    if (motion.sequence != tick.batch_sequence) {
-      joints = {};
-      return joints_.publish();
-    }
-    const gaitway::Correction& wish = correction_.read();
-    const auto outcome = solver_.solve(motion,
-                                       {{wish.com_offset[0], wish.com_offset[1]},
-                                        {wish.base_attitude_offset[0], wish.base_attitude_offset[1]}},
-                                       joints);
-    if (!outcome.solved()) {
-      throw std::runtime_error(solver_.describe(outcome));  // the safe tail plays
+    if (!solver_.plan_batch(tick.batch_sequence, motion, correction_.read(), joints)) {
+      return joints_.publish();  // there is no plan yet
     }
     const double aim_rad = std::clamp(look_ahead_s_ * walk_.read().turn_rate, -1.0, 1.0);
     for (int point = 0; point < gaitway::kBatchPoints + static_cast<int>(motion.tail_count); ++point) {

@@ -6,8 +6,10 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 #include "link_poses.hpp"
 #include "test_robot.hpp"
@@ -236,6 +238,23 @@ TEST(BatchSolver, RefusesATailLongerThanTheTopic) {
   plan.tail_count = kMaxTailPoints + 1;
   const BatchOutcome outcome = solver.solve(plan, {}, *joint_plan);
   EXPECT_EQ(solver.describe(outcome), "motion_plan: tail_count is 201; at most 200 points are allowed");
+}
+
+TEST(BatchSolver, PlansTheBatchOfTheTickAndNoOther) {
+  BatchSolver solver(make_robot(), SolverChoice::automatic), same(make_robot(), SolverChoice::automatic);
+  const auto joint_plan = std::make_unique<JointPlan>(), expected = std::make_unique<JointPlan>();
+  MotionPlan plan = WalkingPlan(0.1).batch(1, kTail);
+  Correction correction{};
+  correction.com_offset[0] = 0.01;
+  correction.base_attitude_offset[1] = 0.02;
+  ASSERT_TRUE(solver.plan_batch(plan.sequence, plan, correction, *joint_plan));
+  ASSERT_TRUE(same.solve(plan, {{0.01, 0.0}, {0.0, 0.02}}, *expected).solved());
+  EXPECT_EQ(joint_plan->sequence, plan.sequence);
+  EXPECT_EQ(std::memcmp(joint_plan->position, expected->position, sizeof expected->position), 0);
+  EXPECT_FALSE(solver.plan_batch(plan.sequence + 1, plan, correction, *joint_plan));
+  EXPECT_EQ(joint_plan->sequence, 0U);
+  plan.hip_height[3] = 2.0;
+  EXPECT_THROW(solver.plan_batch(plan.sequence, plan, correction, *joint_plan), std::runtime_error);
 }
 
 TEST(BatchSolver, SolvesEveryLengthOfTail) {

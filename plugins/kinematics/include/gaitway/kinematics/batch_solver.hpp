@@ -40,6 +40,12 @@ class BatchSolver {
   [[nodiscard]] BatchOutcome solve(const MotionPlan& plan, const BaseOffset& correction,
                                    JointPlan& joint_plan);
 
+  // All that a plug-in does for the batch of a tick: joint_plan is solved, or says "no plan" (sequence 0)
+  // while `plan` is none for the batch of that number. True: solved. Throws std::runtime_error where a foot
+  // is out of reach.
+  bool plan_batch(std::uint32_t sequence, const MotionPlan& plan, const Correction& correction,
+                  JointPlan& joint_plan);
+
   // A failure in words: which side, at which point, by how much. Allocates.
   [[nodiscard]] std::string describe(const BatchOutcome& outcome) const;
 
