@@ -26,7 +26,10 @@ Axes axes_of(const std::string& text) {
 // A part of the plug-in with a state of its own.
 class Smoothed {
  public:
-  double update(double value, double share) noexcept { return value_ += share * (value - value_); }
+  // A number that is none would stay for ever.
+  void update(double value, double share) noexcept {
+    value_ += std::isfinite(value) ? share * (value - value_) : 0.0;
+  }
   [[nodiscard]] double value() const noexcept { return value_; }
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
