@@ -24,13 +24,17 @@ bool Containment::is_one_too_many(const Tick& tick) noexcept {
     return ruled_in_a_row_ >= static_cast<std::uint64_t>(give_up_.batches);
   }
   const auto wanted = static_cast<std::uint64_t>(give_up_.faults);
-  return faults_ >= wanted &&
-         tick.now_ns - fault_ns_[(faults_ - wanted) % fault_ns_.size()] <= give_up_.within_ns;
+  if (faults_ < wanted) {
+    return false;
+  }
+  reason_ = {wanted, fault_ns_[(faults_ - wanted) % fault_ns_.size()]};
+  return tick.now_ns - reason_.since_ns <= give_up_.within_ns;
 }
 
 bool Containment::note_fault(const Tick& tick, bool overrun, Recovery recovery) noexcept {
   failing_since_ns_ = in_a_row_ == 0 ? tick.now_ns : failing_since_ns_;
   ++in_a_row_;
+  reason_ = {in_a_row_, failing_since_ns_};
   overruns_ += overrun ? 1U : 0U;
   const bool given_up =
       recovery == Recovery::given_up || (recovery == Recovery::not_needed && is_one_too_many(tick));

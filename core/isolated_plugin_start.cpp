@@ -254,7 +254,7 @@ bool IsolatedPlugin::advance(std::int64_t now_ns, std::int64_t wait_ns) {
     if (!attend_start(wait_ns)) {
       return false;
     }
-    restore_or_activate(now_ns);
+    begin_activation(now_ns);
     return true;
   }
   const Outcome outcome = await(wait_ns);
@@ -270,29 +270,29 @@ bool IsolatedPlugin::advance(std::int64_t now_ns, std::int64_t wait_ns) {
     }
     throw PluginError(std::string(fault()));
   }
-  if (condition_ == Condition::restoring) {
-    copy_inputs();
-    condition_ = Condition::activating;
-    begin(HostCall::activate);
+  if (condition_ == Condition::activating && restored_) {
+    restore();
   } else {
     come_back(now_ns);
   }
   return true;
 }
 
-void IsolatedPlugin::restore_or_activate(std::int64_t now_ns) {
+void IsolatedPlugin::begin_activation(std::int64_t now_ns) {
   const bool recent = state_->version != 0 && now_ns - state_ns_ < msgclient::kCycle_ns;
   restored_ = recent && !(restored_ && steps_since_start_ < kProven);
   steps_since_start_ = 0;
-  if (restored_) {
-    std::copy_n(state_->bytes.begin(), state_->size, link_->exchange().state);
-    link_->exchange().request.state_size = state_->size;
-    link_->exchange().request.state_version = state_->version;
-  } else {
-    copy_inputs();
-  }
-  condition_ = restored_ ? Condition::restoring : Condition::activating;
-  begin(restored_ ? HostCall::restore_state : HostCall::activate);
+  copy_inputs();
+  condition_ = Condition::activating;
+  begin(HostCall::activate);
+}
+
+void IsolatedPlugin::restore() {
+  std::copy_n(state_->bytes.begin(), state_->size, link_->exchange().state);
+  link_->exchange().request.state_size = state_->size;
+  link_->exchange().request.state_version = state_->version;
+  condition_ = Condition::restoring;
+  begin(HostCall::restore_state);
 }
 
 // What was changed while it ran is not in the configuration.

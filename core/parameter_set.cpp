@@ -195,9 +195,8 @@ gaitway_value ParameterSet::read_change(std::string_view name, const std::string
   }
   if (!found->live) {
     throw ConfigurationError(fmt::format(
-        "parameter '{}' of plug-in '{}' does not change while the plug-in runs ({}). Change the "
-        "configuration "
-        "and reload the plug-in",
+        "parameter '{}' of plug-in '{}' does not change while the plug-in runs ({}). Change it in the "
+        "configuration and start anew, or declare it with live_parameter()",
         name, plugin_,
         live.empty() ? "none of its parameters does" : fmt::format("{} may", fmt::join(live, ", "))));
   }

@@ -158,12 +158,16 @@ int PluginManager::step_all(const Tick& tick) noexcept {
 
 void PluginManager::set_parameter(std::string_view plugin, std::string_view parameter,
                                   const std::string& text) {
-  ManagedPlugin& target = *slots_[require(plugin)]->plugin;
+  PluginSlot& slot = *slots_[require(plugin)];
+  ManagedPlugin& target = *slot.plugin;
   const gaitway_value value = target.parameters().read_change(parameter, text);
   if (!target.set_parameter(std::string(parameter).c_str(), value)) {
     throw PluginError(fmt::format("{}: parameter '{}': {}", target.place(), parameter, target.fault()));
   }
   target.parameters().keep(parameter, value);
+  auto& entries = slot.entry.parameters;  // for a reload
+  std::erase_if(entries, [parameter](const ParameterEntry& entry) { return entry.name == parameter; });
+  entries.push_back({std::string(parameter), text, slot.entry.line});
 }
 
 const ManagedPlugin* PluginManager::fault_behind(std::string_view topic) const noexcept {

@@ -86,6 +86,14 @@ std::unique_ptr<PluginChange> PluginManager::prepare_reload(const std::string& n
   return prepare_replacement(entry);
 }
 
+std::unique_ptr<PluginChange> PluginManager::prepare_addition(const PluginEntry& entry) {
+  if (index_of(entry.name) < slots_.size()) {
+    throw PluginError(
+        fmt::format("there is a plug-in '{}' already. Use reload, or another name", entry.name));
+  }
+  return prepare_replacement(entry);
+}
+
 std::unique_ptr<PluginChange> PluginManager::prepare_removal(const std::string& name) {
   return plan_change(name, nullptr, std::make_unique<EventLog>(), require(name));
 }

@@ -23,7 +23,7 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
     case PluginVerb::reload:
       return manager.prepare_reload(plugin, library);
     case PluginVerb::load:
-      return manager.prepare_replacement(
+      return manager.prepare_addition(
           {.name = plugin,
            .library = library.empty() ? fmt::format("libgaitway_plugin_{}.so", plugin) : library});
     case PluginVerb::unload:

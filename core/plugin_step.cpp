@@ -150,11 +150,10 @@ void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun)
   std::array<char, 250> text{};
   if (given_up) {
     fmt::format_to_n(text.data(), text.size() - 1,
-                     "out of service after {} faults in a row since {:.3f} s ({} since start); fallback: {}; "
+                     "out of service after {} faults since {:.3f} s ({} since start); fallback: {}; "
                      "the last fault: {}",
-                     containment.faults_in_a_row(),
-                     static_cast<double>(containment.failing_since_ns()) * 1e-9, slot.faults,
-                     fallbacks.name(), slot.plugin->fault());
+                     containment.reason().faults, static_cast<double>(containment.reason().since_ns) * 1e-9,
+                     slot.faults, fallbacks.name(), slot.plugin->fault());
     events_.add(tick.now_ns, tick.tick, EventKind::error, name, text.data());
   } else if (first && !fallbacks.is_none()) {
     fmt::format_to_n(text.data(), text.size() - 1, "fallback '{}' stands in", fallbacks.name());

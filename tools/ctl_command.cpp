@@ -82,7 +82,10 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
       sub->add_option("parameter", options.parameter, "Name of the parameter")->required();
       sub->add_option("value", options.value, "New value, with its unit")->required();
     } else if (verb.verb == PluginVerb::reload || verb.verb == PluginVerb::load) {
-      sub->add_option("--library", options.library, "File, or name on the plug-in path; default: as before");
+      sub->add_option("--library", options.library,
+                      verb.verb == PluginVerb::reload
+                          ? "File, or name on the plug-in path; default: as before"
+                          : "File, or name on the plug-in path; default: libgaitway_plugin_NAME.so");
     }
   }
   command->footer(

@@ -152,10 +152,9 @@ TEST_F(ContainmentTest, OutOfServiceAfterTwentyFaultsInTwoSeconds) {
   EXPECT_EQ(manager->timings()[0].faults, 20U);
   EXPECT_EQ(manager->timings()[0].state, ServiceState::out_of_service);
   ASSERT_EQ(texts(EventKind::error).size(), 1U);
-  EXPECT_EQ(
-      texts(EventKind::error)[0],
-      "out of service after 20 faults in a row since 0.024 s (20 since start); fallback: trims_from_gains; "
-      "the last fault: as told");
+  EXPECT_EQ(texts(EventKind::error)[0],
+            "out of service after 20 faults since 0.024 s (20 since start); fallback: trims_from_gains; "
+            "the last fault: as told");
   order(false);
   for (int i = 0; i < 20; ++i) {
     step();
@@ -178,6 +177,16 @@ TEST_F(ContainmentTest, FaultsThatAreFarApartAreForgiven) {
   }
   EXPECT_EQ(manager->timings()[0].faults, 10U);
   EXPECT_EQ(manager->timings()[0].state, ServiceState::failing);  // in the last step
+}
+
+TEST_F(ContainmentTest, GivingUpNamesTheFaultsThatWereTooMany) {
+  start(", give_up_after: {faults: 3, within: 60 ms}");
+  for (int i = 0; i < 5; ++i) {
+    order(i % 2 == 0);
+    step();
+  }
+  ASSERT_EQ(texts(EventKind::error).size(), 1U);
+  EXPECT_THAT(texts(EventKind::error)[0], HasSubstr("out of service after 3 faults since 0.014 s (3 since"));
 }
 
 TEST_F(ContainmentTest, GiveUpRuleComesFromTheConfiguration) {

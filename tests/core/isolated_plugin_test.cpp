@@ -171,7 +171,7 @@ TEST_F(IsolatedPluginTest, ThirdReplacementIsTheLast) {
   }
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_THAT(errors[0],
-              AllOf(HasSubstr("out of service after 16 faults in a row since 0."),
+              AllOf(HasSubstr("out of service after 16 faults since 0."),
                     HasSubstr("its process was replaced 3 times within 10 s"), HasSubstr("SIGABRT")));
 }
 

@@ -188,6 +188,11 @@ TEST_F(PluginChangeTest, LiveParametersChangeBetweenTwoSteps) {
   run(*manager, 1, 1);
   manager->set_parameter("c", "offset", "0.5 m");
   EXPECT_THAT(run(*manager, 2, 2), ElementsAre(2.5));
+  ASSERT_TRUE(manager->schedule(manager->prepare_reload("c")));
+  EXPECT_THAT(run(*manager, 6, 6), ElementsAre(3.5)) << "a reload keeps it";
+  ASSERT_TRUE(manager->take_result() || (manager->end_trial(tick(6)), manager->take_result()));
+  EXPECT_THAT(complaint([&] { (void)manager->prepare_addition(entry(counter("c", ""))); }),
+              HasSubstr("there is a plug-in 'c' already"));
   EXPECT_THAT(complaint([&] { manager->set_parameter("c", "offset", "11000 m"); }),
               HasSubstr("must be from -10 to 10000 m"));
   EXPECT_THAT(complaint([&] { manager->set_parameter("c", "offset", "50 mm"); }), HasSubstr("Convert it"));
@@ -195,7 +200,7 @@ TEST_F(PluginChangeTest, LiveParametersChangeBetweenTwoSteps) {
   EXPECT_THAT(complaint([&] { manager->set_parameter("c", "throws", "true"); }),
               HasSubstr("does not change while the plug-in runs (offset may)"));
   EXPECT_THAT(complaint([&] { manager->set_parameter("d", "offset", "1"); }), HasSubstr("no plug-in 'd'"));
-  EXPECT_THAT(run(*manager, 3, 3), ElementsAre(3.5));
+  EXPECT_THAT(run(*manager, 7, 7), ElementsAre(4.5));
 }
 
 TEST_F(PluginChangeTest, TheFileMayBeOverwrittenAndCutOffWhileItIsInUse) {

@@ -96,7 +96,7 @@ void check_state(CheckRun& run) {
   run.figure("bytes", state->size);
   Specimen new_one(library, run.job(), &run.record());
   new_one.create();
-  if (!new_one.restore_state(*state) || !new_one.activate()) {
+  if (!new_one.activate() || !new_one.restore_state(*state)) {
     run.finding(fmt::format("its own state is refused: {}", new_one.error()), "",
                 "let save_state and restore_state visit the same members");
   } else {

@@ -40,6 +40,12 @@ class Containment {
   [[nodiscard]] std::uint64_t overruns() const noexcept { return overruns_; }
   [[nodiscard]] std::uint64_t faults_in_a_row() const noexcept { return in_a_row_; }
   [[nodiscard]] std::int64_t failing_since_ns() const noexcept { return failing_since_ns_; }  // this row
+  // Why note_fault() gave it up: so many faults since then.
+  struct Reason {
+    std::uint64_t faults = 0;
+    std::int64_t since_ns = 0;
+  };
+  [[nodiscard]] const Reason& reason() const noexcept { return reason_; }
   [[nodiscard]] FallbackSet& fallbacks() noexcept { return fallbacks_; }
   [[nodiscard]] const FallbackSet& fallbacks() const noexcept { return fallbacks_; }
 
@@ -52,6 +58,7 @@ class Containment {
   std::int64_t budget_ns_ = kTickBudget_ns;
   FallbackSet fallbacks_;
   ServiceState state_ = ServiceState::works;
+  Reason reason_;
   std::uint64_t overruns_ = 0;
   std::uint64_t in_a_row_ = 0;
   std::int64_t failing_since_ns_ = 0;

@@ -49,8 +49,8 @@ class IsolatedPlugin final : public ManagedPlugin {
     late,        // real time: the answer to a step is still to come
     lost,        // the host has ended
     creating,    // a new one constructs the plug-in
-    restoring,   // and takes the last state over
     activating,  // and is activated
+    restoring,   // and takes the last state over
     given_up     // it ended too often: no new one
   };
 
@@ -65,7 +65,8 @@ class IsolatedPlugin final : public ManagedPlugin {
   void grant(const Function& function);
   void attach();
   bool advance(std::int64_t now_ns, std::int64_t wait_ns);
-  void restore_or_activate(std::int64_t now_ns);
+  void begin_activation(std::int64_t now_ns);
+  void restore();
   void reapply_parameters();
   void come_back(std::int64_t now_ns);
 

@@ -310,9 +310,9 @@ class Plugin {
   virtual void deactivate() {}
 
   // What the next version of this plug-in is to go on from when it is put in this one's place while the robot
-  // walks: the new one is constructed and activated beside the ticks, then restored and stepped. (In a
-  // process that takes the place of one that was lost: restored, then activated.) Another version number or
-  // another size is refused, and then this one stays. 0: nothing is handed on. No allocation.
+  // walks: the new one is constructed and activated beside the ticks, then restored and stepped. Another
+  // version number or another size is refused, and then this one stays. 0: nothing is handed on. No
+  // allocation.
   [[nodiscard]] virtual std::uint32_t state_version() const { return 0; }
   virtual void save_state(StateWriter&) const {}
   virtual void restore_state(StateReader&) {}

@@ -8,8 +8,8 @@
  *
  * Life of an instance, all of it on one thread at a time:
  *   create -> activate -> step ... step -> deactivate -> (activate ... | destroy)
- * Before the first step restore_state may be called once, right before or after activate; between two steps
- * save_state and set_parameter.
+ * Before the first step restore_state may be called once, after activate; between two steps save_state and
+ * set_parameter.
  * A function marked [set-up] may allocate, read files and take its time; one marked [cycle] may not allocate,
  * lock or make system calls. */
 #ifndef GAITWAY_CORE_PLUGIN_ABI_H

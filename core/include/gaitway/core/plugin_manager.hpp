@@ -88,6 +88,8 @@ class PluginManager {
   // The same plug-in anew, with its parameters; `library`: from this file; empty: from where it was.
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_reload(const std::string& name,
                                                              const std::string& library = {});
+  // Beside the others. Throws PluginError also if there is one of that name.
+  [[nodiscard]] std::unique_ptr<PluginChange> prepare_addition(const PluginEntry& entry);
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_removal(const std::string& name);
   // Fallbacks take its place, and its code is unloaded; until it is started again, afresh, from its entry.
   [[nodiscard]] std::unique_ptr<PluginChange> prepare_stop(const std::string& name);
@@ -103,7 +105,8 @@ class PluginManager {
   void end_trial(const Tick& tick) noexcept;
   // Off the tick: what became of the change. Nothing while it is under way.
   [[nodiscard]] std::optional<ChangeResult> take_result();
-  // Between two steps: changes a live parameter. Throws ConfigurationError or PluginError.
+  // Between two steps: changes a live parameter, of later versions, too. Throws ConfigurationError or
+  // PluginError.
   void set_parameter(std::string_view plugin, std::string_view parameter, const std::string& text);
 
   // Whether in the last step a plug-in failed on which this topic depends (its writer, or a plug-in that the
