@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <random>
 #include <string>
 #include <tuple>
 
+#include "fault_trial.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {
@@ -24,36 +24,19 @@ constexpr std::array<Way, 4> kWays{{{PluginFaultKind::throws, "throws", "threw"}
                                     {PluginFaultKind::not_a_number, "not_a_number", "finite"},
                                     {PluginFaultKind::jumps, "jumps", ""},
                                     {PluginFaultKind::overruns, "overruns", "budget"}}};
-constexpr double kAfter_s = 10.0;
-
-// A few in every run, fifty in the long one.
-constexpr int trials() {
-  return GAITWAY_SEED_PERCENT >= 500 ? 50 : (2 * GAITWAY_SEED_PERCENT + 99) / 100;
-}
-
 // Every plug-in in every way; the trials take turns at them.
 class PluginFails : public ::testing::TestWithParam<std::tuple<int, int, int>> {};
-
-// The first event of a fault; nullptr: there is none.
-const core::Event* first_event(const core::EventLog& events, std::string_view source, core::EventKind kind) {
-  for (std::uint64_t i = events.first(); i < events.total(); ++i) {
-    if (events[i].kind == kind && events[i].source() == source) {
-      return &events[i];
-    }
-  }
-  return nullptr;
-}
 
 TEST_P(PluginFails, AtARandomInstantOfTheWalkAndTheRobotDoesNotFall) {
   const auto [plugin, way_index, trial] = GetParam();
   const Way& way = kWays[static_cast<std::size_t>(way_index)];
   const std::string name = kPlugins[static_cast<std::size_t>(plugin)];
-  std::mt19937 random(static_cast<unsigned>(1000 * trial + 10 * plugin + way_index));
-  const double instant_s = 4.0 + 0.001 * static_cast<double>(random() % 2000);
-  // Half of them for ever; the others from one step to two seconds.
-  const double duration_s = trial % 2 == 0 ? 0.0 : 0.01 + 0.001 * static_cast<double>(random() % 2000);
+  const FaultInstant instant =
+      random_fault_instant(static_cast<unsigned>(1000 * trial + 10 * plugin + way_index));
+  const double instant_s = instant.begin_s;
+  const double duration_s = trial % 2 == 0 ? 0.0 : instant.duration_s;  // half of them for ever
   SimulatedRun run(static_cast<std::uint64_t>(trial));
-  run.play({.seconds = instant_s + kAfter_s,
+  run.play({.seconds = instant_s + kWatchedAfterFault_s,
             .events = {walk_at(1.0, 0.15),
                        {instant_s, simulator::PluginFault{name, way.how, duration_s, 0.006}}}});
   EXPECT_FALSE(run.metrics().fell) << name << " " << way.name << " at " << instant_s << " s for "
@@ -82,7 +65,7 @@ std::string name_of(const testing::TestParamInfo<std::tuple<int, int, int>>& inf
 
 INSTANTIATE_TEST_SUITE_P(RandomInstants, PluginFails,
                          ::testing::Combine(::testing::Range(0, 4), ::testing::Range(0, 4),
-                                            ::testing::Range(1, 1 + trials())),
+                                            ::testing::Range(1, 1 + fault_trials(2))),
                          name_of);
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
@@ -28,9 +30,9 @@ class SimulatedRun {
   // `configuration`: plug-ins of the main controller, relative to the source tree.
   explicit SimulatedRun(std::uint64_t seed, const std::filesystem::path& bus_log = {},
                         const std::filesystem::path& configuration = "core/config/walk.yaml")
-      : cosimulation(humanoid22(), options(seed, configuration)), recorder(cosimulation, bus_log, false) {
-    cosimulation.observe(&recorder);
-  }
+      : SimulatedRun(options(seed, std::filesystem::path(GAITWAY_SOURCE_DIR) / configuration), bus_log) {}
+  SimulatedRun(std::uint64_t seed, const core::Configuration& plugins)
+      : SimulatedRun(options(seed, plugins.file, plugins), {}) {}
 
   // Plays a scenario to its end, or until the robot has fallen.
   void play(const simulator::Scenario& scenario) {
@@ -54,11 +56,17 @@ class SimulatedRun {
   tools::RunRecorder recorder;
 
  private:
+  SimulatedRun(const simulator::CosimulationOptions& options, const std::filesystem::path& bus_log)
+      : cosimulation(humanoid22(), options), recorder(cosimulation, bus_log, false) {
+    cosimulation.observe(&recorder);
+  }
   static simulator::CosimulationOptions options(std::uint64_t seed,
-                                                const std::filesystem::path& configuration) {
+                                                const std::filesystem::path& configuration,
+                                                std::optional<core::Configuration> plugins = std::nullopt) {
     simulator::CosimulationOptions result;
     result.plant.seed = seed;
-    result.main_controller.configuration = std::filesystem::path(GAITWAY_SOURCE_DIR) / configuration;
+    result.main_controller.configuration = configuration;
+    result.main_controller.plugins = std::move(plugins);
     result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
     return result;
   }
