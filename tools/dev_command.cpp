@@ -13,7 +13,6 @@
 #include <string>
 
 #include "gaitway/core/plugin_exchange.hpp"
-#include "gaitway/core/plugin_probe.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
@@ -36,10 +35,15 @@ class DevelopmentRobot {
       : model_(urdf::load_robot(process::default_robot_directory())) {
     const std::filesystem::path config = process::default_config_file();
     const std::array libraries{library};
-    const core::PluginExchange plugins =
+    core::PluginExchange plugins =
         core::put_in(core::read_configuration(config), libraries,
                      {.robot_directory = model_.directory, .plugin_path = core::plugin_search_path({})});
     plugin_ = plugins.added.front().name;
+    for (core::PluginEntry& entry : plugins.configuration.plugins) {
+      if (entry.name == plugin_ && !options.in_process) {
+        entry.isolation = core::Isolation::process;
+      }
+    }
     fmt::print("{}\n", core::describe(plugins.added.front()));
     simulator::CosimulationOptions simulation;
     simulation.main_controller.configuration = config;
@@ -174,13 +178,10 @@ class Development {
     }
   }
 
-  // Tried in a process of its own first: a constructor that crashes or hangs does no harm there.
   void put_in_place() {
-    const std::filesystem::path library = build_.library();
     try {
-      (void)core::probe_plugin(library, {.robot_directory = process::default_robot_directory(),
-                                         .plugin_path = core::plugin_search_path({})});
-      robot_->plugins().schedule(robot_->plugins().prepare_reload(robot_->plugin(), library.string()));
+      robot_->plugins().schedule(
+          robot_->plugins().prepare_reload(robot_->plugin(), build_.library().string()));
     } catch (const std::exception& error) {
       complain("it cannot be loaded", error.what());
     }
@@ -228,13 +229,17 @@ CLI::App* add_dev_command(CLI::App& app, DevOptions& options) {
   command->add_option("--seconds", options.seconds, "End after this time; 0: when it is interrupted")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  command->add_flag("--in-process", options.in_process,
+                    "Run the plug-in in this process: exact timing, but its crash ends all");
   command->footer(
       "Examples:\n"
       "  gaitway new-plugin sway && gaitway dev sway\n"
       "  gaitway dev sway --walk 0.1,0,0.2\n"
-      "The robot walks in real time. A version that does not build, load, or stand its first step leaves "
-      "the\n"
-      "one before it where it is.");
+      "The robot walks in real time, with the plug-in in a process of its own: a crash or a hang is told, "
+      "and\n"
+      "the robot walks on. A version that does not build, load, or stand its first step leaves the one "
+      "before\n"
+      "it where it is.");
   return command;
 }
 

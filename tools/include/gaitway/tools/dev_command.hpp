@@ -11,7 +11,8 @@ struct DevOptions {
   std::filesystem::path project;  // folder with the plug-in's CMakeLists.txt
   std::filesystem::path build;    // empty: build/ in it
   std::vector<double> walk{0.15, 0.0, 0.0};
-  double seconds = 0.0;  // of wall time; 0: until it is interrupted
+  double seconds = 0.0;     // of wall time; 0: until it is interrupted
+  bool in_process = false;  // else in a process of its own
 };
 
 // `options` outlives the application.
