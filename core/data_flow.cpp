@@ -66,12 +66,12 @@ class Sorter {
         const auto [found, is_first] = first.try_emplace(use.topic, node, &use);
         const TopicUse& other = *found->second.second;
         if (use.type_name != other.type_name || use.type_hash != other.type_hash || use.size != other.size) {
-          throw PluginError(
-              fmt::format("topic '{}': plug-in '{}' means a {} (type hash {:016x}, {} bytes), but '{}' a {} "
-                          "(type hash {:016x}, {} "
-                          "bytes). Build both from the same schema",
-                          use.topic, nodes_[found->second.first].name, other.type_name, other.type_hash,
-                          other.size, nodes_[node].name, use.type_name, use.type_hash, use.size));
+          throw PluginError(fmt::format(
+              "topic '{}': plug-in '{}' means a {} (type hash {:016x}, {} bytes), but '{}' a {} "
+              "(type hash {:016x}, {} bytes). Build both from the same schema\n  '{}': {}\n  '{}': {}",
+              use.topic, nodes_[found->second.first].name, other.type_name, other.type_hash, other.size,
+              nodes_[node].name, use.type_name, use.type_hash, use.size, nodes_[found->second.first].name,
+              other.number_fields, nodes_[node].name, use.number_fields));
         }
       }
     }

@@ -82,8 +82,13 @@ TopicPort::TopicPort(const gaitway_topic& topic, Access access)
     }
     const bool limited = (field.lowest != 0.0 || field.highest != 0.0) && has_limits(use_);
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    use_.number_fields += fmt::format("{}{} {} x float{} at {}", i == 0 ? "" : ", ", field.name, field.count,
+                                      8 * field.bytes, field.offset);
     float_fields_.push_back({field.name, field.offset, field.count, field.bytes, field.rows,
                              limited ? field.lowest : -kInfinity, limited ? field.highest : kInfinity});
+  }
+  if (float_fields_.empty()) {
+    use_.number_fields = "no floating-point fields";
   }
   const StandardTopic* const standard = standard_topic(use_.topic, use_.type_hash);
   periodic_ = standard == nullptr || standard->period_ns > 0;

@@ -132,9 +132,12 @@ TEST_F(PluginRefusal, MissingPreviousInput) {
 }
 
 TEST_F(PluginRefusal, OtherTypeHashThanThePluginThatWrites) {
-  EXPECT_THAT(refusal(relay("a", "to: out") + "  - {name: b, library: other_type_hash.so}\n"),
-              AllOf(HasSubstr("topic 'out': plug-in 'a' means a Correction (type hash"),
-                    HasSubstr("but 'b' a Correction")));
+  EXPECT_THAT(
+      refusal(relay("a", "to: out") + "  - {name: b, library: other_type_hash.so}\n"),
+      AllOf(HasSubstr("topic 'out': plug-in 'a' means a Correction (type hash"),
+            HasSubstr("but 'b' a Correction"),
+            HasSubstr("\n  'a': com_offset 2 x float64 at 8, base_attitude_offset 2 x float64 at 24,"),
+            HasSubstr("\n  'b': com_offset_mm 2 x float64 at 8")));
 }
 
 TEST_F(PluginRefusal, OtherTypeHashThanAnotherProcess) {

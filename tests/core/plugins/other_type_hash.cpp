@@ -1,5 +1,8 @@
 // Built from another schema: its Correction has the same name and size, but another unit, and so another
 // hash.
+#include <array>
+#include <span>
+
 #include "gaitway/core/plugin.hpp"
 
 namespace {
@@ -14,7 +17,9 @@ template <>
 struct gaitway::TopicType<InMillimetres> {
   static constexpr std::string_view name = "Correction";
   static constexpr std::uint64_t hash = TopicType<Correction>::hash ^ 1;
-  static constexpr std::span<const FieldDescriptor> fields{};
+  static constexpr std::array<FieldDescriptor, 1> kFields{
+      {{"com_offset_mm", ScalarType::float64_value, 1, {2}, "mm", "base", "", 8}}};
+  static constexpr std::span<const FieldDescriptor> fields{kFields};
 };
 
 namespace {

@@ -26,6 +26,7 @@ struct TopicUse {
   std::string type_name;
   std::uint64_t type_hash = 0;
   std::uint32_t size = 0;
+  std::string number_fields = {};  // its floating-point fields and where they lie, for people
 };
 
 struct DataFlowNode {  // a plug-in
