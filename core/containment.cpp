@@ -34,10 +34,11 @@ bool Containment::is_one_too_many(const Tick& tick) noexcept {
 bool Containment::note_fault(const Tick& tick, bool overrun, Recovery recovery) noexcept {
   failing_since_ns_ = in_a_row_ == 0 ? tick.now_ns : failing_since_ns_;
   ++in_a_row_;
+  recovery_ = recovery;
   reason_ = {in_a_row_, failing_since_ns_};
   overruns_ += overrun ? 1U : 0U;
   const bool given_up =
-      recovery == Recovery::given_up || (recovery == Recovery::not_needed && is_one_too_many(tick));
+      recovery == Recovery::given_up || (recovery != Recovery::under_way && is_one_too_many(tick));
   state_ = given_up ? ServiceState::out_of_service : ServiceState::failing;
   return given_up;
 }
@@ -45,6 +46,7 @@ bool Containment::note_fault(const Tick& tick, bool overrun, Recovery recovery) 
 std::uint64_t Containment::note_success(const Tick& tick) noexcept {
   const std::uint64_t ended = in_a_row_;
   in_a_row_ = ruled_in_a_row_ = 0;
+  recovery_ = Recovery::not_needed;
   if (state_ != ServiceState::left_out) {
     state_ = ServiceState::works;
     fallbacks_.follow(tick);

@@ -180,6 +180,7 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
                 options_.lock_step ? " of wall time: its host was ended" : "");
     if (!options_.lock_step) {
       condition_ = Condition::late;
+      still_late_ = false;
       late_ns_ = tick.now_ns;
       set_fault(text.data());
       return false;
@@ -208,6 +209,7 @@ bool IsolatedPlugin::resume_late(const Tick& tick) noexcept {
                 hangs ? ": its host was ended" : "");
     set_fault(text.data());
     if (!hangs) {
+      still_late_ = true;
       return false;
     }
   }

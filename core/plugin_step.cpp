@@ -138,13 +138,16 @@ void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun)
   slot.plugin->discard();
   ++slot.faults;
   const std::string& name = slot.plugin->name();
-  events_.add(tick.now_ns, tick.tick, EventKind::fault, name, slot.plugin->fault());
+  Containment& containment = slot.containment;
+  const Recovery recovery = slot.plugin->recovery();
+  if (containment.is_news(recovery)) {
+    events_.add(tick.now_ns, tick.tick, EventKind::fault, name, slot.plugin->fault());
+  }
   if (&slot == trial_) {
     return;
   }
-  Containment& containment = slot.containment;
   FallbackSet& fallbacks = containment.fallbacks();
-  const bool given_up = containment.note_fault(tick, overrun, slot.plugin->recovery());
+  const bool given_up = containment.note_fault(tick, overrun, recovery);
   const bool first = containment.faults_in_a_row() == 1;
   slot.covered = fallbacks.act(tick, *slot.plugin);
   std::array<char, 250> text{};

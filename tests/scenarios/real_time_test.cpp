@@ -158,6 +158,28 @@ class RealTime : public testing::Test {
     EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
     EXPECT_GE(summary("message.json")["tails_played"].get<int>(), 1) << everything();
   }
+  // The shipped balance feedback, in a process of its own, fails for a while four seconds into the walk.
+  std::string walk_with_sabotage(const std::string& how) {
+    const auto robot = start_robot();
+    const auto message_controller = start_message_controller("0.12,0,0");
+    const double now_s = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    std::ofstream(folder / "sabotage.yaml")
+        << "plugins:\n  - name: zmp\n  - name: trajectory\n  - name: kinematics\n"
+           "  - {name: stability, library: " GAITWAY_SABOTEURS
+           "/stability.so, isolation: process, parameters: "
+           "{sabotage: "
+        << how << ", sabotage_at: " << std::fixed << now_s + 6.0 << " s, sabotage_for: 0.1 s}}\n";
+    const auto main_controller = start_main_controller(path("sabotage.yaml"));
+    std::this_thread::sleep_for(10s);
+    EXPECT_EQ(main_controller->stop(), 0) << main_controller->output();
+    EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+    EXPECT_EQ(robot->stop(), 0) << robot->output();
+    const nlohmann::json walked = summary("robot.json");
+    EXPECT_TRUE(walked.is_object()) << everything();
+    EXPECT_FALSE(walked.value("fell", true)) << everything();
+    EXPECT_GT(walked.value("distance_m", 0.0), 0.5) << "it never stops " << everything();
+    return main_controller->output();
+  }
   [[nodiscard]] std::string everything() const {
     std::string all;
     for (const char* file : {"robot.txt", "robot.json", "message.txt", "message.json", "main.txt"}) {
@@ -249,6 +271,19 @@ INSTANTIATE_TEST_SUITE_P(Instants, RealTimeCrash, testing::Range(0, GAITWAY_CRAS
 
 TEST_F(RealTime, APluginThatHangsLeavesTheRobotUpAndTheMainControllerIsBackWithoutIt) {
   walk_through_a_death("after_ticks: 500, hangs: true", "made no tick for 1000 ms");
+}
+
+TEST_F(RealTime, ACrashInAnIsolatedPluginIsAFaultOfItsStepAndItIsReplaced) {
+  EXPECT_THAT(
+      walk_with_sabotage("segfault"),
+      testing::AllOf(HasSubstr("was ended by SIGSEGV"), HasSubstr("fallback 'trims_from_gains' stands in"),
+                     HasSubstr("runs in a new process"), HasSubstr("works again")));
+}
+
+TEST_F(RealTime, AnIsolatedPluginThatHangsIsEndedAndReplaced) {
+  EXPECT_THAT(walk_with_sabotage("loop"),
+              testing::AllOf(HasSubstr("did not answer within 2 ms"), HasSubstr("its host was ended"),
+                             HasSubstr("runs in a new process"), HasSubstr("works again")));
 }
 
 TEST_F(RealTime, TheBusWaitsForAMessageControllerThatSleptForThirtyMilliseconds) {

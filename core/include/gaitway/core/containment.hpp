@@ -30,6 +30,11 @@ class Containment {
   // True: the plug-in is out of service with this fault. While its recovery is under way, that has the say
   // instead of the rule.
   bool note_fault(const Tick& tick, bool overrun, Recovery recovery) noexcept;
+  // Whether a fault says more than the one before: not while a plug-in waits for the same recovery.
+  [[nodiscard]] bool is_news(Recovery recovery) const noexcept {
+    const bool waits = recovery == Recovery::awaited || recovery == Recovery::under_way;
+    return !waits || recovery != recovery_;
+  }
   // How many faults in a row have ended with this step.
   std::uint64_t note_success(const Tick& tick) noexcept;
   void leave_out() noexcept { state_ = ServiceState::left_out; }
@@ -58,6 +63,7 @@ class Containment {
   std::int64_t budget_ns_ = kTickBudget_ns;
   FallbackSet fallbacks_;
   ServiceState state_ = ServiceState::works;
+  Recovery recovery_ = Recovery::not_needed;  // at the last fault in this row
   Reason reason_;
   std::uint64_t overruns_ = 0;
   std::uint64_t in_a_row_ = 0;

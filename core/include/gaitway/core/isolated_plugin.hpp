@@ -37,7 +37,8 @@ class IsolatedPlugin final : public ManagedPlugin {
 
   [[nodiscard]] std::string_view version() const noexcept override { return version_; }
   [[nodiscard]] Recovery recovery() const noexcept override {
-    return condition_ <= Condition::late       ? Recovery::not_needed
+    return condition_ == Condition::late       ? (still_late_ ? Recovery::awaited : Recovery::not_needed)
+           : condition_ < Condition::late      ? Recovery::not_needed
            : condition_ == Condition::given_up ? Recovery::given_up
                                                : Recovery::under_way;
   }
@@ -97,6 +98,7 @@ class IsolatedPlugin final : public ManagedPlugin {
   std::size_t declared_ports_ = 0;  // by the host that is being started
   std::int64_t start_began_ns_ = 0;
   std::int32_t status_ = 0;  // of the last reply
+  bool still_late_ = false;  // the step that the last one found late
 
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();  // of the last good step
   std::int64_t state_ns_ = 0;

@@ -31,6 +31,7 @@ struct PluginState {
 // What a plug-in does about its own last fault.
 enum class Recovery : std::uint8_t {
   not_needed,
+  awaited,    // the step that was late before is still not done
   under_way,  // its process is being replaced
   given_up    // it was replaced too often
 };
