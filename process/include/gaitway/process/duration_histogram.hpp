@@ -21,7 +21,9 @@ class DurationHistogram {
   // Negative durations count as 0.
   void add(std::int64_t duration_ns) noexcept {
     const auto ns = static_cast<std::uint64_t>(std::max<std::int64_t>(duration_ns, 0));
-    ++counts_[bucket(ns)];
+    const std::size_t index = bucket(ns);
+    ++counts_[index];
+    ++row_counts_[index / kPerOctave];
     ++total_;
     largest_ns_ = std::max(largest_ns_, ns);
   }
@@ -32,10 +34,16 @@ class DurationHistogram {
   [[nodiscard]] double percentile_ns(double share) const noexcept {
     const auto rank = static_cast<std::uint64_t>(share * static_cast<double>(total_));
     std::uint64_t seen = 0;
-    for (std::size_t i = 0; i < kBuckets; ++i) {
-      seen += counts_[i];
-      if (counts_[i] > 0 && (seen > rank || seen == total_)) {
-        return static_cast<double>(std::min(upper_edge(i), largest_ns_));
+    for (std::size_t row = 0; row < kRows; ++row) {
+      if (row_counts_[row] == 0 || !is_reached(seen + row_counts_[row], rank)) {
+        seen += row_counts_[row];
+        continue;
+      }
+      for (std::size_t i = row * kPerOctave;; ++i) {
+        seen += counts_[i];
+        if (counts_[i] > 0 && is_reached(seen, rank)) {
+          return static_cast<double>(std::min(upper_edge(i), largest_ns_));
+        }
       }
     }
     return 0.0;
@@ -47,8 +55,12 @@ class DurationHistogram {
  private:
   static constexpr unsigned kBits = 5;  // 32 buckets an octave
   static constexpr std::size_t kPerOctave = std::size_t{1} << kBits;
-  static constexpr std::size_t kBuckets =
-      kPerOctave * 36;  // up to 2^40 ns = 18 min; longer ones fall into the last
+  static constexpr std::size_t kRows = 36;  // up to 2^40 ns = 18 min; longer ones fall into the last bucket
+  static constexpr std::size_t kBuckets = kPerOctave * kRows;
+
+  [[nodiscard]] bool is_reached(std::uint64_t seen, std::uint64_t rank) const noexcept {
+    return seen > rank || seen == total_;
+  }
 
   static constexpr std::size_t bucket(std::uint64_t ns) noexcept {
     if (ns < kPerOctave) {
@@ -68,6 +80,7 @@ class DurationHistogram {
   }
 
   std::array<std::uint64_t, kBuckets> counts_{};
+  std::array<std::uint64_t, kRows> row_counts_{};  // of kPerOctave buckets each: a percentile skips rows
   std::uint64_t total_ = 0;
   std::uint64_t largest_ns_ = 0;
 };
