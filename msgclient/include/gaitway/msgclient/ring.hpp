@@ -84,7 +84,7 @@ inline void for_each_word(std::size_t count, const Function& function) noexcept 
   };
   constexpr std::size_t kTogether = 8;
   std::size_t i = 0;
-  for (; i + kTogether <= count; i += kTogether) {
+  for (const std::size_t last = count - count % kTogether; i < last; i += kTogether) {
     turn(i, std::make_index_sequence<kTogether>{});
   }
   for (; i < count; ++i) {
