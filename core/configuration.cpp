@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "configured_time.hpp"
+#include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/urdf/yaml_value.hpp"
 
 namespace gaitway::core {
@@ -47,9 +49,33 @@ Isolation isolation_of(const YamlValue& value) {
   return text == "process" ? Isolation::process : Isolation::none;
 }
 
+std::uint32_t ticks_of(const YamlValue& value, std::int64_t lowest_ns, std::int64_t highest_ns,
+                       const char* range) {
+  const std::int64_t time_ns = read_time_ns(value, lowest_ns, highest_ns, range);
+  if (time_ns % msgclient::kSlot_ns != 0) {
+    value.refuse("must be a multiple of the tick of 10 ms", "Round it");
+  }
+  return static_cast<std::uint32_t>(time_ns / msgclient::kSlot_ns);
+}
+
+StepSchedule schedule_of(const YamlValue& plugin) {
+  constexpr std::int64_t kLongest_ns = 1'000'000'000;
+  StepSchedule schedule;
+  if (const auto period = plugin.find("period")) {
+    schedule.every_ticks = ticks_of(*period, msgclient::kSlot_ns, kLongest_ns, "10 ms and 1 s");
+  }
+  if (const auto phase = plugin.find("phase")) {
+    schedule.phase_ticks = ticks_of(*phase, 0, kLongest_ns, "0 ms and 1 s");
+    if (schedule.phase_ticks >= schedule.every_ticks) {
+      phase->refuse("must be less than the period", "Give a longer period, or an earlier phase");
+    }
+  }
+  return schedule;
+}
+
 PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
-  constexpr std::array<std::string_view, 7> kKeys{"name",     "library", "isolation",    "parameters",
-                                                  "fallback", "budget",  "give_up_after"};
+  constexpr std::array<std::string_view, 9> kKeys{"name",  "library",  "isolation", "parameters",   "period",
+                                                  "phase", "fallback", "budget",    "give_up_after"};
   map.require_map(kKeys);
   PluginEntry entry;
   entry.line = map.line();
@@ -65,6 +91,7 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
       entry.parameters.push_back({name, value.text(), value.line()});
     }
   }
+  entry.schedule = schedule_of(map);
   entry.containment = read_containment(map);
   return entry;
 }

@@ -15,7 +15,15 @@ ManagedPlugin::ManagedPlugin(const PluginEntry& entry, const std::filesystem::pa
     : name_(entry.name),
       place_(fmt::format("plug-in '{}' ({}:{})", entry.name, configuration_file.string(), entry.line)),
       parameters_(configuration_file, entry.name, entry.parameters),
-      events_(&events) {}
+      events_(&events),
+      schedule_(entry.schedule) {}
+
+void ManagedPlugin::check_schedule() const {
+  if (period_ == Period::batch && schedule_.every_ticks != 1) {
+    throw PluginError(fmt::format(
+        "{}: is stepped once a batch, which no period can change. Leave period and phase out", place_));
+  }
+}
 
 gaitway_text ManagedPlugin::error_text() noexcept {
   error_text_[0] = '\0';

@@ -51,10 +51,14 @@ void PluginManager::unload() noexcept {
 }
 
 std::unique_ptr<ManagedPlugin> PluginManager::load(const PluginEntry& entry, EventLog& events) const {
+  std::unique_ptr<ManagedPlugin> plugin;
   if (entry.isolation == Isolation::process) {
-    return std::make_unique<IsolatedPlugin>(entry, source(), options_.isolation, events);
+    plugin = std::make_unique<IsolatedPlugin>(entry, source(), options_.isolation, events);
+  } else {
+    plugin = std::make_unique<LoadedPlugin>(entry, source(), events);
   }
-  return std::make_unique<LoadedPlugin>(entry, source(), events);
+  plugin->check_schedule();
+  return plugin;
 }
 
 void PluginManager::maintain(std::int64_t now_ns) noexcept {
@@ -127,7 +131,7 @@ int PluginManager::step(const Tick& tick) noexcept {
     begin_change(tick);
   }
   for (const auto& slot : slots_) {
-    if (slot->plugin->is_due(tick)) {
+    if (!slot->stepped) {
       slot->plugin->take_snapshots();
     }
   }

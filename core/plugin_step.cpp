@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "gaitway/core/plugin_manager.hpp"
@@ -169,21 +170,26 @@ void PluginManager::fill_statistics(const Tick& tick) noexcept {
   const std::size_t count = std::min<std::size_t>(slots_.size(), kReportedPlugins);
   statistics_.stamp_ns = tick.now_ns;
   statistics_.plugin_count = static_cast<std::uint32_t>(count);
+  if (count > 0) {
+    PluginSlot& slot = *slots_[tick.batch_sequence % count];
+    slot.p50_step_ns = static_cast<std::int64_t>(slot.step_wall.percentile_ns(0.5));
+    slot.p99_step_ns = static_cast<std::int64_t>(slot.step_wall.percentile_ns(0.99));
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const PluginSlot& slot = *slots_[i];
+    const std::string& name = slot.plugin->name();
+    std::fill(std::begin(statistics_.name[i]), std::end(statistics_.name[i]), std::uint8_t{0});
+    std::copy_n(name.begin(), std::min(name.size(), std::size(statistics_.name[i]) - 1), statistics_.name[i]);
     statistics_.steps[i] = slot.steps;
     statistics_.faults[i] = slot.faults;
     statistics_.overruns[i] = slot.containment.overruns();
     statistics_.state[i] = static_cast<std::uint32_t>(slot.containment.state());
     statistics_.budget_ns[i] = slot.containment.budget_ns();
     statistics_.last_step_ns[i] = slot.last_step_ns;
+    statistics_.p50_step_ns[i] = slot.p50_step_ns;
+    statistics_.p99_step_ns[i] = slot.p99_step_ns;
     statistics_.worst_step_ns[i] = slot.step_wall.max_ns();
     statistics_.worst_input_age_ns[i] = slot.worst_input_age_ns;
-  }
-  if (count > 0) {
-    const std::size_t i = tick.batch_sequence % count;
-    statistics_.p50_step_ns[i] = static_cast<std::int64_t>(slots_[i]->step_wall.percentile_ns(0.5));
-    statistics_.p99_step_ns[i] = static_cast<std::int64_t>(slots_[i]->step_wall.percentile_ns(0.99));
   }
 }
 

@@ -179,6 +179,32 @@ TEST_F(PluginManagerTest, PluginInPlainC) {
   EXPECT_EQ(manager->events()[0].text(), "step 2 of C failed");
 }
 
+TEST_F(PluginManagerTest, PeriodAndPhaseSayWhoseTurnItIs) {
+  const auto manager = load("  - {name: slow, library: counter.so, period: 40 ms, phase: 20 ms}\n" +
+                            relay("fast", "from: out, to: copy"));
+  std::vector<double> values;
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    manager->step(tick(i));
+    Correction correction{};
+    other.read<Correction>("copy").read(correction);
+    values.push_back(correction.com_offset[0]);
+  }
+  EXPECT_THAT(values, testing::ElementsAre(-1, -1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3));
+}
+
+TEST_F(PluginManagerTest, PeriodThatCannotBeKeptIsRefused) {
+  const auto complaint = [&](const std::string& keys) {
+    return refusal("  - {name: slow, library: counter.so, " + keys + "}\n");
+  };
+  EXPECT_THAT(complaint("period: 15 ms"), testing::HasSubstr("must be a multiple of the tick of 10 ms"));
+  EXPECT_THAT(complaint("period: 2 s"), testing::HasSubstr("must lie between 10 ms and 1 s"));
+  EXPECT_THAT(complaint("period: 40"), testing::HasSubstr("with its unit"));
+  EXPECT_THAT(complaint("period: 40 ms, phase: 40 ms"), testing::HasSubstr("must be less than the period"));
+  EXPECT_THAT(
+      refusal("  - {name: slow, library: relay.so, period: 40 ms, parameters: {to: a, every_batch: true}}\n"),
+      testing::HasSubstr("plug-in 'slow' (test.yaml:2): is stepped once a batch"));
+}
+
 TEST_F(PluginManagerTest, StatisticsGoOutEveryBatch) {
   const auto manager =
       load("  - {name: thrower, library: throws_in_step.so}\n" + relay("slow", "to: a, every_batch: true"));
@@ -188,6 +214,8 @@ TEST_F(PluginManagerTest, StatisticsGoOutEveryBatch) {
   PluginStatistics statistics{};
   ASSERT_TRUE(other.read<PluginStatistics>("plugin_statistics").read(statistics));
   EXPECT_EQ(statistics.plugin_count, 2U);
+  EXPECT_STREQ(reinterpret_cast<const char*>(statistics.name[0]), "thrower");
+  EXPECT_STREQ(reinterpret_cast<const char*>(statistics.name[1]), "slow");
   EXPECT_EQ(statistics.steps[0], 7U);   // ticks 0 to 6
   EXPECT_EQ(statistics.faults[0], 4U);  // 0, 3, 4, 6
   EXPECT_EQ(statistics.steps[1], 1U);

@@ -32,12 +32,19 @@ struct ParameterEntry {
 
 enum class Isolation : std::uint8_t { none, process };
 
+// When a plug-in that is stepped every tick has its turn instead: in one tick of each period.
+struct StepSchedule {
+  std::uint32_t every_ticks = 1;
+  std::uint32_t phase_ticks = 0;  // < every_ticks
+};
+
 struct PluginEntry {
   std::string name;
   std::string library;
   int line = 0;
   std::vector<ParameterEntry> parameters = {};
   Isolation isolation = Isolation::none;
+  StepSchedule schedule = {};
   ContainmentSettings containment = {};
 };
 

@@ -61,7 +61,9 @@ class ManagedPlugin {
   [[nodiscard]] virtual Recovery recovery() const noexcept { return Recovery::not_needed; }
 
   // For the cycle.
-  [[nodiscard]] bool is_due(const Tick& tick) const noexcept { return tick.batch || period_ == Period::tick; }
+  [[nodiscard]] bool is_due(const Tick& tick) const noexcept {
+    return period_ == Period::batch ? tick.batch : tick.tick % schedule_.every_ticks == schedule_.phase_ticks;
+  }
   void take_snapshots() noexcept;
   // Runs one step and checks what it staged; then commit() or discard(). False: a fault, and fault() says
   // why. `offset`, if not 0, is put onto the first number of each field of the outputs: an injected fault.
@@ -91,6 +93,8 @@ class ManagedPlugin {
   [[nodiscard]] Period period() const noexcept { return period_; }
   [[nodiscard]] virtual std::string_view version() const noexcept = 0;
   [[nodiscard]] DataFlowNode node() const;
+  // Throws PluginError if the configuration gives a period to a plug-in that is stepped every batch.
+  void check_schedule() const;
   [[nodiscard]] bool uses(std::string_view topic, Access access) const noexcept;
 
  protected:
@@ -111,6 +115,7 @@ class ManagedPlugin {
   EventLog* events_;
   std::list<TopicPort> ports_;  // stable addresses: the plug-in holds them
   Period period_ = Period::tick;
+  const StepSchedule schedule_;
   Tick tick_;
 
  private:

@@ -25,9 +25,10 @@ struct PluginSlot {
   std::uint64_t steps = 0;
   std::uint64_t faults = 0;
   std::int64_t last_step_ns = 0;
-  bool stepped = false;  // in this tick
-  bool failed = false;   // in the last step, or out of service
-  bool covered = false;  // and its fallback wrote all its topics
+  std::int64_t p50_step_ns = 0, p99_step_ns = 0;  // when it was last its turn
+  bool stepped = false;                           // in this tick
+  bool failed = false;                            // in the last step, or out of service
+  bool covered = false;                           // and its fallback wrote all its topics
   Containment containment;
   std::int64_t worst_input_age_ns = 0;
   std::uint32_t watch_id = 0;  // by which StepWatch knows it
