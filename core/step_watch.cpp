@@ -49,13 +49,18 @@ StepWatch::~StepWatch() {
 }
 
 std::uint32_t StepWatch::add(std::string_view plugin) noexcept {
-  const std::uint32_t id = page_->count.load(std::memory_order_relaxed) + 1;
+  std::array<char, 48> name{};
+  std::copy_n(plugin.begin(), std::min(plugin.size(), name.size() - 1), name.begin());
+  const std::uint32_t count = page_->count.load(std::memory_order_relaxed);
+  const auto known = std::find(page_->names.begin() + 1, page_->names.begin() + 1 + count, name);
+  const auto id = static_cast<std::uint32_t>(known - page_->names.begin());
+  if (id <= count) {
+    return id;
+  }
   if (id > kCapacity) {
     return 0;
   }
-  std::array<char, 48>& name = page_->names[id];
-  name.fill('\0');
-  std::copy_n(plugin.begin(), std::min(plugin.size(), name.size() - 1), name.begin());
+  page_->names[id] = name;
   page_->count.store(id, std::memory_order_relaxed);
   return id;
 }

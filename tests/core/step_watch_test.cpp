@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <string>
+
 namespace gaitway::core {
 namespace {
 
@@ -25,9 +27,10 @@ TEST(StepWatch, TheOtherSideSeesWhoIsBeingStepped) {
 TEST(StepWatch, MoreThanItHasRoomForAreNotNamed) {
   StepWatch watch = StepWatch::make();
   for (std::uint32_t i = 0; i < StepWatch::kCapacity; ++i) {
-    EXPECT_NE(watch.add("plug-in"), 0U);
+    EXPECT_NE(watch.add("plug-in " + std::to_string(i)), 0U);
   }
   EXPECT_EQ(watch.add("late"), 0U);
+  EXPECT_EQ(watch.add("plug-in 7"), 8U) << "a plug-in that is replaced keeps its number";
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace gaitway::core {
 // to see a number grow.
 class StepWatch {
  public:
-  static constexpr std::uint32_t kCapacity = 63;  // plug-ins since start, replaced ones included
+  static constexpr std::uint32_t kCapacity = 63;  // names of plug-ins since start
 
   static StepWatch make();               // throws std::system_error
   static StepWatch open(int inherited);  // throws std::system_error
@@ -25,7 +25,8 @@ class StepWatch {
   StepWatch& operator=(StepWatch&&) = delete;
   ~StepWatch();
 
-  // The worker's side. add() is for set-up; 0: no room, that one is not named.
+  // The worker's side. add() is for set-up, and gives the same name the same number; 0: no room, that one is
+  // not named.
   std::uint32_t add(std::string_view plugin) noexcept;
   void enter(std::uint32_t id) noexcept { page_->current.store(id, std::memory_order_relaxed); }
   void leave() noexcept { page_->current.store(0, std::memory_order_relaxed); }
