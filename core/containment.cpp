@@ -38,7 +38,8 @@ bool Containment::note_fault(const Tick& tick, bool overrun, Recovery recovery) 
   reason_ = {in_a_row_, failing_since_ns_};
   overruns_ += overrun ? 1U : 0U;
   const bool given_up =
-      recovery == Recovery::given_up || (recovery != Recovery::under_way && is_one_too_many(tick));
+      recovery == Recovery::given_up ||
+      ((recovery == Recovery::not_needed || recovery == Recovery::awaited) && is_one_too_many(tick));
   state_ = given_up ? ServiceState::out_of_service : ServiceState::failing;
   return given_up;
 }

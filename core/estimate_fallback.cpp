@@ -11,8 +11,8 @@
 namespace gaitway::core {
 namespace {
 
-constexpr double kTick_s = 0.010;
 constexpr std::int64_t kTick_ns = 10'000'000;
+constexpr double kShortestTurn_s = 0.010, kLongestTurn_s = 0.100;
 constexpr double kGravity_m_per_s2 = 9.81;
 constexpr double kTiltTime_s = 0.5;  // gyro in less, inclinometer in more
 constexpr double kBiasTime_s = 1.0;  // in which the estimator's gyro bias is learned from it
@@ -66,7 +66,8 @@ EstimateFallback::EstimateFallback(const FallbackSource& source)
 }
 
 // Learns the gyro's bias from what the estimator makes of the gyro.
-void EstimateFallback::follow(const Tick&) noexcept {
+void EstimateFallback::follow(const Tick& tick) noexcept {
+  take_turn(tick);
   acting_ = false;
   if (!estimate_reader_.read(last_) || !imu_reader_.read(imu_) || imu_.stamp_ns == imu_stamp_ns_) {
     return;
@@ -76,9 +77,15 @@ void EstimateFallback::follow(const Tick&) noexcept {
   if (!bias.allFinite()) {
     return;
   }
-  gyro_bias_ += (has_bias_ ? kTick_s / kBiasTime_s : 1.0) * (bias - gyro_bias_);
+  gyro_bias_ += (has_bias_ ? turn_s_ / kBiasTime_s : 1.0) * (bias - gyro_bias_);
   gyro_bias_ = gyro_bias_.cwiseMax(-kLargestBias_rad_per_s).cwiseMin(kLargestBias_rad_per_s);
   has_bias_ = true;
+}
+
+// Its plug-in need not have its turn in every tick.
+void EstimateFallback::take_turn(const Tick& tick) noexcept {
+  turn_s_ = std::clamp(static_cast<double>(tick.now_ns - turn_ns_) * 1e-9, kShortestTurn_s, kLongestTurn_s);
+  turn_ns_ = tick.now_ns;
 }
 
 std::optional<Eigen::Vector2d> EstimateFallback::measured_tilt() const noexcept {
@@ -122,6 +129,7 @@ bool EstimateFallback::act(const Tick& tick, ManagedPlugin& through) noexcept {
   if (!known) {
     return false;
   }
+  take_turn(tick);
   if (!acting_) {
     begin(tick);
   }
@@ -143,12 +151,12 @@ void EstimateFallback::update_attitude() noexcept {
   const double sine = std::sin(attitude_.x()), cosine = std::cos(attitude_.x());
   const double cosine_pitch = std::max(std::cos(attitude_.y()), kLeastCosine);
   const double yaw_rate = (rate_.y() * sine + rate_.z() * cosine) / cosine_pitch;
-  attitude_ += kTick_s * Eigen::Vector3d(rate_.x() + std::sin(attitude_.y()) * yaw_rate,
+  attitude_ += turn_s_ * Eigen::Vector3d(rate_.x() + std::sin(attitude_.y()) * yaw_rate,
                                          rate_.y() * cosine - rate_.z() * sine, yaw_rate);
   if (const std::optional<Eigen::Vector2d> tilt = measured_tilt()) {
-    constexpr double kShare = kTick_s / (kTiltTime_s + kTick_s);
-    attitude_.x() = turned_towards(attitude_.x(), tilt->x(), kShare);
-    attitude_.y() = turned_towards(attitude_.y(), tilt->y(), kShare);
+    const double share = turn_s_ / (kTiltTime_s + turn_s_);
+    attitude_.x() = turned_towards(attitude_.x(), tilt->x(), share);
+    attitude_.y() = turned_towards(attitude_.y(), tilt->y(), share);
   }
 }
 
@@ -233,15 +241,15 @@ void EstimateFallback::update_com() noexcept {
   if (!started_) {
     started_ = true;
     com_difference_ -= com_seen_from(support_);
-    com_difference_ += kTick_s * com_velocity_;
+    com_difference_ += turn_s_ * com_velocity_;
     if (!com_difference_.allFinite()) {
       com_difference_.setZero();
     }
   } else {
-    const Eigen::Vector3d velocity = (com_seen_from(support_) - com_before_[support_]) / kTick_s;
-    com_velocity_ += kTick_s / (kVelocityTime_s + kTick_s) * (velocity - com_velocity_);
+    const Eigen::Vector3d velocity = (com_seen_from(support_) - com_before_[support_]) / turn_s_;
+    com_velocity_ += turn_s_ / (kVelocityTime_s + turn_s_) * (velocity - com_velocity_);
   }
-  com_difference_ *= 1.0 - kTick_s / kDifferenceTime_s;
+  com_difference_ *= 1.0 - turn_s_ / kDifferenceTime_s;
   for (std::size_t foot = 0; foot < 2; ++foot) {
     com_before_[foot] = com_seen_from(foot);
   }

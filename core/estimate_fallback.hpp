@@ -28,6 +28,7 @@ class EstimateFallback final : public Fallback {
  private:
   enum class Support : std::uint8_t { left, right, both };
 
+  void take_turn(const Tick& tick) noexcept;
   void begin(const Tick& tick) noexcept;
   void update_attitude() noexcept;
   void update_levels() noexcept;
@@ -56,6 +57,8 @@ class EstimateFallback final : public Fallback {
   std::unique_ptr<MotionPlan> plan_ = std::make_unique<MotionPlan>();  // large
   std::uint64_t plan_sequence_ = 0;
   Estimate last_{};  // the plug-in's, then one's own
+  std::int64_t turn_ns_ = 0;
+  double turn_s_ = 0.010;  // since its turn before
   bool acting_ = false;
   bool started_ = false;  // since begin(): there is a CoM of the tick before
   std::int64_t imu_stamp_ns_ = 0;

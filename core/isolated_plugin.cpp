@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::int64_t kLook_ns = 500'000;  // between two looks whether the host still lives
 constexpr std::int64_t kFarewell_ns = 1'000'000'000;
+constexpr std::int64_t kBetweenSteps_ns = 10'000'000;  // real time: of a call that the tick waits for
 
 std::string_view name_of(HostCall call) noexcept {
   constexpr std::array<std::string_view, 7> kNames{"its step",         "activation",    "deactivation",
@@ -130,6 +131,10 @@ bool IsolatedPlugin::take_reply() noexcept {
   return true;
 }
 
+std::int64_t IsolatedPlugin::between_steps_limit_ns() const noexcept {
+  return options_.lock_step ? options_.watchdog_ns : kBetweenSteps_ns;
+}
+
 // A call between two steps, or at set-up. False: it failed, and fault() says why.
 bool IsolatedPlugin::call(HostCall what, std::int64_t limit_ns) noexcept {
   begin(what);
@@ -151,6 +156,7 @@ bool IsolatedPlugin::call(HostCall what, std::int64_t limit_ns) noexcept {
 }
 
 bool IsolatedPlugin::run(const Tick& tick) noexcept {
+  lost_in_step_ = false;
   if (condition_ == Condition::late && !resume_late(tick)) {
     return false;
   }
@@ -204,14 +210,10 @@ bool IsolatedPlugin::resume_late(const Tick& tick) noexcept {
   } else if (link_->process.has_ended()) {
     describe_end(HostCall::step);
   } else {
-    const bool hangs = tick.now_ns - late_ns_ > options_.hang_ns;
-    format_into(text, "has not answered for {} ms{}", (tick.now_ns - late_ns_) / 1'000'000,
-                hangs ? ": its host was ended" : "");
+    format_into(text, "has not answered for {} ms", (tick.now_ns - late_ns_) / 1'000'000);
     set_fault(text.data());
-    if (!hangs) {
-      still_late_ = true;
-      return false;
-    }
+    still_late_ = true;
+    return false;
   }
   format_into(text, "{}", fault());
   lose(text.data(), tick.now_ns);
@@ -289,6 +291,7 @@ void IsolatedPlugin::lose(std::string_view what, std::int64_t now_ns) noexcept {
   lost_ns_ = now_ns;
   restart_ns_ = now_ns + options_.restart_delay_ns;
   condition_ = Condition::lost;
+  lost_in_step_ = true;
   std::uint64_t recent = 0;
   const std::uint64_t known = std::min<std::uint64_t>(replaced_, replaced_ns_.size());
   for (std::uint64_t i = 0; i < known; ++i) {
@@ -320,7 +323,7 @@ bool IsolatedPlugin::save_state(PluginState& state) noexcept {
     restate_loss();
     return false;
   }
-  if (!call(HostCall::save_state, options_.watchdog_ns)) {
+  if (!call(HostCall::save_state, between_steps_limit_ns())) {
     return false;
   }
   const std::uint32_t size = link_->exchange().reply.state_size;
@@ -347,7 +350,7 @@ bool IsolatedPlugin::restore_state(const PluginState& state) noexcept {
   std::copy_n(state.bytes.begin(), state.size, link_->exchange().state);
   link_->exchange().request.state_size = state.size;
   link_->exchange().request.state_version = state.version;
-  return call(HostCall::restore_state, options_.watchdog_ns);
+  return call(HostCall::restore_state, between_steps_limit_ns());
 }
 
 bool IsolatedPlugin::set_parameter(const char* name, const gaitway_value& value) noexcept {
@@ -365,7 +368,7 @@ bool IsolatedPlugin::set_parameter(const char* name, const gaitway_value& value)
   request.parameter.text = nullptr;
   std::copy_n(name, strlen(name) + 1, request.parameter_name);
   std::copy_n(value.text == nullptr ? "" : value.text, text_bytes + 1, request.parameter_text);
-  return call(HostCall::set_parameter, options_.watchdog_ns);
+  return call(HostCall::set_parameter, between_steps_limit_ns());
 }
 
 }  // namespace gaitway::core

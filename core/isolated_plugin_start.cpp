@@ -225,6 +225,9 @@ void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
     set_fault("");
     describe_end(HostCall::end);
     lose(std::string(fault()), now_ns);
+  } else if (condition_ == Condition::late && now_ns - late_ns_ > options_.hang_ns) {
+    lose(fmt::format("has not answered for {} ms: its host was ended", (now_ns - late_ns_) / kMillisecond_ns),
+         now_ns);
   }
   try {
     if (condition_ == Condition::lost && now_ns >= restart_ns_) {
@@ -245,6 +248,7 @@ void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
     }
   } catch (const std::exception& error) {
     lose(fmt::format("its host cannot be replaced: {}", error.what()), now_ns);
+    events_->add(now_ns, tick_.tick, EventKind::error, name_, fault());
   }
 }
 

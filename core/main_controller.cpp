@@ -63,7 +63,7 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   report.declared_cost_ns = manager_.declared_cost_ns();
   post_trim(tick, report);
   if (tick.batch && hand_over(tick, report) == HandOverOutcome::unusable &&
-      manager_.take_trial_back(tick, last_refusal_.data())) {
+      manager_.is_trial_to_blame("joint_plan") && manager_.take_trial_back(tick, last_refusal_.data())) {
     post_trim(tick, report);
     hand_over(tick, report);
   }
@@ -129,7 +129,12 @@ MainController::HandOverOutcome MainController::hand_over(const Tick& tick, Tick
     const auto end =
         fmt::format_to_n(text.data(), text.size(), "batch {} is not handed over: plug-in '{}' failed",
                          tick.batch_sequence, failed->name());
-    note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+    // Said once of a row of them.
+    if (failed != spoiler_ || tick.batch_sequence != spoiled_sequence_ + 1) {
+      note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+    }
+    spoiler_ = failed;
+    spoiled_sequence_ = tick.batch_sequence;
     return HandOverOutcome::unusable;
   }
   if (!joint_plan_reader_.read(*plan_) || plan_->sequence != tick.batch_sequence) {

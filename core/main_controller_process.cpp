@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -42,6 +44,8 @@ struct Options {
   bool quiet = false;
   bool supervised = false;
   int step_watch = -1;  // descriptor that the supervisor hands on; -1: nobody supervises
+  pid_t supervisor = 0;
+  std::vector<std::string> culprits;  // as --without, unless the configuration does not know them
 };
 
 // Prints what is new in the event log; leaves out all but a few at a time.
@@ -167,6 +171,15 @@ int run(Options options) {
     watch.emplace(core::StepWatch::open(options.step_watch));
     options.controller.step_watch = &*watch;
     prctl(PR_SET_PDEATHSIG, SIGTERM);  // never without its supervisor
+    if (getppid() != options.supervisor) {
+      return kExitFine;  // it is gone already
+    }
+  }
+  options.controller.plugins = core::read_configuration(options.controller.configuration);
+  for (const core::PluginEntry& plugin : options.controller.plugins->plugins) {
+    if (std::find(options.culprits.begin(), options.culprits.end(), plugin.name) != options.culprits.end()) {
+      options.controller.left_out.push_back(plugin.name);
+    }
   }
   options.controller.wall_time_decides = true;
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
@@ -177,6 +190,9 @@ int run(Options options) {
   const Workshop workshop(requests);
   process::ask_for_real_time("main_controller", kPriority);
   const LoopResult result = run_ticks(controller, requests, client, options);
+  if (watch) {
+    watch->end();
+  }
   if (!options.quiet) {
     print_summary(controller, result);
   }
@@ -208,6 +224,8 @@ int main(int argc, char** argv) {
   app.add_flag("--supervised", options.supervised,
                "Start again at once when a plug-in brings the process down, without that plug-in");
   app.add_option("--step-watch", options.step_watch)->group("");  // the supervisor's own
+  app.add_option("--supervisor", options.supervisor)->group("");
+  app.add_option("--culprit", options.culprits)->group("")->allow_extra_args(false);
   app.footer(
       "Examples:\n"
       "  main_controller --socket /run/gaitway.sock --robot urdf/humanoid22 --config core/config/walk.yaml\n"
@@ -216,7 +234,9 @@ int main(int argc, char** argv) {
       "Ends on SIGINT and SIGTERM; the message controller then plays the safe tail to its end and the robot "
       "stands.\n"
       "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the message controller went "
-      "away, 4 supervised: it died more than three times within a minute.");
+      "away, 4 supervised: it died more than three times within a minute, 128 + N supervised: signal N ended "
+      "it "
+      "while it stopped.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

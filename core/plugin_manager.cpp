@@ -124,8 +124,10 @@ int PluginManager::step(const Tick& tick) noexcept {
   declared_cost_ns_ = 0;
   now_ns_.store(tick.now_ns, std::memory_order_relaxed);
   for (const auto& slot : slots_) {
-    slot->failed = slot->covered = false;
     slot->stepped = !slot->plugin->is_due(tick);
+    if (!slot->stepped) {
+      slot->failed = slot->covered = false;  // of the others, what became of their last turn still counts
+    }
   }
   if (tick.batch && change_phase_ == ChangePhase::waiting) {
     begin_change(tick);
@@ -151,7 +153,7 @@ int PluginManager::step_all(const Tick& tick) noexcept {
       continue;
     }
     step(slot, tick);
-    if (slot.failed && &slot == trial_) {
+    if (slot.failed && &slot == trial_ && slot.containment.is_stepped()) {
       take_change_back(tick, "the new one failed in its first step", slot.plugin->fault());
       return failed + step_all(tick);
     }
@@ -175,11 +177,23 @@ void PluginManager::set_parameter(std::string_view plugin, std::string_view para
 }
 
 const ManagedPlugin* PluginManager::fault_behind(std::string_view topic) const noexcept {
+  const PluginSlot* const slot = slot_behind(topic);
+  return slot == nullptr ? nullptr : slot->plugin.get();
+}
+
+bool PluginManager::is_trial_to_blame(std::string_view topic) const noexcept {
+  const PluginSlot* const slot = slot_behind(topic);
+  const bool failed_before =
+      slot != nullptr && (!slot->containment.is_stepped() || slot->containment.faults_in_a_row() > 1);
+  return trial_ != nullptr && (slot == trial_ ? slot->containment.is_stepped() : !failed_before);
+}
+
+const PluginSlot* PluginManager::slot_behind(std::string_view topic) const noexcept {
   const auto writes = [topic](const auto& slot) { return slot->plugin->uses(topic, Access::write); };
   const auto writer = std::find_if(slots_.begin(), slots_.end(), writes);
   for (std::size_t i = 0; writer != slots_.end() && i < slots_.size(); ++i) {
     if (slots_[i]->failed && !slots_[i]->covered && (*writer)->depends_on[i]) {
-      return slots_[i]->plugin.get();
+      return slots_[i].get();
     }
   }
   return nullptr;

@@ -105,8 +105,7 @@ std::unique_ptr<PluginChange> PluginManager::prepare_stop(const std::string& nam
   }
   auto news = std::make_unique<EventLog>();
   auto stand_in = std::make_unique<StandIn>(running.entry, StandIn::topics_for(running.plugin->node()),
-                                            configuration_file_, *news,
-                                            FallbackSource{client_, options_.robot_directory});
+                                            configuration_file_, *news);
   return plan_replacement(running.entry, std::move(stand_in), std::move(news), nullptr);
 }
 
@@ -174,8 +173,11 @@ void PluginManager::begin_change(const Tick& tick) noexcept {
   const bool replaces = change.outgoing_index() != PluginChange::kIncoming;
   ManagedPlugin* const old = replaces ? slots_[change.outgoing_index()]->plugin.get() : nullptr;
   if (incoming != nullptr && old != nullptr) {
-    // One that is out of service has nothing to hand on that is of use.
-    if (slots_[change.outgoing_index()]->containment.is_stepped() && !old->save_state(change.state())) {
+    // One that is out of service, or whose process is away, has nothing to hand on that is of use; and one
+    // that is stopped has nobody to hand it on to.
+    const bool hands_on = slots_[change.outgoing_index()]->containment.is_stepped() &&
+                          old->recovery() == Recovery::not_needed && incoming->containment.is_stepped();
+    if (hands_on && !old->save_state(change.state())) {
       return fail_change(tick, "the running one cannot hand its state on", old->fault());
     }
     if (!incoming->plugin->restore_state(change.state())) {

@@ -47,12 +47,8 @@ void PluginManager::add_stand_ins(const Configuration& configuration) {
     events_.add(
         0, 0, EventKind::warning, name,
         topics.empty() ? "left out" : fmt::format("left out; fallbacks write {}", fmt::join(topics, ", ")));
-    if (topics.empty()) {
-      continue;
-    }
     auto slot = std::make_unique<PluginSlot>();
-    slot->plugin = std::make_unique<StandIn>(*entry, topics, configuration.file, events_,
-                                             FallbackSource{client_, options_.robot_directory});
+    slot->plugin = std::make_unique<StandIn>(*entry, topics, configuration.file, events_);
     slot->entry = *entry;
     slot->configured = slots_.size();
     loaded.push_back(slot->plugin->node());
@@ -61,15 +57,16 @@ void PluginManager::add_stand_ins(const Configuration& configuration) {
 }
 
 void PluginManager::contain(PluginSlot& slot) {
-  if (dynamic_cast<const StandIn*>(slot.plugin.get()) != nullptr) {
-    slot.containment.leave_out();
-    return;
+  ContainmentSettings settings = slot.entry.containment;
+  if (slot.plugin->node().uses.empty()) {
+    settings.fallback = FallbackKind::by_topics;  // of a stand-in that has nothing to write
   }
-  const ContainmentSettings& settings = slot.entry.containment;
   const FallbackSource source{client_, options_.robot_directory};
   slot.containment =
       Containment(settings, slot.plugin->period(), FallbackSet(*slot.plugin, settings.fallback, source));
-  if (options_.step_watch != nullptr) {
+  if (dynamic_cast<const StandIn*>(slot.plugin.get()) != nullptr) {
+    slot.containment.leave_out();
+  } else if (options_.step_watch != nullptr) {
     slot.watch_id = options_.step_watch->add(slot.plugin->name());
   }
 }
@@ -77,8 +74,8 @@ void PluginManager::contain(PluginSlot& slot) {
 void PluginManager::step(PluginSlot& slot, const Tick& tick) noexcept {
   slot.stepped = true;
   if (!slot.containment.is_stepped()) {
-    slot.failed = true;
     slot.covered = slot.containment.fallbacks().act(tick, *slot.plugin);
+    slot.failed = !slot.covered || slot.containment.state() == ServiceState::out_of_service;
     return;
   }
   const std::int64_t begin_ns = wall_ns();

@@ -35,9 +35,8 @@ bool is_needed(std::string_view topic, const Nodes& loaded) {
 }  // namespace
 
 StandIn::StandIn(const PluginEntry& entry, const std::vector<std::string>& topics,
-                 const std::filesystem::path& configuration_file, EventLog& events,
-                 const FallbackSource& source)
-    : ManagedPlugin(entry, configuration_file, events), wanted_(entry.containment.fallback), source_(source) {
+                 const std::filesystem::path& configuration_file, EventLog& events)
+    : ManagedPlugin(entry, configuration_file, events) {
   for (const StandardTopic& topic : kStandardTopics) {
     if (std::find(topics.begin(), topics.end(), topic.name) == topics.end()) {
       continue;
@@ -47,16 +46,6 @@ StandIn::StandIn(const PluginEntry& entry, const std::vector<std::string>& topic
                               nullptr};
     ports_.emplace_back(plain, Access::write);
   }
-}
-
-void StandIn::activate() {
-  fallbacks_ = FallbackSet(*this, wanted_, source_);
-}
-
-// A fallback that still waits for its inputs is no fault.
-bool StandIn::run(const Tick& tick) noexcept {
-  fallbacks_.act(tick, *this);
-  return true;
 }
 
 bool StandIn::save_state(PluginState& state) noexcept {
@@ -72,12 +61,15 @@ bool StandIn::set_parameter(const char*, const gaitway_value&) noexcept {
 
 std::vector<std::string> StandIn::topics_for(const PluginEntry& entry, const Nodes& loaded,
                                              const std::vector<ExternalTopic>& external) {
-  const FallbackKind wanted = entry.containment.fallback;
+  const FallbackKind named = entry.containment.fallback;
+  const FallbackKind wanted = named == FallbackKind::trims_to_zero ? FallbackKind::trims_from_gains : named;
   const bool has_standard_name =
       std::any_of(kStandardTopics.begin(), kStandardTopics.end(),
                   [&](const StandardTopic& topic) { return topic.writer == entry.name; });
   const auto is_its = [&](const StandardTopic& topic, FallbackKind kind) {
-    if (wanted != FallbackKind::by_topics) {
+    // "none" and "safe_tail" fit every topic: nobody writes it.
+    if (wanted != FallbackKind::by_topics && wanted != FallbackKind::none &&
+        wanted != FallbackKind::safe_tail) {
       return kind == wanted;
     }
     if (has_standard_name) {

@@ -15,9 +15,9 @@ class StandIn final : public ManagedPlugin {
  public:
   // Writes these topics, all of them standard ones with a fallback.
   StandIn(const PluginEntry& entry, const std::vector<std::string>& topics,
-          const std::filesystem::path& configuration_file, EventLog& events, const FallbackSource& source);
+          const std::filesystem::path& configuration_file, EventLog& events);
 
-  void activate() override;
+  void activate() override {}
   void deactivate() noexcept override {}
   bool save_state(PluginState& state) noexcept override;
   bool restore_state(const PluginState&) noexcept override { return true; }
@@ -34,11 +34,7 @@ class StandIn final : public ManagedPlugin {
   [[nodiscard]] static std::vector<std::string> topics_for(const DataFlowNode& running);
 
  private:
-  bool run(const Tick& tick) noexcept override;
-
-  FallbackKind wanted_;
-  FallbackSource source_;
-  FallbackSet fallbacks_;
+  bool run(const Tick&) noexcept override { return true; }
 };
 
 }  // namespace gaitway::core

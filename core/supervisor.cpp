@@ -23,6 +23,7 @@ namespace gaitway::core {
 namespace {
 
 constexpr std::int64_t kLook_ns = 20'000'000;           // between two looks at the ticks
+constexpr int kExitSignal = 128;                        // and the signal's number
 constexpr std::int64_t kLongestEnd_ns = 5'000'000'000;  // from SIGTERM to the end
 
 struct Death {
@@ -40,9 +41,10 @@ class Worker {
       : watch_(StepWatch::make()) {
     std::vector<std::string> arguments{options.program};
     arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
-    arguments.insert(arguments.end(), {"--step-watch", std::to_string(watch_.descriptor())});
+    arguments.insert(arguments.end(), {"--step-watch", std::to_string(watch_.descriptor()), "--supervisor",
+                                       std::to_string(getpid())});
     for (const std::string& name : left_out) {
-      arguments.insert(arguments.end(), {"--without", name});
+      arguments.insert(arguments.end(), {"--culprit", name});
     }
     spawn(arguments);
     pidfd_ = process::FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
@@ -76,6 +78,7 @@ class Worker {
   }
   void send(int signal) const { kill(process_, signal); }
   [[nodiscard]] std::uint64_t ticks() const noexcept { return watch_.ticks(); }
+  [[nodiscard]] bool is_ending() const noexcept { return watch_.is_ending(); }
 
  private:
   void spawn(std::vector<std::string>& arguments) {
@@ -116,8 +119,11 @@ class Supervisor {
     while (true) {
       Worker worker(options_, left_out_);
       const Death death = watch(worker);
-      if (death.signal == 0 || process::stop_requested()) {
+      if (death.signal == 0) {
         return death.exit_code;
+      }
+      if (process::stop_requested()) {
+        return kExitSignal + death.signal;
       }
       if (!may_restart(death)) {
         return kExitGivenUp;
@@ -141,7 +147,7 @@ class Supervisor {
         report_return(ticks);
         ticks = worker.ticks();
         tick_ns = now_ns;
-      } else if (ticks > 0 && now_ns - tick_ns > kHang_ns) {
+      } else if (ticks > 0 && !worker.is_ending() && now_ns - tick_ns > kHang_ns) {
         worker.send(SIGKILL);
         Death death = worker.take_death();
         death.hung = true;

@@ -5,12 +5,13 @@
 #endif
 #include "gaitway/core/plugin_abi.h"
 
-static gaitway_status create(const gaitway_host* host, gaitway_instance* instance, const gaitway_text* error) {
+static gaitway_status create(const gaitway_host* host, gaitway_instance* instance,
+                             const gaitway_text* error) {
   (void)host;
   (void)instance;
   (void)error;
   return GAITWAY_FAILED;
 }
 
-const gaitway_plugin gaitway_plugin_entry = {
-    GAITWAY_PLUGIN_HEAD, "border", "1.0.0", "The border's types", &create};
+const gaitway_plugin gaitway_plugin_entry = {GAITWAY_PLUGIN_HEAD, "border", "1.0.0", "The border's types",
+                                             &create};

@@ -234,6 +234,61 @@ TEST_F(ContainmentTest, SettingsAreReadStrictly) {
   EXPECT_THAT(refusal(std::string(kFailsAsTold) + ", give_up_after: {fault: 1}}\n"), HasSubstr("faults"));
 }
 
+TEST_F(ContainmentTest, FaultOfASlowerPluginCountsUntilItsNextTurn) {
+  start(", fallback: none, period: 40 ms");
+  order(true);
+  for (; next <= 6;) {
+    step();
+  }
+  ASSERT_NE(manager->fault_behind("copy"), nullptr) << "tick 6, the batch's, is none of its turns";
+  order(false);
+  for (; next <= 8;) {
+    step();
+  }
+  EXPECT_EQ(manager->fault_behind("copy"), nullptr);
+}
+
+TEST_F(ContainmentTest, PluginThatFailedBeforeIsNotBlamedOnAChange) {
+  start(", fallback: none");
+  order(true);
+  for (; next <= 5;) {
+    step();
+  }
+  ASSERT_TRUE(manager->schedule(manager->prepare_reload("reader")));
+  step();
+  ASSERT_NE(manager->fault_behind("copy"), nullptr);
+  EXPECT_FALSE(manager->is_trial_to_blame("copy"));
+  order(false);
+  step();
+  (void)manager->take_result();
+  for (; next <= 13;) {
+    step();
+  }
+  ASSERT_TRUE(manager->schedule(manager->prepare_reload("reader")));
+  order(true);
+  step();
+  EXPECT_TRUE(manager->is_trial_to_blame("copy")) << "it fails for the first time with the new one";
+}
+
+TEST_F(ContainmentTest, WhoeverIsLeftOutHasAStandInWhateverItsFallback) {
+  for (const char* const fallback : {"trims_to_zero", "trims_from_gains", "none", "safe_tail"}) {
+    msgclient::MemoryBlock own_block;
+    msgclient::Client own_client = own_block.local_client("main_controller");
+    PluginManagerOptions options;
+    options.robot_directory = GAITWAY_TEST_ROBOT;
+    options.plugin_path = {GAITWAY_TEST_PLUGINS};
+    options.left_out = {"balance"};
+    PluginManager alone(
+        parse_configuration("plugins:\n  - {name: balance, library: nowhere.so, fallback: " +
+                                std::string(fallback) + "}\n" + relay("reader", "from: correction, to: copy"),
+                            "test.yaml"),
+        options, own_client);
+    const bool writes = std::string_view(fallback).starts_with("trims");
+    EXPECT_EQ(alone.step(tick(1)), writes ? 0 : 1) << fallback;
+    EXPECT_EQ(alone.fault_behind("copy") == nullptr, writes) << fallback;
+  }
+}
+
 TEST_F(ContainmentTest, LeftOutPluginIsStoodInForFromTheStart) {
   PluginManagerOptions options;
   options.robot_directory = GAITWAY_TEST_ROBOT;

@@ -163,16 +163,50 @@ TEST_F(IsolatedPluginTest, ThirdReplacementIsTheLast) {
     EXPECT_EQ(manager->timings()[0].state == ServiceState::out_of_service, !before_last) << i;
   }
   EXPECT_EQ(manager->plugin(0).recovery(), Recovery::given_up);
+  int told = 0;
   std::vector<std::string> errors;
   for (std::uint64_t i = 0; i < manager->events().total(); ++i) {
+    told += manager->events()[i].kind == EventKind::fault ? 1 : 0;
     if (manager->events()[i].kind == EventKind::error) {
       errors.emplace_back(manager->events()[i].text());
     }
   }
+  EXPECT_EQ(told, 4) << "each end once";
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_THAT(errors[0],
               AllOf(HasSubstr("out of service after 16 faults since 0."),
                     HasSubstr("its process was replaced 3 times within 10 s"), HasSubstr("SIGABRT")));
+}
+
+TEST_F(IsolatedPluginTest, InRealTimeAHostThatHangsIsEndedThoughNobodyStepsIt) {
+  isolation.lock_step = false;
+  const auto manager = load(isolated("misbehaves", "how: loop"));
+  for (std::uint32_t i = 1; i <= 3; ++i) {
+    manager->step(tick(i));
+    manager->maintain(tick(i).now_ns);
+  }
+  EXPECT_THAT(std::string(manager->plugin(0).fault()), HasSubstr("did not answer within 2 ms"));
+  manager->maintain(tick(14).now_ns);
+  EXPECT_THAT(std::string(manager->plugin(0).fault()),
+              HasSubstr("has not answered for 110 ms: its host was ended"));
+}
+
+TEST_F(IsolatedPluginTest, WhatHasNoProcessCanBeStoppedAndReloaded) {
+  const auto manager = load(isolated("misbehaves", "how: abort"));
+  for (std::uint32_t i = 1; i <= 5; ++i) {
+    manager->step(tick(i));  // its process ended in tick 3, and nobody maintains it
+  }
+  ASSERT_TRUE(manager->schedule(manager->prepare_reload("it")));
+  EXPECT_EQ(manager->step(tick(6)), 0);
+  EXPECT_EQ(value(), 1.0) << "it starts afresh";
+  manager->end_trial(tick(6));
+  const auto result = manager->take_result();
+  ASSERT_TRUE(result.has_value());
+  EXPECT_TRUE(result->done) << result->text;
+  ASSERT_TRUE(manager->schedule(manager->prepare_stop("it")));
+  manager->step(tick(14));
+  manager->end_trial(tick(14));
+  EXPECT_TRUE(manager->take_result()->done);
 }
 
 TEST_F(IsolatedPluginTest, ChangeTakesTheStateFromOneProcessToTheOther) {

@@ -32,15 +32,16 @@ class Containment {
   bool note_fault(const Tick& tick, bool overrun, Recovery recovery) noexcept;
   // Whether a fault says more than the one before: not while a plug-in waits for the same recovery.
   [[nodiscard]] bool is_news(Recovery recovery) const noexcept {
-    const bool waits = recovery == Recovery::awaited || recovery == Recovery::under_way;
-    return !waits || recovery != recovery_;
+    const bool told =
+        recovery == recovery_ || (recovery == Recovery::under_way && recovery_ == Recovery::lost);
+    return !told || (recovery != Recovery::awaited && recovery != Recovery::under_way);
   }
   // How many faults in a row have ended with this step.
   std::uint64_t note_success(const Tick& tick) noexcept;
   void leave_out() noexcept { state_ = ServiceState::left_out; }
 
   [[nodiscard]] ServiceState state() const noexcept { return state_; }
-  [[nodiscard]] bool is_stepped() const noexcept { return state_ != ServiceState::out_of_service; }
+  [[nodiscard]] bool is_stepped() const noexcept { return state_ <= ServiceState::failing; }
   [[nodiscard]] std::int64_t budget_ns() const noexcept { return budget_ns_; }
   [[nodiscard]] std::uint64_t overruns() const noexcept { return overruns_; }
   [[nodiscard]] std::uint64_t faults_in_a_row() const noexcept { return in_a_row_; }

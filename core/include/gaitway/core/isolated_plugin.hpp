@@ -37,10 +37,17 @@ class IsolatedPlugin final : public ManagedPlugin {
 
   [[nodiscard]] std::string_view version() const noexcept override { return version_; }
   [[nodiscard]] Recovery recovery() const noexcept override {
-    return condition_ == Condition::late       ? (still_late_ ? Recovery::awaited : Recovery::not_needed)
-           : condition_ < Condition::late      ? Recovery::not_needed
-           : condition_ == Condition::given_up ? Recovery::given_up
-                                               : Recovery::under_way;
+    switch (condition_) {
+      case Condition::idle:
+      case Condition::active:
+        return Recovery::not_needed;
+      case Condition::late:
+        return still_late_ ? Recovery::awaited : Recovery::not_needed;
+      case Condition::given_up:
+        return Recovery::given_up;
+      default:
+        return lost_in_step_ ? Recovery::lost : Recovery::under_way;
+    }
   }
 
  private:
@@ -74,6 +81,7 @@ class IsolatedPlugin final : public ManagedPlugin {
   // Calls over the segment.
   void copy_inputs() noexcept;
   void begin(HostCall call) noexcept;
+  [[nodiscard]] std::int64_t between_steps_limit_ns() const noexcept;
   enum class Outcome : std::uint8_t { answered, pending, ended };
   Outcome await(std::int64_t limit_ns) noexcept;
   bool take_reply() noexcept;  // false: the segment holds what no host writes
@@ -97,8 +105,9 @@ class IsolatedPlugin final : public ManagedPlugin {
   Condition condition_ = Condition::creating;
   std::size_t declared_ports_ = 0;  // by the host that is being started
   std::int64_t start_began_ns_ = 0;
-  std::int32_t status_ = 0;  // of the last reply
-  bool still_late_ = false;  // the step that the last one found late
+  std::int32_t status_ = 0;    // of the last reply
+  bool still_late_ = false;    // the step that the last one found late
+  bool lost_in_step_ = false;  // the last one
 
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();  // of the last good step
   std::int64_t state_ns_ = 0;

@@ -123,6 +123,8 @@ class MainController {
 
   MainControllerStatistics counts_;  // its texts and summaries stay empty: statistics() fills them in
   std::array<char, 256> last_refusal_{};
+  const ManagedPlugin* spoiler_ = nullptr;  // of the batch with that sequence
+  std::uint32_t spoiled_sequence_ = 0;
   process::DurationHistogram batch_wall_;
   process::DurationHistogram tick_wall_;
 };

@@ -32,7 +32,8 @@ struct PluginState {
 enum class Recovery : std::uint8_t {
   not_needed,
   awaited,    // the step that was late before is still not done
-  under_way,  // its process is being replaced
+  lost,       // its process ended in this step
+  under_way,  // and is being replaced
   given_up    // it was replaced too often
 };
 

@@ -113,6 +113,9 @@ class PluginManager {
   // writer reads from in the same tick, directly or not) and no fallback wrote all its topics. The first such
   // plug-in; nullptr: none.
   [[nodiscard]] const ManagedPlugin* fault_behind(std::string_view topic) const noexcept;
+  // Whether it may be the plug-in on trial that keeps this topic from use: not if a plug-in behind it failed
+  // before already, or is stopped.
+  [[nodiscard]] bool is_trial_to_blame(std::string_view topic) const noexcept;
   // Whether a plug-in uses the topic.
   [[nodiscard]] bool uses(std::string_view topic) const noexcept;
 
@@ -128,6 +131,7 @@ class PluginManager {
  private:
   enum class ChangePhase : std::uint8_t { none, waiting, trial, done, failed };
 
+  [[nodiscard]] const PluginSlot* slot_behind(std::string_view topic) const noexcept;
   void load_all(const Configuration& configuration);
   [[nodiscard]] PluginSource source() const {
     return {configuration_file_, options_.robot_directory, search_path_};

@@ -30,6 +30,8 @@ class StepWatch {
   std::uint32_t add(std::string_view plugin) noexcept;
   void enter(std::uint32_t id) noexcept { page_->current.store(id, std::memory_order_relaxed); }
   void leave() noexcept { page_->current.store(0, std::memory_order_relaxed); }
+  // Its last tick is done: what follows takes its time.
+  void end() noexcept { page_->ending.store(1, std::memory_order_relaxed); }
   void count_tick() noexcept {
     page_->ticks.store(page_->ticks.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
@@ -37,11 +39,12 @@ class StepWatch {
   // The watcher's side.
   [[nodiscard]] std::string current() const;  // name of the plug-in; empty: none
   [[nodiscard]] std::uint64_t ticks() const noexcept { return page_->ticks.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool is_ending() const noexcept { return page_->ending.load(std::memory_order_relaxed) != 0; }
   [[nodiscard]] int descriptor() const noexcept { return memory_.get(); }
 
  private:
   struct Page {
-    std::atomic<std::uint32_t> current, count;
+    std::atomic<std::uint32_t> current, count, ending;
     std::atomic<std::uint64_t> ticks;
     std::array<std::array<char, 48>, kCapacity + 1> names;
   };
