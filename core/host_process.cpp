@@ -20,8 +20,6 @@
 #include "gaitway/process/installation.hpp"
 #include "plugin_host.hpp"
 
-extern char** environ;
-
 namespace gaitway::core {
 namespace {
 

@@ -138,6 +138,7 @@ std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name
     return std::pair(slot_at(a).configured, a) < std::pair(slot_at(b).configured, b);
   });
   std::vector<DataFlowNode> nodes;
+  nodes.reserve(places.size());
   for (const std::size_t place : places) {
     nodes.push_back(slot_at(place).plugin->node());
   }

@@ -23,7 +23,7 @@ namespace gaitway::plugin_check {
 struct InputFault {
   enum class Kind : std::uint8_t { none, frozen, missing, not_a_number, joint_count };
   Kind kind = Kind::none;
-  std::string topic = "";         // only this one; empty: all
+  std::string topic = {};         // only this one; empty: all
   std::uint32_t joint_count = 0;  // of Kind::joint_count
 };
 

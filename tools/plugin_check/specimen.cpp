@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -53,6 +54,10 @@ gaitway_text Specimen::error_text() noexcept {
   return {error_.data(), static_cast<std::uint32_t>(error_.size()), 0};
 }
 
+void Specimen::set_error(std::string_view text) noexcept {
+  *std::copy_n(text.begin(), std::min(text.size(), error_.size() - 1), error_.begin()) = '\0';
+}
+
 bool Specimen::create() noexcept {
   const gaitway_text text = error_text();
   fill_stack();
@@ -63,7 +68,7 @@ bool Specimen::create() noexcept {
   if (created_ && (instance_.activate == nullptr || instance_.step == nullptr ||
                    instance_.deactivate == nullptr || instance_.destroy == nullptr)) {
     created_ = false;
-    std::strcpy(error_.data(), "create left out one of activate, step, deactivate and destroy");
+    set_error("create left out one of activate, step, deactivate and destroy");
   }
   return created_;
 }
@@ -97,7 +102,7 @@ void Specimen::destroy() noexcept {
 bool Specimen::set_parameter(const char* name, const gaitway_value& value) noexcept {
   const gaitway_text text = error_text();
   if (instance_.set_parameter == nullptr) {
-    std::strcpy(error_.data(), "has no set_parameter");
+    set_error("has no set_parameter");
     return false;
   }
   board().enter(Call::set_parameter);
@@ -124,7 +129,7 @@ bool Specimen::save_state(core::PluginState& state, std::uint32_t capacity) noex
 bool Specimen::restore_state(const core::PluginState& state) noexcept {
   const gaitway_text text = error_text();
   if (instance_.restore_state == nullptr) {
-    std::strcpy(error_.data(), "has no restore_state");
+    set_error("has no restore_state");
     return false;
   }
   const gaitway_state plain{const_cast<std::byte*>(state.bytes.data()), core::PluginState::kCapacity,

@@ -70,6 +70,7 @@ class Specimen {
 
  private:
   [[nodiscard]] gaitway_text error_text() noexcept;
+  void set_error(std::string_view text) noexcept;
 
   const SpecimenLibrary& library_;
   ReplayHost host_;
