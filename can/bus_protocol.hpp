@@ -11,8 +11,11 @@
 
 namespace gaitway::can::protocol {
 
-inline constexpr std::uint32_t kMagic = 0x47425331;  // "GBS1": grows with every change of what follows
+inline constexpr std::uint32_t kMagic = 0x47425332;  // "GBS2": grows with every change of what follows
 inline constexpr std::size_t kRecordsAPacket = 64;
+
+inline constexpr std::uint8_t kExtended = 1;
+inline constexpr std::uint8_t kRemote = 2;
 
 enum class Kind : std::uint32_t {
   hello = 1,  // client: start_ns is the magic, frame data its name, flag whether the bus keeps its pace
@@ -24,26 +27,30 @@ enum class Kind : std::uint32_t {
 
 struct Record {
   Kind kind = Kind::hello;
-  std::uint16_t id = 0;
+  std::uint32_t id = 0;
   std::uint8_t size = 0;
+  std::uint8_t format = 0;  // kExtended | kRemote
   std::uint8_t flag = 0;
   std::array<std::uint8_t, 8> data{};
   std::int64_t start_ns = 0;
   std::int64_t end_ns = 0;
 };
-static_assert(sizeof(Record) == 32);
+static_assert(sizeof(Record) == 40);
 
 using Packet = std::array<Record, kRecordsAPacket>;
 
 inline Record record_of(Kind kind, const Frame& frame, std::int64_t start_ns,
                         std::int64_t end_ns = 0) noexcept {
-  return {kind, frame.id, frame.size, 0, frame.data, start_ns, end_ns};
+  const auto format =
+      static_cast<std::uint8_t>((frame.extended ? kExtended : 0U) | (frame.remote ? kRemote : 0U));
+  return {kind, frame.id, frame.size, format, 0, frame.data, start_ns, end_ns};
 }
 inline Frame frame_of(const Record& record) noexcept {
-  return {record.id, record.size, record.data};
+  return {record.id, record.size, record.data, (record.format & kExtended) != 0,
+          (record.format & kRemote) != 0};
 }
 inline bool valid_frame(const Record& record) noexcept {
-  return record.id <= 0x7FF && record.size <= 8;
+  return (record.format & ~(kExtended | kRemote)) == 0 && is_valid(frame_of(record));
 }
 
 }  // namespace gaitway::can::protocol

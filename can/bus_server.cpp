@@ -46,9 +46,9 @@ class TransmitBuffers {
     }
     return next_ns;
   }
-  [[nodiscard]] std::uint16_t next_id() const noexcept {
+  [[nodiscard]] std::uint32_t next_id() const noexcept {
     const Buffer* const buffer = most_urgent();
-    return buffer == nullptr ? std::uint16_t{0xFFFF} : buffer->frame.id;
+    return buffer == nullptr ? std::uint32_t{0xFFFF} : buffer->frame.id;
   }
   bool take_frame(Frame& frame) noexcept {
     const Buffer* const buffer = most_urgent();

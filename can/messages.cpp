@@ -1,13 +1,13 @@
 // Encoders and decoders of all messages, driven by the message table.
 #include "gaitway/can/messages.hpp"
 
-#include "gaitway/can/message_table.hpp"
+#include "gaitway/can/profile.hpp"
 
 namespace gaitway::can {
 namespace {
 
 // Fields lie within their frame and do not overlap; no field is wider than the packer's 32 bits.
-constexpr bool fields_fit(const MessageSpec& message) {
+constexpr bool fields_fit(const MessageLayout& message) {
   std::uint64_t taken = 0;
   for (const FieldSpec& field : message.fields) {
     if (field.width == 0 || field.width > 32 || field.first_bit + field.width > 8 * message.size) {
@@ -22,38 +22,24 @@ constexpr bool fields_fit(const MessageSpec& message) {
   return true;
 }
 
-constexpr bool fields_fit() {
-  for (const MessageSpec& message : kFullProfile) {
-    if (message.size > 8 || !fields_fit(message)) {
+constexpr bool layouts_are_sound() {
+  for (std::size_t kind = 0; kind < kMessageLayouts.size(); ++kind) {
+    const MessageLayout& message = kMessageLayouts[kind];
+    if (message.kind != static_cast<MessageKind>(kind) || message.size > 8 || !fields_fit(message)) {
       return false;
     }
   }
   return true;
 }
 
-// Row k is message kind k, and all identifiers of a more urgent kind lie below those of a less urgent one.
-constexpr bool in_order_of_priority() {
-  int last_id = -1;
-  for (std::size_t kind = 0; kind < kFullProfile.size(); ++kind) {
-    const MessageSpec& message = kFullProfile[kind];
-    const bool for_nodes = message.ids_per_node != 0;
-    const int first_id = id_of(message.kind, for_nodes ? NodeId{1} : NodeId{0});
-    if (message.kind != static_cast<MessageKind>(kind) || first_id <= last_id) {
-      return false;
-    }
-    last_id = id_of(message.kind, for_nodes ? kLargestNode : NodeId{0}, message.ids_per_node == 2);
-  }
-  return last_id <= 0x7FF;
-}
-
-static_assert(fields_fit(), "a field of the message table overlaps another or leaves its frame");
-static_assert(in_order_of_priority(), "identifiers of the message table overlap or are out of order");
+static_assert(layouts_are_sound(), "a field of the message layouts overlaps another or leaves its frame");
 
 // Collects the fields of one message, in the table's order, into its frame.
 class FieldWriter {
  public:
-  explicit FieldWriter(MessageKind kind, NodeId node = 0, bool toggle = false) noexcept
-      : fields_(spec(kind).fields), frame_{.id = id_of(kind, node, toggle), .size = spec(kind).size} {}
+  FieldWriter(const Profile& profile, MessageKind kind, NodeId node = 0, bool toggle = false) noexcept
+      : fields_(layout(kind).fields),
+        frame_{.id = profile.id_of(kind, node, toggle), .size = layout(kind).size} {}
 
   FieldWriter& put(std::int64_t value) noexcept {
     const FieldSpec& field = fields_[next_++];
@@ -79,9 +65,11 @@ class FieldWriter {
 // Takes the fields of one message apart, in the table's order.
 class FieldReader {
  public:
-  FieldReader(const Frame& frame, MessageKind kind) noexcept : fields_(spec(kind).fields) {
-    const auto identified = identify(frame.id);
-    fits_ = identified && identified->kind == kind && frame.size == spec(kind).size;
+  FieldReader(const Profile& profile, const Frame& frame, MessageKind kind) noexcept
+      : fields_(layout(kind).fields) {
+    const auto identified = profile.identify(frame.id);
+    fits_ = !frame.extended && !frame.remote && identified && identified->kind == kind &&
+            frame.size == layout(kind).size;
     if (fits_) {
       identified_ = *identified;
     }
@@ -112,20 +100,20 @@ class FieldReader {
 
 }  // namespace
 
-Frame encode(const EmergencyStop& message) noexcept {
-  return FieldWriter(MessageKind::emergency_stop).put(static_cast<int>(message.mode)).frame();
+Frame encode(const Profile& profile, const EmergencyStop& message) noexcept {
+  return FieldWriter(profile, MessageKind::emergency_stop).put(static_cast<int>(message.mode)).frame();
 }
 
-Frame encode(const UserCommand& message) noexcept {
-  return FieldWriter(MessageKind::user_command)
+Frame encode(const Profile& profile, const UserCommand& message) noexcept {
+  return FieldWriter(profile, MessageKind::user_command)
       .put(message.node)
       .put(message.target_count)
       .put(message.duration_slots)
       .frame();
 }
 
-Frame encode(const Sync& message) noexcept {
-  return FieldWriter(MessageKind::sync)
+Frame encode(const Profile& profile, const Sync& message) noexcept {
+  return FieldWriter(profile, MessageKind::sync)
       .put(message.cycle)
       .put(message.slot)
       .put(message.batch_committed ? 1 : 0)
@@ -133,16 +121,16 @@ Frame encode(const Sync& message) noexcept {
       .frame();
 }
 
-Frame encode(const Trim& message) noexcept {
-  FieldWriter writer(MessageKind::trim);
+Frame encode(const Profile& profile, const Trim& message) noexcept {
+  FieldWriter writer(profile, MessageKind::trim);
   for (const std::int8_t count : message.count) {
     writer.put(count);
   }
   return writer.frame();
 }
 
-Frame encode(const Feedback& message) noexcept {
-  return FieldWriter(MessageKind::feedback, message.node)
+Frame encode(const Profile& profile, const Feedback& message) noexcept {
+  return FieldWriter(profile, MessageKind::feedback, message.node)
       .put(message.position)
       .put(message.current)
       .put(message.reference_low)
@@ -154,20 +142,20 @@ Frame encode(const Feedback& message) noexcept {
       .frame();
 }
 
-Frame encode(const FaultReport& message) noexcept {
-  return FieldWriter(MessageKind::fault_report, message.node).put(message.faults).frame();
+Frame encode(const Profile& profile, const FaultReport& message) noexcept {
+  return FieldWriter(profile, MessageKind::fault_report, message.node).put(message.faults).frame();
 }
 
-Frame encode(const Trajectory& message) noexcept {
-  FieldWriter writer(MessageKind::trajectory, message.node, message.toggle);
+Frame encode(const Profile& profile, const Trajectory& message) noexcept {
+  FieldWriter writer(profile, MessageKind::trajectory, message.node, message.toggle);
   for (const std::int8_t delta : message.delta) {
     writer.put(delta);
   }
   return writer.frame();
 }
 
-Frame encode(const Resynchronisation& message) noexcept {
-  FieldWriter writer(MessageKind::resynchronisation, message.node);
+Frame encode(const Profile& profile, const Resynchronisation& message) noexcept {
+  FieldWriter writer(profile, MessageKind::resynchronisation, message.node);
   writer.put(message.count).put(message.slot).put(message.toggle ? 1 : 0);
   for (const std::int8_t delta : message.delta) {
     writer.put(delta);
@@ -175,12 +163,12 @@ Frame encode(const Resynchronisation& message) noexcept {
   return writer.frame();
 }
 
-Frame encode(const Heartbeat& message) noexcept {
-  return FieldWriter(MessageKind::heartbeat).put(message.mode).put(message.cycle).frame();
+Frame encode(const Profile& profile, const Heartbeat& message) noexcept {
+  return FieldWriter(profile, MessageKind::heartbeat).put(message.mode).put(message.cycle).frame();
 }
 
-std::optional<EmergencyStop> decode_emergency_stop(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::emergency_stop);
+std::optional<EmergencyStop> decode_emergency_stop(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::emergency_stop);
   const auto mode = reader.take<std::uint8_t>();
   if (!reader.fits() || mode > static_cast<std::uint8_t>(StopMode::soft)) {
     return std::nullopt;
@@ -188,8 +176,8 @@ std::optional<EmergencyStop> decode_emergency_stop(const Frame& frame) noexcept 
   return EmergencyStop{static_cast<StopMode>(mode)};
 }
 
-std::optional<UserCommand> decode_user_command(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::user_command);
+std::optional<UserCommand> decode_user_command(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::user_command);
   UserCommand message;
   message.node = reader.take<NodeId>();
   message.target_count = reader.take<std::int16_t>();
@@ -200,8 +188,8 @@ std::optional<UserCommand> decode_user_command(const Frame& frame) noexcept {
   return message;
 }
 
-std::optional<Sync> decode_sync(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::sync);
+std::optional<Sync> decode_sync(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::sync);
   if (!reader.fits()) {
     return std::nullopt;
   }
@@ -213,8 +201,8 @@ std::optional<Sync> decode_sync(const Frame& frame) noexcept {
   return message;
 }
 
-std::optional<Trim> decode_trim(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::trim);
+std::optional<Trim> decode_trim(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::trim);
   if (!reader.fits()) {
     return std::nullopt;
   }
@@ -225,8 +213,8 @@ std::optional<Trim> decode_trim(const Frame& frame) noexcept {
   return message;
 }
 
-std::optional<Feedback> decode_feedback(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::feedback);
+std::optional<Feedback> decode_feedback(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::feedback);
   if (!reader.fits()) {
     return std::nullopt;
   }
@@ -243,16 +231,16 @@ std::optional<Feedback> decode_feedback(const Frame& frame) noexcept {
   return message;
 }
 
-std::optional<FaultReport> decode_fault_report(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::fault_report);
+std::optional<FaultReport> decode_fault_report(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::fault_report);
   if (!reader.fits()) {
     return std::nullopt;
   }
   return FaultReport{reader.identified().node, reader.take<std::uint8_t>()};
 }
 
-std::optional<Trajectory> decode_trajectory(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::trajectory);
+std::optional<Trajectory> decode_trajectory(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::trajectory);
   if (!reader.fits()) {
     return std::nullopt;
   }
@@ -265,8 +253,9 @@ std::optional<Trajectory> decode_trajectory(const Frame& frame) noexcept {
   return message;
 }
 
-std::optional<Resynchronisation> decode_resynchronisation(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::resynchronisation);
+std::optional<Resynchronisation> decode_resynchronisation(const Profile& profile,
+                                                          const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::resynchronisation);
   if (!reader.fits()) {
     return std::nullopt;
   }
@@ -281,8 +270,8 @@ std::optional<Resynchronisation> decode_resynchronisation(const Frame& frame) no
   return message;
 }
 
-std::optional<Heartbeat> decode_heartbeat(const Frame& frame) noexcept {
-  FieldReader reader(frame, MessageKind::heartbeat);
+std::optional<Heartbeat> decode_heartbeat(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::heartbeat);
   if (!reader.fits()) {
     return std::nullopt;
   }

@@ -73,7 +73,8 @@ void SimulatedBus::start_next(std::int64_t until_ns) noexcept {
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const Station& station = stations_[i];
     if (station.pending && station.since_ns <= start_ns &&
-        (winner < 0 || station.frame.id < stations_[static_cast<std::size_t>(winner)].frame.id)) {
+        (winner < 0 || arbitration_key(station.frame) <
+                           arbitration_key(stations_[static_cast<std::size_t>(winner)].frame))) {
       winner = static_cast<int>(i);
     }
   }

@@ -49,31 +49,31 @@ can::JointState JointController::state() const noexcept {
 
 void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {
   // Most frames on the bus are other joints' feedback: the identifier alone tells.
-  if (frame.id == can::id_of(can::MessageKind::sync)) {
-    if (const auto sync = can::decode_sync(frame)) {
+  if (frame.id == config_.profile.id_of(can::MessageKind::sync)) {
+    if (const auto sync = can::decode_sync(config_.profile, frame)) {
       on_sync(*sync, now_ns);
     }
-  } else if (frame.id == can::id_of(can::MessageKind::trim)) {
-    const auto trim = config_.trim_channel >= 0 ? can::decode_trim(frame) : std::nullopt;
+  } else if (frame.id == config_.profile.id_of(can::MessageKind::trim)) {
+    const auto trim = config_.trim_channel >= 0 ? can::decode_trim(config_.profile, frame) : std::nullopt;
     if (trim) {
       trim_.command(trim->count[static_cast<std::size_t>(config_.trim_channel)] * config_.trim_count_rad,
                     now_ns);
     }
-  } else if ((frame.id | 1U) == can::id_of(can::MessageKind::trajectory, config_.node, true)) {
-    if (const auto batch = can::decode_trajectory(frame)) {
+  } else if ((frame.id | 1U) == config_.profile.id_of(can::MessageKind::trajectory, config_.node, true)) {
+    if (const auto batch = can::decode_trajectory(config_.profile, frame)) {
       player_.on_trajectory(*batch);
     }
-  } else if (frame.id == can::id_of(can::MessageKind::resynchronisation, config_.node)) {
-    if (const auto repair = can::decode_resynchronisation(frame)) {
+  } else if (frame.id == config_.profile.id_of(can::MessageKind::resynchronisation, config_.node)) {
+    if (const auto repair = can::decode_resynchronisation(config_.profile, frame)) {
       player_.on_resynchronisation(*repair);
     }
-  } else if (frame.id == can::id_of(can::MessageKind::user_command)) {
-    const auto command = can::decode_user_command(frame);
+  } else if (frame.id == config_.profile.id_of(can::MessageKind::user_command)) {
+    const auto command = can::decode_user_command(config_.profile, frame);
     if (command && command->node == config_.node) {
       player_.move_to(command->target_count, command->duration_slots, now_ns);
     }
-  } else if (frame.id == can::id_of(can::MessageKind::emergency_stop)) {
-    if (const auto stop = can::decode_emergency_stop(frame)) {
+  } else if (frame.id == config_.profile.id_of(can::MessageKind::emergency_stop)) {
+    if (const auto stop = can::decode_emergency_stop(config_.profile, frame)) {
       // A joint that has gone soft may lie anywhere by now: a later `hold` must not pull it back.
       soft_ = soft_ || stop->mode == can::StopMode::soft;
       player_.freeze(now_ns);
@@ -135,12 +135,12 @@ bool JointController::take_frame(can::Frame& frame) noexcept {
     for (std::size_t channel = 0; channel < channels_.size(); ++channel) {
       feedback.channel[channel] = channels_[channel].counts(config_.channel_scale[channel]);
     }
-    frame = can::encode(feedback);
+    frame = can::encode(config_.profile, feedback);
     return true;
   }
   if (fault_report_pending_) {
     fault_report_pending_ = false;
-    frame = can::encode(can::FaultReport{config_.node, faults_});
+    frame = can::encode(config_.profile, can::FaultReport{config_.node, faults_});
     return true;
   }
   return false;

@@ -41,7 +41,8 @@ std::vector<std::int32_t> home_counts(const urdf::RobotModel& robot) {
 
 MessageController::MessageController(const urdf::RobotModel& robot, msgclient::Client& client,
                                      msgclient::EmiMessage& adapter)
-    : joint_count_(static_cast<int>(robot.joints.size())),
+    : profile_(can::kFullProfile),
+      joint_count_(static_cast<int>(robot.joints.size())),
       trim_settings_(robot.trim),
       adapter_(adapter),
       joint_states_writer_(client.write<JointStates>("joint_states")),
@@ -101,13 +102,13 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   state_.slot = static_cast<std::uint32_t>(slot);
   state_.stamp_ns = now_ns;
   const Segment& running = playback_.running_segment();
-  queue_.push(can::encode(can::Sync{.cycle = static_cast<std::uint16_t>(state_.cycle),
-                                    .slot = static_cast<std::uint8_t>(slot),
-                                    .batch_committed = running.active,
-                                    .toggle = running.toggle}));
+  queue_.push(can::encode(profile_, can::Sync{.cycle = static_cast<std::uint16_t>(state_.cycle),
+                                              .slot = static_cast<std::uint8_t>(slot),
+                                              .batch_committed = running.active,
+                                              .toggle = running.toggle}));
   if (slot == 0) {
-    queue_.push(
-        can::encode(can::Heartbeat{.mode = static_cast<std::uint8_t>(state_.mode), .cycle = state_.cycle}));
+    queue_.push(can::encode(
+        profile_, can::Heartbeat{.mode = static_cast<std::uint8_t>(state_.mode), .cycle = state_.cycle}));
   }
   ++slots_since_start_;
   feedback_.begin_slot(slots_since_start_);
@@ -143,11 +144,11 @@ void MessageController::send_trajectory(int joint) noexcept {
     frame.delta[static_cast<std::size_t>(slot)] =
         static_cast<std::int8_t>(playback_.prepared_delta(joint, slot));
   }
-  queue_.push(can::encode(frame));
+  queue_.push(can::encode(profile_, frame));
 }
 
 void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {
-  const auto feedback = can::decode_feedback(frame);
+  const auto feedback = can::decode_feedback(profile_, frame);
   if (!feedback || joint_of_node_[feedback->node] < 0) {
     return;
   }
@@ -204,7 +205,7 @@ void MessageController::resynchronise(int joint) noexcept {
                                  playback_.expected_count(joint, effective_slot + k));
   }
   ++state_.resynchronised;
-  queue_.push(can::encode(frame));
+  queue_.push(can::encode(profile_, frame));
 }
 
 void MessageController::take_mails(std::int64_t now_ns) noexcept {
@@ -308,8 +309,9 @@ void MessageController::take_user_command(std::int64_t now_ns) noexcept {
       break;
     case Kind::emergency_stop_hold:
     case Kind::emergency_stop_soft:
-      queue_.push(can::encode(can::EmergencyStop{
-          mail.kind == Kind::emergency_stop_soft ? can::StopMode::soft : can::StopMode::hold}));
+      queue_.push(can::encode(
+          profile_, can::EmergencyStop{mail.kind == Kind::emergency_stop_soft ? can::StopMode::soft
+                                                                              : can::StopMode::hold}));
       set_mode(Mode::emergency_stop);
       break;
     case Kind::manual_joint:
@@ -345,9 +347,9 @@ msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail
   if (std::abs(count - from) > kLargestDelta * static_cast<std::int32_t>(duration)) {
     return Reason::too_fast;
   }
-  queue_.push(can::encode(can::UserCommand{.node = node_[j],
-                                           .target_count = static_cast<std::int16_t>(count),
-                                           .duration_slots = static_cast<std::uint8_t>(duration)}));
+  queue_.push(can::encode(profile_, can::UserCommand{.node = node_[j],
+                                                     .target_count = static_cast<std::int16_t>(count),
+                                                     .duration_slots = static_cast<std::uint8_t>(duration)}));
   playback_.hold(static_cast<int>(mail.joint), count);
   // While it moves there, its reference is its own affair.
   resync_until_[j] = slots_since_start_ + duration + 2U;
@@ -371,7 +373,7 @@ void MessageController::send_trim(std::span<const double> angle_rad) noexcept {
     trim.count[channel] =
         static_cast<std::int8_t>(std::clamp(std::lround(limited / trim_settings_.count_rad), -127L, 127L));
   }
-  queue_.push(can::encode(trim));
+  queue_.push(can::encode(profile_, trim));
   trim_sent_this_slot_ = true;
 }
 

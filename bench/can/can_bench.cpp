@@ -7,7 +7,7 @@
 
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/frame_length.hpp"
-#include "gaitway/can/message_table.hpp"
+#include "gaitway/can/profile.hpp"
 #include "gaitway/can/simulated_bus.hpp"
 
 namespace gaitway::can {
@@ -19,7 +19,7 @@ std::array<Frame, kFrames> random_frames() {
   std::mt19937 random(1);
   std::array<Frame, kFrames> frames;
   for (Frame& frame : frames) {
-    frame = {static_cast<std::uint16_t>(random() & 0x7FFU), 8, {}};
+    frame = {static_cast<std::uint32_t>(random() & 0x7FFU), 8, {}};
     for (std::uint8_t& byte : frame.data) {
       byte = static_cast<std::uint8_t>(random());
     }
@@ -40,16 +40,17 @@ void encode_feedback(benchmark::State& state) {
   Feedback message{.node = 3, .position = -1234, .current = 5, .channel = {100, -200}};
   for (auto _ : state) {
     benchmark::DoNotOptimize(message);
-    benchmark::DoNotOptimize(encode(message));
+    benchmark::DoNotOptimize(encode(kFullProfile, message));
   }
 }
 BENCHMARK(encode_feedback);
 
 void decode_feedback(benchmark::State& state) {
-  Frame frame = encode(Feedback{.node = 3, .position = -1234, .current = 5, .channel = {100, -200}});
+  Frame frame =
+      encode(kFullProfile, Feedback{.node = 3, .position = -1234, .current = 5, .channel = {100, -200}});
   for (auto _ : state) {
     benchmark::DoNotOptimize(frame);
-    benchmark::DoNotOptimize(can::decode_feedback(frame));
+    benchmark::DoNotOptimize(can::decode_feedback(kFullProfile, frame));
   }
 }
 BENCHMARK(decode_feedback);

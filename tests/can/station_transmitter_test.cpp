@@ -14,7 +14,7 @@ namespace {
 class Queue {
  public:
   void push(const Frame& frame) { frames_[frame.id].push_back(frame); }
-  [[nodiscard]] std::uint16_t next_id() const { return frames_.empty() ? 0xFFFF : frames_.begin()->first; }
+  [[nodiscard]] std::uint32_t next_id() const { return frames_.empty() ? 0xFFFF : frames_.begin()->first; }
   bool take_frame(Frame& frame) {
     if (frames_.empty()) {
       return false;
@@ -33,7 +33,7 @@ class Queue {
   }
 
  private:
-  std::map<std::uint16_t, std::vector<Frame>> frames_;
+  std::map<std::uint32_t, std::vector<Frame>> frames_;
 };
 
 class StationTransmitterTest : public testing::Test {
@@ -50,8 +50,8 @@ class StationTransmitterTest : public testing::Test {
     }
     return sent;
   }
-  static std::vector<std::uint16_t> ids(const std::vector<Frame>& frames) {
-    std::vector<std::uint16_t> ids;
+  static std::vector<std::uint32_t> ids(const std::vector<Frame>& frames) {
+    std::vector<std::uint32_t> ids;
     for (const Frame& frame : frames) {
       ids.push_back(frame.id);
     }
@@ -72,7 +72,7 @@ TEST_F(StationTransmitterTest, AWaitingFrameGivesWayToAMoreUrgentOne) {
   queue.push({0x100, 8, {}});
   transmitter.offer(bus, queue, 50'000);
   bus.transmit(other, {0x200, 8, {}}, 50'000);
-  EXPECT_EQ(ids(run_to(1'000'000)), (std::vector<std::uint16_t>{0x010, 0x100, 0x300}));
+  EXPECT_EQ(ids(run_to(1'000'000)), (std::vector<std::uint32_t>{0x010, 0x100, 0x300}));
   EXPECT_FALSE(transmitter.pending());
 }
 
@@ -82,12 +82,12 @@ TEST_F(StationTransmitterTest, AFrameOnTheWireIsNotTakenBack) {
   EXPECT_TRUE(run_to(50'000).empty());
   queue.push({0x100, 8, {}});
   transmitter.offer(bus, queue, 50'000);
-  EXPECT_EQ(ids(run_to(1'000'000)), (std::vector<std::uint16_t>{0x300, 0x100}));
+  EXPECT_EQ(ids(run_to(1'000'000)), (std::vector<std::uint32_t>{0x300, 0x100}));
 }
 
 TEST_F(StationTransmitterTest, FramesOfOneIdentifierKeepTheirOrderAndNoneIsLost) {
   std::mt19937 random(8);
-  std::map<std::uint16_t, std::vector<std::uint8_t>> pushed, sent;
+  std::map<std::uint32_t, std::vector<std::uint8_t>> pushed, sent;
   std::uint8_t serial = 0;
   std::int64_t now_ns = 0;
   const auto take = [&](std::int64_t until_ns) {
@@ -100,7 +100,7 @@ TEST_F(StationTransmitterTest, FramesOfOneIdentifierKeepTheirOrderAndNoneIsLost)
   for (int i = 0; i < 2000; ++i, now_ns += 90'000) {
     bus.transmit(other, {0x051, 4, {}}, now_ns);
     if (random() % 3 == 0) {
-      const Frame frame{static_cast<std::uint16_t>(0x040 + random() % 4 * 8), 1, {serial++}};
+      const Frame frame{static_cast<std::uint32_t>(0x040 + random() % 4 * 8), 1, {serial++}};
       queue.push(frame);
       pushed[frame.id].push_back(frame.data[0]);
     }

@@ -46,7 +46,7 @@ class JointControllerTest : public testing::Test {
   }
   template <class Message>
   void send(const Message& message) {
-    joint.on_frame(can::encode(message), now_ns);
+    joint.on_frame(can::encode(can::kFullProfile, message), now_ns);
   }
   void sync(int slot, bool committed = false, bool toggle = false) {
     send(can::Sync{cycle, static_cast<std::uint8_t>(slot), committed, toggle});
@@ -62,7 +62,7 @@ class JointControllerTest : public testing::Test {
   std::optional<can::Feedback> feedback() {
     std::optional<can::Feedback> last;
     for (const can::Frame& frame : frames()) {
-      if (const auto decoded = can::decode_feedback(frame)) {
+      if (const auto decoded = can::decode_feedback(can::kFullProfile, frame)) {
         last = decoded;
       }
     }
@@ -72,7 +72,7 @@ class JointControllerTest : public testing::Test {
   std::vector<int> fault_reports() {
     std::vector<int> masks;
     for (const can::Frame& frame : frames()) {
-      if (const auto report = can::decode_fault_report(frame)) {
+      if (const auto report = can::decode_fault_report(can::kFullProfile, frame)) {
         EXPECT_EQ(report->node, kNode);
         masks.push_back(report->faults);
       }
@@ -94,7 +94,7 @@ TEST_F(JointControllerTest, AnswersEachSyncWithOneFeedbackFrameOfWhatItMeasured)
   run(1);
   const auto all = frames();
   ASSERT_EQ(all.size(), 1U);
-  const auto message = can::decode_feedback(all.front());
+  const auto message = can::decode_feedback(can::kFullProfile, all.front());
   ASSERT_TRUE(message);
   EXPECT_EQ(message->node, kNode);
   EXPECT_EQ(message->position, -1234);
@@ -209,7 +209,7 @@ TEST_F(JointControllerTest, LimitsThatLieBetweenCountsAreRoundedInwards) {
     limited.upper_rad = upper_counts * limited.count_rad;
     limited.initial_reference_count = static_cast<std::int32_t>((lower_counts + upper_counts) / 2.0);
     JointController other(limited);
-    other.on_frame(can::encode(can::UserCommand{kNode, wanted, 1}), 0);
+    other.on_frame(can::encode(can::kFullProfile, can::UserCommand{kNode, wanted, 1}), 0);
     return other.reference_count();
   };
   EXPECT_EQ(reached(-10.7, 10.7, 500), 10);
@@ -297,7 +297,7 @@ TEST_F(JointControllerTest, EverySlotHasOneFeedbackFrameInWhateverOrderItsSyncsA
     run(10 - late);
     const auto all = frames();
     ASSERT_EQ(all.size(), 1U) << "slot " << slot;
-    count += can::decode_feedback(all.front()) ? 1 : 0;
+    count += can::decode_feedback(can::kFullProfile, all.front()) ? 1 : 0;
   }
   EXPECT_EQ(count, 800);
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gaitway/can/bus_client.hpp"
-#include "gaitway/can/message_table.hpp"
+#include "gaitway/can/profile.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 
 namespace gaitway::msgcontroller {
@@ -53,7 +53,7 @@ class RecordingPort final : public can::BusPort {
   [[nodiscard]] std::vector<std::int64_t> syncs() const {
     std::vector<std::int64_t> times;
     for (const Sent& item : sent) {
-      if (item.frame.id == can::id_of(can::MessageKind::sync)) {
+      if (item.frame.id == can::kFullProfile.id_of(can::MessageKind::sync)) {
         times.push_back(item.at_ns);
       }
     }
@@ -76,7 +76,7 @@ class BusTimelineTest : public testing::Test {
       const auto home = std::lround(robot.joints[joint].home_rad / robot.joints[joint].count_rad);
       feedback.reference_low = static_cast<std::uint8_t>(static_cast<std::uint64_t>(home) & 0xFU);
       const std::int64_t end_ns = slot_ns + 2 * kMillisecond_ns + static_cast<std::int64_t>(joint) * 1000;
-      port.arriving.push_back({can::encode(feedback), end_ns - 1000, end_ns});
+      port.arriving.push_back({can::encode(can::kFullProfile, feedback), end_ns - 1000, end_ns});
     }
   }
 

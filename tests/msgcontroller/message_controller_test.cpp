@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "gaitway/can/message_table.hpp"
+#include "gaitway/can/profile.hpp"
 #include "gaitway/localcontroller/joint_controller.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -57,7 +57,7 @@ class JointsOnABus {
       while (controller.take_frame(frame)) {
         busy = true;
         at_ns += kFrame_ns;
-        ++sent[can::identify(frame.id)->kind];
+        ++sent[can::kFullProfile.identify(frame.id)->kind];
         if (!drop(frame)) {
           for (localcontroller::JointController& joint : joints_) {
             joint.on_frame(frame, at_ns);
@@ -180,7 +180,7 @@ TEST_F(MessageControllerTest, WithoutANewBatchTheSafeTailPlaysToItsEndAndTheJoin
 TEST_F(MessageControllerTest, ALostTrajectoryFrameIsSentAgainBeforeTheBatchStarts) {
   int lost = 0;
   bus_.drop = [&](const can::Frame& frame) {
-    const auto trajectory = can::decode_trajectory(frame);
+    const auto trajectory = can::decode_trajectory(can::kFullProfile, frame);
     return trajectory && trajectory->node == 5 && lost++ == 0;
   };
   hand_over(2);
@@ -192,7 +192,7 @@ TEST_F(MessageControllerTest, ALostTrajectoryFrameIsSentAgainBeforeTheBatchStart
 
 TEST_F(MessageControllerTest, AJointThatNeverGotItsFrameIsBackWithinTwoSlotsOfItsFirstFeedback) {
   bus_.drop = [](const can::Frame& frame) {
-    const auto trajectory = can::decode_trajectory(frame);
+    const auto trajectory = can::decode_trajectory(can::kFullProfile, frame);
     return trajectory && trajectory->node == 5;
   };
   hand_over(2);
@@ -207,7 +207,7 @@ TEST_F(MessageControllerTest, NoJointStaysOnACountThatIsNotKnownWhateverIsLost) 
   std::uint32_t state = 1;
   bus_.drop = [&state](const can::Frame& frame) {
     state = state * 1664525U + 1013904223U;
-    const auto kind = can::identify(frame.id)->kind;
+    const auto kind = can::kFullProfile.identify(frame.id)->kind;
     const bool may_be_lost = kind == can::MessageKind::trajectory ||
                              kind == can::MessageKind::resynchronisation || kind == can::MessageKind::sync;
     return may_be_lost && (state >> 16U) % 20U == 0;

@@ -9,7 +9,7 @@
 
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/frame_length.hpp"
-#include "gaitway/can/message_table.hpp"
+#include "gaitway/can/profile.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "simulated_run.hpp"
 
@@ -105,7 +105,7 @@ TEST(Chain, TwelveTrajectoryFramesOfWalkingTakeAsLongAsWasPublished) {
   double bits = 0.0;
   int frames = 0;
   for (const can::LoggedFrame& logged : can::read_candump_log(log)) {
-    const auto trajectory = can::decode_trajectory(logged.frame);
+    const auto trajectory = can::decode_trajectory(can::kFullProfile, logged.frame);
     if (!trajectory || logged.time_ns < 3'000'000'000) {
       continue;
     }
@@ -140,7 +140,7 @@ TEST(Chain, EverySlotHasOneSyncAndOneFeedbackFromEveryJoint) {
   run.play({.seconds = 4.0, .events = {walk_at(1.0, 0.15)}});
   std::map<std::int64_t, std::map<can::MessageKind, int>> slots;
   for (const can::LoggedFrame& logged : can::read_candump_log(log)) {
-    ++slots[logged.time_ns / 10'000'000][can::identify(logged.frame.id)->kind];
+    ++slots[logged.time_ns / 10'000'000][can::kFullProfile.identify(logged.frame.id)->kind];
   }
   ASSERT_EQ(slots.size(), 400U);
   for (const auto& [slot, counts] : slots) {

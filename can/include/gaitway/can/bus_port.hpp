@@ -15,20 +15,39 @@ struct TimedFrame {
   std::int64_t end_ns = 0;    // receivers have it
 };
 
+// What a station's CAN controller may do (ISO 11898-1, fault confinement), and whether there is a bus at all.
+enum class BusState : std::uint8_t {
+  error_active = 0,
+  error_passive = 1,  // many errors: it may not destroy other stations' frames any more
+  bus_off = 2,        // it neither sends nor receives, until it has seen 128 times 11 recessive bits
+  down = 3            // the interface is down or gone
+};
+
+struct ErrorCounters {
+  int transmit = 0;  // TEC
+  int receive = 0;   // REC
+  friend bool operator==(const ErrorCounters&, const ErrorCounters&) = default;
+};
+
 // Nothing here blocks. All times are of the clock that the processes of one robot share.
 class BusPort {
  public:
   virtual ~BusPort() = default;
 
   // Offers a frame to the bus, from `now_ns` on. False, and nothing changes, when every transmit buffer is
-  // occupied. The buffers are sent by priority, frames of one identifier in their order.
+  // occupied or the station is bus-off or down. The buffers are sent by priority, frames of one identifier in
+  // their order.
   virtual bool transmit(const Frame& frame, std::int64_t now_ns) = 0;
   // Whether a frame of this station still waits or is on the wire.
   [[nodiscard]] virtual bool transmit_pending() const = 0;
-  // The next frame of another station, in the order of the bus.
+  // The next frame of another station, in the order of the bus. A frame that bears one of this station's own
+  // identifiers is among them, if another station sent it.
   virtual std::optional<TimedFrame> receive() = 0;
   // Ends a round of work: everything that this station wanted to send up to `now_ns` has been offered.
   virtual void flush(std::int64_t now_ns) = 0;
+  // As of the last receive().
+  [[nodiscard]] virtual BusState state() const noexcept { return BusState::error_active; }
+  [[nodiscard]] virtual ErrorCounters error_counters() const noexcept { return {}; }
   // Whether everything that was on the bus up to `time_ns` has come, as far as the bus can tell: a simulated
   // one may lag behind the clock, a real one never does.
   [[nodiscard]] virtual bool caught_up(std::int64_t time_ns) const noexcept {

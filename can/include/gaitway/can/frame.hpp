@@ -1,19 +1,44 @@
-// A classic CAN data frame with an 11-bit identifier: the unit that everything on the bus is made of.
+// A classic CAN frame: the unit that everything on the bus is made of. The robot's own messages are data
+// frames with an 11-bit identifier; the other formats exist because a bus can carry them.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace gaitway::can {
 
 struct Frame {
-  std::uint16_t id = 0;   // 0..0x7FF; the lower, the higher its priority
-  std::uint8_t size = 0;  // number of valid bytes in data, 0..8
+  std::uint32_t id = 0;   // 0..0x7FF, or 0..0x1FFF'FFFF when extended; the lower, the higher its priority
+  std::uint8_t size = 0;  // 0..8: number of valid bytes in data; of a remote frame: how many it asks for
   std::array<std::uint8_t, 8> data{};
+  bool extended = false;  // 29-bit identifier
+  bool remote = false;    // asks for data and carries none
 
   friend bool operator==(const Frame&, const Frame&) = default;
-  [[nodiscard]] std::span<const std::uint8_t> payload() const noexcept { return {data.data(), size}; }
+  [[nodiscard]] std::span<const std::uint8_t> payload() const noexcept {
+    return {data.data(), remote ? std::size_t{0} : size};
+  }
 };
+
+inline constexpr std::uint32_t kLargestId = 0x7FF;
+inline constexpr std::uint32_t kLargestExtendedId = 0x1FFF'FFFF;
+
+// Identifier and size are ones that a frame can have.
+[[nodiscard]] constexpr bool is_valid(const Frame& frame) noexcept {
+  return frame.id <= (frame.extended ? kLargestExtendedId : kLargestId) && frame.size <= 8;
+}
+
+// The bits that take part in arbitration, the first on the wire as the highest: of two frames that start
+// together, the one with the smaller key wins (ISO 11898-1). The eleven leading identifier bits are followed
+// by RTR and IDE of a base frame, or by SRR, IDE, the other 18 bits and RTR of an extended one.
+[[nodiscard]] constexpr std::uint32_t arbitration_key(const Frame& frame) noexcept {
+  const std::uint32_t remote = frame.remote ? 1U : 0U;
+  if (!frame.extended) {
+    return (frame.id << 21U) | (remote << 20U);
+  }
+  return ((frame.id >> 18U) << 21U) | (3U << 19U) | ((frame.id & 0x3'FFFFU) << 1U) | remote;
+}
 
 }  // namespace gaitway::can

@@ -1,5 +1,5 @@
 // Every message of the network as a plain struct, with its encoder and decoder. Where each field lies in the
-// frame is described once, in message_table.hpp; encode and decode follow that table. Freestanding.
+// frame is described once, in message_layout.hpp; encode and decode follow that table. Freestanding.
 #pragma once
 
 #include <array>
@@ -9,6 +9,8 @@
 #include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
+
+struct Profile;  // profile.hpp
 
 using NodeId = std::uint8_t;  // 1..64: a local controller on the bus; 0 is the message controller
 
@@ -102,25 +104,27 @@ struct Heartbeat {
   friend bool operator==(const Heartbeat&, const Heartbeat&) = default;
 };
 
-Frame encode(const EmergencyStop&) noexcept;
-Frame encode(const UserCommand&) noexcept;
-Frame encode(const Sync&) noexcept;
-Frame encode(const Trim&) noexcept;
-Frame encode(const Feedback&) noexcept;
-Frame encode(const FaultReport&) noexcept;
-Frame encode(const Trajectory&) noexcept;
-Frame encode(const Resynchronisation&) noexcept;
-Frame encode(const Heartbeat&) noexcept;
+Frame encode(const Profile& profile, const EmergencyStop& message) noexcept;
+Frame encode(const Profile& profile, const UserCommand& message) noexcept;
+Frame encode(const Profile& profile, const Sync& message) noexcept;
+Frame encode(const Profile& profile, const Trim& message) noexcept;
+Frame encode(const Profile& profile, const Feedback& message) noexcept;
+Frame encode(const Profile& profile, const FaultReport& message) noexcept;
+Frame encode(const Profile& profile, const Trajectory& message) noexcept;
+Frame encode(const Profile& profile, const Resynchronisation& message) noexcept;
+Frame encode(const Profile& profile, const Heartbeat& message) noexcept;
 
-// Decoders: nothing when id or size are not the message's own, or a field holds an undefined value.
-std::optional<EmergencyStop> decode_emergency_stop(const Frame&) noexcept;
-std::optional<UserCommand> decode_user_command(const Frame&) noexcept;
-std::optional<Sync> decode_sync(const Frame&) noexcept;
-std::optional<Trim> decode_trim(const Frame&) noexcept;
-std::optional<Feedback> decode_feedback(const Frame&) noexcept;
-std::optional<FaultReport> decode_fault_report(const Frame&) noexcept;
-std::optional<Trajectory> decode_trajectory(const Frame&) noexcept;
-std::optional<Resynchronisation> decode_resynchronisation(const Frame&) noexcept;
-std::optional<Heartbeat> decode_heartbeat(const Frame&) noexcept;
+// Decoders: nothing when format, id or size are not the message's own in that profile, or a field holds an
+// undefined value.
+std::optional<EmergencyStop> decode_emergency_stop(const Profile& profile, const Frame& frame) noexcept;
+std::optional<UserCommand> decode_user_command(const Profile& profile, const Frame& frame) noexcept;
+std::optional<Sync> decode_sync(const Profile& profile, const Frame& frame) noexcept;
+std::optional<Trim> decode_trim(const Profile& profile, const Frame& frame) noexcept;
+std::optional<Feedback> decode_feedback(const Profile& profile, const Frame& frame) noexcept;
+std::optional<FaultReport> decode_fault_report(const Profile& profile, const Frame& frame) noexcept;
+std::optional<Trajectory> decode_trajectory(const Profile& profile, const Frame& frame) noexcept;
+std::optional<Resynchronisation> decode_resynchronisation(const Profile& profile,
+                                                          const Frame& frame) noexcept;
+std::optional<Heartbeat> decode_heartbeat(const Profile& profile, const Frame& frame) noexcept;
 
 }  // namespace gaitway::can

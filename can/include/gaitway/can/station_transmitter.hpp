@@ -15,7 +15,7 @@ namespace gaitway::can {
 // Frames that wait, the most urgent first.
 template <class T>
 concept FrameSource = requires(T& source, Frame& frame, const Frame& taken) {
-  { source.next_id() } -> std::convertible_to<std::uint16_t>;  // past every identifier when none waits
+  { source.next_id() } -> std::convertible_to<std::uint32_t>;  // past every identifier when none waits
   { source.take_frame(frame) } -> std::convertible_to<bool>;
   source.put_back(taken);  // before all others of its identifier
 };

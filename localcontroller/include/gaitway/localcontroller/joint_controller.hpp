@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "gaitway/can/frame.hpp"
-#include "gaitway/can/message_table.hpp"
 #include "gaitway/can/messages.hpp"
+#include "gaitway/can/profile.hpp"
 #include "gaitway/localcontroller/point_player.hpp"
 #include "gaitway/localcontroller/sensor_filter.hpp"
 #include "gaitway/localcontroller/servo.hpp"
@@ -18,6 +18,7 @@ namespace gaitway::localcontroller {
 
 // What one joint's firmware is configured with; the loader fills it from the robot's network file.
 struct JointConfig {
+  can::Profile profile = can::kFullProfile;
   can::NodeId node = 0;
   double count_rad = 0.0;             // size of a count on the wire
   double encoder_count_rad = 0.0;     // size of an encoder count

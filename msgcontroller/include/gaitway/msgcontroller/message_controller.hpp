@@ -10,6 +10,7 @@
 
 #include "gaitway/can/frame.hpp"
 #include "gaitway/can/messages.hpp"
+#include "gaitway/can/profile.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/hand_over.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
@@ -39,7 +40,7 @@ class MessageController {
   // The most urgent frame to send; false when there is none.
   bool take_frame(can::Frame& frame) noexcept { return queue_.pop(frame); }
   // Identifier of that frame; past every identifier when there is none.
-  [[nodiscard]] std::uint16_t next_id() const noexcept { return queue_.next_id(); }
+  [[nodiscard]] std::uint32_t next_id() const noexcept { return queue_.next_id(); }
   // A frame that was offered to the bus and taken back, because a more urgent one came.
   void put_back(const can::Frame& frame) noexcept { queue_.push_front(frame); }
 
@@ -69,6 +70,7 @@ class MessageController {
   void send_own_trim() noexcept;
   void set_mode(Mode mode) noexcept { state_.mode = static_cast<std::uint32_t>(mode); }
 
+  can::Profile profile_;
   int joint_count_;
   std::vector<double> count_rad_, lower_rad_, upper_rad_;
   std::vector<can::NodeId> node_;

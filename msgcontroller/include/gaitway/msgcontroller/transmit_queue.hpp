@@ -31,7 +31,7 @@ class TransmitQueue {
   }
 
   // Past every identifier when the queue is empty.
-  [[nodiscard]] std::uint16_t next_id() const noexcept { return size_ == 0 ? 0xFFFF : entries_[0].frame.id; }
+  [[nodiscard]] std::uint32_t next_id() const noexcept { return size_ == 0 ? 0xFFFF : entries_[0].frame.id; }
   void clear() noexcept { size_ = 0; }
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }

@@ -1,11 +1,13 @@
-// The table of all messages and the codecs that follow it.
-#include "gaitway/can/message_table.hpp"
+// Profiles, message layouts, and the codecs that follow them.
+#include "gaitway/can/messages.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 #include <set>
+
+#include "gaitway/can/profile.hpp"
 
 namespace gaitway::can {
 namespace {
@@ -31,34 +33,41 @@ NodeId draw_node() {
 
 template <class Message, class Decode>
 void expect_round_trip(const Message& message, Decode decode, MessageKind kind) {
-  const Frame frame = encode(message);
-  EXPECT_EQ(frame.size, spec(kind).size);
-  const auto identified = identify(frame.id);
+  const Frame frame = encode(kFullProfile, message);
+  EXPECT_EQ(frame.size, layout(kind).size);
+  const auto identified = kFullProfile.identify(frame.id);
   ASSERT_TRUE(identified);
   EXPECT_EQ(identified->kind, kind);
-  const auto decoded = decode(frame);
+  const auto decoded = decode(kFullProfile, frame);
   ASSERT_TRUE(decoded);
   EXPECT_EQ(*decoded, message);
 }
 
-TEST(MessageTable, EveryIdentifierBelongsToOneMessageAndIsIdentifiedAsIt) {
-  std::map<std::uint16_t, Identified> owner;
-  for (const MessageSpec& message : kFullProfile) {
-    const int nodes = message.ids_per_node == 0 ? 0 : kLargestNode;
+class EachProfile : public ::testing::TestWithParam<const Profile*> {};
+
+TEST_P(EachProfile, GivesEveryIdentifierToOneMessageAndIdentifiesItAsThat) {
+  const Profile& profile = *GetParam();
+  std::map<std::uint32_t, Identified> owner;
+  for (const MessageLayout& message : kMessageLayouts) {
+    const IdRule rule = profile.row(message.kind).rule;
+    if (rule == IdRule::unused) {
+      continue;
+    }
+    const int nodes = rule == IdRule::one ? 0 : profile.largest_node;
     for (int node = nodes == 0 ? 0 : 1; node <= nodes; ++node) {
       for (const bool toggle : {false, true}) {
-        if (toggle && message.ids_per_node != 2) {
+        if (toggle && rule != IdRule::per_node_and_toggle) {
           continue;
         }
         const Identified identified{message.kind, static_cast<NodeId>(node), toggle};
-        const auto inserted = owner.emplace(id_of(message.kind, identified.node, toggle), identified);
+        const auto inserted = owner.emplace(profile.id_of(message.kind, identified.node, toggle), identified);
         EXPECT_TRUE(inserted.second) << message.name << " of node " << node;
       }
     }
   }
-  for (unsigned id = 0; id <= 0x7FF; ++id) {
-    const auto expected = owner.find(static_cast<std::uint16_t>(id));
-    const auto identified = identify(static_cast<std::uint16_t>(id));
+  for (std::uint32_t id = 0; id <= kLargestId; ++id) {
+    const auto expected = owner.find(id);
+    const auto identified = profile.identify(id);
     ASSERT_EQ(identified.has_value(), expected != owner.end()) << id;
     if (identified) {
       EXPECT_EQ(*identified, expected->second);
@@ -66,18 +75,36 @@ TEST(MessageTable, EveryIdentifierBelongsToOneMessageAndIsIdentifiedAsIt) {
   }
 }
 
-TEST(MessageTable, KindsAreInOrderOfPriority) {
+INSTANTIATE_TEST_SUITE_P(Profiles, EachProfile, ::testing::Values(&kFullProfile, &kPaperProfile),
+                         [](const auto& tested) { return std::string(tested.param->name); });
+
+TEST(FullProfile, HasTheKindsInTheirOrderOfPriority) {
   using enum MessageKind;
   constexpr std::array kOrder{emergency_stop, user_command,      sync,     trim, feedback, fault_report,
                               trajectory,     resynchronisation, heartbeat};
+  const Profile& profile = kFullProfile;
   for (std::size_t i = 1; i < kOrder.size(); ++i) {
-    const auto last_of = [](MessageKind kind) {
-      return id_of(kind, spec(kind).ids_per_node == 0 ? NodeId{0} : kLargestNode,
-                   spec(kind).ids_per_node == 2);
-    };
-    EXPECT_LT(last_of(kOrder[i - 1]),
-              id_of(kOrder[i], spec(kOrder[i]).ids_per_node == 0 ? NodeId{0} : NodeId{1}));
+    const IdRule rule = profile.row(kOrder[i - 1]).rule;
+    const NodeId last = rule == IdRule::one ? NodeId{0} : kLargestNode;
+    const NodeId first = profile.row(kOrder[i]).rule == IdRule::one ? NodeId{0} : NodeId{1};
+    EXPECT_LT(profile.id_of(kOrder[i - 1], last, rule == IdRule::per_node_and_toggle),
+              profile.id_of(kOrder[i], first));
   }
+}
+
+TEST(PaperProfile, HasThePublishedTwentyFiveMessages) {
+  using enum MessageKind;
+  std::set<std::uint32_t> ids;
+  for (NodeId node = 1; node <= 12; ++node) {
+    EXPECT_EQ(kPaperProfile.id_of(trajectory, node), node);
+    EXPECT_EQ(kPaperProfile.id_of(feedback, node), 12U + node);
+  }
+  EXPECT_EQ(kPaperProfile.id_of(user_command), 25U);
+  int identified = 0;
+  for (std::uint32_t id = 0; id <= kLargestId; ++id) {
+    identified += kPaperProfile.identify(id) ? 1 : 0;
+  }
+  EXPECT_EQ(identified, 25);
 }
 
 TEST(Codecs, EveryMessageComesBackAsItWas) {
@@ -118,31 +145,36 @@ TEST(Codecs, EveryMessageComesBackAsItWas) {
 
 // The layout on the wire, written out by hand: what a .dbc file or another implementation relies on.
 TEST(Codecs, BytesLieWhereTheTableSays) {
-  EXPECT_EQ(encode(Trajectory{5, true, {1, -1, 2, -2, 3, -3, 127, -128}}),
+  EXPECT_EQ(encode(kFullProfile, Trajectory{5, true, {1, -1, 2, -2, 3, -3, 127, -128}}),
             (Frame{0x10B, 8, {0x01, 0xFF, 0x02, 0xFE, 0x03, 0xFD, 0x7F, 0x80}}));
-  EXPECT_EQ(encode(Sync{0x1234, 5, true, true}), (Frame{0x008, 3, {0x34, 0x12, 0x1D}}));
-  EXPECT_EQ(encode(Feedback{2, -2, -1, JointState::soft, true, false, 0x9, {0x1234, -1}}),
+  EXPECT_EQ(encode(kFullProfile, Sync{0x1234, 5, true, true}), (Frame{0x008, 3, {0x34, 0x12, 0x1D}}));
+  EXPECT_EQ(encode(kFullProfile, Feedback{2, -2, -1, JointState::soft, true, false, 0x9, {0x1234, -1}}),
             (Frame{0x042, 8, {0xFE, 0xFF, 0xFF, 0xA9, 0x34, 0x12, 0xFF, 0xFF}}));
-  EXPECT_EQ(encode(Resynchronisation{1, true, 6, -2, {1, 2, 3, 4, -5}}),
+  EXPECT_EQ(encode(kFullProfile, Resynchronisation{1, true, 6, -2, {1, 2, 3, 4, -5}}),
             (Frame{0x201, 8, {0xFE, 0xFF, 0x0E, 0x01, 0x02, 0x03, 0x04, 0xFB}}));
-  EXPECT_EQ(encode(UserCommand{22, 0x0102, 9}), (Frame{0x002, 4, {22, 0x02, 0x01, 9}}));
+  EXPECT_EQ(encode(kFullProfile, UserCommand{22, 0x0102, 9}), (Frame{0x002, 4, {22, 0x02, 0x01, 9}}));
 }
 
 TEST(Codecs, WhatIsNotTheMessageIsRefused) {
-  const Frame sync = encode(Sync{1, 2, true, false});
-  EXPECT_FALSE(decode_trim(sync));
+  const Frame sync = encode(kFullProfile, Sync{1, 2, true, false});
+  EXPECT_FALSE(decode_trim(kFullProfile, sync));
   for (std::uint8_t size = 0; size <= 8; ++size) {
-    EXPECT_EQ(decode_sync(Frame{sync.id, size, sync.data}).has_value(), size == 3);
+    EXPECT_EQ(decode_sync(kFullProfile, Frame{sync.id, size, sync.data}).has_value(), size == 3);
   }
-  EXPECT_FALSE(decode_emergency_stop(Frame{0x001, 1, {2}})) << "no such mode";
-  EXPECT_FALSE(decode_user_command(Frame{0x002, 4, {0, 0, 0, 1}})) << "no such node";
-  EXPECT_FALSE(decode_user_command(Frame{0x002, 4, {65, 0, 0, 1}})) << "no such node";
-  EXPECT_FALSE(decode_feedback(Frame{id_of(MessageKind::feedback, 65), 8, {}}));
+  EXPECT_FALSE(decode_sync(kFullProfile, {sync.id, sync.size, sync.data, true, false})) << "extended";
+  EXPECT_FALSE(decode_sync(kFullProfile, {sync.id, sync.size, sync.data, false, true})) << "remote";
+  EXPECT_FALSE(decode_sync(kPaperProfile, sync)) << "not in that profile";
+  EXPECT_FALSE(decode_emergency_stop(kFullProfile, Frame{0x001, 1, {2}})) << "no such mode";
+  EXPECT_FALSE(decode_user_command(kFullProfile, Frame{0x002, 4, {0, 0, 0, 1}})) << "no such node";
+  EXPECT_FALSE(decode_user_command(kFullProfile, Frame{0x002, 4, {65, 0, 0, 1}})) << "no such node";
+  EXPECT_FALSE(decode_feedback(kFullProfile, Frame{kFullProfile.id_of(MessageKind::feedback, 65), 8, {}}));
   for (unsigned mode = 0; mode < 256; ++mode) {
-    EXPECT_EQ(decode_emergency_stop(Frame{0x001, 1, {static_cast<std::uint8_t>(mode)}}).has_value(),
-              mode <= 1);
-    EXPECT_EQ(decode_user_command(Frame{0x002, 4, {static_cast<std::uint8_t>(mode)}}).has_value(),
-              mode >= 1 && mode <= kLargestNode);
+    EXPECT_EQ(
+        decode_emergency_stop(kFullProfile, Frame{0x001, 1, {static_cast<std::uint8_t>(mode)}}).has_value(),
+        mode <= 1);
+    EXPECT_EQ(
+        decode_user_command(kFullProfile, Frame{0x002, 4, {static_cast<std::uint8_t>(mode)}}).has_value(),
+        mode >= 1 && mode <= kLargestNode);
   }
 }
 
@@ -150,11 +182,11 @@ TEST(Codecs, WhatIsNotTheMessageIsRefused) {
 TEST(Codecs, EachDecoderTakesTheIdentifiersAndTheSizeOfItsMessageOnly) {
   const auto expect_only = [](MessageKind kind, auto decode) {
     for (unsigned id = 0; id <= 0x7FF; ++id) {
-      const auto identified = identify(static_cast<std::uint16_t>(id));
+      const auto identified = kFullProfile.identify(id);
       for (std::uint8_t size = 0; size <= 8; ++size) {
-        const bool own = identified && identified->kind == kind && size == spec(kind).size;
-        ASSERT_EQ(decode(Frame{static_cast<std::uint16_t>(id), size, {1}}).has_value(), own)
-            << spec(kind).name << " at identifier " << id << " with " << int{size} << " bytes";
+        const bool own = identified && identified->kind == kind && size == layout(kind).size;
+        ASSERT_EQ(decode(kFullProfile, Frame{id, size, {1}}).has_value(), own)
+            << layout(kind).name << " at identifier " << id << " with " << int{size} << " bytes";
       }
     }
   };

@@ -1,13 +1,13 @@
-// The one table of all messages (profile `full`): identifiers, sizes, periods, and where each field lies in
-// its frame. Codecs, identification and the timeline of reports read it; so will response-time analysis and
-// the .dbc file.
+// What each message holds, described once: size, sender, and where every field lies. Codecs, the .dbc file
+// and docs/network.md follow this table; which identifier and period a message has is the profile's affair
+// (profile.hpp). Freestanding.
 //
 // Bits are numbered as in a .dbc file with little-endian signals: bit 8·b + i is bit i of byte b.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -15,7 +15,7 @@
 
 namespace gaitway::can {
 
-// In order of priority: the lower, the more urgent.
+// In the full profile's order of priority: the lower, the more urgent.
 enum class MessageKind : std::uint8_t {
   emergency_stop,
   user_command,
@@ -28,7 +28,6 @@ enum class MessageKind : std::uint8_t {
   heartbeat
 };
 inline constexpr std::size_t kMessageKinds = 9;
-inline constexpr NodeId kLargestNode = 64;
 
 enum class Sender : std::uint8_t { message_controller, local_controller };
 
@@ -40,14 +39,10 @@ struct FieldSpec {
   std::string_view unit;
 };
 
-struct MessageSpec {
+struct MessageLayout {
   MessageKind kind{};
   std::string_view name;
-  std::uint16_t base_id = 0;
-  std::uint8_t ids_per_node =
-      0;                  // 0: one message for all nodes; 1: id = base + node; 2: base + 2·node + toggle
   std::uint8_t size = 0;  // data bytes
-  std::int64_t period_ns = 0;  // 0: on event
   Sender sender = Sender::message_controller;
   std::span<const FieldSpec> fields;
 };
@@ -98,65 +93,22 @@ inline constexpr std::array<FieldSpec, 2> kHeartbeat{
     {{"mode", 0, 8, false, ""}, {"cycle", 8, 32, false, "80 ms"}}};
 }  // namespace fields
 
-inline constexpr std::int64_t kSlotPeriod_ns = 10'000'000;
-inline constexpr std::int64_t kCyclePeriod_ns = 80'000'000;
-
-// Indexed by MessageKind. Identifiers leave room for 64 nodes each.
-inline constexpr std::array<MessageSpec, kMessageKinds> kFullProfile{{
-    {MessageKind::emergency_stop, "emergency stop", 0x001, 0, 1, 0, Sender::message_controller,
-     fields::kEmergencyStop},
-    {MessageKind::user_command, "user command", 0x002, 0, 4, 0, Sender::message_controller,
-     fields::kUserCommand},
-    {MessageKind::sync, "SYNC", 0x008, 0, 3, kSlotPeriod_ns, Sender::message_controller, fields::kSync},
-    {MessageKind::trim, "trim", 0x010, 0, 8, kSlotPeriod_ns, Sender::message_controller, fields::kTrim},
-    {MessageKind::feedback, "feedback", 0x040, 1, 8, kSlotPeriod_ns, Sender::local_controller,
-     fields::kFeedback},
-    {MessageKind::fault_report, "fault report", 0x0A0, 1, 1, 0, Sender::local_controller,
-     fields::kFaultReport},
-    {MessageKind::trajectory, "trajectory", 0x100, 2, 8, kCyclePeriod_ns, Sender::message_controller,
-     fields::kTrajectory},
-    {MessageKind::resynchronisation, "resynchronisation", 0x200, 1, 8, 0, Sender::message_controller,
+// Indexed by MessageKind.
+inline constexpr std::array<MessageLayout, kMessageKinds> kMessageLayouts{{
+    {MessageKind::emergency_stop, "emergency stop", 1, Sender::message_controller, fields::kEmergencyStop},
+    {MessageKind::user_command, "user command", 4, Sender::message_controller, fields::kUserCommand},
+    {MessageKind::sync, "SYNC", 3, Sender::message_controller, fields::kSync},
+    {MessageKind::trim, "trim", 8, Sender::message_controller, fields::kTrim},
+    {MessageKind::feedback, "feedback", 8, Sender::local_controller, fields::kFeedback},
+    {MessageKind::fault_report, "fault report", 1, Sender::local_controller, fields::kFaultReport},
+    {MessageKind::trajectory, "trajectory", 8, Sender::message_controller, fields::kTrajectory},
+    {MessageKind::resynchronisation, "resynchronisation", 8, Sender::message_controller,
      fields::kResynchronisation},
-    {MessageKind::heartbeat, "heartbeat", 0x300, 0, 5, kCyclePeriod_ns, Sender::message_controller,
-     fields::kHeartbeat},
+    {MessageKind::heartbeat, "heartbeat", 5, Sender::message_controller, fields::kHeartbeat},
 }};
 
-[[nodiscard]] constexpr const MessageSpec& spec(MessageKind kind) noexcept {
-  return kFullProfile[static_cast<std::size_t>(kind)];
-}
-
-struct Identified {
-  MessageKind kind{};
-  NodeId node = 0;      // 0 for messages to all nodes
-  bool toggle = false;  // of a trajectory frame
-  friend bool operator==(const Identified&, const Identified&) = default;
-};
-
-// `node` 1..64 for messages of or to one node; 0 otherwise.
-[[nodiscard]] constexpr std::uint16_t id_of(MessageKind kind, NodeId node = 0, bool toggle = false) noexcept {
-  const MessageSpec& message = spec(kind);
-  const unsigned offset =
-      message.ids_per_node == 2 ? 2U * node + (toggle ? 1U : 0U) : message.ids_per_node * node;
-  return static_cast<std::uint16_t>(message.base_id + offset);
-}
-
-// Nothing for an identifier that the profile does not use.
-[[nodiscard]] constexpr std::optional<Identified> identify(std::uint16_t id) noexcept {
-  for (const MessageSpec& message : kFullProfile) {
-    if (message.ids_per_node == 0) {
-      if (id == message.base_id) {
-        return Identified{message.kind, 0, false};
-      }
-      continue;
-    }
-    const int offset = id - message.base_id;
-    const int node = offset / message.ids_per_node;
-    if (offset > 0 && node >= 1 && node <= kLargestNode) {
-      return Identified{message.kind, static_cast<NodeId>(node),
-                        message.ids_per_node == 2 && offset % 2 == 1};
-    }
-  }
-  return std::nullopt;
+[[nodiscard]] constexpr const MessageLayout& layout(MessageKind kind) noexcept {
+  return kMessageLayouts[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace gaitway::can
