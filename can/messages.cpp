@@ -182,7 +182,11 @@ std::optional<UserCommand> decode_user_command(const Profile& profile, const Fra
   message.node = reader.take<NodeId>();
   message.target_count = reader.take<std::int16_t>();
   message.duration_slots = reader.take<std::uint8_t>();
-  if (!reader.fits() || message.node == 0 || message.node > kLargestNode) {
+  // Node 0 is all of them: the emergency stop of a profile that has no message of its own for it.
+  const bool stop = message.node == 0 && !profile.has(MessageKind::emergency_stop) &&
+                    (message.target_count == static_cast<int>(StopMode::hold) ||
+                     message.target_count == static_cast<int>(StopMode::soft));
+  if (!reader.fits() || (message.node == 0 && !stop) || message.node > profile.largest_node) {
     return std::nullopt;
   }
   return message;

@@ -8,6 +8,15 @@ constexpr double kServoPeriod_s = 0.001;
 constexpr double kTurn_rad = 6.283185307179586;
 constexpr double kPositionCount_rad = kTurn_rad / 65536.0;
 constexpr double kCurrentCount_Nm = 0.125;
+// No joint moves at this many times its motor's largest speed.
+constexpr double kImplausibleSpeeds = 10.0;
+constexpr int kEncoderDistrust_ms = 5;
+constexpr int kSaturation_ms = 40;
+constexpr int kSlotsUntilSyncIsLost = 2;
+
+double magnitude(double value) noexcept {
+  return value < 0.0 ? -value : value;
+}
 
 std::int32_t rounded(double value) noexcept {
   return static_cast<std::int32_t>(value < 0.0 ? value - 0.5 : value + 0.5);
@@ -34,7 +43,8 @@ std::int32_t highest_count(const JointConfig& config) noexcept {
 
 JointController::JointController(const JointConfig& config) noexcept
     : config_(config),
-      player_(config.initial_reference_count, lowest_count(config), highest_count(config)),
+      player_(config.initial_reference_count, lowest_count(config), highest_count(config),
+              config.profile.has(can::MessageKind::sync) ? BatchStart::on_sync : BatchStart::on_arrival),
       servo_({config.stiffness_Nm_per_rad, config.damping_Nms_per_rad, config.torque_limit_Nm,
               config.speed_limit_rad_per_s}),
       trim_(config.trim_limit_rad, config.trim_slew_rad_per_s),
@@ -44,45 +54,73 @@ can::JointState JointController::state() const noexcept {
   if (soft_) {
     return can::JointState::soft;
   }
+  if (player_.frozen()) {
+    return can::JointState::stopped;
+  }
   return player_.running() ? can::JointState::running : can::JointState::holding;
 }
 
 void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {
+  const can::Profile& profile = config_.profile;
   // Most frames on the bus are other joints' feedback: the identifier alone tells.
-  if (frame.id == config_.profile.id_of(can::MessageKind::sync)) {
-    if (const auto sync = can::decode_sync(config_.profile, frame)) {
+  const auto is = [&](can::MessageKind kind, can::NodeId node = 0, bool toggle = false) {
+    return profile.has(kind) && frame.id == profile.id_of(kind, node, toggle);
+  };
+  if (is(can::MessageKind::sync)) {
+    if (const auto sync = can::decode_sync(profile, frame)) {
       on_sync(*sync, now_ns);
     }
-  } else if (frame.id == config_.profile.id_of(can::MessageKind::trim)) {
-    const auto trim = config_.trim_channel >= 0 ? can::decode_trim(config_.profile, frame) : std::nullopt;
+  } else if (is(can::MessageKind::trim)) {
+    const auto trim = config_.trim_channel >= 0 ? can::decode_trim(profile, frame) : std::nullopt;
     if (trim) {
       trim_.command(trim->count[static_cast<std::size_t>(config_.trim_channel)] * config_.trim_count_rad,
                     now_ns);
     }
-  } else if ((frame.id | 1U) == config_.profile.id_of(can::MessageKind::trajectory, config_.node, true)) {
-    if (const auto batch = can::decode_trajectory(config_.profile, frame)) {
-      player_.on_trajectory(*batch);
+  } else if (is(can::MessageKind::trajectory, config_.node, false) ||
+             is(can::MessageKind::trajectory, config_.node, true)) {
+    if (const auto batch = can::decode_trajectory(profile, frame)) {
+      on_trajectory(*batch, now_ns);
     }
-  } else if (frame.id == config_.profile.id_of(can::MessageKind::resynchronisation, config_.node)) {
-    if (const auto repair = can::decode_resynchronisation(config_.profile, frame)) {
+  } else if (is(can::MessageKind::resynchronisation, config_.node)) {
+    if (const auto repair = can::decode_resynchronisation(profile, frame)) {
       player_.on_resynchronisation(*repair);
     }
-  } else if (frame.id == config_.profile.id_of(can::MessageKind::user_command)) {
-    const auto command = can::decode_user_command(config_.profile, frame);
-    if (command && command->node == config_.node) {
-      player_.move_to(command->target_count, command->duration_slots, now_ns);
+  } else if (is(can::MessageKind::user_command)) {
+    if (const auto command = can::decode_user_command(profile, frame)) {
+      on_user_command(*command, now_ns);
     }
-  } else if (frame.id == config_.profile.id_of(can::MessageKind::emergency_stop)) {
-    if (const auto stop = can::decode_emergency_stop(config_.profile, frame)) {
-      // A joint that has gone soft may lie anywhere by now: a later `hold` must not pull it back.
-      soft_ = soft_ || stop->mode == can::StopMode::soft;
-      player_.freeze(now_ns);
-      trim_.freeze();
+  } else if (is(can::MessageKind::emergency_stop)) {
+    if (const auto stop = can::decode_emergency_stop(profile, frame)) {
+      on_stop(stop->mode, now_ns);
     }
   }
 }
 
+void JointController::on_trajectory(const can::Trajectory& batch, std::int64_t now_ns) noexcept {
+  if (config_.profile.has(can::MessageKind::sync)) {
+    player_.on_trajectory(batch);
+    return;
+  }
+  feedback_pending_ = player_.start(batch, now_ns) || feedback_pending_;  // its slots begin here
+}
+
+void JointController::on_user_command(const can::UserCommand& command, std::int64_t now_ns) noexcept {
+  if (command.node == 0) {
+    on_stop(static_cast<can::StopMode>(command.target_count), now_ns);
+  } else if (command.node == config_.node) {
+    player_.move_to(command.target_count, command.duration_slots, now_ns);
+  }
+}
+
+// A joint that has gone soft may lie anywhere by now: a later `hold` must not pull it back.
+void JointController::on_stop(can::StopMode mode, std::int64_t now_ns) noexcept {
+  soft_ = soft_ || mode == can::StopMode::soft;
+  player_.freeze(now_ns);
+  trim_.freeze();
+}
+
 void JointController::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
+  slots_alone_ = 0;
   feedback_pending_ = player_.on_sync(sync, now_ns) || feedback_pending_;
 }
 
@@ -94,8 +132,10 @@ void JointController::reset() noexcept {
 }
 
 double JointController::step(std::int64_t now_ns, const JointSensors& sensors) noexcept {
+  now_ns_ = now_ns;
   if (player_.advance_without_sync(now_ns)) {
     feedback_pending_ = true;
+    ++slots_alone_;
   }
   for (std::size_t channel = 0; channel < channels_.size(); ++channel) {
     channels_[channel].add(sensors.channel[channel]);
@@ -103,22 +143,50 @@ double JointController::step(std::int64_t now_ns, const JointSensors& sensors) n
   trim_.step(now_ns, kServoPeriod_s);
   const PointPlayer::Reference reference = player_.reference(now_ns);
   reference_rad_ = reference.count * config_.count_rad;
-  measured_rad_ = sensors.encoder_count * config_.encoder_count_rad;
+  measured_rad_ = plausible_position_rad(sensors.encoder_count);
   torque_Nm_ = servo_.step(reference_rad_ + trim_.angle_rad(),
                            reference.rate_per_s * config_.count_rad + trim_.rate_rad_per_s(), measured_rad_,
                            kServoPeriod_s);
   if (soft_) {
     torque_Nm_ = 0.0;
   }
-  report_fault(can::Fault::position_limit, player_.at_limit());
+  find_faults();
   return torque_Nm_;
 }
 
-void JointController::report_fault(can::Fault fault, bool present) noexcept {
+// A single wild reading must not kick the joint: its last place counts, until the encoder has stood elsewhere
+// for a while.
+double JointController::plausible_position_rad(std::int32_t encoder_count) noexcept {
+  const double read_rad = encoder_count * config_.encoder_count_rad;
+  const double jump_rad = read_rad - measured_rad_;
+  const bool plausible =
+      !measured_ || config_.speed_limit_rad_per_s <= 0.0 ||
+      magnitude(jump_rad) <= kImplausibleSpeeds * config_.speed_limit_rad_per_s * kServoPeriod_s;
+  implausible_ms_ = plausible ? 0 : implausible_ms_ + 1;
+  measured_ = true;
+  if (implausible_ms_ > kEncoderDistrust_ms) {
+    servo_.forget_motion();
+  }
+  return plausible || implausible_ms_ > kEncoderDistrust_ms ? read_rad : measured_rad_;
+}
+
+void JointController::find_faults() noexcept {
+  saturated_ms_ = servo_.saturated() && !soft_ ? saturated_ms_ + 1 : saturated_ms_ - 1;
+  saturated_ms_ = saturated_ms_ < 0 ? 0 : saturated_ms_ > kSaturation_ms ? kSaturation_ms : saturated_ms_;
+  const bool was_saturated = (faults_ & static_cast<std::uint8_t>(can::Fault::torque_saturated)) != 0;
+  set_fault(can::Fault::torque_saturated,
+            was_saturated ? saturated_ms_ > 0 : saturated_ms_ == kSaturation_ms);
+  set_fault(can::Fault::position_limit, player_.at_limit());
+  set_fault(can::Fault::sync_lost,
+            config_.profile.has(can::MessageKind::sync) && slots_alone_ >= kSlotsUntilSyncIsLost);
+  set_fault(can::Fault::encoder, implausible_ms_ > 0);
+  set_fault(can::Fault::restarted, !player_.reference_confirmed());
+}
+
+void JointController::set_fault(can::Fault fault, bool present) noexcept {
   const auto bit = static_cast<std::uint8_t>(fault);
-  const auto faults = static_cast<std::uint8_t>(present ? faults_ | bit : faults_ & ~bit);
-  fault_report_pending_ = fault_report_pending_ || faults != faults_;
-  faults_ = faults;
+  new_faults_ = static_cast<std::uint8_t>(present && (faults_ & bit) == 0 ? new_faults_ | bit : new_faults_);
+  faults_ = static_cast<std::uint8_t>(present ? faults_ | bit : faults_ & ~bit);
 }
 
 bool JointController::take_frame(can::Frame& frame) noexcept {
@@ -138,9 +206,13 @@ bool JointController::take_frame(can::Frame& frame) noexcept {
     frame = can::encode(config_.profile, feedback);
     return true;
   }
-  if (fault_report_pending_) {
-    fault_report_pending_ = false;
-    frame = can::encode(config_.profile, can::FaultReport{config_.node, faults_});
+  const bool reports = config_.profile.has(can::MessageKind::fault_report);
+  const auto faults = static_cast<std::uint8_t>(faults_ | new_faults_);
+  if (reports && faults != reported_faults_ && now_ns_ >= next_report_ns_) {
+    reported_faults_ = faults;
+    new_faults_ = 0;
+    next_report_ns_ = now_ns_ + config_.profile.row(can::MessageKind::fault_report).period_ns;
+    frame = can::encode(config_.profile, can::FaultReport{config_.node, faults});
     return true;
   }
   return false;

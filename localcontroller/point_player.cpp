@@ -22,6 +22,24 @@ void PointPlayer::on_trajectory(const can::Trajectory& batch) noexcept {
   has_pending_ = true;
 }
 
+bool PointPlayer::start(const can::Trajectory& batch, std::int64_t now_ns) noexcept {
+  // CAN may deliver a frame twice, at once after each other; no toggle tells in a profile without SYNC.
+  const bool repetition =
+      running_ && slot_ == 0 && now_ns - slot_start_ns_ < kSlot_ns / 2 && batch.delta == executing_;
+  if (frozen_ || repetition) {
+    return false;
+  }
+  if (running_) {
+    make_up_until(can::kBatchPoints);
+  }
+  executing_ = batch.delta;
+  running_ = true;
+  synchronised_ = true;
+  reference_confirmed_ = true;
+  begin_slot(0, now_ns, now_ns);
+  return true;
+}
+
 void PointPlayer::on_resynchronisation(const can::Resynchronisation& repair) noexcept {
   if (!frozen_ && repair.slot > slot_) {
     repair_ = repair;
@@ -50,7 +68,7 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
   }
   if (running_) {
     if (sync.slot <= slot_) {
-      return true;  // taken already, when the SYNC was overdue
+      return false;  // taken already, when the SYNC was overdue
     }
     make_up_until(sync.slot);
   }
@@ -74,6 +92,7 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
     return false;  // it was for a batch that is over
   }
   running_ = sync.batch_committed;
+  reference_confirmed_ = true;
   executing_toggle_ = repair_.toggle;
   batch_cycle_ = sync.cycle;
   if (pending_toggle_ == repair_.toggle) {
@@ -100,6 +119,7 @@ void PointPlayer::start_batch(const can::Sync& sync) noexcept {
     executing_ = pending_;
     executing_toggle_ = pending_toggle_;
     batch_cycle_ = sync.cycle;
+    reference_confirmed_ = true;
   }
   if (sync.batch_committed) {
     // Started, or passed over: toggles alternate, so a later commit of this toggle would mean another batch.
@@ -161,11 +181,23 @@ void PointPlayer::freeze(std::int64_t now_ns) noexcept {
 }
 
 void PointPlayer::restart(std::int32_t count) noexcept {
-  *this = PointPlayer(within_limits(count), lowest_, highest_);
+  *this = PointPlayer(within_limits(count), lowest_, highest_, batch_start_);
 }
 
 bool PointPlayer::advance_without_sync(std::int64_t now_ns) noexcept {
-  if (!synchronised_ || now_ns - slot_start_ns_ < kSlot_ns + kSyncGrace_ns) {
+  const bool alone = batch_start_ == BatchStart::on_arrival;
+  if (!synchronised_) {
+    if (!alone) {
+      return false;
+    }
+    synchronised_ = true;  // the joint's own slots begin
+    begin_slot(0, now_ns, now_ns);
+    return true;
+  }
+  // Alone, only the end of a batch waits for what may come: the next batch, a little later than its own clock
+  // says.
+  const bool waits = !alone || (running_ && slot_ == kLastSlot);
+  if (now_ns - slot_start_ns_ < kSlot_ns + (waits ? kSyncGrace_ns : 0)) {
     return false;
   }
   // A batch is played point by point; while holding, slots that nobody asked for are skipped.

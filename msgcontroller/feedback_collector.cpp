@@ -12,19 +12,19 @@ constexpr double kSlot_s = 0.010;
 
 }  // namespace
 
-FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot)
+FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot, std::span<const can::NodeId> nodes)
     : joint_count_(static_cast<int>(robot.joints.size())), channels_(robot.channels) {
   joint_states_.joint_count = static_cast<std::uint32_t>(joint_count_);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     joint_states_.position[joint] = robot.joints[joint].home_rad;
     joint_states_.reference_position[joint] = robot.joints[joint].home_rad;
+    on_bus_ |= nodes[joint] != 0 ? std::uint64_t{1} << joint : 0U;
   }
 }
 
 void FeedbackCollector::begin_slot(std::uint32_t slot_since_start) noexcept {
   slot_ = slot_since_start;
-  awaited_ =
-      joint_count_ == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << static_cast<unsigned>(joint_count_)) - 1U;
+  awaited_ = on_bus_;
 }
 
 void FeedbackCollector::take(int joint, const can::Feedback& feedback, std::int64_t now_ns) noexcept {
@@ -80,8 +80,9 @@ void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double 
 std::uint64_t FeedbackCollector::missing() const noexcept {
   std::uint64_t mask = 0;
   for (int joint = 0; joint < joint_count_; ++joint) {
-    if (slot_ - last_slot_[static_cast<std::size_t>(joint)] >= 2) {
-      mask |= std::uint64_t{1} << static_cast<unsigned>(joint);
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(joint);
+    if ((on_bus_ & bit) != 0 && slot_ - last_slot_[static_cast<std::size_t>(joint)] >= 2) {
+      mask |= bit;
     }
   }
   return mask;

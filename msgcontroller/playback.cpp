@@ -66,6 +66,12 @@ std::int32_t Playback::prepared_delta(int joint, int slot) const noexcept {
   return prepared_.count[static_cast<std::size_t>(slot)][j] - before;
 }
 
+std::int32_t Playback::running_delta(int joint, int slot) const noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  const std::int32_t before = slot == 0 ? held_[j] : running_.count[static_cast<std::size_t>(slot - 1)][j];
+  return running_.count[static_cast<std::size_t>(slot)][j] - before;
+}
+
 std::uint8_t Playback::support() const noexcept {
   constexpr std::uint8_t kBothFeet = 2;
   if (running_.active) {

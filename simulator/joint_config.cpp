@@ -3,12 +3,15 @@
 
 #include <cmath>
 
+#include "gaitway/msgcontroller/network_profile.hpp"
+
 namespace gaitway::simulator {
 
 localcontroller::JointConfig joint_config(const urdf::RobotModel& robot, int joint) {
   const auto index = static_cast<std::size_t>(joint);
   const urdf::Joint& source = robot.joints[index];
   localcontroller::JointConfig config;
+  config.profile = msgcontroller::network_profile(robot);
   config.node = source.node;
   config.count_rad = source.count_rad;
   config.encoder_count_rad = source.encoder_count_rad;

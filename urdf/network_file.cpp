@@ -251,6 +251,34 @@ void read_trim(const YamlValue& map, TrimSettings& trim) {
   }
 }
 
+void read_network(const YamlValue& map, NetworkSettings& network) {
+  constexpr int kLargestId = 0x7FF;
+  constexpr Range kMessage_ms{0.1, 10000.0, "ms"};
+  map.require_map(Keys{"profile", "messages"});
+  network.line = map.line();
+  if (const auto profile = map.find("profile")) {
+    network.profile = profile->text();
+    network.line = profile->line();
+  }
+  if (const auto messages = map.find("messages")) {
+    for (const auto& [name, value] : messages->entries()) {
+      value.require_map(Keys{"id", "period_ms", "deadline_ms"});
+      MessageSetting setting{
+          .message = name, .line = value.line(), .id = {}, .period_s = {}, .deadline_s = {}};
+      if (const auto id = value.find("id")) {
+        setting.id = id->integer(0, kLargestId);
+      }
+      if (const auto period = value.find("period_ms")) {
+        setting.period_s = period->number(kMessage_ms) * 1e-3;
+      }
+      if (const auto deadline = value.find("deadline_ms")) {
+        setting.deadline_s = deadline->number(kMessage_ms) * 1e-3;
+      }
+      network.messages.push_back(std::move(setting));
+    }
+  }
+}
+
 void read_simulation(const YamlValue& map, NetworkFile& network) {
   map.require_map(Keys{"noise", "contact", "physics_step_s"});
   const YamlValue noise = map.at("noise");
@@ -271,8 +299,8 @@ void read_simulation(const YamlValue& map, NetworkFile& network) {
 
 NetworkFile read_network_file(const std::filesystem::path& file) {
   const YamlValue top = YamlValue::read(file);
-  top.require_map(
-      Keys{"defaults", "joints", "legs", "feet", "imu", "channel_scale", "trim", "standing", "simulation"});
+  top.require_map(Keys{"defaults", "joints", "legs", "feet", "imu", "channel_scale", "trim", "standing",
+                       "simulation", "network"});
   NetworkFile network;
   network.file = file;
   read_joints(top, network);
@@ -284,6 +312,9 @@ NetworkFile read_network_file(const std::filesystem::path& file) {
   network.hip_height_m = standing.at("hip_height_m").number({0.02, 2.0, "m"});
   network.hip_height_line = standing.at("hip_height_m").line();
   read_simulation(top.at("simulation"), network);
+  if (const auto settings = top.find("network")) {
+    read_network(*settings, network.network);
+  }
   return network;
 }
 

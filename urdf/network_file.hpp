@@ -29,6 +29,7 @@ struct NetworkFile {
   SensorNoise noise;
   Contact contact;
   TrimSettings trim;
+  NetworkSettings network;
   double physics_step_s = 0.0;
   double hip_height_m = 0.0;
   int hip_height_line = 0;

@@ -39,6 +39,7 @@ class Assembly {
     model_.noise = network_.noise;
     model_.contact = network_.contact;
     model_.trim = network_.trim;
+    model_.network = network_.network;
     model_.physics_step_s = network_.physics_step_s;
     model_.hip_height_m = network_.hip_height_m;
     check_standing();

@@ -51,7 +51,7 @@ class BusServerTest : public testing::Test {
     std::vector<int> ids;
     server->step();
     while (const auto delivery = server->advance(until_ns)) {
-      ids.push_back(delivery->frame.id);
+      ids.push_back(static_cast<int>(delivery->frame.id));
       deliveries.push_back(*delivery);
     }
     server->flush();

@@ -34,6 +34,14 @@ class JointControllerTest : public testing::Test {
     joint.channel_scale[1] = 0.001F;
     return joint;
   }
+  // Every joint says first of all that it has started; the tests look at what comes after.
+  void SetUp() override {
+    joint.step(now_ns, sensors);
+    EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted});
+  }
+  static constexpr int kRestarted = static_cast<int>(can::Fault::restarted);
+  static constexpr int kReportPeriod_ms = 80;
+
   // One millisecond.
   double step() {
     now_ns += kMillisecond_ns;
@@ -42,6 +50,15 @@ class JointControllerTest : public testing::Test {
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       step();
+    }
+  }
+  // Time slots of a robot that stands.
+  void run_slots(int count) {
+    for (int i = 0; i < count; ++i) {
+      sync(next_slot);
+      next_slot = (next_slot + 1) % 8;
+      cycle = static_cast<std::uint16_t>(cycle + (next_slot == 0 ? 1 : 0));
+      run(10);
     }
   }
   template <class Message>
@@ -82,6 +99,7 @@ class JointControllerTest : public testing::Test {
 
   std::uint16_t cycle = 1;
   std::int64_t now_ns = 0;
+  int next_slot = 0;
   JointSensors sensors;
   JointController joint{config()};
 };
@@ -148,21 +166,59 @@ TEST_F(JointControllerTest, ARepeatedSyncIsNotAnsweredTwice) {
 }
 
 TEST_F(JointControllerTest, ReportsAPositionLimitWhenItBeginsAndWhenItEnds) {
+  constexpr int kLimit = static_cast<int>(can::Fault::position_limit);
   const auto limit = static_cast<std::int32_t>(1.0 / config().count_rad);
-  for (int slot = 0; slot < 2; ++slot) {
-    sync(slot);
-    run(10);
-  }
+  run_slots(9);
   send(can::UserCommand{kNode, static_cast<std::int16_t>(limit + 200), 1});
   run(1);
-  EXPECT_EQ(fault_reports(), std::vector<int>{static_cast<int>(can::Fault::position_limit)});
+  sensors.encoder_count = static_cast<std::int32_t>(limit * config().count_rad / config().encoder_count_rad);
+  EXPECT_EQ(fault_reports(), std::vector<int>{kLimit | kRestarted});
   EXPECT_EQ(joint.reference_count(), limit);
   run(9);
   EXPECT_LE(joint.reference_rad(), 1.0);
-  EXPECT_TRUE(fault_reports().empty()) << "once is enough";
-  send(can::UserCommand{kNode, 0, 50});
+  EXPECT_TRUE(fault_reports().empty()) << "once is enough, and reports keep their period";
+  send(can::UserCommand{kNode, static_cast<std::int16_t>(limit - 1), 50});
+  run_slots(9);
+  EXPECT_EQ(fault_reports().back() & kLimit, 0);
+}
+
+TEST_F(JointControllerTest, SaysThatItHasRestartedUntilItPlaysWhatItWasToldAgain) {
+  send(can::Trajectory{kNode, true, {1, 1, 1, 1, 1, 1, 1, 1}});
+  for (int slot = 0; slot < 8; ++slot) {
+    sync(slot, true, true);
+    run(10);
+  }
   run(1);
   EXPECT_EQ(fault_reports(), std::vector<int>{0});
+}
+
+TEST_F(JointControllerTest, ReportsALostSyncAfterTwoSlotsAndItsReturn) {
+  run_slots(1);
+  run(kReportPeriod_ms);
+  EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted | static_cast<int>(can::Fault::sync_lost)});
+  run_slots(9);
+  EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted});
+}
+
+TEST_F(JointControllerTest, ReportsTorqueThatIsNotEnoughForAWhileOnly) {
+  sensors.encoder_count = -20'000;  // held far from its place
+  run(20);
+  sensors.encoder_count = 0;
+  run(kReportPeriod_ms);
+  EXPECT_TRUE(fault_reports().empty()) << "too short to matter";
+  sensors.encoder_count = -20'000;
+  run(kReportPeriod_ms);
+  EXPECT_EQ(fault_reports().back(), kRestarted | static_cast<int>(can::Fault::torque_saturated));
+}
+
+TEST_F(JointControllerTest, OneWildReadingOfTheEncoderMovesNothingAndIsReported) {
+  run(kReportPeriod_ms);
+  const double before_Nm = step();
+  sensors.encoder_count = 30'000;
+  EXPECT_DOUBLE_EQ(step(), before_Nm);
+  EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted | static_cast<int>(can::Fault::encoder)});
+  sensors.encoder_count = 0;
+  EXPECT_DOUBLE_EQ(step(), before_Nm);
 }
 
 TEST_F(JointControllerTest, ATrimIsLimitedSlewedAndFadesOutWithoutNewOnes) {
@@ -218,12 +274,12 @@ TEST_F(JointControllerTest, LimitsThatLieBetweenCountsAreRoundedInwards) {
   EXPECT_EQ(reached(-40.5, -3.2, 500), -4);
 }
 
-TEST_F(JointControllerTest, AFaultThatNobodyFetchedAtOnceIsReportedAllTheSame) {
+TEST_F(JointControllerTest, AFaultThatEndedBeforeItCouldBeReportedIsReportedAllTheSame) {
   sync(0);
   run(10);
   send(can::UserCommand{kNode, 32767, 1});
-  run(5);
-  EXPECT_EQ(fault_reports(), std::vector<int>{static_cast<int>(can::Fault::position_limit)});
+  run(kReportPeriod_ms);
+  EXPECT_NE(fault_reports().front() & static_cast<int>(can::Fault::position_limit), 0);
 }
 
 TEST_F(JointControllerTest, AnEmergencyStopHoldKeepsThePositionAndIgnoresBatches) {
@@ -237,7 +293,7 @@ TEST_F(JointControllerTest, AnEmergencyStopHoldKeepsThePositionAndIgnoresBatches
     run(10);
   }
   EXPECT_NEAR(joint.reference_rad(), stopped_rad, 1.1 * 100 * config().count_rad / 10);
-  EXPECT_EQ(joint.state(), can::JointState::holding);
+  EXPECT_EQ(joint.state(), can::JointState::stopped);
 }
 
 TEST_F(JointControllerTest, AnEmergencyStopHoldHoldsTheTrimToo) {

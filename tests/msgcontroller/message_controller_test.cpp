@@ -190,17 +190,18 @@ TEST_F(MessageControllerTest, ALostTrajectoryFrameIsSentAgainBeforeTheBatchStart
   expect_moved(8);
 }
 
-TEST_F(MessageControllerTest, AJointThatNeverGotItsFrameIsBackWithinTwoSlotsOfItsFirstFeedback) {
+TEST_F(MessageControllerTest, AJointThatNeverGotItsFrameIsBackWithinOneSlotOfItsFirstFeedback) {
   bus_.drop = [](const can::Frame& frame) {
     const auto trajectory = can::decode_trajectory(can::kFullProfile, frame);
     return trajectory && trajectory->node == 5;
   };
   hand_over(2);
-  run_until(2 * kCycle_ns + 2 * kSlot_ns + 5 * kMillisecond_ns);
-  EXPECT_EQ(controller_.state().resynchronised, 1U);
-  expect_moved(3);
+  run_until(2 * kCycle_ns + 1 * kSlot_ns + 5 * kMillisecond_ns);
+  expect_moved(2);
   run_until(2 * kCycle_ns + 7 * kSlot_ns + 5 * kMillisecond_ns);
   expect_moved(8);
+  EXPECT_EQ(controller_.state().resynchronised, 2U) << "one frame has no room for all eight points";
+  EXPECT_EQ(controller_.health().trajectories_lost, 2U) << "the frame and its repetition";
 }
 
 TEST_F(MessageControllerTest, NoJointStaysOnACountThatIsNotKnownWhateverIsLost) {

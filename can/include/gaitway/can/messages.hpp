@@ -19,7 +19,8 @@ inline constexpr int kResyncDeltas = 5;      // points that follow the absolute 
 inline constexpr int kTrimChannels = 8;      // signed corrections in the trim frame
 inline constexpr int kFeedbackChannels = 2;  // 16-bit sensor channels in a feedback frame
 
-// What the joints do on an emergency stop.
+// What the joints do on an emergency stop. A profile without a message of its own for it sends a user command
+// to node 0, with the mode as its target.
 enum class StopMode : std::uint8_t { hold = 0, soft = 1 };
 
 // Highest priority: all joints at once.
@@ -55,7 +56,7 @@ enum class JointState : std::uint8_t {
   running = 0,  // plays a batch
   holding = 1,  // no batch to play: holds its last reference
   soft = 2,     // torque off after an emergency stop
-  fault = 3     // see the fault report
+  stopped = 3   // holds after an emergency stop
 };
 
 // One joint's merged feedback, at every slot edge; also its heartbeat.
@@ -71,13 +72,19 @@ struct Feedback {
   friend bool operator==(const Feedback&, const Feedback&) = default;
 };
 
-// Sent once when a fault begins and once when it ends.
+// Sent when a fault begins and when it ends, at most once in the profile's period.
 struct FaultReport {
   NodeId node = 0;
   std::uint8_t faults = 0;  // bit mask of Fault
   friend bool operator==(const FaultReport&, const FaultReport&) = default;
 };
-enum class Fault : std::uint8_t { position_limit = 1, torque_saturated = 2, sync_lost = 4, encoder = 8 };
+enum class Fault : std::uint8_t {
+  position_limit = 1,    // the reference was kept within the joint's limits
+  torque_saturated = 2,  // the servo has wanted more torque than there is for a while
+  sync_lost = 4,         // several SYNCs in a row did not come
+  encoder = 8,           // the encoder jumps further than the joint can move
+  restarted = 16         // has started (again) and stands where its encoder says, not where it was told
+};
 
 // One joint's batch: 8 changes of its reference count.
 struct Trajectory {

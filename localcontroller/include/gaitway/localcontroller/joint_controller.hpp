@@ -66,7 +66,12 @@ class JointController {
 
  private:
   void on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
-  void report_fault(can::Fault fault, bool present) noexcept;
+  void on_trajectory(const can::Trajectory& batch, std::int64_t now_ns) noexcept;
+  void on_user_command(const can::UserCommand& command, std::int64_t now_ns) noexcept;
+  void on_stop(can::StopMode mode, std::int64_t now_ns) noexcept;
+  void set_fault(can::Fault fault, bool present) noexcept;
+  void find_faults() noexcept;
+  [[nodiscard]] double plausible_position_rad(std::int32_t encoder_count) noexcept;
 
   JointConfig config_;
   PointPlayer player_;
@@ -76,10 +81,17 @@ class JointController {
   double reference_rad_;
   double measured_rad_ = 0.0;
   double torque_Nm_ = 0.0;
-  bool soft_ = false;  // after an emergency stop; ends with a restart
-  std::uint8_t faults_ = 0;
+  bool soft_ = false;        // after an emergency stop; ends with a restart
+  std::int64_t now_ns_ = 0;  // of the last step
+  bool measured_ = false;    // the encoder has been read
+  int implausible_ms_ = 0;   // for how long the encoder has stood where the joint cannot be
+  int saturated_ms_ = 0;     // counts up while the servo is saturated, and down otherwise
+  int slots_alone_ = 0;      // taken without a SYNC, in a row
+  std::uint8_t faults_ = static_cast<std::uint8_t>(can::Fault::restarted);
+  std::uint8_t new_faults_ = 0;  // that have begun since the last report, even if they have ended again
+  std::uint8_t reported_faults_ = 0;
+  std::int64_t next_report_ns_ = 0;  // not before: reports keep the profile's period
   bool feedback_pending_ = false;
-  bool fault_report_pending_ = false;
 };
 
 }  // namespace gaitway::localcontroller

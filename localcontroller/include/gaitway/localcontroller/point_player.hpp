@@ -1,5 +1,7 @@
 // Plays the eight points of a batch: one change of the reference count a time slot, interpolated in between.
-// Starts batches on SYNC only, so that all joints start together; goes on alone when a SYNC is lost.
+// Where the profile has a SYNC, batches start on it only, so that all joints start together, and the joint
+// goes on alone when a SYNC is lost. Without one, a batch starts as it arrives and the joint's own clock
+// counts its slots.
 #pragma once
 
 #include <array>
@@ -13,13 +15,22 @@ inline constexpr std::int64_t kSlot_ns = 10'000'000;
 // How long a SYNC may be overdue, by the joint's own clock, before the joint takes the next slot without it.
 inline constexpr std::int64_t kSyncGrace_ns = 1'500'000;
 
+enum class BatchStart : std::uint8_t { on_sync, on_arrival };
+
 class PointPlayer {
  public:
-  PointPlayer(std::int32_t initial_count, std::int32_t lowest_count, std::int32_t highest_count) noexcept
-      : count_(initial_count), from_(initial_count), lowest_(lowest_count), highest_(highest_count) {}
+  PointPlayer(std::int32_t initial_count, std::int32_t lowest_count, std::int32_t highest_count,
+              BatchStart batch_start = BatchStart::on_sync) noexcept
+      : batch_start_(batch_start),
+        count_(initial_count),
+        from_(initial_count),
+        lowest_(lowest_count),
+        highest_(highest_count) {}
 
   // A new batch, to be started by a SYNC that names its toggle. A repeated frame changes nothing.
   void on_trajectory(const can::Trajectory& batch) noexcept;
+  // Starts a batch now, as where there is no SYNC. False, and nothing changes, for a repeated frame.
+  bool start(const can::Trajectory& batch, std::int64_t now_ns) noexcept;
   // A repair; takes effect at the SYNC of its slot. One for a slot that has begun does nothing: the next
   // feedback shows the message controller that it came too late.
   void on_resynchronisation(const can::Resynchronisation& repair) noexcept;
@@ -33,8 +44,8 @@ class PointPlayer {
   // Leaves all that behind, as after a restart, with `count` (kept within the limits) as the reference. Slots
   // and batches begin again with the next SYNC.
   void restart(std::int32_t count) noexcept;
-  // Takes the next slot when SYNC is overdue, whether a batch runs or not. True when it did. A batch is
-  // played to its end in this way; none is started.
+  // Takes the next slot when SYNC is overdue (at once where there is none), whether a batch runs or not. True
+  // when it did. A batch is played to its end in this way; none is started.
   bool advance_without_sync(std::int64_t now_ns) noexcept;
 
   // Reference at the end of the running slot.
@@ -51,6 +62,9 @@ class PointPlayer {
   [[nodiscard]] bool pending_toggle() const noexcept { return pending_toggle_; }
   [[nodiscard]] bool executing_toggle() const noexcept { return executing_toggle_; }
   [[nodiscard]] bool at_limit() const noexcept { return at_limit_; }
+  [[nodiscard]] bool frozen() const noexcept { return frozen_; }
+  // A batch has been started or a repair has set the count since the start: it is one that was asked for.
+  [[nodiscard]] bool reference_confirmed() const noexcept { return reference_confirmed_; }
 
  private:
   // The slot began at `start_ns`; its segment ends with it.
@@ -63,6 +77,7 @@ class PointPlayer {
   [[nodiscard]] double coasting_rate_per_s() const noexcept;
   [[nodiscard]] std::int32_t within_limits(std::int32_t count) const noexcept;
 
+  BatchStart batch_start_;
   std::int32_t count_;
   double from_;  // where the interpolation of this segment began, in counts
   std::int32_t lowest_, highest_;
@@ -78,6 +93,7 @@ class PointPlayer {
   std::uint16_t batch_cycle_ = 0;  // in which the executing batch runs
   bool running_ = false;           // a batch is being played
   bool frozen_ = false;
+  bool reference_confirmed_ = false;
   bool has_pending_ = false;
   bool pending_toggle_ = false;
   bool executing_toggle_ = false;

@@ -22,6 +22,11 @@ class Servo {
   // for 1 ms): enough against quantisation, little enough for the damping.
   double step(double reference_rad, double reference_rate_rad_per_s, double measured_rad,
               double period_s) noexcept;
+  // The position that comes next has nothing to do with the last one: it is no movement.
+  void forget_motion() noexcept {
+    started_ = false;
+    velocity_rad_per_s_ = 0.0;
+  }
   [[nodiscard]] double velocity_rad_per_s() const noexcept { return velocity_rad_per_s_; }
   [[nodiscard]] bool saturated() const noexcept { return saturated_; }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gaitway/can/messages.hpp"
@@ -14,7 +15,8 @@ namespace gaitway::msgcontroller {
 
 class FeedbackCollector {
  public:
-  explicit FeedbackCollector(const urdf::RobotModel& robot);
+  // `nodes`: of all joints; 0 for joints that are not on the bus and hold still.
+  FeedbackCollector(const urdf::RobotModel& robot, std::span<const can::NodeId> nodes);
 
   // A new time slot begins: from now on its feedback is awaited.
   void begin_slot(std::uint32_t slot_since_start) noexcept;
@@ -35,7 +37,8 @@ class FeedbackCollector {
   int joint_count_;
   std::vector<std::array<urdf::SensorChannel, 2>> channels_;
   std::uint32_t slot_ = 0;
-  std::uint64_t awaited_ = 0;
+  std::uint64_t on_bus_ = 0;                           // bit i: joint i sends feedback
+  std::uint64_t awaited_ = 0;                          // of these, in this slot
   std::array<std::uint32_t, kMaxJoints> last_slot_{};  // in which the joint was heard last
   JointStates joint_states_{};
   FootForces foot_forces_{};

@@ -17,6 +17,7 @@
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/msgcontroller/count_plan.hpp"
 #include "gaitway/msgcontroller/feedback_collector.hpp"
+#include "gaitway/msgcontroller/network_watch.hpp"
 #include "gaitway/msgcontroller/playback.hpp"
 #include "gaitway/msgcontroller/transmit_queue.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -35,7 +36,10 @@ class MessageController {
   // Takes what the main controller has put into the mailboxes; step() does so, too. To be called when a
   // doorbell rings between two milliseconds.
   void take_mails(std::int64_t now_ns) noexcept;
-  // A frame arrived from the bus.
+  // The state of this controller's own station, when it may have changed. While it is off the bus, nothing
+  // waits: what would go out afterwards would be stale. Back on it, the prepared batch is sent once more.
+  void on_bus_state(can::BusState state, can::ErrorCounters errors, std::int64_t now_ns) noexcept;
+  // A frame of another station arrived from the bus.
   void on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept;
   // The most urgent frame to send; false when there is none.
   bool take_frame(can::Frame& frame) noexcept { return queue_.pop(frame); }
@@ -45,6 +49,8 @@ class MessageController {
   void put_back(const can::Frame& frame) noexcept { queue_.push_front(frame); }
 
   [[nodiscard]] const NetworkState& state() const noexcept { return state_; }
+  [[nodiscard]] const NetworkHealth& health() const noexcept { return watch_.health(); }
+  [[nodiscard]] const can::Profile& profile() const noexcept { return profile_; }
   [[nodiscard]] Mode mode() const noexcept { return static_cast<Mode>(state_.mode); }
   [[nodiscard]] const TransmitQueue& queue() const noexcept { return queue_; }
   // Reference of a joint at the end of the running slot, in counts.
@@ -55,12 +61,24 @@ class MessageController {
  private:
   void enter_slot(std::int64_t now_ns) noexcept;
   void begin_cycle() noexcept;
+  void send(const can::Frame& frame, std::int64_t expires_ns = kNeverExpires_ns) noexcept;
+  void send_sync(std::int64_t now_ns) noexcept;
   void send_prepared() noexcept;
-  void send_trajectory(int joint) noexcept;
+  void send_running() noexcept;
+  void send_trajectory(int joint, bool running) noexcept;
+  void send_stop() noexcept;
   void resynchronise(int joint) noexcept;
-  void supervise(int joint, const can::Feedback& feedback) noexcept;
+  void restart_points(int joint) noexcept;
+  void take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept;
+  void on_forged(const NetworkWatch::Arrival& arrival) noexcept;
+  void stop_safely() noexcept;
+  void supervise(int joint, const NetworkWatch::Arrival& arrival) noexcept;
+  void supervise_stop(const can::Feedback& feedback) noexcept;
+  [[nodiscard]] bool plays_as_expected(int joint, const can::Feedback& feedback) const noexcept;
   void take_hand_over(std::int64_t now_ns) noexcept;
   void judge(const msgclient::HandOver& hand_over, std::int64_t now_ns, msgclient::Answer& answer) noexcept;
+  [[nodiscard]] CountPlanProblem motion_without_node(const CountPlan& plan,
+                                                     std::span<const std::int32_t> start) const noexcept;
   void play(const CountPlan& plan) noexcept;
   void answer(const msgclient::Answer& answer) noexcept;
   void take_user_command(std::int64_t now_ns) noexcept;
@@ -73,8 +91,8 @@ class MessageController {
   can::Profile profile_;
   int joint_count_;
   std::vector<double> count_rad_, lower_rad_, upper_rad_;
-  std::vector<can::NodeId> node_;
-  std::array<int, 65> joint_of_node_{};  // -1: no such node
+  std::vector<can::NodeId> node_;  // of each joint; 0: not on the bus, holds still
+  std::vector<bool> in_a_leg_;     // of each joint
   urdf::TrimSettings trim_settings_;
 
   msgclient::EmiMessage& adapter_;
@@ -82,8 +100,10 @@ class MessageController {
   msgclient::Writer<FootForces> foot_forces_writer_;
   msgclient::Writer<Imu> imu_writer_;
   msgclient::Writer<NetworkState> state_writer_;
+  msgclient::Writer<NetworkHealth> health_writer_;
 
   TransmitQueue queue_;
+  NetworkWatch watch_;
   Playback playback_;
   FeedbackCollector feedback_;
   NetworkState state_{};
@@ -91,6 +111,9 @@ class MessageController {
   std::unique_ptr<CountPlan> incoming_;
   msgclient::TrimGains gains_{};
   bool stop_requested_ = false;
+  bool stop_is_soft_ = false;  // the emergency stop that holds
+  std::int64_t slot_start_ns_ = 0;
+  std::uint32_t stop_sent_in_slot_ = 0;     // slot since start in which the emergency stop was last sent
   bool prepared_before_last_slot_ = false;  // the last slot's feedback can tell whether its frames arrived
   bool feedback_published_ = true;
   bool trim_sent_this_slot_ = false;
@@ -100,6 +123,8 @@ class MessageController {
   std::uint64_t unanswered_ = 0;
   std::array<std::uint32_t, kMaxJoints>
       resync_until_{};  // until this slot a joint's count may differ: a repair is on its way
+  // The last slot of the running cycle whose point the joint has after a repair.
+  std::array<int, kMaxJoints> covered_until_{};
 };
 
 }  // namespace gaitway::msgcontroller

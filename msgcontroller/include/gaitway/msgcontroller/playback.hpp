@@ -46,6 +46,8 @@ class Playback {
   [[nodiscard]] std::span<const std::int32_t> next_start() const noexcept;
   // Change of a joint in a slot of a segment that starts where the running one (or the hold) ends.
   [[nodiscard]] std::int32_t prepared_delta(int joint, int slot) const noexcept;
+  // The same of the running segment.
+  [[nodiscard]] std::int32_t running_delta(int joint, int slot) const noexcept;
   // Which feet are meant to carry the robot now: 0 left, 1 right, 2 both.
   [[nodiscard]] std::uint8_t support() const noexcept;
 

@@ -132,6 +132,22 @@ struct TrimSettings {
   double limit_rad = 0.0;
 };
 
+// A message of the bus for which the network file wants something else than its profile.
+struct MessageSetting {
+  std::string message;  // e.g. "trajectory"
+  int line = 0;         // of the network file
+  std::optional<int> id;
+  std::optional<double> period_s;
+  std::optional<double> deadline_s;
+};
+
+// What goes over the bus. What it means is the message network's affair (msgcontroller/network_profile.hpp).
+struct NetworkSettings {
+  std::string profile = "full";
+  int line = 0;  // of the network file; 0: it says nothing
+  std::vector<MessageSetting> messages;
+};
+
 struct RobotModel {
   std::string name;
   std::filesystem::path directory;
@@ -144,6 +160,7 @@ struct RobotModel {
   SensorNoise noise;
   Contact contact;
   TrimSettings trim;
+  NetworkSettings network;
   double physics_step_s = 0.001;
   double hip_height_m = 0.0;  // of the hip axes above the ground in the standing posture
   // Same joints and links; segments bear the links' names. KDL's root segment has no inertia: the base's mass

@@ -1,0 +1,136 @@
+// Finds the profile, applies the network file's wishes and checks what comes out.
+#include "gaitway/msgcontroller/network_profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "gaitway/urdf/nearest_name.hpp"
+
+namespace gaitway::msgcontroller {
+namespace {
+
+using can::IdRule;
+using can::MessageKind;
+using can::Profile;
+
+[[noreturn]] void refuse(const urdf::RobotModel& robot, int line, const std::string& field,
+                         const std::string& rule, const std::string& remedy) {
+  const std::string place = line > 0 ? fmt::format(":{}", line) : std::string();
+  throw urdf::RobotError(
+      fmt::format("{}{}: {}: {}. {}", (robot.directory / "robot.yaml").string(), place, field, rule, remedy));
+}
+
+// "fault report" is `fault_report` in the file.
+std::string key_of(MessageKind kind) {
+  std::string key(can::layout(kind).name);
+  std::transform(key.begin(), key.end(), key.begin(), [](char c) {
+    return c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return key;
+}
+
+MessageKind kind_of(const urdf::RobotModel& robot, const Profile& profile,
+                    const urdf::MessageSetting& setting) {
+  std::vector<std::string> known;
+  for (const can::MessageLayout& message : can::kMessageLayouts) {
+    if (!profile.has(message.kind)) {
+      continue;
+    }
+    if (key_of(message.kind) == setting.message) {
+      return message.kind;
+    }
+    known.push_back(key_of(message.kind));
+  }
+  refuse(robot, setting.line, "network.messages." + setting.message,
+         fmt::format("the profile '{}' has no such message", profile.name),
+         urdf::suggest(setting.message, known));
+}
+
+void apply(const urdf::RobotModel& robot, const urdf::MessageSetting& setting, Profile& profile) {
+  can::ProfileRow& row = profile.rows[static_cast<std::size_t>(kind_of(robot, profile, setting))];
+  if (setting.id) {
+    row.base_id = static_cast<std::uint16_t>(*setting.id);
+  }
+  if (setting.period_s) {
+    row.period_ns = std::llround(*setting.period_s * 1e9);
+  }
+  if (setting.deadline_s) {
+    row.deadline_ns = std::llround(*setting.deadline_s * 1e9);
+  }
+}
+
+// The slots' own messages keep their pace: joints and message controller count on it.
+void check_periods(const urdf::RobotModel& robot, const urdf::MessageSetting& setting,
+                   const Profile& profile) {
+  const MessageKind kind = kind_of(robot, profile, setting);
+  if (setting.period_s && !profile.row(kind).on_event) {
+    refuse(robot, setting.line, fmt::format("network.messages.{}.period_ms", setting.message),
+           "this message comes with the time slots",
+           "Leave period_ms out; only messages on events have one.");
+  }
+}
+
+void check_identifiers(const urdf::RobotModel& robot, const Profile& profile) {
+  std::map<std::uint32_t, std::string> owner;
+  const auto claim = [&](std::uint32_t id, MessageKind kind) {
+    const std::string name = key_of(kind);
+    const auto [place, is_new] = owner.emplace(id, name);
+    if (id > can::kLargestId) {
+      refuse(robot, robot.network.line, "network.messages." + name + ".id",
+             fmt::format("its largest identifier would be 0x{:X}; there are 11 bits", id),
+             "Choose a smaller id.");
+    }
+    if (!is_new) {
+      refuse(robot, robot.network.line, "network.messages." + name + ".id",
+             fmt::format("identifier 0x{:03X} would belong to {} as well", id, place->second),
+             "Give each message a range of its own.");
+    }
+  };
+  for (const can::MessageLayout& message : can::kMessageLayouts) {
+    const IdRule rule = profile.row(message.kind).rule;
+    if (rule == IdRule::unused) {
+      continue;
+    }
+    const unsigned last = rule == IdRule::one ? 0U : unsigned{profile.largest_node};
+    for (unsigned node = last == 0 ? 0U : 1U; node <= last; ++node) {
+      claim(profile.id_of(message.kind, static_cast<can::NodeId>(node)), message.kind);
+      if (rule == IdRule::per_node_and_toggle) {
+        claim(profile.id_of(message.kind, static_cast<can::NodeId>(node), true), message.kind);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Profile network_profile(const urdf::RobotModel& robot) {
+  const std::string& name = robot.network.profile;
+  const bool full = name == can::kFullProfile.name;
+  if (!full && name != can::kPaperProfile.name) {
+    refuse(robot, robot.network.line, "network.profile", fmt::format("there is no profile '{}'", name),
+           urdf::suggest(name, std::vector<std::string>{"full", "paper"}));
+  }
+  Profile profile = full ? can::kFullProfile : can::kPaperProfile;
+  for (const urdf::MessageSetting& setting : robot.network.messages) {
+    check_periods(robot, setting, profile);
+    apply(robot, setting, profile);
+  }
+  check_identifiers(robot, profile);
+  return profile;
+}
+
+std::vector<can::NodeId> nodes_on_bus(const Profile& profile, const urdf::RobotModel& robot) {
+  std::vector<can::NodeId> nodes;
+  for (const urdf::Joint& joint : robot.joints) {
+    if (is_on_bus(profile, joint)) {
+      nodes.push_back(joint.node);
+    }
+  }
+  return nodes;
+}
+
+}  // namespace gaitway::msgcontroller
