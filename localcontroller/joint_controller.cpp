@@ -62,6 +62,9 @@ can::JointState JointController::state() const noexcept {
 
 void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {
   const can::Profile& profile = config_.profile;
+  if (!on_bus()) {
+    return;
+  }
   // Most frames on the bus are other joints' feedback: the identifier alone tells.
   const auto is = [&](can::MessageKind kind, can::NodeId node = 0, bool toggle = false) {
     return profile.has(kind) && frame.id == profile.id_of(kind, node, toggle);
@@ -190,6 +193,9 @@ void JointController::set_fault(can::Fault fault, bool present) noexcept {
 }
 
 bool JointController::take_frame(can::Frame& frame) noexcept {
+  if (!on_bus()) {
+    return false;
+  }
   if (feedback_pending_) {
     feedback_pending_ = false;
     can::Feedback feedback;

@@ -262,7 +262,7 @@ void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std:
     supervise_stop(arrival.feedback);
   } else {
     supervise(joint, arrival);
-    if (watch_.has_second_sender(joint)) {
+    if (profile_.has(can::MessageKind::sync) && watch_.has_second_sender(joint)) {
       stop_safely();
     }
   }
@@ -316,7 +316,8 @@ void MessageController::supervise(int joint, const NetworkWatch::Arrival& arriva
   const auto j = static_cast<std::size_t>(joint);
   // The prepared batch must have arrived by the feedback of the last slot; if not, it is sent once more.
   // A segment of the safe tail is sent within the last slot, after the joints have answered its SYNC.
-  if (playback_.slot() == kLastSlot && prepared_before_last_slot_ && playback_.prepared() &&
+  const bool synchronised = profile_.has(can::MessageKind::sync);
+  if (synchronised && playback_.slot() == kLastSlot && prepared_before_last_slot_ && playback_.prepared() &&
       feedback.pending_toggle != playback_.prepared_segment().toggle) {
     watch_.count(Incident::trajectory_lost, feedback.node);
     ++state_.repaired;
@@ -324,6 +325,9 @@ void MessageController::supervise(int joint, const NetworkWatch::Arrival& arriva
   }
   if (resync_until_[j] > slots_since_start_) {
     return;  // a repair is on its way, or a manual movement is under way
+  }
+  if (!synchronised && playback_.slot() == 0) {
+    return;  // it may have answered before its batch, which starts as it arrives, was there
   }
   if (!plays_as_expected(joint, feedback) || arrival.returned) {
     const bool never_came = playback_.slot() <= 1 && playback_.running_segment().active &&

@@ -206,6 +206,8 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  run->add_option("--profile", options.profile,
+                  "Messages of the bus: full or paper. Without it, what the robot's network file says");
   run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       ->capture_default_str();
   run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
@@ -223,7 +225,10 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
 
 int run(const RunOptions& options) {
   check(options);
-  const urdf::RobotModel robot = urdf::load_robot(options.robot);
+  urdf::RobotModel robot = urdf::load_robot(options.robot);
+  if (!options.profile.empty()) {
+    robot.network.profile = options.profile;
+  }
   simulator::Scenario scenario = scenario_of(options, robot);
   const core::PluginExchange plugins = plugins_of(options);
   const std::string commander = plugins.writer_of("walk_command");

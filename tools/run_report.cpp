@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gaitway/can/profile.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/tools/run_summary.hpp"
 #include "gaitway/tools/support_polygon.hpp"
@@ -198,12 +199,13 @@ std::string bus_timeline(const ReportInput& input) {
       .height_px = 330.0,
       .left_px = 130.0};
   SvgPlot plot(frame);
+  const can::Profile profile = msgcontroller::network_profile(input.robot);
   for (const can::MessageLayout& message : can::kMessageLayouts) {
     const auto row = static_cast<double>(message.kind);
     plot.y_tick(8.5 - row, message.name);
   }
   for (const auto& delivery : cycle) {
-    const auto identified = can::kFullProfile.identify(delivery.frame.id);
+    const auto identified = profile.identify(delivery.frame.id);
     if (!identified) {
       continue;
     }

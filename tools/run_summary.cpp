@@ -54,7 +54,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
   const RunMetrics& metrics = recorder.metrics();
   const double virtual_s = static_cast<double>(run.now_ns()) * 1e-9;
   nlohmann::ordered_json result = {{"robot", run.robot().name},
-                                   {"profile", "full"},
+                                   {"profile", run.message_controller().profile().name},
                                    {"seed", seed},
                                    {"mismatch", mismatch},
                                    {"virtual_seconds", virtual_s},

@@ -201,12 +201,12 @@ TEST_F(JointControllerTest, ReportsALostSyncAfterTwoSlotsAndItsReturn) {
 }
 
 TEST_F(JointControllerTest, ReportsTorqueThatIsNotEnoughForAWhileOnly) {
-  sensors.encoder_count = -20'000;  // held far from its place
+  sensors.encoder_count = -600;  // 0.058 rad: more than the torque can hold
   run(20);
   sensors.encoder_count = 0;
   run(kReportPeriod_ms);
   EXPECT_TRUE(fault_reports().empty()) << "too short to matter";
-  sensors.encoder_count = -20'000;
+  sensors.encoder_count = -600;
   run(kReportPeriod_ms);
   EXPECT_EQ(fault_reports().back(), kRestarted | static_cast<int>(can::Fault::torque_saturated));
 }

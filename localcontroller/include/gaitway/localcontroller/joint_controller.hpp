@@ -66,6 +66,8 @@ class JointController {
 
  private:
   void on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
+  // A joint beyond the profile's nodes holds still and is not heard.
+  [[nodiscard]] bool on_bus() const noexcept { return config_.node <= config_.profile.largest_node; }
   void on_trajectory(const can::Trajectory& batch, std::int64_t now_ns) noexcept;
   void on_user_command(const can::UserCommand& command, std::int64_t now_ns) noexcept;
   void on_stop(can::StopMode mode, std::int64_t now_ns) noexcept;
