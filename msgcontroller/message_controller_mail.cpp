@@ -1,0 +1,186 @@
+// The message controller's side of the mailboxes: hand-overs, trims and user commands, each answered.
+#include "gaitway/msgcontroller/message_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gaitway/msgclient/cycle.hpp"
+
+namespace gaitway::msgcontroller {
+namespace {
+
+using msgclient::kSlotsPerCycle;
+
+}  // namespace
+
+void MessageController::take_mails(std::int64_t now_ns) noexcept {
+  take_user_command(now_ns);
+  take_hand_over(now_ns);
+  msgclient::TrimUpdate update;
+  if (adapter_.take_trim(update, now_ns) == msgclient::TakeStatus::mail && mode() != Mode::emergency_stop) {
+    std::array<double, kTrimChannels> angle{};
+    std::copy(update.angle.begin(), update.angle.end(), angle.begin());
+    send_trim(angle);
+    last_host_trim_slot_ = slots_since_start_;
+  }
+}
+
+void MessageController::take_hand_over(std::int64_t now_ns) noexcept {
+  const msgclient::TakeStatus taken = adapter_.take_hand_over(*hand_over_, now_ns);
+  if (taken == msgclient::TakeStatus::none) {
+    return;
+  }
+  ++state_.handed_over;
+  if (taken == msgclient::TakeStatus::corrupt) {
+    ++state_.refused;  // the adapter has answered
+    return;
+  }
+  msgclient::Answer answer{.mail = msgclient::MailKind::hand_over, .sequence = hand_over_->sequence};
+  judge(*hand_over_, now_ns, answer);
+  if (answer.verdict == msgclient::Verdict::accepted) {
+    play(*incoming_);
+  }
+  state_.late += answer.verdict == msgclient::Verdict::late ? 1U : 0U;
+  state_.refused += answer.verdict == msgclient::Verdict::refused ? 1U : 0U;
+  this->answer(answer);
+}
+
+void MessageController::judge(const msgclient::HandOver& hand_over, std::int64_t now_ns,
+                              msgclient::Answer& answer) noexcept {
+  using msgclient::Reason;
+  using msgclient::Verdict;
+  const auto refuse = [&answer](Reason reason) {
+    answer.verdict = reason == Reason::too_late ? Verdict::late : Verdict::refused;
+    answer.reason = reason;
+  };
+  const std::uint32_t next_cycle = state_.cycle + 1;
+  const std::int64_t deadline_ns = std::int64_t{next_cycle} * msgclient::kCycle_ns - hand_over_lead_ns_;
+  if (mode() == Mode::emergency_stop) {
+    return refuse(Reason::emergency_stopped);
+  }
+  if (stop_requested_) {
+    return refuse(Reason::stopping);
+  }
+  // A batch begins where its joints stand, so a joint that moves by hand must have arrived by then.
+  const std::uint32_t slots_to_start = static_cast<std::uint32_t>(kSlotsPerCycle - playback_.slot());
+  if (moving_by_hand_until_ > slots_since_start_ + slots_to_start) {
+    return refuse(Reason::moving_by_hand);
+  }
+  if (hand_over.sequence < next_cycle || now_ns > deadline_ns) {
+    return refuse(Reason::too_late);
+  }
+  if (hand_over.sequence > next_cycle) {
+    return refuse(Reason::early_sequence);
+  }
+  if (playback_.prepared()) {
+    return refuse(Reason::old_sequence);
+  }
+  CountPlanProblem problem = to_counts(hand_over, count_rad_, playback_.next_start(), *incoming_);
+  if (problem.reason == Reason::none) {
+    problem = motion_without_node(*incoming_, playback_.next_start());
+  }
+  if (problem.reason != Reason::none) {
+    refuse(problem.reason);
+    answer.joint = problem.joint;
+    answer.point = problem.point;
+    answer.value = static_cast<float>(problem.counts);
+  }
+}
+
+// A joint that is not on the bus cannot move.
+CountPlanProblem MessageController::motion_without_node(const CountPlan& plan,
+                                                        std::span<const std::int32_t> start) const noexcept {
+  for (int point = 0; point < plan.point_count; ++point) {
+    for (std::size_t j = 0; j < node_.size(); ++j) {
+      const std::int32_t moved = plan.count[static_cast<std::size_t>(point)][j] - start[j];
+      if (node_[j] == 0 && moved != 0) {
+        return {msgclient::Reason::node_fault, static_cast<std::int32_t>(j), point,
+                static_cast<double>(moved)};
+      }
+    }
+  }
+  return {};
+}
+
+void MessageController::play(const CountPlan& plan) noexcept {
+  playback_.accept(plan);
+  state_.accepted_sequence = plan.sequence;
+  gains_ = hand_over_->trim;
+  set_mode(Mode::batches);
+  if (profile_.has(can::MessageKind::sync)) {
+    send_prepared();
+  }
+}
+
+void MessageController::answer(const msgclient::Answer& answer) noexcept {
+  if (!adapter_.answer(answer)) {
+    ++unanswered_;  // the main controller reads no answers: it has others to worry about than this one
+  }
+}
+
+void MessageController::take_user_command(std::int64_t now_ns) noexcept {
+  msgclient::UserCommandMail mail;
+  if (adapter_.take_user_command(mail, now_ns) != msgclient::TakeStatus::mail) {
+    return;
+  }
+  using Kind = msgclient::UserCommandKind;
+  using msgclient::Reason;
+  Reason problem = Reason::none;
+  switch (mail.kind) {
+    case Kind::stop:
+      // What was prepared is already with the joints: it plays, and its tail follows.
+      stop_safely();
+      break;
+    case Kind::emergency_stop_hold:
+    case Kind::emergency_stop_soft:
+      stop_is_soft_ = stop_is_soft_ || mail.kind == Kind::emergency_stop_soft;
+      send_stop();
+      set_mode(Mode::emergency_stop);
+      break;
+    case Kind::manual_joint:
+      problem = move_joint(mail);
+      break;
+    default:
+      problem = Reason::unknown_command;
+  }
+  answer({.mail = msgclient::MailKind::user_command,
+          .sequence = mail.sequence,
+          .verdict = problem == Reason::none ? msgclient::Verdict::accepted : msgclient::Verdict::refused,
+          .reason = problem});
+}
+
+msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail& mail) noexcept {
+  using msgclient::Reason;
+  if (mail.joint >= static_cast<std::uint32_t>(joint_count_)) {
+    return Reason::unknown_joint;
+  }
+  if (node_[mail.joint] == 0) {
+    return Reason::node_fault;
+  }
+  const auto j = static_cast<std::size_t>(mail.joint);
+  const double position = static_cast<double>(mail.position);
+  if (mode() != Mode::holding || playback_.prepared()) {
+    return Reason::not_standing;
+  }
+  if (!(position >= lower_rad_[j] && position <= upper_rad_[j])) {
+    return Reason::beyond_limits;
+  }
+  constexpr std::uint32_t kLongestMove_slots = 255;
+  const std::uint32_t duration = std::clamp<std::uint32_t>(mail.duration_slots, 1, kLongestMove_slots);
+  const std::int32_t count = static_cast<std::int32_t>(std::lround(position / count_rad_[j]));
+  const std::int32_t from = playback_.next_start()[j];
+  constexpr std::int32_t kLargestDelta = 127;
+  if (std::abs(count - from) > kLargestDelta * static_cast<std::int32_t>(duration)) {
+    return Reason::too_fast;
+  }
+  send(can::encode(profile_, can::UserCommand{.node = node_[j],
+                                              .target_count = static_cast<std::int16_t>(count),
+                                              .duration_slots = static_cast<std::uint8_t>(duration)}));
+  playback_.hold(static_cast<int>(mail.joint), count);
+  // While it moves there, its reference is its own affair.
+  resync_until_[j] = slots_since_start_ + duration + 2U;
+  moving_by_hand_until_ = std::max(moving_by_hand_until_, resync_until_[j]);
+  return Reason::none;
+}
+
+}  // namespace gaitway::msgcontroller
