@@ -16,11 +16,12 @@ inline constexpr int kInterframeBits = 3;
 // Bits from start of frame to the last bit of end-of-frame, stuff bits included, interframe space not.
 [[nodiscard]] int frame_bits(const Frame& frame) noexcept;
 
-// Longest possible frame of `size` data bytes with an 11-bit identifier, interframe space included
-// (Davis, Burns, Bril, Lukkien 2007): g + 8s + 13 + floor((g + 8s - 1) / 4), g = 34. 135 bits for 8 bytes.
-[[nodiscard]] constexpr int worst_case_bits(int size) noexcept {
-  constexpr int kStuffable = 34;
-  return kStuffable + 8 * size + 13 + (kStuffable + 8 * size - 1) / 4;
+// Longest possible frame of `size` data bytes, interframe space included (Davis, Burns, Bril, Lukkien 2007):
+// g + 8s + 13 + floor((g + 8s - 1) / 4) with g = 34 for an 11-bit identifier and 54 for a 29-bit one. 135 and
+// 160 bits for 8 bytes.
+[[nodiscard]] constexpr int worst_case_bits(int size, bool extended = false) noexcept {
+  const int stuffable = (extended ? 54 : 34) + 8 * size;
+  return stuffable + 13 + (stuffable - 1) / 4;
 }
 
 }  // namespace gaitway::can
