@@ -29,6 +29,7 @@ void BusTimeline::advance_to(std::int64_t now_ns) {
       waits_ = true;
       break;
     }
+    controller_.on_bus_state(port_.state(), port_.error_counters(), next_ns_);
     controller_.step(next_ns_);
     if (now_ns - next_ns_ > can::kLongestWait_ns) {
       drop_frames();

@@ -7,6 +7,7 @@
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgclient/trim_law.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
@@ -49,6 +50,7 @@ std::vector<std::int32_t> home_counts(const urdf::RobotModel& robot) {
 MessageController::MessageController(const urdf::RobotModel& robot, msgclient::Client& client,
                                      msgclient::EmiMessage& adapter)
     : profile_(network_profile(robot)),
+      hand_over_lead_ns_(hand_over_lead_ns(robot)),
       joint_count_(static_cast<int>(robot.joints.size())),
       node_(joint_nodes(robot, profile_)),
       in_a_leg_(robot.joints.size(), false),

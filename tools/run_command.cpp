@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "gaitway/core/plugin_exchange.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/camera.hpp"
@@ -208,6 +209,8 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->capture_default_str();
   run->add_option("--profile", options.profile,
                   "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  run->add_flag("--accept-unproven", options.accept_unproven,
+                "Run even if some message of the bus may miss its deadline");
   run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       ->capture_default_str();
   run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
@@ -228,6 +231,12 @@ int run(const RunOptions& options) {
   urdf::RobotModel robot = urdf::load_robot(options.robot);
   if (!options.profile.empty()) {
     robot.network.profile = options.profile;
+  }
+  if (const std::string complaint = msgcontroller::complaint_about_network(robot); !complaint.empty()) {
+    if (!options.accept_unproven) {
+      throw urdf::RobotError(complaint);
+    }
+    fmt::print(stderr, "gaitway: warning: {}\n", complaint);
   }
   simulator::Scenario scenario = scenario_of(options, robot);
   const core::PluginExchange plugins = plugins_of(options);

@@ -11,7 +11,6 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/can/messages.hpp"
 #include "gaitway/can/profile.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/hand_over.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
@@ -90,9 +89,9 @@ class MessageController {
   void set_mode(Mode mode) noexcept { state_.mode = static_cast<std::uint32_t>(mode); }
 
   can::Profile profile_;
-  int joint_count_;
   // Latest hand-over, before its cycle begins: the trajectory frames must have arrived by then.
-  std::int64_t hand_over_lead_ns_ = 8 * msgclient::kMillisecond_ns;
+  std::int64_t hand_over_lead_ns_;
+  int joint_count_;
   std::vector<double> count_rad_, lower_rad_, upper_rad_;
   std::vector<can::NodeId> node_;  // of each joint; 0: not on the bus, holds still
   std::vector<bool> in_a_leg_;     // of each joint

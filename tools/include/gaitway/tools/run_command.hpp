@@ -18,6 +18,7 @@ namespace gaitway::tools {
 struct RunOptions {
   std::filesystem::path robot;              // folder with robot.urdf and robot.yaml
   std::string profile;                      // of the bus; empty: what the robot's network file says
+  bool accept_unproven = false;             // run even if the bus cannot be proven
   std::filesystem::path config;             // plug-ins of the main controller
   std::vector<std::filesystem::path> with;  // libraries put into it; see core/plugin_exchange.hpp
   std::optional<std::filesystem::path> scenario;

@@ -1,0 +1,30 @@
+// Whether a robot's bus keeps every deadline, from the same table that the message controller's schedule runs
+// on, and what follows from it: how late a batch may be handed over.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "gaitway/can/network_messages.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::msgcontroller {
+
+// What a robot's bus has to stand: every message up to a millisecond late at its sender, everything that comes
+// on events at once on all nodes, and the bus jammed for two milliseconds.
+inline constexpr std::int64_t kReleaseJitter_ns = 1'000'000;
+inline constexpr std::int64_t kJam_ns = 2'000'000;
+
+// Throws urdf::RobotError for a network file that makes no profile.
+[[nodiscard]] can::Proof prove_network(const urdf::RobotModel& robot);
+
+// Empty when the bus is proven; otherwise a sentence that names the first message that misses its deadline and
+// by how much, and what to do.
+[[nodiscard]] std::string complaint_about_network(const urdf::RobotModel& robot);
+
+// A batch is handed over at the latest so long before it starts: its last trajectory frame has arrived by
+// then, whatever else is on the bus, as long as that is free of errors. Whole milliseconds. (After errors it
+// may be later; then the joints that have no batch yet are resynchronised within the next time slots.)
+[[nodiscard]] std::int64_t hand_over_lead_ns(const urdf::RobotModel& robot);
+
+}  // namespace gaitway::msgcontroller
