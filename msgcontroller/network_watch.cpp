@@ -101,7 +101,8 @@ NetworkWatch::Arrival NetworkWatch::take(const can::Frame& frame) noexcept {
     arrival.faults = report->faults;
     std::uint8_t& known = health_.faults[static_cast<std::size_t>(joint)];
     constexpr auto kRestarted = static_cast<std::uint8_t>(can::Fault::restarted);
-    if ((report->faults & kRestarted) != 0 && (known & kRestarted) == 0) {
+    const bool has_played = nodes_[static_cast<std::size_t>(joint)].has_played;
+    if (has_played && (report->faults & kRestarted) != 0 && (known & kRestarted) == 0) {
       count(Incident::node_restarted, identified->node);
     }
     known = report->faults;
@@ -127,6 +128,7 @@ NetworkWatch::Arrival NetworkWatch::take_feedback(const can::Frame& frame, int j
   }
   node.last_slot = slot_;
   node.last_frame = frame;
+  node.has_played = node.has_played || feedback->state == can::JointState::running;
   arrival.heard = Heard::feedback;
   arrival.feedback = *feedback;
   return arrival;

@@ -77,6 +77,7 @@ class NetworkWatch {
     can::Frame last_frame;
     std::uint32_t differed_in_slot = 0;
     int differing_slots = 0;  // in a row
+    bool has_played = false;  // a batch: from then on, a start is a restart
   };
   [[nodiscard]] std::optional<Incident> malformed(const can::Frame& frame,
                                                   const std::optional<can::Identified>& identified) const;
