@@ -20,7 +20,8 @@ using protocol::Kind;
 using protocol::Record;
 
 constexpr int kBacklog = 8;
-constexpr int kPacketsAStep = 256;  // of one client: bounds the time that one step takes
+constexpr std::size_t kMostClients = 64;  // half of the bus's stations; the others are for local ones
+constexpr int kPacketsAStep = 256;        // of one client: bounds the time that one step takes
 // What may wait for a client beside its full socket: a second of a full bus. One that does not read for
 // longer goes.
 constexpr std::size_t kLongestBacklog = 8192;
@@ -48,7 +49,11 @@ class TransmitBuffers {
   }
   [[nodiscard]] std::uint32_t next_id() const noexcept {
     const Buffer* const buffer = most_urgent();
-    return buffer == nullptr ? std::uint32_t{0xFFFF} : buffer->frame.id;
+    return buffer == nullptr ? kLargestExtendedId + 1 : buffer->frame.id;
+  }
+  [[nodiscard]] std::uint32_t next_key() const noexcept {
+    const Buffer* const buffer = most_urgent();
+    return buffer == nullptr ? kNoFrameKey : arbitration_key(buffer->frame);
   }
   bool take_frame(Frame& frame) noexcept {
     const Buffer* const buffer = most_urgent();
@@ -80,8 +85,8 @@ class TransmitBuffers {
     const Buffer* best = nullptr;
     for (const Buffer& buffer : buffers_) {
       const bool ready = buffer.used && buffer.release_ns <= now_ns_;
-      if (ready && (best == nullptr ||
-                    std::pair(buffer.frame.id, buffer.order) < std::pair(best->frame.id, best->order))) {
+      if (ready && (best == nullptr || std::pair(arbitration_key(buffer.frame), buffer.order) <
+                                           std::pair(arbitration_key(best->frame), best->order))) {
         best = &buffer;
       }
     }
@@ -162,36 +167,42 @@ BusServer::BusServer(std::filesystem::path socket, std::int64_t start_ns)
 
 BusServer::~BusServer() = default;
 
-int BusServer::free_station() {
-  const auto free = std::find_if(free_stations_.begin(), free_stations_.end(),
-                                 [this](int station) { return !bus_.transmit_pending(station); });
-  if (free == free_stations_.end()) {
-    return bus_.attach();
-  }
-  const int station = *free;
-  free_stations_.erase(free);
-  return station;
+// A frame that is on the wire when its client goes is still sent.
+void BusServer::detach_leaving() {
+  std::erase_if(leaving_stations_, [this](int station) {
+    bus_.abort(station);
+    const bool done = !bus_.transmit_pending(station);
+    if (done) {
+      bus_.detach(station);
+    }
+    return done;
+  });
 }
 
 void BusServer::step() {
+  detach_leaving();
   while (true) {
     process::FileDescriptor connection = listener_.accept();
     if (!connection) {
       break;  // nobody waits, or the system has no descriptor left, and then they wait on
     }
+    if (clients_.size() == kMostClients) {
+      ++statistics_.refused;
+      continue;
+    }
     listener_.watch(connection);
-    clients_.emplace_back(std::move(connection), free_station());
+    clients_.emplace_back(std::move(connection), bus_.attach());
     ++statistics_.clients;
   }
   for (auto client = clients_.begin(); client != clients_.end();) {
     const auto next = std::next(client);
     if (!serve(*client)) {
-      bus_.abort(client->transmitter.station());
-      free_stations_.push_back(client->transmitter.station());
+      leaving_stations_.push_back(client->transmitter.station());
       clients_.erase(client);
     }
     client = next;
   }
+  detach_leaving();
 }
 
 bool BusServer::serve(Client& client) {
@@ -246,11 +257,12 @@ void BusServer::offer() {
 
 void BusServer::hand_to_clients(const SimulatedBus::Delivery& delivery) {
   for (Client& client : clients_) {
-    const bool own = client.transmitter.station() == delivery.sender;
+    const int station = client.transmitter.station();
+    const bool own = delivery.sent_by(station);
     if (own) {
-      client.transmitter.on_sent();
+      client.transmitter.on_delivery(delivery);
       --client.waiting;
-    } else if (delivery.lost) {
+    } else if (!delivery.received_by(station)) {
       continue;
     }
     client.hand(protocol::record_of(own ? Kind::sent : Kind::delivery, delivery.frame, delivery.start_ns,

@@ -7,9 +7,9 @@ namespace gaitway::can {
 namespace {
 
 constexpr std::uint16_t kPolynomial = 0x4599;
-constexpr int kHeaderBits = 19;  // SOF, identifier, RTR, IDE, r0, DLC
+constexpr int kHeaderBits = 19;          // SOF, identifier, RTR, IDE, r0, DLC
+constexpr int kExtendedHeaderBits = 39;  // SOF, 11 bits, SRR, IDE, 18 bits, RTR, r1, r0, DLC
 constexpr int kCrcBits = 15;
-constexpr int kTrailerBits = 10;  // CRC delimiter, ACK slot, ACK delimiter, end of frame (7)
 
 constexpr std::array<std::uint16_t, 256> make_crc_table() {
   std::array<std::uint16_t, 256> table{};
@@ -66,52 +66,73 @@ constexpr auto make_stuff_table() {
 constexpr auto kCrcTable = make_crc_table();
 constexpr auto kStuffTable = make_stuff_table();
 
-std::uint32_t header(const Frame& frame) noexcept {
-  return (static_cast<std::uint32_t>(frame.id & 0x7FFU) << 7U) | frame.size;
+// From SOF (0) to the last bit of the data length code, in the low bits.
+std::uint64_t header(const Frame& frame) noexcept {
+  const std::uint64_t remote = frame.remote ? 1U : 0U;
+  if (!frame.extended) {
+    return (std::uint64_t{frame.id & kLargestId} << 7U) | (remote << 6U) | frame.size;
+  }
+  const std::uint64_t leading = (frame.id >> 18U) & kLargestId;
+  const std::uint64_t trailing = frame.id & 0x3'FFFFU;
+  return (leading << 27U) | (std::uint64_t{3} << 25U) | (trailing << 7U) | (remote << 6U) | frame.size;
 }
 
 }  // namespace
 
 std::uint16_t crc15(const Frame& frame) noexcept {
   unsigned crc = 0;
-  const auto take = [&crc](unsigned byte) {
+  const auto take = [&crc](std::uint64_t byte) {
     crc = ((crc << 8U) ^ kCrcTable[((crc >> 7U) ^ byte) & 0xFFU]) & 0x7FFFU;
   };
   // The header is padded with zeros in front, which leave a CRC that starts at zero as it is.
-  const std::uint32_t bits = header(frame);
-  take((bits >> 16U) & 0xFFU);
-  take((bits >> 8U) & 0xFFU);
-  take(bits & 0xFFU);
-  for (std::size_t i = 0; i < frame.size; ++i) {
-    take(frame.data[i]);
+  const std::uint64_t bits = header(frame);
+  if (frame.extended) {
+    take(bits >> 32U);
+    take(bits >> 24U);
+  }
+  take(bits >> 16U);
+  take(bits >> 8U);
+  take(bits);
+  for (const std::uint8_t byte : frame.payload()) {
+    take(byte);
   }
   return static_cast<std::uint16_t>(crc);
 }
 
 int frame_bits(const Frame& frame) noexcept {
-  // 19 header bits, data, 15 CRC bits: two bits first, then whole bytes.
-  const std::uint32_t bits = header(frame);
-  StuffState state{(bits >> 18U) & 1U, 1U};
-  take_bit(state, (bits >> 17U) & 1U);
-  unsigned index = state.index();
+  // 19 or 39 header bits, data, 15 CRC bits: two or six bits first, then whole bytes.
+  const std::uint64_t bits = header(frame);
+  const int header_bits = frame.extended ? kExtendedHeaderBits : kHeaderBits;
+  const int first_bits = frame.extended ? 6 : 2;
+  StuffState state{0, 1};  // after SOF
   int stuffed = 0;
-  const auto take = [&](unsigned byte) {
+  for (int bit = 1; bit < first_bits; ++bit) {
+    const unsigned place = static_cast<unsigned>(header_bits - 1 - bit);
+    stuffed += take_bit(state, static_cast<unsigned>(bits >> place) & 1U) ? 1 : 0;
+  }
+  unsigned index = state.index();
+  const auto take = [&](std::uint64_t byte) {
     const StuffStep step = kStuffTable[index][byte & 0xFFU];
     stuffed += step.stuffed;
     index = step.next;
   };
+  if (frame.extended) {
+    take(bits >> 25U);
+    take(bits >> 17U);
+  }
   // The header's last bit has no byte of its own, so each data byte is taken with the bit before it.
   take(bits >> 9U);
   take(bits >> 1U);
-  unsigned carry = bits & 1U;
-  for (std::size_t i = 0; i < frame.size; ++i) {
-    take((carry << 7U) | (frame.data[i] >> 1U));
-    carry = frame.data[i] & 1U;
+  unsigned carry = static_cast<unsigned>(bits & 1U);
+  const std::span<const std::uint8_t> payload = frame.payload();
+  for (const std::uint8_t byte : payload) {
+    take((carry << 7U) | (byte >> 1U));
+    carry = byte & 1U;
   }
   const unsigned tail = (carry << 15U) | crc15(frame);
   take(tail >> 8U);
   take(tail);
-  return kHeaderBits + 8 * frame.size + kCrcBits + stuffed + kTrailerBits;
+  return header_bits + 8 * static_cast<int>(payload.size()) + kCrcBits + stuffed + kTrailerBits;
 }
 
 }  // namespace gaitway::can

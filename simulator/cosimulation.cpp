@@ -105,11 +105,9 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
   }
   const bool from_message_controller = delivery.sender == message_transmitter_.station();
   const int sender_joint = from_message_controller ? -1 : delivery.sender - joint_station_.front();
-  if (from_message_controller) {
-    message_transmitter_.on_sent();
-  }
+  message_transmitter_.on_delivery(delivery);
   if (!delivery.lost) {
-    if (!from_message_controller) {
+    if (delivery.received_by(message_transmitter_.station())) {
       message_controller_.on_frame(delivery.frame, delivery.end_ns);
     }
     joints_.on_frame(delivery.frame, sender_joint, delivery.end_ns);

@@ -8,83 +8,39 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/can/wire_frame.hpp"
+#include "reference_wire.hpp"
+
 namespace gaitway::can {
 namespace {
 
-std::vector<bool> header_and_data(const Frame& frame) {
-  std::vector<bool> bits{false};  // start of frame
-  const auto append = [&bits](unsigned value, int width) {
-    for (int bit = width - 1; bit >= 0; --bit) {
-      bits.push_back(((value >> static_cast<unsigned>(bit)) & 1U) != 0);
-    }
-  };
-  append(frame.id, 11);
-  append(0, 3);  // RTR, IDE, r0
-  append(frame.size, 4);
-  for (const std::uint8_t byte : frame.payload()) {
-    append(byte, 8);
-  }
-  return bits;
-}
-
-// As in the CAN specification (Bosch, 2.0A, 3.1.1): one bit at a time.
-unsigned naive_crc(const std::vector<bool>& bits) {
-  unsigned crc = 0;
-  for (const bool bit : bits) {
-    const bool next = bit != ((crc & 0x4000U) != 0);
-    crc = (crc << 1U) & 0x7FFFU;
-    if (next) {
-      crc ^= 0x4599U;
-    }
-  }
-  return crc;
-}
-
 int naive_bits(const Frame& frame) {
-  std::vector<bool> bits = header_and_data(frame);
-  const unsigned crc = naive_crc(bits);
-  for (int bit = 14; bit >= 0; --bit) {
-    bits.push_back(((crc >> static_cast<unsigned>(bit)) & 1U) != 0);
-  }
-  std::vector<bool> wire;
-  int run = 0;
-  for (const bool bit : bits) {
-    run = !wire.empty() && wire.back() == bit ? run + 1 : 1;
-    wire.push_back(bit);
-    if (run == 5) {
-      wire.push_back(!bit);
-      run = 1;
-    }
-  }
-  return static_cast<int>(wire.size()) + 1 + 2 + 7;  // CRC delimiter, ACK slot and delimiter, end of frame
+  return static_cast<int>(reference::wire(frame).size());
 }
 
-Frame draw_frame(std::mt19937& random) {
-  std::uniform_int_distribution<unsigned> any(0, 0x7FF), size(0, 8), kind(0, 3);
-  Frame frame{static_cast<std::uint16_t>(any(random)), static_cast<std::uint8_t>(size(random)), {}};
-  constexpr std::array<std::uint8_t, 6> kLongRuns{0x00, 0xFF, 0xF0, 0x0F, 0x83, 0x7C};  // many stuff bits
-  const unsigned how = kind(random);
-  for (std::uint8_t& byte : frame.data) {
-    const unsigned value = any(random);
-    byte = how == 0   ? static_cast<std::uint8_t>(value)
-           : how == 1 ? kLongRuns[value % kLongRuns.size()]
-           : how == 2 ? 0
-                      : static_cast<std::uint8_t>(value % 5);
-  }
-  if (how == 3) {
-    frame.id = static_cast<std::uint16_t>(frame.id & 0x41U);
-  }
-  return frame;
-}
-
-TEST(FrameLength, IsExactForAnyFrame) {
+TEST(FrameLength, IsExactForFramesOfAllFormats) {
   std::mt19937 random(3);
   for (int i = 0; i < 100'000; ++i) {
-    const Frame frame = draw_frame(random);
-    ASSERT_EQ(crc15(frame), naive_crc(header_and_data(frame)));
+    const Frame frame = reference::draw_frame(random);
+    const int data_bytes = frame.remote ? 0 : frame.size;
+    ASSERT_EQ(crc15(frame), reference::crc(reference::header_and_data(frame)));
     ASSERT_EQ(frame_bits(frame), naive_bits(frame));
-    ASSERT_LE(frame_bits(frame) + kInterframeBits, worst_case_bits(frame.size));
-    ASSERT_GE(frame_bits(frame) + kInterframeBits, 47 + 8 * frame.size);
+    ASSERT_LE(frame_bits(frame) + kInterframeBits, worst_case_bits(data_bytes, frame.extended));
+    ASSERT_GE(frame_bits(frame) + kInterframeBits, (frame.extended ? 67 : 47) + 8 * data_bytes);
+  }
+}
+
+TEST(FrameLength, TheWiresBitsAreThoseOfTheReference) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 20'000; ++i) {
+    const Frame frame = reference::draw_frame(random);
+    const reference::Bits expected = reference::wire(frame);
+    const WireFrame wire(frame);
+    ASSERT_EQ(wire.length(), static_cast<int>(expected.size()));
+    ASSERT_EQ(wire.acknowledge_slot(), wire.length() - 9);
+    for (int bit = 0; bit < wire.length(); ++bit) {
+      ASSERT_EQ(wire.dominant(bit), !expected[static_cast<std::size_t>(bit)]) << bit;
+    }
   }
 }
 
@@ -105,7 +61,7 @@ TEST(FrameLength, TheReferencesCrcHasTheKnownCheckValue) {
       bits.push_back(((static_cast<unsigned>(character) >> static_cast<unsigned>(bit)) & 1U) != 0);
     }
   }
-  EXPECT_EQ(naive_crc(bits), 0x059EU);
+  EXPECT_EQ(reference::crc(bits), 0x059EU);
 }
 
 // Worked out by another program. The last is the longest that hill climbing found: 132 bits with the
@@ -131,6 +87,8 @@ TEST(FrameLength, KnownFramesHaveTheirKnownCrcAndLength) {
 TEST(FrameLength, KnownLengthsOfEightByteFrames) {
   EXPECT_EQ(worst_case_bits(8), 135);
   EXPECT_EQ(worst_case_bits(0), 55);
+  EXPECT_EQ(worst_case_bits(8, true), 160);
+  EXPECT_EQ(worst_case_bits(0, true), 80);
   // The shortest that can be found has no stuff bit at all: 111 bits with the interframe space.
   std::mt19937 random(5);
   int shortest = 1000;

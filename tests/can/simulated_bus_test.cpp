@@ -76,15 +76,6 @@ TEST_F(SimulatedBusTest, AFrameOfferedAfterAStartOfFrameWaitsHoweverUrgent) {
   EXPECT_EQ(all[2].frame.id, 0x700);
 }
 
-TEST_F(SimulatedBusTest, OfTwoStationsWithOneIdentifierTheLowerWins) {
-  bus.transmit(3, frame_of(0x100, 8, 3), 0);
-  bus.transmit(1, frame_of(0x100, 8, 1), 0);
-  const auto all = run_to(1'000'000);
-  ASSERT_EQ(all.size(), 2U);
-  EXPECT_EQ(all[0].sender, 1);
-  EXPECT_EQ(all[1].sender, 3);
-}
-
 TEST_F(SimulatedBusTest, AStationHasOneBufferAndTakesAFrameBackOnlyBeforeItStarts) {
   ASSERT_TRUE(bus.transmit(0, frame_of(0x100), 0));
   EXPECT_FALSE(bus.transmit(0, frame_of(0x050), 0));
@@ -108,6 +99,11 @@ TEST_F(SimulatedBusTest, ALostFrameLooksSentToItsSender) {
   EXPECT_FALSE(all[1].lost);
   EXPECT_FALSE(bus.transmit_pending(0));
   EXPECT_EQ(bus.statistics().lost, 1U);
+  EXPECT_TRUE(all[0].sent_by(0));
+  for (int station = 0; station < 4; ++station) {
+    EXPECT_FALSE(all[0].received_by(station));
+    EXPECT_EQ(all[1].received_by(station), station != 1);
+  }
 }
 
 TEST_F(SimulatedBusTest, StatisticsCountEightByteFramesWithTheirInterframeSpace) {

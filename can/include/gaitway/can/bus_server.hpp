@@ -16,6 +16,7 @@ namespace gaitway::can {
 
 struct BusServerStatistics {
   std::uint64_t clients = 0;      // that ever connected
+  std::uint64_t refused = 0;      // beyond 64 at a time
   std::uint64_t broken = 0;       // clients that were dropped, since they broke the protocol
   std::uint64_t not_reading = 0;  // clients that were dropped, since they read nothing for long
   std::uint64_t late_frames =
@@ -57,13 +58,13 @@ class BusServer {
   bool serve(Client& client);  // false: it has gone, or has to go
   void offer();
   void hand_to_clients(const SimulatedBus::Delivery& delivery);
-  int free_station();
+  void detach_leaving();
 
   SimulatedBus bus_;
   process::ListeningSocket listener_;
   std::list<Client> clients_;
-  std::vector<int> free_stations_;  // of clients that went
-  std::int64_t time_ns_;            // how far the bus has run
+  std::vector<int> leaving_stations_;  // of clients that went
+  std::int64_t time_ns_;               // how far the bus has run
   BusServerStatistics statistics_;
 };
 
