@@ -39,7 +39,8 @@ class RandomMessages {
   bool on_raster = false;  // all releases at whole bit times
 
   // Messages that matter to `target` come together, as late as they may, with it; a bit before them the
-  // longest one that cannot be stopped starts. From then on everything comes as early as it may.
+  // longest one that cannot be stopped starts. From then on everything comes as early as it may. A message in
+  // a FIFO queue may come later, just behind another one.
   std::vector<Release> worst_releases(std::size_t target, int frames) {
     const std::uint32_t level = level_of(target);
     std::vector<std::int64_t> first_ns(messages.size(), kStart_ns);
@@ -54,6 +55,9 @@ class RandomMessages {
     }
     if (blocker < messages.size()) {
       first_ns[blocker] -= bit_time_ns;
+    }
+    if (messages[target].fifo && chance(0.7)) {
+      first_ns[target] += arrival_behind_another(target);
     }
     std::vector<Release> all;
     const std::int64_t until_ns = kStart_ns + span_ns(frames);
@@ -169,6 +173,13 @@ class RandomMessages {
       message.jitter_ns = rastered(static_cast<std::int64_t>(jitter * uniform() * period_ns));
       message.deadline_ns = static_cast<std::int64_t>((0.3 + 1.5 * uniform()) * period_ns);
     }
+  }
+
+  // When one of the others in its queue comes for the second time or later, since the start.
+  std::int64_t arrival_behind_another(std::size_t target) {
+    const AnalysedMessage& other = messages[below(messages.size())];
+    const auto again = static_cast<std::int64_t>(1 + below(3)) + other.jitter_ns / other.period_ns;
+    return other.fifo == messages[target].fifo ? again * other.period_ns - other.jitter_ns : 0;
   }
 
   // One a message, or a few with several each, some of them with a FIFO queue.

@@ -159,5 +159,18 @@ TEST(ResponseBound, IsMetWhereTwoFramesStartTogether) {
   EXPECT_EQ(later.took_ns[2], later.bounds[2].worst_response_ns);
 }
 
+// Of two messages in one queue, the first comes at 0, late, and again at 10 us; the second right behind that.
+TEST(ResponseBound, IsMetBehindTheSecondInstanceOfAnotherMessageInAFifoQueue) {
+  std::vector<Exact> set{exactly(1, 120, 180'000), exactly(2, 120, 10'000'000)};
+  set[0].message.jitter_ns = 170'000;
+  std::vector<AnalysedMessage> messages{set[0].message, set[1].message};
+  messages[0].fifo = messages[1].fifo = 1;
+  BusTraffic traffic(messages, std::vector{0, 0}, 1000);
+  traffic.play(std::vector<Release>{
+      {0, -170'000, 0, set[0].frame}, {10'000, 10'000, 0, set[0].frame}, {10'000, 10'000, 1, set[1].frame}});
+  EXPECT_EQ(*traffic.worst_ns()[1] + kInterframeBits * 1000, 350'000);
+  EXPECT_EQ(response_times(messages)[1].worst_response_ns, 350'000);
+}
+
 }  // namespace
 }  // namespace gaitway::can

@@ -244,10 +244,11 @@ TEST(ResponseTime, AMessageInAFifoQueueWaitsForEarlierInstancesOfTheOthers) {
   messages[0].fifo = messages[1].fifo = 0;
   // Three of the first arrive at once; the next at 150 us, behind the second.
   EXPECT_EQ(worst_us(messages)[1], 400);
-  // The second arrives just behind one that came later: at 150 us ahead of it are 4 and 150 us are over, at
-  // 300 us 5 and 300 us: no worse.
   messages[1].jitter_ns = 20 * kUs;
   EXPECT_EQ(worst_us(messages)[1], 420);
+  // Now one arrives at 0 and one at 10 us; worst is to come just behind that: 200 - 10 + 100 us, and jitter.
+  messages[0].jitter_ns = 140 * kUs;
+  EXPECT_EQ(worst_us(messages)[1], 310);
 }
 
 TEST(ResponseTime, LoadCountsTheLongestFrames) {
