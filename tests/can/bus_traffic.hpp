@@ -68,6 +68,7 @@ class BusTraffic {
         stations_[number].waiting = WaitingFrames(true);
       }
     }
+    bus_.attach();  // somebody has to acknowledge
     worst_ns_.assign(messages.size(), std::nullopt);
   }
 
