@@ -37,8 +37,8 @@ void BitStation::recover() noexcept {
   sequences_ = 0;
 }
 
-void BitStation::enter_intermission(int bits) noexcept {
-  transmitter_ = false;
+void BitStation::enter_intermission(int bits, bool own) noexcept {
+  transmitter_ = own;
   enter(Phase::intermission);
   count_ = bits;
 }

@@ -257,14 +257,20 @@ SimulatedBus::Delivery SimulatedBus::finish_frame() noexcept {
   Station& sender = at(delivery.sender);
   free_from_ns_ = delivery.start_ns + duration_ns(delivery.bits + kInterframeBits, sender.drift);
   last_start_ns_ = delivery.start_ns;
+  last_sender_ = delivery.sender;
   last_bits_ = delivery.bits;
   last_drift_ = sender.drift;
   if (!counting_.empty()) {
+    // Receivers have the frame with the last but one bit.
+    const std::int64_t valid_ns = delivery.start_ns + duration_ns(delivery.bits - 1, sender.drift);
+    (counting_ & delivery.receivers).for_each([&](int station) {
+      at(station).controller.count_received();
+      heed_state(station, valid_ns);
+    });
     sender.controller.count_sent();
-    (counting_ & delivery.receivers).for_each([&](int station) { at(station).controller.count_received(); });
+    heed_state(delivery.sender, delivery.end_ns);
     const StationSet counting = counting_;
     counting.for_each([&](int station) {
-      heed_state(station, delivery.end_ns);
       if (at(station).controller.confinement().clean()) {
         counting_.erase(station);
       }

@@ -18,6 +18,9 @@ std::optional<SimulatedBus::Delivery> SimulatedBus::advance_bits(std::int64_t st
       leave_bits(start_ns);
       return std::nullopt;
     }
+    if (start_ns < stop_ns) {
+      begin_attempts(start_ns);
+    }
     if (edge_ns(bit_ + 1) > stop_ns) {
       return std::nullopt;
     }
@@ -40,8 +43,21 @@ void SimulatedBus::enter_bits(std::int64_t now_ns) noexcept {
   }
   bitwise_ = true;
   if (on_wire_) {
+    const auto winner = static_cast<std::size_t>(on_wire_->sender);
     const Contest contest{on_wire_->sender, StationSet::of(on_wire_->sender)};
-    begin_attempt(contest, contest.tied, on_wire_->start_ns, on_wire_plan_);
+    StationSet starters = contest.tied;
+    contending_.for_each([&](int station) {
+      const auto place = static_cast<std::size_t>(station);
+      if (ready_ns_[place] <= on_wire_->start_ns && key_[place] > key_[winner]) {
+        starters.insert(station);  // it has lost, or is about to
+      }
+    });
+    const bool babble = at(on_wire_->sender).babble_on_wire;
+    begin_attempt(contest, starters, on_wire_->start_ns, on_wire_plan_);
+    // What the sender has to send may be something else by now.
+    at(on_wire_->sender).babble_on_wire = babble;
+    at(on_wire_->sender).controller.start_sending(on_wire_->frame);
+    attempt_.frame = on_wire_->frame;
     on_wire_.reset();
     while (edge_ns(bit_ + 1) <= now_ns) {
       step_bit();  // delivers nothing: the frame's end is still to come
@@ -62,7 +78,8 @@ void SimulatedBus::enter_bits(std::int64_t now_ns) noexcept {
   }
   statistics_.busy_ns -= free_from_ns_ - edge_ns(bit_);  // is counted again, bit by bit
   const int passed = static_cast<int>(bit_) - last_bits_;
-  present_.for_each([&](int station) { at(station).controller.enter_intermission(passed); });
+  present_.for_each(
+      [&](int station) { at(station).controller.enter_intermission(passed, station == last_sender_); });
 }
 
 void SimulatedBus::leave_bits(std::int64_t now_ns) noexcept {
@@ -79,6 +96,9 @@ void SimulatedBus::leave_bits(std::int64_t now_ns) noexcept {
 }
 
 void SimulatedBus::begin_attempts(std::int64_t start_ns) noexcept {
+  if (attempt_.open && bit_ == 0) {
+    return;  // it has begun with this bit
+  }
   StationSet starters;
   (contending_ & present_).for_each([&](int station) {
     if (at(station).controller.idle() && ready_ns_[static_cast<std::size_t>(station)] <= start_ns) {
@@ -139,10 +159,8 @@ bool SimulatedBus::flip_due() noexcept {
 }
 
 std::optional<SimulatedBus::Delivery> SimulatedBus::step_bit() noexcept {
-  const std::int64_t start_ns = edge_ns(bit_);
-  begin_attempts(start_ns);
   const std::int64_t end_ns = edge_ns(bit_ + 1);
-  const bool dominant = drive(start_ns, end_ns);
+  const bool dominant = drive(edge_ns(bit_), end_ns);
   const StationSet inverted = flip_due() ? attempt_.plan.flipped : StationSet{};
   const bool last_bit = !valid_.empty();
   StationSet sent, failed, failed_senders;

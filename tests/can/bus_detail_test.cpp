@@ -49,13 +49,19 @@ Trace run(SimulatedBus& bus, std::uint32_t seed, const RandomFaults& faults, boo
   std::mt19937 random(seed);
   Trace trace;
   for (std::int64_t now_ns = 0; now_ns < 200'000'000; now_ns += kPause_ns) {
+    Frame frame;
+    std::int64_t since_ns = 0;
     for (int station = 0; station < kStations; ++station) {
-      Frame frame = reference::draw_frame(random);
-      const bool same = random() % 50 == 0;  // as another's: they merge or collide
-      frame.id = frame.id / kStations * kStations + static_cast<std::uint32_t>(same ? 0 : station);
-      frame.id = std::min(frame.id, frame.extended ? kLargestExtendedId : kLargestId);
+      if (station > 0 && random() % 30 == 0) {
+        frame.data[0] ^= random() % 2 == 0 ? std::uint8_t{0x10} : std::uint8_t{0};  // collides, or merges
+      } else {
+        frame = reference::draw_frame(random);
+        frame.id = frame.id / kStations * kStations + static_cast<std::uint32_t>(station);
+        frame.id = std::min(frame.id, frame.extended ? kLargestExtendedId : kLargestId);
+        since_ns = now_ns + static_cast<std::int64_t>(random() % 100'000);
+      }
       if (random() % 2 == 0) {
-        bus.transmit(station, frame, now_ns + static_cast<std::int64_t>(random() % 100'000));
+        bus.transmit(station, frame, since_ns);
       }
     }
     if (disturbed) {
@@ -63,6 +69,7 @@ Trace run(SimulatedBus& bus, std::uint32_t seed, const RandomFaults& faults, boo
     }
     trace.run(bus, now_ns + kPause_ns);
   }
+  trace.run(bus, 300'000'000);  // nothing is left on the way
   return trace;
 }
 
@@ -140,7 +147,7 @@ TEST_P(BusDetailTest, WhateverHappensIsTheSame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, BusDetailTest, testing::Range(1U, 9U));
+INSTANTIATE_TEST_SUITE_P(Seeds, BusDetailTest, testing::Range(1U, 13U));
 
 }  // namespace
 }  // namespace gaitway::can

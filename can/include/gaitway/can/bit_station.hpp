@@ -45,8 +45,8 @@ class BitStation {
   // Noise drowns the bus from the next bit on: a frame that is sent or received breaks, and the station then
   // waits for 11 recessive bits. True: there was a frame.
   bool drown() noexcept;
-  // An idle station that enters at the `bits`-th bit of an intermission.
-  void enter_intermission(int bits) noexcept;
+  // An idle station is `bits` into the intermission behind a frame, which was its own or not.
+  void enter_intermission(int bits, bool own) noexcept;
   // A frame went by while nothing was wrong.
   void count_sent() noexcept { confinement_.sent(); }
   void count_received() noexcept { confinement_.received(); }

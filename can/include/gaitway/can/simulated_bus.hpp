@@ -231,6 +231,7 @@ class SimulatedBus {
   Plan on_wire_plan_;
   // The frame before the interframe space: where its bits lie.
   std::int64_t last_start_ns_ = 0;
+  int last_sender_ = -1;
   int last_bits_ = 0;
   double last_drift_ = 0.0;
 
