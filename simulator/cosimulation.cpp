@@ -38,6 +38,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
   for (int joint = 0; joint < joints_.size(); ++joint) {
     joint_station_.push_back(bus_.attach());
   }
+  foreign_station_ = bus_.attach();
   if (!options_.plugin_commands_walk) {
     walk_command_.emplace(behavior_client_.write<WalkCommand>("walk_command"));
     walk_command_->publish(WalkCommand{}, 0);
@@ -50,6 +51,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
 Cosimulation::~Cosimulation() = default;
 
 void Cosimulation::advance_millisecond() {
+  finish_restarts();
   joints_.step(now_ns_, plant_.sensors());
   message_controller_.step(now_ns_);
   if (core::is_tick(now_ns_) && now_ns_ >= std::max(silent_until_ns_, busy_until_ns_)) {
@@ -84,12 +86,16 @@ void Cosimulation::exchange_frames(std::int64_t until_ns) {
   for (int joint = 0; joint < joints_.size(); ++joint) {
     offer_from_joint(joint, now_ns_);
   }
+  if (!foreign_frames_.empty() && bus_.transmit(foreign_station_, foreign_frames_.front(), now_ns_)) {
+    foreign_frames_.erase(foreign_frames_.begin());
+  }
   while (true) {
     const bool rings = !doorbells_due_ns_.empty() && doorbells_due_ns_.front() < until_ns;
     const std::int64_t stop_ns = rings ? std::max(doorbells_due_ns_.front(), now_ns_) : until_ns;
     while (const auto delivery = bus_.advance(stop_ns)) {
       deliver(*delivery);
     }
+    heed_bus_states();
     if (!rings) {
       return;
     }
@@ -103,23 +109,34 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
   if (observer_ != nullptr) {
     observer_->on_frame(delivery);
   }
-  const bool from_message_controller = delivery.sender == message_transmitter_.station();
-  const int sender_joint = from_message_controller ? -1 : delivery.sender - joint_station_.front();
+  heed_bus_states();
   message_transmitter_.on_delivery(delivery);
-  if (!delivery.lost) {
-    if (delivery.received_by(message_transmitter_.station())) {
-      message_controller_.on_frame(delivery.frame, delivery.end_ns);
-    }
-    joints_.on_frame(delivery.frame, sender_joint, delivery.end_ns);
+  if (delivery.received_by(message_transmitter_.station())) {
+    message_controller_.on_frame(delivery.frame, delivery.end_ns);
   }
-  if (from_message_controller) {
-    for (int joint = 0; joint < joints_.size(); ++joint) {
-      offer_from_joint(joint, delivery.end_ns);  // an answer to a SYNC goes out at once
+  for (int joint = 0; joint < joints_.size(); ++joint) {
+    if (delivery.received_by(joint_station_[static_cast<std::size_t>(joint)])) {
+      joints_.on_frame(joint, delivery.frame, delivery.end_ns);
     }
-  } else {
-    offer_from_joint(sender_joint, delivery.end_ns);
+  }
+  for (int joint = 0; joint < joints_.size(); ++joint) {
+    offer_from_joint(joint, delivery.end_ns);  // an answer to a SYNC goes out at once
   }
   offer_from_message_controller(delivery.end_ns);
+}
+
+// A station that is off the bus keeps nothing for its return: it would be stale.
+void Cosimulation::heed_bus_states() {
+  while (const auto change = bus_.next_state_change()) {
+    if (change->station == message_transmitter_.station()) {
+      if (change->state >= can::BusState::bus_off) {
+        message_transmitter_.withdraw(bus_, message_controller_);
+      }
+      message_controller_.on_bus_state(change->state, change->counters, change->time_ns);
+    } else if (change->state >= can::BusState::bus_off) {
+      bus_.abort(change->station);
+    }
+  }
 }
 
 void Cosimulation::offer_from_message_controller(std::int64_t now_ns) {
@@ -129,7 +146,8 @@ void Cosimulation::offer_from_message_controller(std::int64_t now_ns) {
 void Cosimulation::offer_from_joint(int joint, std::int64_t now_ns) {
   const int station = joint_station_[static_cast<std::size_t>(joint)];
   can::Frame frame;
-  if (!bus_.transmit_pending(station) && joints_.joint(joint).take_frame(frame)) {
+  if (!bus_.transmit_pending(station) && joints_.take_frame(joint, frame) &&
+      bus_.state(station) < can::BusState::bus_off) {
     bus_.transmit(station, frame, now_ns);
   }
 }
@@ -139,6 +157,34 @@ void Cosimulation::inject_losses() {
     const double unit = static_cast<double>(fault_random_() >> 11U) * 0x1.0p-53;
     return start_ns < losses_until_ns_ && unit < loss_probability_;
   });
+}
+
+int Cosimulation::station_of(const std::string& node) const {
+  return node == "message_controller" ? message_transmitter_.station()
+                                      : joint_station_[static_cast<std::size_t>(robot_.joint_index(node))];
+}
+
+void Cosimulation::restart(const JointRestartsFault& fault) {
+  const int joint = robot_.joint_index(fault.joint);
+  joints_.power_off(joint);
+  bus_.power_off(station_of(fault.joint), now_ns_);
+  restarts_.push_back({joint, now_ns_ + to_ns(fault.duration_s)});
+}
+
+void Cosimulation::finish_restarts() {
+  const auto done = [this](const Restart& restart) {
+    if (restart.until_ns > now_ns_) {
+      return false;
+    }
+    joints_.power_on(restart.joint, plant_.sensors());
+    bus_.power_on(joint_station_[static_cast<std::size_t>(restart.joint)], now_ns_);
+    return true;
+  };
+  restarts_.erase(std::remove_if(restarts_.begin(), restarts_.end(), done), restarts_.end());
+  if (disturbed_until_ns_ != 0 && now_ns_ >= disturbed_until_ns_) {
+    disturbed_until_ns_ = 0;
+    bus_.set_random_faults({});
+  }
 }
 
 void Cosimulation::inject(const PluginFault& fault) {
@@ -188,6 +234,22 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       self.losses_until_ns_ = self.now_ns_ + to_ns(fault.duration_s);
       self.inject_losses();
     }
+    void operator()(const DisturbBusFault& fault) const {
+      self.disturbed_until_ns_ = self.now_ns_ + to_ns(fault.duration_s);
+      self.bus_.set_random_faults({.seed = self.fault_random_(),
+                                   .corruption = fault.corruption,
+                                   .duplicate = fault.duplicate,
+                                   .omission = fault.omission});
+    }
+    void operator()(const JamFault& fault) const {
+      self.bus_.jam(fault.stuck ? can::JamKind::stuck_dominant : can::JamKind::noise, self.now_ns_,
+                    to_ns(fault.duration_s));
+    }
+    void operator()(const BusOffFault& fault) const {
+      self.bus_.force_bus_off(self.station_of(fault.node), self.now_ns_);
+    }
+    void operator()(const JointRestartsFault& fault) const { self.restart(fault); }
+    void operator()(const ForeignFrameFault& fault) const { self.foreign_frames_.push_back(fault.frame); }
     void operator()(const PluginFault& fault) const { self.inject(fault); }
     void post(msgclient::UserCommandKind kind) const {
       const msgclient::UserCommandMail mail{.sequence = ++self.user_commands_, .kind = kind};

@@ -37,11 +37,13 @@ JointNetwork::JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, do
     : channels_(robot.channels) {
   std::mt19937_64 random(seed ^ 0xC10C'D21F'7000'0001ULL);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    joints_.emplace_back(joint_config(robot, static_cast<int>(joint)));
+    configs_.push_back(joint_config(robot, static_cast<int>(joint)));
+    joints_.emplace_back(configs_.back());
     const double unit = static_cast<double>(random() >> 11U) * 0x1.0p-53;  // [0, 1)
     clock_rate_.push_back(1.0 + (2.0 * unit - 1.0) * largest_drift_ppm * 1e-6);
   }
   torque_Nm_.assign(robot.joints.size(), 0.0);
+  powered_.assign(robot.joints.size(), true);
 }
 
 std::int64_t JointNetwork::local_time_ns(int joint, std::int64_t now_ns) const noexcept {
@@ -52,6 +54,10 @@ std::int64_t JointNetwork::local_time_ns(int joint, std::int64_t now_ns) const n
 void JointNetwork::step(std::int64_t now_ns, const PlantSensors& sensors) noexcept {
   localcontroller::JointSensors input;
   for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+    if (!powered_[joint]) {
+      torque_Nm_[joint] = 0.0;
+      continue;
+    }
     input.encoder_count = sensors.encoder_count[joint];
     input.channel[0] = channel_value(channels_[joint][0], sensors);
     input.channel[1] = channel_value(channels_[joint][1], sensors);
@@ -59,12 +65,28 @@ void JointNetwork::step(std::int64_t now_ns, const PlantSensors& sensors) noexce
   }
 }
 
-void JointNetwork::on_frame(const can::Frame& frame, int sender_joint, std::int64_t now_ns) noexcept {
-  for (int joint = 0; joint < size(); ++joint) {
-    if (joint != sender_joint) {
-      joints_[static_cast<std::size_t>(joint)].on_frame(frame, local_time_ns(joint, now_ns));
-    }
+void JointNetwork::on_frame(int joint, const can::Frame& frame, std::int64_t now_ns) noexcept {
+  if (powered_[static_cast<std::size_t>(joint)]) {
+    joints_[static_cast<std::size_t>(joint)].on_frame(frame, local_time_ns(joint, now_ns));
   }
+}
+
+bool JointNetwork::take_frame(int joint, can::Frame& frame) noexcept {
+  return powered_[static_cast<std::size_t>(joint)] &&
+         joints_[static_cast<std::size_t>(joint)].take_frame(frame);
+}
+
+void JointNetwork::power_off(int joint) noexcept {
+  powered_[static_cast<std::size_t>(joint)] = false;
+}
+
+void JointNetwork::power_on(int joint, const PlantSensors& sensors) noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  localcontroller::JointConfig config = configs_[j];
+  const double position_rad = sensors.encoder_count[j] * config.encoder_count_rad;
+  config.initial_reference_count = static_cast<std::int32_t>(std::lround(position_rad / config.count_rad));
+  joints_[j] = localcontroller::JointController(config);
+  powered_[j] = true;
 }
 
 }  // namespace gaitway::simulator

@@ -93,11 +93,100 @@ PluginFault read_plugin_fault(const YamlValue& value) {
   return fault;
 }
 
-decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
+void require_true(const YamlValue& value) {
+  if (value.text() != "true") {
+    value.refuse("must be true", "Leave the event out if it shall not happen");
+  }
+}
+
+DisturbBusFault read_disturbance(const YamlValue& value) {
+  constexpr std::array<std::string_view, 5> kKeys{"kind", "corruption", "omission", "duplicate",
+                                                  "duration_s"};
+  value.require_map(kKeys);
+  DisturbBusFault fault{.duration_s = value.at("duration_s").number(kDuration)};
+  const std::array<std::pair<std::string_view, double*>, 3> probabilities{
+      {{"corruption", &fault.corruption}, {"omission", &fault.omission}, {"duplicate", &fault.duplicate}}};
+  for (const auto& [key, target] : probabilities) {
+    if (const auto probability = value.find(key)) {
+      *target = probability->number({0.0, 1.0, ""});
+    }
+  }
+  return fault;
+}
+
+JamFault read_jam(const YamlValue& value) {
+  constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "stuck"};
+  value.require_map(kKeys);
+  JamFault fault{.duration_s = value.at("duration_s").number({1e-5, 10.0, "s"})};
+  if (const auto stuck = value.find("stuck")) {
+    require_true(*stuck);
+    fault.stuck = true;
+  }
+  return fault;
+}
+
+std::string read_node(const YamlValue& value, const urdf::RobotModel& robot, bool or_message_controller) {
+  std::vector<std::string> known;
+  std::transform(robot.joints.begin(), robot.joints.end(), std::back_inserter(known),
+                 [](const urdf::Joint& joint) { return joint.name; });
+  if (or_message_controller) {
+    known.emplace_back("message_controller");
+  }
+  const std::string node = value.text();
+  if (std::find(known.begin(), known.end(), node) == known.end()) {
+    value.refuse(fmt::format("the robot '{}' has no such node", robot.name), urdf::suggest(node, known));
+  }
+  return node;
+}
+
+ForeignFrameFault read_foreign_frame(const YamlValue& value) {
+  constexpr std::array<std::string_view, 5> kKeys{"kind", "id", "data", "extended", "remote"};
+  value.require_map(kKeys);
+  can::Frame frame;
+  for (const auto& [key, target] :
+       {std::pair{"extended", &frame.extended}, std::pair{"remote", &frame.remote}}) {
+    if (const auto flag = value.find(key)) {
+      require_true(*flag);
+      *target = true;
+    }
+  }
+  frame.id = static_cast<std::uint32_t>(value.at("id").integer(
+      0, static_cast<int>(frame.extended ? can::kLargestExtendedId : can::kLargestId)));
+  if (const auto data = value.find("data")) {
+    const std::vector<YamlValue> bytes = data->items();
+    if (bytes.size() > frame.data.size()) {
+      data->refuse("a frame has at most 8 bytes", "Leave some out");
+    }
+    for (const YamlValue& byte : bytes) {
+      frame.data[frame.size++] = static_cast<std::uint8_t>(byte.integer(0, 255));
+    }
+  }
+  return {frame};
+}
+
+decltype(ScenarioEvent::action) read_fault(const YamlValue& value, const urdf::RobotModel& robot) {
   constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "probability"};
   const std::string kind = value.at("kind").text();
   if (kind == "plugin_fails") {
     return read_plugin_fault(value);
+  }
+  if (kind == "disturb_bus") {
+    return read_disturbance(value);
+  }
+  if (kind == "jam") {
+    return read_jam(value);
+  }
+  if (kind == "bus_off") {
+    value.require_map(std::array<std::string_view, 2>{"kind", "node"});
+    return BusOffFault{read_node(value.at("node"), robot, true)};
+  }
+  if (kind == "joint_restarts") {
+    value.require_map(std::array<std::string_view, 3>{"kind", "joint", "duration_s"});
+    return JointRestartsFault{read_node(value.at("joint"), robot, false),
+                              value.at("duration_s").number({0.001, 60.0, "s"})};
+  }
+  if (kind == "foreign_frame") {
+    return read_foreign_frame(value);
   }
   value.require_map(kKeys);
   const auto duration = value.find("duration_s");
@@ -111,14 +200,10 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value) {
     return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}),
                            value.at("duration_s").number(kDuration)};
   }
-  value.at("kind").refuse("must be main_controller_silent, lose_frames or plugin_fails",
-                          "Choose one of them.");
-}
-
-void require_true(const YamlValue& value) {
-  if (value.text() != "true") {
-    value.refuse("must be true", "Leave the event out if it shall not happen");
-  }
+  value.at("kind").refuse(
+      "must be main_controller_silent, lose_frames, disturb_bus, jam, bus_off, joint_restarts, foreign_frame "
+      "or plugin_fails",
+      "Choose one of them.");
 }
 
 ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
@@ -143,7 +228,7 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
     } else if (key == "push") {
       event.action = read_push(*action, robot);
     } else if (key == "fault") {
-      event.action = read_fault(*action);
+      event.action = read_fault(*action, robot);
     } else if (key == "emergency_stop") {
       const std::string mode = action->text();
       if (mode != "hold" && mode != "soft") {

@@ -92,7 +92,11 @@ class VirtualRobot {
   void deliver(const can::SimulatedBus::Delivery& delivery) {
     const bool from_joint = delivery.sender < joints_.size();  // they attached first
     if (!delivery.lost) {
-      joints_.on_frame(delivery.frame, from_joint ? delivery.sender : -1, delivery.end_ns);
+      for (int joint = 0; joint < joints_.size(); ++joint) {
+        if (delivery.received_by(station_[static_cast<std::size_t>(joint)])) {
+          joints_.on_frame(joint, delivery.frame, delivery.end_ns);
+        }
+      }
     }
     if (from_joint) {
       offer(delivery.sender, delivery.end_ns);
@@ -105,7 +109,7 @@ class VirtualRobot {
   void offer(int joint, std::int64_t now_ns) {
     const int station = station_[static_cast<std::size_t>(joint)];
     can::Frame frame;
-    if (!server_.bus().transmit_pending(station) && joints_.joint(joint).take_frame(frame)) {
+    if (!server_.bus().transmit_pending(station) && joints_.take_frame(joint, frame)) {
       server_.bus().transmit(station, frame, now_ns);
     }
   }

@@ -85,7 +85,9 @@ TEST(Chain, TheBusLogAloneExplainsEveryJointReferenceToTheCount) {
   for (const auto& [time_ns, counts] : references.counts) {
     joints.step(time_ns - 1'000'000, nothing);
     for (; frame != frames.end() && frame->time_ns <= time_ns; ++frame) {
-      joints.on_frame(frame->frame, -1, frame->time_ns);
+      for (int joint = 0; joint < joints.size(); ++joint) {
+        joints.on_frame(joint, frame->frame, frame->time_ns);
+      }
     }
     for (int joint = 0; joint < joints.size(); ++joint) {
       ASSERT_EQ(joints.joint(joint).reference_count(), counts[static_cast<std::size_t>(joint)])

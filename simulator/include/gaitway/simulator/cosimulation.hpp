@@ -80,7 +80,11 @@ class Cosimulation {
   void offer_from_message_controller(std::int64_t now_ns);
   void offer_from_joint(int joint, std::int64_t now_ns);
   void ring_at(std::int64_t due_ns);
+  void heed_bus_states();
   void inject_losses();
+  [[nodiscard]] int station_of(const std::string& node) const;
+  void restart(const JointRestartsFault& fault);
+  void finish_restarts();
   void inject(const PluginFault& fault);
 
   urdf::RobotModel robot_;
@@ -100,6 +104,14 @@ class Cosimulation {
 
   can::StationTransmitter message_transmitter_;
   std::vector<int> joint_station_;
+  int foreign_station_ = 0;                 // of nodes that do not belong there
+  std::vector<can::Frame> foreign_frames_;  // one a millisecond
+  struct Restart {
+    int joint = 0;
+    std::int64_t until_ns = 0;  // without power
+  };
+  std::vector<Restart> restarts_;
+  std::int64_t disturbed_until_ns_ = 0;         // 0: it is not
   std::vector<std::int64_t> doorbells_due_ns_;  // host→message, in order of time
   std::int64_t silent_until_ns_ = 0;            // the main controller makes no tick before
   std::int64_t busy_until_ns_ = 0;              // with a tick that injected faults made long

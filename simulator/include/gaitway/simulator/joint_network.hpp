@@ -20,8 +20,14 @@ class JointNetwork {
 
   // One servo period of every joint at the true time `now_ns`; the torques are in torque_Nm() afterwards.
   void step(std::int64_t now_ns, const PlantSensors& sensors) noexcept;
-  // A frame from the bus reaches every joint but its sender (-1: none of them).
-  void on_frame(const can::Frame& frame, int sender_joint, std::int64_t now_ns) noexcept;
+  // A frame from the bus reaches one joint.
+  void on_frame(int joint, const can::Frame& frame, std::int64_t now_ns) noexcept;
+  // Without power a joint hears, says and does nothing.
+  void power_off(int joint) noexcept;
+  // With power it holds where its encoder, an absolute one, says that it is.
+  void power_on(int joint, const PlantSensors& sensors) noexcept;
+  // The next frame that a joint has to send; false when there is none.
+  bool take_frame(int joint, can::Frame& frame) noexcept;
 
   [[nodiscard]] std::span<const double> torque_Nm() const noexcept { return torque_Nm_; }
   [[nodiscard]] localcontroller::JointController& joint(int index) noexcept {
@@ -35,6 +41,8 @@ class JointNetwork {
   [[nodiscard]] std::int64_t local_time_ns(int joint, std::int64_t now_ns) const noexcept;
 
  private:
+  std::vector<localcontroller::JointConfig> configs_;
+  std::vector<bool> powered_;
   std::vector<std::array<urdf::SensorChannel, 2>> channels_;
   std::vector<localcontroller::JointController> joints_;
   std::vector<double> clock_rate_;

@@ -9,6 +9,13 @@
 //     - {at_s: 10.0, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}
 //     - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3.0}}
 //     - {at_s: 15.0, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}
+//     - {at_s: 16.0, fault: {kind: disturb_bus, corruption: 0.01, omission: 0.001, duplicate: 0.001,
+//     duration_s: 60}}
+//     - {at_s: 16.1, fault: {kind: jam, duration_s: 0.002}}                       # or also: stuck: true
+//     - {at_s: 16.2, fault: {kind: bus_off, node: message_controller}}            # or a joint's name
+//     - {at_s: 16.3, fault: {kind: joint_restarts, joint: left_knee, duration_s: 0.02}}
+//     - {at_s: 16.4, fault: {kind: foreign_frame, id: 0x7AB, data: [1, 2, 3]}}    # or also: extended: true,
+//     remote: true
 //     - {at_s: 17.0, fault: {kind: plugin_fails, plugin: zmp, how: throws, duration_s: 1.0}}
 #pragma once
 
@@ -18,6 +25,7 @@
 #include <variant>
 #include <vector>
 
+#include "gaitway/can/frame.hpp"
 #include "gaitway/core/plugin_fault_table.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -47,6 +55,32 @@ struct LoseFramesFault {
   double probability = 0.0;
   double duration_s = 0.0;
 };
+// Errors at random, each attempt to send a frame meeting one with these probabilities (can::RandomFaults).
+struct DisturbBusFault {
+  double corruption = 0.0;
+  double omission = 0.0;
+  double duplicate = 0.0;
+  double duration_s = 0.0;
+};
+// The bus is unusable for a while: noise, or stuck dominant.
+struct JamFault {
+  double duration_s = 0.0;
+  bool stuck = false;
+};
+// A station's frames are destroyed until it is bus-off; it comes back as the standard has it.
+struct BusOffFault {
+  std::string node;  // a joint's name, or message_controller
+};
+// A local controller is without power for a while, its motor without torque. Afterwards it holds where its
+// absolute encoder says that it is.
+struct JointRestartsFault {
+  std::string joint;
+  double duration_s = 0.0;
+};
+// A station that does not belong there sends one frame.
+struct ForeignFrameFault {
+  can::Frame frame;
+};
 // A plug-in's steps fail for a while; 0: for ever.
 struct PluginFault {
   std::string plugin;
@@ -58,7 +92,8 @@ struct PluginFault {
 struct ScenarioEvent {
   double at_s = 0.0;
   std::variant<WalkEvent, StopEvent, EmergencyStopEvent, PushEvent, MainControllerSilentFault,
-               LoseFramesFault, PluginFault>
+               LoseFramesFault, DisturbBusFault, JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault,
+               PluginFault>
       action;
 };
 
