@@ -28,7 +28,8 @@ constexpr std::array<std::uint64_t NetworkHealth::*, kIncidents> kCounter{nullpt
                                                                           &NetworkHealth::flushed,
                                                                           &NetworkHealth::queue_full,
                                                                           &NetworkHealth::bus_offs,
-                                                                          &NetworkHealth::stops_repeated};
+                                                                          &NetworkHealth::stops_repeated,
+                                                                          &NetworkHealth::feedback_lost};
 
 constexpr std::uint64_t bit(int joint) noexcept {
   return std::uint64_t{1} << static_cast<unsigned>(joint);
@@ -147,6 +148,12 @@ void NetworkWatch::compare_with_last(const can::Frame& frame, Node& node) noexce
 }
 
 void NetworkWatch::begin_slot(std::uint32_t slot_since_start) noexcept {
+  for (int joint = 0; joint < joint_count_; ++joint) {
+    const Node& node = nodes_[static_cast<std::size_t>(joint)];
+    if (node.node != 0 && node.last_slot != 0 && node.last_slot != slot_) {
+      count(Incident::feedback_lost, node.node);
+    }
+  }
   slot_ = slot_since_start;
   for (int joint = 0; joint < joint_count_; ++joint) {
     const Node& node = nodes_[static_cast<std::size_t>(joint)];

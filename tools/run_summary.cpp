@@ -33,6 +33,49 @@ nlohmann::ordered_json bus(const simulator::Cosimulation& run) {
             {"max", statistics.eight_byte_us.max}}}};
 }
 
+// What the message controller found, and what was really done to the bus.
+nlohmann::ordered_json network(const simulator::Cosimulation& run) {
+  const NetworkHealth& health = run.message_controller().health();
+  const can::BusStatistics& statistics = run.bus().statistics();
+  const can::InjectedFaults& injected = statistics.injected;
+  return {{"found",
+           {{"trajectories_lost", health.trajectories_lost},
+            {"counts_differed", health.counts_differed},
+            {"feedback_lost", health.feedback_lost},
+            {"nodes_silent", health.feedback_missing},
+            {"nodes_returned", health.nodes_returned},
+            {"nodes_restarted", health.nodes_restarted},
+            {"bus_offs", health.bus_offs},
+            {"flushed", health.flushed},
+            {"expired", health.expired},
+            {"queue_full", health.queue_full},
+            {"doubled", health.doubled},
+            {"second_senders", health.second_senders},
+            {"forged", health.forged},
+            {"unknown_identifiers", health.unknown_identifiers},
+            {"wrong_lengths", health.wrong_lengths},
+            {"remote_frames", health.remote_frames},
+            {"extended_frames", health.extended_frames},
+            {"undefined_values", health.undefined_values},
+            {"stops_repeated", health.stops_repeated}}},
+          {"injected",
+           {{"lost", statistics.lost},
+            {"corruptions", injected.corruptions},
+            {"duplicates", injected.duplicates},
+            {"omissions", injected.omissions},
+            {"omitted_receptions", injected.omitted_receptions},
+            {"jams", injected.jams},
+            {"jammed_frames", injected.jammed_frames},
+            {"forced_bus_offs", injected.forced_bus_offs},
+            {"forced_failures", injected.forced_failures},
+            {"restarts", injected.power_offs}}},
+          {"bus",
+           {{"error_frames", statistics.error_frames},
+            {"retransmissions", statistics.retransmissions},
+            {"bus_offs", statistics.bus_offs},
+            {"recoveries", statistics.recoveries}}}};
+}
+
 // What plug-ins, manager and message controller had to say; the oldest may have been overwritten.
 nlohmann::ordered_json events(const simulator::Cosimulation& run) {
   const core::EventLog& log = run.main_controller().events();
@@ -69,6 +112,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
                                    {"heading_drift_rad", metrics.heading_drift_rad()},
                                    {"batches", batches(run)},
                                    {"bus", bus(run)},
+                                   {"network", network(run)},
                                    {"joints",
                                     {{"tracking_rms_rad", metrics.tracking_rad.value()},
                                      {"refused_points", run.main_controller().statistics().refused_points},

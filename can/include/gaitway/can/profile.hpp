@@ -101,7 +101,7 @@ inline constexpr Profile kFullProfile{
               {IdRule::per_node, 0x040, kSlotPeriod_ns, false, 10'000'000},              // feedback
               {IdRule::per_node, 0x0A0, kCyclePeriod_ns, true, 10'000'000},              // fault report
               {IdRule::per_node_and_toggle, 0x100, kCyclePeriod_ns, false, 20'000'000},  // trajectory
-              {IdRule::per_node, 0x200, kSlotPeriod_ns, true, 3 * kSlotPeriod_ns},                   // resynchronisation
+              {IdRule::per_node, 0x200, kSlotPeriod_ns, true, 3 * kSlotPeriod_ns},       // resynchronisation
               {IdRule::one, 0x300, kCyclePeriod_ns, false, kCyclePeriod_ns}}},           // heartbeat
     .largest_node = kLargestNode};
 

@@ -10,16 +10,16 @@
 
 namespace gaitway::msgcontroller {
 
-// What a robot's bus has to stand: every message up to a millisecond late at its sender, everything that comes
-// on events at once on all nodes, and the bus jammed for two milliseconds.
+// What a robot's bus has to stand: every message up to a millisecond late at its sender, everything that
+// comes on events at once on all nodes, and the bus jammed for two milliseconds.
 inline constexpr std::int64_t kReleaseJitter_ns = 1'000'000;
 inline constexpr std::int64_t kJam_ns = 2'000'000;
 
 // Throws urdf::RobotError for a network file that makes no profile.
 [[nodiscard]] can::Proof prove_network(const urdf::RobotModel& robot);
 
-// Empty when the bus is proven; otherwise a sentence that names the first message that misses its deadline and
-// by how much, and what to do.
+// Empty when the bus is proven; otherwise a sentence that names the first message that misses its deadline
+// and by how much, and what to do.
 [[nodiscard]] std::string complaint_about_network(const urdf::RobotModel& robot);
 
 // A batch is handed over at the latest so long before it starts: its last trajectory frame has arrived by

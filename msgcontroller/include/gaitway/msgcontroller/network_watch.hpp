@@ -34,9 +34,10 @@ enum class Incident : std::uint8_t {
   flushed,
   queue_full,
   bus_off,
-  stop_repeated
+  stop_repeated,
+  feedback_lost
 };
-inline constexpr std::size_t kIncidents = 19;
+inline constexpr std::size_t kIncidents = 20;
 
 class NetworkWatch {
  public:

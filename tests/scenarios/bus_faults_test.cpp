@@ -1,0 +1,136 @@
+// The robot walks on a bus on which everything goes wrong: it does not fall, every loss is found and
+// repaired, and the counters agree with what was really injected.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+#include "gaitway/msgclient/cycle.hpp"
+#include "simulated_run.hpp"
+
+namespace gaitway::scenarios {
+namespace {
+
+using msgclient::kMillisecond_ns;
+using msgclient::kSlot_ns;
+
+constexpr std::size_t kJoints = 22;
+
+// Looks at each delivery and each joint from outside, with other eyes than the message controller.
+class BusWitness final : public simulator::CosimulationObserver {
+ public:
+  BusWitness(simulator::Cosimulation& run, tools::RunRecorder& next) : run_(run), next_(next) {
+    heard_.fill(-1);
+  }
+  void on_frame(const can::SimulatedBus::Delivery& delivery) override {
+    next_.on_frame(delivery);
+    const auto heard = can::kFullProfile.identify(delivery.frame.id);
+    const int station = 1 + joint_of(heard->node);  // the message controller is station 0
+    if (heard->kind == can::MessageKind::trajectory && !delivery.received_by(station)) {
+      ++trajectories_lost;
+    }
+    if (heard->kind == can::MessageKind::resynchronisation && !delivery.received_by(station)) {
+      ++repairs_lost;
+    }
+    if (heard->kind == can::MessageKind::feedback && delivery.received_by(0)) {
+      heard_[static_cast<std::size_t>(station - 1)] = (delivery.end_ns - 1) / kSlot_ns;
+    }
+  }
+  void on_millisecond(std::int64_t now_ns) override {
+    next_.on_millisecond(now_ns);
+    if (now_ns % kSlot_ns == 0) {
+      end_slot(now_ns / kSlot_ns - 1);
+    }
+    if (now_ns % kSlot_ns == 9 * kMillisecond_ns) {
+      compare_counts();
+    }
+  }
+  std::uint64_t trajectories_lost = 0, repairs_lost = 0, feedback_lost = 0;
+  std::array<int, kJoints> wrong_slots{}, longest_wrong{};  // joint's reference is not the expected one
+
+ private:
+  [[nodiscard]] int joint_of(can::NodeId node) const {
+    return node == 0 ? 0 : run_.robot().joint_of_node(node).value();
+  }
+  void end_slot(std::int64_t slot) {
+    for (const std::int64_t last : heard_) {
+      feedback_lost += last >= 0 && last != slot ? 1U : 0U;
+    }
+  }
+  void compare_counts() {
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      const int joint = static_cast<int>(j);
+      const bool wrong =
+          run_.joints().joint(joint).reference_count() != run_.message_controller().expected_count(joint);
+      wrong_slots[j] = wrong ? wrong_slots[j] + 1 : 0;
+      longest_wrong[j] = std::max(longest_wrong[j], wrong_slots[j]);
+    }
+  }
+  simulator::Cosimulation& run_;
+  tools::RunRecorder& next_;
+  std::array<std::int64_t, kJoints> heard_{};  // slot of each joint's last feedback
+};
+
+simulator::ScenarioEvent fault_at(double at_s, decltype(simulator::ScenarioEvent::action) fault) {
+  return {at_s, std::move(fault)};
+}
+
+// 1 % of the frames corrupted, 0.1 % omitted somewhere, a bus-off of the message controller and of a leg's
+// joint, the restart of an arm's joint and a quick one of a leg's.
+simulator::Scenario troubled_walk(double seconds) {
+  using namespace simulator;
+  return {
+      .seconds = seconds,
+      .events = {
+          walk_at(1.0, 0.15),
+          fault_at(2.0, DisturbBusFault{.corruption = 0.01, .omission = 0.001, .duration_s = seconds - 4.0}),
+          fault_at(6.0, BusOffFault{"message_controller"}), fault_at(10.0, BusOffFault{"left_knee"}),
+          fault_at(14.0, JointRestartsFault{"right_elbow", 0.3}),
+          fault_at(18.0, JointRestartsFault{"left_hip_pitch", 0.02})}};
+}
+
+void expect_survives(std::uint64_t seed, double seconds) {
+  SimulatedRun run(seed);
+  BusWitness witness(run.cosimulation, run.recorder);
+  run.cosimulation.observe(&witness);
+  run.play(troubled_walk(seconds));
+  ASSERT_FALSE(run.metrics().fell) << "seed " << seed << " at " << run.metrics().fell_at_s << " s";
+  EXPECT_GT(run.metrics().distance_m(), 0.12 * (seconds - 2.0)) << "seed " << seed;
+
+  const NetworkHealth& found = run.cosimulation.message_controller().health();
+  const can::BusStatistics& bus = run.cosimulation.bus().statistics();
+  EXPECT_EQ(bus.injected.forced_bus_offs, 2U);
+  EXPECT_EQ(bus.bus_offs, 2U);
+  EXPECT_EQ(bus.recoveries, 2U);
+  EXPECT_EQ(found.bus_offs, 1U) << "its own; it cannot see another station's";
+  EXPECT_EQ(bus.injected.power_offs, 2U);
+  EXPECT_EQ(found.nodes_restarted, 2U);
+  EXPECT_EQ(found.feedback_missing, 1U) << "the arm's joint";
+  EXPECT_EQ(found.nodes_returned, 1U);
+  EXPECT_EQ(found.feedback_lost, witness.feedback_lost);
+  EXPECT_EQ(found.trajectories_lost, witness.trajectories_lost);
+  EXPECT_GT(bus.injected.corruptions, seconds * 10.0);
+  EXPECT_GT(bus.injected.omissions, seconds);
+  EXPECT_EQ(bus.error_frames, bus.injected.corruptions + bus.injected.forced_failures)
+      << "nothing else went wrong";
+  EXPECT_EQ(found.forged + found.unknown_identifiers + found.wrong_lengths + found.second_senders, 0U);
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    EXPECT_EQ(witness.wrong_slots[joint], 0) << "repaired in the end: joint " << joint;
+  }
+}
+
+TEST(BusFaults, TheRobotWalksOnATroubledBusAndEveryLossIsFound) {
+  for (int seed = 1; seed <= seeds(3); ++seed) {
+    expect_survives(static_cast<std::uint64_t>(seed), 40.0);
+  }
+}
+
+#if GAITWAY_SEED_PERCENT > 100
+TEST(BusFaults, TenMinutesOnATroubledBus) {
+  expect_survives(1, 600.0);
+}
+#endif
+
+}  // namespace
+}  // namespace gaitway::scenarios
