@@ -176,6 +176,80 @@ TEST_F(BusServerTest, AFrameThatGetsLostCountsAsSentAndReachesNobody) {
   EXPECT_FALSE(sender.transmit_pending());
 }
 
+TEST_F(BusServerTest, AClientThatAFaultLeavesOutGetsNothing) {
+  BusClient sender(socket, "sender", Pace::free);
+  BusClient left_out(socket, "left_out", Pace::free);
+  BusClient other(socket, "other", Pace::free);
+  run_to(kStart_ns);
+  StationSet victims;
+  victims.insert(silent + 2);  // clients attach in their order
+  server->bus().set_random_faults({.seed = 1, .omission = 1.0, .victims = victims});
+  sender.transmit(frame_of(0x100), kStart_ns);
+  sender.flush(kStart_ns);
+  run_to(kStart_ns + kMillisecond_ns);
+  EXPECT_TRUE(all_of(left_out).empty());
+  EXPECT_EQ(all_of(other).size(), 1U);
+  EXPECT_TRUE(all_of(sender).empty());
+  EXPECT_FALSE(sender.transmit_pending());
+}
+
+TEST_F(BusServerTest, AFrameThatComesTwiceIsSentOnce) {
+  BusClient sender(socket, "sender", Pace::free);
+  BusClient listener(socket, "listener", Pace::free);
+  server->bus().set_random_faults({.seed = 1, .duplicate = 1.0});
+  sender.transmit(frame_of(0x100), kStart_ns);
+  sender.transmit(frame_of(0x101), kStart_ns);
+  sender.flush(kStart_ns);
+  run_to(kStart_ns + 140'000);  // into the repetition of the first
+  ASSERT_EQ(deliveries.size(), 1U);
+  EXPECT_TRUE(all_of(sender).empty());
+  EXPECT_TRUE(sender.transmit_pending());
+  server->bus().set_random_faults({});
+  run_to(kStart_ns + 2 * kMillisecond_ns);
+  EXPECT_TRUE(all_of(sender).empty());
+  EXPECT_FALSE(sender.transmit_pending());
+  std::size_t sent = 0;
+  std::size_t heard = 0;
+  for (const auto& delivery : deliveries) {
+    sent += delivery.sent_by(delivery.sender) ? 1U : 0U;
+    heard += delivery.received_by(silent + 2) ? 1U : 0U;
+  }
+  EXPECT_EQ(sent, 2U);
+  EXPECT_GT(deliveries.size(), sent);
+  EXPECT_EQ(all_of(listener).size(), heard);
+}
+
+TEST_F(BusServerTest, AClientsFrameWaitsOutItsBusOff) {
+  BusClient client(socket, "client", Pace::free);
+  run_to(kStart_ns);
+  server->bus().force_bus_off(silent + 1, kStart_ns);
+  client.transmit(frame_of(0x100), kStart_ns);
+  client.flush(kStart_ns);
+  EXPECT_THAT(run_to(kStart_ns + 20 * kMillisecond_ns), ElementsAre(0x100));
+  EXPECT_TRUE(all_of(client).empty());
+  EXPECT_FALSE(client.transmit_pending());
+  EXPECT_EQ(server->bus().statistics().recoveries, 1U);
+}
+
+TEST_F(BusServerTest, AClientThatComesAfterAnotherInheritsNoErrors) {
+  {
+    BusClient faulty(socket, "faulty", Pace::free);
+    run_to(kStart_ns);
+    server->bus().set_recovery(silent + 1, Recovery::on_request);
+    server->bus().force_bus_off(silent + 1, kStart_ns);
+    faulty.transmit(frame_of(0x100), kStart_ns);
+    faulty.flush(kStart_ns);
+    EXPECT_TRUE(run_to(kStart_ns + 20 * kMillisecond_ns).empty());
+    EXPECT_EQ(server->bus().state(silent + 1), BusState::bus_off);
+  }
+  run_to(kStart_ns + 21 * kMillisecond_ns);
+  BusClient next(socket, "next", Pace::free);
+  next.transmit(frame_of(0x200), kStart_ns + 22 * kMillisecond_ns);
+  next.flush(kStart_ns + 22 * kMillisecond_ns);
+  EXPECT_THAT(run_to(kStart_ns + 23 * kMillisecond_ns), ElementsAre(0x200));
+  EXPECT_EQ(deliveries.back().sender, silent + 1) << "the same station";
+}
+
 TEST_F(BusServerTest, TheBusKnowsHowFarAClientWhosePaceItKeepsHasCome) {
   BusClient free_one(socket, "free", Pace::free);
   EXPECT_TRUE(server->reached(kStart_ns + 5 * kMillisecond_ns)) << "nobody to wait for";

@@ -97,9 +97,11 @@ class BusTraffic {
   };
   void run_to(std::int64_t until_ns) {
     while (const auto delivery = bus_.advance(until_ns)) {
-      finish(*delivery);
       Station& station = stations_[static_cast<std::size_t>(delivery->sender)];
-      station.transmitter.on_sent();
+      if (delivery->sent_by(delivery->sender)) {
+        finish(*delivery);
+      }
+      station.transmitter.on_delivery(*delivery);
       station.transmitter.offer(bus_, station.waiting, delivery->end_ns);
     }
   }
