@@ -27,6 +27,12 @@ void BitStation::start_sending(const Frame& frame) noexcept {
   enter(Phase::sending);
 }
 
+void BitStation::follow(const FrameReader& reader) noexcept {
+  transmitter_ = false;
+  reader_ = reader;
+  enter(Phase::receiving);
+}
+
 void BitStation::power_on() noexcept {
   confinement_.reset();
   enter(Phase::integrating);

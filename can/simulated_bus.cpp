@@ -233,6 +233,7 @@ void SimulatedBus::start_next(std::int64_t stop_ns) noexcept {
     });
     bitwise_ = true;
     begin_attempt(round, starters, start_ns, plan);
+    skip_to_flip(stop_ns);
     return;
   }
   const Frame& frame = offered(sender);

@@ -135,6 +135,25 @@ void SimulatedBus::begin_attempt(const Contest& contest, StationSet starters, st
   bit_ = 0;
 }
 
+void SimulatedBus::skip_to_flip(std::int64_t stop_ns) noexcept {
+  BitStation& sender = at(attempt_.sender).controller;
+  const int flip_bit = attempt_.plan.flip_bit;
+  if (detail_ == Detail::bits || attempt_.collides || flip_bit <= sender.wire().arbitration_end() ||
+      edge_ns(flip_bit) > stop_ns) {
+    return;
+  }
+  FrameReader reader;
+  for (int bit = 0; bit < flip_bit; ++bit) {
+    reader.take(sender.wire().dominant(bit));
+  }
+  sender.skip_sending(flip_bit);
+  (present_ - StationSet::of(attempt_.sender)).for_each([&](int station) {
+    at(station).controller.follow(reader);
+  });
+  bit_ = flip_bit;
+  statistics_.busy_ns += edge_ns(flip_bit) - attempt_.start_ns;
+}
+
 bool SimulatedBus::drive(std::int64_t start_ns, std::int64_t end_ns) noexcept {
   bool dominant = jam_until_ns_ > start_ns;
   bool busy = dominant;
@@ -163,13 +182,20 @@ std::optional<SimulatedBus::Delivery> SimulatedBus::step_bit() noexcept {
   const bool dominant = drive(edge_ns(bit_), end_ns);
   const StationSet inverted = flip_due() ? attempt_.plan.flipped : StationSet{};
   const bool last_bit = !valid_.empty();
+  bool goes_on = false;  // a frame, or an error
   StationSet sent, failed, failed_senders;
+  StationSet counted;  // stations whose error counters may have changed
   const StationSet present = present_;
   present.for_each([&](int station) {
     Station& one = at(station);
     const bool sending = one.controller.sending();
     const bool in_frame = one.controller.in_frame();
+    const bool signalled = one.controller.signals_error();
     const BitStation::Event event = one.controller.sample(dominant != inverted.contains(station));
+    goes_on = goes_on || one.controller.signals_error() || one.controller.in_frame();
+    if (signalled || event != BitStation::Event::none) {
+      counted.insert(station);
+    }
     if (event == BitStation::Event::valid) {
       valid_.insert(station);
     } else if (event == BitStation::Event::sent) {
@@ -189,11 +215,7 @@ std::optional<SimulatedBus::Delivery> SimulatedBus::step_bit() noexcept {
   if (!failed.empty()) {
     note_errors(failed, failed_senders, end_ns);
   }
-  bool goes_on = false;
-  present.for_each([&](int station) {
-    heed_state(station, end_ns);
-    goes_on = goes_on || at(station).controller.in_frame() || at(station).controller.signals_error();
-  });
+  counted.for_each([&](int station) { heed_state(station, end_ns); });
   error_open_ = error_open_ && goes_on;
   ++bit_;
   follow_sender();

@@ -33,6 +33,11 @@ class BitStation {
 
   // The frame to send; the next bit is its start of frame. Only while idle().
   void start_sending(const Frame& frame) noexcept;
+  // It has sent `bits` bits, undisturbed. Only while sending.
+  void skip_sending(int bits) noexcept { position_ = bits; }
+  // It follows a frame of another station, as far as `reader` has come.
+  void follow(const FrameReader& reader) noexcept;
+  [[nodiscard]] const WireFrame& wire() const noexcept { return wire_; }
   // What it does in the bit that comes.
   [[nodiscard]] bool drives_dominant() const noexcept;
   // The bit as it sees it.

@@ -185,6 +185,8 @@ class SimulatedBus {
   void begin_attempts(std::int64_t start_ns) noexcept;
   void begin_attempt(const Contest& contest, StationSet starters, std::int64_t start_ns,
                      const Plan& plan) noexcept;
+  // Undisturbed bits of a lone sender, after its arbitration, look the same to all others.
+  void skip_to_flip(std::int64_t stop_ns) noexcept;
   std::optional<Delivery> step_bit() noexcept;
   // Whether somebody drives the bus to dominant; counts the time for which it is busy.
   bool drive(std::int64_t start_ns, std::int64_t end_ns) noexcept;
