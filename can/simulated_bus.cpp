@@ -64,7 +64,10 @@ bool SimulatedBus::transmit_pending(int station) const noexcept {
 
 bool SimulatedBus::abort(int station) noexcept {
   Station& sender = at(station);
-  const bool on_wire = bitwise_ ? sender.controller.sending() : on_wire_ && on_wire_->sender == station;
+  // A station that is still in an arbitration which it cannot win has nothing on the wire.
+  const bool on_wire = bitwise_ ? sender.controller.sending() && arbitration_key(sender.controller.frame()) ==
+                                                                     arbitration_key(attempt_.frame)
+                                : on_wire_ && on_wire_->sender == station;
   if (!sender.pending || (on_wire && !sender.babble_on_wire)) {
     return false;
   }

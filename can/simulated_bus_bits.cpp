@@ -245,7 +245,7 @@ FaultCause SimulatedBus::cause_of(ErrorKind kind, StationSet senders) noexcept {
 }
 
 void SimulatedBus::note_errors(StationSet failed, StationSet senders, std::int64_t end_ns) noexcept {
-  senders.for_each([&](int station) { at(station).destroyed = true; });
+  senders.for_each([&](int station) { at(station).destroyed = at(station).pending || at(station).babbling; });
   if (error_open_) {
     return;
   }
