@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/tools/bus_command.hpp"
 #include "gaitway/tools/ctl_command.hpp"
 #include "gaitway/tools/dev_command.hpp"
 #include "gaitway/tools/new_plugin_command.hpp"
@@ -20,6 +21,18 @@
 
 namespace {
 
+// All commands below `app`, and their options.
+void add_names(const CLI::App& app, std::vector<std::string>& known) {
+  for (const CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(command->get_name());
+    for (const CLI::Option* const option : command->get_options()) {
+      std::transform(option->get_lnames().begin(), option->get_lnames().end(), std::back_inserter(known),
+                     [](const std::string& name) { return "--" + name; });
+    }
+    add_names(*command, known);
+  }
+}
+
 // Names what was not understood and the nearest command or option; what CLI11 says alone leaves that open.
 void explain_rest(const CLI::App& app) {
   const std::vector<std::string> rest = app.remaining(true);
@@ -27,13 +40,7 @@ void explain_rest(const CLI::App& app) {
     return;
   }
   std::vector<std::string> known;
-  for (const CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    known.push_back(command->get_name());
-    for (const CLI::Option* const option : command->get_options()) {
-      std::transform(option->get_lnames().begin(), option->get_lnames().end(), std::back_inserter(known),
-                     [](const std::string& name) { return "--" + name; });
-    }
-  }
+  add_names(app, known);
   fmt::print(stderr, "gaitway: '{}': there is no such command or option. {}\n", rest.front(),
              gaitway::urdf::suggest(rest.front(), known));
 }
@@ -60,6 +67,8 @@ int run_gaitway(int argc, char** argv) {
   const CLI::App* const plugins = gaitway::tools::add_plugins_command(app, plugins_options);
   gaitway::tools::CheckPluginOptions check_options;
   const CLI::App* const check = gaitway::tools::add_check_plugin_command(app, check_options);
+  gaitway::tools::BusOptions bus_options;
+  const CLI::App* const bus = gaitway::tools::add_bus_command(app, bus_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -71,6 +80,9 @@ int run_gaitway(int argc, char** argv) {
   }
   if (run->parsed()) {
     return gaitway::tools::run(run_options);
+  }
+  if (bus->parsed()) {
+    return gaitway::tools::bus(*bus, bus_options);
   }
   if (check->parsed()) {
     return gaitway::tools::check_plugin(check_options);

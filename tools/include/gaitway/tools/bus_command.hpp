@@ -1,0 +1,23 @@
+// `gaitway bus`: everything about the robot's CAN bus, each thing a subcommand of its own.
+#pragma once
+
+#include "gaitway/tools/bus_analyze_command.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace gaitway::tools {
+
+// One member a subcommand.
+struct BusOptions {
+  BusAnalyzeOptions analyze;
+};
+
+// Adds the command with its subcommands; `options` is filled when it is parsed.
+CLI::App* add_bus_command(CLI::App& app, BusOptions& options);
+
+// Runs the subcommand that was parsed; returns its exit code. Throws on bad input.
+int bus(const CLI::App& command, const BusOptions& options);
+
+}  // namespace gaitway::tools
