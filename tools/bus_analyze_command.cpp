@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -15,16 +14,16 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/can/network_messages.hpp"
 #include "gaitway/can/priority_assignment.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/tools/error_option.hpp"
 #include "gaitway/tools/message_list.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::tools {
 namespace {
 
-constexpr std::array kProfiles{&can::kFullProfile, &can::kPaperProfile};
 constexpr double kLongest_ms = 1e6;
 constexpr std::int64_t kSlowest_bit_per_s = 1000, kFastest_bit_per_s = 1'000'000;
 
@@ -32,7 +31,7 @@ constexpr std::int64_t kSlowest_bit_per_s = 1000, kFastest_bit_per_s = 1'000'000
 struct Subject {
   std::string title;
   std::vector<can::AnalysedMessage> messages;
-  const can::Profile* profile = nullptr;  // none: the messages are the user's
+  std::optional<can::Profile> profile = std::nullopt;  // none: the messages are the user's
 };
 
 std::int64_t time_ns(const char* option, double time_ms) {
@@ -43,16 +42,18 @@ std::int64_t time_ns(const char* option, double time_ms) {
   return std::llround(time_ms * 1e6);
 }
 
-const can::Profile& profile_of(const std::string& name) {
-  std::vector<std::string> known;
-  for (const can::Profile* const profile : kProfiles) {
-    if (profile->name == name) {
-      return *profile;
-    }
-    known.emplace_back(profile->name);
+can::ErrorModel errors_of(const BusAnalyzeOptions& options) {
+  if (!options.messages && options.errors.empty() && !options.jam_ms) {
+    return can::jam(msgcontroller::kJam_ns);
   }
-  throw std::invalid_argument(
-      fmt::format("--profile {}: there is no such profile. {}", name, urdf::suggest(name, known)));
+  can::ErrorModel errors;
+  for (const std::string& text : options.errors) {
+    errors.push_back(parse_errors(text));
+  }
+  if (const std::int64_t jam_ns = time_ns("--jam-ms", options.jam_ms.value_or(0.0)); jam_ns > 0) {
+    errors.push_back(can::jam(jam_ns).front());
+  }
+  return errors;
 }
 
 can::ProofAssumptions assumptions_of(const BusAnalyzeOptions& options) {
@@ -60,32 +61,41 @@ can::ProofAssumptions assumptions_of(const BusAnalyzeOptions& options) {
     throw std::invalid_argument(fmt::format("--bit-rate {}: must lie between {} and {} bit/s",
                                             options.bit_rate, kSlowest_bit_per_s, kFastest_bit_per_s));
   }
-  can::ProofAssumptions assumptions;
-  assumptions.bit_time_ns = (1'000'000'000 + options.bit_rate - 1) / options.bit_rate;
-  assumptions.jitter_ns = time_ns("--jitter-ms", options.jitter_ms);
-  for (const std::string& text : options.errors) {
-    assumptions.errors.push_back(parse_errors(text));
-  }
-  if (const std::int64_t jam_ns = time_ns("--jam-ms", options.jam_ms); jam_ns > 0) {
-    assumptions.errors.push_back(can::jam(jam_ns).front());
-  }
-  return assumptions;
+  return {.jitter_ns = options.jitter_ms ? time_ns("--jitter-ms", *options.jitter_ms)
+                                         : msgcontroller::kReleaseJitter_ns,
+          .errors = errors_of(options),
+          .bit_time_ns = (1'000'000'000 + options.bit_rate - 1) / options.bit_rate};
 }
 
 Subject subject_of(const BusAnalyzeOptions& options, const can::ProofAssumptions& assumptions) {
   if (options.messages) {
-    return {options.messages->string(), read_message_list(*options.messages), nullptr};
+    return {options.messages->string(), read_message_list(*options.messages)};
   }
-  const can::Profile& profile = profile_of(options.profile);
-  const urdf::RobotModel robot = urdf::load_robot(options.robot);
-  std::vector<can::NodeId> nodes;
-  for (const urdf::Joint& joint : robot.joints) {
-    if (joint.node <= profile.largest_node) {
-      nodes.push_back(joint.node);
-    }
+  urdf::RobotModel robot = urdf::load_robot(options.robot);
+  if (!options.profile.empty()) {
+    robot.network.profile = options.profile;
   }
+  const can::Profile profile = msgcontroller::network_profile(robot);
+  const std::vector<can::NodeId> nodes = msgcontroller::nodes_on_bus(profile, robot);
   return {fmt::format("robot {}, profile {}, {} joints", robot.name, profile.name, nodes.size()),
-          can::message_set(profile, nodes, assumptions.jitter_ns), &profile};
+          can::message_set(profile, nodes, assumptions.jitter_ns), profile};
+}
+
+// For people: what the bounds count on.
+std::string describe(const can::ErrorModel& errors) {
+  const auto ms = [](std::int64_t time_ns) {
+    return fmt::format("{} ms", static_cast<double>(time_ns) * 1e-6);
+  };
+  std::string text;
+  for (const can::ErrorSource& source : errors) {
+    text += text.empty() ? "" : "; ";
+    text += source.duration_ns > 0
+                ? fmt::format("{} of {}", source.burst == 1 ? "a jam" : "jams", ms(source.duration_ns))
+                : std::string(source.burst == 1 ? "an error" : "errors");
+    text += source.burst == 1 ? "" : fmt::format(", {} at once", source.burst);
+    text += source.interval_ns > 0 ? fmt::format(", another every {}", ms(source.interval_ns)) : "";
+  }
+  return text.empty() ? "no errors" : text;
 }
 
 double in_us(std::int64_t time_ns) {
@@ -165,7 +175,7 @@ void print_capacity(const Subject& subject, const can::AnalysisOptions& analysis
   } else {
     fmt::print("breakdown load   none: no bus is fast enough\n");
   }
-  if (subject.profile != nullptr) {
+  if (subject.profile) {
     fmt::print("joints that fit  {} (the profile has identifiers for {})\n",
                can::most_joints(*subject.profile, assumptions), subject.profile->largest_node);
   }
@@ -179,11 +189,11 @@ CLI::App* add_bus_analyze_command(CLI::App& bus, BusAnalyzeOptions& options) {
   options.robot = process::default_robot_directory();
   auto* const robot = command->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   robot->capture_default_str();
-  auto* const profile =
-      command->add_option("--profile", options.profile, "Messages of the robot's bus: full or paper");
-  profile->capture_default_str();
-  auto* const jitter = command->add_option("--jitter-ms", options.jitter_ms,
-                                           "Every message may come this much later than it should");
+  auto* const profile = command->add_option(
+      "--profile", options.profile,
+      "Messages of the robot's bus: full or paper. Without it, what its network file says");
+  auto* const jitter = command->add_option(
+      "--jitter-ms", options.jitter_ms, "Every message may come this much later than it should (default 1)");
   command
       ->add_option("--messages", options.messages,
                    "Any messages instead of a robot's: JSON list of {name, id, bytes, period_us, jitter_us, "
@@ -197,7 +207,9 @@ CLI::App* add_bus_analyze_command(CLI::App& bus, BusAnalyzeOptions& options) {
                    "Disturbance: burst:N, interval:TIME, jam:TIME, between commas; may be given again, and "
                    "adds up. N errors (or jams) come at once at the worst instant, then one every interval")
       ->allow_extra_args(false);
-  command->add_option("--jam-ms", options.jam_ms, "One jam of this length; short for --errors jam:...");
+  command->add_option(
+      "--jam-ms", options.jam_ms,
+      "One jam of this length, short for --errors jam:... (default, of a robot without --errors: 2)");
   command->add_option("--bit-rate", options.bit_rate, "Of the bus, in bit/s")->capture_default_str();
   command->add_flag("--priorities", options.priorities, "Print the best order of priorities in any case");
   command->add_flag("--json", options.json,
@@ -206,7 +218,7 @@ CLI::App* add_bus_analyze_command(CLI::App& bus, BusAnalyzeOptions& options) {
   command->footer(
       "Examples:\n"
       "  gaitway bus analyze\n"
-      "  gaitway bus analyze --jitter-ms 1 --jam-ms 2\n"
+      "  gaitway bus analyze --jitter-ms 0 --jam-ms 0\n"
       "  gaitway bus analyze --profile paper --errors burst:4,interval:10ms\n"
       "  gaitway bus analyze --errors jam:2ms,interval:500ms --errors interval:5ms --priorities\n"
       "  gaitway bus analyze --messages car.json --bit-rate 125000 --json\n"
@@ -226,7 +238,8 @@ int analyze_bus(const BusAnalyzeOptions& options) {
     print_json(subject, responses);
     return misses == 0 ? 0 : kExitMisses;
   }
-  fmt::print("{}, {:.1f} kbit/s\n\n", subject.title, 1e6 / static_cast<double>(analysis.bit_time_ns));
+  fmt::print("{}, {:.1f} kbit/s, {}\n\n", subject.title, 1e6 / static_cast<double>(analysis.bit_time_ns),
+             describe(analysis.errors));
   print_table(subject, responses);
   print_capacity(subject, analysis, assumptions);
   fmt::print("deadlines        {}\n", misses == 0

@@ -28,8 +28,7 @@ class RandomMessages {
     make_messages(count, some_extended);
     make_frames(chance(0.5));
     make_periods(0.2 + 0.95 * uniform());
-    // A station compares identifiers of one format only.
-    make_stations(some_extended ? 0.0 : 0.5);
+    make_stations();
   }
 
   std::vector<AnalysedMessage> messages;
@@ -94,6 +93,25 @@ class RandomMessages {
     return in_order(std::move(all), messages.size());
   }
 
+  // Errors that leave the stations error-active: a burst, alone or with more to follow, a jam, or both. From
+  // when on they come: anywhere in what worst_releases() begins with.
+  ErrorModel random_errors() {
+    ErrorModel model;
+    const double kind = uniform();
+    if (kind < 0.7) {
+      const auto interval_ns = static_cast<std::int64_t>(10 + below(60)) * kLongestFrame_bits * bit_time_ns;
+      model = burst_errors(1 + static_cast<int>(below(4)), chance(0.5) ? interval_ns : 0);
+    }
+    if (kind > 0.5) {
+      const auto duration_ns = static_cast<std::int64_t>(1 + below(2000)) * bit_time_ns;
+      model.push_back(jam(duration_ns, chance(0.5) ? 20 * duration_ns : 0).front());
+    }
+    return model;
+  }
+  std::int64_t error_start_ns() {
+    return kStart_ns + static_cast<std::int64_t>(below(10 * kLongestFrame_bits)) * bit_time_ns;
+  }
+
   std::size_t below(std::size_t limit) { return static_cast<std::size_t>(random_()) % limit; }
   bool chance(double probability) { return uniform() < probability; }
   double uniform() { return static_cast<double>(random_()) / 4294967296.0; }
@@ -111,6 +129,7 @@ class RandomMessages {
 
  private:
   static constexpr std::int64_t kStart_ns = 100'000'000'000;
+  static constexpr int kLongestFrame_bits = 160;
 
   void make_messages(std::size_t count, bool some_extended) {
     const bool full_size = chance(0.4);
@@ -183,8 +202,8 @@ class RandomMessages {
   }
 
   // One a message, or a few with several each, some of them with a FIFO queue.
-  void make_stations(double shared) {
-    const bool few = chance(shared);
+  void make_stations() {
+    const bool few = chance(0.5);
     const std::size_t stations = 1 + below(6);
     const double fifos = chance(0.5) ? 0.5 : 0.0;
     std::vector<bool> is_fifo(stations);

@@ -17,12 +17,13 @@ namespace gaitway::tools {
 struct BusAnalyzeOptions {
   std::filesystem::path robot;                    // folder with robot.urdf and robot.yaml
   std::optional<std::filesystem::path> messages;  // instead of a robot: see message_list.hpp
-  std::string profile = "full";                   // of the robot's messages
-  std::vector<std::string> errors;                // see error_option.hpp; they add up
-  double jitter_ms = 0.0;                         // of every message of the robot
-  double jam_ms = 0.0;                            // one jam at the worst instant
-  std::int64_t bit_rate = 1'000'000;              // bit/s
-  bool priorities = false;                        // print the best order even if it is not needed
+  std::string profile;                            // instead of what the robot's network file says
+  std::optional<double> jitter_ms;  // of every message of the robot; as `gaitway run` asks for when left out
+  // They add up. When both are left out: of a robot, what `gaitway run` asks for, and none of messages.
+  std::vector<std::string> errors;    // see error_option.hpp
+  std::optional<double> jam_ms;       // one jam at the worst instant
+  std::int64_t bit_rate = 1'000'000;  // bit/s
+  bool priorities = false;            // print the best order even if it is not needed
   bool json = false;
 };
 
