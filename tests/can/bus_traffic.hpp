@@ -142,7 +142,6 @@ class BusTraffic {
     }
     bus_.attach();  // somebody has to acknowledge
     worst_ns_.assign(messages.size(), std::nullopt);
-    bus_.attach();  // somebody acknowledges
   }
 
   SimulatedBus& bus() { return bus_; }
