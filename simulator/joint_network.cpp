@@ -51,17 +51,19 @@ std::int64_t JointNetwork::local_time_ns(int joint, std::int64_t now_ns) const n
                                    clock_rate_[static_cast<std::size_t>(joint)]);
 }
 
-void JointNetwork::step(std::int64_t now_ns, const PlantSensors& sensors) noexcept {
-  localcontroller::JointSensors input;
-  for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
-    if (!powered_[joint]) {
-      torque_Nm_[joint] = 0.0;
-      continue;
-    }
-    input.encoder_count = sensors.encoder_count[joint];
-    input.channel[0] = channel_value(channels_[joint][0], sensors);
-    input.channel[1] = channel_value(channels_[joint][1], sensors);
-    torque_Nm_[joint] = joints_[joint].step(local_time_ns(static_cast<int>(joint), now_ns), input);
+localcontroller::JointSensors JointNetwork::sensors(int joint, const PlantSensors& plant) const noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  localcontroller::JointSensors sensors;
+  sensors.encoder_count = plant.encoder_count[j];
+  sensors.channel[0] = channel_value(channels_[j][0], plant);
+  sensors.channel[1] = channel_value(channels_[j][1], plant);
+  return sensors;
+}
+
+void JointNetwork::step(std::int64_t now_ns, const PlantSensors& plant) noexcept {
+  for (int joint = 0; joint < size(); ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    torque_Nm_[j] = powered_[j] ? joints_[j].step(local_time_ns(joint, now_ns), sensors(joint, plant)) : 0.0;
   }
 }
 

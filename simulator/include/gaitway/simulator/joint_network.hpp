@@ -19,7 +19,9 @@ class JointNetwork {
   JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, double largest_drift_ppm);
 
   // One servo period of every joint at the true time `now_ns`; the torques are in torque_Nm() afterwards.
-  void step(std::int64_t now_ns, const PlantSensors& sensors) noexcept;
+  void step(std::int64_t now_ns, const PlantSensors& plant) noexcept;
+  // What the electronics of one joint read from the plant.
+  [[nodiscard]] localcontroller::JointSensors sensors(int joint, const PlantSensors& plant) const noexcept;
   // A frame from the bus reaches one joint.
   void on_frame(int joint, const can::Frame& frame, std::int64_t now_ns) noexcept;
   // Without power a joint hears, says and does nothing.
