@@ -212,9 +212,8 @@ bool JointController::take_frame(can::Frame& frame) noexcept {
     frame = can::encode(config_.profile, feedback);
     return true;
   }
-  const bool reports = config_.profile.has(can::MessageKind::fault_report);
-  const auto faults = static_cast<std::uint8_t>(faults_ | new_faults_);
-  if (reports && faults != reported_faults_ && now_ns_ >= next_report_ns_) {
+  if (report_due()) {
+    const auto faults = static_cast<std::uint8_t>(faults_ | new_faults_);
     reported_faults_ = faults;
     new_faults_ = 0;
     next_report_ns_ = now_ns_ + config_.profile.row(can::MessageKind::fault_report).period_ns;
@@ -222,6 +221,32 @@ bool JointController::take_frame(can::Frame& frame) noexcept {
     return true;
   }
   return false;
+}
+
+bool JointController::report_due() const noexcept {
+  return config_.profile.has(can::MessageKind::fault_report) && (faults_ | new_faults_) != reported_faults_ &&
+         now_ns_ >= next_report_ns_;
+}
+
+std::uint32_t JointController::next_id() const noexcept {
+  constexpr std::uint32_t kNone = 0xFFFF;
+  if (!on_bus()) {
+    return kNone;
+  }
+  if (feedback_pending_) {
+    return config_.profile.id_of(can::MessageKind::feedback, config_.node);
+  }
+  return report_due() ? config_.profile.id_of(can::MessageKind::fault_report, config_.node) : kNone;
+}
+
+void JointController::put_back(const can::Frame& frame) noexcept {
+  if (const auto report = can::decode_fault_report(config_.profile, frame)) {
+    new_faults_ = static_cast<std::uint8_t>(new_faults_ | (report->faults & ~faults_));
+    reported_faults_ = static_cast<std::uint8_t>(~report->faults);  // nothing has been said yet
+    next_report_ns_ = now_ns_;
+  } else {
+    feedback_pending_ = true;  // with newer readings, if they have come
+  }
 }
 
 }  // namespace gaitway::localcontroller

@@ -36,7 +36,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       message_transmitter_(bus_.attach()),
       fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {
   for (int joint = 0; joint < joints_.size(); ++joint) {
-    joint_station_.push_back(bus_.attach());
+    joint_transmitters_.emplace_back(bus_.attach());
   }
   foreign_station_ = bus_.attach();
   if (!options_.plugin_commands_walk) {
@@ -115,7 +115,9 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
     message_controller_.on_frame(delivery.frame, delivery.end_ns);
   }
   for (int joint = 0; joint < joints_.size(); ++joint) {
-    if (delivery.received_by(joint_station_[static_cast<std::size_t>(joint)])) {
+    can::StationTransmitter& transmitter = joint_transmitters_[static_cast<std::size_t>(joint)];
+    transmitter.on_delivery(delivery);
+    if (delivery.received_by(transmitter.station())) {
       joints_.on_frame(joint, delivery.frame, delivery.end_ns);
     }
   }
@@ -144,12 +146,7 @@ void Cosimulation::offer_from_message_controller(std::int64_t now_ns) {
 }
 
 void Cosimulation::offer_from_joint(int joint, std::int64_t now_ns) {
-  const int station = joint_station_[static_cast<std::size_t>(joint)];
-  can::Frame frame;
-  if (!bus_.transmit_pending(station) && joints_.take_frame(joint, frame) &&
-      bus_.state(station) < can::BusState::bus_off) {
-    bus_.transmit(station, frame, now_ns);
-  }
+  joints_.offer(joint, joint_transmitters_[static_cast<std::size_t>(joint)], bus_, now_ns);
 }
 
 void Cosimulation::inject_losses() {
@@ -160,8 +157,9 @@ void Cosimulation::inject_losses() {
 }
 
 int Cosimulation::station_of(const std::string& node) const {
-  return node == "message_controller" ? message_transmitter_.station()
-                                      : joint_station_[static_cast<std::size_t>(robot_.joint_index(node))];
+  return node == "message_controller"
+             ? message_transmitter_.station()
+             : joint_transmitters_[static_cast<std::size_t>(robot_.joint_index(node))].station();
 }
 
 void Cosimulation::restart(const JointRestartsFault& fault) {
@@ -177,7 +175,7 @@ void Cosimulation::finish_restarts() {
       return false;
     }
     joints_.power_on(restart.joint, plant_.sensors());
-    bus_.power_on(joint_station_[static_cast<std::size_t>(restart.joint)], now_ns_);
+    bus_.power_on(joint_transmitters_[static_cast<std::size_t>(restart.joint)].station(), now_ns_);
     return true;
   };
   restarts_.erase(std::remove_if(restarts_.begin(), restarts_.end(), done), restarts_.end());

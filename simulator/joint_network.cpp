@@ -73,6 +73,14 @@ void JointNetwork::on_frame(int joint, const can::Frame& frame, std::int64_t now
   }
 }
 
+void JointNetwork::offer(int joint, can::StationTransmitter& transmitter, can::SimulatedBus& bus,
+                         std::int64_t now_ns) noexcept {
+  if (powered_[static_cast<std::size_t>(joint)] &&
+      bus.state(transmitter.station()) < can::BusState::bus_off) {
+    transmitter.offer(bus, joints_[static_cast<std::size_t>(joint)], now_ns);
+  }
+}
+
 bool JointNetwork::take_frame(int joint, can::Frame& frame) noexcept {
   return powered_[static_cast<std::size_t>(joint)] &&
          joints_[static_cast<std::size_t>(joint)].take_frame(frame);

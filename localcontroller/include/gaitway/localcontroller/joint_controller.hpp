@@ -57,6 +57,10 @@ class JointController {
 
   // The next frame to send, highest priority first; false when there is none.
   bool take_frame(can::Frame& frame) noexcept;
+  // Identifier of that frame; past every identifier when there is none.
+  [[nodiscard]] std::uint32_t next_id() const noexcept;
+  // A frame that was offered to the bus and taken back, because a more urgent one came.
+  void put_back(const can::Frame& frame) noexcept;
 
   // Reference count for the end of the running slot, and the interpolated reference that the servo tracks.
   [[nodiscard]] std::int32_t reference_count() const noexcept { return player_.count(); }
@@ -72,6 +76,7 @@ class JointController {
   void on_user_command(const can::UserCommand& command, std::int64_t now_ns) noexcept;
   void on_stop(can::StopMode mode, std::int64_t now_ns) noexcept;
   void set_fault(can::Fault fault, bool present) noexcept;
+  [[nodiscard]] bool report_due() const noexcept;
   void find_faults() noexcept;
   [[nodiscard]] double plausible_position_rad(std::int32_t encoder_count) noexcept;
 

@@ -103,7 +103,7 @@ class Cosimulation {
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;
-  std::vector<int> joint_station_;
+  std::vector<can::StationTransmitter> joint_transmitters_;
   int foreign_station_ = 0;                 // of nodes that do not belong there
   std::vector<can::Frame> foreign_frames_;  // one a millisecond
   struct Restart {

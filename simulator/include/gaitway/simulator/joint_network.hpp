@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gaitway/can/frame.hpp"
+#include "gaitway/can/station_transmitter.hpp"
 #include "gaitway/localcontroller/joint_controller.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -28,6 +29,10 @@ class JointNetwork {
   void power_off(int joint) noexcept;
   // With power it holds where its encoder, an absolute one, says that it is.
   void power_on(int joint, const PlantSensors& sensors) noexcept;
+  // Keeps a joint's most urgent frame in its station's transmit buffer; a feedback frame does not wait behind
+  // its own fault report.
+  void offer(int joint, can::StationTransmitter& transmitter, can::SimulatedBus& bus,
+             std::int64_t now_ns) noexcept;
   // The next frame that a joint has to send; false when there is none.
   bool take_frame(int joint, can::Frame& frame) noexcept;
 

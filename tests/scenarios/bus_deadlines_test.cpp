@@ -1,0 +1,84 @@
+// How fast an emergency stop is on every joint, at whatever instant of the cycle it is handed over.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+
+#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
+#include "simulated_run.hpp"
+
+namespace gaitway::scenarios {
+namespace {
+
+using msgclient::kMillisecond_ns;
+
+// When each joint had the emergency stop.
+class StopWitness final : public simulator::CosimulationObserver {
+ public:
+  explicit StopWitness(const simulator::Cosimulation& run) : joints_(run.joints().size()) {}
+  void on_frame(const can::SimulatedBus::Delivery& delivery) override {
+    if (delivery.frame.id != can::kFullProfile.id_of(can::MessageKind::emergency_stop)) {
+      return;
+    }
+    for (int joint = 0; joint < joints_; ++joint) {
+      const auto j = static_cast<std::size_t>(joint);
+      if (delivery.received_by(1 + joint) && !arrived_ns_[j]) {  // the message controller is station 0
+        arrived_ns_[j] = delivery.end_ns;
+      }
+    }
+  }
+  void on_millisecond(std::int64_t) override {}
+  // The last joint's; nothing while one of them has not got it.
+  [[nodiscard]] std::optional<std::int64_t> complete_ns() const {
+    std::int64_t last_ns = 0;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(joints_); ++j) {
+      if (!arrived_ns_[j]) {
+        return std::nullopt;
+      }
+      last_ns = std::max(last_ns, *arrived_ns_[j]);
+    }
+    return last_ns;
+  }
+
+ private:
+  int joints_;
+  std::array<std::optional<std::int64_t>, kMaxJoints> arrived_ns_{};
+};
+
+// From the hand-over at `at_ms` to the last joint, in nanoseconds. The robot has begun to walk.
+std::int64_t stop_response_ns(int at_ms, std::int64_t jam_ns) {
+  SimulatedRun run(static_cast<std::uint64_t>(at_ms));
+  StopWitness witness(run.cosimulation);
+  run.cosimulation.observe(&witness);
+  run.cosimulation.apply(walk_at(0.0, 0.15));
+  while (run.cosimulation.now_ns() < at_ms * kMillisecond_ns) {
+    run.cosimulation.advance_millisecond();
+  }
+  const std::int64_t from_ns = run.cosimulation.now_ns();
+  if (jam_ns > 0) {
+    run.cosimulation.apply({0.0, simulator::JamFault{.duration_s = static_cast<double>(jam_ns) * 1e-9}});
+  }
+  run.cosimulation.apply({0.0, simulator::EmergencyStopEvent{}});
+  for (int ms = 0; ms < 20 && !witness.complete_ns(); ++ms) {
+    run.cosimulation.advance_millisecond();
+  }
+  return witness.complete_ns().value_or(from_ns + 1'000'000'000) - from_ns;
+}
+
+TEST(EmergencyStop, IsOnEveryJointWithinAMillisecondOnABusWithoutErrors) {
+  for (int at_ms = 700; at_ms < 700 + 8 * seeds(10); ++at_ms) {  // every millisecond of the cycle
+    EXPECT_LE(stop_response_ns(at_ms, 0), 1'000'000) << "at " << at_ms << " ms";
+  }
+}
+
+TEST(EmergencyStop, IsOnEveryJointWithinFourMillisecondsWhenTheBusIsJammedForTwo) {
+  for (int at_ms = 700; at_ms < 700 + 8 * seeds(10); ++at_ms) {
+    const std::int64_t response_ns = stop_response_ns(at_ms, msgcontroller::kJam_ns);
+    EXPECT_LE(response_ns, 4'000'000) << "at " << at_ms << " ms";
+    EXPECT_GE(response_ns, msgcontroller::kJam_ns) << "the jam was real";
+  }
+}
+
+}  // namespace
+}  // namespace gaitway::scenarios
