@@ -28,7 +28,8 @@ PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainCo
 std::size_t bytes_over_emi(const PluginManager& manager) {
   std::size_t bytes = 0;
   for (const StandardTopic& topic : kStandardTopics) {
-    const bool always = topic.name == "joint_states" || topic.name == "network_state";
+    const bool always =
+        topic.name == "joint_states" || topic.name == "network_state" || topic.name == "network_health";
     if (topic.writer == "message_controller" && (always || manager.uses(topic.name))) {
       bytes += topic.type->size;
     }
@@ -49,6 +50,7 @@ MainController::MainController(const urdf::RobotModel& robot, msgclient::Client&
       trim_reader_(client.read<TrimCommand>("trim")),
       joint_states_reader_(client.read<JointStates>("joint_states")),
       network_state_reader_(client.read<NetworkState>("network_state")),
+      network_health_reader_(client.read<NetworkHealth>("network_health")),
       crossing_bytes_(bytes_over_emi(manager_)) {}
 
 TickReport MainController::step(std::int64_t now_ns) noexcept {
@@ -58,6 +60,7 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   ++counts_.ticks;
   counts_.batches += tick.batch ? 1U : 0U;
   take_answers(tick);
+  note_network(tick);
   host_.charge_read(crossing_bytes_, now_ns);
   manager_.step(tick);
   report.declared_cost_ns = manager_.declared_cost_ns();
@@ -193,6 +196,14 @@ std::span<const double> MainController::start_reference(const Tick& tick) noexce
     start_rad_[joint] = static_cast<double>(accepted_->position_at(point, static_cast<int>(joint)));
   }
   return std::span(start_rad_).first(accepted_->joint_count);
+}
+
+void MainController::note_network(const Tick& tick) noexcept {
+  if (network_health_reader_.read(network_health_)) {
+    network_events_.compare(network_health_, [&](std::string_view text) {
+      manager_.events().add(tick.now_ns, tick.tick, EventKind::warning, kOwnName, text);
+    });
+  }
 }
 
 void MainController::note_refusal(const Tick& tick, std::string_view text) noexcept {

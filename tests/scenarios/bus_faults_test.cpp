@@ -145,6 +145,81 @@ void expect_survives(std::uint64_t seed, double seconds) {
   EXPECT_GE(found.trajectories_lost, witness.trajectories_lost) << "some were flushed at the bus-off";
 }
 
+// The robot walks, a station that does not belong there speaks once, and within a time slot its cause is
+// known.
+class ForeignFrames : public ::testing::Test {
+ protected:
+  const NetworkHealth& after(const can::Frame& frame) {
+    run_.play({.seconds = 4.0, .events = {walk_at(1.0, 0.15), {3.5, simulator::ForeignFrameFault{frame}}}});
+    return run_.cosimulation.message_controller().health();
+  }
+  void expect_reported() {
+    const core::EventLog& log = run_.cosimulation.main_controller().events();
+    int reports = 0;
+    for (std::uint64_t number = log.first(); number < log.total(); ++number) {
+      const bool about_it = log[number].text().find("message network: 1 ") != std::string_view::npos;
+      reports += about_it ? 1 : 0;
+      EXPECT_TRUE(!about_it || log[number].stamp_ns <= 3'500'000'000 + 2 * kSlot_ns) << log[number].text();
+    }
+    EXPECT_EQ(reports, 1);
+  }
+  void expect_goes_on() {
+    expect_reported();
+    EXPECT_FALSE(run_.metrics().fell);
+    EXPECT_EQ(run_.cosimulation.message_controller().mode(), msgcontroller::Mode::batches);
+  }
+  void expect_safe_stop() {
+    expect_reported();
+    bool stood = false;
+    for (int ms = 0; ms < 3000 && !run_.metrics().fell; ++ms) {
+      run_.cosimulation.advance_millisecond();
+      stood = stood || run_.cosimulation.message_controller().mode() == msgcontroller::Mode::holding;
+    }
+    EXPECT_TRUE(stood);
+    EXPECT_FALSE(run_.metrics().fell);
+  }
+  SimulatedRun run_{5};
+};
+
+TEST_F(ForeignFrames, AnUnknownIdentifierDisturbsNothing) {
+  EXPECT_EQ(after({.id = 0x7AB, .size = 2, .data = {1, 2}}).unknown_identifiers, 1U);
+  expect_goes_on();
+}
+
+TEST_F(ForeignFrames, AWrongLengthDisturbsNothing) {
+  can::Frame frame = can::encode(can::kFullProfile, can::Feedback{.node = 5});
+  frame.size = 3;
+  EXPECT_EQ(after(frame).wrong_lengths, 1U);
+  expect_goes_on();
+}
+
+TEST_F(ForeignFrames, ARemoteFrameDisturbsNothing) {
+  EXPECT_EQ(after({.id = 0x7AB, .size = 2, .remote = true}).remote_frames, 1U);
+  expect_goes_on();
+}
+
+TEST_F(ForeignFrames, AnExtendedFrameDisturbsNothing) {
+  EXPECT_EQ(after({.id = 0x1234567, .size = 2, .extended = true}).extended_frames, 1U);
+  expect_goes_on();
+}
+
+TEST_F(ForeignFrames, AForgedTrajectoryEndsInASafeStop) {
+  EXPECT_EQ(after(can::encode(can::kFullProfile, can::Trajectory{4, true, {90, 90, 90, 90, 90, 90, 90, 90}}))
+                .forged,
+            1U);
+  expect_safe_stop();
+}
+
+TEST_F(ForeignFrames, AForgedUserCommandEndsInASafeStop) {
+  EXPECT_EQ(after(can::encode(can::kFullProfile, can::UserCommand{4, 800, 1})).forged, 1U);
+  expect_safe_stop();
+}
+
+TEST_F(ForeignFrames, AForgedRepairEndsInASafeStop) {
+  EXPECT_EQ(after(can::encode(can::kFullProfile, can::Resynchronisation{19, true, 7, 300, {}})).forged, 1U);
+  expect_safe_stop();
+}
+
 TEST(BusFaults, EveryLossOnADisturbedBusIsFoundAndRepaired) {
   for (int seed = 1; seed <= seeds(3); ++seed) {
     expect_finds_every_loss(static_cast<std::uint64_t>(seed), 30.0);

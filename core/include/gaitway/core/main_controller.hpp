@@ -13,6 +13,7 @@
 
 #include "gaitway/core/cycle.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
+#include "gaitway/core/network_events.hpp"
 #include "gaitway/core/plugin_manager.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/process/duration_histogram.hpp"
@@ -98,6 +99,7 @@ class MainController {
   [[nodiscard]] bool plan_is_usable(const Tick& tick) noexcept;
   // Where the joints' references are when the batch begins; empty: not known.
   [[nodiscard]] std::span<const double> start_reference(const Tick& tick) noexcept;
+  void note_network(const Tick& tick) noexcept;
   void note_refusal(const Tick& tick, std::string_view text) noexcept;
 
   JointPlanCheck check_;
@@ -108,6 +110,7 @@ class MainController {
   msgclient::Reader<TrimCommand> trim_reader_;
   msgclient::Reader<JointStates> joint_states_reader_;
   msgclient::Reader<NetworkState> network_state_reader_;
+  msgclient::Reader<NetworkHealth> network_health_reader_;
   std::size_t crossing_bytes_ = 0;  // of the topics that are read over the EMI in each tick
 
   // Large values: kept off the stack.
@@ -119,6 +122,8 @@ class MainController {
   std::uint64_t trim_sequence_ = 0;
   JointStates joint_states_{};
   NetworkState network_state_{};
+  NetworkHealth network_health_{};
+  NetworkEvents network_events_;
   std::array<double, kMaxJoints> start_rad_{};
 
   MainControllerStatistics counts_;  // its texts and summaries stay empty: statistics() fills them in
