@@ -13,6 +13,7 @@
 
 #include "gaitway/can/bus_client.hpp"
 #include "gaitway/can/bus_server.hpp"
+#include "gaitway/can/socketcand_server.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
@@ -39,6 +40,7 @@ struct Options {
   std::filesystem::path walk_log;
   simulator::PlantOptions plant;
   double seconds = 0.0;
+  std::string socketcand;  // empty: not served
 };
 
 struct LogRow {
@@ -62,6 +64,23 @@ class VirtualRobot {
     }
     start_m_ = plant_.truth().base.translation();
     joints_.step(now_ns_, plant_.sensors());
+    if (!options.socketcand.empty()) {
+      socketcand_.emplace(can::SocketcandAddress::parse(options.socketcand), server_.bus());
+    }
+  }
+
+  // Takes in what the clients of the bus said.
+  void listen() {
+    server_.step();
+    if (socketcand_) {
+      socketcand_->step(now_ns_);
+    }
+  }
+  void answer() {
+    server_.flush();
+    if (socketcand_) {
+      socketcand_->flush(now_ns_);
+    }
   }
 
   // Bus up to the new instant, body, local controllers: the order of the co-simulation.
@@ -70,8 +89,14 @@ class VirtualRobot {
       offer(joint, now_ns_);
     }
     const std::int64_t until_ns = now_ns_ + kMillisecond_ns;
+    if (socketcand_) {
+      socketcand_->offer(now_ns_, until_ns);
+    }
     while (const auto delivery = server_.advance(until_ns)) {
       deliver(*delivery);
+      if (socketcand_) {
+        socketcand_->on_delivery(*delivery);
+      }
     }
     plant_.step(joints_.torque_Nm());
     now_ns_ = until_ns;
@@ -80,6 +105,9 @@ class VirtualRobot {
   }
 
   [[nodiscard]] can::BusServer& server() noexcept { return server_; }
+  [[nodiscard]] const std::optional<can::SocketcandServer>& socketcand() const noexcept {
+    return socketcand_;
+  }
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   [[nodiscard]] double time_s() const noexcept { return static_cast<double>(now_ns_ - start_ns_) * 1e-9; }
   [[nodiscard]] const std::optional<double>& fell_at_s() const noexcept { return fell_at_s_; }
@@ -129,6 +157,7 @@ class VirtualRobot {
   simulator::Plant plant_;
   simulator::JointNetwork joints_;
   can::BusServer server_;
+  std::optional<can::SocketcandServer> socketcand_;
   std::vector<int> station_;
   Eigen::Vector3d start_m_ = Eigen::Vector3d::Zero();
   std::optional<double> fell_at_s_;
@@ -165,14 +194,15 @@ LoopResult run_loop(VirtualRobot& robot, const Options& options) {
   LoopResult result;
   const std::int64_t begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
-  std::array<pollfd, 1> wakes{pollfd{robot.server().wake_fd(), POLLIN, 0}};
+  const int socketcand_fd = robot.socketcand() ? robot.socketcand()->wake_fd() : -1;  // -1: poll() skips it
+  std::array<pollfd, 2> wakes{pollfd{robot.server().wake_fd(), POLLIN, 0}, pollfd{socketcand_fd, POLLIN, 0}};
   bool waiting = false;
   std::int64_t now_ns = begin_ns;
   while (!process::stop_requested() && (options.seconds <= 0.0 || now_ns < stop_ns)) {
     const std::int64_t due_ns = robot.now_ns() + kMillisecond_ns;
     process::wait_until(waiting ? due_ns + can::kLongestWait_ns : due_ns, wakes);
     now_ns = process::monotonic_ns();
-    robot.server().step();
+    robot.listen();
     if (now_ns < due_ns) {
       continue;  // a client spoke; its frames wait for their millisecond
     }
@@ -181,7 +211,7 @@ LoopResult run_loop(VirtualRobot& robot, const Options& options) {
       result.overruns += static_cast<std::uint64_t>((now_ns - due_ns) / kMillisecond_ns);
     }
     const bool stepped = step_due(robot, now_ns, result);
-    robot.server().flush();
+    robot.answer();
     const bool behind = robot.now_ns() + kMillisecond_ns <= now_ns;
     result.waited += behind && (stepped || !waiting) ? 1U : 0U;
     waiting = behind;
@@ -208,6 +238,13 @@ void write_results(const Options& options, const VirtualRobot& robot, const can:
   if (robot.fell_at_s()) {
     summary["fell_at_s"] = *robot.fell_at_s();
   }
+  if (robot.socketcand()) {
+    const can::SocketcandStatistics& clients = robot.socketcand()->statistics();
+    summary["socketcand"] = {
+        {"clients", clients.clients},         {"turned_away", clients.turned_away},
+        {"not_reading", clients.not_reading}, {"rejected_commands", clients.rejected_commands},
+        {"frames", clients.frames},           {"untold_remote_frames", clients.untold_remote_frames}};
+  }
   if (options.summary.empty()) {
     fmt::print("{}\n", summary.dump(2));
   } else {
@@ -227,6 +264,11 @@ int run(const Options& options) {
   const urdf::RobotModel model = urdf::load_robot(options.robot);
   const std::int64_t start_ns = process::monotonic_ns() / kMillisecond_ns * kMillisecond_ns;
   VirtualRobot robot(model, options, start_ns);
+  if (robot.socketcand()) {
+    fmt::print("virtual_robot: socketcand clients find the bus can0 on port {}\n",
+               robot.socketcand()->port());
+    std::fflush(stdout);
+  }
   process::ask_for_real_time("virtual_robot", kPriority);
   const LoopResult result = run_loop(robot, options);
   write_results(options, robot, robot.server(), result);
@@ -250,9 +292,13 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--summary", options.summary, "File for the summary (JSON) instead of the terminal");
   app.add_option("--walk-log", options.walk_log, "File for where the base was, every 10 ms (CSV)");
+  app.add_option("--socketcand", options.socketcand,
+                 "Serve the bus to clients of the socketcand protocol, too: [ADDRESS:]PORT on the loopback; "
+                 "29536 is the usual port, 0 takes any");
   app.footer(
       "Examples:\n"
       "  virtual_robot --robot urdf/humanoid22 --bus /tmp/bus.sock\n"
+      "  virtual_robot --robot urdf/humanoid22 --bus /tmp/bus.sock --socketcand 29536\n"
       "  virtual_robot --robot urdf/humanoid22 --bus b.sock --seed 7 --seconds 60 --walk-log walk.csv\n"
       "Ends on SIGINT and SIGTERM. Exit code: 0 ended as told (whether the robot fell is in the summary), 1 "
       "the input "
