@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::string_view kHex = "0123456789ABCDEF";
 constexpr std::size_t kBuffer_bytes = std::size_t{1} << 16U;
+constexpr int kBaseDigits = 3;
+constexpr int kExtendedDigits = 8;
+constexpr std::uint32_t kErrorFlag = 0x2000'0000;
 constexpr std::int64_t kLatest_s = 9'000'000'000;  // what 64 bits of nanoseconds hold
 
 // Appends `value` with at least `width` digits.
@@ -38,6 +41,46 @@ std::int64_t parse_number(std::string_view digits, int base, const char* what) {
   return value;
 }
 
+void parse_identifier(std::string_view digits, LoggedFrame& logged) {
+  logged.frame.extended = digits.size() == kExtendedDigits;
+  if (!logged.frame.extended && digits.size() != kBaseDigits) {
+    throw std::invalid_argument("the identifier '" + std::string(digits) +
+                                "' must have three digits, or eight if it is an extended one");
+  }
+  auto id = static_cast<std::uint32_t>(parse_number(digits, 16, "the identifier"));
+  if (logged.frame.extended && (id & ~kLargestExtendedId) == kErrorFlag) {
+    logged.error = true;
+    id &= kLargestExtendedId;
+  }
+  logged.frame.id = id;
+  if (!is_valid(logged.frame)) {
+    throw std::invalid_argument(
+        logged.frame.extended ? "the identifier must have 29 bits (at most 1FFFFFFF), and bit 29 only in "
+                                "a report about errors"
+                              : "the identifier must have 11 bits (at most 7FF)");
+  }
+}
+
+void parse_data(std::string_view data, Frame& frame) {
+  if (!data.empty() && data.front() == 'R') {
+    frame.remote = true;
+    const std::int64_t size =
+        data.size() == 1 ? 0 : parse_number(data.substr(1), 10, "the remote frame's size");
+    if (size > 8) {
+      throw std::invalid_argument("a remote frame asks for 0 to 8 bytes");
+    }
+    frame.size = static_cast<std::uint8_t>(size);
+    return;
+  }
+  if (data.size() % 2 != 0 || data.size() > 16) {
+    throw std::invalid_argument("the data must be 0 to 8 bytes of two hexadecimal digits, or R and a size");
+  }
+  frame.size = static_cast<std::uint8_t>(data.size() / 2);
+  for (std::size_t i = 0; i < frame.size; ++i) {
+    frame.data[i] = static_cast<std::uint8_t>(parse_number(data.substr(2 * i, 2), 16, "the data byte"));
+  }
+}
+
 }  // namespace
 
 CandumpWriter::CandumpWriter(const std::filesystem::path& file)
@@ -54,7 +97,7 @@ CandumpWriter::~CandumpWriter() {
   }
 }
 
-void CandumpWriter::write(std::int64_t time_ns, const Frame& frame) {
+void CandumpWriter::begin_line(std::int64_t time_ns) {
   constexpr std::int64_t kSecond_us = 1'000'000;
   const std::int64_t time_us = time_ns / 1000;
   buffer_ += '(';
@@ -62,18 +105,48 @@ void CandumpWriter::write(std::int64_t time_ns, const Frame& frame) {
   buffer_ += '.';
   append_number(buffer_, time_us % kSecond_us, 6);
   buffer_ += ") can0 ";
-  for (const unsigned shift : {8U, 4U, 0U}) {
-    buffer_ += kHex[(frame.id >> shift) & 0xFU];
+}
+
+void CandumpWriter::append_hex(std::uint32_t value, int digits) {
+  for (int digit = digits - 1; digit >= 0; --digit) {
+    buffer_ += kHex[(value >> static_cast<unsigned>(4 * digit)) & 0xFU];
   }
-  buffer_ += '#';
-  for (const std::uint8_t byte : frame.payload()) {
-    buffer_ += kHex[byte >> 4U];
-    buffer_ += kHex[byte & 0xFU];
+}
+
+void CandumpWriter::append_bytes(std::span<const std::uint8_t> bytes) {
+  for (const std::uint8_t byte : bytes) {
+    append_hex(byte, 2);
   }
+}
+
+void CandumpWriter::end_line() {
   buffer_ += '\n';
   if (buffer_.size() >= kBuffer_bytes) {
     flush();
   }
+}
+
+void CandumpWriter::write(std::int64_t time_ns, const Frame& frame) {
+  begin_line(time_ns);
+  append_hex(frame.id, frame.extended ? kExtendedDigits : kBaseDigits);
+  buffer_ += '#';
+  if (frame.remote) {
+    buffer_ += 'R';
+    if (frame.size > 0) {
+      append_hex(frame.size, 1);
+    }
+  }
+  append_bytes(frame.payload());
+  end_line();
+}
+
+void CandumpWriter::write_error(std::int64_t time_ns, std::uint32_t classes,
+                                const std::array<std::uint8_t, 8>& data) {
+  begin_line(time_ns);
+  append_hex(kErrorFlag | (classes & kLargestExtendedId), kExtendedDigits);
+  buffer_ += '#';
+  append_bytes(data);
+  end_line();
 }
 
 void CandumpWriter::flush() {
@@ -111,25 +184,8 @@ LoggedFrame parse_candump_line(std::string_view line) {
   }
   LoggedFrame logged;
   logged.time_ns = seconds * 1'000'000'000 + parse_number(fraction, 10, "the time") * 1000;
-  const std::string_view digits = line.substr(space + 1, hash - space - 1);
-  if (digits.size() != 3) {
-    throw std::invalid_argument("the identifier '" + std::string(digits) +
-                                "' must have three digits: the network has no 29-bit identifiers");
-  }
-  const std::int64_t id = parse_number(digits, 16, "the identifier");
-  if (id > 0x7FF) {
-    throw std::invalid_argument("the identifier must have 11 bits (at most 7FF)");
-  }
-  logged.frame.id = static_cast<std::uint16_t>(id);
-  const std::string_view data = line.substr(hash + 1);
-  if (data.size() % 2 != 0 || data.size() > 16) {
-    throw std::invalid_argument("the data must be 0 to 8 bytes of two hexadecimal digits");
-  }
-  logged.frame.size = static_cast<std::uint8_t>(data.size() / 2);
-  for (std::size_t i = 0; i < logged.frame.size; ++i) {
-    logged.frame.data[i] =
-        static_cast<std::uint8_t>(parse_number(data.substr(2 * i, 2), 16, "the data byte"));
-  }
+  parse_identifier(line.substr(space + 1, hash - space - 1), logged);
+  parse_data(line.substr(hash + 1), logged.frame);
   return logged;
 }
 

@@ -85,12 +85,44 @@ TEST_F(CandumpLogTest, EachRuleThatALineBreaksIsNamed) {
   EXPECT_THAT(error_of("(1.00000x) can0 123#00"), HasSubstr("is not a number"));
   EXPECT_THAT(error_of("(-1.000000) can0 123#00"), HasSubstr("is not a number"));
   EXPECT_THAT(error_of("(9999999999999.000000) can0 123#00"), HasSubstr("at most"));
-  EXPECT_THAT(error_of("(1.000000) can0 00000123#00"), HasSubstr("three digits"));
+  EXPECT_THAT(error_of("(1.000000) can0 0123#00"), HasSubstr("three digits"));
+  EXPECT_THAT(error_of("(1.000000) can0 40000123#00"), HasSubstr("29 bits"));
   EXPECT_THAT(error_of("(1.000000) can0 800#00"), HasSubstr("11 bits"));
   EXPECT_THAT(error_of("(1.000000) can0 123#0"), HasSubstr("two hexadecimal digits"));
   EXPECT_THAT(error_of("(1.000000) can0 123#000102030405060708"), HasSubstr("0 to 8 bytes"));
   EXPECT_THAT(error_of("(1.000000) can0 123#0G"), HasSubstr("'0G' is not a number"));
-  EXPECT_THAT(error_of("(1.000000) can0 123#R"), HasSubstr("two hexadecimal digits"));
+  EXPECT_THAT(error_of("(1.000000) can0 123#R9"), HasSubstr("0 to 8 bytes"));
+  EXPECT_THAT(error_of("(1.000000) can0 123#Rx"), HasSubstr("'x' is not a number"));
+}
+
+TEST_F(CandumpLogTest, ExtendedAndRemoteFramesAndReportsAboutErrorsComeBack) {
+  const std::vector<LoggedFrame> all = {
+      {1'000, {.id = 0x123, .size = 2, .data = {1, 2}, .extended = true}},
+      {2'000, {.id = kLargestExtendedId, .extended = true}},
+      {3'000, {.id = 0x123, .size = 8, .remote = true}},
+      {4'000, {.id = 0x123, .size = 0, .remote = true}},
+      {5'000, {.id = 4, .size = 3, .extended = true, .remote = true}},
+      {6'000, {.id = 0x44, .size = 8, .data = {0, 0x10, 0, 0, 0, 0, 7, 9}, .extended = true}, true}};
+  {
+    CandumpWriter writer(file);
+    for (const LoggedFrame& logged : all) {
+      if (logged.error) {
+        writer.write_error(logged.time_ns, logged.frame.id, logged.frame.data);
+      } else {
+        writer.write(logged.time_ns, logged.frame);
+      }
+    }
+  }
+  EXPECT_EQ(
+      text(),
+      "(0.000001) can0 00000123#0102\n(0.000002) can0 1FFFFFFF#\n(0.000003) can0 123#R8\n"
+      "(0.000004) can0 123#R\n(0.000005) can0 00000004#R3\n(0.000006) can0 20000044#0010000000000709\n");
+  const std::vector<LoggedFrame> read = read_candump_log(file);
+  ASSERT_EQ(read.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(read[i].frame, all[i].frame) << i;
+    EXPECT_EQ(read[i].error, all[i].error) << i;
+  }
 }
 
 TEST_F(CandumpLogTest, FileAndLineAreNamed) {

@@ -1,10 +1,16 @@
 // Bus logs in candump's format: one line a frame, "(seconds.microseconds) can0 123#0011223344556677".
+// Extended identifiers have eight digits; a remote frame is "123#R" and the number of bytes it asks for,
+// unless that is zero; what an interface reports about errors is an extended frame with bit 29 of the
+// identifier set
+// ("20000004#…", classes and bytes of linux/can/error.h).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +29,17 @@ class CandumpWriter {
   CandumpWriter& operator=(CandumpWriter&&) = delete;
   // `time_ns` must not be negative.
   void write(std::int64_t time_ns, const Frame& frame);
+  // A report about errors: its classes (29 bits) and its bytes.
+  void write_error(std::int64_t time_ns, std::uint32_t classes, const std::array<std::uint8_t, 8>& data);
   // Writes what is buffered and closes; throws std::runtime_error naming the file when something was not
   // written.
   void close();
 
  private:
+  void begin_line(std::int64_t time_ns);
+  void append_hex(std::uint32_t value, int digits);
+  void append_bytes(std::span<const std::uint8_t> bytes);
+  void end_line();
   void flush();
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
@@ -37,7 +49,8 @@ class CandumpWriter {
 
 struct LoggedFrame {
   std::int64_t time_ns = 0;
-  Frame frame;
+  Frame frame;         // of a report about errors: its classes as identifier, extended
+  bool error = false;  // no frame of the bus but an interface's report about errors
 };
 
 // One line; throws std::invalid_argument saying which rule it breaks.
