@@ -6,12 +6,15 @@
 namespace gaitway::tools {
 
 CLI::App* add_bus_command(CLI::App& app, BusOptions& options) {
-  CLI::App* const command = app.add_subcommand("bus", "Analyse the robot's CAN bus");
+  CLI::App* const command = app.add_subcommand("bus", "Analyse and describe the robot's CAN bus");
   command->require_subcommand(1);
   add_bus_analyze_command(*command, options.analyze);
+  add_bus_dbc_command(*command, options.dbc);
+  add_bus_document_command(*command, options.document);
   command->footer(
       "Examples:\n"
       "  gaitway bus analyze\n"
+      "  gaitway bus dbc --out robot.dbc\n"
       "  gaitway bus analyze --help");
   return command;
 }
@@ -19,6 +22,12 @@ CLI::App* add_bus_command(CLI::App& app, BusOptions& options) {
 int bus(const CLI::App& command, const BusOptions& options) {
   if (command.got_subcommand("analyze")) {
     return analyze_bus(options.analyze);
+  }
+  if (command.got_subcommand("dbc")) {
+    return write_dbc(options.dbc);
+  }
+  if (command.got_subcommand("document")) {
+    return write_network_document(options.document);
   }
   throw CLI::RequiredError("a subcommand of bus");
 }

@@ -9,7 +9,7 @@
 
 #include "gaitway/urdf/nearest_name.hpp"
 #include "gaitway/urdf/yaml_value.hpp"
-#include "sensor_channels.hpp"
+#include "gaitway/urdf/sensor_channels.hpp"
 
 namespace gaitway::urdf {
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gaitway/tools/bus_analyze_command.hpp"
+#include "gaitway/tools/bus_dbc_command.hpp"
 
 namespace CLI {
 class App;
@@ -12,6 +13,8 @@ namespace gaitway::tools {
 // One member a subcommand.
 struct BusOptions {
   BusAnalyzeOptions analyze;
+  BusDbcOptions dbc;
+  BusDocumentOptions document;
 };
 
 // Adds the command with its subcommands; `options` is filled when it is parsed.
