@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::string_view kHex = "0123456789ABCDEF";
+// Linux marks extended identifiers with it; some clients send it along.
+constexpr std::uint64_t kExtendedFlag = 0x8000'0000U;
 constexpr std::int64_t kMicrosecond_ns = 1'000;
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
@@ -76,11 +78,25 @@ std::int64_t interval(Words& words) {
   return std::min(seconds * kSecond_ns + us * kMicrosecond_ns, kLongestInterval_ns);
 }
 
+// A byte as it is, or sign-extended to 32 or 64 bits, as SavvyCAN writes one from 80 on.
+std::optional<std::uint8_t> byte(std::string_view word) {
+  const auto value = number(word, 16);
+  const bool extended_to_32 = word.size() == 8 && value >= 0xFFFF'FF80U;
+  const bool extended_to_64 = word.size() == 16 && value >= 0xFFFF'FFFF'FFFF'FF80U;
+  if (!value || (word.size() > 2 && !extended_to_32 && !extended_to_64)) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint8_t>(*value & 0xFFU);
+}
+
 // The number of digits tells the formats apart: 8 for an extended identifier, at most 3 for a base one.
 void identifier(Words& words, Frame& frame) {
   const std::string_view word = words.next();
-  const auto value = number(word, 16);
+  auto value = number(word, 16);
   frame.extended = word.size() == 8;
+  if (value && frame.extended) {
+    *value &= ~kExtendedFlag;
+  }
   const std::uint32_t largest = frame.extended ? kLargestExtendedId : kLargestId;
   if (!value || *value > largest || (!frame.extended && word.size() > 3)) {
     throw Refused(
@@ -99,12 +115,12 @@ void data(Words& words, Frame& frame) {
   }
   for (std::size_t i = 0; i < frame.size; ++i) {
     const std::string_view word = words.next();
-    const auto value = number(word, 16);
-    if (!value || word.size() > 2) {
+    const auto value = byte(word);
+    if (!value) {
       throw Refused(quoted(word) + ": data byte " + std::to_string(i + 1) + " of " +
                     std::to_string(frame.size) + " must be one or two hexadecimal digits");
     }
-    frame.data[i] = static_cast<std::uint8_t>(*value);
+    frame.data[i] = *value;
   }
 }
 

@@ -145,7 +145,8 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   return result;
 }
 
-void write_summary(const Options& options, const NetworkState& state, const LoopResult& loop) {
+void write_summary(const Options& options, const NetworkState& state, const NetworkHealth& health,
+                   const LoopResult& loop) {
   const process::DurationSummary late = loop.lateness.summary();
   const nlohmann::ordered_json summary = {
       {"seconds", static_cast<double>(loop.end_ns - loop.begin_ns) * 1e-9},
@@ -157,6 +158,18 @@ void write_summary(const Options& options, const NetworkState& state, const Loop
       {"resynchronised", state.resynchronised},
       {"missed_milliseconds", loop.missed},
       {"stale_frames", loop.stale},
+      {"network",
+       {{"unknown_identifiers", health.unknown_identifiers},
+        {"wrong_lengths", health.wrong_lengths},
+        {"remote_frames", health.remote_frames},
+        {"extended_frames", health.extended_frames},
+        {"undefined_values", health.undefined_values},
+        {"forged", health.forged},
+        {"second_senders", health.second_senders},
+        {"doubled", health.doubled},
+        {"feedback_missing", health.feedback_missing},
+        {"trajectories_lost", health.trajectories_lost},
+        {"counts_differed", health.counts_differed}}},
       {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
   if (options.summary.empty()) {
     fmt::print("{}\n", summary.dump(2));
@@ -183,7 +196,7 @@ int run(const Options& options) {
   msgclient::MemoryBlockServer server(block, options.memory);
   process::ask_for_real_time("message_controller", kPriority);
   const LoopResult result = run_loop(options, block, server, controller, *bus);
-  write_summary(options, controller.state(), result);
+  write_summary(options, controller.state(), controller.health(), result);
   return result.exit_code;
 }
 

@@ -55,6 +55,16 @@ TEST(SocketcandProtocol, EightDigitsMakeAnExtendedIdentifier) {
   EXPECT_EQ(parsed("<send 7ff 0>").frame, (Frame{.id = 0x7FF}));
 }
 
+TEST(SocketcandProtocol, WhatSavvyCanMakesOfLargeBytesAndExtendedIdentifiersIsUnderstood) {
+  EXPECT_EQ(parsed("< send 123 3 ffffffffffffff80 7f ffffffff >").frame,
+            (Frame{.id = 0x123, .size = 3, .data = {0x80, 0x7F, 0xFF}}));
+  EXPECT_EQ(parsed("< send 9abcdef0 1 5 >").frame,
+            (Frame{.id = 0x1ABCDEF0, .size = 1, .data = {5}, .extended = true}));
+  EXPECT_THAT(reason("< send 123 1 ffffff7f >"), HasSubstr("data byte 1 of 1"));
+  EXPECT_THAT(reason("< send 123 1 ffffffffffffff7f >"), HasSubstr("data byte 1 of 1"));
+  EXPECT_THAT(reason("< send 123 1 ff80 >"), HasSubstr("data byte 1 of 1"));
+}
+
 TEST(SocketcandProtocol, ASizeWithoutBytesIsARemoteFrame) {
   EXPECT_EQ(parsed("< send 123 8  >").frame, (Frame{.id = 0x123, .size = 8, .remote = true}));
   EXPECT_EQ(parsed("< send 123 0  >").frame, (Frame{.id = 0x123, .size = 0, .remote = false}));
