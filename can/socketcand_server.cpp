@@ -152,15 +152,16 @@ void SocketcandServer::watch(int fd, bool readable, bool is_new) const {
   }
 }
 
-int SocketcandServer::free_station() {
-  const auto free = std::find_if(free_stations_.begin(), free_stations_.end(),
-                                 [this](int station) { return !bus_.transmit_pending(station); });
-  if (free == free_stations_.end()) {
-    return bus_.attach();
-  }
-  const int station = *free;
-  free_stations_.erase(free);
-  return station;
+// What a client that left still has on the wire is sent to its end.
+void SocketcandServer::detach_leaving() {
+  std::erase_if(leaving_stations_, [this](int station) {
+    bus_.abort(station);
+    const bool done = !bus_.transmit_pending(station);
+    if (done) {
+      bus_.detach(station);
+    }
+    return done;
+  });
 }
 
 void SocketcandServer::accept_clients() {
@@ -181,7 +182,7 @@ void SocketcandServer::accept_clients() {
     setsockopt(connection.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     setsockopt(connection.get(), SOL_SOCKET, SO_SNDBUF, &kSendBuffer_bytes, sizeof kSendBuffer_bytes);
     watch(connection.get(), true, true);
-    clients_.emplace_back(std::move(connection), free_station(), options_.bus_name).flush();
+    clients_.emplace_back(std::move(connection), bus_.attach(), options_.bus_name).flush();
     ++statistics_.clients;
   }
 }
@@ -231,12 +232,12 @@ void SocketcandServer::drop_gone() {
                       !bus_.transmit_pending(client->station);
     if (client->gone || done || client->session.overrun()) {
       statistics_.not_reading += client->session.overrun() ? 1U : 0U;
-      bus_.abort(client->station);
-      free_stations_.push_back(client->station);
+      leaving_stations_.push_back(client->station);
       clients_.erase(client);
     }
     client = next;
   }
+  detach_leaving();
 }
 
 void SocketcandServer::offer(std::int64_t now_ns, std::int64_t until_ns) {
@@ -262,8 +263,8 @@ void SocketcandServer::offer(Client& client, std::int64_t now_ns) {
 
 void SocketcandServer::on_delivery(const SimulatedBus::Delivery& delivery) {
   for (Client& client : clients_) {
-    const bool own = client.station == delivery.sender;
-    if (own || !delivery.lost) {
+    const bool own = delivery.sent_by(client.station);
+    if (own || delivery.received_by(client.station)) {
       const std::uint64_t untold = client.session.untold_remote_frames();
       client.session.on_frame({delivery.frame, delivery.start_ns, delivery.end_ns}, own);
       statistics_.untold_remote_frames += client.session.untold_remote_frames() - untold;

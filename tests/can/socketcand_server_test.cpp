@@ -173,7 +173,7 @@ TEST_F(SocketcandServerTest, WhatAClientSaidBeforeItFinishedIsStillSent) {
 }
 
 TEST_F(SocketcandServerTest, TheStationOfAClientThatLeftServesTheNextOne) {
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < SimulatedBus::kMaximumStations + 10; ++i) {
     TcpClient client(server.port());
     client.say("< open can0 >< send 001 0 >");
     EXPECT_TRUE(hears(client, "< ok >"));
@@ -181,6 +181,17 @@ TEST_F(SocketcandServerTest, TheStationOfAClientThatLeftServesTheNextOne) {
     EXPECT_TRUE(rounds_until([&] { return server.client_count() == 0; }));
   }
   EXPECT_LE(bus.attach(), 4);
+  EXPECT_EQ(server.statistics().clients, SimulatedBus::kMaximumStations + 10);
+}
+
+TEST_F(SocketcandServerTest, AFrameThatAClientsStationDoesNotReceiveIsNotTold) {
+  TcpClient client = raw_client();
+  bus.set_loss([](const Frame& frame, std::int64_t) { return frame.id == 0x123; });
+  bus.transmit(station, {.id = 0x123}, now_ns);
+  round();
+  bus.transmit(station, {.id = 0x124}, now_ns);
+  EXPECT_TRUE(hears(client, "< frame 124"));
+  EXPECT_THAT(client.heard(), testing::Not(HasSubstr("< frame 123")));
 }
 
 TEST_F(SocketcandServerTest, AnUnknownBusIsRefusedAndTheConnectionEnds) {

@@ -79,7 +79,7 @@ class SocketcandServer {
   void offer(Client& client, std::int64_t now_ns);
   void drop_gone();
   void send_beacon(std::int64_t now_ns);
-  int free_station();
+  void detach_leaving();
 
   SimulatedBus& bus_;
   Options options_;
@@ -88,8 +88,8 @@ class SocketcandServer {
   std::string beacon_text_;
   std::optional<std::int64_t> beacon_sent_ns_;
   std::list<Client> clients_;
-  std::vector<int> free_stations_;  // of clients that went
-  std::int64_t horizon_ns_ = 0;     // how far the bus is about to run
+  std::vector<int> leaving_stations_;  // of clients that went
+  std::int64_t horizon_ns_ = 0;        // how far the bus is about to run
   SocketcandStatistics statistics_;
 };
 
