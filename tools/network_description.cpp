@@ -132,7 +132,7 @@ class Describer {
 
   void name_ends(const can::MessageLayout& layout, const DescribedNode* node,
                  DescribedMessage& message) const {
-    if (layout.sender == can::Sender::local_controller) {
+    if (layout.sender == can::Sender::local_controller && node != nullptr) {
       message.sender = node->name;
       message.receivers.emplace_back(kMessageControllerName);
       return;
@@ -157,7 +157,7 @@ class Describer {
     signal.unit = field.unit;
     const urdf::Joint* const joint =
         node == nullptr ? nullptr : &robot_.joints[static_cast<std::size_t>(node->joint)];
-    if (field.unit == "network file") {
+    if (field.unit == "network file" && node != nullptr) {
       describe_channel(robot_.channels[static_cast<std::size_t>(node->joint)][index_of(field.name)], signal);
     } else if (field.unit == "turn/65536") {
       signal.factor = 360.0 / 65536.0;
@@ -174,7 +174,7 @@ class Describer {
       signal.unit.clear();
     }
     set_range(signal);
-    if (kind == MessageKind::feedback && field.name == "position") {
+    if (joint != nullptr && kind == MessageKind::feedback && field.name == "position") {
       signal.lowest = joint->lower_rad * kDegrees;
       signal.highest = joint->upper_rad * kDegrees;
     }
