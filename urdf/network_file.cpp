@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "gaitway/urdf/nearest_name.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
 #include "gaitway/urdf/sensor_channels.hpp"
+#include "gaitway/urdf/yaml_value.hpp"
 
 namespace gaitway::urdf {
 namespace {
