@@ -19,7 +19,6 @@ namespace {
 using protocol::Kind;
 using protocol::Record;
 
-constexpr int kBacklog = 8;
 constexpr std::size_t kMostClients = 64;  // half of the bus's stations; the others are for local ones
 constexpr int kPacketsAStep = 256;        // of one client: bounds the time that one step takes
 // What may wait for a client beside its full socket: a second of a full bus. One that does not read for
@@ -145,7 +144,7 @@ bool BusServer::Client::take(const Record& record, std::int64_t time_ns, BusServ
     return false;
   }
   ++waiting;
-  statistics.late_frames += record.start_ns + kLate_ns < time_ns ? 1U : 0U;
+  statistics.late_frames += record.start_ns < time_ns - kLate_ns ? 1U : 0U;
   return buffers.add(protocol::frame_of(record), record.start_ns);
 }
 

@@ -34,8 +34,8 @@ void append_number(std::string& text, std::int64_t value, int width) {
 std::int64_t parse_number(std::string_view digits, int base, const char* what) {
   std::int64_t value = 0;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
-  if (digits.empty() || result.ec != std::errc() || result.ptr != digits.data() + digits.size() ||
-      value < 0) {
+  if (digits.empty() || digits.front() == '-' || result.ec != std::errc() ||
+      result.ptr != digits.data() + digits.size()) {
     throw std::invalid_argument(std::string(what) + " '" + std::string(digits) + "' is not a number");
   }
   return value;
