@@ -87,8 +87,10 @@ Received receive_answer(int socket, ReceivedAnswer& received) noexcept {
   if (result != Received::packet) {
     return result;
   }
-  return received.answer.magic == kMagic && received.answer.fd_count == count ? Received::packet
-                                                                              : Received::malformed;
+  // Cut off: the packet was longer than an answer, or more descriptors came than one has.
+  const bool cut = (message.msg_flags & (MSG_TRUNC | MSG_CTRUNC)) != 0;
+  return !cut && received.answer.magic == kMagic && received.answer.fd_count == count ? Received::packet
+                                                                                      : Received::malformed;
 }
 
 }  // namespace gaitway::msgclient::protocol

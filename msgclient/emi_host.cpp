@@ -96,7 +96,13 @@ std::optional<Answer> EmiHost::take_answer(std::int64_t now_ns) noexcept {
   }
   HostRegion& host = window_->host();
   const std::uint64_t taken = host.answers_taken.load(std::memory_order_relaxed);
-  if (taken >= answers_announced_) {
+  if (taken == answers_announced_) {
+    return std::nullopt;
+  }
+  if (answers_announced_ - taken > kAnswerSlots) {
+    // More than there is room for, or less than were taken: the other side's count is broken.
+    ++statistics_.corrupt_answers;
+    host.answers_taken.store(answers_announced_, std::memory_order_release);
     return std::nullopt;
   }
   std::array<std::uint32_t, kAnswerWords> words{};

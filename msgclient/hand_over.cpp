@@ -38,6 +38,17 @@ void visit_floats_of_trim(HandOverType& hand_over, std::size_t channels, VisitFl
   }
 }
 
+// Each of the points' supports is one that there is, and the bits behind the last one are zero.
+bool supports_are_defined(std::span<const std::uint32_t> packed, std::size_t points) noexcept {
+  for (std::size_t i = 0; i < packed.size() * kSupportsPerWord; ++i) {
+    const std::uint32_t support = packed[i / kSupportsPerWord] >> (2 * (i % kSupportsPerWord)) & 3U;
+    if (i < points ? support >= kSupports : support != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool make_hand_over(const JointPlan& plan, const TrimCommand& trim, HandOver& hand_over) noexcept {
@@ -92,7 +103,10 @@ DecodeStatus decode(std::span<const std::uint32_t> words, HandOver& hand_over) n
     return DecodeStatus::corrupt;
   }
   const Counts counts{words[2] & 0xff, words[2] >> 16, (words[2] >> 8) & 0xff};
-  if (!counts.valid() || counts.words() != words.size()) {
+  const std::size_t support_words = (counts.points + kSupportsPerWord - 1) / kSupportsPerWord;
+  const std::size_t first_support = 3 + 2 + kSupports * counts.channels * 4;
+  if (!counts.valid() || counts.words() != words.size() ||
+      !supports_are_defined(words.subspan(first_support, support_words), counts.points)) {
     return DecodeStatus::corrupt;
   }
   hand_over.joint_count = static_cast<std::uint32_t>(counts.joints);
@@ -106,7 +120,7 @@ DecodeStatus decode(std::span<const std::uint32_t> words, HandOver& hand_over) n
     const std::uint32_t packed = words[next + point / kSupportsPerWord];
     hand_over.support[point] = static_cast<std::uint8_t>(packed >> (2 * (point % kSupportsPerWord)) & 3);
   }
-  next += (counts.points + kSupportsPerWord - 1) / kSupportsPerWord;
+  next += support_words;
   for (std::size_t i = 0; i < counts.points * counts.joints; ++i) {
     hand_over.position[i] = std::bit_cast<float>(words[next + i]);
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace gaitway::msgclient {
 namespace {
@@ -62,7 +63,8 @@ RingGeometry geometry_of(const TopicDescriptor& topic) {
 
 std::string_view kind_name(TopicKind kind) noexcept {
   constexpr std::string_view kNames[] = {"latest value", "queue", "stream", "window"};
-  return kNames[static_cast<std::size_t>(kind)];
+  const auto index = static_cast<std::size_t>(kind);
+  return index < std::size(kNames) ? kNames[index] : "unknown kind";  // as a broken peer may name one
 }
 
 TopicRegistry::TopicRegistry(std::size_t block_bytes)

@@ -58,8 +58,8 @@ inline constexpr std::size_t kMaxHandOverWords = hand_over_words(kMaxJoints, kMa
 
 enum class DecodeStatus : std::uint8_t {
   whole,    // unpacked
-  corrupt,  // the CRC-32 is wrong, or the length doesn't fit the counts: hand_over is untouched but for its
-            // sequence
+  corrupt,  // the CRC-32 is wrong, the length doesn't fit the counts, or a support is none: hand_over is
+            // untouched but for its sequence
 };
 // Unpacks; checks the CRC-32 first. What a damaged mail claims as its sequence is put into hand_over.sequence
 // for the answer.
