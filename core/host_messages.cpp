@@ -93,9 +93,17 @@ Receipt receive_packet(const process::FileDescriptor& socket, std::vector<std::b
   }
   for (cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr; header = CMSG_NXTHDR(&message, header)) {
     if (header->cmsg_level == SOL_SOCKET && header->cmsg_type == SCM_RIGHTS) {
-      int number = -1;
-      std::memcpy(&number, CMSG_DATA(header), sizeof number);
-      descriptor = process::FileDescriptor(number);
+      // The control message's padding has room for a second one: whatever comes is taken, so that it is
+      // closed.
+      const std::size_t count = (header->cmsg_len - CMSG_LEN(0)) / sizeof(int);
+      for (std::size_t i = 0; i < count; ++i) {
+        int number = -1;
+        std::memcpy(&number, CMSG_DATA(header) + i * sizeof number, sizeof number);
+        process::FileDescriptor received(number);
+        if (i == 0) {
+          descriptor = std::move(received);
+        }
+      }
     }
   }
   if ((message.msg_flags & MSG_TRUNC) != 0) {
