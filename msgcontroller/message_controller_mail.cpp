@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "gaitway/msgclient/cycle.hpp"
 
@@ -18,8 +19,12 @@ void MessageController::take_mails(std::int64_t now_ns) noexcept {
   take_hand_over(now_ns);
   msgclient::TrimUpdate update;
   if (adapter_.take_trim(update, now_ns) == msgclient::TakeStatus::mail && mode() != Mode::emergency_stop) {
+    const std::span<const float> given = std::span(update.angle).first(update.channel_count);
+    if (!std::all_of(given.begin(), given.end(), [](float angle) { return std::isfinite(angle); })) {
+      return;  // as if none had come: the message controller's own trims follow
+    }
     std::array<double, kTrimChannels> angle{};
-    std::copy(update.angle.begin(), update.angle.end(), angle.begin());
+    std::copy(given.begin(), given.end(), angle.begin());
     send_trim(angle);
     last_host_trim_slot_ = slots_since_start_;
   }
