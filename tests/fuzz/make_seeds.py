@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""Writes the fuzz targets' seeds, from the frames of a recorded run and the shipped files.
+
+    python3 tests/fuzz/make_seeds.py out/run/bus.log
+
+To be run again when a message's layout or a target's way of taking its input apart has changed. What each
+number means stands in the target of the same name.
+"""
+import pathlib
+import re
+import struct
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
+KINDS = ("emergency_stop", "user_command", "sync", "trim", "feedback", "fault_report", "trajectory",
+         "resynchronisation", "heartbeat")
+SIZES = (1, 4, 3, 8, 8, 1, 8, 8, 5)
+
+
+def write(target, name, content):
+    folder = CORPUS / target
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def words(*values):
+    return b"".join(struct.pack("<f" if isinstance(value, float) else "<I", value) for value in values)
+
+
+def frame(identifier, data, extended=False, remote=False):
+    """As take_frame() in fuzz_frame.hpp reads it."""
+    return struct.pack("<BI", extended | remote << 1 | len(data) << 4, identifier) + (b"" if remote else data)
+
+
+def known(kind, data, toggle=False):
+    """As take_known_frame() reads it, after the node."""
+    index = KINDS.index(kind)
+    return bytes([index, toggle]) + data.ljust(SIZES[index], b"\0")
+
+
+def recorded(log):
+    lines = log.read_text().splitlines()
+    frames = [(int(match[1], 16), bytes.fromhex(match[2]))
+              for match in (re.search(r" ([0-9A-F]{3})#([0-9A-F]*)$", line) for line in lines) if match]
+    return lines, frames
+
+
+def first_of_each_kind(frames):
+    bases = {0x008: "sync", 0x010: "trim", 0x047: "feedback", 0x10E: "trajectory", 0x300: "heartbeat"}
+    found = {}
+    for identifier, data in frames:
+        if identifier in bases and (any(data) or identifier == 0x300):
+            found.setdefault(bases[identifier], (identifier, data))
+    return found
+
+
+def bus_seeds(lines, frames):
+    moving = lines[len(lines) // 2:]
+    write("candump_log", "walking", "\n".join(moving[:12]) + "\n")
+    write("candump_log", "other_writers", "(0001.500000) vcan0 10f#00ff7f\n\n(1.500001) slcan0 7FF#\n")
+    write("candump_log", "other_formats", "(1.000000) can0 1FFFFFFF#0102\n(1.000001) can0 123#R4\n"
+                                          "(1.000002) can0 20000004#0004000000000000\n")
+    for name, (identifier, data) in first_of_each_kind(frames).items():
+        one = frame(identifier, data)
+        write("can_messages", name, b"\0" + one + bytes(range(1, 60)))
+        write("frame_length", name, one)
+        write("frame_reader", name, one + b"\0")
+    write("can_messages", "paper_profile", b"\1" + frame(25, bytes([7, 1, 2, 3])) + bytes(range(60)))
+    write("frame_length", "all_zero", frame(0, bytes(8)))
+    write("frame_length", "extended", frame(0x1FFFFFFF, b"\1\2\3", extended=True))
+    write("frame_length", "remote", frame(0x123, b"", remote=True))
+    write("frame_reader", "extended", frame(0x12345678, b"\x0F\x1F", extended=True) + b"\2\x20\x30" + bytes(range(20)))
+    record = bytes([1]) + frame(0x123, b"\1\2") + b"\0"           # transmit
+    mark = bytes([2]) + frame(0, b"") + b"\0" + b"\x20"
+    write("bus_socket", "transmits", bytes([0, 1, 5, 0, 1]) + record + b"\0" + record + b"\x10" + bytes([3, 40]) +
+          bytes([5, 0, 0]) + mark + bytes([3, 200, 2, 0, 3, 10]))
+    write("bus_socket", "no_greeting", bytes([0, 0, 1, 0, 40]) + bytes(40) + bytes([3, 1]))
+    write("socketcand_protocol", "raw_mode",
+          b"\3\7\1\0< open can0 >< rawmode >< send 123 2 1a ff >< echo >< statistics 100 >")
+    write("socketcand_protocol", "bcm",
+          b"\xff\0\0\0< add 0 500000 12345678 8 11 22 33 44 55 66 77 88 >< subscribe 0 0 7FF ><filter 1 0 0A1 1 ff>"
+          b"< delete 123 >< can0 B 1 2 3 >")
+
+
+def mail_seeds():
+    trim = words(1, 0, 8) + words(*[0.01 * i for i in range(8)])
+    write("small_mails", "trim", b"\1" + trim + words(0))
+    write("small_mails", "user_command", b"\1" + words(1, 3, 7, 0.25, 50, 0))
+    write("small_mails", "answer", b"\1" + words(0, 12, 2, 7, 3, 5, 1.5, 0))
+    small = words(0x47570001, 12, 1 | 8 << 16, 0.0, 0.0, 0xAAAA) + words(*[0.001 * i for i in range(8)]) + words(0)
+    gains = [0.25] * 12
+    wide = words(0x47570001, 13, 2 | 1 << 8 | 9 << 16, 0.0, 0.1, *gains, 0x12415, *[0.01 * i for i in range(18)], 0)
+    write("hand_over", "one_joint", b"\1" + small)
+    write("hand_over", "two_joints", b"\1" + wide)
+    post = b"\1" + struct.pack("<H", len(small) // 4) + small + b"\0"
+    write("emi_window", "mad_host", b"\0" + b"\0" + post + b"\2\1\6\0" + words(1, 0, 0, 0.0, 0, 0) + b"\0" +
+          b"\1\1\x0c\0" + trim + words(0) + b"\0")
+    write("emi_window", "mad_message_controller", b"\1" + (b"\1\x08\0" + words(0, 12, 0, 0, 1, 1, 0.0, 0) + b"\0\0\1") * 2)
+
+
+def block_seeds():
+    request = bytes([3, 0, 7, 0, 1, 1, 0, 9, 0, 0, 1])  # client 0 opens "zmp" to write
+    write("block_requests", "open", request + bytes([3, 0, 7, 0, 2, 0, 0, 6, 1, 4, 0]) + b"\0" + request)
+    write("block_requests", "bare_bytes", bytes([2, 0, 20, 0]) + bytes(range(20)) + request)
+    write("block_answers", "memory", bytes([1, 7, 1]) + bytes(8) + bytes([1, 1, 0]))
+    write("block_answers", "announced_only", bytes([2, 7, 1]) + bytes(8) + bytes([1, 1, 0]))
+    row = bytes([4]) + bytes(8) + bytes(4) + b"\1" + bytes(4) + b"\5\6" + bytes(12) + b"\3"
+    write("topic_directory", "two_rows", bytes([0, 0, 16, 0, 2]) + row + row + struct.pack("<HQ", 5, 96))
+    write("host_messages", "parameter", words(7) + words(3) + bytes(8) + b"gain of the ankle".ljust(200) +
+          bytes([0, 2, 3, 1]) * 4 + words(6, 4) + b"gain" + words(3) + bytes(16) + words(2) + b"up")
+
+
+def controller_seeds(frames):
+    kinds = first_of_each_kind(frames)
+    batch = known("trajectory", kinds["trajectory"][1])
+    sync = known("sync", bytes([1, 0, 0x08]))
+    play = b"\7" + batch + b"\7" + sync + b"\3\x0a" + b"\7" + known("sync", bytes([1, 0, 0x09])) + b"\3\x28"
+    trim = b"\7" + known("trim", kinds["trim"][1])
+    repair = b"\7" + known("resynchronisation", bytes([0x10, 0, 3, 1, 2, 3, 4, 5]))
+    sensors = b"\1" + struct.pack("<iff", 2000, 1.5, -0.25)
+    write("joint_controller", "plays_a_batch", b"\0\3" + sensors + play + trim + b"\3\x3f")
+    write("joint_controller", "is_repaired_and_stopped",
+          b"\0\1" + play + repair + b"\3\x0a" + b"\7" + known("emergency_stop", b"\1") + b"\3\x05\5\3\x05")
+    write("joint_controller", "paper_profile", b"\1\0" + b"\7" + batch + b"\3\x3f" + b"\7" +
+          known("user_command", bytes([7, 50, 0, 9])) + b"\4" + struct.pack("<I", 3_000_000))
+    feedback = known("feedback", kinds["feedback"][1])
+    write("network_watch", "feedback_and_silence",
+          b"\0" + (b"\0\7\0" + feedback) * 3 + b"\0\0\0\0" + b"\7\0" + feedback + b"\7\1" + batch)
+    write("network_watch", "strangers", b"\0\0" + b"\3" + frame(0x555, b"\1") + b"\3" + frame(0x47, b"\1\2") + b"\3" +
+          frame(0x1234567, b"", extended=True) + b"\4" + frame(0x41, b"", remote=True) + b"\2\2\xff\0")
+    step = b"\7\x27"
+    hand_over = b"\2\0\x08\2\0" + b"\2" + struct.pack("<HBb", 5, 0, 3) + struct.pack("<HBb", 30, 0, -3)
+    command = b"\3" + words(1) + b"\3\4\1" + words(0.05) + b"\x40\0"
+    write("message_controller", "plays_a_batch", b"\0" + step * 2 + hand_over + step * 3 + b"\5\6" + feedback + step)
+    write("message_controller", "moves_a_joint_and_stops",
+          b"\0" + step + command + step + b"\3" + words(2) + b"\1\0\0\0\0" + step)
+    write("message_controller", "trims", b"\0" + step + b"\4\x08" + words(*[0.01] * 8) + step)
+    write("message_controller", "paper_profile", b"\1" + step + hand_over + step * 3 + b"\1\2\xff" + step)
+
+
+def text_seeds():
+    write("scenario_file", "everything", (
+        "seconds: 20\nevents:\n  - {at_s: 1.0, walk: [0.15, 0.0, 0.1]}\n  - {at_s: 8.0, stand: true}\n"
+        "  - {at_s: 9, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}\n"
+        "  - {at_s: 9.5, emergency_stop: soft}\n  - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3}}\n"
+        "  - {at_s: 3, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}\n"
+        "  - {at_s: 17.0, fault: {kind: plugin_fails, plugin: zmp, how: overruns, cost_s: 0.01}}\n  - {at_s: 1, stop: true}\n"))
+    write("scenario_file", "bus_faults", (
+        "seconds: 9\nevents:\n"
+        "  - {at_s: 1, fault: {kind: disturb_bus, corruption: 0.01, omission: 0.001, duplicate: 0.001, duration_s: 6}}\n"
+        "  - {at_s: 2, fault: {kind: jam, duration_s: 0.002, stuck: true}}\n"
+        "  - {at_s: 3, fault: {kind: bus_off, node: message_controller}}\n"
+        "  - {at_s: 4, fault: {kind: joint_restarts, joint: left_knee, duration_s: 0.02}}\n"
+        "  - {at_s: 5, fault: {kind: foreign_frame, id: 0x7AB, data: [1, 2, 3], extended: true}}\n"
+        "  - {at_s: 6, fault: {kind: foreign_frame, id: 1, remote: true}}\n"))
+    yaml = (ROOT / "urdf/humanoid22/robot.yaml").read_text()
+    yaml = re.sub(r" *#[^\n]*", "", yaml).replace(
+        "{profile: full}", "{profile: full, messages: {trajectory: {id: 0x120, deadline_ms: 15}, trim: {period_ms: 10}}}")
+    write("network_file", "humanoid22", re.sub(r"\n\n+", "\n", re.sub(r"(?<=,) {2,}", " ", yaml)))
+    write("message_list", "three_messages", (
+        '[{"name": "brake", "id": 16, "bytes": 8, "period_us": 2500, "jitter_us": 0.5, "deadline_us": 2500},\n'
+        ' {"name": "a", "id": 17, "bytes": 0, "period_us": 350, "jitter_us": 0, "deadline_us": 325, "fifo": "engine"},\n'
+        ' {"name": "b", "id": 536870911, "extended": true, "bytes": 1, "period_us": 1e4, "jitter_us": 1, "deadline_us": 9e3}]\n'))
+    write("error_option", "burst", "burst:4,interval:10ms")
+    write("error_option", "jam", "jam:2.5e3us,interval:0.1s")
+    write("urdf_file", "two_links", (
+        '<robot name="r"><material name="m"><color rgba="1 0 0 1"/></material>\n'
+        '<link name="a"><inertial><origin xyz="0 0 1" rpy="0 0 0"/><mass value="1"/>'
+        '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>\n'
+        '<visual><geometry><sphere radius="1"/></geometry><material name="m"/></visual>'
+        '<collision><geometry><box size="1 1 1"/></geometry></collision></link>\n'
+        '<link name="b"><inertial><mass value="1"/>'
+        '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial></link>\n'
+        '<joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="0 0 1"/><axis xyz="0 1 0"/>'
+        '<limit lower="-1" upper="1" effort="8" velocity="8"/></joint></robot>\n'))
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
+        sys.exit(__doc__)
+    lines, frames = recorded(pathlib.Path(sys.argv[1]))
+    bus_seeds(lines, frames)
+    mail_seeds()
+    block_seeds()
+    controller_seeds(frames)
+    text_seeds()
+
+
+if __name__ == "__main__":
+    main()
