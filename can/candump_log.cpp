@@ -66,8 +66,8 @@ void parse_data(std::string_view data, Frame& frame) {
     frame.remote = true;
     const std::int64_t size =
         data.size() == 1 ? 0 : parse_number(data.substr(1), 10, "the remote frame's size");
-    if (size > 8) {
-      throw std::invalid_argument("a remote frame asks for 0 to 8 bytes");
+    if (size > 8 || data.size() > 2) {
+      throw std::invalid_argument("a remote frame asks for 0 to 8 bytes: one digit");
     }
     frame.size = static_cast<std::uint8_t>(size);
     return;
@@ -186,6 +186,9 @@ LoggedFrame parse_candump_line(std::string_view line) {
   logged.time_ns = seconds * 1'000'000'000 + parse_number(fraction, 10, "the time") * 1000;
   parse_identifier(line.substr(space + 1, hash - space - 1), logged);
   parse_data(line.substr(hash + 1), logged.frame);
+  if (logged.error && (logged.frame.remote || logged.frame.size != logged.frame.data.size())) {
+    throw std::invalid_argument("a report about errors has eight data bytes");
+  }
   return logged;
 }
 
