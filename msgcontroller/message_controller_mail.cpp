@@ -143,7 +143,7 @@ void MessageController::take_user_command(std::int64_t now_ns) noexcept {
       set_mode(Mode::emergency_stop);
       break;
     case Kind::manual_joint:
-      problem = move_joint(mail);
+      problem = move_joint(mail, now_ns);
       break;
     default:
       problem = Reason::unknown_command;
@@ -154,7 +154,8 @@ void MessageController::take_user_command(std::int64_t now_ns) noexcept {
           .reason = problem});
 }
 
-msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail& mail) noexcept {
+msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail& mail,
+                                                std::int64_t now_ns) noexcept {
   using msgclient::Reason;
   if (mail.joint >= static_cast<std::uint32_t>(joint_count_)) {
     return Reason::unknown_joint;
@@ -166,6 +167,10 @@ msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail
   const double position = static_cast<double>(mail.position);
   if (mode() != Mode::holding || playback_.prepared()) {
     return Reason::not_standing;
+  }
+  // The proof of the bus counts on user commands keeping their distance.
+  if (now_ns < next_user_command_ns_) {
+    return Reason::moving_by_hand;
   }
   if (!(position >= lower_rad_[j] && position <= upper_rad_[j])) {
     return Reason::beyond_limits;
@@ -181,6 +186,7 @@ msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail
   send(can::encode(profile_, can::UserCommand{.node = node_[j],
                                               .target_count = static_cast<std::int16_t>(count),
                                               .duration_slots = static_cast<std::uint8_t>(duration)}));
+  next_user_command_ns_ = now_ns + profile_.row(can::MessageKind::user_command).period_ns;
   playback_.hold(static_cast<int>(mail.joint), count);
   // While it moves there, its reference is its own affair.
   resync_until_[j] = slots_since_start_ + duration + 2U;

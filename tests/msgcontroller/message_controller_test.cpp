@@ -168,6 +168,27 @@ TEST_F(MessageControllerTest, AManualJointCommandMovesOneJointWhileStanding) {
   EXPECT_EQ(controller_.state().resynchronised, 0U) << "the joint's own movement is no error";
 }
 
+TEST_F(MessageControllerTest, UserCommandsKeepTheirPeriod) {
+  run_until(kCycle_ns);
+  std::vector<Verdict> verdicts;
+  for (std::uint32_t sequence = 1; sequence <= 20; ++sequence) {  // one each millisecond
+    const msgclient::UserCommandMail move{
+        .sequence = sequence,
+        .kind = msgclient::UserCommandKind::manual_joint,
+        .joint = sequence % 22,
+        .position = static_cast<float>(robot_.joints[sequence % 22].home_rad),
+        .duration_slots = 1};
+    ASSERT_TRUE(adapter_.host().post(move, now_ns_));
+    run_until(now_ns_ + kMillisecond_ns);
+    while (const auto answer = adapter_.host().take_answer(now_ns_)) {
+      verdicts.push_back(answer->verdict);
+    }
+  }
+  EXPECT_EQ(verdicts.size(), 20U) << "each is answered";
+  EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::accepted), 2);
+  EXPECT_EQ(bus_.sent[can::MessageKind::user_command], 2);
+}
+
 TEST_F(MessageControllerTest, RefusesABatchThatWouldBeginDuringAManualMovement) {
   run_until(kCycle_ns);
   const msgclient::UserCommandMail move{.sequence = 1,

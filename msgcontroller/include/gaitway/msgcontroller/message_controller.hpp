@@ -82,7 +82,7 @@ class MessageController {
   void play(const CountPlan& plan) noexcept;
   void answer(const msgclient::Answer& answer) noexcept;
   void take_user_command(std::int64_t now_ns) noexcept;
-  msgclient::Reason move_joint(const msgclient::UserCommandMail& mail) noexcept;
+  msgclient::Reason move_joint(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept;
   void publish_feedback(std::int64_t now_ns) noexcept;
   void send_trim(std::span<const double> angle_rad) noexcept;
   void send_own_trim() noexcept;
@@ -122,6 +122,7 @@ class MessageController {
   std::uint32_t slots_since_start_ = 0;
   std::uint32_t last_host_trim_slot_ = 0;   // slot since start in which the main controller last sent a trim
   std::uint32_t moving_by_hand_until_ = 0;  // slot since start at which the last manual movement has ended
+  std::int64_t next_user_command_ns_ = 0;   // not before: user commands keep their period
   std::uint64_t unanswered_ = 0;
   std::array<std::uint32_t, kMaxJoints>
       resync_until_{};  // until this slot a joint's count may differ: a repair is on its way
