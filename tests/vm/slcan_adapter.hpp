@@ -8,8 +8,11 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #include "can_station.hpp"
 
@@ -32,8 +35,7 @@ class SlcanAdapter {
     EXPECT_EQ(ioctl(line_, SIOCGIFNAME, interface), 0);
     name = interface;
     shell("ip link set " + name + " txqueuelen " + std::to_string(queue) + " type can bitrate 1000000");
-    up();
-    EXPECT_EQ(heard_until("O\r"), "C\rS8\rO\r") << "close, 1 Mb/s, open";
+    EXPECT_EQ(up(), "C\rS8\rO\r") << "close, 1 Mb/s, open";
   }
   ~SlcanAdapter() {
     close(line_);
@@ -42,8 +44,9 @@ class SlcanAdapter {
   SlcanAdapter(const SlcanAdapter&) = delete;
   SlcanAdapter& operator=(const SlcanAdapter&) = delete;
 
-  void up() const { shell("ip link set " + name + " up"); }
-  void down() const { shell("ip link set " + name + " down"); }
+  // They return what the driver said meanwhile.
+  std::string up() { return hear_during("ip link set " + name + " up"); }
+  std::string down() { return hear_during("ip link set " + name + " down"); }
 
   // What the adapter reports to the driver.
   void report(const std::string& line) const {
@@ -73,6 +76,25 @@ class SlcanAdapter {
   std::string name;
 
  private:
+  // The driver goes on to its next command when the adapter has read the one before.
+  std::string hear_during(const std::string& command) {
+    std::string text;
+    std::atomic<bool> ended = false;
+    std::thread runner([&] {
+      shell(command);
+      ended = true;
+    });
+    pollfd wake{firmware_, POLLIN, 0};
+    char byte = 0;
+    while (!ended || !silent()) {
+      if (poll(&wake, 1, 10) > 0 && read(firmware_, &byte, 1) == 1) {
+        text += byte;
+      }
+    }
+    runner.join();
+    return text;
+  }
+
   int firmware_;
   int line_ = -1;
 };
