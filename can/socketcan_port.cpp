@@ -56,7 +56,7 @@ int SocketCanPort::wake_fd() const noexcept {
 }
 
 std::size_t SocketCanPort::free_buffers() const noexcept {
-  return usable() ? options_.transmit_buffers - waiting_.size() : 0;
+  return usable() ? options_.transmit_buffers - waiting_.size() - (in_flight_ ? 1U : 0U) : 0;
 }
 
 bool SocketCanPort::transmit(const Frame& frame, std::int64_t now_ns) {
@@ -69,7 +69,7 @@ bool SocketCanPort::transmit(const Frame& frame, std::int64_t now_ns) {
     ++statistics_.refused_unusable;
     return false;
   }
-  if (waiting_.size() >= options_.transmit_buffers) {
+  if (free_buffers() == 0) {
     ++statistics_.refused_full;
     return false;
   }

@@ -34,15 +34,13 @@ void BusTimeline::advance_to(std::int64_t now_ns) {
     if (now_ns - next_ns_ > can::kLongestWait_ns) {
       drop_frames();
     }
-    offer(next_ns_);
-    port_.flush(next_ns_);
+    offer(next_ns_, next_ns_);
   }
   if (!waits_) {
     take_frames(now_ns);
   }
   if (controller_.next_id() <= kLargestId) {
-    offer(now_ns);  // a repair goes out at once
-    port_.flush(next_ns_ - kMillisecond_ns);
+    offer(now_ns, next_ns_ - kMillisecond_ns);  // a repair goes out at once
   }
 }
 
@@ -50,6 +48,10 @@ void BusTimeline::take_frames(std::int64_t until_ns) {
   while (true) {
     if (!arrived_) {
       arrived_ = port_.receive();
+    }
+    if (const can::BusState state = port_.state(); state != state_) {
+      state_ = state;
+      controller_.on_bus_state(state, port_.error_counters(), until_ns);
     }
     if (!arrived_ || arrived_->end_ns > until_ns) {
       return;
@@ -59,14 +61,21 @@ void BusTimeline::take_frames(std::int64_t until_ns) {
   }
 }
 
-void BusTimeline::offer(std::int64_t now_ns) {
-  can::Frame frame;
-  while (controller_.take_frame(frame)) {
-    if (!port_.transmit(frame, now_ns)) {
-      controller_.put_back(frame);
-      return;
+// Some ports confirm a frame at once, and can take the next one then.
+void BusTimeline::offer(std::int64_t now_ns, std::int64_t flushed_until_ns) {
+  bool accepted = true;
+  do {
+    can::Frame frame;
+    accepted = false;
+    while (controller_.take_frame(frame)) {
+      if (!port_.transmit(frame, now_ns)) {
+        controller_.put_back(frame);
+        break;
+      }
+      accepted = true;
     }
-  }
+    port_.flush(flushed_until_ns);
+  } while (accepted && controller_.next_id() <= kLargestId && !port_.transmit_pending());
 }
 
 void BusTimeline::drop_frames() noexcept {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "gaitway/can/bus_client.hpp"
+#include "bus_connection.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
@@ -32,7 +32,7 @@ constexpr std::int64_t kBetweenTries_ns = 50 * msgclient::kMillisecond_ns;
 
 struct Options {
   std::filesystem::path robot;
-  std::filesystem::path bus;
+  msgcontroller::BusChoice bus;
   std::filesystem::path memory;
   std::filesystem::path summary;
   std::vector<double> walk;  // forward m/s, left m/s, turn rad/s; empty: nobody here commands a walk
@@ -70,12 +70,13 @@ class WalkPlayer {
   bool published_ = false;
 };
 
-// virtual_robot may still be starting: tries for a while. Nothing when told to stop meanwhile.
-std::unique_ptr<can::BusClient> connect(const Options& options) {
+// virtual_robot may still be starting, or an interface coming up: tries for a while. Nothing when told to
+// stop meanwhile.
+std::unique_ptr<msgcontroller::BusConnection> connect(const Options& options) {
   const std::int64_t until_ns = process::monotonic_ns() + static_cast<std::int64_t>(options.wait_s * 1e9);
   while (!process::stop_requested()) {
     try {
-      return std::make_unique<can::BusClient>(options.bus, "message", can::Pace::kept);
+      return std::make_unique<msgcontroller::BusConnection>(options.bus);
     } catch (const can::BusError&) {
       if (process::monotonic_ns() >= until_ns) {
         throw;
@@ -94,15 +95,16 @@ struct LoopResult {
 };
 
 // One round of work; false when the bus has gone.
-bool work(msgcontroller::BusTimeline& timeline, can::BusClient& bus, std::int64_t now_ns,
+bool work(msgcontroller::BusTimeline& timeline, msgcontroller::BusConnection& bus, std::int64_t now_ns,
           const Options& options) {
   try {
     timeline.advance_to(now_ns);
-    if (!bus.closed()) {
+    if (!bus.gone()) {
+      bus.report();
       return true;
     }
     fmt::print(stderr, "message_controller: the bus on {} has gone. Has virtual_robot ended?\n",
-               options.bus.string());
+               options.bus.socket.string());
   } catch (const can::BusError& error) {
     fmt::print(stderr, "message_controller: {}\n", error.what());
   }
@@ -111,7 +113,7 @@ bool work(msgcontroller::BusTimeline& timeline, can::BusClient& bus, std::int64_
 
 LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
-                    can::BusClient& bus) {
+                    msgcontroller::BusConnection& bus) {
   LoopResult result;
   result.begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = result.begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
@@ -119,8 +121,8 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   if (!options.walk.empty()) {
     walk.emplace(block, options, result.begin_ns);
   }
-  msgcontroller::BusTimeline timeline(controller, bus, result.begin_ns);
-  std::array<pollfd, 2> wakes{pollfd{bus.wake_fd(), POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
+  msgcontroller::BusTimeline timeline(controller, bus.port(), result.begin_ns);
+  std::array<pollfd, 2> wakes{pollfd{bus.port().wake_fd(), POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
   std::int64_t now_ns = result.begin_ns;
   while (!process::stop_requested() && (options.seconds <= 0.0 || now_ns < stop_ns)) {
     const bool waits = timeline.waits();
@@ -145,10 +147,18 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   return result;
 }
 
+nlohmann::ordered_json summary_of(const can::SocketCanPort& port) {
+  nlohmann::ordered_json summary = {{"interface", port.interface()}, {"state", can::name_of(port.state())}};
+  for (const auto& [name, count] : can::counters(port.statistics())) {
+    summary[std::string(name)] = count;
+  }
+  return summary;
+}
+
 void write_summary(const Options& options, const NetworkState& state, const NetworkHealth& health,
-                   const LoopResult& loop) {
+                   const LoopResult& loop, const can::SocketCanPort* interface) {
   const process::DurationSummary late = loop.lateness.summary();
-  const nlohmann::ordered_json summary = {
+  nlohmann::ordered_json summary = {
       {"seconds", static_cast<double>(loop.end_ns - loop.begin_ns) * 1e-9},
       {"handed_over", state.handed_over},
       {"late", state.late},
@@ -171,6 +181,9 @@ void write_summary(const Options& options, const NetworkState& state, const Netw
         {"trajectories_lost", health.trajectories_lost},
         {"counts_differed", health.counts_differed}}},
       {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
+  if (interface != nullptr) {
+    summary["can"] = summary_of(*interface);
+  }
   if (options.summary.empty()) {
     fmt::print("{}\n", summary.dump(2));
   } else {
@@ -179,6 +192,9 @@ void write_summary(const Options& options, const NetworkState& state, const Netw
 }
 
 int run(const Options& options) {
+  if (!options.bus.sent_log.empty() && options.bus.interface.empty()) {
+    throw std::invalid_argument("--sent-log: needs --can; what is on the simulated bus, virtual_robot knows");
+  }
   if (!options.walk.empty() && options.walk.size() != 3) {
     throw std::invalid_argument(
         "--walk: wants VX,VY,WZ in m/s, m/s and rad/s: three numbers, for example 0.15,0,0.1");
@@ -188,7 +204,7 @@ int run(const Options& options) {
   msgclient::Client client = block.local_client("message_controller");
   msgclient::EmiMessage adapter(client);
   msgcontroller::MessageController controller(robot, client, adapter);
-  const std::unique_ptr<can::BusClient> bus = connect(options);
+  const std::unique_ptr<msgcontroller::BusConnection> bus = connect(options);
   if (!bus) {
     return kExitFine;
   }
@@ -196,7 +212,8 @@ int run(const Options& options) {
   msgclient::MemoryBlockServer server(block, options.memory);
   process::ask_for_real_time("message_controller", kPriority);
   const LoopResult result = run_loop(options, block, server, controller, *bus);
-  write_summary(options, controller.state(), controller.health(), result);
+  bus->close();
+  write_summary(options, controller.state(), controller.health(), result, bus->interface());
   return result.exit_code;
 }
 
@@ -209,7 +226,12 @@ int main(int argc, char** argv) {
       "safe tail "
       "when none comes"};
   app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
-  app.add_option("--bus", options.bus, "Socket of the bus, as served by virtual_robot")->required();
+  CLI::Option_group* const bus = app.add_option_group("The bus, one of");
+  bus->add_option("--bus", options.bus.socket, "Socket of the simulated bus, as served by virtual_robot");
+  bus->add_option("--can", options.bus.interface, "CAN interface, which must be up, for example can0");
+  bus->require_option(1);
+  app.add_option("--sent-log", options.bus.sent_log,
+                 "With --can: file for what was sent, in candump's format, in the order of the bus");
   app.add_option("--memory", options.memory, "Socket to give out the memory block on")->required();
   app.add_option(
          "--walk", options.walk,
@@ -230,6 +252,7 @@ int main(int argc, char** argv) {
       "  message_controller --robot urdf/humanoid22 --bus /tmp/bus.sock --memory /tmp/memory.sock\n"
       "  message_controller --robot urdf/humanoid22 --bus b.sock --memory m.sock --walk 0.15,0,0 "
       "--walk-after 2\n"
+      "  message_controller --robot urdf/humanoid22 --can can0 --memory m.sock\n"
       "Ends on SIGINT and SIGTERM; the joints then play out their batch and hold.\n"
       "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the bus went away.");
   try {

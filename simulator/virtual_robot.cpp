@@ -1,5 +1,5 @@
-// The `virtual_robot` process: the simulated body, its local controllers and the bus, paced by
-// CLOCK_MONOTONIC. To the message controller on the bus's socket it is what a robot on a CAN interface is.
+// The `virtual_robot` process: the simulated body and its local controllers, paced by CLOCK_MONOTONIC, on a
+// simulated bus that it serves on a socket, or on a CAN interface.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +21,9 @@
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "interface_robot.hpp"
+#include "interface_run.hpp"
+#include "walk_watch.hpp"
 
 namespace {
 
@@ -30,12 +33,12 @@ using msgclient::kMillisecond_ns;
 constexpr int kExitFine = 0;
 constexpr int kExitBadInput = 1;
 constexpr int kPriority = 50;
-constexpr double kLargestClockDrift_ppm = 50.0;
-constexpr std::int64_t kWalkLogPeriod_ns = 10 * kMillisecond_ns;
 
 struct Options {
   std::filesystem::path robot;
   std::filesystem::path bus;
+  std::string can;  // a CAN interface instead
+  std::filesystem::path sent_log;
   std::filesystem::path summary;
   std::filesystem::path walk_log;
   simulator::PlantOptions plant;
@@ -43,26 +46,18 @@ struct Options {
   std::string socketcand;  // empty: not served
 };
 
-struct LogRow {
-  double time_s;
-  Eigen::Vector3d base_m;
-  double trunk_tilt_rad;
-};
-
 // Body, joints and bus in one time base, a millisecond after the other.
 class VirtualRobot {
  public:
   VirtualRobot(const urdf::RobotModel& robot, const Options& options, std::int64_t start_ns)
-      : log_wanted_(!options.walk_log.empty()),
-        start_ns_(start_ns),
-        now_ns_(start_ns),
+      : now_ns_(start_ns),
         plant_(robot, options.plant),
-        joints_(robot, options.plant.seed, kLargestClockDrift_ppm),
+        joints_(robot, options.plant.seed, simulator::kLargestClockDrift_ppm),
+        watch_(plant_, !options.walk_log.empty(), start_ns),
         server_(options.bus, start_ns) {
     for (int joint = 0; joint < joints_.size(); ++joint) {
       station_.push_back(server_.bus().attach());
     }
-    start_m_ = plant_.truth().base.translation();
     joints_.step(now_ns_, plant_.sensors());
     if (!options.socketcand.empty()) {
       socketcand_.emplace(can::SocketcandAddress::parse(options.socketcand), server_.bus());
@@ -101,7 +96,7 @@ class VirtualRobot {
     plant_.step(joints_.torque_Nm());
     now_ns_ = until_ns;
     joints_.step(now_ns_, plant_.sensors());
-    watch();
+    watch_.look(plant_, now_ns_);
   }
 
   [[nodiscard]] can::BusServer& server() noexcept { return server_; }
@@ -109,12 +104,10 @@ class VirtualRobot {
     return socketcand_;
   }
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
-  [[nodiscard]] double time_s() const noexcept { return static_cast<double>(now_ns_ - start_ns_) * 1e-9; }
-  [[nodiscard]] const std::optional<double>& fell_at_s() const noexcept { return fell_at_s_; }
-  [[nodiscard]] double distance_m() const {
-    return (plant_.truth().base.translation() - start_m_).head<2>().norm();
-  }
-  [[nodiscard]] const std::vector<LogRow>& log() const noexcept { return log_; }
+  [[nodiscard]] double time_s() const noexcept { return watch_.time_s(now_ns_); }
+  [[nodiscard]] const std::optional<double>& fell_at_s() const noexcept { return watch_.fell_at_s(); }
+  [[nodiscard]] double distance_m() const { return watch_.distance_m(plant_); }
+  [[nodiscard]] const simulator::WalkWatch& watch() const noexcept { return watch_; }
 
  private:
   void deliver(const can::SimulatedBus::Delivery& delivery) {
@@ -141,27 +134,14 @@ class VirtualRobot {
       server_.bus().transmit(station, frame, now_ns);
     }
   }
-  void watch() {
-    if (!fell_at_s_ && plant_.fallen()) {
-      fell_at_s_ = time_s();
-      fmt::print(stderr, "virtual_robot: fell after {:.2f} s\n", *fell_at_s_);
-    }
-    if (log_wanted_ && (now_ns_ - start_ns_) % kWalkLogPeriod_ns == 0) {
-      const simulator::PlantTruth truth = plant_.truth();
-      log_.push_back({time_s(), truth.base.translation(), truth.trunk_tilt_rad});
-    }
-  }
 
-  bool log_wanted_;
-  std::int64_t start_ns_, now_ns_;
+  std::int64_t now_ns_;
   simulator::Plant plant_;
   simulator::JointNetwork joints_;
+  simulator::WalkWatch watch_;
   can::BusServer server_;
   std::optional<can::SocketcandServer> socketcand_;
   std::vector<int> station_;
-  Eigen::Vector3d start_m_ = Eigen::Vector3d::Zero();
-  std::optional<double> fell_at_s_;
-  std::vector<LogRow> log_;
 };
 
 struct LoopResult {
@@ -251,17 +231,20 @@ void write_results(const Options& options, const VirtualRobot& robot, const can:
     process::write_text_file(options.summary, summary.dump(2) + "\n");
   }
   if (!options.walk_log.empty()) {
-    std::string text = "time_s,base_x_m,base_y_m,base_z_m,trunk_tilt_rad\n";
-    for (const LogRow& row : robot.log()) {
-      text += fmt::format("{:.3f},{:.5f},{:.5f},{:.5f},{:.5f}\n", row.time_s, row.base_m.x(), row.base_m.y(),
-                          row.base_m.z(), row.trunk_tilt_rad);
-    }
-    process::write_text_file(options.walk_log, text);
+    robot.watch().write_log(options.walk_log);
   }
 }
 
 int run(const Options& options) {
+  if (!options.sent_log.empty() && options.can.empty()) {
+    throw std::invalid_argument("--sent-log: needs --can");
+  }
   const urdf::RobotModel model = urdf::load_robot(options.robot);
+  if (!options.can.empty()) {
+    simulator::run_on_interface(model, {options.can, options.summary, options.walk_log, options.sent_log,
+                                        options.plant, options.seconds, kPriority});
+    return kExitFine;
+  }
   const std::int64_t start_ns = process::monotonic_ns() / kMillisecond_ns * kMillisecond_ns;
   VirtualRobot robot(model, options, start_ns);
   if (robot.socketcand()) {
@@ -279,9 +262,17 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"The simulated robot in real time: body, local controllers and CAN bus, served on a socket"};
+  CLI::App app{
+      "The simulated robot in real time: body and local controllers, on a bus that it serves on a socket or "
+      "on a CAN "
+      "interface"};
   app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
-  app.add_option("--bus", options.bus, "Socket to serve the bus on")->required();
+  CLI::Option_group* const bus = app.add_option_group("The bus, one of");
+  bus->add_option("--bus", options.bus, "Socket to serve a simulated bus on");
+  bus->add_option("--can", options.can, "CAN interface, which must be up, for example vcan0");
+  bus->require_option(1);
+  app.add_option("--sent-log", options.sent_log,
+                 "With --can: file for what the joints sent, in candump's format, in the order of the bus");
   app.add_option("--seed", options.plant.seed, "Seed of mismatch, noise and clock drifts")
       ->capture_default_str();
   app.add_option("--mismatch", options.plant.mismatch, "Scale of what the planner does not know of the robot")
@@ -300,6 +291,7 @@ int main(int argc, char** argv) {
       "  virtual_robot --robot urdf/humanoid22 --bus /tmp/bus.sock\n"
       "  virtual_robot --robot urdf/humanoid22 --bus /tmp/bus.sock --socketcand 29536\n"
       "  virtual_robot --robot urdf/humanoid22 --bus b.sock --seed 7 --seconds 60 --walk-log walk.csv\n"
+      "  virtual_robot --robot urdf/humanoid22 --can vcan0\n"
       "Ends on SIGINT and SIGTERM. Exit code: 0 ended as told (whether the robot fell is in the summary), 1 "
       "the input "
       "was bad and nothing moved.");

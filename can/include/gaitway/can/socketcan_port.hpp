@@ -29,7 +29,8 @@ struct SocketCanOptions {
   // echoes of own frames, too: an own frame that passes none counts as sent as soon as the kernel has it, and
   // the port cannot keep its successor back until then.
   std::vector<IdFilter> filters{};
-  // How many frames may wait in the port, at most FrameHeap::kCapacity.
+  // How many frames may wait or be on their way to the bus, at most FrameHeap::kCapacity. With 1, whoever has
+  // a queue of its own keeps the choice of the next frame until the last moment.
   std::size_t transmit_buffers = 32;
   // A frame whose echo has not come by then counts as lost. Longer than any response on a sound bus.
   std::int64_t echo_deadline_ns = 20'000'000;

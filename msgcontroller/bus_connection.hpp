@@ -1,0 +1,46 @@
+// The bus that the message controller's process was told to use: the simulated one behind a socket, or a CAN
+// interface.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gaitway/can/bus_client.hpp"
+#include "gaitway/can/candump_log.hpp"
+#include "gaitway/can/socketcan_port.hpp"
+#include "gaitway/can/socketcan_report.hpp"
+
+namespace gaitway::msgcontroller {
+
+struct BusChoice {
+  std::filesystem::path socket;    // of the simulated bus; or
+  std::string interface;           // a CAN interface
+  std::filesystem::path sent_log;  // with an interface: file for what was sent, in candump's format; or empty
+};
+
+class BusConnection {
+ public:
+  // Throws can::BusError when the bus is not there, std::runtime_error when the log cannot be written.
+  explicit BusConnection(const BusChoice& choice);
+
+  [[nodiscard]] can::BusPort& port() noexcept;
+  // The server of the simulated bus has ended. An interface that is down may come back.
+  [[nodiscard]] bool gone() const noexcept { return client_ && client_->closed(); }
+  // Prints what has changed with the interface, if anything has.
+  void report();
+  // Closes the log; throws std::runtime_error when it was not written whole.
+  void close();
+  [[nodiscard]] const can::SocketCanPort* interface() const noexcept {
+    return interface_ ? &*interface_ : nullptr;
+  }
+
+ private:
+  std::optional<can::CandumpWriter> sent_log_;
+  std::optional<can::BusClient> client_;
+  std::optional<can::SocketCanPort> interface_;
+  can::SocketCanReporter reporter_;
+};
+
+}  // namespace gaitway::msgcontroller
