@@ -130,7 +130,11 @@ int SocketCanPort::Socket::read() noexcept {
     header_[i].msg_hdr.msg_controllen = sizeof(Control::bytes);
   }
   const int count = recvmmsg(fd_.get(), header_.data(), kBatch, MSG_DONTWAIT, nullptr);
-  return count < 0 ? -errno : count;
+  if (count < 0) {
+    return -errno;
+  }
+  read_at_ns_ = clock_ns(CLOCK_MONOTONIC);
+  return count;
 }
 
 SocketCanPort::Socket::Arrival SocketCanPort::Socket::arrival(int message) noexcept {
@@ -153,19 +157,18 @@ SocketCanPort::Socket::Arrival SocketCanPort::Socket::arrival(int message) noexc
       last_drops_ = drops;
     }
   }
-  if (kernel_ns == 0) {
-    const std::int64_t now_ns = clock_ns(CLOCK_MONOTONIC);
-    if (hardware_ns == 0) {
-      return {now_ns, false, false};
+  const bool stamped = kernel_ns != 0;
+  if (stamped) {
+    if (std::abs(kernel_ns - distance_at_ns_) > kCompareClocks_ns) {
+      update_distance(kernel_ns);
     }
-    return {hardware_clock_.convert(hardware_ns, now_ns), true, true};
+    // CLOCK_REALTIME may have been set back since the frame came: it came before it was read all the same.
+    kernel_ns = std::min(kernel_ns + distance_ns_, read_at_ns_);
+  } else {
+    kernel_ns = read_at_ns_;
   }
-  if (std::abs(kernel_ns - distance_at_ns_) > kCompareClocks_ns) {
-    update_distance(kernel_ns);
-  }
-  kernel_ns += distance_ns_;
   if (hardware_ns == 0) {
-    return {kernel_ns, false, true};
+    return {kernel_ns, false, stamped};
   }
   return {hardware_clock_.convert(hardware_ns, kernel_ns), true, true};
 }

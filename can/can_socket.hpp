@@ -44,7 +44,7 @@ class SocketCanPort::Socket {
   struct Arrival {
     std::int64_t end_ns = 0;  // CLOCK_MONOTONIC
     bool hardware = false;    // by the controller's clock
-    bool stamped = false;     // otherwise it is the time of the call
+    bool stamped = false;     // otherwise it is the time of read()
   };
   Arrival arrival(int message) noexcept;
   // Frames that the kernel dropped since the socket was opened, as far as it has told.
@@ -83,6 +83,7 @@ class SocketCanPort::Socket {
   std::array<iovec, kBatch> vector_{};
   std::array<canfd_frame, kBatch> frame_{};
   std::array<Control, kBatch> control_{};
+  std::int64_t read_at_ns_ = 0;
   std::uint64_t dropped_ = 0;
   std::uint32_t last_drops_ = 0;
 

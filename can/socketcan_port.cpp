@@ -79,10 +79,11 @@ bool SocketCanPort::transmit(const Frame& frame, std::int64_t now_ns) {
 }
 
 std::optional<TimedFrame> SocketCanPort::receive() {
-  if (received_count_ == 0) {
-    drain();
+  if (received_count_ == 0 && !std::exchange(emptied_, false)) {
+    emptied_ = drain();
   }
   if (received_count_ == 0) {
+    emptied_ = false;
     return std::nullopt;
   }
   const TimedFrame& frame = received_[received_first_];
@@ -109,8 +110,8 @@ void SocketCanPort::flush(std::int64_t now_ns) {
 }
 
 // Reads until nothing is left, and writes the next frame at each echo. Where the echo comes at once, as on a
-// virtual interface, everything that waits goes out.
-void SocketCanPort::drain() noexcept {
+// virtual interface, everything that waits goes out. True: the socket is empty.
+bool SocketCanPort::drain() noexcept {
   for (int batch = 0; batch < kBatchesACall && received_.size() - received_count_ >= Socket::kBatch;
        ++batch) {
     const std::uint64_t echoes = statistics_.sent;
@@ -118,7 +119,7 @@ void SocketCanPort::drain() noexcept {
     if (count < 0) {
       take_socket_error(-count);
       if (count == -EAGAIN || count == -EWOULDBLOCK) {
-        return;
+        return true;
       }
       continue;
     }
@@ -127,9 +128,10 @@ void SocketCanPort::drain() noexcept {
     }
     statistics_.dropped_by_kernel = socket_->dropped();
     if (count < Socket::kBatch && (statistics_.sent == echoes || !in_flight_)) {
-      return;  // the socket is empty, and nothing was written meanwhile that could come back
+      return true;  // nothing was written meanwhile that could have come back
     }
   }
+  return false;
 }
 
 void SocketCanPort::take(int message) noexcept {

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "gaitway/can/finish_sending.hpp"
+
 namespace gaitway::msgcontroller {
 
 BusConnection::BusConnection(const BusChoice& choice) {
@@ -37,6 +39,9 @@ void BusConnection::report() {
 }
 
 void BusConnection::close() {
+  if (interface_) {
+    can::finish_sending(*interface_);
+  }
   if (sent_log_) {
     sent_log_->close();
   }

@@ -122,10 +122,11 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
     walk.emplace(block, options, result.begin_ns);
   }
   msgcontroller::BusTimeline timeline(controller, bus.port(), result.begin_ns);
-  std::array<pollfd, 2> wakes{pollfd{bus.port().wake_fd(), POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
+  std::array<pollfd, 2> wakes{pollfd{-1, POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
   std::int64_t now_ns = result.begin_ns;
   while (!process::stop_requested() && (options.seconds <= 0.0 || now_ns < stop_ns)) {
     const bool waits = timeline.waits();
+    wakes[0].fd = bus.wake_fd();
     process::wait_until(timeline.next_ns() + (waits ? can::kLongestWait_ns : 0), wakes);
     now_ns = process::monotonic_ns();
     if (now_ns >= timeline.next_ns() && !waits) {
@@ -136,7 +137,9 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
       break;
     }
     block.beat(now_ns);
-    server.step();
+    if (wakes[1].revents != 0) {
+      server.step();
+    }
     if (walk) {
       walk->step(now_ns);
     }

@@ -1,11 +1,18 @@
 // Frames in, a millisecond of the body, frames out.
 #include "interface_robot.hpp"
 
+#include <limits>
+
 #include "gaitway/msgclient/cycle.hpp"
 
 namespace gaitway::simulator {
 
 using msgclient::kMillisecond_ns;
+namespace {
+
+constexpr std::int64_t kEverything = std::numeric_limits<std::int64_t>::max();
+
+}  // namespace
 
 InterfaceRobot::InterfaceRobot(const urdf::RobotModel& robot, const PlantOptions& plant,
                                can::SocketCanPort& port, bool log_wanted, std::int64_t start_ns)
@@ -25,7 +32,7 @@ void InterfaceRobot::advance_to(std::int64_t now_ns) {
     watch_.look(plant_, next_ns_);
     speak(next_ns_);
   }
-  hear(now_ns);
+  hear(kEverything);
   speak(now_ns);
 }
 

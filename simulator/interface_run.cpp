@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gaitway/can/candump_log.hpp"
+#include "gaitway/can/finish_sending.hpp"
 #include "gaitway/can/socketcan_report.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/process/duration_histogram.hpp"
@@ -84,6 +85,7 @@ void run_on_interface(const urdf::RobotModel& robot, const InterfaceRun& options
   InterfaceRobot body(robot, options.plant, port, !options.walk_log.empty(), start_ns);
   process::ask_for_real_time("virtual_robot", options.priority);
   const LoopResult loop = run_loop(body, port, options.seconds);
+  can::finish_sending(port);
   const std::string summary = summary_of(body, port, loop).dump(2) + "\n";
   if (options.summary.empty()) {
     fmt::print("{}", summary);

@@ -348,6 +348,20 @@ TEST_F(RealTime, WhatCannotWorkIsSaidInOneLineAndNothingMoves) {
   Process no_robot(GAITWAY_VIRTUAL_ROBOT, folder / "3.txt", {"--robot", path("none"), "--bus", path("bus")});
   EXPECT_EQ(no_robot.wait(), 1);
   EXPECT_THAT(no_robot.output(), HasSubstr(path("none")));
+  for (const char* program : {GAITWAY_MESSAGE_CONTROLLER, GAITWAY_VIRTUAL_ROBOT}) {
+    const bool robot = program == std::string(GAITWAY_VIRTUAL_ROBOT);
+    std::vector<std::string> arguments{"--robot", kRobot, "--can", "nobus7"};
+    if (!robot) {
+      arguments.insert(arguments.end(), {"--memory", path("memory"), "--wait", "0.1"});
+    }
+    Process no_interface(program, folder / "5.txt", arguments);
+    EXPECT_EQ(no_interface.wait(), 1);
+    EXPECT_THAT(no_interface.output(), HasSubstr("CAN interface 'nobus7'"));
+    arguments.insert(arguments.end(), {"--bus", path("bus")});
+    Process two_buses(program, folder / "6.txt", arguments);
+    EXPECT_EQ(two_buses.wait(), 1);
+    EXPECT_THAT(two_buses.output(), HasSubstr("--bus"));
+  }
   Process waiting(GAITWAY_MESSAGE_CONTROLLER, folder / "4.txt",
                   {"--robot", kRobot, "--bus", path("nobody"), "--memory", path("memory"), "--wait", "60"});
   std::this_thread::sleep_for(300ms);

@@ -121,7 +121,7 @@ class SocketCanPort final : public BusPort {
   static constexpr std::size_t kReceived = 512;
 
   [[nodiscard]] bool usable() const noexcept { return state_ < BusState::bus_off; }
-  void drain() noexcept;
+  bool drain() noexcept;
   void take(int message) noexcept;
   void take_echo(const TimedFrame& frame) noexcept;
   void take_error(std::uint32_t error_class, const std::array<std::uint8_t, 8>& data) noexcept;
@@ -150,6 +150,7 @@ class SocketCanPort final : public BusPort {
 
   std::array<TimedFrame, kReceived> received_;  // a ring
   std::size_t received_first_ = 0, received_count_ = 0;
+  bool emptied_ = false;  // the socket was, when the frames in the ring came: no need to ask it again
 
   std::int64_t now_ns_ = 0;        // as of the last transmit() or flush()
   std::int64_t next_look_ns_ = 0;  // at the interface, or for a restart

@@ -1,0 +1,26 @@
+// Waits for the confirmations.
+#include "gaitway/can/finish_sending.hpp"
+
+#include <array>
+
+#include "gaitway/process/real_time.hpp"
+
+namespace gaitway::can {
+
+bool finish_sending(BusPort& port, std::int64_t longest_ns) {
+  constexpr std::int64_t kBetweenLooks_ns = 1'000'000;
+  const std::int64_t end_ns = process::monotonic_ns() + longest_ns;
+  std::array<pollfd, 1> wakes{pollfd{port.wake_fd(), POLLIN, 0}};
+  std::int64_t now_ns = process::monotonic_ns();
+  port.flush(now_ns);
+  while (port.transmit_pending() && now_ns < end_ns) {
+    process::wait_until(now_ns + kBetweenLooks_ns, wakes);
+    now_ns = process::monotonic_ns();
+    port.flush(now_ns);
+    while (port.receive()) {
+    }
+  }
+  return !port.transmit_pending();
+}
+
+}  // namespace gaitway::can
