@@ -49,15 +49,22 @@ void BusTimeline::take_frames(std::int64_t until_ns) {
     if (!arrived_) {
       arrived_ = port_.receive();
     }
-    if (const can::BusState state = port_.state(); state != state_) {
-      state_ = state;
-      controller_.on_bus_state(state, port_.error_counters(), until_ns);
-    }
+    watch_station(until_ns);
     if (!arrived_ || arrived_->end_ns > until_ns) {
       return;
     }
     controller_.on_frame(arrived_->frame, arrived_->end_ns);
     arrived_.reset();
+  }
+}
+
+void BusTimeline::watch_station(std::int64_t now_ns) noexcept {
+  const can::BusState state = port_.state();
+  const can::ErrorCounters errors = port_.error_counters();
+  if (state != state_ || errors != errors_) {
+    state_ = state;
+    errors_ = errors;
+    controller_.on_bus_state(state, errors, now_ns);
   }
 }
 

@@ -44,7 +44,9 @@ void InterfaceRobot::hear(std::int64_t until_ns) {
     if (!arrived_ || arrived_->end_ns > until_ns) {
       return;
     }
-    joints_.on_frame(arrived_->frame, -1, arrived_->end_ns);
+    for (int joint = 0; joint < joints_.size(); ++joint) {
+      joints_.on_frame(joint, arrived_->frame, arrived_->end_ns);
+    }
     arrived_.reset();
   }
 }
@@ -52,7 +54,7 @@ void InterfaceRobot::hear(std::int64_t until_ns) {
 void InterfaceRobot::speak(std::int64_t now_ns) {
   can::Frame frame;
   for (int joint = 0; joint < joints_.size(); ++joint) {
-    while (port_.free_buffers() > 0 && joints_.joint(joint).take_frame(frame)) {
+    while (port_.free_buffers() > 0 && joints_.take_frame(joint, frame)) {
       port_.transmit(frame, now_ns);
     }
   }

@@ -28,9 +28,10 @@ class RecordingPort final : public can::BusPort {
     std::int64_t at_ns;
   };
   bool transmit(const can::Frame& frame, std::int64_t now_ns) override {
-    if (occupied) {
+    if (occupied || held == buffers) {
       return false;
     }
+    ++held;
     sent.push_back({frame, now_ns});
     return true;
   }
@@ -43,7 +44,11 @@ class RecordingPort final : public can::BusPort {
     arriving.pop_front();
     return frame;
   }
-  void flush(std::int64_t now_ns) override { flushed.push_back(now_ns); }
+  void flush(std::int64_t now_ns) override {
+    flushed.push_back(now_ns);
+    held = 0;  // everything is on the bus at once
+  }
+  [[nodiscard]] can::BusState state() const noexcept override { return bus_state; }
   [[nodiscard]] bool caught_up(std::int64_t time_ns) const noexcept override {
     return bus_time_ns >= time_ns;
   }
@@ -60,6 +65,9 @@ class RecordingPort final : public can::BusPort {
     return times;
   }
   bool occupied = false;
+  std::size_t buffers = std::numeric_limits<std::size_t>::max();
+  std::size_t held = 0;
+  can::BusState bus_state = can::BusState::error_active;
   std::int64_t bus_time_ns = std::numeric_limits<std::int64_t>::max();
   std::vector<Sent> sent;
   std::vector<std::int64_t> flushed;
@@ -155,6 +163,30 @@ TEST_F(BusTimelineTest, WhatTheBusDoesNotTakeYetStaysInOrder) {
   ASSERT_EQ(port.sent.size(), 2U);  // SYNC and heartbeat
   EXPECT_LT(port.sent[0].frame.id, port.sent[1].frame.id);
   EXPECT_EQ(port.sent[0].at_ns, kStart_ns + kMillisecond_ns + 300'000);
+}
+
+TEST_F(BusTimelineTest, APortWithOneBufferGetsOneFrameAfterTheOtherWithinTheMillisecond) {
+  port.buffers = 1;
+  timeline.advance_to(kStart_ns + kMillisecond_ns);
+  ASSERT_EQ(port.sent.size(), 2U);  // SYNC and heartbeat
+  EXPECT_LT(port.sent[0].frame.id, port.sent[1].frame.id);
+  EXPECT_EQ(port.sent[1].at_ns, port.sent[0].at_ns);
+}
+
+TEST_F(BusTimelineTest, TheControllerLearnsThatItsStationIsOffTheBusAndBackOnIt) {
+  timeline.advance_to(kStart_ns + kMillisecond_ns);
+  const std::size_t before = port.sent.size();
+  port.bus_state = can::BusState::bus_off;
+  port.occupied = true;
+  timeline.advance_to(kStart_ns + 15 * kMillisecond_ns);
+  EXPECT_EQ(controller.health().bus_state, static_cast<std::uint32_t>(can::BusState::bus_off));
+  EXPECT_TRUE(controller.queue().empty()) << "it would be stale afterwards";
+  port.bus_state = can::BusState::error_active;
+  port.occupied = false;
+  timeline.advance_to(kStart_ns + 25 * kMillisecond_ns);
+  EXPECT_EQ(controller.health().bus_state, static_cast<std::uint32_t>(can::BusState::error_active));
+  ASSERT_GT(port.sent.size(), before);
+  EXPECT_GT(port.sent[before].at_ns, kStart_ns + 15 * kMillisecond_ns);
 }
 
 }  // namespace

@@ -31,13 +31,15 @@ class BusTimeline {
 
  private:
   void take_frames(std::int64_t until_ns);
+  void watch_station(std::int64_t now_ns) noexcept;
   void offer(std::int64_t now_ns, std::int64_t flushed_until_ns);
   void drop_frames() noexcept;
 
   MessageController& controller_;
   can::BusPort& port_;
-  std::optional<can::TimedFrame> arrived_;  // its millisecond has not come yet
-  can::BusState state_ = can::BusState::error_active;  // as the controller knows it
+  std::optional<can::TimedFrame> arrived_;             // its millisecond has not come yet
+  can::BusState state_ = can::BusState::error_active;  // of this station, as the controller knows it
+  can::ErrorCounters errors_;
   std::int64_t next_ns_;
   bool waits_ = false;
   std::uint64_t missed_ = 0;
