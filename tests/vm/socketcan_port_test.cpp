@@ -140,8 +140,8 @@ TEST_F(SocketCan, CanFdFramesAreIgnoredAndCounted) {
   EXPECT_EQ(port.statistics().received, 1U);
 }
 
-// The kernel stamps and the clocks are read at different instants; an interruption between them may cost
-// millisecond.
+// The kernel stamps and the clocks are read at different instants: an interruption between them may cost
+// milliseconds, and no more.
 TEST_F(SocketCan, TimeStampsAreOfTheRobotsClockAndNeverRunBackwards) {
   constexpr std::int64_t kReading_ns = 10'000'000;
   SocketCanPort port(interface.name);

@@ -100,6 +100,11 @@ class VcanWalk : public testing::Test {
            robot["overruns"].get<double>() < 0.1 * 1000.0 * robot["seconds"].get<double>();
   }
   void expect_that_candump_saw_what_was_sent();
+  [[nodiscard]] bool walked_well() const {
+    const nlohmann::json robot = summary("robot");
+    return !robot["fell"].get<bool>() && walked_s() >= kWalk_s - 1.0 &&
+           robot["distance_m"].get<double>() > 2.0;
+  }
   // Seconds from the first step to the end.
   [[nodiscard]] double walked_s() const;
   [[nodiscard]] std::string everything() const {
@@ -187,22 +192,22 @@ double VcanWalk::walked_s() const {
   return begin_s < 0.0 ? 0.0 : last_s - begin_s;
 }
 
+// What candump saw must be what was sent, at any pace. Whether the robot walks well is judged where its
+// processes got the processor in time.
 TEST_F(VcanWalk, TheRobotWalksTwentySecondsAndCandumpSeesEveryFrameThatWasSent) {
-  run();
-  if (!HasFatalFailure() && !kept_pace() && divisor < kLargestDivisor) {
-    expect_that_candump_saw_what_was_sent();  // that holds at any speed
-    divisor = std::min(2 * divisor, kLargestDivisor);
-    std::printf("this machine was too slow for that pace: once more, with clocks at 1/%d of their rate\n",
-                divisor);
+  while (true) {
     run();
+    ASSERT_FALSE(HasFatalFailure());
+    expect_that_candump_saw_what_was_sent();
+    if (walked_well() || kept_pace() || divisor == kLargestDivisor) {
+      break;
+    }
+    divisor = std::min(2 * divisor, kLargestDivisor);
+    std::printf("too slow for that pace: once more, with clocks at 1/%d of their rate\n", divisor);
   }
-  ASSERT_FALSE(HasFatalFailure());
-  expect_that_candump_saw_what_was_sent();
-  const nlohmann::json robot = summary("robot");
-  EXPECT_FALSE(robot["fell"].get<bool>()) << everything();
-  EXPECT_GE(walked_s(), kWalk_s - 1.0) << everything();
-  EXPECT_GT(robot["distance_m"].get<double>(), 2.0) << everything();
-  EXPECT_GT(summary("message")["handed_over"].get<int>(), 200) << everything();
+  EXPECT_TRUE(walked_well()) << "walked " << walked_s() << " s"
+                             << (kept_pace() ? "" : "; this machine is too slow");
+  EXPECT_GT(summary("message")["handed_over"].get<int>(), 200);
   std::printf("%s", everything().c_str());
 }
 
