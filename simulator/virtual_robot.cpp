@@ -239,6 +239,11 @@ int run(const Options& options) {
   if (!options.sent_log.empty() && options.can.empty()) {
     throw std::invalid_argument("--sent-log: needs --can");
   }
+  if (!options.socketcand.empty() && !options.can.empty()) {
+    throw std::invalid_argument(
+        "--socketcand: serves the simulated bus, so it needs --bus; for an interface there is socketcand "
+        "itself");
+  }
   const urdf::RobotModel model = urdf::load_robot(options.robot);
   if (!options.can.empty()) {
     simulator::run_on_interface(model, {options.can, options.summary, options.walk_log, options.sent_log,
