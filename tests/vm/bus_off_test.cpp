@@ -29,7 +29,10 @@ class BusOff : public testing::Test {
   }
 
   test::SlcanAdapter adapter;
-  SocketCanPort port{adapter.name, {.restart_delay_ns = kRestartDelay_ns, .interface_poll_ns = 1'000'000}};
+  SocketCanPort port{adapter.name,
+                     {.echo_deadline_ns = 3'600'000'000'000,
+                      .restart_delay_ns = kRestartDelay_ns,
+                      .interface_poll_ns = 1'000'000}};
 };
 
 TEST_F(BusOff, FramesGoToTheAdapterAndComeFromIt) {
