@@ -16,6 +16,7 @@
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/bus_timeline.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -32,6 +33,8 @@ constexpr std::int64_t kBetweenTries_ns = 50 * msgclient::kMillisecond_ns;
 
 struct Options {
   std::filesystem::path robot;
+  std::string profile;
+  bool accept_unproven = false;
   msgcontroller::BusChoice bus;
   std::filesystem::path memory;
   std::filesystem::path summary;
@@ -202,7 +205,11 @@ int run(const Options& options) {
     throw std::invalid_argument(
         "--walk: wants VX,VY,WZ in m/s, m/s and rad/s: three numbers, for example 0.15,0,0.1");
   }
-  const urdf::RobotModel robot = urdf::load_robot(options.robot);
+  urdf::RobotModel robot = urdf::load_robot(options.robot);
+  if (!options.profile.empty()) {
+    robot.network.profile = options.profile;
+  }
+  msgcontroller::require_proven_network(robot, options.accept_unproven);
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("message_controller");
   msgclient::EmiMessage adapter(client);
@@ -229,6 +236,10 @@ int main(int argc, char** argv) {
       "safe tail "
       "when none comes"};
   app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
+  app.add_option("--profile", options.profile,
+                 "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  app.add_flag("--accept-unproven", options.accept_unproven,
+               "Run even if some message of the bus may miss its deadline");
   CLI::Option_group* const bus = app.add_option_group("The bus, one of");
   bus->add_option("--bus", options.bus.socket, "Socket of the simulated bus, as served by virtual_robot");
   bus->add_option("--can", options.bus.interface, "CAN interface, which must be up, for example can0");

@@ -37,6 +37,17 @@ std::string complaint_about_network(const urdf::RobotModel& robot) {
       100.0 * proof.load, (robot.directory / "robot.yaml").string());
 }
 
+void require_proven_network(const urdf::RobotModel& robot, bool accept_unproven) {
+  const std::string complaint = complaint_about_network(robot);
+  if (complaint.empty()) {
+    return;
+  }
+  if (!accept_unproven) {
+    throw urdf::RobotError(complaint);
+  }
+  fmt::print(stderr, "warning: {}\n", complaint);
+}
+
 std::int64_t hand_over_lead_ns(const urdf::RobotModel& robot) {
   const auto response_ns = prove(robot, {}).worst_response_ns(can::MessageKind::trajectory);
   // The response counts from the earliest instant of release, but the frames are released at the hand-over.

@@ -5,8 +5,8 @@ namespace gaitway::msgcontroller {
 namespace {
 
 constexpr std::uint32_t kSlotsUntilMissing = 2;
-// A joint may answer twice in a slot, differently, when its SYNC comes late. A second station does it slot by
-// slot.
+// A joint may answer twice in a slot, differently, when its SYNC comes late, and what it said in one slot may
+// arrive in the next. A second station does it slot by slot.
 constexpr int kSlotsUntilSecondSender = 3;
 
 // Indexed by Incident.
@@ -121,6 +121,10 @@ NetworkWatch::Arrival NetworkWatch::take_feedback(const can::Frame& frame, int j
   }
   if (node.last_slot == slot_ && slot_ != 0) {
     compare_with_last(frame, node);
+  } else {
+    node.late = slot_ - node.last_slot > 1;
+    node.differing_slots = node.differed ? node.differing_slots : 0;
+    node.differed = false;
   }
   arrival.returned = (health_.missing & bit(joint)) != 0;
   if (arrival.returned) {
@@ -136,15 +140,16 @@ NetworkWatch::Arrival NetworkWatch::take_feedback(const can::Frame& frame, int j
 }
 
 void NetworkWatch::compare_with_last(const can::Frame& frame, Node& node) noexcept {
+  if (node.late) {
+    return;
+  }
   if (frame == node.last_frame) {
     count(Incident::doubled, node.node);
     return;
   }
   count(Incident::second_sender, node.node);
-  if (node.differed_in_slot != slot_) {
-    node.differing_slots = node.differed_in_slot + 1 == slot_ ? node.differing_slots + 1 : 1;
-    node.differed_in_slot = slot_;
-  }
+  node.differing_slots += node.differed ? 0 : 1;
+  node.differed = true;
 }
 
 void NetworkWatch::begin_slot(std::uint32_t slot_since_start) noexcept {

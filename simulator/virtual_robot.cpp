@@ -36,6 +36,7 @@ constexpr int kPriority = 50;
 
 struct Options {
   std::filesystem::path robot;
+  std::string profile;
   std::filesystem::path bus;
   std::string can;  // a CAN interface instead
   std::filesystem::path sent_log;
@@ -56,7 +57,7 @@ class VirtualRobot {
         watch_(plant_, !options.walk_log.empty(), start_ns),
         server_(options.bus, start_ns) {
     for (int joint = 0; joint < joints_.size(); ++joint) {
-      station_.push_back(server_.bus().attach());
+      transmitters_.emplace_back(server_.bus().attach());
     }
     joints_.step(now_ns_, plant_.sensors());
     if (!options.socketcand.empty()) {
@@ -111,28 +112,19 @@ class VirtualRobot {
 
  private:
   void deliver(const can::SimulatedBus::Delivery& delivery) {
-    const bool from_joint = delivery.sender < joints_.size();  // they attached first
-    if (!delivery.lost) {
-      for (int joint = 0; joint < joints_.size(); ++joint) {
-        if (delivery.received_by(station_[static_cast<std::size_t>(joint)])) {
-          joints_.on_frame(joint, delivery.frame, delivery.end_ns);
-        }
+    for (int joint = 0; joint < joints_.size(); ++joint) {
+      can::StationTransmitter& transmitter = transmitters_[static_cast<std::size_t>(joint)];
+      transmitter.on_delivery(delivery);
+      if (delivery.received_by(transmitter.station())) {
+        joints_.on_frame(joint, delivery.frame, delivery.end_ns);
       }
-    }
-    if (from_joint) {
-      offer(delivery.sender, delivery.end_ns);
-      return;
     }
     for (int joint = 0; joint < joints_.size(); ++joint) {
       offer(joint, delivery.end_ns);  // an answer to a SYNC goes out at once
     }
   }
   void offer(int joint, std::int64_t now_ns) {
-    const int station = station_[static_cast<std::size_t>(joint)];
-    can::Frame frame;
-    if (!server_.bus().transmit_pending(station) && joints_.take_frame(joint, frame)) {
-      server_.bus().transmit(station, frame, now_ns);
-    }
+    joints_.offer(joint, transmitters_[static_cast<std::size_t>(joint)], server_.bus(), now_ns);
   }
 
   std::int64_t now_ns_;
@@ -141,7 +133,7 @@ class VirtualRobot {
   simulator::WalkWatch watch_;
   can::BusServer server_;
   std::optional<can::SocketcandServer> socketcand_;
-  std::vector<int> station_;
+  std::vector<can::StationTransmitter> transmitters_;
 };
 
 struct LoopResult {
@@ -244,7 +236,10 @@ int run(const Options& options) {
         "--socketcand: serves the simulated bus, so it needs --bus; for an interface there is socketcand "
         "itself");
   }
-  const urdf::RobotModel model = urdf::load_robot(options.robot);
+  urdf::RobotModel model = urdf::load_robot(options.robot);
+  if (!options.profile.empty()) {
+    model.network.profile = options.profile;
+  }
   if (!options.can.empty()) {
     simulator::run_on_interface(model, {options.can, options.summary, options.walk_log, options.sent_log,
                                         options.plant, options.seconds, kPriority});
@@ -272,6 +267,8 @@ int main(int argc, char** argv) {
       "on a CAN "
       "interface"};
   app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->required();
+  app.add_option("--profile", options.profile,
+                 "Messages of the bus: full or paper. Without it, what the robot's network file says");
   CLI::Option_group* const bus = app.add_option_group("The bus, one of");
   bus->add_option("--bus", options.bus, "Socket to serve a simulated bus on");
   bus->add_option("--can", options.can, "CAN interface, which must be up, for example vcan0");

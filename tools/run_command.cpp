@@ -232,12 +232,7 @@ int run(const RunOptions& options) {
   if (!options.profile.empty()) {
     robot.network.profile = options.profile;
   }
-  if (const std::string complaint = msgcontroller::complaint_about_network(robot); !complaint.empty()) {
-    if (!options.accept_unproven) {
-      throw urdf::RobotError(complaint);
-    }
-    fmt::print(stderr, "gaitway: warning: {}\n", complaint);
-  }
+  msgcontroller::require_proven_network(robot, options.accept_unproven);
   simulator::Scenario scenario = scenario_of(options, robot);
   const core::PluginExchange plugins = plugins_of(options);
   const std::string commander = plugins.writer_of("walk_command");

@@ -128,6 +128,32 @@ TEST_F(NetworkIncidents, ASecondNodeWithTheSameIdentifierIsReportedAtOnceAndStop
   EXPECT_EQ(hand_over(3).reason, msgclient::Reason::stopping);
 }
 
+TEST_F(NetworkIncidents, FeedbackThatArrivesASlotLateIsNoSecondNode) {
+  start_moving();
+  std::vector<can::Frame> delayed;
+  bool hold_back = true;
+  bus_.drop_from_joint = [&](const can::Frame& frame) {
+    if (hold_back) {
+      delayed.push_back(frame);
+    }
+    return hold_back;
+  };
+  every_millisecond = [&] {  // every other slot's feedback comes at the beginning of the next one
+    if (now_ns_ % kSlot_ns == 9 * kMillisecond_ns) {
+      hold_back = !hold_back;
+    }
+    if (now_ns_ % kSlot_ns == 0) {
+      for (const can::Frame& frame : delayed) {
+        controller_.on_frame(frame, now_ns_);
+      }
+      delayed.clear();
+    }
+  };
+  run_until(now_ns_ + 20 * kSlot_ns);
+  EXPECT_EQ(health().second_senders, 0U);
+  EXPECT_EQ(health().doubled, 0U);
+}
+
 TEST_F(NetworkIncidents, ASilentNodeIsNamedWithinTwoSlotsAndItsReturnIsSeen) {
   start_moving();
   run_until(2 * kCycle_ns + 3 * kSlot_ns + 5 * kMillisecond_ns);

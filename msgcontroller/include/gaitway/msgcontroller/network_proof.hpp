@@ -22,6 +22,9 @@ inline constexpr std::int64_t kJam_ns = 2'000'000;
 // and by how much, and what to do.
 [[nodiscard]] std::string complaint_about_network(const urdf::RobotModel& robot);
 
+// Throws urdf::RobotError with that complaint, unless it is accepted: then it goes to stderr as a warning.
+void require_proven_network(const urdf::RobotModel& robot, bool accept_unproven);
+
 // A batch is handed over at the latest so long before it starts: its last trajectory frame has arrived by
 // then, whatever else is on the bus, as long as that is free of errors. Whole milliseconds. (After errors it
 // may be later; then the joints that have no batch yet are resynchronised within the next time slots.)

@@ -76,7 +76,8 @@ class NetworkWatch {
     can::NodeId node = 0;  // 0: not on the bus
     std::uint32_t last_slot = 0;
     can::Frame last_frame;
-    std::uint32_t differed_in_slot = 0;
+    bool late = false;        // nothing came in the slot before: what comes now may be of two slots
+    bool differed = false;    // from another frame of the same slot
     int differing_slots = 0;  // in a row
     bool has_played = false;  // a batch: from then on, a start is a restart
   };
