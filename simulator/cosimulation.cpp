@@ -220,6 +220,12 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       post(stop.soft ? msgclient::UserCommandKind::emergency_stop_soft
                      : msgclient::UserCommandKind::emergency_stop_hold);
     }
+    void operator()(const ManualJointEvent& move) const {
+      post({.kind = msgclient::UserCommandKind::manual_joint,
+            .joint = static_cast<std::uint32_t>(move.joint),
+            .position = static_cast<float>(move.position_rad),
+            .duration_slots = static_cast<std::uint32_t>(move.duration_slots)});
+    }
     void operator()(const PushEvent& push) const {
       self.plant_.push(push.body, push.direction, push.impulse_Ns, push.duration_s);
     }
@@ -249,8 +255,9 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     void operator()(const JointRestartsFault& fault) const { self.restart(fault); }
     void operator()(const ForeignFrameFault& fault) const { self.foreign_frames_.push_back(fault.frame); }
     void operator()(const PluginFault& fault) const { self.inject(fault); }
-    void post(msgclient::UserCommandKind kind) const {
-      const msgclient::UserCommandMail mail{.sequence = ++self.user_commands_, .kind = kind};
+    void post(msgclient::UserCommandKind kind) const { post(msgclient::UserCommandMail{.kind = kind}); }
+    void post(msgclient::UserCommandMail mail) const {
+      mail.sequence = ++self.user_commands_;
       self.ring_at(self.now_ns_ + self.adapter_.host().post(mail, self.now_ns_).transfer_ns);
     }
   };

@@ -11,6 +11,9 @@ CLI::App* add_bus_command(CLI::App& app, BusOptions& options) {
   add_bus_analyze_command(*command, options.analyze);
   add_bus_dbc_command(*command, options.dbc);
   add_bus_document_command(*command, options.document);
+  add_bus_measure_command(*command, options.measure);
+  add_bus_monitor_command(*command, options.monitor);
+  add_bus_replay_command(*command, options.replay);
   command->footer(
       "Examples:\n"
       "  gaitway bus analyze\n"
@@ -28,6 +31,15 @@ int bus(const CLI::App& command, const BusOptions& options) {
   }
   if (command.got_subcommand("document")) {
     return write_network_document(options.document);
+  }
+  if (command.got_subcommand("measure")) {
+    return measure_bus(options.measure);
+  }
+  if (command.got_subcommand("monitor")) {
+    return monitor_bus(options.monitor);
+  }
+  if (command.got_subcommand("replay")) {
+    return replay_bus_log(options.replay);
   }
   throw CLI::RequiredError("a subcommand of bus");
 }

@@ -63,7 +63,7 @@ RunRecorder::RunRecorder(simulator::Cosimulation& run, const std::filesystem::pa
 
 void RunRecorder::on_frame(const can::SimulatedBus::Delivery& delivery) {
   digest_.add(delivery.frame, delivery.start_ns);
-  if (bus_log_) {
+  if (bus_log_ && !delivery.lost) {  // nobody heard it, so no log of a bus has it
     bus_log_->write(delivery.end_ns, delivery.frame);
   }
   if (delivery.start_ns >= cycle_start_ns_ + kCycle_ns) {

@@ -40,6 +40,12 @@ struct StopEvent {};
 struct EmergencyStopEvent {
   bool soft = false;
 };
+// User command: one joint moves to an angle; refused unless the robot stands without a batch. Not in YAML.
+struct ManualJointEvent {
+  int joint = 0;  // index in RobotModel::joints
+  double position_rad = 0.0;
+  int duration_slots = 1;  // time slots of 10 ms over which it moves there
+};
 struct PushEvent {
   std::string body;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
@@ -91,9 +97,9 @@ struct PluginFault {
 
 struct ScenarioEvent {
   double at_s = 0.0;
-  std::variant<WalkEvent, StopEvent, EmergencyStopEvent, PushEvent, MainControllerSilentFault,
-               LoseFramesFault, DisturbBusFault, JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault,
-               PluginFault>
+  std::variant<WalkEvent, StopEvent, EmergencyStopEvent, ManualJointEvent, PushEvent,
+               MainControllerSilentFault, LoseFramesFault, DisturbBusFault, JamFault, BusOffFault,
+               JointRestartsFault, ForeignFrameFault, PluginFault>
       action;
 };
 

@@ -3,6 +3,9 @@
 
 #include "gaitway/tools/bus_analyze_command.hpp"
 #include "gaitway/tools/bus_dbc_command.hpp"
+#include "gaitway/tools/bus_measure_command.hpp"
+#include "gaitway/tools/bus_monitor_command.hpp"
+#include "gaitway/tools/bus_replay_command.hpp"
 
 namespace CLI {
 class App;
@@ -15,6 +18,9 @@ struct BusOptions {
   BusAnalyzeOptions analyze;
   BusDbcOptions dbc;
   BusDocumentOptions document;
+  BusMeasureOptions measure;
+  BusMonitorOptions monitor;
+  BusReplayOptions replay;
 };
 
 // Adds the command with its subcommands; `options` is filled when it is parsed.

@@ -1,0 +1,35 @@
+// Which robot's bus a command is about: the options that all `gaitway bus` commands of this kind share.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gaitway/can/network_messages.hpp"
+#include "gaitway/can/profile.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace gaitway::tools {
+
+struct BusRobotOptions {
+  std::filesystem::path directory;  // folder with robot.urdf and robot.yaml
+  std::string profile;              // empty: what the robot's network file says
+};
+
+struct BusRobot {
+  urdf::RobotModel model;
+  can::Profile profile;
+  std::vector<can::NodeId> nodes;  // on the bus
+  can::Proof proof;                // without jitter and errors
+};
+
+// Adds --robot and --profile.
+void add_robot_options(CLI::App& command, BusRobotOptions& options);
+// Throws urdf::RobotError naming file, line and rule.
+[[nodiscard]] BusRobot load_bus_robot(const BusRobotOptions& options);
+
+}  // namespace gaitway::tools

@@ -1,0 +1,179 @@
+// Replays in the co-simulation's order: local controllers, frames of the millisecond, body.
+#include "gaitway/tools/log_replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using can::MessageKind;
+using msgclient::kMillisecond_ns;
+
+// An answer that is not in the log by the time the next one is due was lost.
+constexpr std::int64_t kOverdue_ns = can::kSlotPeriod_ns - kMillisecond_ns;
+
+std::int64_t field_value(const can::Frame& frame, const can::FieldSpec& field) noexcept {
+  std::uint64_t bits = 0;
+  for (std::size_t byte = 0; byte < frame.size; ++byte) {
+    bits |= std::uint64_t{frame.data[byte]} << (8 * byte);
+  }
+  const std::uint64_t raw = (bits >> field.first_bit) & ((std::uint64_t{1} << field.width) - 1);
+  const std::uint64_t sign = std::uint64_t{1} << (field.width - 1U);
+  const bool negative = field.is_signed && (raw & sign) != 0;
+  return static_cast<std::int64_t>(raw) - (negative ? static_cast<std::int64_t>(2 * sign) : 0);
+}
+
+// Fields of an answer that the frames on the bus decide alone, whatever the body does.
+bool is_reference(MessageKind kind, std::string_view field) noexcept {
+  constexpr std::array<std::string_view, 4> kDecided{"reference_low", "executing_toggle", "pending_toggle",
+                                                     "state"};
+  return kind == MessageKind::feedback &&
+         std::find(kDecided.begin(), kDecided.end(), field) != kDecided.end();
+}
+
+}  // namespace
+
+LogReplay::LogReplay(const urdf::RobotModel& robot, const ReplayOptions& options)
+    : options_(options),
+      profile_(msgcontroller::network_profile(robot)),
+      plant_(robot, options.plant),
+      joints_(robot, options.plant.seed, options.largest_clock_drift_ppm),
+      waiting_(robot.joints.size()) {
+  for (const urdf::Joint& joint : robot.joints) {
+    node_.push_back(joint.node);
+  }
+}
+
+ReplayResult LogReplay::run(std::span<const can::LoggedFrame> log) {
+  std::int64_t now_ns = 0;
+  for (std::size_t next = 0; next < log.size(); now_ns += kMillisecond_ns) {
+    push(now_ns);
+    joints_.step(now_ns, plant_.sensors());
+    offer_all(now_ns);
+    for (; next < log.size() && log[next].time_ns <= now_ns + kMillisecond_ns; ++next) {
+      deliver(log[next]);
+    }
+    plant_.step(joints_.torque_Nm());
+    result_.fell = result_.fell || plant_.fallen();
+    result_.end_ns = now_ns + kMillisecond_ns;
+    if (observer_ && result_.end_ns % msgclient::kSlot_ns == 0) {
+      observer_(result_.end_ns, joints_, plant_);
+    }
+  }
+  return result_;
+}
+
+void LogReplay::push(std::int64_t now_ns) {
+  const double now_s = static_cast<double>(now_ns) * 1e-9;
+  for (; next_push_ < options_.pushes.size() && options_.pushes_at_s[next_push_] <= now_s + 1e-9;
+       ++next_push_) {
+    const simulator::PushEvent& push = options_.pushes[next_push_];
+    plant_.push(push.body, push.direction, push.impulse_Ns, push.duration_s);
+  }
+}
+
+int LogReplay::sender_of(const can::Frame& frame) const noexcept {
+  const auto message = frame.extended || frame.remote ? std::nullopt : profile_.identify(frame.id);
+  if (!message || can::layout(message->kind).sender != can::Sender::local_controller) {
+    return -1;
+  }
+  const auto joint = std::find(node_.begin(), node_.end(), message->node);
+  return joint == node_.end() ? -1 : static_cast<int>(joint - node_.begin());
+}
+
+void LogReplay::deliver(const can::LoggedFrame& logged) {
+  if (logged.error) {
+    ++result_.error_reports;
+    return;
+  }
+  const int sender = sender_of(logged.frame);
+  if (sender < 0) {
+    ++result_.fed;
+    joints_.on_frame(logged.frame, sender, logged.time_ns);
+    offer_all(logged.time_ns);  // an answer to a SYNC is released at once
+    return;
+  }
+  compare(sender, logged);
+  waiting_[static_cast<std::size_t>(sender)].reset();
+  joints_.on_frame(logged.frame, sender, logged.time_ns);
+  offer(sender, logged.time_ns);
+}
+
+void LogReplay::offer_all(std::int64_t now_ns) {
+  for (int joint = 0; joint < joints_.size(); ++joint) {
+    offer(joint, now_ns);
+  }
+}
+
+void LogReplay::offer(int joint, std::int64_t now_ns) {
+  auto& waiting = waiting_[static_cast<std::size_t>(joint)];
+  const bool overdue = waiting && now_ns - waiting->released_ns > kOverdue_ns;
+  if (waiting && !overdue) {
+    return;
+  }
+  can::Frame frame;
+  if (!joints_.joint(joint).take_frame(frame)) {
+    return;
+  }
+  if (overdue) {
+    ++result_.not_in_log;
+    if (!options_.losses) {
+      const auto message = profile_.identify(waiting->frame.id);
+      differ(joint, waiting->released_ns,
+             message ? std::string(can::layout(message->kind).name) : std::string("frame"), "not in the log",
+             "sent");
+    }
+  }
+  waiting = Answer{frame, now_ns};
+}
+
+void LogReplay::compare(int joint, const can::LoggedFrame& logged) {
+  ++result_.compared;
+  const auto& waiting = waiting_[static_cast<std::size_t>(joint)];
+  const can::MessageKind kind = profile_.identify(logged.frame.id)->kind;  // sender_of() found one
+  const can::MessageLayout& message = can::layout(kind);
+  const bool references = options_.comparison == ReplayComparison::references;
+  const auto difference = [&](std::string_view field, std::string recorded, std::string replayed) {
+    differ(joint, logged.time_ns, fmt::format("{}{}{}", message.name, field.empty() ? "" : " ", field),
+           std::move(recorded), std::move(replayed));
+  };
+  if (references && kind != MessageKind::feedback) {
+    ++result_.matched;  // what it reports is the body's affair
+    return;
+  }
+  if (!waiting || waiting->frame.id != logged.frame.id) {
+    return difference("", "sent", "not sent");
+  }
+  const can::Frame& replayed = waiting->frame;
+  if (replayed == logged.frame) {
+    ++result_.matched;
+    return;
+  }
+  if (replayed.size != logged.frame.size) {
+    return difference("size", fmt::format("{}", logged.frame.size), fmt::format("{}", replayed.size));
+  }
+  for (const can::FieldSpec& field : message.fields) {
+    const std::int64_t was = field_value(logged.frame, field), is = field_value(replayed, field);
+    if (was != is && (!references || is_reference(kind, field.name))) {
+      return difference(field.name, fmt::format("{}", was), fmt::format("{}", is));
+    }
+  }
+  ++result_.matched;  // apart from fields that are not compared
+}
+
+void LogReplay::differ(int joint, std::int64_t time_ns, std::string field, std::string recorded,
+                       std::string replayed) {
+  if (!result_.first) {
+    result_.first = ReplayDifference{time_ns, node_[static_cast<std::size_t>(joint)], std::move(field),
+                                     std::move(recorded), std::move(replayed)};
+  }
+}
+
+}  // namespace gaitway::tools
