@@ -170,16 +170,16 @@ std::string message_table(const BusMeasurement& measurement, const BusRobot& rob
   std::string text =
       fmt::format("Table 6: the messages of the profile '{}', {} nodes; {:.2f} s of walking, load {:.1f} %\n",
                   robot.profile.name, robot.nodes.size(), watch.seconds(), 100.0 * watch.load());
-  text +=
-      fmt::format("{:<18}{:<15}{:<36}{:>7}{:>7}{:>9}{:>24}{:>18}  {}\n", "message", "identifiers", "contents",
-                  "period", "bytes", "rate/s", "length us", "worst/bound ms", "response from");
+  text += fmt::format("{:<18}{:<15}{:<36}{:>7}{:>7}{:>9}{:>8}{:>16}{:>10}{:>8}  {}\n", "message",
+                      "identifiers", "contents", "period", "bytes", "rate/s", "mean us", "min..max us",
+                      "worst ms", "bound", "response from");
   for (const can::MessageLayout& message : can::kMessageLayouts) {
     if (robot.profile.has(message.kind)) {
       text += message_row(measurement, robot, message.kind);
     }
   }
   return text +
-         "published          1..12 trajectory, 8 bytes, 80 ms; 13..24 sensors, 8 bytes, 10 ms; 25 user "
+         "published         1..12 trajectory, 8 bytes, 80 ms; 13..24 sensors, 8 bytes, 10 ms; 25 user "
          "command, on the joints within 10 ms; 0.117 ms a message\n";
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -21,6 +23,7 @@ constexpr std::array<std::string_view, can::kMessageKinds> kColours{
     "#dc2626", "#be185d", "#7c3aed", "#ea580c", "#2563eb", "#b45309", "#059669", "#0891b2", "#94a3b8"};
 constexpr std::string_view kBoundColour = "#dc2626", kEdgeColour = "#64748b";
 constexpr double kRow_px = 17.0, kAxes_px = 86.0;
+constexpr double kSlot_ms = 10.0;
 
 std::string_view colour_of(MessageKind kind) {
   return kColours[static_cast<std::size_t>(kind)];
@@ -162,6 +165,22 @@ void vertical(SvgPlot& plot, double x, double y0, double y1, std::string_view co
   plot.line(points, colour, name, width_px);
 }
 
+// Of each identifier whose release the bus shows, since the slot's edge.
+std::map<std::uint32_t, double> latest_arrivals_ms(const Frames& frames, const BusRobot& robot,
+                                                   std::int64_t slot_start_ns) {
+  std::map<std::uint32_t, double> latest_ms;
+  Releases releases(robot, slot_start_ns);
+  for (const can::TimedFrame& frame : frames) {
+    const auto message = robot.profile.identify(frame.frame.id);
+    const auto released_ns = message ? releases.of(frame, *message) : std::nullopt;
+    const auto longest_ns = message ? bound_ns(robot, frame.frame.id) : std::nullopt;
+    if (released_ns && longest_ns) {
+      latest_ms[frame.frame.id] = ms_since(*released_ns + *longest_ns, slot_start_ns);
+    }
+  }
+  return latest_ms;
+}
+
 }  // namespace
 
 std::string slot_picture(const BusMeasurement& measurement, const BusRobot& robot) {
@@ -171,36 +190,35 @@ std::string slot_picture(const BusMeasurement& measurement, const BusRobot& robo
   const std::int64_t start_ns = fullest_slot_ns(measurement);
   const Frames frames = slot_frames(measurement, start_ns);
   const auto rows = rows_of(frames, robot.profile);
+  const auto marks_ms = latest_arrivals_ms(frames, robot, start_ns);
+  double last_ms = kSlot_ms;
+  for (const auto& [id, mark_ms] : marks_ms) {
+    last_ms = std::max(last_ms, std::ceil(mark_ms));
+  }
   SvgPlot plot({.title = fmt::format("One time slot on the bus, profile {}: {} frames from t = {:.2f} s",
                                      robot.profile.name, frames.size(), static_cast<double>(start_ns) * 1e-9),
-                .x_label = "time in the slot [ms]",
+                .x_label = "time since the slot's edge [ms]",
                 .y_label = "",
                 .x_min = 0.0,
-                .x_max = 10.0,
+                .x_max = last_ms,
                 .y_min = 0.0,
                 .y_max = static_cast<double>(rows.size()),
                 .height_px = kAxes_px + kRow_px * static_cast<double>(rows.size()),
                 .left_px = 136.0});
+  vertical(plot, kSlot_ms, 0.0, static_cast<double>(rows.size()), kEdgeColour, "", 0.7);
   Legend legend;
-  Releases releases(robot, start_ns);
   for (const auto& [id, row] : rows) {
     plot.y_tick(row + 0.5, row_label(robot.profile, id));
     legend.add(plot, robot.profile.identify(id)->kind);
   }
   plot.line({}, kBoundColour, "latest arrival that the analysis allows");
   for (const can::TimedFrame& frame : frames) {
-    const auto message = robot.profile.identify(frame.frame.id);
-    if (!message) {
-      continue;
+    if (const auto message = robot.profile.identify(frame.frame.id)) {
+      draw_frame(plot, frame, *message, rows.at(frame.frame.id), start_ns);
     }
-    const double row = rows.at(frame.frame.id);
-    draw_frame(plot, frame, *message, row, start_ns);
-    const auto released_ns = releases.of(frame, *message);
-    const auto latest_ns = bound_ns(robot, frame.frame.id);
-    if (released_ns && latest_ns) {
-      vertical(plot, std::min(10.0, ms_since(*released_ns + *latest_ns, start_ns)), row + 0.1, row + 0.9,
-               kBoundColour, "", 2.0);
-    }
+  }
+  for (const auto& [id, mark_ms] : marks_ms) {
+    vertical(plot, mark_ms, rows.at(id) + 0.1, rows.at(id) + 0.9, kBoundColour, "", 2.0);
   }
   return stand_alone(plot.svg());
 }

@@ -83,7 +83,8 @@ TEST_F(BusTools, AReplayOfAFreshRunIsEqualToTheBit) {
       << said_;
   EXPECT_THAT(said_, HasSubstr("\nequal\n"));
   const std::string csv = text("joints.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 400);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 399)
+      << "the last slot is not over with the last frame";
   EXPECT_THAT(csv, HasSubstr("left_knee_reference_count,left_knee_reference_rad,left_knee_position_rad"));
   EXPECT_EQ(gaitway("bus replay " + file("run/bus.log") + " --seed 8"), 3)
       << "another body answers otherwise";
@@ -152,13 +153,16 @@ TEST_F(BusTools, AnAnswerThatIsNotInTheLogIsNamedUnlessLossesAreAllowed) {
 
 TEST_F(BusTools, TheMonitorReadsALog) {
   record("--seconds 3");
-  EXPECT_EQ(gaitway("bus monitor --log " + file("run/bus.log")), 0) << said_;
+  alter([](std::vector<can::LoggedFrame>& log) {  // without the storm of reports that every joint has started
+    std::erase_if(log, [](const can::LoggedFrame& logged) { return logged.time_ns < kSecond_ns; });
+  });
+  EXPECT_EQ(gaitway("bus monitor --log " + file("altered.log")), 0) << said_;
   EXPECT_THAT(said_, HasSubstr("22 of 22 answer"));
   EXPECT_THAT(said_, HasSubstr("unknown   0 frames"));
   EXPECT_THAT(said_, HasSubstr("SYNC's end"));
   EXPECT_EQ(said_.find('\x1b'), std::string::npos);
   EXPECT_EQ(said_.find("0x041 "), std::string::npos);
-  EXPECT_EQ(gaitway("bus monitor --all --log " + file("run/bus.log")), 0);
+  EXPECT_EQ(gaitway("bus monitor --all --log " + file("altered.log")), 0);
   EXPECT_THAT(said_, HasSubstr("0x041 "));
 }
 
@@ -168,6 +172,7 @@ TEST_F(BusTools, TheMonitorTellsOfALateAnswer) {
     const std::uint32_t id = can::kFullProfile.id_of(can::MessageKind::feedback, 1);
     const std::size_t late = find(log, id, kSecond_ns);
     log[late].time_ns += 6'000'000;
+    std::erase_if(log, [](const can::LoggedFrame& logged) { return logged.time_ns < kSecond_ns; });
   });
   EXPECT_EQ(gaitway("bus monitor --log " + file("altered.log")), 3) << said_;
   EXPECT_THAT(said_, HasSubstr("BEYOND ITS BOUND"));
