@@ -36,7 +36,9 @@ void BusListener::listen_until(std::int64_t until_ns,
                                const std::function<void(const can::TimedFrame&)>& take) {
   std::array<pollfd, 1> wakes{pollfd{port_->wake_fd(), POLLIN, 0}};
   for (std::int64_t now_ns = process::monotonic_ns(); open() && !process::stop_requested();) {
-    port_->flush(now_ns);
+    if (interface_ != nullptr) {
+      port_->flush(now_ns);  // looks after the interface; a client that never sends has nothing to flush
+    }
     while (const auto frame = port_->receive()) {
       take(*frame);
     }

@@ -102,6 +102,9 @@ void add_set_rows(std::vector<TimeRow>& rows, const std::string& name, const Fra
   rows.push_back({name, meter.bus_time_ms(), published_ms, note + "; interframe spaces included"});
   rows.push_back({"  sent without gaps", meter.back_to_back_ms(), published_ms,
                   "first bit of the first to the last interframe space, by the bus's clock"});
+  if (meter.back_to_back_ms().count < meter.span_ms().count) {
+    rows.push_back({"  first to last", meter.span_ms(), std::nullopt, "with what lay between them"});
+  }
   rows.push_back({"  frames alone", less(meter.bus_time_ms(), spaces_ms), published_ms,
                   "without the interframe spaces"});
 }

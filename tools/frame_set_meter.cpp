@@ -20,6 +20,7 @@ void FrameSetMeter::take(can::NodeId node, std::int64_t start_ns, std::int64_t l
   }
   seen_.clear();
   bus_time_ms_.add(static_cast<double>(bus_time_ns_) * 1e-6);
+  span_ms_.add(static_cast<double>(last_ns_ - first_ns_) * 1e-6);
   if (last_ns_ - first_ns_ == bus_time_ns_) {
     back_to_back_ms_.add(static_cast<double>(last_ns_ - first_ns_) * 1e-6);
   }

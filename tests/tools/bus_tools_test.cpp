@@ -1,6 +1,7 @@
 // `gaitway bus monitor`, `replay` and `measure` as a user meets them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,11 +11,15 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "gaitway/can/bus_server.hpp"
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/profile.hpp"
+#include "gaitway/process/real_time.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -176,6 +181,45 @@ TEST_F(BusTools, TheMonitorTellsOfALateAnswer) {
   });
   EXPECT_EQ(gaitway("bus monitor --log " + file("altered.log")), 3) << said_;
   EXPECT_THAT(said_, HasSubstr("BEYOND ITS BOUND"));
+}
+
+// Sends a SYNC each slot on a bus that clients can join, paced by the clock.
+void serve(can::BusServer& server, int slots, std::int64_t first_edge_ns) {
+  const int station = server.bus().attach();
+  for (int slot = 0; slot < slots; ++slot) {
+    const std::int64_t edge_ns = first_edge_ns + slot * can::kSlotPeriod_ns;
+    process::wait_until(edge_ns, {});
+    server.step();
+    server.bus().transmit(
+        station, can::encode(can::kFullProfile, can::Sync{.slot = static_cast<std::uint8_t>(slot % 8)}),
+        edge_ns);
+    while (server.advance(edge_ns + 1'000'000)) {
+    }
+    server.flush();
+  }
+}
+
+TEST_F(BusTools, TheMonitorListensUntilTheBusEnds) {
+  const std::filesystem::path socket = folder_ / "bus.sock";
+  const std::int64_t start_ns = process::monotonic_ns() / can::kSlotPeriod_ns * can::kSlotPeriod_ns;
+  auto server = std::make_unique<can::BusServer>(socket, start_ns);
+  int exit_code = -1;
+  std::thread monitor([&] { exit_code = gaitway("bus monitor --bus '" + socket.string() + "'"); });
+  while (server->client_count() == 0) {
+    pollfd wake{server->wake_fd(), POLLIN, 0};
+    poll(&wake, 1, -1);
+    server->step();
+  }
+  constexpr int kSlots = 130;  // more than one block
+  serve(*server, kSlots, process::monotonic_ns() / can::kSlotPeriod_ns * can::kSlotPeriod_ns);
+  server.reset();
+  monitor.join();
+  EXPECT_EQ(exit_code, 0) << said_ << complaint_;
+  EXPECT_THAT(said_, HasSubstr(std::to_string(kSlots) + " frames in all"));
+  EXPECT_THAT(said_, HasSubstr("0 of 22 answer; silent: 1 2 3"));
+  EXPECT_THAT(said_, HasSubstr("this station is error-active"));
+  EXPECT_GE(std::count(said_.begin(), said_.end(), '%'), 4) << "a block a second";
+  EXPECT_EQ(said_.find('\x1b'), std::string::npos) << "no terminal, no escape codes";
 }
 
 TEST_F(BusTools, BadInputIsRefusedByName) {

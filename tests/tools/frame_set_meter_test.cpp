@@ -15,6 +15,7 @@ TEST(FrameSetMeter, ASetTakesTheSumOfItsFrames) {
   EXPECT_EQ(meter.bus_time_ms().count, 1U);
   EXPECT_DOUBLE_EQ(meter.bus_time_ms().mean(), 0.35);
   EXPECT_EQ(meter.back_to_back_ms().count, 0U) << "there were gaps";
+  EXPECT_DOUBLE_EQ(meter.span_ms().max, 1.03);
 }
 
 TEST(FrameSetMeter, FramesWithoutGapsAreMeasuredFromTheFirstBitToTheLast) {

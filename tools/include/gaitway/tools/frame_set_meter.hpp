@@ -24,6 +24,8 @@ class FrameSetMeter {
   // From the first bit of a set to the end of its last interframe space, of the sets whose frames followed
   // each other without a gap: the same, read from the bus's clock.
   [[nodiscard]] const Spread& back_to_back_ms() const noexcept { return back_to_back_ms_; }
+  // From the first bit of a set to the end of its last interframe space, whatever lies in between.
+  [[nodiscard]] const Spread& span_ms() const noexcept { return span_ms_; }
   [[nodiscard]] std::uint64_t incomplete() const noexcept { return incomplete_; }
 
  private:
@@ -31,7 +33,7 @@ class FrameSetMeter {
   std::set<can::NodeId> seen_;  // of the set that is under way
   std::int64_t first_ns_ = 0, last_ns_ = 0;
   std::int64_t bus_time_ns_ = 0;
-  Spread bus_time_ms_, back_to_back_ms_;
+  Spread bus_time_ms_, back_to_back_ms_, span_ms_;
   std::uint64_t incomplete_ = 0;
 };
 
