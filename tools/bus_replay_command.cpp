@@ -61,15 +61,6 @@ std::int64_t start_at_zero(std::vector<can::LoggedFrame>& log) {
   return shift_ns;
 }
 
-void add_pushes(const std::filesystem::path& file, const urdf::RobotModel& robot, ReplayOptions& options) {
-  for (const simulator::ScenarioEvent& event : simulator::load_scenario(file, robot).events) {
-    if (const auto* const push = std::get_if<simulator::PushEvent>(&event.action)) {
-      options.pushes.push_back(*push);
-      options.pushes_at_s.push_back(event.at_s);
-    }
-  }
-}
-
 std::string csv_header(const urdf::RobotModel& robot) {
   std::string header = "time_s";
   for (const urdf::Joint& joint : robot.joints) {
@@ -102,6 +93,9 @@ void print(const BusReplayOptions& options, const BusRobot& robot, const ReplayR
   fmt::print("  recorded answers            {:>9}\n", result.compared);
   fmt::print("  equal to the replayed ones  {:>9}{}\n", result.matched,
              options.references_only ? "  (state, toggles and reference count alone)" : "");
+  if (result.doubled > 0) {
+    fmt::print("  of these delivered twice    {:>9}\n", result.doubled);
+  }
   fmt::print("  answers not in the log      {:>9}\n", result.not_in_log);
   if (result.fell) {
     fmt::print("  the simulated body fell\n");
@@ -133,7 +127,7 @@ CLI::App* add_bus_replay_command(CLI::App& bus, BusReplayOptions& options) {
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   command->add_option("--scenario", options.scenario,
-                      "Scenario of the recorded run: its pushes, which no bus log holds");
+                      "Scenario of the recorded run: its pushes and power failures, which no bus log holds");
   command->add_flag("--references", options.references_only,
                     "Compare state, toggles and reference counts alone: what the log decides on any body");
   command->add_flag("--losses", options.losses,
@@ -158,7 +152,7 @@ int replay_bus_log(const BusReplayOptions& options) {
       .comparison = options.references_only ? ReplayComparison::references : ReplayComparison::everything,
       .losses = options.losses};
   if (options.scenario) {
-    add_pushes(*options.scenario, robot.model, replay_options);
+    replay_options.events = simulator::load_scenario(*options.scenario, robot.model).events;
   }
   LogReplay replay(robot.model, replay_options);
   std::string csv;

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
+#include "gaitway/can/frame_length.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
+#include "gaitway/tools/bus_watch.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -18,6 +21,9 @@ using msgclient::kMillisecond_ns;
 
 // An answer that is not in the log by the time the next one is due was lost.
 constexpr std::int64_t kOverdue_ns = can::kSlotPeriod_ns - kMillisecond_ns;
+
+// A station that is switched on takes part after so many recessive bits.
+constexpr std::int64_t kBitsUntilInStep = 11;
 
 std::int64_t field_value(const can::Frame& frame, const can::FieldSpec& field) noexcept {
   std::uint64_t bits = 0;
@@ -43,9 +49,13 @@ bool is_reference(MessageKind kind, std::string_view field) noexcept {
 LogReplay::LogReplay(const urdf::RobotModel& robot, const ReplayOptions& options)
     : options_(options),
       profile_(msgcontroller::network_profile(robot)),
+      robot_(robot),
       plant_(robot, options.plant),
       joints_(robot, options.plant.seed, options.largest_clock_drift_ppm),
-      waiting_(robot.joints.size()) {
+      waiting_(robot.joints.size()),
+      answered_(robot.joints.size()),
+      power_on_ns_(robot.joints.size()),
+      in_step_ns_(robot.joints.size(), 0) {
   for (const urdf::Joint& joint : robot.joints) {
     node_.push_back(joint.node);
   }
@@ -54,7 +64,7 @@ LogReplay::LogReplay(const urdf::RobotModel& robot, const ReplayOptions& options
 ReplayResult LogReplay::run(std::span<const can::LoggedFrame> log) {
   std::int64_t now_ns = 0;
   for (std::size_t next = 0; next < log.size(); now_ns += kMillisecond_ns) {
-    push(now_ns);
+    apply_events(now_ns);
     joints_.step(now_ns, plant_.sensors());
     offer_all(now_ns);
     for (; next < log.size() && log[next].time_ns <= now_ns + kMillisecond_ns; ++next) {
@@ -70,12 +80,30 @@ ReplayResult LogReplay::run(std::span<const can::LoggedFrame> log) {
   return result_;
 }
 
-void LogReplay::push(std::int64_t now_ns) {
+void LogReplay::apply_events(std::int64_t now_ns) {
   const double now_s = static_cast<double>(now_ns) * 1e-9;
-  for (; next_push_ < options_.pushes.size() && options_.pushes_at_s[next_push_] <= now_s + 1e-9;
-       ++next_push_) {
-    const simulator::PushEvent& push = options_.pushes[next_push_];
-    plant_.push(push.body, push.direction, push.impulse_Ns, push.duration_s);
+  for (; next_event_ < options_.events.size() && options_.events[next_event_].at_s <= now_s + 1e-9;
+       ++next_event_) {
+    apply(options_.events[next_event_], now_ns);
+  }
+  for (int joint = 0; joint < joints_.size(); ++joint) {
+    auto& power_on_ns = power_on_ns_[static_cast<std::size_t>(joint)];
+    if (power_on_ns && *power_on_ns <= now_ns) {
+      joints_.power_on(joint, plant_.sensors());
+      power_on_ns.reset();
+      in_step_ns_[static_cast<std::size_t>(joint)] = now_ns + kBitsUntilInStep * kBitTime_ns;
+    }
+  }
+}
+
+void LogReplay::apply(const simulator::ScenarioEvent& event, std::int64_t now_ns) {
+  if (const auto* const push = std::get_if<simulator::PushEvent>(&event.action)) {
+    plant_.push(push->body, push->direction, push->impulse_Ns, push->duration_s);
+  } else if (const auto* const restart = std::get_if<simulator::JointRestartsFault>(&event.action)) {
+    const int joint = robot_.joint_index(restart->joint);
+    joints_.power_off(joint);
+    waiting_[static_cast<std::size_t>(joint)].reset();
+    power_on_ns_[static_cast<std::size_t>(joint)] = now_ns + std::llround(restart->duration_s * 1e9);
   }
 }
 
@@ -94,16 +122,35 @@ void LogReplay::deliver(const can::LoggedFrame& logged) {
     return;
   }
   const int sender = sender_of(logged.frame);
-  if (sender < 0) {
-    ++result_.fed;
-    joints_.on_frame(logged.frame, sender, logged.time_ns);
-    offer_all(logged.time_ns);  // an answer to a SYNC is released at once
+  result_.fed += sender < 0 ? 1U : 0U;
+  if (sender >= 0) {
+    take_answer(sender, logged);
+  }
+  const std::int64_t start_ns = logged.time_ns - can::frame_bits(logged.frame) * kBitTime_ns;
+  for (int joint = 0; joint < joints_.size(); ++joint) {
+    if (joint != sender && start_ns >= in_step_ns_[static_cast<std::size_t>(joint)]) {
+      joints_.on_frame(joint, logged.frame, logged.time_ns);
+    }
+  }
+  offer_all(logged.time_ns);  // an answer to a SYNC is released at once
+}
+
+// A sender whose frame everybody had, but which did not see that, sends it once more.
+void LogReplay::take_answer(int joint, const can::LoggedFrame& logged) {
+  auto& waiting = waiting_[static_cast<std::size_t>(joint)];
+  auto& answered = answered_[static_cast<std::size_t>(joint)];
+  const bool doubled = answered && answered->frame == logged.frame &&
+                       !(waiting && waiting->frame == logged.frame) &&
+                       logged.time_ns - answered->released_ns < kOverdue_ns;
+  if (doubled) {
+    ++result_.compared;
+    ++result_.matched;
+    ++result_.doubled;
     return;
   }
-  compare(sender, logged);
-  waiting_[static_cast<std::size_t>(sender)].reset();
-  joints_.on_frame(logged.frame, sender, logged.time_ns);
-  offer(sender, logged.time_ns);
+  compare(joint, logged);
+  answered = Answer{logged.frame, logged.time_ns};
+  waiting.reset();
 }
 
 void LogReplay::offer_all(std::int64_t now_ns) {
@@ -119,7 +166,7 @@ void LogReplay::offer(int joint, std::int64_t now_ns) {
     return;
   }
   can::Frame frame;
-  if (!joints_.joint(joint).take_frame(frame)) {
+  if (!joints_.take_frame(joint, frame)) {
     return;
   }
   if (overdue) {

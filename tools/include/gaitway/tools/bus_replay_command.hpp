@@ -22,7 +22,7 @@ struct BusReplayOptions {
   double mismatch = 1.0;
   bool references_only = false;
   bool losses = false;
-  std::optional<std::filesystem::path> scenario;  // of the recorded run: its pushes
+  std::optional<std::filesystem::path> scenario;  // of the recorded run
   std::filesystem::path out;                      // CSV; empty: none
 };
 

@@ -6,7 +6,9 @@
 // decides on them: the bus ends its frames on whole microseconds, which is what a log holds; clock drifts,
 // masses, zeros and noise are drawn from the seed; a joint fills its feedback when it releases it, at a
 // servo step or at the end of a frame that it received; and everything starts at time zero in the home
-// posture. Pushes are not on the bus: they must be given.
+// posture. Pushes and power failures of joints are not on the bus: they must be given. A frame that some
+// joints had and others had not, or had only when it was repeated, is in the log for all: no log tells. Such
+// a log is replayed with the references compared alone.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +37,9 @@ struct ReplayOptions {
   double largest_clock_drift_ppm = 50.0;
   ReplayComparison comparison = ReplayComparison::everything;
   bool losses = false;  // answers that are not in the log were lost on the bus: that is no difference
-  std::vector<simulator::PushEvent> pushes{};
-  std::vector<double> pushes_at_s{};  // in order of time, one a push
+  // What was done to the robot besides the bus, in order of time: pushes, and joints that lost their power.
+  // Other events are on the bus themselves.
+  std::vector<simulator::ScenarioEvent> events{};
 };
 
 // Where recorded and replayed answers part.
@@ -51,6 +54,7 @@ struct ReplayResult {
   std::uint64_t fed = 0;            // frames that the joints did not send themselves
   std::uint64_t compared = 0;       // the joints' recorded frames
   std::uint64_t matched = 0;        // of these
+  std::uint64_t doubled = 0;        // of these: a frame that the bus delivered twice
   std::uint64_t not_in_log = 0;     // frames that the joints sent, but nobody recorded
   std::uint64_t error_reports = 0;  // lines of the log that are no frames: fed to nobody
   std::int64_t end_ns = 0;
@@ -82,17 +86,23 @@ class LogReplay {
   [[nodiscard]] int sender_of(const can::Frame& frame) const noexcept;
   void offer(int joint, std::int64_t now_ns);
   void offer_all(std::int64_t now_ns);
+  void take_answer(int joint, const can::LoggedFrame& logged);
   void compare(int joint, const can::LoggedFrame& logged);
   void differ(int joint, std::int64_t time_ns, std::string field, std::string recorded, std::string replayed);
-  void push(std::int64_t now_ns);
+  void apply_events(std::int64_t now_ns);
+  void apply(const simulator::ScenarioEvent& event, std::int64_t now_ns);
 
   ReplayOptions options_;
   can::Profile profile_;
   std::vector<can::NodeId> node_;  // of each joint
+  const urdf::RobotModel robot_;
   simulator::Plant plant_;
   simulator::JointNetwork joints_;
-  std::vector<std::optional<Answer>> waiting_;  // of each joint: its one transmit buffer
-  std::size_t next_push_ = 0;
+  std::vector<std::optional<Answer>> waiting_;            // of each joint: its one transmit buffer
+  std::vector<std::optional<Answer>> answered_;           // of each joint: its last answer in the log
+  std::vector<std::optional<std::int64_t>> power_on_ns_;  // of each joint: it is without power until then
+  std::vector<std::int64_t> in_step_ns_;  // of each joint: it hears frames that start from then on
+  std::size_t next_event_ = 0;
   SlotObserver observer_;
   ReplayResult result_;
 };
