@@ -112,8 +112,8 @@ void move_by_hand(const BusRobot& robot, const BusExperiment& experiment, BusMea
 
 BusMeasurement::BusMeasurement(const BusRobot& robot, BusClock clock)
     : watch_(robot.profile, robot.nodes, clock),
-      trajectories_(robot.nodes.size()),
-      feedbacks_(robot.nodes.size()) {}
+      trajectories_(robot.nodes.size(), robot.profile.row(MessageKind::trajectory).period_ns),
+      feedbacks_(robot.nodes.size(), robot.profile.row(MessageKind::feedback).period_ns) {}
 
 void BusMeasurement::take(const can::TimedFrame& frame) {
   watch_.take(frame);

@@ -171,7 +171,7 @@ ordered_json message_json(const BusMeasurement& measurement, const BusRobot& rob
 std::string message_table(const BusMeasurement& measurement, const BusRobot& robot) {
   const BusWatch& watch = measurement.watch();
   std::string text =
-      fmt::format("Table 6: the messages of the profile '{}', {} nodes; {:.2f} s of walking, load {:.1f} %\n",
+      fmt::format("Table 6: the messages of the profile '{}', {} nodes; {:.2f} s, load {:.1f} %\n",
                   robot.profile.name, robot.nodes.size(), watch.seconds(), 100.0 * watch.load());
   text += fmt::format("{:<18}{:<15}{:<36}{:>7}{:>7}{:>9}{:>8}{:>16}{:>10}{:>8}  {}\n", "message",
                       "identifiers", "contents", "period", "bytes", "rate/s", "mean us", "min..max us",

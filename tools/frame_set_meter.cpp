@@ -4,7 +4,8 @@
 namespace gaitway::tools {
 
 void FrameSetMeter::take(can::NodeId node, std::int64_t start_ns, std::int64_t length_ns) {
-  if (seen_.contains(node)) {
+  const bool late = !seen_.empty() && start_ns > first_ns_ + period_ns_ / 2;
+  if (late || seen_.contains(node)) {
     ++incomplete_;
     seen_.clear();
   }

@@ -6,8 +6,10 @@
 namespace gaitway::tools {
 namespace {
 
+constexpr std::int64_t kPeriod_ns = 80'000'000;
+
 TEST(FrameSetMeter, ASetTakesTheSumOfItsFrames) {
-  FrameSetMeter meter(3);
+  FrameSetMeter meter(3, kPeriod_ns);
   meter.take(1, 0, 100'000);
   meter.take(3, 500'000, 120'000);
   EXPECT_EQ(meter.bus_time_ms().count, 0U);
@@ -19,7 +21,7 @@ TEST(FrameSetMeter, ASetTakesTheSumOfItsFrames) {
 }
 
 TEST(FrameSetMeter, FramesWithoutGapsAreMeasuredFromTheFirstBitToTheLast) {
-  FrameSetMeter meter(2);
+  FrameSetMeter meter(2, kPeriod_ns);
   meter.take(1, 7'000'000, 100'000);
   meter.take(2, 7'100'000, 120'000);
   EXPECT_EQ(meter.back_to_back_ms().count, 1U);
@@ -27,13 +29,23 @@ TEST(FrameSetMeter, FramesWithoutGapsAreMeasuredFromTheFirstBitToTheLast) {
 }
 
 TEST(FrameSetMeter, ANodeThatComesAgainBeginsANewSet) {
-  FrameSetMeter meter(2);
+  FrameSetMeter meter(2, kPeriod_ns);
   meter.take(1, 0, 100'000);
   meter.take(1, 80'000'000, 110'000);  // node 2's frame was lost
   meter.take(2, 80'110'000, 110'000);
   EXPECT_EQ(meter.incomplete(), 1U);
   EXPECT_EQ(meter.bus_time_ms().count, 1U);
   EXPECT_DOUBLE_EQ(meter.bus_time_ms().max, 0.22);
+}
+
+TEST(FrameSetMeter, WhoBeginsToListenInTheMiddleOfASetIsInStepWithTheNext) {
+  FrameSetMeter meter(2, kPeriod_ns);
+  meter.take(2, 0, 100'000);
+  meter.take(1, 79'900'000, 100'000);
+  meter.take(2, 80'000'000, 110'000);
+  EXPECT_EQ(meter.incomplete(), 1U);
+  EXPECT_EQ(meter.back_to_back_ms().count, 1U);
+  EXPECT_DOUBLE_EQ(meter.span_ms().max, 0.21);
 }
 
 }  // namespace

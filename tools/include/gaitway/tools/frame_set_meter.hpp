@@ -1,5 +1,6 @@
 // How long the bus needs for one message of every node: the published experiment's "12 messages". A set is
-// one frame of each node, in whatever order; a node that comes again before the others have begins a new set.
+// one frame of each node, in whatever order. A node that comes again before the others have, or a frame that
+// comes half a period after the first, begins a new set.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +14,8 @@ namespace gaitway::tools {
 
 class FrameSetMeter {
  public:
-  // `nodes`: how many frames make a set.
-  explicit FrameSetMeter(std::size_t nodes) : nodes_(nodes) {}
+  // `nodes`: how many frames make a set. `period_ns`: from set to set.
+  FrameSetMeter(std::size_t nodes, std::int64_t period_ns) : nodes_(nodes), period_ns_(period_ns) {}
 
   // One frame of the message that is metered: its first bit's start, and its length with interframe space.
   void take(can::NodeId node, std::int64_t start_ns, std::int64_t length_ns);
@@ -30,6 +31,7 @@ class FrameSetMeter {
 
  private:
   std::size_t nodes_;
+  std::int64_t period_ns_;
   std::set<can::NodeId> seen_;  // of the set that is under way
   std::int64_t first_ns_ = 0, last_ns_ = 0;
   std::int64_t bus_time_ns_ = 0;
