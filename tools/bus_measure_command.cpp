@@ -16,6 +16,7 @@
 #include "gaitway/tools/bus_measurement_report.hpp"
 #include "gaitway/tools/bus_monitor_command.hpp"
 #include "gaitway/tools/bus_picture.hpp"
+#include "gaitway/tools/bus_robot_options.hpp"
 #include "gaitway/tools/run_command.hpp"
 
 namespace gaitway::tools {

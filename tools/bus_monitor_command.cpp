@@ -14,6 +14,7 @@
 #include "gaitway/can/frame_length.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/tools/bus_listener.hpp"
+#include "gaitway/tools/bus_robot_options.hpp"
 #include "gaitway/tools/bus_watch_text.hpp"
 #include "gaitway/tools/run_command.hpp"
 

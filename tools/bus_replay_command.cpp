@@ -11,6 +11,7 @@
 
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/process/text_file.hpp"
+#include "gaitway/tools/bus_robot_options.hpp"
 #include "gaitway/tools/log_replay.hpp"
 #include "gaitway/tools/run_command.hpp"
 

@@ -1,10 +1,9 @@
 // Loads a robot with its messages and what is proven about them.
 #include "gaitway/tools/bus_robot.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/tools/bus_robot_options.hpp"
 
 namespace gaitway::tools {
 

@@ -1,4 +1,4 @@
-// Which robot's bus a command is about: the options that all `gaitway bus` commands of this kind share.
+// Which robot's bus a command is about: its messages, its nodes and what is proven of them.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,6 @@
 #include "gaitway/can/network_messages.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/urdf/robot_model.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace gaitway::tools {
 
@@ -27,8 +23,6 @@ struct BusRobot {
   can::Proof proof;                // without jitter and errors
 };
 
-// Adds --robot and --profile.
-void add_robot_options(CLI::App& command, BusRobotOptions& options);
 // Throws urdf::RobotError naming file, line and rule.
 [[nodiscard]] BusRobot load_bus_robot(const BusRobotOptions& options);
 
