@@ -25,6 +25,10 @@ constexpr std::int64_t kOverdue_ns = can::kSlotPeriod_ns - kMillisecond_ns;
 // A station that is switched on takes part after so many recessive bits.
 constexpr std::int64_t kBitsUntilInStep = 11;
 
+std::int64_t start_ns(const can::LoggedFrame& logged) noexcept {
+  return logged.time_ns - can::frame_bits(logged.frame) * kBitTime_ns;
+}
+
 std::int64_t field_value(const can::Frame& frame, const can::FieldSpec& field) noexcept {
   std::uint64_t bits = 0;
   for (std::size_t byte = 0; byte < frame.size; ++byte) {
@@ -62,13 +66,15 @@ LogReplay::LogReplay(const urdf::RobotModel& robot, const ReplayOptions& options
 }
 
 ReplayResult LogReplay::run(std::span<const can::LoggedFrame> log) {
-  std::int64_t now_ns = 0;
-  for (std::size_t next = 0; next < log.size(); now_ns += kMillisecond_ns) {
+  to_come_ = log;
+  for (std::int64_t now_ns = 0; !to_come_.empty(); now_ns += kMillisecond_ns) {
     apply_events(now_ns);
     joints_.step(now_ns, plant_.sensors());
     offer_all(now_ns);
-    for (; next < log.size() && log[next].time_ns <= now_ns + kMillisecond_ns; ++next) {
-      deliver(log[next]);
+    while (!to_come_.empty() && to_come_.front().time_ns <= now_ns + kMillisecond_ns) {
+      const can::LoggedFrame& logged = to_come_.front();
+      to_come_ = to_come_.subspan(1);
+      deliver(logged);
     }
     plant_.step(joints_.torque_Nm());
     result_.fell = result_.fell || plant_.fallen();
@@ -126,9 +132,8 @@ void LogReplay::deliver(const can::LoggedFrame& logged) {
   if (sender >= 0) {
     take_answer(sender, logged);
   }
-  const std::int64_t start_ns = logged.time_ns - can::frame_bits(logged.frame) * kBitTime_ns;
   for (int joint = 0; joint < joints_.size(); ++joint) {
-    if (joint != sender && start_ns >= in_step_ns_[static_cast<std::size_t>(joint)]) {
+    if (joint != sender && start_ns(logged) >= in_step_ns_[static_cast<std::size_t>(joint)]) {
       joints_.on_frame(joint, logged.frame, logged.time_ns);
     }
   }
@@ -159,11 +164,20 @@ void LogReplay::offer_all(std::int64_t now_ns) {
   }
 }
 
+bool LogReplay::is_on_wire(int joint, std::int64_t now_ns) const noexcept {
+  return !to_come_.empty() && sender_of(to_come_.front().frame) == joint &&
+         start_ns(to_come_.front()) < now_ns;
+}
+
 void LogReplay::offer(int joint, std::int64_t now_ns) {
   auto& waiting = waiting_[static_cast<std::size_t>(joint)];
   const bool overdue = waiting && now_ns - waiting->released_ns > kOverdue_ns;
   if (waiting && !overdue) {
-    return;
+    if (joints_.joint(joint).next_id() >= waiting->frame.id || is_on_wire(joint, now_ns)) {
+      return;
+    }
+    joints_.joint(joint).put_back(waiting->frame);  // as its station does, for something more urgent
+    waiting.reset();
   }
   can::Frame frame;
   if (!joints_.take_frame(joint, frame)) {

@@ -84,6 +84,7 @@ class LogReplay {
   void deliver(const can::LoggedFrame& logged);
   // The joint that alone sends this frame; -1: none does.
   [[nodiscard]] int sender_of(const can::Frame& frame) const noexcept;
+  [[nodiscard]] bool is_on_wire(int joint, std::int64_t now_ns) const noexcept;
   void offer(int joint, std::int64_t now_ns);
   void offer_all(std::int64_t now_ns);
   void take_answer(int joint, const can::LoggedFrame& logged);
@@ -103,6 +104,7 @@ class LogReplay {
   std::vector<std::optional<std::int64_t>> power_on_ns_;  // of each joint: it is without power until then
   std::vector<std::int64_t> in_step_ns_;  // of each joint: it hears frames that start from then on
   std::size_t next_event_ = 0;
+  std::span<const can::LoggedFrame> to_come_;  // the rest of the log
   SlotObserver observer_;
   ReplayResult result_;
 };
