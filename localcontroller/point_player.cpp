@@ -32,12 +32,13 @@ bool PointPlayer::start(const can::Trajectory& batch, std::int64_t now_ns) noexc
   if (running_) {
     make_up_until(can::kBatchPoints);
   }
+  const bool answered = synchronised_ && now_ns - slot_start_ns_ < kSlot_ns / 2;
   executing_ = batch.delta;
   running_ = true;
   synchronised_ = true;
   reference_confirmed_ = true;
   begin_slot(0, now_ns, now_ns);
-  return true;
+  return !answered;
 }
 
 void PointPlayer::on_resynchronisation(const can::Resynchronisation& repair) noexcept {

@@ -29,7 +29,8 @@ class PointPlayer {
 
   // A new batch, to be started by a SYNC that names its toggle. A repeated frame changes nothing.
   void on_trajectory(const can::Trajectory& batch) noexcept;
-  // Starts a batch now, as where there is no SYNC. False, and nothing changes, for a repeated frame.
+  // Starts a batch now, as where there is no SYNC. A repeated frame changes nothing. True when a time slot
+  // has begun that is to be answered: false also when the joint has just begun one by its own clock.
   bool start(const can::Trajectory& batch, std::int64_t now_ns) noexcept;
   // A repair; takes effect at the SYNC of its slot. One for a slot that has begun does nothing: the next
   // feedback shows the message controller that it came too late.
