@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -58,8 +59,10 @@ void check(Input& input) {
   std::memcpy(packet.data(), &answer, sizeof answer);
   const std::size_t length = input.flag() ? input.take<std::uint16_t>() : packet.size();
   const auto overlay = input.take_bytes(input.size());
-  std::memcpy(packet.data() + sizeof answer.magic + 5 * sizeof(std::uint32_t), overlay.data(),
-              std::min(overlay.size(), packet.size() - 6 * sizeof(std::uint32_t)));
+  constexpr std::size_t kHeader_bytes = sizeof answer.magic + 5 * sizeof(std::uint32_t);
+  const std::size_t overlaid = std::min(overlay.size(), packet.size() - kHeader_bytes);
+  std::transform(overlay.begin(), overlay.begin() + static_cast<std::ptrdiff_t>(overlaid),
+                 packet.begin() + kHeader_bytes, [](auto byte) { return static_cast<std::byte>(byte); });
   packet.resize(std::max<std::size_t>(length, 1));
   send_with_descriptors(server.get(), packet, std::span(descriptors).first(count));
 

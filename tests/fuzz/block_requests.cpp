@@ -32,7 +32,7 @@ void name(Input& input, char (&text)[kMaxNameLength + 1]) {
     return;
   }
   const auto bytes = input.take_bytes(which == kKnown.size() ? 4 : sizeof text);  // without its zero, too
-  std::memcpy(text, bytes.data(), bytes.size());
+  std::copy(bytes.begin(), bytes.end(), text);
 }
 
 Request take_request(Input& input) {
