@@ -210,6 +210,16 @@ TEST_F(NetworkIncidents, OffTheBusNothingWaitsAndBackOnItThePreparedBatchIsSentA
   expect_moved(9);
 }
 
+TEST_F(NetworkIncidents, WhatWaitsWhenTheBusGoesOffIsDroppedAndCounted) {
+  start_moving();
+  run_until(2 * kCycle_ns + 3 * kSlot_ns);
+  controller_.step(now_ns_);  // its SYNC waits
+  ASSERT_FALSE(controller_.queue().empty());
+  controller_.on_bus_state(can::BusState::bus_off, {256, 0}, now_ns_);
+  EXPECT_TRUE(controller_.queue().empty()) << "it would go out stale";
+  EXPECT_GE(health().flushed, 1U);
+}
+
 TEST_F(NetworkIncidents, AJointThatDidNotHearTheEmergencyStopIsStoppedInTheNextSlot) {
   start_moving();
   int lost = 0;
