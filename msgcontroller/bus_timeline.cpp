@@ -74,7 +74,7 @@ void BusTimeline::offer(std::int64_t now_ns, std::int64_t flushed_until_ns) {
   do {
     can::Frame frame;
     accepted = false;
-    while (controller_.take_frame(frame)) {
+    while (may_offer(now_ns) && controller_.take_frame(frame)) {
       if (!port_.transmit(frame, now_ns)) {
         controller_.put_back(frame);
         break;
@@ -83,6 +83,10 @@ void BusTimeline::offer(std::int64_t now_ns, std::int64_t flushed_until_ns) {
     }
     port_.flush(flushed_until_ns);
   } while (accepted && controller_.next_id() <= kLargestId && !port_.transmit_pending());
+}
+
+bool BusTimeline::may_offer(std::int64_t now_ns) const noexcept {
+  return port_.takes_back() || controller_.next_finds_quiet_bus(now_ns);
 }
 
 void BusTimeline::drop_frames() noexcept {

@@ -24,7 +24,7 @@ FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot, std::span<co
 
 void FeedbackCollector::begin_slot(std::uint32_t slot_since_start) noexcept {
   slot_ = slot_since_start;
-  awaited_ = on_bus_;
+  awaited_ = on_bus_ & ~missing();
 }
 
 void FeedbackCollector::take(int joint, const can::Feedback& feedback, std::int64_t now_ns) noexcept {

@@ -36,6 +36,12 @@ std::vector<can::NodeId> joint_nodes(const urdf::RobotModel& robot, const can::P
   return nodes;
 }
 
+std::uint32_t least_urgent_feedback(const can::Profile& profile, const std::vector<can::NodeId>& nodes) {
+  const can::NodeId last_node =
+      nodes.empty() ? can::NodeId{0} : *std::max_element(nodes.begin(), nodes.end());
+  return profile.id_of(can::MessageKind::feedback, last_node);
+}
+
 std::vector<std::int32_t> home_counts(const urdf::RobotModel& robot) {
   std::vector<std::int32_t> counts;
   counts.reserve(robot.joints.size());
@@ -65,7 +71,8 @@ MessageController::MessageController(const urdf::RobotModel& robot, msgclient::C
       playback_(home_counts(robot)),
       feedback_(robot, node_),
       hand_over_(std::make_unique<msgclient::HandOver>()),
-      incoming_(std::make_unique<CountPlan>()) {
+      incoming_(std::make_unique<CountPlan>()),
+      feedback_id_(least_urgent_feedback(profile_, node_)) {
   for (int joint = 0; joint < joint_count_; ++joint) {
     const urdf::Joint& description = robot.joints[static_cast<std::size_t>(joint)];
     count_rad_.push_back(description.count_rad);

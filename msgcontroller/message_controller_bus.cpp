@@ -12,6 +12,10 @@ using msgclient::kSlot_ns;
 using msgclient::kSlotsPerCycle;
 
 constexpr int kLastSlot = kSlotsPerCycle - 1;
+// Feedback that has not come by then, its deadline, does not come any more in this slot.
+constexpr std::int64_t kFeedbackInSlot_ns = 7 * msgclient::kMillisecond_ns;
+// Longer than the longest frame with a station's time to react: nobody had anything more urgent to send.
+constexpr std::int64_t kQuietBus_ns = 200'000;
 
 }  // namespace
 
@@ -100,7 +104,18 @@ void MessageController::send_stop() noexcept {
   }
 }
 
+bool MessageController::next_finds_quiet_bus(std::int64_t now_ns) const noexcept {
+  if (!profile_.has(can::MessageKind::sync) || queue_.next_id() <= feedback_id_) {
+    return true;
+  }
+  if (now_ns - slot_start_ns_ >= kFeedbackInSlot_ns) {
+    return true;
+  }
+  return feedback_.complete() && now_ns - last_heard_ns_ >= kQuietBus_ns;
+}
+
 void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {
+  last_heard_ns_ = now_ns;
   const NetworkWatch::Arrival arrival = watch_.take(frame);
   switch (arrival.heard) {
     case NetworkWatch::Heard::feedback:

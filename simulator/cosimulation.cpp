@@ -142,7 +142,10 @@ void Cosimulation::heed_bus_states() {
 }
 
 void Cosimulation::offer_from_message_controller(std::int64_t now_ns) {
-  message_transmitter_.offer(bus_, message_controller_, now_ns);
+  if (options_.message_port_takes_back ||
+      (!message_transmitter_.pending() && message_controller_.next_finds_quiet_bus(now_ns))) {
+    message_transmitter_.offer(bus_, message_controller_, now_ns);
+  }
 }
 
 void Cosimulation::offer_from_joint(int joint, std::int64_t now_ns) {

@@ -52,7 +52,19 @@ class RecordingPort final : public can::BusPort {
   [[nodiscard]] bool caught_up(std::int64_t time_ns) const noexcept override {
     return bus_time_ns >= time_ns;
   }
+  [[nodiscard]] bool takes_back() const noexcept override { return revocable; }
   [[nodiscard]] int wake_fd() const noexcept override { return -1; }
+
+  [[nodiscard]] std::vector<std::int64_t> times_of(can::MessageKind kind) const {
+    std::vector<std::int64_t> times;
+    for (const Sent& item : sent) {
+      const auto message = can::kFullProfile.identify(item.frame.id);
+      if (message && message->kind == kind) {
+        times.push_back(item.at_ns);
+      }
+    }
+    return times;
+  }
 
   // Times of the SYNCs that were sent.
   [[nodiscard]] std::vector<std::int64_t> syncs() const {
@@ -65,6 +77,7 @@ class RecordingPort final : public can::BusPort {
     return times;
   }
   bool occupied = false;
+  bool revocable = true;
   std::size_t buffers = std::numeric_limits<std::size_t>::max();
   std::size_t held = 0;
   can::BusState bus_state = can::BusState::error_active;
@@ -171,6 +184,48 @@ TEST_F(BusTimelineTest, APortWithOneBufferGetsOneFrameAfterTheOtherWithinTheMill
   ASSERT_EQ(port.sent.size(), 2U);  // SYNC and heartbeat
   EXPECT_LT(port.sent[0].frame.id, port.sent[1].frame.id);
   EXPECT_EQ(port.sent[1].at_ns, port.sent[0].at_ns);
+}
+
+// A frame that is in the kernel's hands loses arbitration to all feedback, and everything more urgent that
+// comes meanwhile waits behind it.
+TEST_F(BusTimelineTest, APortThatTakesNothingBackGetsLessUrgentFramesOnlyOnAQuietBus) {
+  port.revocable = false;
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  timeline.advance_to(first_ns);
+  EXPECT_EQ(port.times_of(can::MessageKind::sync), std::vector{first_ns});
+  EXPECT_TRUE(port.times_of(can::MessageKind::heartbeat).empty()) << "feedback is on its way";
+  answer(first_ns);  // ends a few microseconds after the second millisecond
+  timeline.advance_to(first_ns + 2 * kMillisecond_ns + 100'000);
+  EXPECT_TRUE(port.times_of(can::MessageKind::heartbeat).empty())
+      << "someone may still have something to say";
+  timeline.advance_to(first_ns + 3 * kMillisecond_ns);
+  EXPECT_EQ(port.times_of(can::MessageKind::heartbeat), std::vector{first_ns + 3 * kMillisecond_ns});
+}
+
+TEST_F(BusTimelineTest, FramesDoNotWaitForFeedbackThatWillNotCome) {
+  port.revocable = false;
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  timeline.advance_to(first_ns + 6 * kMillisecond_ns);
+  EXPECT_TRUE(port.times_of(can::MessageKind::heartbeat).empty());
+  timeline.advance_to(first_ns + 7 * kMillisecond_ns);
+  EXPECT_EQ(port.times_of(can::MessageKind::heartbeat), std::vector{first_ns + 7 * kMillisecond_ns})
+      << "after feedback's deadline";
+}
+
+TEST_F(BusTimelineTest, AJointThatIsMissingIsNotWaitedFor) {
+  port.revocable = false;
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  timeline.advance_to(first_ns);
+  std::int64_t slot_ns = first_ns;
+  for (int slot = 0; slot < 9; ++slot, slot_ns += kSlot_ns) {
+    answer(slot_ns);
+    port.arriving.pop_back();  // of the last joint
+    timeline.advance_to(slot_ns + kSlot_ns);
+  }
+  const auto beats = port.times_of(can::MessageKind::heartbeat);
+  ASSERT_EQ(beats.size(), 2U);
+  EXPECT_EQ(beats.front(), first_ns + 7 * kMillisecond_ns) << "not known to be missing yet";
+  EXPECT_EQ(beats.back(), first_ns + 8 * kSlot_ns + 3 * kMillisecond_ns);
 }
 
 TEST_F(BusTimelineTest, TheControllerLearnsThatItsStationIsOffTheBusAndBackOnIt) {

@@ -47,8 +47,7 @@ class StopWitness final : public simulator::CosimulationObserver {
 };
 
 // From the hand-over at `at_ms` to the last joint, in nanoseconds. The robot has begun to walk.
-std::int64_t stop_response_ns(int at_ms, std::int64_t jam_ns) {
-  SimulatedRun run(static_cast<std::uint64_t>(at_ms));
+std::int64_t stop_response_ns(SimulatedRun&& run, int at_ms, std::int64_t jam_ns) {
   StopWitness witness(run.cosimulation);
   run.cosimulation.observe(&witness);
   run.cosimulation.apply(walk_at(0.0, 0.15));
@@ -66,18 +65,58 @@ std::int64_t stop_response_ns(int at_ms, std::int64_t jam_ns) {
   return witness.complete_ns().value_or(from_ns + 1'000'000'000) - from_ns;
 }
 
-TEST(EmergencyStop, IsOnEveryJointWithinAMillisecondOnABusWithoutErrors) {
-  for (int at_ms = 700; at_ms < 700 + 8 * seeds(10); ++at_ms) {  // every millisecond of the cycle
-    EXPECT_LE(stop_response_ns(at_ms, 0), 1'000'000) << "at " << at_ms << " ms";
+// At every millisecond of the cycle, the worst.
+struct WorstStop {
+  std::int64_t response_ns = 0;
+  int at_ms = 0;
+};
+
+template <class MakeRun>
+WorstStop worst_stop(MakeRun make_run, std::int64_t jam_ns) {
+  WorstStop worst;
+  for (int at_ms = 700; at_ms < 700 + 8 * seeds(10); ++at_ms) {
+    const std::int64_t response_ns =
+        stop_response_ns(make_run(static_cast<std::uint64_t>(at_ms)), at_ms, jam_ns);
+    EXPECT_GE(response_ns, jam_ns) << "the jam was real";
+    if (response_ns > worst.response_ns) {
+      worst = {response_ns, at_ms};
+    }
   }
+  return worst;
+}
+
+SimulatedRun on_the_simulated_bus(std::uint64_t seed) {
+  return SimulatedRun(seed);
+}
+
+TEST(EmergencyStop, IsOnEveryJointWithinAMillisecondOnABusWithoutErrors) {
+  const WorstStop worst = worst_stop(on_the_simulated_bus, 0);
+  EXPECT_LE(worst.response_ns, 1'000'000) << "at " << worst.at_ms << " ms";
 }
 
 TEST(EmergencyStop, IsOnEveryJointWithinFourMillisecondsWhenTheBusIsJammedForTwo) {
-  for (int at_ms = 700; at_ms < 700 + 8 * seeds(10); ++at_ms) {
-    const std::int64_t response_ns = stop_response_ns(at_ms, msgcontroller::kJam_ns);
-    EXPECT_LE(response_ns, 4'000'000) << "at " << at_ms << " ms";
-    EXPECT_GE(response_ns, msgcontroller::kJam_ns) << "the jam was real";
-  }
+  const WorstStop worst = worst_stop(on_the_simulated_bus, msgcontroller::kJam_ns);
+  EXPECT_LE(worst.response_ns, 4'000'000) << "at " << worst.at_ms << " ms";
+}
+
+// A frame in the kernel's hands is not taken back: the message controller gives it none that would wait
+// there.
+TEST(EmergencyStop, IsAsFastOnAnInterfaceThatKeepsItsFrame) {
+  const WorstStop worst = worst_stop(SimulatedRun::on_an_interface, 0);
+  EXPECT_LE(worst.response_ns, 1'000'000) << "at " << worst.at_ms << " ms";
+  const WorstStop jammed = worst_stop(SimulatedRun::on_an_interface, msgcontroller::kJam_ns);
+  EXPECT_LE(jammed.response_ns, 4'000'000) << "at " << jammed.at_ms << " ms";
+}
+
+TEST(Batches, ArriveInTimeOverAnInterfaceThatKeepsItsFrame) {
+  SimulatedRun run = SimulatedRun::on_an_interface(1);
+  run.play({.seconds = 6.0, .events = {walk_at(0.5, 0.15)}});
+  const NetworkState& state = run.cosimulation.message_controller().state();
+  EXPECT_FALSE(run.metrics().fell);
+  EXPECT_GE(state.handed_over, 70U);
+  EXPECT_EQ(state.late, 0U);
+  EXPECT_EQ(state.repaired, 0U);
+  EXPECT_EQ(state.resynchronised, 0U);
 }
 
 }  // namespace

@@ -30,7 +30,13 @@ class SimulatedRun {
   // `configuration`: plug-ins of the main controller, relative to the source tree.
   explicit SimulatedRun(std::uint64_t seed, const std::filesystem::path& bus_log = {},
                         const std::filesystem::path& configuration = "core/config/walk.yaml")
-      : SimulatedRun(options(seed, std::filesystem::path(GAITWAY_SOURCE_DIR) / configuration), bus_log) {}
+      : SimulatedRun(options(seed, source_tree() / configuration), bus_log) {}
+  // With a message controller whose port keeps one frame, as a CAN interface of an operating system does.
+  static SimulatedRun on_an_interface(std::uint64_t seed) {
+    simulator::CosimulationOptions chosen = options(seed, source_tree() / "core/config/walk.yaml");
+    chosen.message_port_takes_back = false;
+    return SimulatedRun(chosen, {});
+  }
   SimulatedRun(std::uint64_t seed, const core::Configuration& plugins)
       : SimulatedRun(options(seed, plugins.file, plugins), {}) {}
 
@@ -56,6 +62,7 @@ class SimulatedRun {
   tools::RunRecorder recorder;
 
  private:
+  static std::filesystem::path source_tree() { return GAITWAY_SOURCE_DIR; }
   SimulatedRun(const simulator::CosimulationOptions& options, const std::filesystem::path& bus_log)
       : cosimulation(humanoid22(), options), recorder(cosimulation, bus_log, false) {
     cosimulation.observe(&recorder);

@@ -45,6 +45,9 @@ class BusPort {
   virtual std::optional<TimedFrame> receive() = 0;
   // Ends a round of work: everything that this station wanted to send up to `now_ns` has been offered.
   virtual void flush(std::int64_t now_ns) = 0;
+  // Whether a frame that waits for the bus gives way to a more urgent one that is offered later. A port that
+  // has handed it to an operating system cannot take it back.
+  [[nodiscard]] virtual bool takes_back() const noexcept { return true; }
   // As of the last receive().
   [[nodiscard]] virtual BusState state() const noexcept { return BusState::error_active; }
   [[nodiscard]] virtual ErrorCounters error_counters() const noexcept { return {}; }

@@ -103,6 +103,7 @@ class SocketCanPort final : public BusPort {
   [[nodiscard]] bool transmit_pending() const override { return in_flight_ || !waiting_.empty(); }
   std::optional<TimedFrame> receive() override;
   void flush(std::int64_t now_ns) override;
+  [[nodiscard]] bool takes_back() const noexcept override { return false; }
   [[nodiscard]] BusState state() const noexcept override { return state_; }
   [[nodiscard]] ErrorCounters error_counters() const noexcept override { return counters_; }
   // Readable when a frame, an echo, an error frame or a change of the interface waits.

@@ -33,6 +33,7 @@ class BusTimeline {
   void take_frames(std::int64_t until_ns);
   void watch_station(std::int64_t now_ns) noexcept;
   void offer(std::int64_t now_ns, std::int64_t flushed_until_ns);
+  [[nodiscard]] bool may_offer(std::int64_t now_ns) const noexcept;
   void drop_frames() noexcept;
 
   MessageController& controller_;

@@ -18,7 +18,7 @@ class FeedbackCollector {
   // `nodes`: of all joints; 0 for joints that are not on the bus and hold still.
   FeedbackCollector(const urdf::RobotModel& robot, std::span<const can::NodeId> nodes);
 
-  // A new time slot begins: from now on its feedback is awaited.
+  // A new time slot begins: from now on its feedback is awaited, but for that of joints that are missing.
   void begin_slot(std::uint32_t slot_since_start) noexcept;
   // Takes one joint's feedback into the topics' values.
   void take(int joint, const can::Feedback& feedback, std::int64_t now_ns) noexcept;

@@ -45,6 +45,11 @@ class MessageController {
   bool take_frame(can::Frame& frame) noexcept { return queue_.pop(frame); }
   // Identifier of that frame; past every identifier when there is none.
   [[nodiscard]] std::uint32_t next_id() const noexcept { return queue_.next_id(); }
+  // Whether that frame may go to a port that cannot take it back. While joints answer a SYNC, every frame
+  // less urgent than their feedback would lose arbitration to all of them, and whatever is handed over
+  // meanwhile, an emergency stop above all, would have to wait behind it: it may go once the feedback has
+  // come and the bus has been quiet, or feedback has had its time.
+  [[nodiscard]] bool next_finds_quiet_bus(std::int64_t now_ns) const noexcept;
   // A frame that was offered to the bus and taken back, because a more urgent one came.
   void put_back(const can::Frame& frame) noexcept { queue_.push_front(frame); }
 
@@ -112,6 +117,8 @@ class MessageController {
   std::unique_ptr<msgclient::HandOver> hand_over_;  // large: kept off the stack
   std::unique_ptr<CountPlan> incoming_;
   msgclient::TrimGains gains_{};
+  std::uint32_t feedback_id_;       // least urgent identifier of feedback
+  std::int64_t last_heard_ns_ = 0;  // end of the last frame of another station
   bool stop_requested_ = false;
   bool stop_is_soft_ = false;  // the emergency stop that holds
   std::int64_t slot_start_ns_ = 0;

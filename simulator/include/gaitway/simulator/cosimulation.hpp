@@ -32,6 +32,9 @@ struct CosimulationOptions {
   // What the main controller's work is charged in virtual time: from a tick to its mails lying in the window.
   std::int64_t tick_cost_ns = 100'000;
   std::int64_t batch_cost_ns = 500'000;
+  // Whether the message controller's frame that waits for the bus gives way to a more urgent one; not so on a
+  // CAN interface of an operating system.
+  bool message_port_takes_back = true;
 };
 
 // Sees everything that happens, in order; the run's recorder is one.
