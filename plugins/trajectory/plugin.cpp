@@ -62,7 +62,7 @@ class Trajectory final : public Plugin {
       return;
     }
     if (decision == PlanDecision::begin_anew) pattern_.reset_to_stand(continuity_.restart_stance());
-    const WalkCommand walk = walk_.has_value() ? walk_.read() : WalkCommand{};
+    const WalkCommand walk = commanded(tick.now_ns);
     const Correction correction = correction_.has_value() ? correction_.read() : Correction{};
     pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction, plan);
     report_limits(walk);
@@ -84,6 +84,12 @@ class Trajectory final : public Plugin {
         correction_(setup.reads_previous<Correction>("correction")),
         plan_(setup.writes<MotionPlan>("motion_plan")) {
     setup.period(Period::batch);
+  }
+
+  // Who commands a walk for a while only must go on commanding it: if it cannot any more, the robot stands.
+  [[nodiscard]] WalkCommand commanded(std::int64_t now_ns) {
+    const WalkCommand command = walk_.has_value() ? walk_.read() : WalkCommand{};
+    return command.valid_until_ns == 0 || now_ns < command.valid_until_ns ? command : WalkCommand{};
   }
 
   // A command is limited, never in silence.

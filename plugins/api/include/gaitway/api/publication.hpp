@@ -1,0 +1,76 @@
+// What the robot publishes: the table of topics, and a message of one of them on its way to subscribers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "gaitway/api/ros_messages.hpp"
+
+namespace gaitway::api {
+
+enum class Topic : std::uint8_t {
+  joint_states,
+  imu,
+  left_wrench,
+  right_wrench,
+  zmp,
+  reference_zmp,
+  com,
+  odometry,
+  transforms,
+  footsteps,
+  robot_description,
+  clock,
+  diagnostics,
+  events
+};
+
+struct TopicRow {
+  Topic topic;
+  std::string_view name;
+  std::string_view type;
+  double rate_hz;  // 0: on change
+  bool latched;    // a new subscriber gets the last message at once
+  std::string_view frame;
+  std::string_view doc;
+};
+
+inline constexpr std::array kTopics{
+    TopicRow{Topic::joint_states, "/joint_states", ros::JointState::kName, 100.0, false, "",
+             "Measured position [rad], velocity [rad/s] and motor torque [N m] of every joint"},
+    TopicRow{Topic::imu, "/imu/data", ros::Imu::kName, 100.0, false, "trunk",
+             "Trunk sensors: angular velocity [rad/s], specific force [m/s^2]; orientation as estimated"},
+    TopicRow{
+        Topic::left_wrench, "/foot/left/wrench", ros::WrenchStamped::kName, 100.0, false, "left_sole",
+        "Force [N] and torque [N m] that the force cells of the left foot measure, about its sole frame"},
+    TopicRow{Topic::right_wrench, "/foot/right/wrench", ros::WrenchStamped::kName, 100.0, false, "right_sole",
+             "The same of the right foot"},
+    TopicRow{Topic::zmp, "/zmp", ros::PointStamped::kName, 100.0, false, "odom",
+             "Measured zero-moment point [m]"},
+    TopicRow{Topic::reference_zmp, "/zmp/reference", ros::PointStamped::kName, 100.0, false, "odom",
+             "Planned zero-moment point [m] at this instant"},
+    TopicRow{Topic::com, "/com", ros::PointStamped::kName, 100.0, false, "odom",
+             "Estimated centre of mass [m]"},
+    TopicRow{
+        Topic::odometry, "/odom", ros::Odometry::kName, 100.0, false, "odom",
+        "Pose of the base, as planned footsteps, joints and attitude give it; twist in the base's frame"},
+    TopicRow{Topic::transforms, "/tf", ros::TFMessage::kName, 100.0, false, "",
+             "odom to base, and base to every link, from the measured joints"},
+    TopicRow{Topic::footsteps, "/footsteps", ros::PoseArray::kName, 0.0, true, "odom",
+             "Planned footsteps that have not landed yet"},
+    TopicRow{Topic::robot_description, "/robot_description", ros::String::kName, 0.0, true, "",
+             "The robot's URDF"},
+    TopicRow{Topic::clock, "/clock", ros::Clock::kName, 100.0, false, "", "The robot's clock"},
+    TopicRow{Topic::diagnostics, "/diagnostics", ros::DiagnosticArray::kName, 1.0, true, "",
+             "Plug-ins, bus, nodes and loop"},
+    TopicRow{Topic::events, "/events", ros::Log::kName, 0.0, false, "",
+             "The main controller's events, as they happen"},
+};
+inline constexpr std::size_t kTopicCount = kTopics.size();
+
+[[nodiscard]] constexpr const TopicRow& row(Topic topic) noexcept {
+  return kTopics[static_cast<std::size_t>(topic)];
+}
+
+}  // namespace gaitway::api

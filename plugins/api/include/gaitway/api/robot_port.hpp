@@ -1,0 +1,82 @@
+// What the API may do to the robot: the whole of it. Implemented over the memory block in the plug-in, and by
+// a recorder in tests.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaitway::api {
+
+struct Velocity {
+  double forward_m_per_s = 0.0;
+  double left_m_per_s = 0.0;
+  double turn_rad_per_s = 0.0;
+};
+
+enum class PluginVerb : std::uint8_t { reload, load, unload, set_parameter, describe_parameter };
+
+struct PluginOrder {
+  PluginVerb verb = PluginVerb::reload;
+  std::string plugin;
+  std::string library;      // of reload and load; empty: where it was
+  std::string parameter;    // of set_parameter
+  std::string value;        // of set_parameter; with its unit
+  std::uint32_t index = 0;  // of describe_parameter
+};
+
+struct PluginStatus {
+  std::string name;
+  std::string state;  // for people: "works", "out of service", ...
+  std::uint64_t steps = 0, faults = 0, overruns = 0;
+  double p50_step_us = 0.0, p99_step_us = 0.0, worst_step_us = 0.0;
+};
+
+struct JointLimits {
+  std::string name;
+  double lower_rad = 0.0, upper_rad = 0.0;
+};
+
+// What became of an order that takes time.
+struct OrderResult {
+  std::uint32_t number = 0;  // as the order's call returned it
+  bool done = false;
+  std::string text;  // for people; of describe_parameter: a line of JSON
+};
+
+// None of these blocks. Numbers of orders are never 0.
+class RobotPort {
+ public:
+  virtual ~RobotPort() = default;
+
+  // The robot's clock, virtual or real; 0 while the robot is not there.
+  [[nodiscard]] virtual std::int64_t now_ns() const = 0;
+  // Whether the message controller is alive.
+  [[nodiscard]] virtual bool connected() const = 0;
+
+  // Walk with this velocity until so much robot time has passed without a new command.
+  virtual void walk(const Velocity& velocity, std::int64_t valid_ns) = 0;
+  // End the walk by the next steps, and stand.
+  virtual void stand() = 0;
+
+  // Orders: the number under which take_result() tells of it, or nothing when the way is blocked (a full
+  // queue).
+  virtual std::optional<std::uint32_t> stop() = 0;  // plays the safe tail at once
+  virtual std::optional<std::uint32_t> emergency_stop(bool soft) = 0;
+  virtual std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) = 0;
+  virtual std::optional<std::uint32_t> order(const PluginOrder& order) = 0;
+  virtual std::optional<OrderResult> take_result() = 0;
+
+  [[nodiscard]] virtual const std::vector<JointLimits>& joints() const = 0;
+  [[nodiscard]] virtual std::vector<PluginStatus> plugins() const = 0;
+
+  // Throws std::runtime_error: why it cannot be, for people. `name`: of the file, without folder; checked by
+  // the caller to be a plain name. Gives the file's path.
+  virtual std::string start_recording(std::string_view name) = 0;
+  // Gives the path of the finished file. Throws when none is under way.
+  virtual std::string stop_recording() = 0;
+};
+
+}  // namespace gaitway::api

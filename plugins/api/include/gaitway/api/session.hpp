@@ -1,0 +1,54 @@
+// One client's conversation, without a network: messages in, frames out. A server calls it; tests and fuzzers
+// do the same.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gaitway::api {
+
+// One WebSocket message on its way out. Shared by all subscribers that get the same.
+struct Frame {
+  std::shared_ptr<const std::string> bytes;
+  bool binary = false;
+};
+
+// What a session asks of its connection. Called from within the session's and the hub's own calls.
+class Connection {
+ public:
+  virtual ~Connection() = default;
+  // Frames wait: ask next_frame() until it gives none, one after the other as each has been written.
+  virtual void wake() noexcept = 0;
+  // Close after what waits has been written, at the latest after a short while. `reason`: for people, at most
+  // 123 bytes; `code`: of the WebSocket protocol (1008 policy violation, 1009 too big, 1013 try again later).
+  virtual void close(std::uint16_t code, std::string_view reason) noexcept = 0;
+};
+
+class Session {
+ public:
+  virtual ~Session() = default;
+  // A whole message that arrived. Never throws for what a client sends.
+  virtual void take(std::string_view message, bool binary, std::int64_t wall_ns) = 0;
+  // A sign of life that is no message: a ping or pong.
+  virtual void heard(std::int64_t wall_ns) noexcept = 0;
+  // The next frame to write.
+  virtual std::optional<Frame> next_frame(std::int64_t wall_ns) = 0;
+};
+
+// All sessions together. The server opens one for each connection whose handshake succeeded, and drops it
+// when the connection ends, for whatever reason.
+class SessionHub {
+ public:
+  virtual ~SessionHub() = default;
+  // `peer`: for events and diagnostics. `authorised`: the handshake carried the token, or none is wanted.
+  // Nothing when there are too many.
+  virtual std::unique_ptr<Session> open(Connection& connection, std::string peer, bool authorised,
+                                        std::int64_t wall_ns) = 0;
+  // Time passes: time-outs, throttled messages. To be called every 10 ms or so.
+  virtual void step(std::int64_t wall_ns) = 0;
+};
+
+}  // namespace gaitway::api
