@@ -67,6 +67,8 @@ MessageController::MessageController(const urdf::RobotModel& robot, msgclient::C
       imu_writer_(client.write<Imu>("imu")),
       state_writer_(client.write<NetworkState>("network_state")),
       health_writer_(client.write<NetworkHealth>("network_health")),
+      user_commands_(client.read_queue<UserCommand>("user_command")),
+      user_command_answers_(client.write_stream<UserCommandAnswer>("user_command_answer")),
       watch_(profile_, node_),
       playback_(home_counts(robot)),
       feedback_(robot, node_),
@@ -96,13 +98,8 @@ void MessageController::step(std::int64_t now_ns) noexcept {
     enter_slot(now_ns);
   }
   take_mails(now_ns);
-  if (now_ns % msgclient::kCycle_ns == msgclient::kCycle_ns - hand_over_lead_ns_ && !playback_.prepared() &&
-      mode() != Mode::emergency_stop && playback_.prepare_from_tail()) {
-    set_mode(Mode::safe_tail);
-    ++state_.tail_played;
-    if (profile_.has(can::MessageKind::sync)) {
-      send_prepared();
-    }
+  if (now_ns % msgclient::kCycle_ns == msgclient::kCycle_ns - hand_over_lead_ns_) {
+    prepare_tail();
   }
   if (!feedback_published_ && in_slot_ns >= kPublishInSlot_ns) {
     publish_feedback(now_ns);
@@ -113,12 +110,27 @@ void MessageController::step(std::int64_t now_ns) noexcept {
   }
 }
 
+void MessageController::prepare_tail() noexcept {
+  if (!playback_.prepared() && mode() != Mode::emergency_stop && playback_.prepare_from_tail()) {
+    send_tail();
+  }
+}
+
+void MessageController::send_tail() noexcept {
+  set_mode(Mode::safe_tail);
+  ++state_.tail_played;
+  if (profile_.has(can::MessageKind::sync)) {
+    send_prepared();
+  }
+}
+
 void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   const std::int64_t slot_index = now_ns / kSlot_ns;
   const int slot = static_cast<int>(slot_index % kSlotsPerCycle);
   if (!feedback_published_) {
     publish_feedback(now_ns);
   }
+  slot_start_ns_ = now_ns;
   if (slot == 0) {
     begin_cycle();
   }
@@ -127,7 +139,6 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   state_.cycle = static_cast<std::uint32_t>(slot_index / kSlotsPerCycle);
   state_.slot = static_cast<std::uint32_t>(slot);
   state_.stamp_ns = now_ns;
-  slot_start_ns_ = now_ns;
   send_sync(now_ns);
   ++slots_since_start_;
   watch_.begin_slot(slots_since_start_);
@@ -151,10 +162,13 @@ void MessageController::begin_cycle() noexcept {
   if (mode() == Mode::emergency_stop) {
     return;
   }
+  if (stop_requested_) {
+    prepare_tail();  // as early as can be
+  }
   if (!playback_.running_segment().active) {
     set_mode(Mode::holding);
     stop_requested_ = false;
-  } else if (!was_tail) {
+  } else if (!was_tail && !stop_requested_) {
     set_mode(Mode::batches);
   }
 }

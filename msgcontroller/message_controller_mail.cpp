@@ -12,6 +12,8 @@ namespace {
 
 using msgclient::kSlotsPerCycle;
 
+constexpr int kCommandsAMillisecond = 32;  // more than the queue holds: bounds the work, loses nothing
+
 }  // namespace
 
 void MessageController::take_mails(std::int64_t now_ns) noexcept {
@@ -125,33 +127,78 @@ void MessageController::answer(const msgclient::Answer& answer) noexcept {
 
 void MessageController::take_user_command(std::int64_t now_ns) noexcept {
   msgclient::UserCommandMail mail;
-  if (adapter_.take_user_command(mail, now_ns) != msgclient::TakeStatus::mail) {
-    return;
+  if (adapter_.take_user_command(mail, now_ns) == msgclient::TakeStatus::mail) {
+    const msgclient::Reason problem = obey(mail, now_ns);
+    using msgclient::Reason;
+    answer({.mail = msgclient::MailKind::user_command,
+            .sequence = mail.sequence,
+            .verdict = problem == Reason::none ? msgclient::Verdict::accepted : msgclient::Verdict::refused,
+            .reason = problem});
   }
+  // The same from processes that have no mailbox.
+  UserCommand command;
+  for (int i = 0; i < kCommandsAMillisecond && user_commands_.pop(command); ++i) {
+    const msgclient::Reason problem = obey({.sequence = command.number,
+                                            .kind = static_cast<msgclient::UserCommandKind>(command.kind),
+                                            .joint = command.joint,
+                                            .position = static_cast<float>(command.position),
+                                            .duration_slots = command.duration_slots},
+                                           now_ns);
+    UserCommandAnswer answer{};
+    answer.number = command.number;
+    answer.reason = static_cast<std::uint32_t>(problem);
+    answer.command = command.kind;
+    answer.joint = command.joint;
+    answer.duration_slots = command.duration_slots;
+    answer.position = command.position;
+    user_command_answers_.publish(answer, now_ns);
+  }
+}
+
+msgclient::Reason MessageController::obey(const msgclient::UserCommandMail& mail,
+                                          std::int64_t now_ns) noexcept {
   using Kind = msgclient::UserCommandKind;
-  using msgclient::Reason;
-  Reason problem = Reason::none;
   switch (mail.kind) {
     case Kind::stop:
-      // What was prepared is already with the joints: it plays, and its tail follows.
-      stop_safely();
-      break;
+      stop_early(now_ns);
+      return msgclient::Reason::none;
     case Kind::emergency_stop_hold:
     case Kind::emergency_stop_soft:
-      stop_is_soft_ = stop_is_soft_ || mail.kind == Kind::emergency_stop_soft;
-      send_stop();
-      set_mode(Mode::emergency_stop);
-      break;
+      stop_at_once(mail.kind == Kind::emergency_stop_soft);
+      return msgclient::Reason::none;
     case Kind::manual_joint:
-      problem = move_joint(mail, now_ns);
-      break;
-    default:
-      problem = Reason::unknown_command;
+      return move_joint(mail, now_ns);
   }
-  answer({.mail = msgclient::MailKind::user_command,
-          .sequence = mail.sequence,
-          .verdict = problem == Reason::none ? msgclient::Verdict::accepted : msgclient::Verdict::refused,
-          .reason = problem});
+  return msgclient::Reason::unknown_command;
+}
+
+// Long enough before the next cycle, the running batch's tail takes the place of what is prepared; later,
+// that plays, and its tail follows. On the joints 10 ms after the request, one way or the other.
+void MessageController::stop_early(std::int64_t now_ns) noexcept {
+  constexpr std::int64_t kSend_ns = 3'500'000;  // a batch to 22 joints while nobody else speaks takes 3 ms
+  stop_safely();
+  const std::int64_t left_ns = msgclient::kCycle_ns - now_ns % msgclient::kCycle_ns;
+  if (!stop_requested_ || left_ns < kSend_ns || !profile_.has(can::MessageKind::sync)) {
+    return;
+  }
+  if (playback_.return_to_running_tail()) {
+    if (playback_.prepared()) {
+      send_tail();
+    }
+  } else {
+    prepare_tail();
+  }
+}
+
+// A stop that holds already is repeated by the supervision, until each joint has confirmed it; many requests
+// load the bus no more than one.
+void MessageController::stop_at_once(bool soft) noexcept {
+  const bool is_new = mode() != Mode::emergency_stop || (soft && !stop_is_soft_);
+  stop_is_soft_ = stop_is_soft_ || soft;
+  set_mode(Mode::emergency_stop);
+  if (is_new) {
+    send_stop();
+  }
 }
 
 msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail& mail,

@@ -17,6 +17,7 @@
 #include "gaitway/msgcontroller/bus_timeline.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/msgcontroller/walk_requests.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -40,6 +41,7 @@ struct Options {
   std::filesystem::path summary;
   std::vector<double> walk;  // forward m/s, left m/s, turn rad/s; empty: nobody here commands a walk
   double walk_after_s = 1.0;
+  bool obey_walk_requests = false;
   double wait_s = 5.0;
   double seconds = 0.0;
 };
@@ -116,7 +118,8 @@ bool work(msgcontroller::BusTimeline& timeline, msgcontroller::BusConnection& bu
 
 LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
-                    msgcontroller::BusConnection& bus) {
+                    msgcontroller::BusConnection& bus,
+                    std::optional<msgcontroller::WalkRequests>& walk_requests) {
   LoopResult result;
   result.begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = result.begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
@@ -145,6 +148,9 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
     }
     if (walk) {
       walk->step(now_ns);
+    }
+    if (walk_requests) {
+      walk_requests->step(now_ns);
     }
   }
   result.end_ns = process::monotonic_ns();
@@ -213,6 +219,11 @@ int run(const Options& options) {
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("message_controller");
   msgclient::EmiMessage adapter(client);
+  msgclient::Client behavior = block.local_client("behavior");
+  std::optional<msgcontroller::WalkRequests> walk_requests;
+  if (options.obey_walk_requests) {
+    walk_requests.emplace(behavior);
+  }
   msgcontroller::MessageController controller(robot, client, adapter);
   const std::unique_ptr<msgcontroller::BusConnection> bus = connect(options);
   if (!bus) {
@@ -221,7 +232,7 @@ int run(const Options& options) {
   block.beat(process::monotonic_ns());
   msgclient::MemoryBlockServer server(block, options.memory);
   process::ask_for_real_time("message_controller", kPriority);
-  const LoopResult result = run_loop(options, block, server, controller, *bus);
+  const LoopResult result = run_loop(options, block, server, controller, *bus, walk_requests);
   bus->close();
   write_summary(options, controller.state(), controller.health(), result, bus->interface());
   return result.exit_code;
@@ -254,6 +265,9 @@ int main(int argc, char** argv) {
   app.add_option("--walk-after", options.walk_after_s, "Seconds from the start to that command")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  app.add_flag("--obey-walk-requests", options.obey_walk_requests,
+               "Walk as people ask through the robot API. Only while no plug-in commands the walk")
+      ->excludes("--walk");
   app.add_option("--wait", options.wait_s, "Seconds to wait for the bus at the start")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();

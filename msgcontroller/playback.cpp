@@ -11,8 +11,23 @@ Playback::Playback(std::span<const std::int32_t> initial_count) noexcept
 }
 
 void Playback::accept(const CountPlan& plan) noexcept {
+  running_plan_ = plan_;
+  running_cursor_ = cursor_;
+  plan_waits_ = true;
   plan_ = plan;
   prepare(0);
+}
+
+bool Playback::return_to_running_tail() noexcept {
+  if (!plan_waits_ || !running_.active) {
+    return false;
+  }
+  plan_waits_ = false;
+  plan_ = running_plan_;
+  cursor_ = running_cursor_;
+  prepared_.active = false;
+  static_cast<void>(prepare_from_tail());
+  return true;
 }
 
 bool Playback::prepare_from_tail() noexcept {
@@ -47,6 +62,7 @@ void Playback::begin_cycle() noexcept {
     running_.active = false;
   }
   slot_ = 0;
+  plan_waits_ = false;
 }
 
 std::int32_t Playback::expected_count(int joint, int slot) const noexcept {

@@ -25,6 +25,9 @@ std::int64_t to_ns(double seconds) {
 Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOptions& options)
     : robot_(robot),
       options_(options),
+      own_block_(options.memory_block == nullptr ? std::optional<msgclient::MemoryBlock>(std::in_place)
+                                                 : std::nullopt),
+      memory_block_(own_block_ ? *own_block_ : *options.memory_block),
       adapter_(memory_block_),
       message_client_(memory_block_.local_client("message_controller")),
       behavior_client_(memory_block_.local_client("behavior")),
@@ -39,7 +42,9 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
     joint_transmitters_.emplace_back(bus_.attach());
   }
   foreign_station_ = bus_.attach();
-  if (!options_.plugin_commands_walk) {
+  if (options_.obey_walk_requests) {
+    walk_requests_.emplace(behavior_client_);
+  } else if (!options_.plugin_commands_walk) {
     walk_command_.emplace(behavior_client_.write<WalkCommand>("walk_command"));
     walk_command_->publish(WalkCommand{}, 0);
   }
@@ -52,6 +57,13 @@ Cosimulation::~Cosimulation() = default;
 
 void Cosimulation::advance_millisecond() {
   finish_restarts();
+  memory_block_.beat(now_ns_);
+  if (walk_requests_) {
+    const auto command = walk_requests_->step(now_ns_);
+    if (command && observer_ != nullptr) {
+      observer_->on_walk_request(*command, now_ns_);
+    }
+  }
   joints_.step(now_ns_, plant_.sensors());
   message_controller_.step(now_ns_);
   if (core::is_tick(now_ns_) && now_ns_ >= std::max(silent_until_ns_, busy_until_ns_)) {
@@ -208,7 +220,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     Cosimulation& self;
     void operator()(const WalkEvent& walk) const {
       if (!self.walk_command_) {
-        throw std::invalid_argument("a plug-in writes walk_command: it alone commands the walk");
+        throw std::invalid_argument("a plug-in or somebody outside alone commands the walk");
       }
       WalkCommand command{};
       command.stamp_ns = self.now_ns_;

@@ -33,7 +33,8 @@ class MessageController {
 
   // To be called at every millisecond of the clock, before the frames of that millisecond are exchanged.
   void step(std::int64_t now_ns) noexcept;
-  // Takes what the main controller has put into the mailboxes; step() does so, too. To be called when a
+  // Takes what the main controller has put into the mailboxes, and people's commands from the queue
+  // `user_command`; step() does so, too. To be called when a
   // doorbell rings between two milliseconds.
   void take_mails(std::int64_t now_ns) noexcept;
   // The state of this controller's own station, when it may have changed. While it is off the bus, nothing
@@ -87,6 +88,11 @@ class MessageController {
   void play(const CountPlan& plan) noexcept;
   void answer(const msgclient::Answer& answer) noexcept;
   void take_user_command(std::int64_t now_ns) noexcept;
+  msgclient::Reason obey(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept;
+  void stop_at_once(bool soft) noexcept;
+  void stop_early(std::int64_t now_ns) noexcept;
+  void prepare_tail() noexcept;
+  void send_tail() noexcept;
   msgclient::Reason move_joint(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept;
   void publish_feedback(std::int64_t now_ns) noexcept;
   void send_trim(std::span<const double> angle_rad) noexcept;
@@ -108,6 +114,8 @@ class MessageController {
   msgclient::Writer<Imu> imu_writer_;
   msgclient::Writer<NetworkState> state_writer_;
   msgclient::Writer<NetworkHealth> health_writer_;
+  msgclient::QueueReader<UserCommand> user_commands_;
+  msgclient::Writer<UserCommandAnswer> user_command_answers_;
 
   TransmitQueue queue_;
   NetworkWatch watch_;

@@ -27,6 +27,9 @@ class Playback {
   void accept(const CountPlan& plan) noexcept;
   // Prepares the next eight points of the tail; false when there is none left.
   bool prepare_from_tail() noexcept;
+  // Instead of the plan that was accepted last and has not begun: the tail of the one that runs; if that is
+  // over, nothing. False, and nothing changes: no plan was accepted since the cycle began, or none runs.
+  bool return_to_running_tail() noexcept;
   // A new cycle begins: the prepared segment becomes the running one; without one, the joints hold.
   void begin_cycle() noexcept;
   void enter_slot(int slot) noexcept { slot_ = slot; }
@@ -59,6 +62,9 @@ class Playback {
   bool next_toggle_ = true;
   int cursor_ = 0;  // next point of plan_ to prepare
   CountPlan plan_;
+  CountPlan running_plan_;  // the one before plan_, while plan_ has not begun
+  int running_cursor_ = 0;
+  bool plan_waits_ = false;  // plan_ was accepted in this cycle
   Segment running_, prepared_;
   std::array<std::int32_t, kMaxJoints> held_{};  // where the joints stand when no segment runs
 };

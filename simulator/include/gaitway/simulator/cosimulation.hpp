@@ -17,6 +17,7 @@
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
+#include "gaitway/msgcontroller/walk_requests.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/simulator/scenario.hpp"
@@ -29,6 +30,10 @@ struct CosimulationOptions {
   double largest_clock_drift_ppm = 50.0;
   core::MainControllerOptions main_controller;
   bool plugin_commands_walk = false;  // a plug-in writes `walk_command`: walk events are refused
+  // People's requests in the topic `walk_request` are obeyed: walk events are refused, too.
+  bool obey_walk_requests = false;
+  // To be shared with other processes; it outlives the run. nullptr: a block of its own.
+  msgclient::MemoryBlock* memory_block = nullptr;
   // What the main controller's work is charged in virtual time: from a tick to its mails lying in the window.
   std::int64_t tick_cost_ns = 100'000;
   std::int64_t batch_cost_ns = 500'000;
@@ -44,6 +49,9 @@ class CosimulationObserver {
   virtual void on_frame(const can::SimulatedBus::Delivery& delivery) = 0;
   // After every millisecond.
   virtual void on_millisecond(std::int64_t now_ns) = 0;
+  // A walk request of somebody outside has become the command, before the millisecond that begins at
+  // `now_ns`.
+  virtual void on_walk_request(const WalkCommand&, std::int64_t /*now_ns*/) {}
 };
 
 class Cosimulation {
@@ -93,7 +101,8 @@ class Cosimulation {
   urdf::RobotModel robot_;
   CosimulationOptions options_;
   std::int64_t now_ns_ = 0;
-  msgclient::MemoryBlock memory_block_;
+  std::optional<msgclient::MemoryBlock> own_block_;
+  msgclient::MemoryBlock& memory_block_;
   msgclient::EmiAdapter adapter_;
   msgclient::Client message_client_, behavior_client_, observer_client_, main_client_;
   Plant plant_;
@@ -102,7 +111,8 @@ class Cosimulation {
   msgcontroller::MessageController message_controller_;
   core::PluginFaultTable plugin_faults_;
   std::unique_ptr<core::MainController> main_controller_;
-  std::optional<msgclient::Writer<WalkCommand>> walk_command_;  // none: a plug-in writes it
+  std::optional<msgclient::Writer<WalkCommand>> walk_command_;  // none: somebody else writes it
+  std::optional<msgcontroller::WalkRequests> walk_requests_;
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

@@ -1,0 +1,32 @@
+// Makes people's walk requests the walk command, where no plug-in decides what the robot does next.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gaitway/msgclient/client.hpp"
+#include "gaitway/msgclient/topics.hpp"
+
+namespace gaitway::msgcontroller {
+
+// Reads the topic `walk_request`, writes `walk_command`. A request that nobody renews in time ends in a
+// stand.
+class WalkRequests {
+ public:
+  // The robot stands until the first request. Throws msgclient::TopicError when somebody writes
+  // `walk_command`.
+  explicit WalkRequests(msgclient::Client& client);
+
+  // Once a millisecond. What has been commanded just now, if anything has. No allocation.
+  std::optional<WalkCommand> step(std::int64_t now_ns) noexcept;
+
+ private:
+  void command(const WalkCommand& command, std::int64_t now_ns) noexcept;
+
+  msgclient::Reader<WalkCommand> requests_;
+  msgclient::Writer<WalkCommand> commands_;
+  std::uint64_t seen_ = 0;
+  WalkCommand current_{};
+};
+
+}  // namespace gaitway::msgcontroller

@@ -1,0 +1,62 @@
+// Newest request in, command out, and a stand when its time is over.
+#include "gaitway/msgcontroller/walk_requests.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace gaitway::msgcontroller {
+namespace {
+
+WalkCommand stand_at(std::int64_t now_ns) noexcept {
+  WalkCommand stand{};
+  stand.stamp_ns = now_ns;
+  return stand;
+}
+
+// Another process wrote it: as far as the type allows, and no further.
+bool sensible(const WalkCommand& request) noexcept {
+  const auto& fields = TopicType<WalkCommand>::fields;
+  const auto within = [&fields](std::string_view name, double value) {
+    const auto field =
+        std::find_if(fields.begin(), fields.end(), [name](const auto& one) { return one.name == name; });
+    return field != fields.end() && value >= field->lowest && value <= field->highest;
+  };
+  return within("velocity", request.velocity[0]) && within("velocity", request.velocity[1]) &&
+         within("turn_rate", request.turn_rate);
+}
+
+}  // namespace
+
+WalkRequests::WalkRequests(msgclient::Client& client)
+    : requests_(client.read<WalkCommand>("walk_request")),
+      commands_(client.write<WalkCommand>("walk_command")) {
+  commands_.publish(current_, 0);
+}
+
+std::optional<WalkCommand> WalkRequests::step(std::int64_t now_ns) noexcept {
+  WalkCommand request;
+  if (requests_.newest_sequence() != seen_) {
+    if (const auto read = requests_.read(request)) {
+      seen_ = read.sequence;
+      request.stamp_ns = now_ns;
+      const bool over = request.valid_until_ns != 0 && now_ns >= request.valid_until_ns;
+      if (over || !sensible(request)) {
+        request = stand_at(now_ns);
+      }
+      command(request, now_ns);
+      return current_;
+    }
+  }
+  if (current_.valid_until_ns != 0 && now_ns >= current_.valid_until_ns) {
+    command(stand_at(now_ns), now_ns);
+    return current_;
+  }
+  return std::nullopt;
+}
+
+void WalkRequests::command(const WalkCommand& command, std::int64_t now_ns) noexcept {
+  current_ = command;
+  commands_.publish(command, now_ns);
+}
+
+}  // namespace gaitway::msgcontroller

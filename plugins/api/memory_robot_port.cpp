@@ -1,0 +1,216 @@
+// Orders into queues, answers back by their numbers.
+#include "gaitway/api/memory_robot_port.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+
+#include "gaitway/api/recorder.hpp"
+#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/msgclient/mails.hpp"
+
+namespace gaitway::api {
+namespace {
+
+using Kind = msgclient::UserCommandKind;
+
+constexpr std::int64_t kSilence_ns = 1'000'000'000;  // of the message controller, by the wall clock
+
+template <std::size_t size>
+std::string text_of(const std::uint8_t (&field)[size]) {
+  const auto* const text = reinterpret_cast<const char*>(field);
+  return {text, strnlen(text, size)};
+}
+
+template <std::size_t size>
+bool copy_text(const std::string& text, std::uint8_t (&field)[size]) noexcept {
+  const bool fits = text.size() < size;
+  std::memcpy(field, text.data(), fits ? text.size() : 0);
+  return fits;
+}
+
+// core::PluginVerb, as the schema gives its numbers.
+std::uint32_t number_of(PluginVerb verb) noexcept {
+  switch (verb) {
+    case PluginVerb::reload:
+      return 0;
+    case PluginVerb::load:
+      return 1;
+    case PluginVerb::unload:
+      return 2;
+    case PluginVerb::set_parameter:
+      return 3;
+    case PluginVerb::describe_parameter:
+      return 6;
+  }
+  return 0;
+}
+
+UserCommand command_of(Kind kind) noexcept {
+  UserCommand command{};
+  command.kind = static_cast<std::uint32_t>(kind);
+  return command;
+}
+
+std::string state_text(std::uint32_t state) {
+  constexpr std::array<const char*, 4> kNames{"works", "failing", "out of service", "left out"};
+  return state < kNames.size() ? kNames[state] : "unknown";
+}
+
+}  // namespace
+
+MemoryRobotPort::MemoryRobotPort(msgclient::Client& client, const urdf::RobotModel& robot, Recorder* recorder)
+    : client_(client),
+      recorder_(recorder),
+      walk_requests_(client.write<WalkCommand>("walk_request")),
+      commands_(client.write_queue<UserCommand>("user_command")),
+      command_answers_(client.read_stream<UserCommandAnswer>("user_command_answer")),
+      orders_(client.write_queue<PluginRequest>("api_plugin_request")),
+      order_answers_(client.read_stream<PluginAnswer>("plugin_answer")),
+      statistics_(client.read<PluginStatistics>("plugin_statistics")),
+      last_number_(std::random_device{}()) {  // answers to a process before this one are not ours
+  for (const urdf::Joint& joint : robot.joints) {
+    joints_.push_back({joint.name, joint.lower_rad, joint.upper_rad});
+  }
+}
+
+void MemoryRobotPort::observe(std::int64_t wall_ns) noexcept {
+  const std::int64_t beat_ns = client_.heartbeat_ns();
+  if (beat_ns != heartbeat_ns_) {
+    heartbeat_ns_ = beat_ns;
+    heard_ns_ = wall_ns;
+  }
+  connected_ = heartbeat_ns_ != 0 && wall_ns - heard_ns_ < kSilence_ns;
+}
+
+std::int64_t MemoryRobotPort::now_ns() const {
+  return client_.heartbeat_ns();
+}
+
+void MemoryRobotPort::walk(const Velocity& velocity, std::int64_t valid_ns) {
+  const bool moves =
+      velocity.forward_m_per_s != 0.0 || velocity.left_m_per_s != 0.0 || velocity.turn_rad_per_s != 0.0;
+  if (!moves) {
+    stand();  // what clients mean by a velocity of zero
+    return;
+  }
+  const std::int64_t robot_ns = now_ns();
+  WalkCommand request{};
+  request.stamp_ns = robot_ns;
+  request.walk = 1;
+  request.velocity[0] = velocity.forward_m_per_s;
+  request.velocity[1] = velocity.left_m_per_s;
+  request.turn_rate = velocity.turn_rad_per_s;
+  request.valid_until_ns = robot_ns + valid_ns;
+  walk_requests_.publish(request, robot_ns);
+}
+
+void MemoryRobotPort::stand() {
+  WalkCommand request{};
+  request.stamp_ns = now_ns();
+  walk_requests_.publish(request, request.stamp_ns);
+}
+
+std::optional<std::uint32_t> MemoryRobotPort::push(UserCommand command) {
+  last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
+  command.number = last_number_;
+  if (!commands_.push(command, now_ns())) {
+    return std::nullopt;
+  }
+  awaited_.insert(last_number_);
+  return last_number_;
+}
+
+std::optional<std::uint32_t> MemoryRobotPort::stop() {
+  return push(command_of(Kind::stop));
+}
+
+std::optional<std::uint32_t> MemoryRobotPort::emergency_stop(bool soft) {
+  return push(command_of(soft ? Kind::emergency_stop_soft : Kind::emergency_stop_hold));
+}
+
+std::optional<std::uint32_t> MemoryRobotPort::move_joint(int joint, double position_rad, double duration_s) {
+  constexpr double kLongest_slots = 255.0;
+  const double slots = std::clamp(std::ceil(duration_s * 1e9 / msgclient::kSlot_ns), 1.0, kLongest_slots);
+  UserCommand command = command_of(Kind::manual_joint);
+  command.joint = static_cast<std::uint32_t>(joint);
+  command.duration_slots = static_cast<std::uint32_t>(slots);
+  command.position = position_rad;
+  return push(command);
+}
+
+std::optional<std::uint32_t> MemoryRobotPort::order(const PluginOrder& order) {
+  PluginRequest request{};
+  last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
+  request.number = last_number_;
+  request.verb = number_of(order.verb);
+  request.index = order.index;
+  const bool fits = copy_text(order.plugin, request.plugin) && copy_text(order.library, request.library) &&
+                    copy_text(order.parameter, request.parameter) && copy_text(order.value, request.value);
+  if (!fits || !orders_.push(request, now_ns())) {
+    return std::nullopt;
+  }
+  awaited_.insert(last_number_);
+  return last_number_;
+}
+
+std::optional<OrderResult> MemoryRobotPort::take_result() {
+  UserCommandAnswer answer;
+  while (command_answers_.read(answer)) {
+    if (awaited_.erase(answer.number) != 0) {
+      const auto reason = static_cast<msgclient::Reason>(answer.reason);
+      return OrderResult{answer.number, reason == msgclient::Reason::none,
+                         std::string(msgclient::reason_text(reason))};
+    }
+  }
+  PluginAnswer done;
+  while (order_answers_.read(done)) {
+    if (awaited_.erase(done.number) != 0) {
+      return OrderResult{done.number, done.done != 0, text_of(done.text)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<PluginStatus> MemoryRobotPort::plugins() const {
+  PluginStatistics values;
+  std::vector<PluginStatus> list;
+  if (!statistics_.read(values)) {
+    return list;
+  }
+  const std::uint32_t count = std::min<std::uint32_t>(values.plugin_count, kReportedPlugins);
+  for (std::size_t i = 0; i < count; ++i) {
+    constexpr double kMicrosecond = 1e-3;
+    list.push_back({.name = text_of(values.name[i]),
+                    .state = state_text(values.state[i]),
+                    .steps = values.steps[i],
+                    .faults = values.faults[i],
+                    .overruns = values.overruns[i],
+                    .p50_step_us = static_cast<double>(values.p50_step_ns[i]) * kMicrosecond,
+                    .p99_step_us = static_cast<double>(values.p99_step_ns[i]) * kMicrosecond,
+                    .worst_step_us = static_cast<double>(values.worst_step_ns[i]) * kMicrosecond});
+  }
+  return list;
+}
+
+std::string MemoryRobotPort::start_recording(std::string_view name) {
+  if (recorder_ == nullptr) {
+    throw std::runtime_error(
+        "this robot records nothing: the plug-in's parameter `recordings` names no folder");
+  }
+  return recorder_->start(name, now_ns());
+}
+
+std::string MemoryRobotPort::stop_recording() {
+  if (recorder_ == nullptr) {
+    throw std::runtime_error("no recording is under way");
+  }
+  return recorder_->stop();
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,166 @@
+// People's commands that come through the queue `user_command`, past the main controller: what they do, how
+// fast, and what is refused.
+#include <limits>
+
+#include "message_controller_fixture.hpp"
+
+namespace gaitway::msgcontroller {
+namespace {
+
+using Kind = msgclient::UserCommandKind;
+using msgclient::Reason;
+
+class UserCommandQueueTest : public MessageControllerTest {
+ protected:
+  bool push(UserCommand command) {
+    command.number = ++commands_;
+    return queue_.push(command, now_ns_);
+  }
+  static UserCommand command_of(std::uint32_t kind) {
+    UserCommand command{};
+    command.kind = kind;
+    return command;
+  }
+  bool push(Kind kind) { return push(command_of(static_cast<std::uint32_t>(kind))); }
+  static UserCommand move(std::uint32_t joint, double position_rad) {
+    UserCommand command = command_of(static_cast<std::uint32_t>(Kind::manual_joint));
+    command.joint = joint;
+    command.duration_slots = 10;
+    command.position = position_rad;
+    return command;
+  }
+  // What became of the last command; it was answered within the millisecond.
+  Reason outcome() {
+    run_until(now_ns_ + kMillisecond_ns);
+    UserCommandAnswer answer{};
+    EXPECT_TRUE(answers_.read(answer));
+    EXPECT_EQ(answer.number, commands_);
+    return static_cast<Reason>(answer.reason);
+  }
+
+  msgclient::Client api_ = block_.local_client("api");
+  msgclient::QueueWriter<UserCommand> queue_ = api_.write_queue<UserCommand>("user_command");
+  msgclient::StreamReader<UserCommandAnswer> answers_ =
+      api_.read_stream<UserCommandAnswer>("user_command_answer");
+};
+
+TEST_F(UserCommandQueueTest, AnEmergencyStopIsOnTheBusInTheMillisecondInWhichItIsSeen) {
+  hand_over(2);
+  run_until(2 * kCycle_ns + 23 * kMillisecond_ns);
+  ASSERT_TRUE(push(Kind::emergency_stop_soft));
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(bus_.sent[can::MessageKind::emergency_stop], 1);
+  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
+}
+
+TEST_F(UserCommandQueueTest, AStopPlaysTheSafeTailToItsEnd) {
+  hand_over(2);
+  ASSERT_TRUE(push(Kind::stop));
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(hand_over(3).reason, Reason::stopping);
+  run_until(7 * kCycle_ns);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+}
+
+// The batch that is with the joints already would go on for 80 ms more.
+TEST_F(UserCommandQueueTest, AStopPutsTheRunningBatchsTailInThePlaceOfThePreparedBatch) {
+  hand_over(2);
+  EXPECT_EQ(hand_over(3).verdict, Verdict::accepted);  // while batch 2 runs
+  const int before = bus_.sent[can::MessageKind::trajectory];
+  ASSERT_TRUE(push(Kind::stop));
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(bus_.sent[can::MessageKind::trajectory], before + 22) << "at once";
+  run_until(7 * kCycle_ns);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  EXPECT_EQ(controller_.state().resynchronised, 0U);
+  expect_moved(8 + 10);  // batch 2 and its tail of half the speed, nothing of batch 3
+}
+
+TEST_F(UserCommandQueueTest, AStopShortlyBeforeTheNextBatchLetsItPlayAndSendsItsTailAsItBegins) {
+  hand_over(2);
+  EXPECT_EQ(hand_over(3).verdict, Verdict::accepted);
+  run_until(3 * kCycle_ns - 2 * kMillisecond_ns);
+  ASSERT_TRUE(push(Kind::stop));
+  EXPECT_EQ(outcome(), Reason::none);
+  const int before = bus_.sent[can::MessageKind::trajectory];
+  run_until(3 * kCycle_ns + kMillisecond_ns);
+  EXPECT_EQ(bus_.sent[can::MessageKind::trajectory], before + 22);
+  run_until(8 * kCycle_ns);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  expect_moved(16 + 10);
+}
+
+TEST_F(UserCommandQueueTest, AStopInsideABatchWithoutASuccessorSendsItsTailAtOnce) {
+  hand_over(2);
+  run_until(2 * kCycle_ns + 3 * kMillisecond_ns);
+  const int before = bus_.sent[can::MessageKind::trajectory];
+  ASSERT_TRUE(push(Kind::stop));
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(bus_.sent[can::MessageKind::trajectory], before + 22);
+  run_until(7 * kCycle_ns);
+  expect_moved(8 + 10);
+  EXPECT_EQ(controller_.state().resynchronised, 0U);
+}
+
+TEST_F(UserCommandQueueTest, AFloodOfEmergencyStopsLoadsTheBusNoMoreThanOne) {
+  run_until(kCycle_ns);
+  for (int ms = 0; ms < 100; ++ms) {
+    while (push(Kind::emergency_stop_hold)) {
+    }
+    run_until(now_ns_ + kMillisecond_ns);
+  }
+  EXPECT_EQ(bus_.sent[can::MessageKind::emergency_stop], 1);
+  ASSERT_TRUE(push(Kind::emergency_stop_soft));
+  run_until(now_ns_ + kMillisecond_ns);
+  EXPECT_EQ(bus_.sent[can::MessageKind::emergency_stop], 2) << "soft is more than hold";
+}
+
+TEST_F(UserCommandQueueTest, AnEmergencyStopIsHeardWhileOtherCommandsFillTheQueue) {
+  run_until(kCycle_ns);
+  while (push(move(1, 0.0))) {
+  }
+  run_until(now_ns_ + kMillisecond_ns);
+  ASSERT_TRUE(push(Kind::emergency_stop_hold));
+  run_until(now_ns_ + kMillisecond_ns);
+  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
+}
+
+TEST_F(UserCommandQueueTest, AJointMovesWithinItsLimitsOnly) {
+  run_until(kCycle_ns);
+  ASSERT_TRUE(push(move(3, robot_.joints[3].upper_rad + 0.01)));
+  EXPECT_EQ(outcome(), Reason::beyond_limits);
+  ASSERT_TRUE(push(move(3, std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_EQ(outcome(), Reason::beyond_limits);
+  ASSERT_TRUE(push(move(3, 1e300)));
+  EXPECT_EQ(outcome(), Reason::beyond_limits);
+  ASSERT_TRUE(push(move(22, 0.0)));
+  EXPECT_EQ(outcome(), Reason::unknown_joint);
+  ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad + 20 * robot_.joints[3].count_rad)));
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(3 * kCycle_ns);
+  EXPECT_EQ(bus_.count(3) - JointsOnABus::home_count(robot_.joints[3]), 20);
+}
+
+TEST_F(UserCommandQueueTest, WhatNobodyKnowsIsRefused) {
+  run_until(kCycle_ns);
+  ASSERT_TRUE(push(command_of(4)));
+  EXPECT_EQ(outcome(), Reason::unknown_command);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+}
+
+TEST_F(UserCommandQueueTest, EachCommandIsAnsweredInItsOrder) {
+  run_until(kCycle_ns);
+  for (int i = 0; i < 8; ++i) {
+    ASSERT_TRUE(push(command_of(99)));
+  }
+  run_until(now_ns_ + kMillisecond_ns);
+  UserCommandAnswer answer{};
+  for (std::uint32_t number = 1; number <= 8; ++number) {
+    ASSERT_TRUE(answers_.read(answer));
+    EXPECT_EQ(answer.number, number);
+  }
+  EXPECT_FALSE(answers_.read(answer));
+}
+
+}  // namespace
+}  // namespace gaitway::msgcontroller
