@@ -182,6 +182,8 @@ void MessageController::stop_early(std::int64_t now_ns) noexcept {
     return;
   }
   if (playback_.return_to_running_tail()) {
+    queue_.drop_identifiers(profile_.row(can::MessageKind::trajectory).base_id,
+                            profile_.id_of(can::MessageKind::trajectory, profile_.largest_node, true));
     if (playback_.prepared()) {
       send_tail();
     }

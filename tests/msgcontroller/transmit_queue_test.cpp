@@ -63,5 +63,19 @@ TEST(TransmitQueue, RefusesAndCountsWhatDoesNotFit) {
   EXPECT_EQ(queue.size(), TransmitQueue::kCapacity);
 }
 
+TEST(TransmitQueue, WhatSomethingNewerMakesUselessIsDroppedAndTheRestKeepsItsOrder) {
+  TransmitQueue queue;
+  for (const std::uint32_t id : {0x102U, 0x008U, 0x103U, 0x300U, 0x0FFU, 0x180U}) {
+    ASSERT_TRUE(queue.push({.id = id}, id == 0x0FF ? 5 : 7));
+  }
+  EXPECT_EQ(queue.drop_identifiers(0x100, 0x1FF), 3U);
+  can::Frame frame;
+  for (const std::uint32_t id : {0x008U, 0x0FFU, 0x300U}) {
+    ASSERT_TRUE(queue.pop(frame));
+    EXPECT_EQ(frame.id, id);
+  }
+  EXPECT_TRUE(queue.empty());
+}
+
 }  // namespace
 }  // namespace gaitway::msgcontroller

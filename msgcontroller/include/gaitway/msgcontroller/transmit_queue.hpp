@@ -41,19 +41,14 @@ class TransmitQueue {
 
   // Drops what should have been sent before `now_ns`; how many frames.
   std::size_t expire(std::int64_t now_ns) noexcept {
-    if (now_ns < earliest_expiry_ns_) {
-      return 0;
-    }
-    const auto kept = std::remove_if(entries_.begin(), end(),
-                                     [now_ns](const Entry& entry) { return entry.expires_ns <= now_ns; });
-    const auto dropped = static_cast<std::size_t>(end() - kept);
-    size_ -= dropped;
-    std::make_heap(entries_.begin(), end(), comes_later);
-    earliest_expiry_ns_ = kNeverExpires_ns;
-    for (std::size_t i = 0; i < size_; ++i) {
-      earliest_expiry_ns_ = std::min(earliest_expiry_ns_, entries_[i].expires_ns);
-    }
-    return dropped;
+    return now_ns < earliest_expiry_ns_
+               ? 0
+               : drop([now_ns](const Entry& entry) { return entry.expires_ns <= now_ns; });
+  }
+  // Drops the frames with identifiers from `first` to `last`, which something newer makes useless; how many.
+  std::size_t drop_identifiers(std::uint32_t first, std::uint32_t last) noexcept {
+    return drop(
+        [first, last](const Entry& entry) { return entry.frame.id >= first && entry.frame.id <= last; });
   }
   // Drops everything; how many frames.
   std::size_t clear() noexcept {
@@ -75,6 +70,18 @@ class TransmitQueue {
     std::int64_t expires_ns = kNeverExpires_ns;
     can::Frame frame;
   };
+  template <class Predicate>
+  std::size_t drop(const Predicate& useless) noexcept {
+    const auto kept = std::remove_if(entries_.begin(), end(), useless);
+    const auto dropped = static_cast<std::size_t>(end() - kept);
+    size_ -= dropped;
+    std::make_heap(entries_.begin(), end(), comes_later);
+    earliest_expiry_ns_ = kNeverExpires_ns;
+    for (std::size_t i = 0; i < size_; ++i) {
+      earliest_expiry_ns_ = std::min(earliest_expiry_ns_, entries_[i].expires_ns);
+    }
+    return dropped;
+  }
   static std::uint64_t rank_of(const can::Frame& frame) noexcept { return std::uint64_t{frame.id} << 48U; }
   static bool comes_later(const Entry& a, const Entry& b) noexcept { return a.rank > b.rank; }
   [[nodiscard]] std::array<Entry, kCapacity>::iterator end() noexcept {
