@@ -12,10 +12,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 
+#include "gaitway/core/event_printer.hpp"
 #include "gaitway/core/main_controller.hpp"
-#include "gaitway/core/plugin_requests.hpp"
+#include "gaitway/core/plugin_workshop.hpp"
 #include "gaitway/core/step_watch.hpp"
 #include "gaitway/core/supervisor.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -34,7 +34,6 @@ constexpr int kPriority = 60;
 constexpr std::int64_t kSilence_ns = 1'000'000'000;
 // Between two looks for events to print: printing costs time, so never in each tick.
 constexpr std::uint64_t kTicksBetweenPrints = 100;
-constexpr std::uint64_t kEventsPerPrint = 5;
 
 struct Options {
   std::filesystem::path robot;
@@ -48,45 +47,6 @@ struct Options {
   std::vector<std::string> culprits;  // as --without, unless the configuration does not know them
 };
 
-// Prints what is new in the event log; leaves out all but a few at a time.
-class EventPrinter {
- public:
-  void print(const core::EventLog& events) {
-    next_ = std::max(next_, events.first());
-    for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsPerPrint; ++printed, ++next_) {
-      const core::Event& event = events[next_];
-      fmt::print(stderr, "main_controller: {:.3f} s: {}: {}: {}\n",
-                 static_cast<double>(event.stamp_ns) * 1e-9, core::event_kind_name(event.kind),
-                 event.source(), event.text());
-    }
-    if (next_ < events.total()) {
-      fmt::print(stderr, "main_controller: {} more events\n", events.total() - next_);
-      next_ = events.total();
-    }
-  }
-
- private:
-  std::uint64_t next_ = 0;
-};
-
-// Plug-ins are loaded and destroyed beside the ticks, at ordinary priority.
-class Workshop {
- public:
-  explicit Workshop(core::PluginRequests& requests)
-      : requests_(requests), thread_([&requests] {
-          while (requests.wait_for_work()) {
-            requests.work();
-          }
-        }) {}
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-  ~Workshop() { requests_.end_work(); }
-
- private:
-  core::PluginRequests& requests_;
-  std::jthread thread_;  // joined after end_work()
-};
-
 struct LoopResult {
   int exit_code = kExitFine;
   std::uint64_t missed_ticks = 0;
@@ -97,7 +57,7 @@ struct LoopResult {
 LoopResult run_ticks(core::MainController& controller, core::PluginRequests& requests,
                      const msgclient::Client& client, const Options& options) {
   LoopResult result;
-  EventPrinter printer;
+  core::EventPrinter printer("main_controller");
   const std::int64_t begin_ns = process::monotonic_ns();
   std::int64_t deadline_ns = core::next_tick_ns(begin_ns);
   const std::int64_t end_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
@@ -187,7 +147,7 @@ int run(Options options) {
   msgclient::EmiHost host(client);
   core::MainController controller(robot, client, host, options.controller);
   core::PluginRequests requests(client, controller.plugins());
-  const Workshop workshop(requests);
+  const core::PluginWorkshop workshop(requests);
   process::ask_for_real_time("main_controller", kPriority);
   const LoopResult result = run_ticks(controller, requests, client, options);
   if (watch) {

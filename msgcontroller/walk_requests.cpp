@@ -35,7 +35,7 @@ WalkRequests::WalkRequests(msgclient::Client& client)
 
 std::optional<WalkCommand> WalkRequests::step(std::int64_t now_ns) noexcept {
   WalkCommand request;
-  if (requests_.newest_sequence() != seen_) {
+  if (!ended_ && requests_.newest_sequence() != seen_) {
     if (const auto read = requests_.read(request)) {
       seen_ = read.sequence;
       request.stamp_ns = now_ns;
@@ -52,6 +52,11 @@ std::optional<WalkCommand> WalkRequests::step(std::int64_t now_ns) noexcept {
     return current_;
   }
   return std::nullopt;
+}
+
+void WalkRequests::end(std::int64_t now_ns) noexcept {
+  ended_ = true;
+  command(stand_at(now_ns), now_ns);
 }
 
 void WalkRequests::command(const WalkCommand& command, std::int64_t now_ns) noexcept {

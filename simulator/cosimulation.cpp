@@ -218,6 +218,7 @@ void Cosimulation::inject(const PluginFault& fault) {
 void Cosimulation::apply(const ScenarioEvent& event) {
   struct Visitor {
     Cosimulation& self;
+    bool asked;
     void operator()(const WalkEvent& walk) const {
       if (!self.walk_command_) {
         throw std::invalid_argument("a plug-in or somebody outside alone commands the walk");
@@ -273,10 +274,35 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     void post(msgclient::UserCommandKind kind) const { post(msgclient::UserCommandMail{.kind = kind}); }
     void post(msgclient::UserCommandMail mail) const {
       mail.sequence = ++self.user_commands_;
+      if (asked) {
+        self.ask(mail);
+        return;
+      }
       self.ring_at(self.now_ns_ + self.adapter_.host().post(mail, self.now_ns_).transfer_ns);
     }
   };
-  std::visit(Visitor{*this}, event.action);
+  std::visit(Visitor{*this, event.asked}, event.action);
+}
+
+void Cosimulation::ask(const msgclient::UserCommandMail& mail) {
+  if (!asked_commands_) {
+    asked_commands_.emplace(behavior_client_.write_queue<UserCommand>("user_command"));
+  }
+  UserCommand command{};
+  command.number = mail.sequence;
+  command.kind = static_cast<std::uint32_t>(mail.kind);
+  command.joint = mail.joint;
+  command.duration_slots = mail.duration_slots;
+  command.position = static_cast<double>(mail.position);
+  if (!asked_commands_->push(command, now_ns_)) {
+    throw std::runtime_error("more user commands in one millisecond than the queue holds");
+  }
+}
+
+void Cosimulation::end_walk_requests() {
+  if (walk_requests_) {
+    walk_requests_->end(now_ns_);
+  }
 }
 
 }  // namespace gaitway::simulator

@@ -206,15 +206,27 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value, const urdf::R
       "Choose one of them.");
 }
 
+ManualJointEvent read_move(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 3>{"joint", "position_rad", "duration_slots"});
+  constexpr int kLongest_slots = 255;
+  return {robot.joint_index(read_node(value.at("joint"), robot, false)),
+          value.at("position_rad").number({-7.0, 7.0, "rad"}),
+          value.at("duration_slots").integer(1, kLongest_slots)};
+}
+
 ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 7> kKeys{"at_s",           "walk", "stand", "stop",
-                                                  "emergency_stop", "push", "fault"};
+  constexpr std::array<std::string_view, 9> kKeys{"at_s",           "asked",      "walk", "stand", "stop",
+                                                  "emergency_stop", "move_joint", "push", "fault"};
   value.require_map(kKeys);
   ScenarioEvent event{.at_s = value.at("at_s").number({0.0, kLongestRun_s, "s"}), .action = StopEvent{}};
+  if (const auto asked = value.find("asked")) {
+    require_true(*asked);
+    event.asked = true;
+  }
   int actions = 0;
   for (const std::string_view key : kKeys) {
     const auto action = value.find(key);
-    if (!action || key == "at_s") {
+    if (!action || key == "at_s" || key == "asked") {
       continue;
     }
     ++actions;
@@ -225,6 +237,8 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
       event.action = WalkEvent{.walk = false};
     } else if (key == "stop") {
       require_true(*action);
+    } else if (key == "move_joint") {
+      event.action = read_move(*action, robot);
     } else if (key == "push") {
       event.action = read_push(*action, robot);
     } else if (key == "fault") {
@@ -238,8 +252,9 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
     }
   }
   if (actions != 1) {
-    value.refuse("an event has at_s and exactly one of walk, stand, stop, emergency_stop, push, fault",
-                 "Write one event for each action.");
+    value.refuse(
+        "an event has at_s and exactly one of walk, stand, stop, emergency_stop, move_joint, push, fault",
+        "Write one event for each action.");
   }
   return event;
 }

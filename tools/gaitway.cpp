@@ -17,6 +17,7 @@
 #include "gaitway/tools/plugin_check_command.hpp"
 #include "gaitway/tools/plugins_command.hpp"
 #include "gaitway/tools/run_command.hpp"
+#include "gaitway/tools/serve_command.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
 
 namespace {
@@ -59,6 +60,8 @@ int run_gaitway(int argc, char** argv) {
   gaitway::tools::NewPluginOptions new_plugin_options;
   gaitway::tools::PluginsOptions plugins_options;
   const CLI::App* const run = gaitway::tools::add_run_command(app, run_options);
+  gaitway::tools::ServeOptions serve_options;
+  const CLI::App* const serve = gaitway::tools::add_serve_command(app, serve_options);
   gaitway::tools::CtlOptions ctl_options;
   gaitway::tools::DevOptions dev_options;
   const CLI::App* const dev = gaitway::tools::add_dev_command(app, dev_options);
@@ -80,6 +83,9 @@ int run_gaitway(int argc, char** argv) {
   }
   if (run->parsed()) {
     return gaitway::tools::run(run_options);
+  }
+  if (serve->parsed()) {
+    return gaitway::tools::serve(serve_options);
   }
   if (bus->parsed()) {
     return gaitway::tools::bus(*bus, bus_options);

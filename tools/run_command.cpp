@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -19,6 +18,7 @@
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/tools/output_folder.hpp"
 #include "gaitway/tools/run_recorder.hpp"
 #include "gaitway/tools/run_report.hpp"
 #include "gaitway/tools/run_summary.hpp"
@@ -142,20 +142,6 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
   recorder.finish();
   progress.done();
   return seconds_since(started);
-}
-
-// The folder for the results is there and a file can be made in it; said before anything moves.
-void prepare_output(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  const std::filesystem::path probe = folder / ".gaitway_writable";
-  const bool writable = !error && std::ofstream(probe).is_open();
-  if (!writable) {
-    throw std::invalid_argument(
-        fmt::format("--out {}: must be a folder that can be written to{}. Choose another one",
-                    folder.string(), error ? " (" + error.message() + ")" : ""));
-  }
-  std::filesystem::remove(probe, error);
 }
 
 void check(const RunOptions& options) {

@@ -137,7 +137,7 @@ void RunRecorder::on_command(bool walk, double turn_rate_rad_per_s, std::int64_t
 // Where a plug-in commands the walk there are no walk events.
 void RunRecorder::follow_walk_command(std::int64_t now_ns) {
   WalkCommand command{};
-  if (run_.plugin_commands_walk() && walk_command_.read(command).status == msgclient::ReadStatus::value) {
+  if (run_.others_command_walk() && walk_command_.read(command).status == msgclient::ReadStatus::value) {
     on_command(command.walk != 0, command.turn_rate, now_ns);
   }
 }

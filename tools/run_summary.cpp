@@ -96,35 +96,38 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
                                const RunTiming& timing, std::uint64_t seed, double mismatch) {
   const RunMetrics& metrics = recorder.metrics();
   const double virtual_s = static_cast<double>(run.now_ns()) * 1e-9;
-  nlohmann::ordered_json result = {{"robot", run.robot().name},
-                                   {"profile", run.message_controller().profile().name},
-                                   {"seed", seed},
-                                   {"mismatch", mismatch},
-                                   {"virtual_seconds", virtual_s},
-                                   {"wall_seconds", timing.wall_s},
-                                   {"real_time_factor", virtual_s / timing.wall_s},
-                                   {"physics_only_real_time_factor", virtual_s / timing.physics_only_wall_s},
-                                   {"fell", metrics.fell},
-                                   {"distance_m", metrics.distance_m()},
-                                   {"mean_speed_m_s", metrics.mean_speed_m_per_s()},
-                                   {"mean_side_speed_m_s", metrics.mean_side_speed_m_per_s()},
-                                   {"lateral_drift_m", metrics.lateral_drift_m()},
-                                   {"heading_drift_rad", metrics.heading_drift_rad()},
-                                   {"batches", batches(run)},
-                                   {"bus", bus(run)},
-                                   {"network", network(run)},
-                                   {"joints",
-                                    {{"tracking_rms_rad", metrics.tracking_rad.value()},
-                                     {"refused_points", run.main_controller().statistics().refused_points},
-                                     {"resynchronised", run.message_controller().state().resynchronised}}},
-                                   {"zmp",
-                                    {{"reference_error_rms_m", metrics.zmp_reference_error_m.value()},
-                                     {"estimate_error_rms_m", metrics.zmp_estimate_error_m.value()},
-                                     {"margin_min_m", metrics.zmp_reference_error_m.count() > 0
-                                                          ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
-                                                          : nlohmann::ordered_json(nullptr)}}},
-                                   {"events", events(run)},
-                                   {"digest", fmt::format("{:016x}", recorder.digest())}};
+  nlohmann::ordered_json result = {
+      {"robot", run.robot().name},
+      {"profile", run.message_controller().profile().name},
+      {"seed", seed},
+      {"mismatch", mismatch},
+      {"virtual_seconds", virtual_s},
+      {"wall_seconds", timing.wall_s},
+      {"real_time_factor", virtual_s / timing.wall_s},
+      {"physics_only_real_time_factor", timing.physics_only_wall_s > 0.0
+                                            ? nlohmann::ordered_json(virtual_s / timing.physics_only_wall_s)
+                                            : nlohmann::ordered_json(nullptr)},
+      {"fell", metrics.fell},
+      {"distance_m", metrics.distance_m()},
+      {"mean_speed_m_s", metrics.mean_speed_m_per_s()},
+      {"mean_side_speed_m_s", metrics.mean_side_speed_m_per_s()},
+      {"lateral_drift_m", metrics.lateral_drift_m()},
+      {"heading_drift_rad", metrics.heading_drift_rad()},
+      {"batches", batches(run)},
+      {"bus", bus(run)},
+      {"network", network(run)},
+      {"joints",
+       {{"tracking_rms_rad", metrics.tracking_rad.value()},
+        {"refused_points", run.main_controller().statistics().refused_points},
+        {"resynchronised", run.message_controller().state().resynchronised}}},
+      {"zmp",
+       {{"reference_error_rms_m", metrics.zmp_reference_error_m.value()},
+        {"estimate_error_rms_m", metrics.zmp_estimate_error_m.value()},
+        {"margin_min_m", metrics.zmp_reference_error_m.count() > 0
+                             ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
+                             : nlohmann::ordered_json(nullptr)}}},
+      {"events", events(run)},
+      {"digest", fmt::format("{:016x}", recorder.digest())}};
   if (metrics.fell) {
     result["fell_at_s"] = metrics.fell_at_s;
   }
@@ -166,8 +169,10 @@ std::string summary_table(const nlohmann::ordered_json& s) {
       fmt::format("reference error {:.1f} mm RMS, estimate error {:.1f} mm RMS, margin at least {:.1f} mm",
                   1e3 * number(zmp["reference_error_rms_m"]), 1e3 * number(zmp["estimate_error_rms_m"]),
                   1e3 * number(zmp["margin_min_m"])));
-  row("speed", fmt::format("{:.1f} x real time (physics alone: {:.1f} x)", number(s["real_time_factor"]),
-                           number(s["physics_only_real_time_factor"])));
+  const auto& physics = s["physics_only_real_time_factor"];
+  row("speed",
+      fmt::format("{:.1f} x real time{}", number(s["real_time_factor"]),
+                  physics.is_null() ? "" : fmt::format(" (physics alone: {:.1f} x)", number(physics))));
   row("digest", s["digest"].get<std::string>());
   constexpr std::size_t kShownEvents = 5;
   const auto& events = s["events"];

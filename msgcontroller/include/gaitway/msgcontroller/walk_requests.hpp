@@ -19,6 +19,8 @@ class WalkRequests {
 
   // Once a millisecond. What has been commanded just now, if anything has. No allocation.
   std::optional<WalkCommand> step(std::int64_t now_ns) noexcept;
+  // The robot stands; no request is obeyed any more.
+  void end(std::int64_t now_ns) noexcept;
 
  private:
   void command(const WalkCommand& command, std::int64_t now_ns) noexcept;
@@ -26,6 +28,7 @@ class WalkRequests {
   msgclient::Reader<WalkCommand> requests_;
   msgclient::Writer<WalkCommand> commands_;
   std::uint64_t seen_ = 0;
+  bool ended_ = false;
   WalkCommand current_{};
 };
 

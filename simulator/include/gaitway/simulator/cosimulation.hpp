@@ -65,7 +65,7 @@ class Cosimulation {
   void advance_millisecond();
 
   // From outside; all of it takes effect in the millisecond that comes next. Throws std::invalid_argument for
-  // a walk event when a plug-in commands the walk, urdf::RobotError for a fault of a plug-in that is not
+  // a walk event when somebody else commands the walk, urdf::RobotError for a fault of a plug-in that is not
   // there.
   void apply(const ScenarioEvent& event);
 
@@ -81,7 +81,12 @@ class Cosimulation {
   // For changes between two milliseconds.
   [[nodiscard]] core::PluginManager& plugins() noexcept { return main_controller_->plugins(); }
   [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
-  [[nodiscard]] bool plugin_commands_walk() const noexcept { return options_.plugin_commands_walk; }
+  // From now on no walk request is obeyed any more, and the robot comes to a stand.
+  void end_walk_requests();
+  // The scenario does not.
+  [[nodiscard]] bool others_command_walk() const noexcept {
+    return options_.plugin_commands_walk || options_.obey_walk_requests;
+  }
   [[nodiscard]] const urdf::RobotModel& robot() const noexcept { return robot_; }
 
  private:
@@ -97,6 +102,7 @@ class Cosimulation {
   void restart(const JointRestartsFault& fault);
   void finish_restarts();
   void inject(const PluginFault& fault);
+  void ask(const msgclient::UserCommandMail& mail);
 
   urdf::RobotModel robot_;
   CosimulationOptions options_;
@@ -113,6 +119,7 @@ class Cosimulation {
   std::unique_ptr<core::MainController> main_controller_;
   std::optional<msgclient::Writer<WalkCommand>> walk_command_;  // none: somebody else writes it
   std::optional<msgcontroller::WalkRequests> walk_requests_;
+  std::optional<msgclient::QueueWriter<UserCommand>> asked_commands_;  // opened when one is asked for
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

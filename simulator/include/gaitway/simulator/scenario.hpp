@@ -40,7 +40,7 @@ struct StopEvent {};
 struct EmergencyStopEvent {
   bool soft = false;
 };
-// User command: one joint moves to an angle; refused unless the robot stands without a batch. Not in YAML.
+// User command: one joint moves to an angle; refused unless the robot stands without a batch.
 struct ManualJointEvent {
   int joint = 0;  // index in RobotModel::joints
   double position_rad = 0.0;
@@ -101,6 +101,7 @@ struct ScenarioEvent {
                MainControllerSilentFault, LoseFramesFault, DisturbBusFault, JamFault, BusOffFault,
                JointRestartsFault, ForeignFrameFault, PluginFault>
       action;
+  bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };
 
 struct Scenario {

@@ -1,0 +1,32 @@
+// What people asked of a served robot, as a scenario that `gaitway run` plays again.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/simulator/scenario.hpp"
+
+namespace gaitway::tools {
+
+// Notes each walk request and user command with the millisecond in which it took effect.
+class CommandLog {
+ public:
+  // Opens what `run` tells; outlived by it. Throws msgclient::TopicError.
+  explicit CommandLog(simulator::Cosimulation& run);
+
+  void on_walk_request(const WalkCommand& command, std::int64_t now_ns);
+  // After each millisecond; `began_ns`: when it began. What was obeyed in it.
+  void on_millisecond(std::int64_t began_ns);
+
+  [[nodiscard]] const std::vector<simulator::ScenarioEvent>& events() const noexcept { return events_; }
+  // The scenario file: the same commands in the same milliseconds, over `seconds`.
+  [[nodiscard]] std::string scenario(double seconds) const;
+
+ private:
+  simulator::Cosimulation& run_;
+  msgclient::StreamReader<UserCommandAnswer> answers_;
+  std::vector<simulator::ScenarioEvent> events_;
+};
+
+}  // namespace gaitway::tools
