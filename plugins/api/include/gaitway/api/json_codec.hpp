@@ -1,13 +1,15 @@
-// JSON of the ROS messages, as rosbridge clients expect it. Doubles in their shortest form that reads back as
+// JSON of the ROS messages, as rosbridge clients expect it. Numbers in their shortest form that reads back as
 // the same number; NaN and infinities as null, since JSON has neither.
 #pragma once
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "gaitway/api/message_fields.hpp"
 
@@ -16,16 +18,72 @@ namespace gaitway::api {
 // Appends a JSON string, quoted and escaped. Bytes that are not UTF-8 become U+FFFD.
 void append_json_string(std::string& out, std::string_view text);
 
-// Appends a number: shortest form, null when it is not finite.
-void append_json_number(std::string& out, double value);
-void append_json_number(std::string& out, float value);
+// Appends a number; null when it is not finite.
+template <Number T>
+void append_json_number(std::string& out, T value) {
+  if constexpr (std::floating_point<T>) {
+    if (!std::isfinite(value)) {
+      out += "null";
+      return;
+    }
+  }
+  constexpr std::size_t kLongest = 32;  // shortest forms of a double have at most 24 characters
+  std::array<char, kLongest> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+  out.append(text.data(), static_cast<std::size_t>(result.ptr - text.data()));
+}
 
 // Appends `{"name":value,...}`.
 template <Message M>
 void append_json(std::string& out, const M& message);
 
+template <class T>
+void append_json_value(std::string& out, const T& value) {
+  if constexpr (Message<T>) {
+    append_json(out, value);
+  } else if constexpr (Array<T>) {
+    using Element = typename FieldShape<T>::Element;
+    static_assert(!std::same_as<Element, std::uint8_t>,
+                  "rosbridge wants uint8[] in base64: write that first");
+    out += '[';
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (i > 0) {
+        out += ',';
+      }
+      append_json_value<Element>(out, value[i]);
+    }
+    out += ']';
+  } else if constexpr (std::same_as<T, bool>) {
+    out += value ? "true" : "false";
+  } else if constexpr (Number<T>) {
+    append_json_number(out, value);
+  } else {
+    append_json_string(out, value);
+  }
+}
+
+template <Message M>
+void append_json(std::string& out, const M& message) {
+  char separator = '{';
+  message.fields([&](std::string_view name, const auto& value) {
+    out += separator;
+    separator = ',';
+    out += '"';
+    out += name;
+    out += "\":";
+    append_json_value(out, value);
+  });
+  out += separator == '{' ? "{}" : "}";
+}
+
 // Appends {"op":"publish","topic":topic,"msg":message}.
 template <Message M>
-void append_publish_json(std::string& out, std::string_view topic, const M& message);
+void append_publish_json(std::string& out, std::string_view topic, const M& message) {
+  out += R"({"op":"publish","topic":)";
+  append_json_string(out, topic);
+  out += R"(,"msg":)";
+  append_json(out, message);
+  out += '}';
+}
 
 }  // namespace gaitway::api

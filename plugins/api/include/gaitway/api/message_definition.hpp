@@ -2,6 +2,7 @@
 // by name.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,11 @@ namespace gaitway::api {
 [[nodiscard]] std::string full_message_definition(std::string_view type);
 // What rosapi/message_details answers: the type and all types within it.
 [[nodiscard]] std::vector<ros::TypeDef> type_definitions(std::string_view type);
-// JSON Schema (2020-12), as text.
-[[nodiscard]] std::string json_schema(std::string_view type);
+// Whether a message comes from a client or from the robot. The robot writes null for a number that it does
+// not know; clients may not.
+enum class Sender : std::uint8_t { client, robot };
+
+// JSON Schema (2020-12), as text, with those of the types within it in `$defs`.
+[[nodiscard]] std::string json_schema(std::string_view type, Sender sender);
 
 }  // namespace gaitway::api
