@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "gaitway/api/publication.hpp"
@@ -13,7 +12,6 @@
 namespace gaitway::api {
 namespace {
 
-using nlohmann::json;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Not;
@@ -125,31 +123,6 @@ TEST(TypeRegistry, HoldsTheTypeOfEveryTopicAndService) {
   EXPECT_THAT(message_types(), Not(Contains("std_srvs/srv/Trigger")));
   const auto messages = message_types();
   EXPECT_TRUE(std::is_sorted(messages.begin(), messages.end()));
-}
-
-TEST(JsonSchema, OfWhatAClientSendsAllowsFiniteNumbersAndKnownFieldsOnly) {
-  EXPECT_EQ(json::parse(json_schema("geometry_msgs/Twist", Sender::client)), json::parse(R"({
-    "$schema": "https://json-schema.org/draft/2020-12/schema",
-    "title": "geometry_msgs/msg/Twist",
-    "type": "object",
-    "properties": {"linear": {"$ref": "#/$defs/geometry_msgs~1msg~1Vector3"},
-                   "angular": {"$ref": "#/$defs/geometry_msgs~1msg~1Vector3"}},
-    "additionalProperties": false,
-    "$defs": {"geometry_msgs/msg/Vector3": {
-      "type": "object",
-      "properties": {"x": {"type": "number"}, "y": {"type": "number"}, "z": {"type": "number"}},
-      "additionalProperties": false}}})"));
-}
-
-TEST(JsonSchema, OfWhatTheRobotSendsNeedsEveryField) {
-  const json schema = json::parse(json_schema("nav_msgs/Odometry", Sender::robot));
-  EXPECT_EQ(schema.at("required"), json({"header", "child_frame_id", "pose", "twist"}));
-  const json& covariance =
-      schema.at("$defs").at("geometry_msgs/msg/PoseWithCovariance").at("properties").at("covariance");
-  EXPECT_EQ(covariance, json::parse(R"({"type": "array", "items": {"type": ["number", "null"]},
-                                        "minItems": 36, "maxItems": 36})"));
-  EXPECT_EQ(schema.at("$defs").at("builtin_interfaces/msg/Time").at("properties").at("nanosec"),
-            json::parse(R"({"type": "integer", "minimum": 0, "maximum": 4294967295})"));
 }
 
 }  // namespace

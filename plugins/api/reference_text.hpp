@@ -1,0 +1,81 @@
+// The paragraphs of docs/api.md between its tables.
+#pragma once
+
+#include <string_view>
+
+namespace gaitway::api::reference_text {
+
+inline constexpr std::string_view kBeginning =
+    R"(<!-- Made by `./dev gaitway api document`; change the tables in plugins/api or plugins/api/reference*, not this file. -->
+# The robot API
+
+rosbridge v2 over WebSocket: what roslibjs, roslibpy and other rosbridge clients speak. Each WebSocket text message is one JSON
+object with a field `op`. Messages that the robot publishes come as JSON, or as CBOR in binary messages for who asks for it.
+
+- Types are those of ROS 2 (`sensor_msgs/msg/JointState`); the names of ROS 1 (`sensor_msgs/JointState`) are understood, too.
+- Units are SI. A stamp is the robot's clock, `{"sec": 12, "nanosec": 340000000}`; `/clock` publishes it.
+- The robot writes `null` for a number that it does not know. Clients may not.
+- What is wrong is refused by a `status` message that names the field, its value and the rule; nothing else changes.
+
+**Who commands.** One connection at a time; anybody may watch. Who sends a command while nobody has the command gets it, or asks
+for it by `/command/acquire`. It lasts as long as commands or `/command/keep_alive` come, and ends with the connection. Stop and
+emergency stop are open to everybody who is let in.
+
+**Time-out.** A velocity command holds for a short while only: send it again, ten times a second, say. When none comes any more, the robot
+stops smoothly and stands.
+
+)";
+
+inline constexpr std::string_view kOperations = R"(## Operations
+
+The examples of clients' messages stand in [api_examples.json](api_examples.json), too, in an order in which they can be sent, and a test
+sends them.
+
+)";
+
+inline constexpr std::string_view kTopics = R"(## Topics that the robot publishes
+
+Latched: a new subscriber gets the last message at once. Rate 0: when something has changed.
+
+)";
+
+inline constexpr std::string_view kAccepted = R"(
+## Topics that the robot takes
+
+)";
+
+inline constexpr std::string_view kServices = R"(
+## Services of the robot
+
+Every response has `success` and, when that is false, the reason in `message`. A service that needs the command is refused to who
+does not have it.
+
+)";
+
+inline constexpr std::string_view kRosapi = R"(## Services of rosapi
+
+With these clients find out what there is.
+
+)";
+
+inline constexpr std::string_view kTypes = R"(
+## Types
+
+)";
+
+inline constexpr std::string_view kLimits = R"(
+## Limits
+
+Each is a parameter of the plug-in `api`.
+
+)";
+
+inline constexpr std::string_view kSchemas = R"(
+## JSON schemas
+
+[api_schemas.json](api_schemas.json) holds one schema (2020-12) for each message, request and response: `message /joint_states`,
+`publish /cmd_vel`, `call /stand`, `answer /stand`. This is `publish /cmd_vel`:
+
+)";
+
+}  // namespace gaitway::api::reference_text
