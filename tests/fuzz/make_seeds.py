@@ -176,6 +176,19 @@ def text_seeds():
         '<limit lower="-1" upper="1" effort="8" velocity="8"/></joint></robot>\n'))
 
 
+def api_seeds():
+    write("api_messages", "twist", '{"linear": {"x": 0.15, "y": 0, "z": 0.0}, "angular": {"x": 0, "y": 0, "z": -1e-1}}')
+    write("api_messages", "move_joint", '{"joint": "left_knee", "position": 0.4, "duration": 1.5}')
+    write("api_messages", "log", (
+        '{"stamp": {"sec": 12, "nanosec": 5}, "level": 20, "name": "zmp", "msg": "\\u00e4 \\ud83e\\udd16", "line": 7.0}'))
+    write("api_messages", "type_definition", (
+        '{"type": "std_msgs/String", "fieldnames": ["data"], "fieldtypes": ["string"], "fieldarraylen": [-1, 0]}'))
+    write("api_messages", "odometry", (
+        '{"child_frame_id": "base", "pose": {"pose": {"orientation": {"w": 1}}, "covariance": [' + ", ".join(["0.5"] * 36) +
+        ']}}'))
+    write("api_messages", "broken_text", b'"\xc3\xa4\xff\xed\xa0\x80\xf4\x90\x80\x80\xe2\x82')
+
+
 def main():
     if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
         sys.exit(__doc__)
@@ -185,6 +198,7 @@ def main():
     block_seeds()
     controller_seeds(frames)
     text_seeds()
+    api_seeds()
 
 
 if __name__ == "__main__":

@@ -95,6 +95,10 @@ TEST(JsonCodec, WritesNullForWhatIsNoNumber) {
   EXPECT_EQ(text_of(message), R"({"x":null,"y":null,"z":null})");
 }
 
+TEST(JsonCodec, KeepsTheSignOfZero) {
+  EXPECT_EQ(text_of(ros::Vector3{-0.0, 0.0, -1.0}), R"({"x":-0.0,"y":0,"z":-1})");
+}
+
 TEST(JsonCodec, EscapesWhatAStringMayNotHold) {
   EXPECT_EQ(string_text("a\"b\\c\b\f\n\r\t\x01\x1f\x7f/"),
             "\"a\\\"b\\\\c\\b\\f\\n\\r\\t\\u0001\\u001f\x7f/\"");

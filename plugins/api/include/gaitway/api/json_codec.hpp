@@ -26,6 +26,10 @@ void append_json_number(std::string& out, T value) {
       out += "null";
       return;
     }
+    if (value == T{0} && std::signbit(value)) {
+      out += "-0.0";  // "-0" is an integer to many parsers, and that has no sign
+      return;
+    }
   }
   constexpr std::size_t kLongest = 32;  // shortest forms of a double have at most 24 characters
   std::array<char, kLongest> text{};

@@ -107,7 +107,8 @@ void read_message(const nlohmann::json& json, M& message, const FieldPath& path)
     fields += fields.empty() ? "" : ", ";
     fields += name;
   });
-  for (const auto& [name, value] : json.items()) {
+  for (const auto& item : json.items()) {
+    const std::string& name = item.key();
     bool is_field = false;
     message.fields([&](std::string_view field, const auto&) { is_field = is_field || field == name; });
     if (!is_field) {
