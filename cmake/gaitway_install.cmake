@@ -21,7 +21,8 @@ gaitway_shared_folder(templates tools/templates)
 install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
 install(DIRECTORY core/config tools/scenarios tools/templates DESTINATION share/gaitway)
 install(FILES docs/first-plugin.md docs/plugin-interface.md docs/plugin-check.md docs/architecture.md docs/real_time.md docs/socketcan.md
-              docs/hardware.md docs/network.md docs/gaitway.dbc docs/bus-tools.md LICENSE DESTINATION share/doc/gaitway)
+              docs/hardware.md docs/network.md docs/gaitway.dbc docs/bus-tools.md
+              docs/api.md docs/api_examples.json docs/api_schemas.json LICENSE DESTINATION share/doc/gaitway)
 install(DIRECTORY docs/examples DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
 
 # Programs and what they load.

@@ -32,7 +32,7 @@ Json integer_schema(std::string_view type) {
   if (type == "int8") {
     return range<std::int8_t>();
   }
-  if (type == "uint8") {
+  if (type == "uint8" || type == "byte") {
     return range<std::uint8_t>();
   }
   if (type == "int16") {

@@ -52,6 +52,12 @@ std::string python_text(const T& value) {
   }
 }
 
+// The published definition calls this one a byte, which is the same in every encoding.
+template <Message M>
+constexpr bool is_byte(std::string_view field) {
+  return M::kName == ros::DiagnosticStatus::kName && field == "level";
+}
+
 template <Message M>
 void add(TypeRegistry& registry) {
   if (registry.types.contains(M::kName)) {
@@ -61,8 +67,8 @@ void add(TypeRegistry& registry) {
   description.name = M::kName;
   M{}.fields([&]<class T>(std::string_view name, const T& value) {
     using Element = typename FieldShape<T>::Element;
-    description.fields.push_back(
-        {name, type_name<Element>(), FieldShape<T>::kLength, Message<Element>, python_text(value)});
+    description.fields.push_back({name, is_byte<M>(name) ? "byte" : type_name<Element>(),
+                                  FieldShape<T>::kLength, Message<Element>, python_text(value)});
     if constexpr (Message<Element>) {
       add<Element>(registry);
     }

@@ -45,6 +45,9 @@ TEST(MessageDefinition, IsTheTextOfTheMsgFile) {
       "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n");
   EXPECT_EQ(message_definition("geometry_msgs/msg/TwistWithCovariance"),
             "geometry_msgs/Twist twist\nfloat64[36] covariance\n");
+  EXPECT_EQ(
+      message_definition("diagnostic_msgs/DiagnosticStatus"),
+      "byte level\nstring name\nstring message\nstring hardware_id\ndiagnostic_msgs/KeyValue[] values\n");
   EXPECT_EQ(message_definition("std_srvs/srv/SetBool_Response"), "bool success\nstring message\n");
   EXPECT_EQ(message_definition("std_srvs/srv/Trigger_Request"), "");
 }
