@@ -74,8 +74,9 @@ StepSchedule schedule_of(const YamlValue& plugin) {
 }
 
 PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
-  constexpr std::array<std::string_view, 9> kKeys{"name",  "library",  "isolation", "parameters",   "period",
-                                                  "phase", "fallback", "budget",    "give_up_after"};
+  constexpr std::array<std::string_view, 13> kKeys{
+      "name",   "library",       "isolation", "parameters", "period",      "phase", "fallback",
+      "budget", "give_up_after", "network",   "writes",     "descriptors", "memory"};
   map.require_map(kKeys);
   PluginEntry entry;
   entry.line = map.line();
@@ -93,6 +94,9 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
   }
   entry.schedule = schedule_of(map);
   entry.containment = read_containment(map);
+  entry.host = read_host_settings(map, entry.isolation == Isolation::process);
+  // Whoever reaches it over the network must not be able to put it out of service by keeping it busy.
+  entry.containment.give_up.never = entry.host.serves_network && !map.find("give_up_after");
   return entry;
 }
 

@@ -16,7 +16,25 @@ Containment::Containment(const ContainmentSettings& settings, Period period, Fal
       budget_ns_(step_budget_ns(settings, period == Period::batch)),
       fallbacks_(std::move(fallbacks)) {}
 
+bool Containment::is_news(const Tick& tick, Recovery recovery) noexcept {
+  constexpr std::int64_t kBetween_ns = 1'000'000'000;
+  const bool told = recovery == recovery_ || (recovery == Recovery::under_way && recovery_ == Recovery::lost);
+  const bool news = !told || (recovery != Recovery::awaited && recovery != Recovery::under_way);
+  const bool its_own = recovery == Recovery::not_needed || recovery == Recovery::awaited;
+  if (!news || !give_up_.never || !its_own) {
+    return news;
+  }
+  if (told_ns_ >= 0 && tick.now_ns - told_ns_ < kBetween_ns) {
+    return false;
+  }
+  told_ns_ = tick.now_ns;
+  return true;
+}
+
 bool Containment::is_one_too_many(const Tick& tick) noexcept {
+  if (give_up_.never) {
+    return false;
+  }
   fault_ns_[faults_ % fault_ns_.size()] = tick.now_ns;
   ++faults_;
   ++ruled_in_a_row_;

@@ -24,6 +24,8 @@ gaitway_host HostFunctions::table(LoadedPlugin& plugin) noexcept {
           .parameter = &parameter,
           .set_period = &set_period,
           .robot_directory = &robot_directory,
+          .memory_socket = &memory_socket,
+          .write_folder = &write_folder,
           .read = &read,
           .publish = &publish,
           .report = &report};
@@ -75,6 +77,14 @@ gaitway_status HostFunctions::set_period(void* context, gaitway_period period,
 
 const char* HostFunctions::robot_directory(void* context) noexcept {
   return plugin_of(context).robot_directory_.c_str();
+}
+
+const char* HostFunctions::memory_socket(void* context) noexcept {
+  return plugin_of(context).memory_socket_.c_str();
+}
+
+const char* HostFunctions::write_folder(void*) noexcept {
+  return "";  // of a process of its own alone
 }
 
 gaitway_status HostFunctions::read(void*, gaitway_port* port, void* value, gaitway_sample* sample) noexcept {

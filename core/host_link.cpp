@@ -13,14 +13,14 @@
 
 namespace gaitway::core {
 
-HostLink::HostLink(const std::filesystem::path& binary, const IsolationOptions& options) {
+HostLink::HostLink(const std::filesystem::path& binary, const HostBounds& bounds) {
   int ends[2] = {-1, -1};
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
     throw PluginError(fmt::format("no socket pair for its host: {}", strerror(errno)));
   }
   socket = process::FileDescriptor(ends[0]);
   const process::FileDescriptor theirs(ends[1]);
-  process = HostProcess(binary, theirs, options);
+  process = HostProcess(binary, theirs, bounds);
 }
 
 void HostLink::attach(const std::vector<std::uint32_t>& port_sizes) {

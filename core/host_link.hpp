@@ -16,7 +16,7 @@ namespace gaitway::core {
 class HostLink {
  public:
   // Starts the host. Throws PluginError.
-  HostLink(const std::filesystem::path& binary, const IsolationOptions& options);
+  HostLink(const std::filesystem::path& binary, const HostBounds& bounds);
 
   // Makes the segment and hands it over. Throws PluginError.
   void attach(const std::vector<std::uint32_t>& port_sizes);

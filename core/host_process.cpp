@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <poll.h>
+#include <sched.h>
 #include <signal.h>
 #include <spawn.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <string>
@@ -28,7 +30,7 @@ constexpr auto kPidfdType = static_cast<idtype_t>(3);  // P_PIDFD, which older h
 
 class SpawnSettings {
  public:
-  explicit SpawnSettings(int socket) {
+  SpawnSettings(int socket, bool ordinary_priority) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", 0, 0);
     posix_spawn_file_actions_adddup2(&actions_, socket, kHostSocket);
@@ -39,8 +41,13 @@ class SpawnSettings {
     posix_spawnattr_setsigmask(&attributes_, &none);
     posix_spawnattr_setsigdefault(&attributes_, &all);
     posix_spawnattr_setpgroup(&attributes_, 0);
-    posix_spawnattr_setflags(&attributes_,
-                             POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    // From its first moment: who starts it may be real-time.
+    const sched_param ordinary{};
+    posix_spawnattr_setschedpolicy(&attributes_, SCHED_OTHER);
+    posix_spawnattr_setschedparam(&attributes_, &ordinary);
+    const int scheduler = ordinary_priority ? POSIX_SPAWN_SETSCHEDULER : 0;
+    posix_spawnattr_setflags(&attributes_, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
+                                                              POSIX_SPAWN_SETPGROUP | scheduler));
   }
   ~SpawnSettings() {
     posix_spawn_file_actions_destroy(&actions_);
@@ -83,12 +90,14 @@ std::filesystem::path find_plugin_host() {
 }
 
 HostProcess::HostProcess(const std::filesystem::path& binary, const process::FileDescriptor& socket,
-                         const IsolationOptions& options) {
-  const SpawnSettings settings(socket.get());
-  std::array<std::string, 4> words{binary.string(), std::to_string(getpid()),
-                                   std::to_string(options.memory_limit_bytes),
-                                   std::to_string(options.descriptor_limit)};
-  std::array<char*, 5> arguments{words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
+                         const HostBounds& bounds) {
+  const SpawnSettings settings(socket.get(), bounds.serves_network);
+  std::array<std::string, 5> words{
+      binary.string(), std::to_string(getpid()), std::to_string(bounds.memory_limit_bytes),
+      std::to_string(bounds.descriptor_limit), bounds.serves_network ? kServesNetwork : "-"};
+  std::array<char*, 6> arguments{};
+  std::transform(words.begin(), words.end(), arguments.begin(),
+                 [](std::string& word) { return word.data(); });
   const int error = posix_spawn(&pid_, binary.c_str(), settings.actions(), settings.attributes(),
                                 arguments.data(), environ);
   if (error != 0) {

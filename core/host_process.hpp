@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "gaitway/core/isolation_options.hpp"
 #include "gaitway/process/file_descriptor.hpp"
+#include "host_bounds.hpp"
 
 namespace gaitway::core {
 
@@ -22,7 +22,7 @@ class HostProcess {
   HostProcess() = default;
   // Starts `binary`; `socket` becomes its only descriptor beside the standard ones. Throws PluginError.
   HostProcess(const std::filesystem::path& binary, const process::FileDescriptor& socket,
-              const IsolationOptions& options);
+              const HostBounds& bounds);
   // Kills it if it still runs.
   ~HostProcess();
   HostProcess(HostProcess&& other) noexcept { *this = std::move(other); }

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::int64_t kLook_ns = 500'000;  // between two looks whether the host still lives
 constexpr std::int64_t kFarewell_ns = 1'000'000'000;
+constexpr std::int64_t kLongestRestart_ns = 800'000'000;
+constexpr std::uint32_t kMostDoublings = 8;
 constexpr std::int64_t kBetweenSteps_ns = 10'000'000;  // real time: of a call that the tick waits for
 
 std::string_view name_of(HostCall call) noexcept {
@@ -132,7 +134,11 @@ bool IsolatedPlugin::take_reply() noexcept {
 }
 
 std::int64_t IsolatedPlugin::between_steps_limit_ns() const noexcept {
-  return options_.lock_step ? options_.watchdog_ns : kBetweenSteps_ns;
+  if (options_.lock_step) {
+    return options_.watchdog_ns;
+  }
+  // Whoever takes such a plug-in over must not have the ticks wait for it.
+  return settings_.serves_network ? step_budget_ns(containment_, period_ == Period::batch) : kBetweenSteps_ns;
 }
 
 // A call between two steps, or at set-up. False: it failed, and fault() says why.
@@ -289,23 +295,43 @@ void IsolatedPlugin::lose(std::string_view what, std::int64_t now_ns) noexcept {
     link_->process.kill();
   }
   lost_ns_ = now_ns;
-  restart_ns_ = now_ns + options_.restart_delay_ns;
+  restart_ns_ = now_ns + restart_delay_ns(now_ns);
   condition_ = Condition::lost;
   lost_in_step_ = true;
-  std::uint64_t recent = 0;
-  const std::uint64_t known = std::min<std::uint64_t>(replaced_, replaced_ns_.size());
-  for (std::uint64_t i = 0; i < known; ++i) {
-    recent += now_ns - replaced_ns_[i] < options_.replacement_window_ns ? 1U : 0U;
-  }
   std::array<char, 512> text{};
   format_into(text, "{}", what);
   loss_text_ = text;
-  if (recent >= options_.replacements) {
+  const std::uint64_t recent = recent_replacements(now_ns);
+  if (!settings_.serves_network && recent >= options_.replacements) {
     condition_ = Condition::given_up;
     format_into(loss_text_, "its process was replaced {} times within {:g} s; last, {}", recent,
                 static_cast<double>(options_.replacement_window_ns) * 1e-9, std::string_view(text.data()));
   }
   set_fault(loss_text_.data());
+}
+
+std::uint64_t IsolatedPlugin::recent_replacements(std::int64_t now_ns) const noexcept {
+  std::uint64_t recent = 0;
+  const std::uint64_t known = std::min<std::uint64_t>(replaced_, replaced_ns_.size());
+  for (std::uint64_t i = 0; i < known; ++i) {
+    recent += now_ns - replaced_ns_[i] < options_.replacement_window_ns ? 1U : 0U;
+  }
+  return recent;
+}
+
+// One that serves the network is always replaced, or whoever can end it could shut the door; but the oftener
+// the later.
+std::int64_t IsolatedPlugin::restart_delay_ns(std::int64_t now_ns) noexcept {
+  if (!settings_.serves_network) {
+    return options_.restart_delay_ns;
+  }
+  const bool ran = condition_ == Condition::active || condition_ == Condition::late;
+  if (ran && now_ns - came_back_ns_ >= options_.replacement_window_ns) {
+    losses_in_a_row_ = 0;
+  }
+  const std::int64_t delay_ns = options_.restart_delay_ns << std::min(losses_in_a_row_, kMostDoublings);
+  ++losses_in_a_row_;
+  return std::min(delay_ns, kLongestRestart_ns);
 }
 
 void IsolatedPlugin::restate_loss() noexcept {

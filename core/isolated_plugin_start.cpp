@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gaitway/core/host_settings.hpp"
 #include "gaitway/core/isolated_plugin.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/process/real_time.hpp"
@@ -25,6 +26,18 @@ std::string binary_for(const std::string& place) {
   }
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  if (!folder.empty()) {
+    std::filesystem::create_directories(folder, problem);
+  }
+  if (problem) {
+    throw PluginError(
+        fmt::format("its folder '{}' cannot be made: {}. Correct the key 'writes', or its rights",
+                    folder.string(), problem.message()));
+  }
+}
+
 EventKind kind_of(std::uint32_t severity) noexcept {
   return severity == GAITWAY_INFO      ? EventKind::info
          : severity == GAITWAY_WARNING ? EventKind::warning
@@ -36,14 +49,17 @@ EventKind kind_of(std::uint32_t severity) noexcept {
 IsolatedPlugin::IsolatedPlugin(const PluginEntry& entry, const PluginSource& source,
                                const IsolationOptions& options, EventLog& events)
     : ManagedPlugin(entry, source.configuration_file, events),
-      options_(options),
+      settings_(entry.host),
+      options_(options_for(entry.host, options)),
       containment_(entry.containment),
       library_(entry.library),
       base_(source.configuration_file.parent_path().string()),
       robot_directory_(source.robot_directory.string()),
+      memory_socket_(source.memory_socket.string()),
       host_binary_(binary_for(place_)),
       search_path_(source.search_path) {
   try {
+    make_folder(settings_.writes);
     start();
     while (!attend_start(options_.start_limit_ns)) {
     }
@@ -59,9 +75,13 @@ void IsolatedPlugin::start() {
   declared_ports_ = 0;
   parameter_error_.reset();
   start_began_ns_ = process::monotonic_ns();
-  link_ = std::make_unique<HostLink>(host_binary_, options_);
+  link_ =
+      std::make_unique<HostLink>(host_binary_, HostBounds{.memory_limit_bytes = options_.memory_limit_bytes,
+                                                          .descriptor_limit = options_.descriptor_limit,
+                                                          .serves_network = settings_.serves_network});
   PacketWriter packet(HostMessage::create);
-  packet.text(library_).text(base_).text(robot_directory_);
+  packet.text(library_).text(base_).text(robot_directory_).text(memory_socket_);
+  packet.text(settings_.writes.native());
   packet.number(static_cast<std::uint32_t>(search_path_.size()));
   for (const std::filesystem::path& folder : search_path_) {
     packet.text(folder.native());
@@ -76,13 +96,10 @@ bool IsolatedPlugin::attend_start(std::int64_t wait_ns) {
     const bool ended = link_->process.has_ended();  // before the look for messages: none comes after it
     process::FileDescriptor unwanted;
     const Receipt receipt = receive_packet(link_->socket, link_->packet, false, unwanted);
-    if (receipt == Receipt::packet) {
-      if (take_message()) {
-        return true;
-      }
-      continue;
+    if (receipt == Receipt::packet && take_message()) {
+      return true;
     }
-    if (ended) {
+    if (ended && receipt != Receipt::packet) {
       throw PluginError(fmt::format("its host {} while it constructed the plug-in", link_->process.end()));
     }
     const std::int64_t now_ns = process::monotonic_ns();
@@ -93,7 +110,10 @@ bool IsolatedPlugin::attend_start(std::int64_t wait_ns) {
           static_cast<double>(options_.start_limit_ns) * 1e-9));
     }
     if (now_ns >= end_ns) {
-      return false;
+      return false;  // also when one message follows the other: there are ticks to keep
+    }
+    if (receipt == Receipt::packet) {
+      continue;
     }
     link_->wait_for_message(static_cast<int>((end_ns - now_ns) / kMillisecond_ns + 1));
   }
@@ -203,6 +223,11 @@ void IsolatedPlugin::take_parameter(PacketReader& packet) {
   wanted.highest = packet.number<double>();
   wanted.live = packet.number<std::uint32_t>();
   check_parameter(&wanted);
+  const auto& known = parameters_.declared();
+  if (replaced_ > 0 && std::none_of(known.begin(), known.end(),
+                                    [&name](const Parameter& other) { return other.name == name; })) {
+    throw PluginError(fmt::format("declares parameter '{}', unlike when it was first started", name));
+  }
   const gaitway_value value = parameters_.declare(wanted);
   send_packet(link_->socket, PacketWriter(HostMessage::granted).value(value).bytes());
 }
@@ -230,7 +255,9 @@ void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
          now_ns);
   }
   try {
-    if (condition_ == Condition::lost && now_ns >= restart_ns_) {
+    // Real time: a process that the kernel still keeps is not waited for.
+    const bool gone = options_.lock_step || !link_ || link_->process.has_ended();
+    if (condition_ == Condition::lost && now_ns >= restart_ns_ && gone) {
       live_values_.clear();
       for (const Parameter& parameter : parameters_.declared()) {
         if (parameter.live) {
@@ -318,6 +345,7 @@ void IsolatedPlugin::reapply_parameters() {
 
 void IsolatedPlugin::come_back(std::int64_t now_ns) {
   condition_ = Condition::active;
+  came_back_ns_ = now_ns;
   reapply_parameters();
   events_->add(now_ns, tick_.tick, EventKind::info, name_,
                fmt::format("runs in a new process, {}, after {} ms",

@@ -22,6 +22,7 @@ PluginLibrary load(const PluginEntry& entry, const PluginSource& source, const s
 LoadedPlugin::LoadedPlugin(const PluginEntry& entry, const PluginSource& source, EventLog& events)
     : ManagedPlugin(entry, source.configuration_file, events),
       robot_directory_(source.robot_directory.string()),
+      memory_socket_(source.memory_socket.string()),
       library_(load(entry, source, place_)),
       host_(HostFunctions::table(*this)) {
   construct();

@@ -21,7 +21,8 @@ PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainCo
           .injected_faults = options.injected_faults,
           .step_watch = options.step_watch,
           .try_at_start = options.try_at_start,
-          .left_out = options.left_out};
+          .left_out = options.left_out,
+          .memory_socket = options.memory_socket};
 }
 
 // Topics of the message controller lie beyond the EMI.
@@ -44,6 +45,7 @@ MainController::MainController(const urdf::RobotModel& robot, msgclient::Client&
     : check_(robot),
       host_(host),
       wall_clock_(options.wall_clock),
+      event_publisher_(client),
       manager_(options.plugins ? *options.plugins : read_configuration(options.configuration),
                manager_options(robot, options), client),
       joint_plan_reader_(client.read<JointPlan>("joint_plan")),
@@ -74,6 +76,11 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   const std::int64_t duration_ns = wall_clock_ == nullptr ? 0 : wall_clock_() - begin_ns;
   (tick.batch ? batch_wall_ : tick_wall_).add(duration_ns);
   return report;
+}
+
+void MainController::maintain(std::int64_t now_ns) noexcept {
+  manager_.maintain(now_ns);
+  event_publisher_.step(manager_.events(), now_ns);
 }
 
 void MainController::take_answers(const Tick& tick) noexcept {
@@ -216,6 +223,7 @@ void MainController::note_refusal(const Tick& tick, std::string_view text) noexc
 MainControllerStatistics MainController::statistics() const {
   MainControllerStatistics result = counts_;
   result.last_refusal = last_refusal_.data();
+  result.events_missed = event_publisher_.missed();
   result.batch_compute_us = batch_wall_.summary();
   result.tick_compute_us = tick_wall_.summary();
   result.plugins = manager_.timings();

@@ -142,6 +142,7 @@ int run(Options options) {
     }
   }
   options.controller.wall_time_decides = true;
+  options.controller.memory_socket = std::filesystem::absolute(options.socket);
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
   msgclient::Client client = msgclient::Client::connect(options.socket, "main_controller");
   msgclient::EmiHost host(client);

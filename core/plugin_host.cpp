@@ -15,6 +15,7 @@
 #include "gaitway/core/detail/plugin_border.hpp"
 #include "host_bounds.hpp"
 #include "host_messages.hpp"
+#include "network_bounds.hpp"
 #include "plugin_host_functions.hpp"
 
 namespace gaitway::core {
@@ -56,18 +57,27 @@ bool PluginHost::create() {
   const std::string file = packet.text();
   const std::filesystem::path base = packet.text();
   robot_directory_ = packet.text();
+  memory_socket_ = packet.text();
+  write_folder_ = packet.text();
   SearchPath path;
   for (auto left = packet.number<std::uint32_t>(); left > 0; --left) {
     path.emplace_back(packet.text());
   }
+  return load(file, base, path) && construct();
+}
+
+bool PluginHost::load(const std::string& file, const std::filesystem::path& base, const SearchPath& path) {
   try {
+    if (serves_network_) {
+      may_write_ = confine_writes(write_folder_) && !write_folder_.empty();
+    }
     library_ = std::make_unique<PluginLibrary>(file, base, path);
   } catch (const PluginError& error) {
     send_packet(socket_, PacketWriter(HostMessage::library_failed).text(error.what()).bytes());
     return false;
   }
   describe_deaths_in(library_->entry());
-  return construct();
+  return true;
 }
 
 bool PluginHost::construct() {
@@ -112,6 +122,14 @@ bool PluginHost::attach() {
     ports_[i].area = reinterpret_cast<PortArea*>(begin + layout.port_offset[i]);
   }
   leave_last_words_in(exchange_->last_words);
+  if (serves_network_) {
+    try {
+      end_set_up(may_write_);
+    } catch (const PluginError& error) {
+      send_packet(socket_, PacketWriter(HostMessage::library_failed).text(error.what()).bytes());
+      return false;
+    }
+  }
   if (!send_packet(socket_, PacketWriter(HostMessage::attached).bytes())) {
     return false;
   }

@@ -16,11 +16,14 @@
 
 namespace gaitway::core {
 
-inline constexpr int kHostSocket = 3;  // where the manager left it
+inline constexpr int kHostSocket = 3;                    // where the manager left it
+inline constexpr const char* kServesNetwork = "serves";  // last word of the host's command line, or another
 
 class PluginHost {
  public:
-  explicit PluginHost(process::FileDescriptor socket) : socket_(std::move(socket)) {}
+  // `serves_network`: it is bound as network_bounds.hpp says.
+  PluginHost(process::FileDescriptor socket, bool serves_network)
+      : socket_(std::move(socket)), serves_network_(serves_network) {}
   PluginHost(const PluginHost&) = delete;
   PluginHost& operator=(const PluginHost&) = delete;
 
@@ -38,6 +41,7 @@ class PluginHost {
   enum class Phase : std::uint8_t { creating, idle, stepping };
 
   bool create();
+  bool load(const std::string& file, const std::filesystem::path& base, const SearchPath& path);
   bool construct();
   bool attach();
   void serve();
@@ -49,8 +53,10 @@ class PluginHost {
   gaitway_status set_parameter(const HostRequest& request, const gaitway_text& error) noexcept;
 
   process::FileDescriptor socket_;
+  const bool serves_network_;
+  bool may_write_ = false;  // of one that does, once it is set up
   std::unique_ptr<PluginLibrary> library_;
-  std::string robot_directory_;
+  std::string robot_directory_, memory_socket_, write_folder_;
   std::deque<Port> ports_;         // stable addresses: the plug-in holds them
   std::deque<std::string> texts_;  // values of parameters
   gaitway_host host_{};

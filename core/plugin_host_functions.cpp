@@ -36,6 +36,8 @@ gaitway_host PluginHost::Functions::table(PluginHost& host) noexcept {
           .parameter = &parameter,
           .set_period = &set_period,
           .robot_directory = &robot_directory,
+          .memory_socket = &memory_socket,
+          .write_folder = &write_folder,
           .read = &read,
           .publish = &publish,
           .report = &report};
@@ -107,6 +109,14 @@ gaitway_status PluginHost::Functions::set_period(void* context, gaitway_period p
 
 const char* PluginHost::Functions::robot_directory(void* context) noexcept {
   return host_of(context).robot_directory_.c_str();
+}
+
+const char* PluginHost::Functions::memory_socket(void* context) noexcept {
+  return host_of(context).memory_socket_.c_str();
+}
+
+const char* PluginHost::Functions::write_folder(void* context) noexcept {
+  return host_of(context).write_folder_.c_str();
 }
 
 gaitway_status PluginHost::Functions::read(void*, gaitway_port* port, void* value,

@@ -16,6 +16,8 @@ struct PluginHost::Functions {
                                   const gaitway_text* error) noexcept;
   static gaitway_status set_period(void* context, gaitway_period period, const gaitway_text* error) noexcept;
   static const char* robot_directory(void* context) noexcept;
+  static const char* memory_socket(void* context) noexcept;
+  static const char* write_folder(void* context) noexcept;
   static gaitway_status read(void* context, gaitway_port* port, void* value, gaitway_sample* sample) noexcept;
   static gaitway_status publish(void* context, gaitway_port* port, const void* value) noexcept;
   static void report(void* context, gaitway_severity severity, const char* text) noexcept;

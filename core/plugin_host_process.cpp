@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <string_view>
 
 #include "host_bounds.hpp"
 #include "plugin_host.hpp"
@@ -24,7 +25,7 @@ extern "C" const char* __asan_default_options() {
 int main(int argc, char** argv) {
   using namespace gaitway;
   constexpr int kExitBadInput = 1;
-  if (argc != 4 || fcntl(core::kHostSocket, F_GETFD) < 0) {
+  if (argc != 5 || fcntl(core::kHostSocket, F_GETFD) < 0) {
     std::fprintf(
         stderr,
         "gaitway_plugin_host is started by the main controller, for plug-ins with `isolation: process` "
@@ -35,13 +36,14 @@ int main(int argc, char** argv) {
   if (getppid() != static_cast<pid_t>(std::strtol(argv[1], nullptr, 10))) {
     return 0;  // it is gone already
   }
-  core::enter_host_bounds({.memory_limit_bytes = std::strtoull(argv[2], nullptr, 10),
-                           .descriptor_limit = std::strtoull(argv[3], nullptr, 10)},
-                          core::kHostSocket + 1);
+  const core::HostBounds bounds{.memory_limit_bytes = std::strtoull(argv[2], nullptr, 10),
+                                .descriptor_limit = std::strtoull(argv[3], nullptr, 10),
+                                .serves_network = std::string_view(argv[4]) == core::kServesNetwork};
+  core::enter_host_bounds(bounds, core::kHostSocket + 1);
   try {
     // _exit: what the plug-in left for the process's end must not run beside a manager that waits.
     std::fflush(nullptr);
-    _exit(core::PluginHost(process::FileDescriptor(core::kHostSocket)).run());
+    _exit(core::PluginHost(process::FileDescriptor(core::kHostSocket), bounds.serves_network).run());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gaitway_plugin_host: %s\n", error.what());
     _exit(kExitBadInput);

@@ -9,6 +9,36 @@
 #include "plugin_trial.hpp"
 
 namespace gaitway::core {
+namespace {
+
+bool lies_in(const std::filesystem::path& inner, const std::filesystem::path& outer) {
+  const std::filesystem::path path =
+      std::filesystem::weakly_canonical(inner).lexically_relative(std::filesystem::weakly_canonical(outer));
+  return !path.empty() && *path.begin() != "..";
+}
+
+// Whoever takes over a plug-in that serves the network writes files there: none of them must be loaded.
+void require_apart(const PluginEntry& server, const Configuration& configuration, const SearchPath& path) {
+  const auto refuse = [&](const std::filesystem::path& place) {
+    throw ConfigurationError(fmt::format(
+        "{}:{}: writes = '{}': '{}' lies there, from which plug-ins are loaded. Choose a folder of its own",
+        configuration.file.string(), server.line, server.host.writes.string(), place.string()));
+  };
+  for (const std::filesystem::path& folder : path) {
+    if (lies_in(folder, server.host.writes)) {
+      refuse(folder);
+    }
+  }
+  for (const PluginEntry& entry : configuration.plugins) {
+    const std::filesystem::path file = configuration.file.parent_path() / entry.library;
+    if (entry.library.find('/') != std::string::npos && lies_in(file, server.host.writes)) {
+      refuse(file);
+    }
+  }
+}
+
+}  // namespace
+
 PluginManager::PluginManager(const Configuration& configuration, const PluginManagerOptions& options,
                              msgclient::Client& client)
     : options_(options),
@@ -74,6 +104,9 @@ void PluginManager::load_all(const Configuration& configuration) {
           fmt::format("{}:{}: name: '{}' is there twice. Names must be unique: give one of them "
                       "another name",
                       configuration.file.string(), entry.line, entry.name));
+    }
+    if (!entry.host.writes.empty()) {
+      require_apart(entry, configuration, search_path_);
     }
     if (std::find(options_.left_out.begin(), options_.left_out.end(), entry.name) !=
         options_.left_out.end()) {

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "parameter_line.hpp"
+
 namespace gaitway::core {
 namespace {
 
@@ -33,18 +35,31 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
     case PluginVerb::start:
       return manager.prepare_start(plugin);
     case PluginVerb::set:
+    case PluginVerb::describe_parameter:
       break;
   }
-  throw PluginError(
-      fmt::format("there is no verb {}: 0 reloads, 1 loads, 2 unloads, 3 sets a parameter, 4 stops, 5 starts",
-                  request.verb));
+  throw PluginError(fmt::format(
+      "there is no verb {}: 0 reloads, 1 loads, 2 unloads, 3 sets a parameter, 4 stops, 5 starts, "
+      "6 describes a parameter",
+      request.verb));
+}
+
+// A plug-in's name becomes its library's where there is none.
+void require_no_path(const PluginRequest& request) {
+  for (const std::string& name : {text_of(request.library), text_of(request.plugin)}) {
+    if (name.find('/') != std::string::npos) {
+      throw PluginError(fmt::format(
+          "'{}': over the network a library is named without its folder. Put it on the plug-in path", name));
+    }
+  }
 }
 
 }  // namespace
 
 PluginRequests::PluginRequests(msgclient::Client& client, PluginManager& manager)
     : manager_(manager),
-      requests_(client.read_queue<PluginRequest>("plugin_request")),
+      requests_{client.read_queue<PluginRequest>("plugin_request"),
+                client.read_queue<PluginRequest>("api_plugin_request")},
       answers_(client.write_stream<PluginAnswer>("plugin_answer")) {}
 
 void PluginRequests::go_to(Stage stage) noexcept {
@@ -58,7 +73,7 @@ void PluginRequests::go_to(Stage stage) noexcept {
 void PluginRequests::step(std::int64_t now_ns) {
   switch (stage_.load(std::memory_order_acquire)) {
     case Stage::idle:
-      if (requests_.pop(request_)) {
+      if (take_request()) {
         begin(now_ns);
       }
       break;
@@ -86,22 +101,58 @@ void PluginRequests::step(std::int64_t now_ns) {
   }
 }
 
-void PluginRequests::begin(std::int64_t now_ns) {
-  if (static_cast<PluginVerb>(request_.verb) != PluginVerb::set) {
-    go_to(Stage::preparing);
-    return;
+// The queue that was served last comes second.
+bool PluginRequests::take_request() {
+  for (std::size_t i = 0; i < requests_.size(); ++i) {
+    const std::size_t queue = (next_queue_ + i) % requests_.size();
+    if (requests_[queue].pop(request_)) {
+      from_network_ = queue == 1;
+      next_queue_ = (queue + 1) % requests_.size();
+      return true;
+    }
   }
-  const std::string parameter = text_of(request_.parameter);
-  const std::string value = text_of(request_.value);
+  return false;
+}
+
+void PluginRequests::begin(std::int64_t now_ns) {
   try {
-    manager_.set_parameter(text_of(request_.plugin), parameter, value);
+    switch (static_cast<PluginVerb>(request_.verb)) {
+      case PluginVerb::set:
+        set_parameter();
+        break;
+      case PluginVerb::describe_parameter:
+        describe_parameter();
+        break;
+      default:
+        if (from_network_) {
+          require_no_path(request_);
+        }
+        go_to(Stage::preparing);
+        return;
+    }
     done_ = true;
-    text_ = fmt::format("{} is {} from now on", parameter, value);
   } catch (const std::exception& error) {
     done_ = false;
     text_ = error.what();
   }
   answer(now_ns);
+}
+
+void PluginRequests::set_parameter() {
+  const std::string parameter = text_of(request_.parameter);
+  const std::string value = text_of(request_.value);
+  manager_.set_parameter(text_of(request_.plugin), parameter, value);
+  text_ = fmt::format("{} is {} from now on", parameter, value);
+}
+
+void PluginRequests::describe_parameter() {
+  const std::string plugin = text_of(request_.plugin);
+  const auto& parameters = manager_.parameters_of(plugin).declared();
+  if (request_.index >= parameters.size()) {
+    throw PluginError(fmt::format("plug-in '{}' has {} parameters: there is no number {}, counted from 0",
+                                  plugin, parameters.size(), request_.index));
+  }
+  text_ = parameter_line(parameters[request_.index], sizeof(PluginAnswer::text) - 1);
 }
 
 void PluginRequests::answer(std::int64_t now_ns) {

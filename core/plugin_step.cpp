@@ -138,7 +138,7 @@ void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun)
   const std::string& name = slot.plugin->name();
   Containment& containment = slot.containment;
   const Recovery recovery = slot.plugin->recovery();
-  if (containment.is_news(recovery)) {
+  if (containment.is_news(tick, recovery)) {
     events_.add(tick.now_ns, tick.tick, EventKind::fault, name, slot.plugin->fault());
   }
   if (&slot == trial_) {

@@ -17,6 +17,7 @@ enum class Verb : std::uint32_t {
   hello = 1,    // answered with the directory
   open = 2,     // answered with the topic's storage, and a queue's cursor
   release = 3,  // a claim is given back; not answered
+  seal = 4,     // from now on this connection asks for nothing more
 };
 
 struct Request {

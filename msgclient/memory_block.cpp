@@ -12,6 +12,9 @@ class LocalSource final : public TopicSource {
       : registry_(std::move(registry)), name_(std::move(name)), id_(registry_->new_client()) {}
 
   TopicGrant open(const TopicDescriptor& descriptor, Role role) override {
+    if (sealed_) {
+      throw TopicError(sealed_text(name_, descriptor.name));
+    }
     TopicGrant grant = registry_->open(id_, name_, descriptor, role);
     if (role == Role::writer || descriptor.kind == TopicKind::queue) {
       grant.claim = Claim([registry = registry_, id = id_, topic = descriptor.name, role] {
@@ -20,6 +23,7 @@ class LocalSource final : public TopicSource {
     }
     return grant;
   }
+  void seal() override { sealed_ = true; }
   std::vector<TopicInfo> directory() const override { return registry_->directory().rows(); }
   std::uint64_t generation() const noexcept override { return registry_->directory().generation(); }
   std::int64_t heartbeat_ns() const noexcept override { return registry_->directory().heartbeat_ns(); }
@@ -28,6 +32,7 @@ class LocalSource final : public TopicSource {
   std::shared_ptr<TopicRegistry> registry_;
   std::string name_;
   ClientId id_;
+  bool sealed_ = false;
 };
 
 }  // namespace

@@ -38,13 +38,25 @@ struct Reply {
   }
 };
 
+struct Asker {
+  ClientId id = 0;
+  bool sealed = false;
+};
+
 // Throws TopicError when the request is refused.
-Reply reply_to(TopicRegistry& registry, ClientId client, const protocol::Request& request) {
+Reply reply_to(TopicRegistry& registry, Asker& asker, const protocol::Request& request) {
   if (request.magic != protocol::kMagic) {
     throw TopicError(
         "the client speaks another version of the memory block's protocol: build both from the same release");
   }
+  if (asker.sealed) {
+    throw TopicError(sealed_text(name_of(request.client), name_of(request.topic)));
+  }
   Reply reply;
+  if (request.verb == protocol::Verb::seal) {
+    asker.sealed = true;
+    return reply;
+  }
   if (request.verb == protocol::Verb::hello) {
     reply.give(registry.directory_segment(), Access::read_only);
     return reply;
@@ -53,7 +65,7 @@ Reply reply_to(TopicRegistry& registry, ClientId client, const protocol::Request
     throw TopicError("the client asks for something unknown: build both from the same release");
   }
   const TopicGrant grant =
-      registry.open(client, std::string(name_of(request.client)), descriptor_of(request), request.role);
+      registry.open(asker.id, std::string(name_of(request.client)), descriptor_of(request), request.role);
   const bool writer = request.role == Role::writer;
   reply.answer.capacity = grant.descriptor.capacity;
   reply.answer.slots = grant.geometry.slots;
@@ -69,7 +81,7 @@ Reply reply_to(TopicRegistry& registry, ClientId client, const protocol::Request
 
 struct MemoryBlockServer::Connection {
   process::FileDescriptor socket;
-  ClientId id = 0;
+  Asker asker;
 };
 
 MemoryBlockServer::MemoryBlockServer(const MemoryBlock& block, std::filesystem::path socket)
@@ -77,7 +89,7 @@ MemoryBlockServer::MemoryBlockServer(const MemoryBlock& block, std::filesystem::
 
 MemoryBlockServer::~MemoryBlockServer() {
   for (const Connection& connection : connections_) {
-    registry_->release_all(connection.id);
+    registry_->release_all(connection.asker.id);
   }
 }
 
@@ -103,7 +115,7 @@ void MemoryBlockServer::accept_clients() {
       return;
     }
     listener_.watch(socket);
-    connections_.push_back({std::move(socket), registry_->new_client()});
+    connections_.push_back({std::move(socket), {.id = registry_->new_client()}});
     if (!serve(connections_.back())) {
       drop(std::prev(connections_.end()));
     }
@@ -111,7 +123,7 @@ void MemoryBlockServer::accept_clients() {
 }
 
 void MemoryBlockServer::drop(std::list<Connection>::iterator connection) {
-  registry_->release_all(connection->id);
+  registry_->release_all(connection->asker.id);
   connections_.erase(connection);  // closing the socket also takes it out of the epoll set
 }
 
@@ -128,12 +140,12 @@ bool MemoryBlockServer::serve(Connection& connection) {
         return false;
     }
     if (request.magic == protocol::kMagic && request.verb == protocol::Verb::release) {
-      registry_->release(connection.id, std::string(name_of(request.topic)), request.role);
+      registry_->release(connection.asker.id, std::string(name_of(request.topic)), request.role);
       continue;
     }
     Reply reply;
     try {
-      reply = reply_to(*registry_, connection.id, request);
+      reply = reply_to(*registry_, connection.asker, request);
     } catch (const std::exception& error) {
       reply = {};
       reply.answer.refused = 1;

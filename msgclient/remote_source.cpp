@@ -135,6 +135,11 @@ class RemoteSource final : public TopicSource {
     }
     return grant;
   }
+  void seal() override {
+    protocol::Request request;
+    request.verb = protocol::Verb::seal;
+    connection_->ask(request);
+  }
   std::vector<TopicInfo> directory() const override { return directory_.rows(); }
   std::uint64_t generation() const noexcept override { return directory_.generation(); }
   std::int64_t heartbeat_ns() const noexcept override { return directory_.heartbeat_ns(); }

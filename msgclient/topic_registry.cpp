@@ -67,6 +67,11 @@ std::string_view kind_name(TopicKind kind) noexcept {
   return index < std::size(kNames) ? kNames[index] : "unknown kind";  // as a broken peer may name one
 }
 
+std::string sealed_text(std::string_view client, std::string_view topic) {
+  return fmt::format("topic '{}': '{}' is sealed: it opens nothing more. Open all topics before seal()",
+                     topic, client);
+}
+
 TopicRegistry::TopicRegistry(std::size_t block_bytes)
     : block_bytes_(block_bytes),
       used_bytes_(whole_pages(Directory::bytes())),

@@ -12,6 +12,9 @@ namespace gaitway::msgclient {
 
 using ClientId = std::uint64_t;
 
+// Why a client that was sealed gets no topic.
+[[nodiscard]] std::string sealed_text(std::string_view client, std::string_view topic);
+
 class TopicRegistry {
  public:
   explicit TopicRegistry(std::size_t block_bytes);

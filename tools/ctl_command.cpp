@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string_view>
@@ -35,7 +37,8 @@ constexpr std::array kVerbs{
     Verb{"unload", PluginVerb::unload, "Take a plug-in out"},
     Verb{"stop", PluginVerb::stop, "Take a plug-in out of service: fallbacks write its topics"},
     Verb{"start", PluginVerb::start, "Load a plug-in that was stopped or left out, afresh"},
-    Verb{"set", PluginVerb::set, "Change a parameter that may change while the plug-in runs"}};
+    Verb{"set", PluginVerb::set, "Change a parameter that may change while the plug-in runs"},
+    Verb{"parameters", PluginVerb::describe_parameter, "List a plug-in's parameters and their values"}};
 
 template <std::size_t size>
 void copy_text(const std::string& text, std::uint8_t (&field)[size], std::string_view what) {
@@ -63,6 +66,79 @@ PluginVerb parsed_verb(const CLI::App& command) {
   const auto verb = std::find_if(kVerbs.begin(), kVerbs.end(),
                                  [&](const Verb& one) { return command.got_subcommand(one.name); });
   return verb->verb;  // one is required
+}
+
+// Requests over the memory block, each with its answer. Complains where there is none.
+class Conversation {
+ public:
+  explicit Conversation(const CtlOptions& options)
+      : client_(msgclient::Client::connect(options.socket, "ctl")),
+        answers_(client_.read_stream<PluginAnswer>("plugin_answer")),
+        requests_(client_.write_queue<PluginRequest>("plugin_request")),
+        timeout_s_(options.timeout_s) {}
+
+  std::optional<PluginAnswer> ask(const PluginRequest& request) {
+    if (!requests_.push(request, process::monotonic_ns())) {
+      fmt::print(stderr, "gaitway ctl: too many requests are waiting. Is the main controller running?\n");
+      return std::nullopt;
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout_s_);
+    PluginAnswer answer{};
+    while (std::chrono::steady_clock::now() < end) {
+      if (answers_.read(answer) && answer.number == request.number) {
+        return answer;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the memory block has no doorbell for us
+    }
+    fmt::print(stderr, "gaitway ctl: no answer within {} s. Is the main controller running?\n", timeout_s_);
+    return std::nullopt;
+  }
+
+ private:
+  msgclient::Client client_;
+  msgclient::StreamReader<PluginAnswer> answers_;
+  msgclient::QueueWriter<PluginRequest> requests_;
+  double timeout_s_;
+};
+
+std::string_view text_of(const PluginAnswer& answer) {
+  const auto* const text = reinterpret_cast<const char*>(answer.text);
+  return {text, strnlen(text, sizeof answer.text)};
+}
+
+int change(Conversation& conversation, const PluginRequest& request, const std::string& plugin) {
+  const std::optional<PluginAnswer> answer = conversation.ask(request);
+  if (!answer) {
+    return kExitNoAnswer;
+  }
+  const bool done = answer->done != 0;
+  fmt::print(done ? stdout : stderr, "{}: {}\n", plugin, text_of(*answer));
+  return done ? kExitFine : kExitRefused;
+}
+
+void print_parameter(const nlohmann::json& parameter) {
+  const std::string unit = parameter.at("unit");
+  fmt::print("{:<24} {:>12} {:<10} {:<5} {}\n", parameter.at("name").get<std::string>(),
+             parameter.at("value").get<std::string>(), unit == "1" ? "" : unit,
+             parameter.at("live").get<bool>() ? "live" : "", parameter.at("doc").get<std::string>());
+}
+
+// One after the other, until there is none of the next number.
+int list_parameters(Conversation& conversation, PluginRequest request) {
+  for (request.index = 0;; ++request.index, ++request.number) {
+    const std::optional<PluginAnswer> answer = conversation.ask(request);
+    if (!answer) {
+      return kExitNoAnswer;
+    }
+    if (answer->done == 0) {
+      if (request.index > 0) {
+        return kExitFine;
+      }
+      fmt::print(stderr, "{}\n", text_of(*answer));
+      return kExitRefused;
+    }
+    print_parameter(nlohmann::json::parse(text_of(*answer)));
+  }
 }
 
 }  // namespace
@@ -93,6 +169,7 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
       "  gaitway ctl --socket /run/gaitway.sock reload trajectory\n"
       "  gaitway ctl --socket /run/gaitway.sock reload sway --library build/libsway.so\n"
       "  gaitway ctl --socket /run/gaitway.sock stop stability\n"
+      "  gaitway ctl --socket /run/gaitway.sock parameters sway\n"
       "  gaitway ctl --socket /run/gaitway.sock set sway amplitude \"0.03 m\"\n"
       "A plug-in that cannot take its place leaves the old one where it is. Exit code: 0 done, 1 the input "
       "was\n"
@@ -101,29 +178,11 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
 }
 
 int ctl(const CLI::App& command, const CtlOptions& options) {
-  const PluginRequest request = request_of(parsed_verb(command), options);
-  msgclient::Client client = msgclient::Client::connect(options.socket, "ctl");
-  auto answers = client.read_stream<PluginAnswer>("plugin_answer");
-  auto requests = client.write_queue<PluginRequest>("plugin_request");
-  if (!requests.push(request, process::monotonic_ns())) {
-    fmt::print(stderr, "gaitway ctl: too many requests are waiting. Is the main controller running?\n");
-    return kExitNoAnswer;
-  }
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.timeout_s);
-  PluginAnswer answer{};
-  while (std::chrono::steady_clock::now() < end) {
-    if (answers.read(answer) && answer.number == request.number) {
-      const auto* const text = reinterpret_cast<const char*>(answer.text);
-      const bool done = answer.done != 0;
-      fmt::print(done ? stdout : stderr, "{}: {}\n", options.plugin,
-                 std::string_view(text, strnlen(text, sizeof answer.text)));
-      return done ? kExitFine : kExitRefused;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the memory block has no doorbell for us
-  }
-  fmt::print(stderr, "gaitway ctl: no answer within {} s. Is the main controller running?\n",
-             options.timeout_s);
-  return kExitNoAnswer;
+  const PluginVerb verb = parsed_verb(command);
+  const PluginRequest request = request_of(verb, options);
+  Conversation conversation(options);
+  return verb == PluginVerb::describe_parameter ? list_parameters(conversation, request)
+                                                : change(conversation, request, options.plugin);
 }
 
 }  // namespace gaitway::tools

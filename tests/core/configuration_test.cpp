@@ -78,6 +78,52 @@ TEST(Configuration, MalformedYamlNamesItsLine) {
               testing::ContainsRegex("walk.yaml:[0-9]+: column [0-9]+: malformed YAML"));
 }
 
+PluginEntry entry_with(const std::string& keys) {
+  return parse_configuration("plugins:\n  - {name: a, " + keys + "}\n", "/robot/walk.yaml").plugins.at(0);
+}
+
+TEST(Configuration, ReadsWhatAProcessMay) {
+  const PluginEntry plain = entry_with("isolation: process");
+  EXPECT_FALSE(plain.host.serves_network);
+  EXPECT_EQ(options_for(plain.host, {}).descriptor_limit, 64U);
+  EXPECT_EQ(options_for(plain.host, {}).memory_limit_bytes, 512U << 20U);
+  const PluginEntry server =
+      entry_with("isolation: process, network: serve, writes: recordings, descriptors: 4096, memory: 1 GiB");
+  EXPECT_TRUE(server.host.serves_network);
+  EXPECT_EQ(server.host.writes, "/robot/recordings");
+  EXPECT_EQ(options_for(server.host, {}).descriptor_limit, 4096U);
+  EXPECT_EQ(options_for(server.host, {}).memory_limit_bytes, 1024U << 20U);
+  EXPECT_TRUE(server.containment.give_up.never);
+  EXPECT_FALSE(plain.containment.give_up.never);
+  EXPECT_FALSE(
+      entry_with("isolation: process, network: serve, give_up_after: {faults: 3}").containment.give_up.never);
+  EXPECT_EQ(entry_with("isolation: process, network: serve, writes: /var/rec").host.writes, "/var/rec");
+}
+
+TEST(Configuration, RefusesWhatNoProcessMay) {
+  const auto refused = [](const std::string& keys) {
+    return refusal("plugins:\n  - name: a\n    " + keys + "\n");
+  };
+  EXPECT_THAT(
+      refused("network: serve"),
+      testing::AllOf(HasSubstr("walk.yaml:3: plugins[0].network = 'serve': is for plug-ins in processes of "
+                               "their own alone"),
+                     HasSubstr("Add 'isolation: process'")));
+  for (const char* const key : {"writes: here", "descriptors: 100", "memory: 1 GiB"}) {
+    EXPECT_THAT(refused(key), HasSubstr("is for plug-ins in processes of their own alone")) << key;
+  }
+  const std::string process = "isolation: process\n    ";
+  EXPECT_THAT(refused(process + "network: client"),
+              HasSubstr("walk.yaml:4: plugins[0].network = 'client': must be 'serve' or 'none'"));
+  EXPECT_THAT(refused(process + "writes: here"),
+              testing::AllOf(HasSubstr("is for plug-ins with 'network: serve' alone"), HasSubstr("Add")));
+  EXPECT_THAT(refused(process + "network: serve\n    writes: ''"), HasSubstr("must not be empty"));
+  EXPECT_THAT(refused(process + "descriptors: 5000"), HasSubstr("16..4096"));
+  EXPECT_THAT(refused(process + "memory: 512"), HasSubstr("with its unit: KiB, MiB or GiB"));
+  EXPECT_THAT(refused(process + "memory: 1 MiB"), HasSubstr("must lie between 64 MiB and 64 GiB"));
+  EXPECT_THAT(refused(process + "memory: 18446744073709551615 GiB"), HasSubstr("must lie between"));
+}
+
 TEST(Configuration, MissingFile) {
   try {
     read_configuration("/nowhere/walk.yaml");

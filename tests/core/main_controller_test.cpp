@@ -147,5 +147,55 @@ TEST_F(MainControllerTest, MissingConfigurationIsAnError) {
   EXPECT_THROW(MainController(robot, client, emi.host(), options), ConfigurationError);
 }
 
+std::string text_of(const gaitway::Event& event) {
+  return std::string(reinterpret_cast<const char*>(event.source)) + ": " +
+         reinterpret_cast<const char*>(event.text);
+}
+
+TEST_F(MainControllerTest, PublishesItsEventsInOrderAFewATick) {
+  start("none");
+  auto reader = message_client.read_stream<gaitway::Event>("events");
+  EXPECT_EQ(message_client.find("events")->writer, "main_controller");
+  EventLog& events = controller->plugins().events();
+  for (int i = 0; i < 40; ++i) {
+    events.add(1000 + i, 0, EventKind::warning, "leg", "line " + std::to_string(i));
+  }
+  gaitway::Event event{};
+  int next = 0;
+  for (const int published : {16, 32, 40, 40}) {
+    controller->maintain(now_ns);
+    for (; reader.read(event); ++next) {
+      EXPECT_EQ(text_of(event), "leg: line " + std::to_string(next));
+      EXPECT_EQ(event.stamp_ns, 1000 + next);
+      EXPECT_EQ(event.kind, static_cast<std::uint32_t>(EventKind::warning));
+    }
+    EXPECT_EQ(next, published);
+  }
+  EXPECT_EQ(controller->statistics().events_missed, 0U);
+}
+
+TEST_F(MainControllerTest, CountsEventsThatWereTooManyToPublish) {
+  start("none");
+  auto reader = message_client.read_stream<gaitway::Event>("events");
+  for (std::size_t i = 0; i < EventLog::kCapacity + 10; ++i) {
+    controller->plugins().events().add(0, 0, EventKind::info, "leg", std::to_string(i));
+  }
+  controller->maintain(now_ns);
+  gaitway::Event event{};
+  ASSERT_TRUE(reader.read(event));
+  EXPECT_EQ(text_of(event), "leg: 10");
+  EXPECT_EQ(controller->statistics().events_missed, 10U);
+}
+
+TEST_F(MainControllerTest, PublishesEventsToAReaderThatCameFirst) {
+  auto reader = message_client.read_stream<gaitway::Event>("events");
+  start("throw");
+  batch_tick();
+  controller->maintain(now_ns);
+  gaitway::Event event{};
+  ASSERT_TRUE(reader.read(event));
+  EXPECT_THAT(text_of(event), testing::StartsWith("planner: "));
+}
+
 }  // namespace
 }  // namespace gaitway::core

@@ -21,6 +21,7 @@ class PluginFixture : public testing::Test {
     options.plugin_path = {GAITWAY_TEST_PLUGINS};
     options.isolation = isolation;
     options.try_at_start = try_at_start;
+    options.memory_socket = memory_socket;
     return std::make_unique<PluginManager>(parse_configuration("plugins:\n" + plugins, "test.yaml"), options,
                                            client);
   }
@@ -39,6 +40,7 @@ class PluginFixture : public testing::Test {
 
   IsolationOptions isolation;
   bool try_at_start = false;
+  std::filesystem::path memory_socket;
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("main_controller");
   msgclient::Client other = block.local_client("other_process");

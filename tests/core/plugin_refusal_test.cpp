@@ -84,7 +84,7 @@ TEST_F(PluginRefusal, MissingEntrySymbol) {
 
 TEST_F(PluginRefusal, OtherAbi) {
   EXPECT_THAT(refusal("  - {name: a, library: other_abi.so}\n"),
-              AllOf(HasSubstr("built for plug-in ABI 3"), HasSubstr("speaks ABI 2")));
+              AllOf(HasSubstr("built for plug-in ABI 4"), HasSubstr("speaks ABI 3")));
 }
 
 TEST_F(PluginRefusal, OtherStructSize) {

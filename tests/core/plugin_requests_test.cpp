@@ -54,6 +54,7 @@ class PluginRequestsTest : public PluginFixture {
   PluginRequests requests{client, *manager};
   msgclient::StreamReader<PluginAnswer> answers = other.read_stream<PluginAnswer>("plugin_answer");
   msgclient::QueueWriter<PluginRequest> writer = other.write_queue<PluginRequest>("plugin_request");
+  msgclient::QueueWriter<PluginRequest> network = other.write_queue<PluginRequest>("api_plugin_request");
   std::uint32_t number = 0;
 };
 
@@ -94,6 +95,63 @@ TEST_F(PluginRequestsTest, RefusesWithAReasonAndChangesNothing) {
   EXPECT_THAT(refused(request(PluginVerb::unload, "c")), HasSubstr("nobody writes it"));
   EXPECT_THAT(refused(request(static_cast<PluginVerb>(9), "c")), HasSubstr("no verb 9"));
   EXPECT_EQ(value(), number) << "it went on counting";
+}
+
+TEST_F(PluginRequestsTest, DescribesParametersUntilThereIsNoneLeft) {
+  PluginRequest describe = request(PluginVerb::describe_parameter, "c");
+  const PluginAnswer answer = ask(describe);
+  EXPECT_TRUE(answer.done);
+  EXPECT_EQ(text_of(answer),
+            R"({"name":"offset","value":"0","unit":"m","doc":"added to the count","live":true,)"
+            R"("lowest":-10.0,"highest":10000.0})");
+  describe.index = 1;
+  EXPECT_THAT(text_of(ask(describe)), HasSubstr(R"("name":"state_version","value":"1")"));
+  describe.index = 6;
+  const PluginAnswer end = ask(describe);
+  EXPECT_FALSE(end.done);
+  EXPECT_THAT(text_of(end), HasSubstr("'c' has 6 parameters: there is no number 6"));
+  const PluginAnswer nobody = ask(request(PluginVerb::describe_parameter, "d"));
+  EXPECT_FALSE(nobody.done);
+  EXPECT_THAT(text_of(nobody), HasSubstr("there is no plug-in 'd'"));
+}
+
+TEST_F(PluginRequestsTest, ServesBothQueuesByTurns) {
+  PluginRequest describe = request(PluginVerb::describe_parameter, "c");
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    describe.number = i < 3 ? 10 + i : 20 + i;
+    ASSERT_TRUE((i < 3 ? writer : network).push(describe, 0));
+  }
+  std::vector<std::uint32_t> order;
+  PluginAnswer answer{};
+  for (int i = 0; i < 6; ++i) {
+    requests.step(0);
+    ASSERT_TRUE(answers.read(answer));
+    order.push_back(answer.number);
+  }
+  EXPECT_THAT(order, testing::ElementsAre(10, 23, 11, 24, 12, 25));
+}
+
+TEST_F(PluginRequestsTest, OverTheNetworkLibrariesAreNamedWithoutAFolder) {
+  const auto refused = [this](const PluginRequest& wanted) {
+    EXPECT_TRUE(network.push(wanted, 0));
+    PluginAnswer answer{};
+    requests.step(0);
+    EXPECT_TRUE(answers.read(answer));
+    EXPECT_FALSE(answer.done);
+    return text_of(answer);
+  };
+  EXPECT_THAT(refused(request(PluginVerb::reload, "c", "/tmp/counter.so")),
+              HasSubstr("'/tmp/counter.so': over the network a library is named without its folder"));
+  EXPECT_THAT(refused(request(PluginVerb::load, "x/../../evil")),
+              HasSubstr("'x/../../evil': over the network"));
+  EXPECT_TRUE(network.push(request(PluginVerb::reload, "c", "counter.so"), 0));
+  PluginAnswer answer{};
+  for (int i = 0; i < 100 && !answers.read(answer); ++i) {
+    manager->step(tick(++number));
+    requests.step(0);
+    requests.work();
+  }
+  EXPECT_TRUE(answer.done) << text_of(answer);
 }
 
 TEST_F(PluginRequestsTest, AnotherThreadDoesTheSlowPart) {

@@ -13,6 +13,18 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
+TEST(MemoryBlock, ASealedLocalClientOpensNothingMore) {
+  MemoryBlock block;
+  Client client = block.local_client("api");
+  auto writer = client.write<Estimate>("estimate");
+  client.seal();
+  EXPECT_THAT(error_of([&] { (void)client.read<Imu>("imu"); }),
+              ::testing::AllOf(::testing::HasSubstr("topic 'imu'"), ::testing::HasSubstr("'api' is sealed")));
+  writer.publish({}, 3);
+  Estimate seen{};
+  EXPECT_EQ(block.local_client("other").read<Estimate>("estimate").read(seen).stamp_ns, 3);
+}
+
 TEST(MemoryBlock, DeliversTheNewestValueWithItsSequenceAndStamp) {
   MemoryBlock block;
   Client zmp = block.local_client("zmp");

@@ -147,6 +147,27 @@ TEST_F(Processes, ATopicCrossesFromOneProcessToAnother) {
   EXPECT_GT(client.heartbeat_ns(), 0);
 }
 
+TEST_F(Processes, ASealedClientKeepsWhatItHasAndGetsNothingMore) {
+  start_server();
+  Client api = Client::connect(socket, "api");
+  auto writer = std::make_optional(api.write<WalkCommand>("walk_command"));
+  api.seal();
+  for (const auto& request : std::initializer_list<std::function<void()>>{
+           [&] { (void)api.write<Estimate>("estimate"); },
+           [&] { (void)api.read<WalkCommand>("walk_command"); },
+           [&] { (void)api.write_queue<UserCommand>("user_command"); }, [&] { api.seal(); }}) {
+    EXPECT_THAT(error_of(request), AllOf(HasSubstr("'api' is sealed"), HasSubstr("before seal()")));
+  }
+  EXPECT_FALSE(api.find("estimate").has_value());
+  Client other = Client::connect(socket, "other");
+  writer->publish({}, 7);
+  WalkCommand seen{};
+  EXPECT_EQ(other.read<WalkCommand>("walk_command").read(seen).stamp_ns, 7) << "its handles work on";
+  writer.reset();
+  EXPECT_TRUE(claim_again<WalkCommand>(other, "walk_command").has_value()) << "it gives its claims back";
+  EXPECT_NE(error_of([&] { (void)api.write<WalkCommand>("walk_command"); }), "") << "for good";
+}
+
 TEST_F(Processes, ASecondWriterAndAnotherTypeAreRefusedByName) {
   start_server();
   Client zmp = Client::connect(socket, "zmp");

@@ -199,7 +199,7 @@ TEST_F(BadInput, ParametersInWrongUnitsOrOutOfRange) {
 
 TEST_F(BadInput, PluginsThatCannotBeLoaded) {
   expect_plugin_refused("{name: other, library: " + test_plugin("other_abi") + "}",
-                        {"plug-in 'other' (", "walk.yaml:12)", "built for plug-in ABI 3", "speaks ABI 2"});
+                        {"plug-in 'other' (", "walk.yaml:12)", "built for plug-in ABI 4", "speaks ABI 3"});
   expect_plugin_refused("{name: other, library: " + test_plugin("wrong_size") + "}",
                         {"plug-in 'other' (", "its gaitway_tick has"});
   expect_plugin_refused("{name: other, library: " + test_plugin("missing_symbol") + "}",

@@ -53,6 +53,8 @@ ReplayHost::ReplayHost(const Job& job, const NominalRecord* record)
              .parameter = &parameter,
              .set_period = &set_period,
              .robot_directory = &robot_directory,
+             .memory_socket = &no_path,
+             .write_folder = &no_path,
              .read = &read,
              .publish = &publish,
              .report = &report} {}
@@ -142,6 +144,10 @@ gaitway_status ReplayHost::set_period(void* context, gaitway_period period,
     }
     host.period_ = static_cast<Period>(period);
   });
+}
+
+const char* ReplayHost::no_path(void*) noexcept {
+  return "";
 }
 
 const char* ReplayHost::robot_directory(void* context) noexcept {

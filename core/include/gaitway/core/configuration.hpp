@@ -3,7 +3,8 @@
 //   plugins:
 //     - name: trajectory                           # unique; also what faults and statistics are called by
 //       library: libgaitway_plugin_trajectory.so   # on the search path; default: libgaitway_plugin_<name>.so
-//       isolation: none                            # default; process: in a process of its own
+//       isolation: none                            # default; process: in a process of its own, of which
+//                                                  # host_settings.hpp says more
 //       parameters: {step_time: 0.4 s, lift: 0.03 m}
 //       budget: 5 ms                               # and what else containment_settings.hpp says
 #pragma once
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "gaitway/core/containment_settings.hpp"
+#include "gaitway/core/host_settings.hpp"
 
 namespace gaitway::core {
 
@@ -46,6 +48,7 @@ struct PluginEntry {
   Isolation isolation = Isolation::none;
   StepSchedule schedule = {};
   ContainmentSettings containment = {};
+  HostSettings host = {};  // with Isolation::process
 };
 
 struct Configuration {

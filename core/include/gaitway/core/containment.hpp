@@ -31,11 +31,8 @@ class Containment {
   // instead of the rule.
   bool note_fault(const Tick& tick, bool overrun, Recovery recovery) noexcept;
   // Whether a fault says more than the one before: not while a plug-in waits for the same recovery.
-  [[nodiscard]] bool is_news(Recovery recovery) const noexcept {
-    const bool told =
-        recovery == recovery_ || (recovery == Recovery::under_way && recovery_ == Recovery::lost);
-    return !told || (recovery != Recovery::awaited && recovery != Recovery::under_way);
-  }
+  // One that is never given up tells of its late steps and refusals once a second at most.
+  [[nodiscard]] bool is_news(const Tick& tick, Recovery recovery) noexcept;
   // How many faults in a row have ended with this step.
   std::uint64_t note_success(const Tick& tick) noexcept;
   void leave_out() noexcept { state_ = ServiceState::left_out; }
@@ -69,7 +66,8 @@ class Containment {
   std::uint64_t overruns_ = 0;
   std::uint64_t in_a_row_ = 0;
   std::int64_t failing_since_ns_ = 0;
-  std::uint64_t faults_ = 0, ruled_in_a_row_ = 0;                 // of those that the rule counts
+  std::int64_t told_ns_ = -1;                      // of one that is never given up; -1: nothing yet
+  std::uint64_t faults_ = 0, ruled_in_a_row_ = 0;  // of those that the rule counts
   std::array<std::int64_t, GiveUpRule::kMostFaults> fault_ns_{};  // the last ones, as a ring
 };
 

@@ -29,6 +29,7 @@ struct GiveUpRule {
   int faults = 20;                         // of a plug-in that is stepped every tick: so many ...
   std::int64_t within_ns = 2'000'000'000;  // ... within this time
   int batches = 8;                         // of one that is stepped every batch: so many in a row
+  bool never = false;                      // instead
 };
 
 // Under a plug-in's entry:

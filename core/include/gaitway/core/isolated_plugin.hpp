@@ -92,11 +92,14 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool resume_late(const Tick& tick) noexcept;
   void describe_end(HostCall during) noexcept;
   void lose(std::string_view what, std::int64_t now_ns) noexcept;
+  [[nodiscard]] std::int64_t restart_delay_ns(std::int64_t now_ns) noexcept;
+  [[nodiscard]] std::uint64_t recent_replacements(std::int64_t now_ns) const noexcept;
   void restate_loss() noexcept;
 
+  const HostSettings settings_;
   const IsolationOptions options_;
   const ContainmentSettings containment_;
-  std::string library_, base_, robot_directory_, host_binary_, version_;
+  std::string library_, base_, robot_directory_, memory_socket_, host_binary_, version_;
   SearchPath search_path_;
   std::unique_ptr<HostLink> link_;
   std::vector<gaitway_sample> samples_;  // of the ports, as the host has them
@@ -115,6 +118,8 @@ class IsolatedPlugin final : public ManagedPlugin {
   std::uint32_t steps_since_start_ = 0;
   std::array<std::int64_t, 8> replaced_ns_{};  // ring of the last ones
   std::uint64_t replaced_ = 0;
+  std::int64_t came_back_ns_ = 0;      // the host that runs
+  std::uint32_t losses_in_a_row_ = 0;  // that came soon after the one before
   bool restored_ = false;
   std::array<char, 512> loss_text_{};
 };

@@ -13,6 +13,7 @@ struct PluginSource {  // what is needed to load plug-ins
   const std::filesystem::path& configuration_file;
   const std::filesystem::path& robot_directory;
   const SearchPath& search_path;
+  std::filesystem::path memory_socket = {};  // empty: there is none
 };
 
 class LoadedPlugin final : public ManagedPlugin {
@@ -37,7 +38,7 @@ class LoadedPlugin final : public ManagedPlugin {
   bool run(const Tick& tick) noexcept override;
   void construct();
 
-  std::string robot_directory_;
+  std::string robot_directory_, memory_socket_;
   PluginLibrary library_;
   Phase phase_ = Phase::creating;
   std::unique_ptr<ConfigurationError> parameter_error_;  // says more than what came back through the plug-in

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gaitway/core/cycle.hpp"
+#include "gaitway/core/event_publisher.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
 #include "gaitway/core/network_events.hpp"
 #include "gaitway/core/plugin_manager.hpp"
@@ -33,6 +34,7 @@ struct MainControllerOptions {
   StepWatch* step_watch = nullptr;
   bool try_at_start = false;
   std::vector<std::string> left_out = {};
+  std::filesystem::path memory_socket = {};
 };
 
 // What a tick did.
@@ -58,6 +60,7 @@ struct MainControllerStatistics {
   std::uint64_t trims_not_posted = 0;
   std::array<std::uint64_t, 4> answers{};               // to hand-overs: [msgclient::Verdict]
   std::array<std::uint64_t, 4> user_command_answers{};  // [msgclient::Verdict]
+  std::uint64_t events_missed = 0;                      // in the stream `events`: there were too many at once
   std::string last_refusal;                             // of here or of the message controller, for people
   process::DurationSummary batch_compute_us;            // wall time of a whole tick that prepares a batch
   process::DurationSummary tick_compute_us;             // of the other ticks
@@ -76,8 +79,8 @@ class MainController {
   // One tick: reads answers, steps the plug-ins, posts the trims if they are new and, at a batch tick, checks
   // the newest joint plan and hands it over. For the cycle: no allocation, lock or exception.
   TickReport step(std::int64_t now_ns) noexcept;
-  // Off the tick, once after each: what must not delay one.
-  void maintain(std::int64_t now_ns) noexcept { manager_.maintain(now_ns); }
+  // Off the tick, once after each: what must not delay one. Publishes new events in the stream `events`.
+  void maintain(std::int64_t now_ns) noexcept;
 
   [[nodiscard]] MainControllerStatistics statistics() const;
   [[nodiscard]] const PluginManager& plugins() const noexcept { return manager_; }
@@ -105,6 +108,7 @@ class MainController {
   JointPlanCheck check_;
   msgclient::EmiHost& host_;
   WallClock wall_clock_;
+  EventPublisher event_publisher_;  // before the plug-ins come: none of them writes its stream
   PluginManager manager_;
   msgclient::Reader<JointPlan> joint_plan_reader_;
   msgclient::Reader<TrimCommand> trim_reader_;

@@ -230,6 +230,12 @@ class Setup {
   [[nodiscard]] std::filesystem::path robot_directory() const {
     return host_->robot_directory(host_->context);
   }
+  // Where the memory block's server takes clients; empty: nowhere. For a plug-in that works beside the steps,
+  // as a client of its own: msgclient::Client::connect().
+  [[nodiscard]] std::filesystem::path memory_socket() const { return host_->memory_socket(host_->context); }
+  // With `network: serve`: the folder that the configuration's key `writes` names, the only one in which
+  // files may be created; else empty.
+  [[nodiscard]] std::filesystem::path write_folder() const { return host_->write_folder(host_->context); }
   [[nodiscard]] Reporter reporter() const noexcept { return Reporter(host_); }
 
  private:

@@ -22,7 +22,7 @@ extern "C" {
 #endif
 
 #define GAITWAY_PLUGIN_MAGIC 0x4757504cu /* "GWPL" */
-#define GAITWAY_PLUGIN_ABI 2u            /* grows whenever anything below changes */
+#define GAITWAY_PLUGIN_ABI 3u            /* grows whenever anything below changes */
 
 /* What every callback answers. Negative: it failed, and the error text says why. */
 typedef int32_t gaitway_status;
@@ -136,6 +136,12 @@ typedef struct gaitway_host {
   gaitway_status (*set_period)(void* context, gaitway_period period, const gaitway_text* error);
   /* [set-up] Folder of the robot's description; belongs to the host and lives until destroy returns. */
   const char* (*robot_directory)(void* context);
+  /* [set-up] Path of the socket at which the memory block's server takes clients; empty: there is none.
+   * Belongs to the host and lives until destroy returns. */
+  const char* (*memory_socket)(void* context);
+  /* [set-up] The one folder in which a plug-in that serves the network may create files; empty: there is
+   * none, or the plug-in is not bound to one. Belongs to the host and lives until destroy returns. */
+  const char* (*write_folder)(void* context);
 
   /* [cycle] In activate, step and deactivate. If the port's value is newer than `sample`, copies it into
    * `value` (the topic's size) and updates `sample`; else touches neither. GAITWAY_OK: `value` holds a value.

@@ -45,6 +45,9 @@ struct PluginManagerOptions {
   bool try_at_start = false;
   // Of the configuration's plug-ins: not loaded; fallbacks write their topics.
   std::vector<std::string> left_out = {};
+  // Where the memory block's server takes clients: for plug-ins that are clients of their own. Empty:
+  // nowhere.
+  std::filesystem::path memory_socket = {};
 };
 
 struct PluginTiming {
@@ -108,6 +111,10 @@ class PluginManager {
   // Between two steps: changes a live parameter, of later versions, too. Throws ConfigurationError or
   // PluginError.
   void set_parameter(std::string_view plugin, std::string_view parameter, const std::string& text);
+  // Throws PluginError if there is no such plug-in.
+  [[nodiscard]] const ParameterSet& parameters_of(std::string_view plugin) const {
+    return slots_[require(plugin)]->plugin->parameters();
+  }
 
   // Whether in the last step a plug-in failed on which this topic depends (its writer, or a plug-in that the
   // writer reads from in the same tick, directly or not) and no fallback wrote all its topics. The first such
@@ -134,7 +141,7 @@ class PluginManager {
   [[nodiscard]] const PluginSlot* slot_behind(std::string_view topic) const noexcept;
   void load_all(const Configuration& configuration);
   [[nodiscard]] PluginSource source() const {
-    return {configuration_file_, options_.robot_directory, search_path_};
+    return {configuration_file_, options_.robot_directory, search_path_, options_.memory_socket};
   }
   [[nodiscard]] std::unique_ptr<ManagedPlugin> load(const PluginEntry& entry, EventLog& events) const;
   void put_in_order(const Configuration& configuration, const msgclient::Client& client);

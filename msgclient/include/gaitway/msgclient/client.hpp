@@ -22,6 +22,7 @@ class TopicSource {
  public:
   virtual ~TopicSource() = default;
   virtual TopicGrant open(const TopicDescriptor& descriptor, Role role) = 0;
+  virtual void seal() = 0;
   [[nodiscard]] virtual std::vector<TopicInfo> directory() const = 0;
   [[nodiscard]] virtual std::uint64_t generation() const noexcept = 0;
   [[nodiscard]] virtual std::int64_t heartbeat_ns() const noexcept = 0;
@@ -77,6 +78,11 @@ class Client {
   [[nodiscard]] UntypedQueueReader read_queue_untyped(const TopicDescriptor& descriptor);
   // Bare words: writable for the one with Role::writer.
   [[nodiscard]] TopicGrant open_window(std::string_view name, std::uint32_t bytes, Role role);
+
+  // Gives up all that opens a topic, for good: the memory block's side refuses it from now on, so that
+  // whoever takes this process over gets nothing that it has not got already. Handles work on, and give their
+  // claims back. Throws TopicError when nobody answers.
+  void seal() { source_->seal(); }
 
   // All declared topics, in the order of their declaration.
   [[nodiscard]] std::vector<TopicInfo> directory() const { return source_->directory(); }
