@@ -100,7 +100,7 @@ class ServeObserver final : public simulator::CosimulationObserver {
 
 core::PluginEntry& api_of(core::Configuration& configuration) {
   const auto api = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
-                                [](const core::PluginEntry& entry) { return entry.network; });
+                                [](const core::PluginEntry& entry) { return entry.host.serves_network; });
   if (api == configuration.plugins.end()) {
     throw std::invalid_argument(fmt::format(
         "--config {}: has no plug-in that serves the network. Add one with `isolation: process` and "
@@ -131,7 +131,7 @@ core::Configuration configuration_of(const ServeOptions& options) {
   set_path("token_file", options.token_file);
   set_path("tls_certificate", options.tls_certificate);
   set_path("tls_key", options.tls_key);
-  api.writes = std::filesystem::absolute(options.out) / "recordings";
+  api.host.writes = std::filesystem::absolute(options.out) / "recordings";
   return configuration;
 }
 
