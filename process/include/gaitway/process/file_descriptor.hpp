@@ -15,6 +15,8 @@ class FileDescriptor {
     return *this;
   }
   ~FileDescriptor();
+  // The caller owns it from now on.
+  [[nodiscard]] int release() noexcept { return std::exchange(fd_, -1); }
   [[nodiscard]] int get() const noexcept { return fd_; }
   [[nodiscard]] explicit operator bool() const noexcept { return fd_ >= 0; }
 

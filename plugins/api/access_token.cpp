@@ -1,0 +1,118 @@
+// Reads the token with the file's rights checked on the opened file, so that nobody can swap it in between.
+#include "gaitway/api/access_token.hpp"
+
+#include <fcntl.h>
+#include <openssl/crypto.h>
+#include <openssl/sha.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "gaitway/process/file_descriptor.hpp"
+
+namespace gaitway::api {
+namespace {
+
+constexpr mode_t kGroupAndOthers = 0077;
+
+std::array<std::uint8_t, 32> digest(std::string_view text) noexcept {
+  std::array<std::uint8_t, 32> result{};
+  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), result.data());
+  return result;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw ServerSetupError("token_file '" + file.native() + "': " + why);
+}
+
+std::string octal(mode_t mode) {
+  std::string digits = "0";
+  for (int shift = 6; shift >= 0; shift -= 3) {
+    digits += static_cast<char>('0' + ((mode >> shift) & 7U));
+  }
+  return digits;
+}
+
+void check_rights(const std::filesystem::path& file, const struct stat& status) {
+  if (!S_ISREG(status.st_mode)) {
+    refuse(file, "is no regular file; the token must be in one");
+  }
+  if (status.st_uid != geteuid()) {
+    refuse(file, "belongs to user " + std::to_string(status.st_uid) + ", but must belong to user " +
+                     std::to_string(geteuid()) + ", who runs the robot API: run `chown " +
+                     std::to_string(geteuid()) + " " + file.native() + "`");
+  }
+  if ((status.st_mode & kGroupAndOthers) != 0) {
+    refuse(file, "has mode " + octal(status.st_mode) +
+                     ", but group and others must have no rights to it: run `chmod 600 " + file.native() +
+                     "`");
+  }
+}
+
+std::string read_whole(const std::filesystem::path& file, int fd) {
+  std::string text(AccessToken::kLongest + 2, '\0');  // one line end, and one more to see that it is too long
+  std::size_t length = 0;
+  while (length < text.size()) {
+    const ssize_t got = ::read(fd, text.data() + length, text.size() - length);
+    if (got < 0 && errno != EINTR) {
+      refuse(file, std::string("cannot be read: ") + std::strerror(errno));
+    }
+    if (got == 0) {
+      break;
+    }
+    length += got > 0 ? static_cast<std::size_t>(got) : 0;
+  }
+  text.resize(length);
+  return text;
+}
+
+}  // namespace
+
+AccessToken::AccessToken(std::string_view text) {
+  if (text.size() < kShortest || text.size() > kLongest) {
+    throw ServerSetupError("the token has " + std::to_string(text.size()) + " bytes, but must have " +
+                           std::to_string(kShortest) + " to " + std::to_string(kLongest) +
+                           ": make one with `openssl rand -hex 32`");
+  }
+  if (!std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; })) {
+    throw ServerSetupError(
+        "the token has other characters than visible ASCII (no spaces): make one with `openssl rand -hex "
+        "32`");
+  }
+  digest_ = digest(text);
+}
+
+AccessToken AccessToken::read(const std::filesystem::path& file) {
+  const process::FileDescriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status {};
+  if (!opened || fstat(opened.get(), &status) != 0) {
+    refuse(file, std::string("cannot be opened: ") + std::strerror(errno) +
+                     ": make it with `(umask 077; openssl rand -hex 32 > " + file.native() + ")`");
+  }
+  check_rights(file, status);
+  std::string text = read_whole(file, opened.get());
+  if (text.ends_with('\n')) {
+    text.pop_back();
+  }
+  if (text.ends_with('\r')) {
+    text.pop_back();
+  }
+  try {
+    AccessToken token(text);
+    OPENSSL_cleanse(text.data(), text.size());
+    return token;
+  } catch (const ServerSetupError& error) {
+    refuse(file, error.what());
+  }
+}
+
+bool AccessToken::matches(std::string_view offered) const noexcept {
+  const auto other = digest(offered);
+  return CRYPTO_memcmp(digest_.data(), other.data(), digest_.size()) == 0;
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,262 @@
+// Deadlines are looked at in every tick of the server; a timer of its own for each operation would cost more.
+#include "client_link.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace gaitway::api {
+namespace {
+
+constexpr std::uint16_t kGoingAway = 1001, kPolicyViolation = 1008, kTryAgainLater = 1013;
+constexpr std::size_t kLongestReason = 123;  // RFC 6455, 5.5.1, without the code
+// Of one turn; then the others have theirs.
+constexpr std::size_t kTurnBytes = 64 * 1024;
+constexpr std::size_t kTurnFrames = OutgoingQueue::kBuffers / 2;
+constexpr int kTurns = 4;
+// Pings and pongs that a client may send in a second.
+constexpr unsigned kControlFrames = 100;
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+std::string shortened(std::string_view reason) {
+  std::size_t length = std::min(reason.size(), kLongestReason);
+  while (length < reason.size() && length > 0 &&
+         (static_cast<unsigned char>(reason[length]) & 0xC0U) == 0x80U) {
+    --length;  // no half characters
+  }
+  return std::string(reason.substr(0, length));
+}
+
+std::string in_ms(std::int64_t duration_ns) {
+  return std::to_string(duration_ns / 1'000'000) + " ms";
+}
+
+std::string text(const boost::asio::ip::tcp::endpoint& peer) {
+  const std::string address = peer.address().to_string();
+  return (peer.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(peer.port());
+}
+
+}  // namespace
+
+ClientLink::ClientLink(ServerCore& core, const Endpoint& peer, std::int64_t now_ns)
+    : core_(core),
+      address_(peer.address()),
+      peer_(text(peer)),
+      deadline_ns_(now_ns + core.options.limits.handshake_ns) {}
+
+void ClientLink::wake() noexcept {
+  if (!std::exchange(woken_, true)) {
+    core_.want_pump(shared_from_this());
+  }
+}
+
+void ClientLink::close(std::uint16_t code, std::string_view reason) noexcept {
+  if (!close_asked_ && phase_ != Phase::closing && phase_ != Phase::over) {
+    close_asked_ = true;
+    close_code_ = code;
+    close_reason_ = shortened(reason);
+    deadline_ns_ = wall_now_ns() + core_.options.closing_ns;
+    wake();
+  }
+}
+
+void ClientLink::pump_woken(std::int64_t now_ns) {
+  woken_ = false;
+  pump(now_ns);
+}
+
+void ClientLink::fill(std::int64_t now_ns) {
+  while (session_ && queue_.bytes() < kTurnBytes && queue_.frames() < kTurnFrames) {
+    auto frame = session_->next_frame(now_ns);
+    if (!frame) {
+      return;
+    }
+    if (queue_.empty()) {
+      front_ns_ = now_ns;
+    }
+    ++core_.statistics.messages_out;
+    core_.statistics.bytes_out += frame->bytes->size();
+    queue_.append(std::move(*frame));
+  }
+}
+
+void ClientLink::pump(std::int64_t now_ns) {
+  for (int turn = 0; !blocked_ && phase_ != Phase::over; ++turn) {
+    fill(now_ns);
+    if (queue_.empty()) {
+      break;
+    }
+    if (turn == kTurns) {
+      wake();
+      return;
+    }
+    ++core_.statistics.writes;
+    write_queue();
+  }
+  if (close_asked_ && phase_ == Phase::open && !blocked_ && queue_.empty()) {
+    end_conversation(cause_ == Closing::lost ? Closing::by_session : cause_, close_code_, close_reason_);
+  }
+}
+
+void ClientLink::consumed(std::size_t bytes) {
+  const auto progress = queue_.consume(bytes);
+  if (progress.finished_any) {
+    front_ns_ = wall_now_ns();
+  }
+  if (progress.finished_raw) {
+    raw_written();
+  }
+}
+
+void ClientLink::refusing(Refusal cause) {
+  core_.statistics.count(cause);
+  phase_ = Phase::refusing;
+  deadline_ns_ = wall_now_ns() + core_.options.closing_ns;
+}
+
+void ClientLink::opened(bool authorised) {
+  const std::int64_t now_ns = wall_now_ns();
+  ++core_.statistics.opened;
+  was_open_ = true;
+  phase_ = Phase::open;
+  heard_ns_ = pinged_ns_ = second_ns_ = now_ns;
+  session_ = core_.hub.open(*this, peer_, authorised, now_ns);
+  if (!session_) {
+    end_conversation(Closing::refused, kTryAgainLater,
+                     "the robot has no place for another client: try again later");
+  }
+}
+
+void ClientLink::received(std::string_view message, bool binary) {
+  ++core_.statistics.messages_in;
+  core_.statistics.bytes_in += message.size();
+  if (session_ && !close_asked_) {
+    session_->take(message, binary, wall_now_ns());
+  }
+}
+
+void ClientLink::heard(std::size_t bytes) {
+  if (bytes > 0) {
+    heard_ns_ = wall_now_ns();
+  }
+}
+
+void ClientLink::control_frame() {
+  heard_ns_ = wall_now_ns();
+  if (session_) {
+    session_->heard(heard_ns_);
+  }
+  if (++control_frames_ == kControlFrames) {
+    cause_ = Closing::flood;
+    close(kPolicyViolation, "more than " + std::to_string(kControlFrames) + " pings and pongs in a second");
+  } else if (control_frames_ == 2 * kControlFrames) {
+    cut(Closing::flood);
+  }
+}
+
+void ClientLink::client_closes() {
+  if (phase_ == Phase::open) {
+    session_.reset();
+    enter_closing(Closing::by_client);
+  }
+}
+
+void ClientLink::library_closes() {
+  if (phase_ == Phase::open) {
+    session_.reset();
+    enter_closing(Closing::protocol_error);
+  }
+}
+
+void ClientLink::failed(Closing cause) {
+  if (phase_ == Phase::open || (phase_ == Phase::closing && cause_ == Closing::protocol_error)) {
+    cause_ = cause;
+  }
+  end();
+}
+
+void ClientLink::left(Refusal cause) {
+  if (phase_ == Phase::handshake) {
+    core_.statistics.count(cause);
+  }
+  end();
+}
+
+void ClientLink::sweep(std::int64_t now_ns) {
+  if (phase_ == Phase::open) {
+    sweep_open(now_ns);
+  } else if (now_ns > deadline_ns_) {
+    left(Refusal::handshake_time);
+  }
+}
+
+void ClientLink::sweep_open(std::int64_t now_ns) {
+  const Limits& limits = core_.options.limits;
+  if (now_ns - second_ns_ >= kSecond_ns) {
+    second_ns_ = now_ns;
+    control_frames_ = 0;
+  }
+  const bool silent = now_ns - heard_ns_ > limits.silence_ns;
+  if (blocked_ && (silent || now_ns - front_ns_ > limits.write_ns)) {
+    end_conversation(Closing::slow, kTryAgainLater,
+                     "too slow: did not take within " + in_ms(silent ? limits.silence_ns : limits.write_ns) +
+                         " what was written; subscribe to less, or more slowly");
+  } else if (silent) {
+    end_conversation(Closing::silent, kPolicyViolation,
+                     "no sign of life within " + in_ms(limits.silence_ns) + ": answer pings");
+  } else if (close_asked_ && now_ns > deadline_ns_) {
+    end_conversation(cause_ == Closing::lost ? Closing::by_session : cause_, close_code_, close_reason_);
+  } else if (!pinging_ && now_ns - pinged_ns_ >= core_.options.ping_ns) {
+    pinged_ns_ = now_ns;
+    pinging_ = true;
+    begin_ping();
+  }
+}
+
+void ClientLink::shut_down() {
+  if (phase_ == Phase::open) {
+    end_conversation(Closing::shut_down, kGoingAway, "the robot API stops");
+  } else if (phase_ == Phase::handshake) {
+    left(Refusal::left);
+  }
+}
+
+void ClientLink::cut(Closing cause) {
+  if (phase_ == Phase::open) {
+    cause_ = cause;
+  }
+  left(Refusal::left);
+}
+
+// What waits is dropped, but for what the client has seen in part: the close frame must reach it soon, if at
+// all. A full send buffer is widened for that, and goes on to its end in the kernel after the cut.
+void ClientLink::end_conversation(Closing cause, std::uint16_t code, const std::string& reason) {
+  session_.reset();
+  enter_closing(cause);
+  if (blocked_) {
+    queue_.drop_messages(holds_gathered());
+    widen_send_buffer();
+  }
+  begin_close(code, shortened(reason));
+}
+
+void ClientLink::enter_closing(Closing cause) {
+  cause_ = cause;
+  phase_ = Phase::closing;
+  deadline_ns_ = wall_now_ns() + core_.options.closing_ns;
+}
+
+void ClientLink::end() {
+  if (phase_ == Phase::over) {
+    return;
+  }
+  if (was_open_) {
+    core_.statistics.count(cause_);
+  }
+  const auto self = shared_from_this();
+  phase_ = Phase::over;
+  session_.reset();
+  cut_socket();
+  core_.remove(*this);
+}
+
+}  // namespace gaitway::api

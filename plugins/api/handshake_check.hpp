@@ -1,0 +1,35 @@
+// Whether a client's HTTP request may become a WebSocket, and what to answer if not.
+#pragma once
+
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <optional>
+#include <string>
+
+#include "gaitway/api/server_setup.hpp"
+#include "gaitway/api/server_statistics.hpp"
+
+namespace gaitway::api {
+
+namespace http = boost::beast::http;
+using HandshakeRequest = http::request<http::empty_body>;
+using HttpAnswer = http::response<http::string_body>;
+
+struct HandshakeRefusal {
+  http::status status;
+  Refusal cause;
+  std::string text;  // for people
+};
+
+[[nodiscard]] std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request,
+                                                              const OriginRule& origins,
+                                                              const std::optional<AccessToken>& token);
+
+// Whether the request carries the token, or none is wanted. Of a request that has been checked.
+[[nodiscard]] bool is_authorised(const HandshakeRequest& request, const std::optional<AccessToken>& token);
+
+// The whole answer, after which the connection ends.
+[[nodiscard]] HttpAnswer answer(const HandshakeRefusal& refusal);
+
+}  // namespace gaitway::api

@@ -1,0 +1,65 @@
+// The table of connections, and the turns in which they write.
+#include "server_core.hpp"
+
+#include <boost/asio/post.hpp>
+#include <chrono>
+#include <utility>
+
+#include "client_link.hpp"
+
+namespace gaitway::api {
+
+std::int64_t wall_now_ns() noexcept {
+  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
+
+ServerCore::ServerCore(SessionHub& sessions, const ServerSetup& server_setup)
+    : hub(sessions), setup(server_setup), options(server_setup.options()) {}
+
+bool ServerCore::has_room_for(const boost::asio::ip::address& address) const {
+  const auto known = of_address_.find(address);
+  return links_.size() < options.limits.connections &&
+         (known == of_address_.end() || known->second < options.limits.connections_of_one_address);
+}
+
+void ServerCore::add(std::shared_ptr<ClientLink> link) {
+  ++of_address_[link->address()];
+  link->place = links_.size();
+  links_.push_back(std::move(link));
+  woken_.reserve(links_.size());
+  pumped_.reserve(links_.size());
+  statistics.connected = links_.size();
+}
+
+void ServerCore::remove(ClientLink& link) {
+  if (const auto known = of_address_.find(link.address()); --known->second == 0) {
+    of_address_.erase(known);
+  }
+  const std::size_t place = link.place;
+  const std::shared_ptr<ClientLink> last = std::move(links_.back());
+  links_.pop_back();
+  if (last.get() != &link) {
+    const std::shared_ptr<ClientLink> removed = std::exchange(links_[place], last);
+    last->place = place;
+  }
+  statistics.connected = links_.size();
+}
+
+void ServerCore::want_pump(std::shared_ptr<ClientLink> link) noexcept {
+  woken_.push_back(std::move(link));
+  if (!std::exchange(pump_posted_, true)) {
+    boost::asio::post(io, [this] { pump_all(); });
+  }
+}
+
+void ServerCore::pump_all() {
+  pump_posted_ = false;
+  pumped_.swap(woken_);
+  const std::int64_t now_ns = wall_now_ns();
+  for (const auto& link : pumped_) {
+    link->pump_woken(now_ns);
+  }
+  pumped_.clear();
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,119 @@
+// The echoing hub, and the thread.
+#include "running_server.hpp"
+
+#include <deque>
+#include <utility>
+
+namespace gaitway::api {
+namespace {
+
+constexpr std::size_t kManyBytes = 16 * 1024;
+
+class EchoSession final : public Session {
+ public:
+  EchoSession(EchoHub& hub, Connection& connection) : hub_(hub), connection_(connection) { ++hub_.sessions; }
+  ~EchoSession() override { --hub_.sessions; }
+
+  void take(std::string_view message, bool binary, std::int64_t /*wall_ns*/) override {
+    if (message == "close") {
+      answer("one", false);
+      answer("two", false);
+      connection_.close(1008, "as you wish");
+    } else if (message.starts_with("many ")) {
+      for (int left = std::stoi(std::string(message.substr(5))); left > 0; --left) {
+        answer(std::string(kManyBytes, 'm'), true);
+      }
+    } else {
+      answer(std::string(message), binary);
+    }
+  }
+  void heard(std::int64_t /*wall_ns*/) noexcept override { ++hub_.signs_of_life; }
+  std::optional<Frame> next_frame(std::int64_t /*wall_ns*/) override {
+    if (frames_.empty()) {
+      return std::nullopt;
+    }
+    Frame frame = std::move(frames_.front());
+    frames_.pop_front();
+    return frame;
+  }
+
+ private:
+  void answer(std::string text, bool binary) {
+    frames_.push_back({std::make_shared<const std::string>(std::move(text)), binary});
+    connection_.wake();
+  }
+
+  EchoHub& hub_;
+  Connection& connection_;
+  std::deque<Frame> frames_;
+};
+
+}  // namespace
+
+std::unique_ptr<Session> EchoHub::open(Connection& connection, std::string peer, bool authorised,
+                                       std::int64_t /*wall_ns*/) {
+  if (sessions >= most_sessions) {
+    return nullptr;
+  }
+  opened.push_back({std::move(peer), authorised});
+  return std::make_unique<EchoSession>(*this, connection);
+}
+
+void EchoHub::step(std::int64_t /*wall_ns*/) {
+  ++steps;
+}
+
+ServerOptions local() {
+  ServerOptions options;
+  options.port = 0;
+  return options;
+}
+
+RunningServer::RunningServer(ServerOptions options, std::function<void()> before_running)
+    : server_(hub_, ServerSetup(std::move(options)),
+              {.on_tick = [this](std::int64_t) { look(); }, .on_poll = {}}),
+      thread_([this, before_running = std::move(before_running)] {
+        if (before_running) {
+          before_running();
+        }
+        server_.run();
+      }) {}
+
+RunningServer::~RunningServer() {
+  stop();
+}
+
+void RunningServer::stop() {
+  if (thread_.joinable()) {
+    server_.stop();
+    thread_.join();
+  }
+}
+
+void RunningServer::look() {
+  const std::lock_guard lock(mutex_);
+  if (condition_ && condition_(server_.statistics(), hub_)) {
+    condition_ = nullptr;
+    met_.notify_all();
+  }
+}
+
+void RunningServer::await(Condition condition) {
+  std::unique_lock lock(mutex_);
+  condition_ = std::move(condition);
+  met_.wait(lock, [this] { return !condition_; });
+}
+
+ServerStatistics RunningServer::statistics() {
+  if (!thread_.joinable()) {
+    return server_.statistics();
+  }
+  ServerStatistics result;
+  await([&](const ServerStatistics& now, EchoHub&) {
+    result = now;
+    return true;
+  });
+  return result;
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,67 @@
+// A server in a thread of its own, with a hub whose sessions answer each message with itself. Tests look into
+// both from within the server's ticks, so that nothing is waited for by guessing.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gaitway/api/server.hpp"
+
+namespace gaitway::api {
+
+// Messages are echoed, but for some: `close` asks the connection to close (1008, "as you wish") after two
+// further frames, `many N` is answered with N frames of 16 KiB.
+class EchoHub final : public SessionHub {
+ public:
+  struct Opened {
+    std::string peer;
+    bool authorised;
+  };
+
+  std::unique_ptr<Session> open(Connection& connection, std::string peer, bool authorised,
+                                std::int64_t wall_ns) override;
+  void step(std::int64_t wall_ns) override;
+
+  std::vector<Opened> opened;
+  std::size_t sessions = 0;  // now
+  std::size_t most_sessions = 1'000'000;
+  std::uint64_t signs_of_life = 0;
+  std::uint64_t steps = 0;
+};
+
+class RunningServer {
+ public:
+  using Condition = std::function<bool(const ServerStatistics&, EchoHub&)>;
+
+  // `before_running`: called in the server's thread.
+  explicit RunningServer(ServerOptions options, std::function<void()> before_running = {});
+  ~RunningServer();
+
+  [[nodiscard]] std::uint16_t port() const noexcept { return server_.port(); }
+  // Returns when it holds at a tick; looked at in the server's thread.
+  void await(Condition condition);
+  // The statistics at the next tick.
+  [[nodiscard]] ServerStatistics statistics();
+  void stop();  // and waits until run() has ended
+
+ private:
+  void look();
+
+  EchoHub hub_;
+  Server server_;
+  std::mutex mutex_;
+  std::condition_variable met_;
+  Condition condition_;
+  std::thread thread_;
+};
+
+// Loopback, any port.
+[[nodiscard]] ServerOptions local();
+
+}  // namespace gaitway::api

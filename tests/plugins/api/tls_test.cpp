@@ -1,0 +1,113 @@
+// The same over TLS, with a certificate that the test signs itself.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <openssl/tls1.h>
+
+#include "raw_client.hpp"
+#include "running_server.hpp"
+#include "secret_files.hpp"
+#include "websocket_client.hpp"
+
+namespace gaitway::api {
+namespace {
+
+class Tls : public testing::Test {
+ protected:
+  [[nodiscard]] ServerOptions secured() const {
+    ServerOptions options = local();
+    options.token_file = files_.token();
+    options.certificate_file = files_.certificate();
+    options.key_file = files_.key();
+    return options;
+  }
+  static WebSocketClient::Options with_token(std::string_view token) {
+    return {.headers = {{"Authorization", "Bearer " + std::string(token)}}, .tls = true, .highest_tls = 0};
+  }
+  SecretFiles files_;
+};
+
+TEST_F(Tls, CarriesMessagesOfEverySize) {
+  RunningServer server(secured());
+  WebSocketClient client(server.port(), with_token(SecretFiles::kToken));
+  for (const std::size_t size : {0U, 1U, 126U, 16'384U, 65'536U}) {
+    const std::string text(size, 'x');
+    client.send(text);
+    EXPECT_EQ(client.receive().text, text);
+  }
+  client.send("many 300");
+  for (int count = 0; count < 300; ++count) {
+    ASSERT_EQ(client.receive().text.size(), 16'384U);
+  }
+  client.close();
+  server.await([](const ServerStatistics& statistics, EchoHub& hub) {
+    return statistics.of(Closing::by_client) == 1 && statistics.connected == 0 && hub.sessions == 0 &&
+           hub.opened.at(0).authorised;
+  });
+}
+
+TEST_F(Tls, AWrongTokenGetsNoWebSocket) {
+  RunningServer server(secured());
+  EXPECT_ANY_THROW(WebSocketClient(server.port(), with_token("wrong")));
+  EXPECT_EQ(server.statistics().of(Refusal::wrong_token), 1U);
+}
+
+TEST_F(Tls, AMissingTokenLeavesTheSessionUnauthorised) {
+  RunningServer server(secured());
+  WebSocketClient client(server.port(), {.headers = {}, .tls = true, .highest_tls = 0});
+  server.await([](const ServerStatistics&, EchoHub& hub) {
+    return hub.opened.size() == 1 && !hub.opened[0].authorised;
+  });
+}
+
+TEST_F(Tls, OldVersionsAreRefused) {
+  RunningServer server(secured());
+  auto options = with_token(SecretFiles::kToken);
+  options.highest_tls = TLS1_1_VERSION;
+  EXPECT_ANY_THROW(WebSocketClient(server.port(), options));
+  EXPECT_EQ(server.statistics().of(Refusal::tls), 1U);
+  options.highest_tls = TLS1_2_VERSION;
+  WebSocketClient client(server.port(), options);
+  client.send("hello");
+  EXPECT_EQ(client.receive().text, "hello");
+}
+
+TEST_F(Tls, PlainRequestsAreRefused) {
+  RunningServer server(secured());
+  RawClient client(server.port());
+  client.send(upgrade_request());
+  EXPECT_THAT(client.receive_all(), testing::Not(testing::HasSubstr("HTTP/1.1 101")));
+  EXPECT_EQ(server.statistics().of(Refusal::tls), 1U);
+}
+
+TEST_F(Tls, HalfHandshakesEndInTime) {
+  ServerOptions options = secured();
+  options.limits.handshake_ns = 50'000'000;
+  RunningServer server(options);
+  RawClient client(server.port());
+  client.send("\x16\x03\x01");
+  EXPECT_EQ(client.receive_all(), "");
+  EXPECT_EQ(server.statistics().of(Refusal::handshake_time), 1U);
+}
+
+TEST_F(Tls, SlowReadersAreDropped) {
+  ServerOptions options = secured();
+  options.limits.silence_ns = 3'600'000'000'000;
+  options.limits.write_ns = options.closing_ns = 50'000'000;
+  RunningServer server(options);
+  WebSocketClient client(server.port(), with_token(SecretFiles::kToken));
+  client.send("many 2000");
+  server.await([](const ServerStatistics& statistics, EchoHub& hub) {
+    return statistics.of(Closing::slow) == 1 && statistics.connected == 0 && hub.sessions == 0;
+  });
+}
+
+TEST_F(Tls, EndsWhenTheServerStops) {
+  RunningServer server(secured());
+  WebSocketClient client(server.port(), with_token(SecretFiles::kToken));
+  std::thread stopping([&] { server.stop(); });
+  EXPECT_EQ(client.receive_close(), 1001U);
+  stopping.join();
+}
+
+}  // namespace
+}  // namespace gaitway::api
