@@ -172,7 +172,8 @@ class Server::Impl {
 
   // Due times do not drift; those that have passed already are left out.
   void keep_time() {
-    due_ns_ = std::max(due_ns_ + period_ns_, wall_now_ns());
+    const std::int64_t late_ns = std::max<std::int64_t>(wall_now_ns() - due_ns_, 0);
+    due_ns_ += (late_ns / period_ns_ + 1) * period_ns_;
     timer_.expires_at(std::chrono::steady_clock::time_point(std::chrono::nanoseconds(due_ns_)));
     timer_.async_wait([this](boost::system::error_code error) {
       if (error) {

@@ -16,7 +16,7 @@
 namespace gaitway::api {
 namespace {
 
-constexpr int kBacklog = 128;
+constexpr int kBacklog = 512;  // all clients come back at once when the API has been started again
 
 struct SocketAddress {
   sockaddr_storage storage{};
