@@ -1,0 +1,96 @@
+#include "gaitway/api/authority.hpp"
+
+#include <utility>
+
+#include "secrets.hpp"
+
+namespace gaitway::api {
+
+std::string Authority::acquire(Claimant& claimant, std::int64_t now_ns) {
+  expire(now_ns);
+  if (lease_ && !held_by(claimant)) {
+    throw CommandDenied("\"" + lease_->name +
+                        "\" has the command: wait until it is given back, or stop the robot");
+  }
+  claimant.tried_ns = now_ns;
+  claimant.stops_seen = stops_;
+  grant(claimant, now_ns);
+  return lease_->id;
+}
+
+void Authority::use(Claimant& claimant, std::int64_t now_ns) {
+  expire(now_ns);
+  const bool let_go = !claimant.tried_ns || now_ns - *claimant.tried_ns >= lease_ns_;
+  claimant.tried_ns = now_ns;
+  if (lease_ && !held_by(claimant)) {
+    throw CommandDenied("\"" + lease_->name +
+                        "\" has the command: wait until it is given back, or stop the robot");
+  }
+  if (!let_go && claimant.stops_seen != stops_) {
+    throw CommandDenied(
+        "the robot was stopped by somebody else: let go for a while, or call /command/acquire, to go on");
+  }
+  claimant.stops_seen = stops_;
+  grant(claimant, now_ns);
+}
+
+void Authority::keep_alive(const Claimant& claimant, std::string_view lease, std::int64_t now_ns) {
+  require(claimant, lease, now_ns);
+  grant(claimant, now_ns);
+}
+
+void Authority::release(const Claimant& claimant, std::string_view lease, std::int64_t now_ns) {
+  require(claimant, lease, now_ns);
+  lease_.reset();
+}
+
+bool Authority::leave(const Claimant& claimant) noexcept {
+  const bool held = held_by(claimant);
+  if (held) {
+    lease_.reset();
+  }
+  return held;
+}
+
+void Authority::stop(Claimant& by) noexcept {
+  ++stops_;
+  by.stops_seen = stops_;
+  if (!held_by(by)) {
+    lease_.reset();
+  }
+}
+
+bool Authority::lapse(std::int64_t now_ns) noexcept {
+  expire(now_ns);
+  return std::exchange(lapsed_, false);
+}
+
+bool Authority::held_by(const Claimant& claimant) const noexcept {
+  return lease_ && lease_->claimant == claimant.number;
+}
+
+std::string_view Authority::holder() const noexcept { return lease_ ? lease_->name : std::string_view(); }
+
+void Authority::expire(std::int64_t now_ns) noexcept {
+  if (lease_ && now_ns >= lease_->ends_ns) {
+    lease_.reset();
+    lapsed_ = true;
+  }
+}
+
+void Authority::grant(const Claimant& claimant, std::int64_t now_ns) {
+  if (!lease_) {
+    lease_ = Lease{claimant.number, claimant.name, random_id(), 0};
+  }
+  lease_->name = claimant.name;
+  lease_->ends_ns = now_ns + lease_ns_;
+}
+
+void Authority::require(const Claimant& claimant, std::string_view lease, std::int64_t now_ns) {
+  expire(now_ns);
+  if (!held_by(claimant) || !same_secret(lease_->id, lease)) {
+    throw CommandDenied("this lease is not, or no longer, this connection's: call /command/acquire");
+  }
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,166 @@
+#include "outbox.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gaitway::api {
+
+bool Outbox::answer(Frame frame, std::size_t fragment_bytes) {
+  std::vector<Frame> frames;
+  if (fragment_bytes > 0 && !frame.binary && frame.bytes->size() > fragment_bytes) {
+    for (Fragments pieces = cut(frame, fragment_bytes); !pieces.done();) {
+      frames.push_back(pieces.next());
+    }
+  } else {
+    frames.push_back(std::move(frame));
+  }
+  std::size_t bytes = 0;
+  for (const Frame& piece : frames) {
+    bytes += piece.bytes->size();
+  }
+  if (!make_room(bytes)) {
+    return false;
+  }
+  waiting_bytes_ += bytes;
+  std::move(frames.begin(), frames.end(), std::back_inserter(answers_));
+  return true;
+}
+
+void Outbox::open(Topic topic, const Terms& terms) {
+  auto& place = lanes_[static_cast<std::size_t>(topic)];
+  if (!place) {
+    place = std::make_unique<Lane>();
+  }
+  place->terms = terms;
+  while (place->waiting.size() > terms.queue_length) {
+    drop_oldest(*place, false);
+  }
+}
+
+void Outbox::close(Topic topic) {
+  auto& place = lanes_[static_cast<std::size_t>(topic)];
+  if (place) {
+    waiting_bytes_ -= place->bytes;
+    place.reset();
+  }
+}
+
+void Outbox::close_all() {
+  for (const TopicRow& row : kTopics) {
+    close(row.topic);
+  }
+}
+
+const Terms* Outbox::terms(Topic topic) const noexcept {
+  const auto& place = lanes_[static_cast<std::size_t>(topic)];
+  return place ? &place->terms : nullptr;
+}
+
+void Outbox::offer(Topic topic, const Frame& frame, std::int64_t now_ns) {
+  Lane& lane = *this->lane(topic);
+  const bool slow = lane.due(now_ns);
+  while (lane.waiting.size() >= lane.terms.queue_length) {
+    drop_oldest(lane, slow);
+  }
+  if (!make_room(frame.bytes->size())) {
+    ++lane.drops;
+    has_drops_ = true;
+    return;
+  }
+  lane.waiting.push_back(frame);
+  lane.bytes += frame.bytes->size();
+  waiting_bytes_ += frame.bytes->size();
+}
+
+std::optional<Frame> Outbox::next(std::int64_t now_ns) {
+  if (!answers_.empty()) {
+    Frame frame = std::move(answers_.front());
+    answers_.pop_front();
+    waiting_bytes_ -= frame.bytes->size();
+    return frame;
+  }
+  if (rest_) {
+    Frame piece = rest_->next();
+    if (rest_->done()) {
+      waiting_bytes_ -= rest_->whole_bytes();
+      rest_.reset();
+    }
+    return piece;
+  }
+  return next_of_lanes(now_ns);
+}
+
+bool Outbox::ready(std::int64_t now_ns) const noexcept {
+  return !answers_.empty() || rest_ || std::any_of(lanes_.begin(), lanes_.end(), [now_ns](const auto& lane) {
+    return lane && !lane->waiting.empty() && lane->due(now_ns);
+  });
+}
+
+std::uint64_t Outbox::take_drops(Topic topic) noexcept {
+  Lane* const lane = this->lane(topic);
+  const std::uint64_t drops = lane != nullptr ? std::exchange(lane->drops, 0) : 0;
+  has_drops_ = std::any_of(lanes_.begin(), lanes_.end(),
+                           [](const auto& place) { return place && place->drops > 0; });
+  return drops;
+}
+
+bool Outbox::make_room(std::size_t bytes) noexcept {
+  while (waiting_bytes_ + bytes > most_bytes_) {
+    const auto bytes_of = [](const auto& lane) { return lane ? lane->bytes : 0; };
+    const auto fullest = std::max_element(lanes_.begin(), lanes_.end(), [&](const auto& a, const auto& b) {
+      return bytes_of(a) < bytes_of(b);
+    });
+    if (bytes_of(*fullest) == 0 || bytes > most_bytes_) {
+      return false;
+    }
+    drop_oldest(**fullest, true);
+  }
+  return true;
+}
+
+void Outbox::drop_oldest(Lane& lane, bool slow) noexcept {
+  const std::size_t bytes = lane.waiting.front().bytes->size();
+  lane.bytes -= bytes;
+  waiting_bytes_ -= bytes;
+  lane.waiting.pop_front();
+  if (slow) {
+    ++lane.drops;
+    has_drops_ = true;
+  }
+}
+
+std::optional<Frame> Outbox::next_of_lanes(std::int64_t now_ns) {
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const std::size_t at = (turn_ + i) % lanes_.size();
+    Lane* const lane = lanes_[at].get();
+    if (lane != nullptr && !lane->waiting.empty() && lane->due(now_ns)) {
+      turn_ = (at + 1) % lanes_.size();
+      lane->sent_ns = now_ns;
+      return start(*lane);
+    }
+  }
+  return std::nullopt;
+}
+
+// Takes the lane's oldest message: whole, or its first piece, and the rest is to follow.
+Frame Outbox::start(Lane& lane) {
+  Frame frame = std::move(lane.waiting.front());
+  lane.waiting.pop_front();
+  const std::size_t bytes = frame.bytes->size();
+  lane.bytes -= bytes;
+  const std::size_t fragment_bytes = lane.terms.fragment_bytes;
+  if (frame.binary || fragment_bytes == 0 || bytes <= fragment_bytes) {
+    waiting_bytes_ -= bytes;
+    return frame;
+  }
+  rest_ = cut(frame, fragment_bytes);
+  return rest_->next();  // at least one more follows
+}
+
+Fragments Outbox::cut(const Frame& frame, std::size_t fragment_bytes) {
+  return {frame.bytes, fragment_bytes, std::to_string(++fragmented_)};
+}
+
+}  // namespace gaitway::api

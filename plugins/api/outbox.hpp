@@ -1,0 +1,82 @@
+// What waits for one client: answers in their order, and for each topic it subscribes to the newest messages.
+// Bounded, whatever the client reads.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "fragments.hpp"
+#include "gaitway/api/encoding.hpp"
+#include "gaitway/api/publication.hpp"
+#include "gaitway/api/session.hpp"
+
+namespace gaitway::api {
+
+// How messages of a topic are to be sent.
+struct Terms {
+  std::int64_t throttle_ns = 0;    // between two of them, at least
+  std::size_t queue_length = 1;    // the newest so many wait, at least 1
+  std::size_t fragment_bytes = 0;  // longer ones are sent in pieces; 0: as they are
+  Encoding encoding = Encoding::json;
+};
+
+class Outbox {
+ public:
+  // `most_bytes` may wait at once.
+  explicit Outbox(std::size_t most_bytes) noexcept : most_bytes_(most_bytes) {}
+
+  // An answer or status; goes before publications, which give way to it. False: no room, even so.
+  [[nodiscard]] bool answer(Frame frame, std::size_t fragment_bytes = 0);
+
+  // The topic is subscribed to, or on other terms.
+  void open(Topic topic, const Terms& terms);
+  void close(Topic topic);
+  void close_all();
+  [[nodiscard]] const Terms* terms(Topic topic) const noexcept;
+  // A publication; the topic is open. Older ones beyond the queue's length are dropped, and counted unless
+  // they were throttled on demand.
+  void offer(Topic topic, const Frame& frame, std::int64_t now_ns);
+
+  // The next frame: answers first, then what is left of a message in pieces, then topics by turns.
+  [[nodiscard]] std::optional<Frame> next(std::int64_t now_ns);
+  [[nodiscard]] bool ready(std::int64_t now_ns) const noexcept;
+
+  [[nodiscard]] std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
+  // Messages of the topic that were dropped because the client was too slow, since this was asked last.
+  [[nodiscard]] std::uint64_t take_drops(Topic topic) noexcept;
+  [[nodiscard]] bool has_drops() const noexcept { return has_drops_; }
+
+ private:
+  struct Lane {
+    Terms terms;
+    std::deque<Frame> waiting;
+    std::size_t bytes = 0;
+    std::optional<std::int64_t> sent_ns;
+    std::uint64_t drops = 0;
+    [[nodiscard]] bool due(std::int64_t now_ns) const noexcept {
+      return !sent_ns || now_ns - *sent_ns >= terms.throttle_ns;
+    }
+  };
+  [[nodiscard]] Lane* lane(Topic topic) noexcept { return lanes_[static_cast<std::size_t>(topic)].get(); }
+  [[nodiscard]] bool make_room(std::size_t bytes) noexcept;
+  void drop_oldest(Lane& lane, bool slow) noexcept;
+  [[nodiscard]] std::optional<Frame> next_of_lanes(std::int64_t now_ns);
+  [[nodiscard]] Frame start(Lane& lane);
+  [[nodiscard]] Fragments cut(const Frame& frame, std::size_t fragment_bytes);
+
+  std::size_t most_bytes_;
+  std::size_t waiting_bytes_ = 0;
+  std::deque<Frame> answers_;
+  std::optional<Fragments> rest_;
+  std::array<std::unique_ptr<Lane>, kTopicCount> lanes_;
+  std::size_t turn_ = 0;  // the lane that is asked first
+  std::uint64_t fragmented_ = 0;
+  bool has_drops_ = false;
+};
+
+}  // namespace gaitway::api

@@ -1,0 +1,126 @@
+#include "robot_commands.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "client_message.hpp"
+
+namespace gaitway::api {
+namespace {
+
+struct Component {
+  const char* name;
+  double value;
+  double most;  // 0: not supported
+  const char* unit;
+};
+
+Velocity velocity_of(const ros::Twist& twist, const Limits& limits) {
+  const std::array components{
+      Component{"linear.x", twist.linear.x, limits.forward_m_per_s, "m/s"},
+      Component{"linear.y", twist.linear.y, limits.forward_m_per_s, "m/s"},
+      Component{"linear.z", twist.linear.z, 0.0, "m/s"},
+      Component{"angular.x", twist.angular.x, 0.0, "rad/s"},
+      Component{"angular.y", twist.angular.y, 0.0, "rad/s"},
+      Component{"angular.z", twist.angular.z, limits.turn_rad_per_s, "rad/s"},
+  };
+  for (const Component& component : components) {
+    if (std::abs(component.value) <= component.most) {
+      continue;  // not so for NaN
+    }
+    const std::string shown_value = std::string(component.name) + " is " + shown(nlohmann::json(component.value));
+    throw Refused(component.most == 0.0
+                      ? shown_value + ", but must be 0: the robot walks in the plane"
+                      : shown_value + ", but must be from -" + shown(nlohmann::json(component.most)) + " to " +
+                            shown(nlohmann::json(component.most)) + " " + component.unit);
+  }
+  return {twist.linear.x, twist.linear.y, twist.angular.z};
+}
+
+}  // namespace
+
+void RobotCommands::walk(Claimant& claimant, const ros::Twist& twist, std::int64_t now_ns) {
+  const Velocity velocity = velocity_of(twist, limits_);
+  demand(claimant, now_ns);
+  walks_ = true;
+  robot_.walk(velocity, limits_.velocity_ns);
+}
+
+void RobotCommands::stand(Claimant& claimant, std::int64_t now_ns) {
+  demand(claimant, now_ns);
+  walks_ = false;
+  robot_.stand();
+}
+
+std::optional<std::uint32_t> RobotCommands::move_joint(Claimant& claimant, int joint, double position_rad,
+                                                       double duration_s, std::int64_t now_ns) {
+  demand(claimant, now_ns);
+  return robot_.move_joint(joint, position_rad, duration_s);
+}
+
+std::optional<std::uint32_t> RobotCommands::order(Claimant& claimant, const PluginOrder& order,
+                                                  std::int64_t now_ns) {
+  demand(claimant, now_ns);
+  return robot_.order(order);
+}
+
+void RobotCommands::demand(Claimant& claimant, std::int64_t now_ns) {
+  step(now_ns);
+  if (!robot_.connected()) {
+    throw CommandDenied("the robot is not there: its message controller does not answer");
+  }
+  authority_.use(claimant, now_ns);
+}
+
+std::optional<std::uint32_t> RobotCommands::stop(Claimant& by) {
+  authority_.stop(by);
+  const auto number = robot_.stop();
+  walks_ = false;
+  robot_.stand();
+  return number;
+}
+
+std::optional<std::uint32_t> RobotCommands::emergency_stop(Claimant& by, bool soft) {
+  authority_.stop(by);
+  const auto number = robot_.emergency_stop(soft);
+  walks_ = false;
+  robot_.stand();
+  return number;
+}
+
+std::string RobotCommands::acquire(Claimant& claimant, std::int64_t now_ns) {
+  step(now_ns);
+  return authority_.acquire(claimant, now_ns);
+}
+
+void RobotCommands::keep_alive(const Claimant& claimant, std::string_view lease, std::int64_t now_ns) {
+  step(now_ns);
+  authority_.keep_alive(claimant, lease, now_ns);
+}
+
+void RobotCommands::release(const Claimant& claimant, std::string_view lease, std::int64_t now_ns) {
+  step(now_ns);
+  authority_.release(claimant, lease, now_ns);
+  end_walk();
+}
+
+void RobotCommands::leave(const Claimant& claimant) {
+  if (authority_.leave(claimant)) {
+    end_walk();
+  }
+}
+
+void RobotCommands::step(std::int64_t now_ns) {
+  if (authority_.lapse(now_ns)) {
+    end_walk();
+  }
+}
+
+void RobotCommands::end_walk() {
+  if (walks_) {
+    walks_ = false;
+    robot_.stand();
+  }
+}
+
+}  // namespace gaitway::api

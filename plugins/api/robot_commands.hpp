@@ -1,0 +1,57 @@
+// All that clients may make the robot do, behind the authority: the one place that gives orders to the robot.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gaitway/api/authority.hpp"
+#include "gaitway/api/limits.hpp"
+#include "gaitway/api/robot_port.hpp"
+#include "gaitway/api/ros_messages.hpp"
+
+namespace gaitway::api {
+
+// Commands throw CommandDenied to who may not give them, and when the robot is not there. Orders give their
+// number, or nothing when the way to the robot is full. Whoever drove the robot and has the command no more:
+// the robot is told to stand.
+class RobotCommands {
+ public:
+  RobotCommands(RobotPort& robot, const Limits& limits)
+      : robot_(robot), limits_(limits), authority_(limits.lease_ns) {}
+
+  // Throws Refused for a velocity that the robot cannot walk.
+  void walk(Claimant& claimant, const ros::Twist& twist, std::int64_t now_ns);
+  void stand(Claimant& claimant, std::int64_t now_ns);
+  std::optional<std::uint32_t> move_joint(Claimant& claimant, int joint, double position_rad,
+                                          double duration_s, std::int64_t now_ns);
+  std::optional<std::uint32_t> order(Claimant& claimant, const PluginOrder& order, std::int64_t now_ns);
+  // A command that the robot cannot carry out still needs the command.
+  void demand(Claimant& claimant, std::int64_t now_ns);
+
+  // For everybody: nobody else has the command afterwards, and nothing walks on.
+  std::optional<std::uint32_t> stop(Claimant& by);
+  std::optional<std::uint32_t> emergency_stop(Claimant& by, bool soft);
+
+  [[nodiscard]] std::string acquire(Claimant& claimant, std::int64_t now_ns);
+  void keep_alive(const Claimant& claimant, std::string_view lease, std::int64_t now_ns);
+  void release(const Claimant& claimant, std::string_view lease, std::int64_t now_ns);
+
+  // The connection has ended.
+  void leave(const Claimant& claimant);
+  // A lease that has run out ends.
+  void step(std::int64_t now_ns);
+
+  [[nodiscard]] const Authority& authority() const noexcept { return authority_; }
+
+ private:
+  void end_walk();
+
+  RobotPort& robot_;
+  Limits limits_;
+  Authority authority_;
+  bool walks_ = false;  // told to, and not told to stand since
+};
+
+}  // namespace gaitway::api

@@ -1,0 +1,252 @@
+// The services of the robot itself, of the recording and of the plug-ins.
+#include <algorithm>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "client_message.hpp"
+#include "service_desk.hpp"
+
+namespace gaitway::api {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kWayIsFull = "the robot takes no order now, since too many wait: try again";
+
+std::string seconds(std::int64_t ns) { return shown(json(static_cast<double>(ns) * 1e-9)) + " s"; }
+
+bool is_plain_name(std::string_view name) {
+  constexpr std::size_t kMost = 64;
+  return name.size() <= kMost && !name.starts_with('.') && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '_' || c == '-';
+  });
+}
+
+std::string text_of(const json& object, const char* field) {
+  const auto found = object.find(field);
+  if (found == object.end()) {
+    return "";
+  }
+  return found->is_string() ? found->get<std::string>() : found->dump();
+}
+
+}  // namespace
+
+struct ServiceDesk::ParameterReading {
+  ros::GetParameters::Response response;
+  PluginOrder order;
+  std::int64_t ends_ns = 0;
+};
+
+template <class S>
+void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done) {
+  if (!order) {
+    return reply(caller.call, typename S::Response{false, std::string(kWayIsFull)});
+  }
+  orders_.wait(*order, caller.call.client, end_of_wait(caller),
+               [this, call = caller.call, done = std::move(done)](const OrderResult* result) {
+                 if (result == nullptr) {
+                   const std::int64_t waited_ns = std::min(call.timeout_ns, limits_.answer_ns);
+                   return send_(call, service_failure(call, "the robot has not answered within " +
+                                                                seconds(waited_ns)));
+                 }
+                 if (result->done && done) {
+                   done();
+                 }
+                 reply(call, typename S::Response{result->done, result->text});
+               });
+}
+
+void ServiceDesk::stand(const Caller& caller) {
+  static_cast<void>(request<ros::Trigger>(caller));
+  commands_.stand(caller.claimant, caller.now_ns);
+  reply(caller.call, ros::Trigger::Response{true, "the walk ends by the next steps"});
+}
+
+// A stop is carried out whatever is wrong with its arguments, and however many answers are waited for.
+void ServiceDesk::stop(const Caller& caller) { await<ros::Trigger>(caller, commands_.stop(caller.claimant)); }
+
+void ServiceDesk::emergency_stop(const Caller& caller) {
+  bool soft = false;
+  try {
+    soft = request<ros::SetBool>(caller).data;
+  } catch (const std::exception&) {
+    // Hold, then.
+  }
+  await<ros::SetBool>(caller, commands_.emergency_stop(caller.claimant, soft));
+}
+
+void ServiceDesk::move_joint(const Caller& caller) {
+  constexpr double kMost_s = 60.0;
+  const auto asked = request<ros::MoveJoint>(caller);
+  const auto& joints = robot_.joints();
+  const auto joint = std::find_if(joints.begin(), joints.end(),
+                                  [&](const JointLimits& limits) { return limits.name == asked.joint; });
+  if (joint == joints.end()) {
+    throw Refused("joint is " + shown(asked.joint) + ", but must be one of those in /joint_states");
+  }
+  if (!(asked.position >= joint->lower_rad && asked.position <= joint->upper_rad)) {
+    throw Refused("position is " + shown(json(asked.position)) + ", but must be from " +
+                  shown(json(joint->lower_rad)) + " to " + shown(json(joint->upper_rad)) + " rad for " +
+                  shown(asked.joint));
+  }
+  if (!(asked.duration > 0.0 && asked.duration <= kMost_s)) {
+    throw Refused("duration is " + shown(json(asked.duration)) + ", but must be above 0 and at most " +
+                  shown(json(kMost_s)) + " s");
+  }
+  orders_.require_room(caller.call.client);
+  await<ros::MoveJoint>(caller,
+                        commands_.move_joint(caller.claimant, static_cast<int>(joint - joints.begin()),
+                                             asked.position, asked.duration, caller.now_ns));
+}
+
+void ServiceDesk::play_motion(const Caller& caller) {
+  const auto asked = request<ros::PlayMotion>(caller);
+  commands_.demand(caller.claimant, caller.now_ns);
+  if (std::find(motions_.begin(), motions_.end(), asked.motion) != motions_.end()) {
+    throw CommandDenied("the motion " + shown(asked.motion) + " cannot be played by way of the API");
+  }
+  if (motions_.empty()) {
+    throw CommandDenied("this robot has no motions");
+  }
+  std::string known;
+  for (const std::string& motion : motions_) {
+    known += (known.empty() ? "" : ", ") + shown(motion);
+  }
+  throw CommandDenied("motion is " + shown(asked.motion) + ", but must be one of: " + known);
+}
+
+void ServiceDesk::start_recording(const Caller& caller) {
+  const auto asked = request<ros::StartRecording>(caller);
+  if (!is_plain_name(asked.name)) {
+    throw Refused("name is " + shown(asked.name) +
+                  ", but must be at most 64 letters, digits, '-', '_' and '.', and not begin with '.'");
+  }
+  try {
+    const std::string file = robot_.start_recording(asked.name);
+    reply(caller.call, ros::StartRecording::Response{true, "recording", file});
+  } catch (const std::runtime_error& error) {
+    reply(caller.call, ros::StartRecording::Response{false, error.what(), ""});
+  }
+}
+
+void ServiceDesk::stop_recording(const Caller& caller) {
+  static_cast<void>(request<ros::Trigger>(caller));
+  try {
+    reply(caller.call, ros::Trigger::Response{true, robot_.stop_recording()});
+  } catch (const std::runtime_error& error) {
+    reply(caller.call, ros::Trigger::Response{false, error.what()});
+  }
+}
+
+void ServiceDesk::list_plugins(const Caller& caller) {
+  static_cast<void>(request<ros::ListPlugins>(caller));
+  ros::ListPlugins::Response response{true, "", {}};
+  for (const PluginStatus& plugin : robot_.plugins()) {
+    response.plugins.push_back({plugin.name, plugin.state, plugin.steps, plugin.faults, plugin.overruns,
+                                plugin.p50_step_us, plugin.p99_step_us, plugin.worst_step_us});
+  }
+  reply(caller.call, response);
+}
+
+void ServiceDesk::require_plugin(const std::string& name) const {
+  const auto plugins = robot_.plugins();
+  if (std::none_of(plugins.begin(), plugins.end(),
+                   [&name](const PluginStatus& plugin) { return plugin.name == name; })) {
+    throw Refused("the plug-in is " + shown(name) + ", but must be one that /plugins/list lists");
+  }
+}
+
+void ServiceDesk::change_plugin(PluginVerb verb, const Caller& caller) {
+  const auto asked = request<ros::ChangePlugin>(caller);
+  if (verb != PluginVerb::load) {
+    require_plugin(asked.name);
+  }
+  orders_.require_room(caller.call.client);
+  PluginOrder order;
+  order.verb = verb;
+  order.plugin = asked.name;
+  order.library = asked.library;
+  await<ros::ChangePlugin>(caller, commands_.order(caller.claimant, order, caller.now_ns));
+}
+
+void ServiceDesk::set_parameter(const Caller& caller) {
+  const auto asked = request<ros::SetParameter>(caller);
+  require_plugin(asked.plugin);
+  orders_.require_room(caller.call.client);
+  PluginOrder order;
+  order.verb = PluginVerb::set_parameter;
+  order.plugin = asked.plugin;
+  order.parameter = asked.parameter;
+  order.value = asked.value;
+  await<ros::SetParameter>(caller, commands_.order(caller.claimant, order, caller.now_ns),
+                           [this, asked] { parameters_[asked.plugin + ":" + asked.parameter] = asked.value; });
+}
+
+void ServiceDesk::set_rosapi_parameter(const Caller& caller) {
+  const auto asked = request<ros::SetParam>(caller);
+  const std::size_t colon = asked.name.find(':');
+  if (colon == std::string::npos) {
+    throw Refused("name is " + shown(asked.name) + ", but must be plug-in:parameter");
+  }
+  const json value = json::parse(asked.value, nullptr, false);
+  if (!value.is_string() && !value.is_number() && !value.is_boolean()) {
+    throw Refused("value is " + shown(asked.value) + ", but must be a JSON text, number or truth value");
+  }
+  PluginOrder order;
+  order.verb = PluginVerb::set_parameter;
+  order.plugin = asked.name.substr(0, colon);
+  order.parameter = asked.name.substr(colon + 1);
+  order.value = value.is_string() ? value.get<std::string>() : value.dump();
+  require_plugin(order.plugin);
+  orders_.require_room(caller.call.client);
+  await<ros::SetParam>(caller, commands_.order(caller.claimant, order, caller.now_ns),
+                       [this, name = asked.name, order] { parameters_[name] = order.value; });
+}
+
+void ServiceDesk::get_parameters(const Caller& caller) {
+  const auto asked = request<ros::GetParameters>(caller);
+  require_plugin(asked.plugin);
+  orders_.require_room(caller.call.client);
+  ParameterReading reading;
+  reading.order.verb = PluginVerb::describe_parameter;
+  reading.order.plugin = asked.plugin;
+  reading.ends_ns = end_of_wait(caller);
+  read_parameter(caller.call, std::move(reading));
+}
+
+// Asks for the parameter of the reading's index, and goes on to the next, until there is none of that index.
+void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading reading) {
+  const auto order = robot_.order(reading.order);
+  if (!order) {
+    return reply(call, ros::GetParameters::Response{false, std::string(kWayIsFull), {}, {}, {}, {}, {}});
+  }
+  const std::int64_t ends_ns = reading.ends_ns;
+  orders_.wait(*order, call.client, ends_ns,
+               [this, call, reading = std::move(reading)](const OrderResult* result) mutable {
+                 if (result == nullptr) {
+                   return send_(call, service_failure(call, "the robot has not told all parameters of " +
+                                                                shown(reading.order.plugin) + " in time"));
+                 }
+                 auto& response = reading.response;
+                 const json parameter =
+                     result->done ? json::parse(result->text, nullptr, false) : json::object();
+                 if (!result->done || !parameter.is_object()) {
+                   response.success = !result->done;
+                   response.message = result->text;
+                   return reply(call, response);
+                 }
+                 response.names.push_back(text_of(parameter, "name"));
+                 response.values.push_back(text_of(parameter, "value"));
+                 response.units.push_back(text_of(parameter, "unit"));
+                 response.docs.push_back(text_of(parameter, "doc"));
+                 response.live.push_back(text_of(parameter, "live") == "true");
+                 parameters_[reading.order.plugin + ":" + response.names.back()] = response.values.back();
+                 ++reading.order.index;
+                 read_parameter(call, std::move(reading));
+               });
+}
+
+}  // namespace gaitway::api

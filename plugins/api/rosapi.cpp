@@ -1,0 +1,215 @@
+#include "rosapi.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "client_message.hpp"
+#include "gaitway/api/message_definition.hpp"
+#include "gaitway/api/publication.hpp"
+#include "gaitway/api/service_table.hpp"
+
+namespace gaitway::api {
+namespace {
+
+struct NamedType {
+  std::string_view name, type;
+};
+
+constexpr auto kAllTopics = [] {
+  std::array<NamedType, kTopicCount + 1> all{};
+  std::size_t count = 0;
+  for (const TopicRow& row : kTopics) {
+    all[count++] = {row.name, row.type};
+  }
+  all[count] = {kVelocityTopic, ros::Twist::kName};
+  return all;
+}();
+
+constexpr auto kAllServices = [] {
+  std::array<NamedType, kServiceCount> all{};
+  std::size_t count = 0;
+  for (const ServiceRow& row : kServices) {
+    all[count++] = {row.name, row.type};
+  }
+  return all;
+}();
+
+template <class Rows>
+std::string type_of(const Rows& rows, std::string_view name) {
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [name](const NamedType& row) { return row.name == name; });
+  return std::string(found == rows.end() ? std::string_view() : found->type);
+}
+
+template <class Rows>
+std::vector<std::string> names_of(const Rows& rows, std::string_view type) {
+  std::vector<std::string> names;
+  for (const NamedType& row : rows) {
+    if (row.type == canonical_type(type)) {
+      names.emplace_back(row.name);
+    }
+  }
+  return names;
+}
+
+template <class Rows>
+std::vector<std::string> all_names(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const NamedType& row : rows) {
+    names.emplace_back(row.name);
+  }
+  return names;
+}
+
+std::vector<std::string> published() {
+  auto names = all_names(kAllTopics);
+  names.pop_back();
+  return names;
+}
+
+std::vector<std::string> node_if(bool so) {
+  return so ? std::vector<std::string>{std::string(kNode)} : std::vector<std::string>{};
+}
+
+std::vector<ros::TypeDef> details(const std::string& type, std::string_view part) {
+  const std::string_view known = canonical_type(type);
+  if (known.empty()) {
+    throw std::invalid_argument("type is " + shown(type) + ", but must be one that /rosapi/interfaces lists");
+  }
+  return type_definitions(std::string(known) + std::string(part));
+}
+
+// A parameter's value as JSON: a number or truth value where it is one, otherwise a text.
+std::string as_json(const std::string& value) {
+  const auto parsed = nlohmann::json::parse(value, nullptr, false);
+  return parsed.is_number() || parsed.is_boolean()
+             ? value
+             : nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+ros::Topics::Response Rosapi::answer(const ros::Topics::Request&) const {
+  ros::Topics::Response response;
+  for (const NamedType& topic : kAllTopics) {
+    response.topics.emplace_back(topic.name);
+    response.types.emplace_back(topic.type);
+  }
+  return response;
+}
+
+ros::TopicType::Response Rosapi::answer(const ros::TopicType::Request& request) const {
+  return {type_of(kAllTopics, request.topic)};
+}
+
+ros::TopicsForType::Response Rosapi::answer(const ros::TopicsForType::Request& request) const {
+  return {names_of(kAllTopics, request.type)};
+}
+
+ros::TopicsAndRawTypes::Response Rosapi::answer(const ros::TopicsAndRawTypes::Request&) const {
+  ros::TopicsAndRawTypes::Response response;
+  for (const NamedType& topic : kAllTopics) {
+    response.topics.emplace_back(topic.name);
+    response.types.emplace_back(topic.type);
+    response.typedefs_full_text.push_back(full_message_definition(topic.type));
+  }
+  return response;
+}
+
+ros::Publishers::Response Rosapi::answer(const ros::Publishers::Request& request) const {
+  return {node_if(request.topic != kVelocityTopic && !type_of(kAllTopics, request.topic).empty())};
+}
+
+ros::Subscribers::Response Rosapi::answer(const ros::Subscribers::Request& request) const {
+  return {node_if(request.topic == kVelocityTopic)};
+}
+
+ros::Interfaces::Response Rosapi::answer(const ros::Interfaces::Request&) const {
+  ros::Interfaces::Response response;
+  for (const auto& types : {message_types(), service_types()}) {
+    response.interfaces.insert(response.interfaces.end(), types.begin(), types.end());
+  }
+  return response;
+}
+
+ros::Services::Response Rosapi::answer(const ros::Services::Request&) const {
+  return {all_names(kAllServices)};
+}
+
+ros::ServiceType::Response Rosapi::answer(const ros::ServiceType::Request& request) const {
+  return {type_of(kAllServices, request.service)};
+}
+
+ros::ServicesForType::Response Rosapi::answer(const ros::ServicesForType::Request& request) const {
+  return {names_of(kAllServices, request.type)};
+}
+
+ros::ServiceNode::Response Rosapi::answer(const ros::ServiceNode::Request& request) const {
+  return {std::string(type_of(kAllServices, request.service).empty() ? std::string_view() : kNode)};
+}
+
+// The request's field is called `service`, but holds a type.
+ros::ServiceProviders::Response Rosapi::answer(const ros::ServiceProviders::Request& request) const {
+  return {node_if(!names_of(kAllServices, request.service).empty())};
+}
+
+ros::ServiceRequestDetails::Response Rosapi::answer(const ros::ServiceRequestDetails::Request& request) const {
+  return {details(request.type, "_Request")};
+}
+
+ros::ServiceResponseDetails::Response Rosapi::answer(
+    const ros::ServiceResponseDetails::Request& request) const {
+  return {details(request.type, "_Response")};
+}
+
+ros::MessageDetails::Response Rosapi::answer(const ros::MessageDetails::Request& request) const {
+  return {details(request.type, "")};
+}
+
+ros::Nodes::Response Rosapi::answer(const ros::Nodes::Request&) const { return {node_if(true)}; }
+
+ros::NodeDetails::Response Rosapi::answer(const ros::NodeDetails::Request& request) const {
+  if (request.node != kNode) {
+    return {};
+  }
+  return {{std::string(kVelocityTopic)}, published(), all_names(kAllServices)};
+}
+
+ros::GetActionServers::Response Rosapi::answer(const ros::GetActionServers::Request&) const { return {}; }
+
+ros::GetTime::Response Rosapi::answer(const ros::GetTime::Request&) const {
+  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  const std::int64_t now_ns = robot_.now_ns();
+  const auto sec = static_cast<std::int32_t>(now_ns / kSecond_ns);
+  const auto nanosec = static_cast<std::uint32_t>(now_ns % kSecond_ns);
+  return {{sec, nanosec, sec, nanosec}};
+}
+
+ros::GetROSVersion::Response Rosapi::answer(const ros::GetROSVersion::Request&) const {
+  return {2, "gaitway"};
+}
+
+ros::GetParamNames::Response Rosapi::answer(const ros::GetParamNames::Request&) const {
+  ros::GetParamNames::Response response;
+  for (const auto& [name, value] : parameters_) {
+    response.names.push_back(name);
+  }
+  return response;
+}
+
+ros::GetParam::Response Rosapi::answer(const ros::GetParam::Request& request) const {
+  const auto found = parameters_.find(request.name);
+  if (found == parameters_.end()) {
+    return {"", false,
+            "name is " + shown(request.name) + ", but must be one that /rosapi/get_param_names lists"};
+  }
+  return {as_json(found->second), true, ""};
+}
+
+ros::HasParam::Response Rosapi::answer(const ros::HasParam::Request& request) const {
+  return {parameters_.contains(request.name)};
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,57 @@
+// What rosapi's services answer: there is one node, the robot, with the topics and services of the tables.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "gaitway/api/robot_port.hpp"
+#include "gaitway/api/rosapi_types.hpp"
+
+namespace gaitway::api {
+
+// The one topic that the robot takes from clients.
+inline constexpr std::string_view kVelocityTopic = "/cmd_vel";
+inline constexpr std::string_view kNode = "/gaitway";
+
+// Name -> value, as in a configuration.
+using ParameterValues = std::map<std::string, std::string, std::less<>>;
+
+class Rosapi {
+ public:
+  Rosapi(const RobotPort& robot, const ParameterValues& parameters)
+      : robot_(robot), parameters_(parameters) {}
+
+  // Each throws std::invalid_argument for an unknown type, as the definitions do.
+  [[nodiscard]] ros::Topics::Response answer(const ros::Topics::Request& request) const;
+  [[nodiscard]] ros::TopicType::Response answer(const ros::TopicType::Request& request) const;
+  [[nodiscard]] ros::TopicsForType::Response answer(const ros::TopicsForType::Request& request) const;
+  [[nodiscard]] ros::TopicsAndRawTypes::Response answer(const ros::TopicsAndRawTypes::Request& request) const;
+  [[nodiscard]] ros::Publishers::Response answer(const ros::Publishers::Request& request) const;
+  [[nodiscard]] ros::Subscribers::Response answer(const ros::Subscribers::Request& request) const;
+  [[nodiscard]] ros::Interfaces::Response answer(const ros::Interfaces::Request& request) const;
+  [[nodiscard]] ros::Services::Response answer(const ros::Services::Request& request) const;
+  [[nodiscard]] ros::ServiceType::Response answer(const ros::ServiceType::Request& request) const;
+  [[nodiscard]] ros::ServicesForType::Response answer(const ros::ServicesForType::Request& request) const;
+  [[nodiscard]] ros::ServiceNode::Response answer(const ros::ServiceNode::Request& request) const;
+  [[nodiscard]] ros::ServiceProviders::Response answer(const ros::ServiceProviders::Request& request) const;
+  [[nodiscard]] ros::ServiceRequestDetails::Response answer(
+      const ros::ServiceRequestDetails::Request& request) const;
+  [[nodiscard]] ros::ServiceResponseDetails::Response answer(
+      const ros::ServiceResponseDetails::Request& request) const;
+  [[nodiscard]] ros::MessageDetails::Response answer(const ros::MessageDetails::Request& request) const;
+  [[nodiscard]] ros::Nodes::Response answer(const ros::Nodes::Request& request) const;
+  [[nodiscard]] ros::NodeDetails::Response answer(const ros::NodeDetails::Request& request) const;
+  [[nodiscard]] ros::GetActionServers::Response answer(const ros::GetActionServers::Request& request) const;
+  [[nodiscard]] ros::GetTime::Response answer(const ros::GetTime::Request& request) const;
+  [[nodiscard]] ros::GetROSVersion::Response answer(const ros::GetROSVersion::Request& request) const;
+  [[nodiscard]] ros::GetParamNames::Response answer(const ros::GetParamNames::Request& request) const;
+  [[nodiscard]] ros::GetParam::Response answer(const ros::GetParam::Request& request) const;
+  [[nodiscard]] ros::HasParam::Response answer(const ros::HasParam::Request& request) const;
+
+ private:
+  const RobotPort& robot_;
+  const ParameterValues& parameters_;
+};
+
+}  // namespace gaitway::api

@@ -1,0 +1,105 @@
+// Where calls of services are answered: at once, or when the robot has said what became of an order.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gaitway/api/limits.hpp"
+#include "gaitway/api/robot_port.hpp"
+#include "gaitway/api/service_table.hpp"
+#include "orders.hpp"
+#include "robot_commands.hpp"
+#include "rosapi.hpp"
+#include "service_arguments.hpp"
+#include "service_call.hpp"
+
+namespace gaitway::api {
+
+// The row of `name`; a client may leave the leading / out. Null: there is none.
+[[nodiscard]] const ServiceRow* find_service(std::string_view name) noexcept;
+
+class ServiceDesk {
+ public:
+  // Takes an answer to its client, if that is still there.
+  using Send = std::function<void(const ServiceCall& call, Frame frame)>;
+
+  ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits, ParameterValues parameters,
+              std::vector<std::string> motions, Send send);
+  ServiceDesk(const ServiceDesk&) = delete;
+  ServiceDesk& operator=(const ServiceDesk&) = delete;
+
+  // Answers by `send`, now or later; never throws for what a client wrote.
+  void call(const ServiceCall& call, Claimant& claimant, std::int64_t now_ns);
+  // Takes what the robot says, and ends what has waited for too long.
+  void step(std::int64_t now_ns) { orders_.step(now_ns); }
+  // The connection has ended: its orders are answered to nobody.
+  void leave(const Claimant& claimant) { orders_.forget(claimant.number); }
+
+ private:
+  struct Caller {
+    const ServiceCall& call;
+    Claimant& claimant;
+    std::int64_t now_ns;
+  };
+  struct ParameterReading;  // of a plug-in's parameters: one order each
+
+  void answer(Service service, const Caller& caller);
+  void answer_of_plugins(Service service, const Caller& caller);
+  void answer_of_command(Service service, const Caller& caller);
+  void answer_of_topics(Service service, const Caller& caller);
+  void answer_of_types(Service service, const Caller& caller);
+  void answer_of_parameters(Service service, const Caller& caller);
+
+  void stand(const Caller& caller);
+  void stop(const Caller& caller);
+  void emergency_stop(const Caller& caller);
+  void move_joint(const Caller& caller);
+  void play_motion(const Caller& caller);
+  void start_recording(const Caller& caller);
+  void stop_recording(const Caller& caller);
+  void list_plugins(const Caller& caller);
+  void change_plugin(PluginVerb verb, const Caller& caller);
+  void set_parameter(const Caller& caller);
+  void get_parameters(const Caller& caller);
+  void read_parameter(const ServiceCall& call, ParameterReading reading);
+  void set_rosapi_parameter(const Caller& caller);
+  void require_plugin(const std::string& name) const;
+  void deny(Service service, const ServiceCall& call, std::string_view why) const;
+
+  template <class S>
+  [[nodiscard]] static typename S::Request request(const Caller& caller) {
+    return request_of<typename S::Request>(caller.call.arguments);
+  }
+  template <Message M>
+  void reply(const ServiceCall& call, const M& response) const {
+    send_(call, service_response(call, response));
+  }
+  // `service` is of rosapi, and S its type.
+  template <Service service, class S>
+  void reply_rosapi(const Caller& caller) const {
+    static_assert(row(service).type == S::kName);
+    reply(caller.call, rosapi_.answer(request<S>(caller)));
+  }
+  // When the caller has waited long enough.
+  [[nodiscard]] std::int64_t end_of_wait(const Caller& caller) const noexcept {
+    return caller.now_ns + std::min(caller.call.timeout_ns, limits_.answer_ns);
+  }
+  // Makes S's response out of the order's result. `done`: called before, when it was carried out.
+  template <class S>
+  void await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done = {});
+
+  RobotPort& robot_;
+  RobotCommands& commands_;
+  Limits limits_;
+  ParameterValues parameters_;
+  std::vector<std::string> motions_;
+  Send send_;
+  Rosapi rosapi_;
+  Orders orders_;
+};
+
+}  // namespace gaitway::api
