@@ -61,19 +61,19 @@ const json* find(const json& message, const char* field) {
 }
 
 [[noreturn]] void refuse(const char* field, const json& value, const std::string& rule) {
-  throw Refused(std::string(field) + " is " + shown(value) + ", but must be " + rule);
+  throw Refused(std::string(field) + " is " + shown_json(value) + ", but must be " + rule);
 }
 
 }  // namespace
 
-json read_message(std::string_view text, std::size_t most_depth) {
+json parse_message(std::string_view text, std::size_t most_depth) {
   Inspector inspector(most_depth);
   if (!json::sax_parse(text, &inspector)) {
     throw Refused(inspector.complaint());
   }
   json message = json::parse(text);
   if (!message.is_object()) {
-    throw Refused("the message is " + shown(message) + ", but must be an object with a field \"op\"");
+    throw Refused("the message is " + shown_json(message) + ", but must be an object with a field \"op\"");
   }
   return message;
 }
@@ -125,14 +125,14 @@ json id_in(const json& message) {
   if (id == nullptr) {
     return nullptr;
   }
-  if (!id->is_number_integer() && !(id->is_string() && id->get_ref<const std::string&>().size() <= kMostNameBytes)) {
-    refuse("id", *id,
-           "a whole number or a text of at most " + std::to_string(kMostNameBytes) + " bytes");
+  if (!id->is_number_integer() &&
+      !(id->is_string() && id->get_ref<const std::string&>().size() <= kMostNameBytes)) {
+    refuse("id", *id, "a whole number or a text of at most " + std::to_string(kMostNameBytes) + " bytes");
   }
   return *id;
 }
 
-std::string shown(const json& value) {
+std::string shown_json(const json& value) {
   if (value.is_structured()) {
     return value.is_object() ? "an object" : "a list";
   }

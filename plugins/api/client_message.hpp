@@ -22,7 +22,7 @@ inline constexpr std::size_t kMostNameBytes = 256;
 
 // The JSON object in `text`. Throws Refused: no JSON, no UTF-8, a number that no double holds, deeper than
 // `most_depth`, no object.
-[[nodiscard]] nlohmann::json read_message(std::string_view text, std::size_t most_depth);
+[[nodiscard]] nlohmann::json parse_message(std::string_view text, std::size_t most_depth);
 
 // Fields of an operation. A field that is null counts as absent. Each throws Refused for a wrong type.
 [[nodiscard]] std::optional<std::string> optional_text(const nlohmann::json& message, const char* field);
@@ -35,7 +35,7 @@ inline constexpr std::size_t kMostNameBytes = 256;
 [[nodiscard]] nlohmann::json id_in(const nlohmann::json& message);
 
 // `value` as JSON, cut to what fits in a message for people. Always UTF-8.
-[[nodiscard]] std::string shown(const nlohmann::json& value);
+[[nodiscard]] std::string shown_json(const nlohmann::json& value);
 [[nodiscard]] std::string shown(std::string_view text);
 
 }  // namespace gaitway::api

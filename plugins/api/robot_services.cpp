@@ -12,16 +12,38 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* kPlainName = "at most 64 letters, digits, '-', '_' and '.', and not begin with '.'";
 constexpr std::string_view kWayIsFull = "the robot takes no order now, since too many wait: try again";
 
-std::string seconds(std::int64_t ns) { return shown(json(static_cast<double>(ns) * 1e-9)) + " s"; }
+std::string seconds(std::int64_t ns) {
+  return shown_json(json(static_cast<double>(ns) * 1e-9)) + " s";
+}
 
 bool is_plain_name(std::string_view name) {
   constexpr std::size_t kMost = 64;
   return name.size() <= kMost && !name.starts_with('.') && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-           c == '_' || c == '-';
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+                  c == '_' || c == '-';
+         });
+}
+
+// As far as the manager's requests hold it.
+void require_short(const char* field, const std::string& value, std::size_t most) {
+  const bool printable = std::none_of(value.begin(), value.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20U || c == '\x7f';
   });
+  if (value.size() > most || !printable) {
+    throw Refused(std::string(field) + " is " + shown(value) + ", but must be a text of at most " +
+                  std::to_string(most) + " bytes without control characters");
+  }
+}
+
+void require_fit(const PluginOrder& order) {
+  constexpr std::size_t kMostNameBytesOfPlugin = 47, kMostLibraryBytes = 399, kMostValueBytes = 95;
+  require_short("the plug-in's name", order.plugin, kMostNameBytesOfPlugin);
+  require_short("library", order.library, kMostLibraryBytes);
+  require_short("parameter", order.parameter, kMostNameBytesOfPlugin);
+  require_short("value", order.value, kMostValueBytes);
 }
 
 std::string text_of(const json& object, const char* field) {
@@ -41,7 +63,8 @@ struct ServiceDesk::ParameterReading {
 };
 
 template <class S>
-void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done) {
+void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order,
+                        std::function<void()> done) {
   if (!order) {
     return reply(caller.call, typename S::Response{false, std::string(kWayIsFull)});
   }
@@ -49,8 +72,8 @@ void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order
                [this, call = caller.call, done = std::move(done)](const OrderResult* result) {
                  if (result == nullptr) {
                    const std::int64_t waited_ns = std::min(call.timeout_ns, limits_.answer_ns);
-                   return send_(call, service_failure(call, "the robot has not answered within " +
-                                                                seconds(waited_ns)));
+                   return send_(call, service_failure(
+                                          call, "the robot has not answered within " + seconds(waited_ns)));
                  }
                  if (result->done && done) {
                    done();
@@ -66,7 +89,9 @@ void ServiceDesk::stand(const Caller& caller) {
 }
 
 // A stop is carried out whatever is wrong with its arguments, and however many answers are waited for.
-void ServiceDesk::stop(const Caller& caller) { await<ros::Trigger>(caller, commands_.stop(caller.claimant)); }
+void ServiceDesk::stop(const Caller& caller) {
+  await<ros::Trigger>(caller, commands_.stop(caller.claimant));
+}
 
 void ServiceDesk::emergency_stop(const Caller& caller) {
   bool soft = false;
@@ -88,18 +113,18 @@ void ServiceDesk::move_joint(const Caller& caller) {
     throw Refused("joint is " + shown(asked.joint) + ", but must be one of those in /joint_states");
   }
   if (!(asked.position >= joint->lower_rad && asked.position <= joint->upper_rad)) {
-    throw Refused("position is " + shown(json(asked.position)) + ", but must be from " +
-                  shown(json(joint->lower_rad)) + " to " + shown(json(joint->upper_rad)) + " rad for " +
+    throw Refused("position is " + shown_json(json(asked.position)) + ", but must be from " +
+                  shown_json(json(joint->lower_rad)) + " to " + shown_json(json(joint->upper_rad)) + " rad for " +
                   shown(asked.joint));
   }
   if (!(asked.duration > 0.0 && asked.duration <= kMost_s)) {
-    throw Refused("duration is " + shown(json(asked.duration)) + ", but must be above 0 and at most " +
-                  shown(json(kMost_s)) + " s");
+    throw Refused("duration is " + shown_json(json(asked.duration)) + ", but must be above 0 and at most " +
+                  shown_json(json(kMost_s)) + " s");
   }
   orders_.require_room(caller.call.client);
-  await<ros::MoveJoint>(caller,
-                        commands_.move_joint(caller.claimant, static_cast<int>(joint - joints.begin()),
-                                             asked.position, asked.duration, caller.now_ns));
+  await<ros::MoveJoint>(
+      caller, commands_.move_joint(caller.claimant, static_cast<int>(joint - joints.begin()), asked.position,
+                                   asked.duration, caller.now_ns));
 }
 
 void ServiceDesk::play_motion(const Caller& caller) {
@@ -121,8 +146,7 @@ void ServiceDesk::play_motion(const Caller& caller) {
 void ServiceDesk::start_recording(const Caller& caller) {
   const auto asked = request<ros::StartRecording>(caller);
   if (!is_plain_name(asked.name)) {
-    throw Refused("name is " + shown(asked.name) +
-                  ", but must be at most 64 letters, digits, '-', '_' and '.', and not begin with '.'");
+    throw Refused("name is " + shown(asked.name) + ", but must be " + kPlainName);
   }
   try {
     const std::string file = robot_.start_recording(asked.name);
@@ -163,12 +187,15 @@ void ServiceDesk::change_plugin(PluginVerb verb, const Caller& caller) {
   const auto asked = request<ros::ChangePlugin>(caller);
   if (verb != PluginVerb::load) {
     require_plugin(asked.name);
+  } else if (!is_plain_name(asked.name) || asked.name.empty()) {
+    throw Refused("name is " + shown(asked.name) + ", but must be " + kPlainName);
   }
   orders_.require_room(caller.call.client);
   PluginOrder order;
   order.verb = verb;
   order.plugin = asked.name;
   order.library = asked.library;
+  require_fit(order);
   await<ros::ChangePlugin>(caller, commands_.order(caller.claimant, order, caller.now_ns));
 }
 
@@ -181,8 +208,10 @@ void ServiceDesk::set_parameter(const Caller& caller) {
   order.plugin = asked.plugin;
   order.parameter = asked.parameter;
   order.value = asked.value;
-  await<ros::SetParameter>(caller, commands_.order(caller.claimant, order, caller.now_ns),
-                           [this, asked] { parameters_[asked.plugin + ":" + asked.parameter] = asked.value; });
+  require_fit(order);
+  await<ros::SetParameter>(caller, commands_.order(caller.claimant, order, caller.now_ns), [this, asked] {
+    parameters_[asked.plugin + ":" + asked.parameter] = asked.value;
+  });
 }
 
 void ServiceDesk::set_rosapi_parameter(const Caller& caller) {
@@ -200,6 +229,7 @@ void ServiceDesk::set_rosapi_parameter(const Caller& caller) {
   order.plugin = asked.name.substr(0, colon);
   order.parameter = asked.name.substr(colon + 1);
   order.value = value.is_string() ? value.get<std::string>() : value.dump();
+  require_fit(order);
   require_plugin(order.plugin);
   orders_.require_room(caller.call.client);
   await<ros::SetParam>(caller, commands_.order(caller.claimant, order, caller.now_ns),
@@ -219,6 +249,7 @@ void ServiceDesk::get_parameters(const Caller& caller) {
 
 // Asks for the parameter of the reading's index, and goes on to the next, until there is none of that index.
 void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading reading) {
+  constexpr std::uint32_t kMostParameters = 256;
   const auto order = robot_.order(reading.order);
   if (!order) {
     return reply(call, ros::GetParameters::Response{false, std::string(kWayIsFull), {}, {}, {}, {}, {}});
@@ -244,7 +275,10 @@ void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading readi
                  response.docs.push_back(text_of(parameter, "doc"));
                  response.live.push_back(text_of(parameter, "live") == "true");
                  parameters_[reading.order.plugin + ":" + response.names.back()] = response.values.back();
-                 ++reading.order.index;
+                 if (++reading.order.index == kMostParameters) {
+                   response.success = true;
+                   return reply(call, response);
+                 }
                  read_parameter(call, std::move(reading));
                });
 }

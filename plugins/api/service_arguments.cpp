@@ -16,7 +16,7 @@ nlohmann::json named_arguments(const nlohmann::json& arguments,
     return named;
   }
   if (!arguments.is_array()) {
-    throw Refused("args is " + shown(arguments) + ", but must be an object or a list");
+    throw Refused("args is " + shown_json(arguments) + ", but must be an object or a list");
   }
   if (arguments.size() > fields.size()) {
     throw Refused("args has " + std::to_string(arguments.size()) + " elements, but the service takes " +

@@ -1,0 +1,211 @@
+#include "client_session.hpp"
+
+#include <array>
+#include <exception>
+#include <utility>
+
+#include "client_message.hpp"
+
+namespace gaitway::api {
+namespace {
+
+// Codes of the WebSocket protocol (RFC 6455, 7.4.1).
+constexpr std::uint16_t kPolicyViolation = 1008;
+constexpr std::int64_t kBetweenWarnings_ns = 1'000'000'000;
+
+// Too many messages or not: a stop is heard. Short ones only, so that this is no way around the limit.
+bool may_be_stop(std::string_view message) {
+  constexpr std::size_t kMostStopBytes = 1024;
+  return message.size() <= kMostStopBytes && message.find("stop") != std::string_view::npos;
+}
+
+bool is_time(std::optional<std::int64_t>& last_ns, std::int64_t now_ns) {
+  const bool so = !last_ns || now_ns - *last_ns >= kBetweenWarnings_ns;
+  if (so) {
+    last_ns = now_ns;
+  }
+  return so;
+}
+
+}  // namespace
+
+ClientSession::ClientSession(HubState& hub, Connection& connection, Claimant claimant, bool authorised)
+    : hub_(hub),
+      connection_(connection),
+      claimant_(std::move(claimant)),
+      authorised_(authorised),
+      opened_ns_(hub.now_ns),
+      heard_ns_(hub.now_ns),
+      rate_(hub.options.limits.messages_per_s, hub.now_ns),
+      outbox_(hub.options.limits.waiting_bytes) {
+  hub_.sessions.emplace(claimant_.number, this);
+}
+
+ClientSession::~ClientSession() {
+  leave();
+  hub_.sessions.erase(claimant_.number);
+}
+
+void ClientSession::take(std::string_view message, bool binary, std::int64_t wall_ns) {
+  hub_.now_ns = wall_ns;
+  heard_ns_ = wall_ns;
+  if (closing_) {
+    return;
+  }
+  ++hub_.counts.messages;
+  if (!within_rate(message)) {
+    return;
+  }
+  if (binary) {
+    tell_error("the message is binary, but must be JSON in a text frame", nullptr);
+    return;
+  }
+  if (message.size() > hub_.options.limits.message_bytes) {
+    tell_error("the message has " + std::to_string(message.size()) + " bytes, but must have at most " +
+                   std::to_string(hub_.options.limits.message_bytes),
+               nullptr);
+    return;
+  }
+  carry_out(message);
+}
+
+bool ClientSession::within_rate(std::string_view message) {
+  const MessageRate::Verdict verdict = rate_.count(hub_.now_ns);
+  if (verdict == MessageRate::Verdict::fine) {
+    return true;
+  }
+  const bool stop = authorised_ && may_be_stop(message);
+  if (stop) {
+    carry_out(message);
+  }
+  if (verdict == MessageRate::Verdict::goes_on) {
+    close(kPolicyViolation, "too many messages");
+  } else if (!stop) {
+    ++hub_.counts.refused;
+    if (is_time(told_rate_ns_, hub_.now_ns)) {
+      tell(Level::error,
+           "too many messages: at most " + shown_json(Json(hub_.options.limits.messages_per_s)) +
+               " a second are taken, the others are dropped; if that goes on, the connection is closed",
+           nullptr);
+    }
+  }
+  return false;
+}
+
+void ClientSession::carry_out(std::string_view text) {
+  Json id;
+  try {
+    const Json message = parse_message(text, hub_.options.limits.depth);
+    id = id_in(message);
+    const std::string name = name_in(message, "op");
+    const Operation* const operation = find_operation(name);
+    if (operation == nullptr) {
+      throw Refused("op is " + shown(name) + ", which is no operation of rosbridge that this robot knows");
+    }
+    if (!authorised_ && operation->carry_out != &ClientSession::authenticate) {
+      throw Refused(R"(not authorised: send {"op": "auth", "token": "..."} first)");
+    }
+    (this->*operation->carry_out)(message, id);
+  } catch (const std::exception& error) {
+    tell_error(error.what(), id);
+  }
+}
+
+std::optional<Frame> ClientSession::next_frame(std::int64_t wall_ns) {
+  hub_.now_ns = wall_ns;
+  auto frame = outbox_.next(wall_ns);
+  awake_ = frame.has_value();
+  return frame;
+}
+
+void ClientSession::step(std::int64_t now_ns) {
+  if (closing_) {
+    return;
+  }
+  const Limits& limits = hub_.options.limits;
+  if (now_ns - heard_ns_ >= limits.silence_ns) {
+    close(kPolicyViolation, "no sign of life: neither message nor pong");
+  } else if (!authorised_ && now_ns - opened_ns_ >= limits.authentication_ns) {
+    close(kPolicyViolation, "not authorised in time");
+  } else {
+    if (outbox_.has_drops() && is_time(told_drops_ns_, now_ns)) {
+      tell_drops();
+    }
+    wake();
+  }
+}
+
+void ClientSession::answer(const ServiceCall& call, Frame frame) {
+  push(std::move(frame), call.fragment_bytes);
+}
+
+Encoding ClientSession::encoding(Topic topic) const noexcept {
+  return outbox_.terms(topic)->encoding;
+}
+
+void ClientSession::offer(Topic topic, const Frame& frame) {
+  outbox_.offer(topic, frame, hub_.now_ns);
+  wake();
+}
+
+void ClientSession::tell(Level level, std::string_view text, const Json& id) {
+  constexpr std::array<std::string_view, 4> kNames{"none", "error", "warning", "info"};
+  if (level <= level_ && !closing_) {
+    push(status_frame(kNames[static_cast<std::size_t>(level)], text, id));
+  }
+}
+
+void ClientSession::tell_error(std::string_view text, const Json& id) {
+  ++hub_.counts.refused;
+  tell(Level::error, text, id);
+}
+
+void ClientSession::tell_drops() {
+  std::string text;
+  for (const TopicRow& row : kTopics) {
+    if (const std::uint64_t drops = outbox_.take_drops(row.topic); drops > 0) {
+      hub_.counts.dropped += drops;
+      text += (text.empty() ? "" : ", ") + std::to_string(drops) + " of " + std::string(row.name);
+    }
+  }
+  tell(Level::warning, "messages dropped, since this connection takes them too slowly: " + text, nullptr);
+}
+
+void ClientSession::push(Frame frame, std::size_t fragment_bytes) {
+  if (closing_) {
+    return;
+  }
+  if (outbox_.answer(std::move(frame), fragment_bytes)) {
+    wake();
+  } else {
+    close(kPolicyViolation, "answers are not read");
+  }
+}
+
+void ClientSession::wake() {
+  if (!awake_ && outbox_.ready(hub_.now_ns)) {
+    awake_ = true;
+    connection_.wake();
+  }
+}
+
+void ClientSession::close(std::uint16_t code, std::string_view reason) {
+  if (!closing_) {
+    leave();
+    ++hub_.counts.closed_by_us;
+    connection_.close(code, reason);
+  }
+}
+
+void ClientSession::leave() {
+  closing_ = true;
+  for (const TopicRow& row : kTopics) {
+    hub_.publications.remove(row.topic, *this);
+    subscriptions_.remove_all(row.topic);
+  }
+  outbox_.close_all();
+  hub_.desk.leave(claimant_);
+  hub_.commands.leave(claimant_);
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,94 @@
+// One client's conversation: rosbridge's operations, and what the client may do at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "gaitway/api/authority.hpp"
+#include "gaitway/api/session.hpp"
+#include "hub_state.hpp"
+#include "message_rate.hpp"
+#include "outbox.hpp"
+#include "service_call.hpp"
+#include "subscriptions.hpp"
+
+namespace gaitway::api {
+
+class ClientSession final : public Session, private Subscriber {
+ public:
+  ClientSession(HubState& hub, Connection& connection, Claimant claimant, bool authorised);
+  ~ClientSession() override;
+  ClientSession(const ClientSession&) = delete;
+  ClientSession& operator=(const ClientSession&) = delete;
+
+  void take(std::string_view message, bool binary, std::int64_t wall_ns) override;
+  void heard(std::int64_t wall_ns) noexcept override { heard_ns_ = wall_ns; }
+  std::optional<Frame> next_frame(std::int64_t wall_ns) override;
+
+  // For the hub.
+  void step(std::int64_t now_ns);
+  void answer(const ServiceCall& call, Frame frame);
+  [[nodiscard]] std::size_t subscriptions() const noexcept { return subscriptions_.count(); }
+  [[nodiscard]] std::size_t waiting_bytes() const noexcept { return outbox_.waiting_bytes(); }
+
+ private:
+  using Json = nlohmann::json;
+  enum class Level : std::uint8_t { none, error, warning, info };
+  struct Operation {
+    std::string_view name;
+    void (ClientSession::*carry_out)(const Json& message, const Json& id);
+  };
+  static const Operation* find_operation(std::string_view name) noexcept;
+
+  // Subscriber.
+  [[nodiscard]] Encoding encoding(Topic topic) const noexcept override;
+  void offer(Topic topic, const Frame& frame) override;
+
+  // Operations; each throws what std::exception says for a client's fault.
+  void authenticate(const Json& message, const Json& id);
+  void advertise(const Json& message, const Json& id);
+  void unadvertise(const Json& message, const Json& id);
+  void publish(const Json& message, const Json& id);
+  void subscribe(const Json& message, const Json& id);
+  void unsubscribe(const Json& message, const Json& id);
+  void call_service(const Json& message, const Json& id);
+  void set_level(const Json& message, const Json& id);
+  void ignore(const Json& message, const Json& id);
+  void refuse_serving(const Json& message, const Json& id);
+  void refuse_actions(const Json& message, const Json& id);
+  void refuse_transformation(const Json& message, const Json& id);
+
+  [[nodiscard]] bool within_rate(std::string_view message);
+  void carry_out(std::string_view text);
+  [[nodiscard]] Terms terms_of(const Json& message, const TopicRow& row, const Json& id);
+  [[nodiscard]] std::size_t fragment_bytes_of(const Json& message) const;
+  void serve(Topic topic);  // as its subscriptions want it now
+  void tell(Level level, std::string_view text, const Json& id);
+  void tell_error(std::string_view text, const Json& id);
+  void tell_drops();
+  void push(Frame frame, std::size_t fragment_bytes = 0);
+  void wake();
+  void close(std::uint16_t code, std::string_view reason);
+  void leave();
+
+  HubState& hub_;
+  Connection& connection_;
+  Claimant claimant_;
+  bool authorised_;
+  bool closing_ = false;
+  bool awake_ = false;  // the connection has been woken and not been told yet that nothing waits
+  Level level_ = Level::warning;
+  std::int64_t opened_ns_, heard_ns_;
+  std::optional<std::int64_t> told_rate_ns_, told_drops_ns_;
+  MessageRate rate_;
+  Outbox outbox_;
+  Subscriptions subscriptions_;
+  std::set<std::string> advertisements_;  // their ids
+};
+
+}  // namespace gaitway::api

@@ -1,0 +1,74 @@
+#include "gaitway/api/hub.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "client_session.hpp"
+#include "hub_state.hpp"
+
+namespace gaitway::api {
+
+HubState::HubState(RobotPort& robot, HubOptions hub_options)
+    : options(std::move(hub_options)),
+      commands(robot, options.limits),
+      desk(robot, commands, options.limits, options.parameters, options.motions,
+           [this](const ServiceCall& call, Frame frame) {
+             if (const auto session = sessions.find(call.client); session != sessions.end()) {
+               session->second->answer(call, std::move(frame));
+             }
+           }) {}
+
+Hub::Hub(RobotPort& robot, HubOptions options)
+    : state_(std::make_unique<HubState>(robot, std::move(options))) {}
+
+Hub::~Hub() = default;
+
+std::unique_ptr<Session> Hub::open(Connection& connection, std::string peer, bool authorised,
+                                   std::int64_t wall_ns) {
+  state_->now_ns = wall_ns;
+  if (state_->sessions.size() >= state_->options.limits.connections) {
+    return nullptr;
+  }
+  Claimant claimant;
+  claimant.number = ++state_->last_number;
+  claimant.name = std::move(peer);
+  claimant.stops_seen = state_->commands.authority().stops();
+  return std::make_unique<ClientSession>(*state_, connection, std::move(claimant), authorised);
+}
+
+void Hub::step(std::int64_t wall_ns) {
+  state_->now_ns = wall_ns;
+  state_->commands.step(wall_ns);
+  state_->desk.step(wall_ns);
+  for (const auto& [number, session] : state_->sessions) {
+    session->step(wall_ns);
+  }
+}
+
+bool Hub::wanted(Topic topic) const noexcept {
+  return state_->publications.wanted(topic);
+}
+
+HubStatistics Hub::statistics() const {
+  HubStatistics statistics = state_->counts;
+  statistics.clients = state_->sessions.size();
+  for (const auto& [number, session] : state_->sessions) {
+    statistics.subscriptions += session->subscriptions();
+    statistics.waiting_bytes += session->waiting_bytes();
+  }
+  statistics.commander = state_->commands.authority().holder();
+  return statistics;
+}
+
+void Hub::require_type(Topic topic, std::string_view type) {
+  if (row(topic).type != type) {
+    throw std::logic_error("a message of " + std::string(type) + " for the topic " +
+                           std::string(row(topic).name) + ", which is of " + std::string(row(topic).type));
+  }
+}
+
+void Hub::publish_encoded(Topic topic, const Encode& encode) {
+  state_->publications.publish(topic, encode);
+}
+
+}  // namespace gaitway::api

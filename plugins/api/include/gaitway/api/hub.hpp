@@ -1,0 +1,85 @@
+// The robot API's conversation with its clients: rosbridge v2, without a network. One hub for all sessions;
+// passive and for one thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gaitway/api/cbor_codec.hpp"
+#include "gaitway/api/encoding.hpp"
+#include "gaitway/api/json_codec.hpp"
+#include "gaitway/api/limits.hpp"
+#include "gaitway/api/publication.hpp"
+#include "gaitway/api/robot_port.hpp"
+#include "gaitway/api/session.hpp"
+
+namespace gaitway::api {
+
+struct HubState;
+
+struct HubOptions {
+  Limits limits;
+  std::string token;  // that clients must show; empty: none is right
+  // For rosapi: name ("plug-in:parameter") -> value, as in a configuration. Kept up to date by what clients
+  // set and read.
+  std::map<std::string, std::string, std::less<>> parameters;
+  std::vector<std::string> motions;  // by name
+};
+
+// What clients cost, for diagnostics; counts are since the start.
+struct HubStatistics {
+  std::size_t clients = 0;
+  std::size_t subscriptions = 0;
+  std::size_t waiting_bytes = 0;   // of all clients
+  std::uint64_t messages = 0;      // that clients sent
+  std::uint64_t refused = 0;       // of these: answered by an error status
+  std::uint64_t dropped = 0;       // publications that a client was too slow for
+  std::uint64_t closed_by_us = 0;  // connections: dead, too fast, never authorised
+  std::string commander;           // name of who has the command; empty: nobody
+};
+
+// Sessions must not outlive their hub. A connection's wake() and close() must not destroy a session.
+class Hub final : public SessionHub {
+ public:
+  Hub(RobotPort& robot, HubOptions options);
+  ~Hub() override;
+  Hub(const Hub&) = delete;
+  Hub& operator=(const Hub&) = delete;
+
+  std::unique_ptr<Session> open(Connection& connection, std::string peer, bool authorised,
+                                std::int64_t wall_ns) override;
+  void step(std::int64_t wall_ns) override;
+
+  // A message for all who subscribe to `topic`: encoded at most once per encoding, and not at all for nobody,
+  // unless the topic is latched. Throws std::logic_error when M is not the topic's type.
+  template <Message M>
+  void publish(Topic topic, const M& message) {
+    require_type(topic, M::kName);
+    publish_encoded(topic, [&message, topic](Encoding encoding, std::string& out) {
+      if (encoding == Encoding::cbor) {
+        append_publish_cbor(out, row(topic).name, message);
+      } else {
+        append_publish_json(out, row(topic).name, message);
+      }
+    });
+  }
+  // Whether publish() would do anything: what is costly to make may be left out otherwise.
+  [[nodiscard]] bool wanted(Topic topic) const noexcept;
+
+  [[nodiscard]] HubStatistics statistics() const;
+
+ private:
+  using Encode = std::function<void(Encoding encoding, std::string& out)>;
+  static void require_type(Topic topic, std::string_view type);
+  void publish_encoded(Topic topic, const Encode& encode);
+
+  std::unique_ptr<HubState> state_;
+};
+
+}  // namespace gaitway::api
