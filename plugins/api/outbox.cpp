@@ -60,7 +60,7 @@ const Terms* Outbox::terms(Topic topic) const noexcept {
 
 void Outbox::offer(Topic topic, const Frame& frame, std::int64_t now_ns) {
   Lane& lane = *this->lane(topic);
-  const bool slow = lane.due(now_ns);
+  const bool slow = lane.slow(now_ns);
   while (lane.waiting.size() >= lane.terms.queue_length) {
     drop_oldest(lane, slow);
   }

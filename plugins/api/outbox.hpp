@@ -61,6 +61,10 @@ class Outbox {
     [[nodiscard]] bool due(std::int64_t now_ns) const noexcept {
       return !sent_ns || now_ns - *sent_ns >= terms.throttle_ns;
     }
+    // What is dropped now is dropped because the client is slow, not because it wanted fewer messages.
+    [[nodiscard]] bool slow(std::int64_t now_ns) const noexcept {
+      return terms.throttle_ns == 0 || (sent_ns && now_ns - *sent_ns >= 2 * terms.throttle_ns);
+    }
   };
   [[nodiscard]] Lane* lane(Topic topic) noexcept { return lanes_[static_cast<std::size_t>(topic)].get(); }
   [[nodiscard]] bool make_room(std::size_t bytes) noexcept;

@@ -17,10 +17,10 @@ class CommandDenied : public std::runtime_error {
 
 // One connection, as the authority knows it.
 struct Claimant {
-  std::uint64_t number = 0;              // never 0, never given twice
-  std::string name;                      // for people: its address, or as it calls itself
-  std::uint64_t stops_seen = 0;          // up to which it may take the command without asking for it
-  std::optional<std::int64_t> tried_ns;  // its latest command, granted or not
+  std::uint64_t number = 0;                // never 0, never given twice
+  std::string name;                        // for people: its address, or as it calls itself
+  std::uint64_t stops_seen = 0;            // up to which it may take the command without asking for it
+  std::optional<std::int64_t> tried_ns{};  // its latest command, granted or not
 };
 
 // The lease is bound to its connection: its id is worth nothing on another one. It ends when neither a

@@ -1,0 +1,274 @@
+// Conversations of three clients with the robot API (plugins/api: hub.hpp, session.hpp): messages, whole,
+// changed or arbitrary; time, publications, answers of the robot, lost connections. Whatever comes: nothing
+// throws; no more waits for a client than may; what is sent is JSON, or CBOR where a client may have asked
+// for it; the robot is told something only on behalf of clients that are let in; it walks only while somebody
+// has the command; and a second client drives only after the robot was told to stand for the first.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "fuzz_input.hpp"
+#include "gaitway/api/hub.hpp"
+#include "tests/plugins/api/recorded_robot.hpp"
+
+namespace gaitway::fuzz {
+namespace {
+
+using nlohmann::json;
+using namespace api;
+
+constexpr std::size_t kClients = 3;
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
+constexpr std::size_t kMostActions = 500;
+
+constexpr std::array<std::string_view, 40> kMessages{
+    R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":0.2},"angular":{"z":0.1}}})",
+    R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":-1.5}}})",
+    R"({"op":"publish","topic":"cmd_vel","msg":{"linear":{"z":1}}})",
+    R"({"op":"advertise","id":"a","topic":"/cmd_vel","type":"geometry_msgs/Twist"})",
+    R"({"op":"unadvertise","id":"a","topic":"/cmd_vel"})",
+    R"({"op":"subscribe","topic":"/joint_states","queue_length":5})",
+    R"({"op":"subscribe","topic":"/joint_states","compression":"cbor"})",
+    R"({"op":"subscribe","id":"s","topic":"/zmp","throttle_rate":50,"fragment_size":64})",
+    R"({"op":"subscribe","id":2,"topic":"/zmp","throttle_rate":100000})",
+    R"({"op":"subscribe","topic":"/robot_description","fragment_size":100})",
+    R"({"op":"subscribe","topic":"/events"})",
+    R"({"op":"unsubscribe","topic":"/zmp"})",
+    R"({"op":"unsubscribe","id":"s","topic":"/zmp"})",
+    R"({"op":"unsubscribe","topic":"/joint_states"})",
+    R"({"op":"call_service","id":"c","service":"/stand"})",
+    R"({"op":"call_service","service":"/stop"})",
+    R"({"op":"call_service","service":"/emergency_stop","args":[true]})",
+    R"({"op":"call_service","service":"/move_joint","args":["head_yaw",0.2,1]})",
+    R"({"op":"call_service","service":"/play_motion","args":{"motion":"wave"}})",
+    R"({"op":"call_service","service":"/plugins/list","compression":"cbor"})",
+    R"({"op":"call_service","service":"/plugins/reload","args":{"name":"stability"},"timeout":0.1})",
+    R"({"op":"call_service","service":"/plugins/get_parameters","args":{"plugin":"stability"}})",
+    R"({"op":"call_service","service":"/plugins/set_parameter","args":["stability","gain","1"]})",
+    R"({"op":"call_service","service":"/recording/start","args":{"name":"walk"}})",
+    R"({"op":"call_service","service":"/recording/stop"})",
+    R"({"op":"call_service","service":"/command/acquire","args":{"name":"a"}})",
+    R"({"op":"call_service","service":"/command/keep_alive","args":{"lease":"0123456789abcdef"}})",
+    R"({"op":"call_service","service":"/command/release","args":{"lease":"LEASE"}})",
+    R"({"op":"call_service","service":"/command/keep_alive","args":{"lease":"LEASE"}})",
+    R"({"op":"call_service","service":"/rosapi/topics_and_raw_types","fragment_size":500})",
+    R"({"op":"call_service","service":"/rosapi/set_param","args":{"name":"stability:gain","value":"2"}})",
+    R"({"op":"call_service","service":"/rosapi/message_details","args":{"type":"sensor_msgs/Imu"}})",
+    R"({"op":"call_service","service":"/rosapi/get_param","args":["a:b"]})",
+    R"({"op":"set_level","level":"info"})",
+    R"({"op":"set_level","level":"none"})",
+    R"({"op":"auth","token":"secret"})",
+    R"({"op":"auth","mac":"wrong"})",
+    R"({"op":"fragment","id":"1","data":"{","num":0,"total":1})",
+    R"({"op":"advertise_service","service":"/x","type":"y/Z"})",
+    R"({"op":"status","id":[[[[[[]]]]]]})"};
+
+Limits tight() {
+  Limits limits;
+  limits.waiting_bytes = 8192;
+  limits.message_bytes = 2048;
+  limits.depth = 8;
+  limits.subscriptions = 4;
+  limits.advertisements = 2;
+  limits.queue_length = 8;
+  limits.messages_per_s = 50.0;
+  return limits;
+}
+
+struct Peer final : Connection {
+  void wake() noexcept override { awake = true; }
+  void close(std::uint16_t, std::string_view reason) noexcept override {
+    closed = true;
+    reason_fits = reason.size() <= 123;
+  }
+  std::unique_ptr<Session> session;
+  bool awake = false, closed = false, reason_fits = true;
+  bool authorised = false;  // may be, at least
+  bool wants_cbor = false;
+};
+
+class Trial {
+ public:
+  explicit Trial(Input& input) : input_(input), wants_token_(input.flag()), hub_(robot_, options()) {
+    for (Peer& peer : peers_) {
+      connect(peer);
+    }
+  }
+
+  void run() {
+    for (std::size_t i = 0; i < kMostActions && !input_.empty(); ++i) {
+      const std::size_t told = robot_.told.size();
+      const bool for_client = act();
+      check(told, for_client);
+    }
+    for (Peer& peer : peers_) {
+      peer.session.reset();
+    }
+    require(!robot_.walking, "nothing walks on when all have gone");
+    require(hub_.statistics().clients == 0, "who has gone is gone");
+  }
+
+ private:
+  HubOptions options() const {
+    HubOptions options;
+    options.limits = tight();
+    options.token = wants_token_ ? "secret" : "";
+    options.motions = {"bow"};
+    return options;
+  }
+  void connect(Peer& peer) {
+    peer.session.reset();
+    peer.closed = peer.awake = peer.wants_cbor = false;
+    peer.authorised = !wants_token_;
+    peer.session = hub_.open(peer, "peer", !wants_token_, now_ns_);
+    require(peer.session != nullptr, "there is room for a few clients");
+  }
+
+  // True: the client `peer_` has said something.
+  bool act() {
+    const std::size_t action = input_.choose(16);
+    Peer& peer = peers_[input_.choose(kClients)];
+    peer_ = &peer;
+    switch (action) {
+      case 8:
+        say(peer, input_.take_text(input_.take<std::uint8_t>()), input_.choose(16) == 0);
+        return true;
+      case 9:
+      case 10:
+        now_ns_ += std::int64_t{input_.take<std::uint8_t>()} * 10 * kMillisecond_ns;
+        hub_.step(now_ns_);
+        return false;
+      case 11:
+        publish();
+        return false;
+      case 12:
+        answer();
+        return false;
+      case 13:
+        read(peer);
+        return false;
+      case 14:
+        connect(peer);
+        return false;
+      case 15:
+        for (Peer& each : peers_) {
+          each.session->heard(now_ns_);
+        }
+        robot_.is_connected = !input_.flag() || !input_.flag();
+        robot_.is_blocked = input_.flag() && input_.flag();
+        return false;
+      default:
+        say(peer, message(), false);
+        return true;
+    }
+  }
+  // One of the known messages; sometimes changed in one place, or with a lease that was given.
+  std::string message() {
+    std::string text(kMessages[input_.choose(kMessages.size())]);
+    if (const std::size_t at = text.find("LEASE"); at != std::string::npos) {
+      text.replace(at, 5, lease_);
+    }
+    if (input_.choose(4) == 0) {
+      const std::size_t at = input_.take<std::uint8_t>() % text.size();
+      text.replace(at, input_.choose(3), input_.take_text(input_.choose(3)));
+    }
+    return text;
+  }
+  void say(Peer& peer, std::string_view text, bool binary) {
+    // As loosely as can be: escapes may hide a field.
+    peer.authorised = peer.authorised || text.find("secret") != std::string_view::npos ||
+                      text.find('\\') != std::string_view::npos;
+    peer.wants_cbor = peer.wants_cbor || text.find("cbor") != std::string_view::npos ||
+                      text.find('\\') != std::string_view::npos;
+    was_closed_ = peer.closed;
+    peer.session->take(text, binary, now_ns_);
+  }
+  void publish() {
+    const std::size_t which = input_.choose(4);
+    const std::size_t size = input_.take<std::uint8_t>();
+    if (which == 0) {
+      ros::JointState state;
+      state.position.resize(size, 0.25);
+      hub_.publish(Topic::joint_states, state);
+    } else if (which == 1) {
+      hub_.publish(Topic::robot_description, ros::String{std::string(size * 50, 'x')});
+    } else if (which == 2) {
+      hub_.publish(Topic::zmp, ros::PointStamped{});
+    } else {
+      hub_.publish(Topic::events, ros::Log{});
+    }
+  }
+  void answer() {
+    const std::uint32_t number = robot_.last_number - static_cast<std::uint32_t>(input_.choose(4));
+    robot_.results.push_back({number, input_.flag(), std::string(input_.take_text(8))});
+    hub_.step(now_ns_);
+  }
+  void read(Peer& peer) {
+    for (std::size_t left = 1 + input_.choose(32); left > 0; --left) {
+      const auto frame = peer.session->next_frame(now_ns_);
+      if (!frame) {
+        peer.awake = false;
+        return;
+      }
+      require(frame->bytes != nullptr, "a frame has bytes");
+      const json message = frame->binary
+                               ? json::from_cbor(*frame->bytes, true, false, json::cbor_tag_handler_t::ignore)
+                               : json::parse(*frame->bytes, nullptr, false);
+      require(message.is_object() && message.contains("op"), "what is sent is a message of rosbridge");
+      require(!frame->binary || peer.wants_cbor, "CBOR is sent to who asked for it");
+      remember_lease(message);
+    }
+  }
+  void remember_lease(const json& message) {
+    if (message.value("result", false) && message["values"].contains("lease")) {
+      lease_ = message["values"]["lease"].get<std::string>();
+    }
+  }
+
+  void check(std::size_t told_before, bool for_client) {
+    const HubStatistics statistics = hub_.statistics();
+    require(statistics.waiting_bytes <= kClients * tight().waiting_bytes, "what waits is bounded");
+    require(statistics.subscriptions <= kClients * tight().subscriptions, "subscriptions are bounded");
+    require(!robot_.walking || !statistics.commander.empty(), "it walks only while somebody commands");
+    for (const Peer& peer : peers_) {
+      require(peer.reason_fits, "the reason of a close fits in its frame");
+    }
+    for (std::size_t i = told_before; i < robot_.told.size(); ++i) {
+      const std::string& what = robot_.told[i];
+      const bool by_itself = what == "stand" || what == "order";  // the rest of a walk, or of a reading
+      require(by_itself || (for_client && peer_->authorised && !was_closed_),
+              "the robot does what a client that is let in asks for");
+      if (what == "walk") {
+        require(driver_ == nullptr || driver_ == peer_, "one drives at a time");
+        driver_ = peer_;
+      } else if (what == "stand") {
+        driver_ = nullptr;
+      }
+    }
+  }
+
+  Input& input_;
+  bool wants_token_;
+  RecordedRobot robot_;
+  Hub hub_;
+  std::array<Peer, kClients> peers_;
+  std::int64_t now_ns_ = 1'000'000'000;
+  std::string lease_ = "none";
+  const Peer* peer_ = nullptr;  // who acts
+  bool was_closed_ = false;
+  const Peer* driver_ = nullptr;  // who made the robot walk, until it was told to stand
+};
+
+}  // namespace
+
+void api_session(std::span<const std::uint8_t> bytes) {
+  Input input(bytes);
+  Trial(input).run();
+}
+
+}  // namespace gaitway::fuzz

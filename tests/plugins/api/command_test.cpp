@@ -1,0 +1,211 @@
+// Who may command the robot, as clients see it; and that nothing walks on when nobody does.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "gaitway/api/service_table.hpp"
+#include "test_client.hpp"
+
+namespace gaitway::api {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class CommandTest : public HubTest {
+ protected:
+  std::string acquire(TestClient& client, const std::string& name) {
+    const json response = client.call("/command/acquire", {{"name", name}});
+    EXPECT_EQ(response["result"], true);
+    EXPECT_EQ(response["values"]["success"], true) << response.dump();
+    return response["values"]["lease"];
+  }
+  static json values(const json& response) {
+    EXPECT_EQ(response["result"], true) << response.dump();
+    return response["values"];
+  }
+  static std::string refusal(const json& response) {
+    EXPECT_EQ(values(response)["success"], false) << response.dump();
+    return values(response)["message"];
+  }
+
+  std::unique_ptr<TestClient> anna = connect("anna"), bert = connect("bert");
+};
+
+TEST_F(CommandTest, TheFirstToDriveHasTheCommand) {
+  anna->drive(0.1);
+  EXPECT_EQ(hub.statistics().commander, "anna");
+  bert->drive(0.2);
+  EXPECT_THAT(bert->receive_one()["msg"], HasSubstr("\"anna\" has the command"));
+  EXPECT_THAT(robot.told, ElementsAre("walk"));
+  EXPECT_EQ(robot.velocities.back().forward_m_per_s, 0.1);
+}
+
+TEST_F(CommandTest, ServicesThatCommandTakeTheCommandToo) {
+  EXPECT_EQ(values(anna->call("/stand"))["success"], true);
+  EXPECT_EQ(hub.statistics().commander, "anna");
+  EXPECT_THAT(refusal(bert->call("/stand")), HasSubstr("\"anna\" has the command"));
+  EXPECT_THAT(robot.told, ElementsAre("stand"));
+}
+
+TEST_F(CommandTest, EveryCommandingServiceIsRefusedToOthers) {
+  acquire(*anna, "anna");
+  for (const ServiceRow& row : kServices) {
+    if (row.needs_command) {
+      const json response = values(bert->call(row.name, json::parse(row.example)));
+      EXPECT_EQ(response.value("success", response.value("successful", true)), false) << row.name;
+    }
+  }
+  EXPECT_THAT(robot.told, IsEmpty());
+  EXPECT_EQ(hub.statistics().commander, "anna");
+}
+
+TEST_F(CommandTest, WatchingNeedsNoCommand) {
+  acquire(*anna, "anna");
+  EXPECT_EQ(values(bert->call("/plugins/list"))["success"], true);
+  EXPECT_EQ(values(bert->call("/recording/start", {{"name", "walk"}}))["success"], true);
+  bert->subscribe("/zmp");
+  EXPECT_THAT(bert->receive(), IsEmpty());
+}
+
+TEST_F(CommandTest, IsKeptByAliveSignsAndCommands) {
+  const std::string lease = acquire(*anna, "dashboard");
+  EXPECT_EQ(hub.statistics().commander, "dashboard");
+  for (int i = 0; i < 5; ++i) {
+    pass(900 * kMillisecond_ns, {anna.get(), bert.get()});
+    EXPECT_EQ(values(anna->call("/command/keep_alive", {{"lease", lease}}))["success"], true);
+  }
+  pass(900 * kMillisecond_ns, {anna.get(), bert.get()});
+  anna->drive(0.1);
+  pass(900 * kMillisecond_ns, {anna.get(), bert.get()});
+  EXPECT_EQ(hub.statistics().commander, "dashboard");
+}
+
+TEST_F(CommandTest, LapsesWithoutThemAndTheRobotStands) {
+  anna->drive(0.1);
+  pass(kSecond_ns - 10 * kMillisecond_ns, {anna.get(), bert.get()});
+  EXPECT_THAT(robot.told, ElementsAre("walk"));
+  pass(10 * kMillisecond_ns, {anna.get(), bert.get()});
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand"));
+  EXPECT_EQ(hub.statistics().commander, "");
+  bert->drive(0.2);
+  EXPECT_EQ(hub.statistics().commander, "bert");
+}
+
+TEST_F(CommandTest, ACommandThatCameBeforeTheLapseWasNoticedFindsTheRobotStanding) {
+  anna->drive(0.1);
+  now_ns += kSecond_ns;
+  EXPECT_EQ(values(bert->call("/stand"))["success"], true);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand", "stand"));
+}
+
+TEST_F(CommandTest, ALostConnectionStandsTheRobotAtOnce) {
+  anna->drive(0.1);
+  anna->disconnect();
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand"));
+  bert->drive(0.1);
+  EXPECT_EQ(hub.statistics().commander, "bert");
+}
+
+TEST_F(CommandTest, ADeadConnectionStandsTheRobotWithinASecond) {
+  anna->drive(0.1);
+  pass(kSecond_ns, {bert.get()});
+  EXPECT_TRUE(anna->closed);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand"));
+  anna->drive(0.1);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand")) << "a closed connection says nothing any more";
+}
+
+TEST_F(CommandTest, ALossThatNobodyDroveUnderChangesNothing) {
+  acquire(*anna, "anna");
+  anna->disconnect();
+  EXPECT_THAT(robot.told, IsEmpty());
+}
+
+TEST_F(CommandTest, GivingTheCommandBackStandsTheRobot) {
+  const std::string lease = acquire(*anna, "anna");
+  anna->drive(0.1);
+  EXPECT_EQ(values(anna->call("/command/release", {{"lease", lease}}))["success"], true);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand"));
+  EXPECT_EQ(hub.statistics().commander, "");
+}
+
+TEST_F(CommandTest, ALeaseCannotBeUsedByAnotherConnection) {
+  const std::string lease = acquire(*anna, "anna");
+  EXPECT_THAT(refusal(bert->call("/command/keep_alive", {{"lease", lease}})), HasSubstr("/command/acquire"));
+  EXPECT_THAT(refusal(bert->call("/command/release", {{"lease", lease}})), HasSubstr("this connection's"));
+  EXPECT_THAT(refusal(bert->call("/command/acquire", {{"name", "anna"}})), HasSubstr("has the command"));
+  EXPECT_EQ(hub.statistics().commander, "anna");
+}
+
+TEST_F(CommandTest, ALeaseCannotBeUsedAfterAReconnect) {
+  const std::string lease = acquire(*anna, "anna");
+  anna = connect("anna");
+  EXPECT_THAT(refusal(anna->call("/command/keep_alive", {{"lease", lease}})), HasSubstr("this connection's"));
+  EXPECT_EQ(hub.statistics().commander, "");
+}
+
+TEST_F(CommandTest, AnybodyMayStop) {
+  anna->drive(0.1);
+  bert->send({{"op", "call_service"}, {"service", "/stop"}});
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stop", "stand"));
+  EXPECT_FALSE(robot.walking);
+  EXPECT_EQ(hub.statistics().commander, "");
+}
+
+TEST_F(CommandTest, AnybodyMayStopInAnEmergency) {
+  anna->drive(0.1);
+  bert->send({{"op", "call_service"}, {"service", "/emergency_stop"}, {"args", {{"data", true}}}});
+  EXPECT_THAT(robot.told, ElementsAre("walk", "emergency_stop soft", "stand"));
+  bert->send({{"op", "call_service"}, {"service", "/emergency_stop"}, {"args", json::array({false})}});
+  EXPECT_EQ(robot.told[3], "emergency_stop hold");
+}
+
+TEST_F(CommandTest, AnEmergencyStopIsCarriedOutWhateverItsArguments) {
+  for (const char* const arguments : {R"({"data": "now!"})", R"({"date": true})", "7", "null", "[1, 2, 3]"}) {
+    robot.told.clear();
+    bert->send({{"op", "call_service"}, {"service", "/emergency_stop"}, {"args", json::parse(arguments)}});
+    EXPECT_THAT(robot.told, ElementsAre("emergency_stop hold", "stand")) << arguments;
+  }
+}
+
+TEST_F(CommandTest, AHeldStickDoesNotUndoAStop) {
+  anna->drive(0.1);
+  bert->send({{"op", "call_service"}, {"service", "/stop"}});
+  for (int i = 0; i < 30; ++i) {
+    pass(100 * kMillisecond_ns, {anna.get(), bert.get()});
+    anna->drive(0.1);
+    EXPECT_THAT(anna->receive_one()["msg"], HasSubstr("was stopped by somebody else"));
+  }
+  EXPECT_FALSE(robot.walking);
+  pass(kSecond_ns, {anna.get(), bert.get()});
+  anna->drive(0.1);
+  EXPECT_TRUE(robot.walking);
+}
+
+TEST_F(CommandTest, WhoStoppedMayDriveOn) {
+  anna->drive(0.1);
+  anna->send({{"op", "call_service"}, {"service", "/stop"}});
+  anna->drive(0.1);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stop", "stand", "walk"));
+}
+
+TEST_F(CommandTest, IsRefusedWhileTheRobotIsNotThere) {
+  robot.is_connected = false;
+  anna->drive(0.1);
+  EXPECT_THAT(anna->receive_one()["msg"], HasSubstr("the robot is not there"));
+  EXPECT_THAT(refusal(anna->call("/stand")), HasSubstr("the robot is not there"));
+  EXPECT_THAT(robot.told, IsEmpty());
+  robot.is_connected = true;
+  anna->drive(0.1);
+  EXPECT_THAT(robot.told, ElementsAre("walk"));
+}
+
+TEST_F(CommandTest, ARefusedVelocityDoesNotTakeTheCommand) {
+  anna->drive(99.0);
+  EXPECT_THAT(anna->receive_one()["msg"], HasSubstr("linear.x is 99.0"));
+  EXPECT_EQ(hub.statistics().commander, "");
+}
+
+}  // namespace
+}  // namespace gaitway::api

@@ -1,0 +1,94 @@
+// A robot that writes down what it is told, and answers orders when the test says so.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gaitway/api/robot_port.hpp"
+
+namespace gaitway::api {
+
+class RecordedRobot final : public RobotPort {
+ public:
+  std::vector<std::string> told;  // "walk", "stand", "stop", ... in their order
+  std::vector<Velocity> velocities;
+  std::vector<std::int64_t> validities_ns;
+  std::vector<PluginOrder> orders;
+  std::string moved_joint;  // "2 0.5 1.5": joint, position, duration
+  std::deque<OrderResult> results;
+  std::vector<PluginStatus> plugin_list{
+      {.name = "stability", .state = "works", .steps = 7, .worst_step_us = 12.5}};
+  std::vector<JointLimits> joint_list{{"head_yaw", -1.0, 1.0}, {"left_knee", 0.0, 2.0}};
+  std::int64_t time_ns = 0;
+  bool is_connected = true;
+  bool is_blocked = false;  // takes no orders
+  bool walking = false;     // told to walk, and not told to stop since
+  bool recording = false;
+  std::uint32_t last_number = 0;
+
+  [[nodiscard]] std::int64_t now_ns() const override { return time_ns; }
+  [[nodiscard]] bool connected() const override { return is_connected; }
+
+  void walk(const Velocity& velocity, std::int64_t valid_ns) override {
+    told.emplace_back("walk");
+    velocities.push_back(velocity);
+    validities_ns.push_back(valid_ns);
+    walking = true;
+  }
+  void stand() override {
+    told.emplace_back("stand");
+    walking = false;
+  }
+  std::optional<std::uint32_t> stop() override { return note("stop"); }
+  std::optional<std::uint32_t> emergency_stop(bool soft) override {
+    return note(soft ? "emergency_stop soft" : "emergency_stop hold");
+  }
+  std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) override {
+    moved_joint =
+        std::to_string(joint) + " " + std::to_string(position_rad) + " " + std::to_string(duration_s);
+    return note("move_joint");
+  }
+  std::optional<std::uint32_t> order(const PluginOrder& order) override {
+    orders.push_back(order);
+    return note("order");
+  }
+  std::optional<OrderResult> take_result() override {
+    if (results.empty()) {
+      return std::nullopt;
+    }
+    OrderResult result = results.front();
+    results.pop_front();
+    return result;
+  }
+
+  [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joint_list; }
+  [[nodiscard]] std::vector<PluginStatus> plugins() const override { return plugin_list; }
+
+  std::string start_recording(std::string_view name) override {
+    if (recording) {
+      throw std::runtime_error("a recording is under way");
+    }
+    recording = true;
+    return "/recordings/" + std::string(name) + ".mcap";
+  }
+  std::string stop_recording() override {
+    if (!recording) {
+      throw std::runtime_error("no recording is under way");
+    }
+    recording = false;
+    return "/recordings/walk.mcap";
+  }
+
+ private:
+  std::optional<std::uint32_t> note(std::string_view what) {
+    told.emplace_back(what);
+    return is_blocked ? std::nullopt : std::optional(++last_number);
+  }
+};
+
+}  // namespace gaitway::api

@@ -1,0 +1,410 @@
+// Subscriptions: their terms, what a slow client costs, and that nobody pays for another.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "test_client.hpp"
+
+namespace gaitway::api {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+HubOptions small_boxes() {
+  HubOptions options;
+  options.limits.waiting_bytes = 4096;
+  options.limits.subscriptions = 3;
+  options.limits.queue_length = 10;
+  return options;
+}
+
+class SubscriptionTest : public HubTest {
+ protected:
+  explicit SubscriptionTest(HubOptions options = {}) : HubTest(std::move(options)) {}
+
+  // /zmp with this x.
+  void publish(double x) {
+    ros::PointStamped message;
+    message.header.frame_id = "odom";
+    message.point.x = x;
+    hub.publish(Topic::zmp, message);
+  }
+  void publish_com(double x) {
+    ros::PointStamped message;
+    message.point.x = x;
+    hub.publish(Topic::com, message);
+  }
+  void publish_description(std::string urdf) {
+    hub.publish(Topic::robot_description, ros::String{std::move(urdf)});
+  }
+  static std::vector<double> xs(const std::vector<json>& messages) {
+    std::vector<double> values;
+    for (const json& message : messages) {
+      EXPECT_EQ(message["op"], "publish") << message.dump();
+      values.push_back(message["msg"]["point"]["x"].get<double>());
+    }
+    return values;
+  }
+
+  std::unique_ptr<TestClient> client = connect("anna");
+};
+
+class SmallBoxTest : public SubscriptionTest {
+ protected:
+  SmallBoxTest() : SubscriptionTest(small_boxes()) {}
+};
+
+TEST_F(SubscriptionTest, BringsMessagesAsRosbridgeDoes) {
+  client->subscribe("/zmp", {{"type", "geometry_msgs/PointStamped"}, {"id", "subscribe:1"}});
+  EXPECT_THAT(client->receive(), IsEmpty());
+  publish(0.5);
+  const json message = client->receive_one();
+  EXPECT_EQ(message["op"], "publish");
+  EXPECT_EQ(message["topic"], "/zmp");
+  EXPECT_EQ(message["msg"]["header"]["frame_id"], "odom");
+  EXPECT_EQ(message["msg"]["point"]["x"], 0.5);
+}
+
+TEST_F(SubscriptionTest, EveryTopicCanBeSubscribedTo) {
+  for (const TopicRow& row : kTopics) {
+    client->subscribe(row.name, {{"type", row.type}, {"compression", "cbor"}});
+  }
+  EXPECT_THAT(client->receive(), IsEmpty());
+  EXPECT_EQ(hub.statistics().subscriptions, kTopicCount);
+}
+
+TEST_F(SubscriptionTest, CborIsBinary) {
+  client->subscribe("/zmp", {{"compression", "cbor"}});
+  publish(0.5);
+  const auto frame = client->next_frame();
+  ASSERT_TRUE(frame);
+  EXPECT_TRUE(frame->binary);
+  const json message = json::from_cbor(*frame->bytes);
+  EXPECT_EQ(message["topic"], "/zmp");
+  EXPECT_EQ(message["msg"]["point"]["x"], 0.5);
+}
+
+TEST_F(SubscriptionTest, NobodyIsServedWithoutSubscription) {
+  EXPECT_FALSE(hub.wanted(Topic::zmp));
+  publish(1.0);
+  EXPECT_EQ(client->wakes, 0);
+  EXPECT_THAT(client->receive(), IsEmpty());
+  client->subscribe("/zmp");
+  EXPECT_TRUE(hub.wanted(Topic::zmp));
+  EXPECT_THAT(client->receive(), IsEmpty()) << "not latched";
+}
+
+TEST_F(SubscriptionTest, AMessageIsEncodedOnceForAllWhoGetIt) {
+  const auto other = connect("bert"), third = connect("carl");
+  client->subscribe("/zmp");
+  other->subscribe("/zmp");
+  third->subscribe("/zmp", {{"compression", "cbor"}});
+  publish(1.0);
+  const auto a = client->next_frame(), b = other->next_frame(), c = third->next_frame();
+  ASSERT_TRUE(a && b && c);
+  EXPECT_EQ(a->bytes, b->bytes) << "the same bytes, not a copy";
+  EXPECT_NE(a->bytes, c->bytes);
+}
+
+TEST_F(SubscriptionTest, AMessageOfAnotherTypeIsAMistakeOfOurs) {
+  EXPECT_THROW(hub.publish(Topic::zmp, ros::String{"x"}), std::logic_error);
+}
+
+TEST_F(SubscriptionTest, LatchedTopicsBringTheirLastMessageAtOnce) {
+  publish_description("<old/>");
+  publish_description("<robot/>");
+  client->subscribe("/robot_description");
+  EXPECT_EQ(client->receive_one()["msg"]["data"], "<robot/>");
+  const auto other = connect("bert");
+  other->subscribe("/robot_description", {{"compression", "cbor"}});
+  EXPECT_EQ(other->receive_one()["msg"]["data"], "<robot/>");
+}
+
+TEST_F(SubscriptionTest, OnlyTheNewestWaitsUnlessAskedOtherwise) {
+  client->subscribe("/zmp", {{"queue_length", 0}});
+  publish(1);
+  publish(2);
+  publish(3);
+  EXPECT_THAT(xs(client->receive()), ElementsAre(3));
+}
+
+TEST_F(SubscriptionTest, AQueueKeepsTheNewestInTheirOrder) {
+  client->subscribe("/zmp", {{"queue_length", 3}});
+  for (int i = 1; i <= 5; ++i) {
+    publish(i);
+  }
+  EXPECT_THAT(xs(client->receive()), ElementsAre(3, 4, 5));
+}
+
+TEST_F(SubscriptionTest, EventsAreQueuedUnasked) {
+  client->subscribe("/events");
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    ros::Log event;
+    event.line = i;
+    hub.publish(Topic::events, event);
+  }
+  EXPECT_THAT(client->receive(), SizeIs(20));
+}
+
+TEST_F(SmallBoxTest, ALongerQueueThanThereIsIsTold) {
+  client->subscribe("/zmp", {{"queue_length", 1000}, {"id", "q"}});
+  const json status = client->receive_one();
+  EXPECT_EQ(status["level"], "warning");
+  EXPECT_EQ(status["id"], "q");
+  for (int i = 1; i <= 15; ++i) {
+    publish(i);
+  }
+  EXPECT_THAT(client->receive(), SizeIs(10));
+}
+
+TEST_F(SubscriptionTest, ThrottledMessagesComeAtTheirRateAndAreTheNewest) {
+  client->subscribe("/zmp", {{"throttle_rate", 100}});
+  std::vector<double> received;
+  std::int64_t last_ns = 0;
+  for (int i = 0; i < 100; ++i) {  // a second at 100 Hz
+    publish(i);
+    for (const double x : xs(client->receive())) {
+      EXPECT_TRUE(received.empty() || now_ns - last_ns >= 100 * kMillisecond_ns);
+      EXPECT_EQ(x, i);
+      received.push_back(x);
+      last_ns = now_ns;
+    }
+    pass(10 * kMillisecond_ns, {client.get()});
+  }
+  EXPECT_THAT(received, SizeIs(10));
+  EXPECT_EQ(hub.statistics().dropped, 0U) << "throttling is no loss";
+}
+
+TEST_F(SubscriptionTest, AThrottledMessageIsNotForgottenWhenNoOtherFollows) {
+  client->subscribe("/zmp", {{"throttle_rate", 100}});
+  publish(1);
+  EXPECT_THAT(xs(client->receive()), ElementsAre(1));
+  publish(2);
+  EXPECT_THAT(client->receive(), IsEmpty());
+  const int wakes = client->wakes;
+  pass(100 * kMillisecond_ns, {client.get()});
+  EXPECT_EQ(client->wakes, wakes + 1);
+  EXPECT_THAT(xs(client->receive()), ElementsAre(2));
+}
+
+TEST_F(SubscriptionTest, AThrottledClientThatDoesNotReadIsTold) {
+  client->subscribe("/zmp", {{"throttle_rate", 100}});
+  publish(0);
+  EXPECT_THAT(xs(client->receive()), ElementsAre(0));
+  for (int i = 1; i <= 100; ++i) {
+    publish(i);
+    pass(10 * kMillisecond_ns, {client.get()});
+  }
+  EXPECT_GE(hub.statistics().dropped, 1U);
+}
+
+TEST_F(SubscriptionTest, SubscriptionsOfOneTopicAreServedTogether) {
+  client->subscribe("/zmp", {{"id", "a"}, {"throttle_rate", 1000}, {"queue_length", 1}});
+  client->subscribe("/zmp", {{"id", "b"}, {"throttle_rate", 0}, {"queue_length", 4}});
+  for (int i = 1; i <= 5; ++i) {
+    publish(i);
+  }
+  EXPECT_THAT(xs(client->receive()), ElementsAre(2, 3, 4, 5));
+  client->send({{"op", "unsubscribe"}, {"topic", "/zmp"}, {"id", "b"}});
+  publish(6);
+  EXPECT_THAT(client->receive(), IsEmpty()) << "a's interval holds now";
+}
+
+TEST_F(SubscriptionTest, EndsByIdOrAsAWhole) {
+  client->subscribe("/zmp", {{"id", "a"}});
+  client->subscribe("/zmp", {{"id", "b"}});
+  client->subscribe("/com");
+  client->send({{"op", "unsubscribe"}, {"topic", "/zmp"}, {"id", "a"}});
+  publish(1);
+  EXPECT_THAT(xs(client->receive()), ElementsAre(1));
+  client->send({{"op", "unsubscribe"}, {"topic", "/zmp"}});
+  publish(2);
+  publish_com(3);
+  EXPECT_THAT(xs(client->receive()), ElementsAre(3));
+  EXPECT_EQ(hub.statistics().subscriptions, 1U);
+  client->send({{"op", "unsubscribe"}, {"topic", "/zmp"}, {"id", "a"}});
+  EXPECT_EQ(client->receive_one()["level"], "warning");
+}
+
+TEST_F(SmallBoxTest, AreLimitedInNumber) {
+  client->subscribe("/zmp", {{"id", 1}});
+  client->subscribe("/zmp", {{"id", 2}});
+  client->subscribe("/com", {{"id", 3}});
+  client->subscribe("/com", {{"id", 3}, {"throttle_rate", 5}});
+  EXPECT_THAT(client->receive(), IsEmpty()) << "other terms are no further subscription";
+  EXPECT_THAT(client->refusal_of({{"op", "subscribe"}, {"topic", "/com"}, {"id", 4}}),
+              HasSubstr("unsubscribe first"));
+  client->send({{"op", "unsubscribe"}, {"topic", "/zmp"}, {"id", 1}});
+  client->subscribe("/com", {{"id", 4}});
+  EXPECT_THAT(client->receive(), IsEmpty());
+}
+
+TEST_F(SubscriptionTest, TopicsTakeTurns) {
+  for (const char* const topic : {"/zmp", "/com"}) {
+    client->subscribe(topic, {{"queue_length", 50}});
+  }
+  for (int i = 0; i < 50; ++i) {
+    publish(i);
+  }
+  publish_com(100);
+  const auto received = xs(client->receive());
+  ASSERT_THAT(received, SizeIs(51));
+  EXPECT_TRUE(received[0] == 100 || received[1] == 100) << "not behind the other topic's queue";
+}
+
+TEST_F(SubscriptionTest, AnswersGoBeforePublications) {
+  client->subscribe("/zmp", {{"queue_length", 50}});
+  for (int i = 0; i < 50; ++i) {
+    publish(i);
+  }
+  client->send({{"op", "dance"}});
+  EXPECT_EQ(json::parse(*client->next_frame()->bytes)["op"], "status");
+}
+
+TEST_F(SubscriptionTest, WakesOnceUntilAllIsTaken) {
+  client->subscribe("/zmp");
+  publish(1);
+  publish(2);
+  EXPECT_EQ(client->wakes, 1);
+  client->receive();
+  publish(3);
+  EXPECT_EQ(client->wakes, 2);
+}
+
+TEST_F(SmallBoxTest, ASlowClientHoldsAtMostItsBytesAndCostsNobodyElse) {
+  const auto quick = connect("bert");
+  for (TestClient* const each : {client.get(), quick.get()}) {
+    each->subscribe("/zmp", {{"queue_length", 10}});
+    each->subscribe("/robot_description");
+    each->subscribe("/com", {{"queue_length", 10}});
+  }
+  std::size_t received = 0;
+  for (int i = 0; i < 1000; ++i) {
+    publish(i);
+    publish_com(i);
+    publish_description(std::string(static_cast<std::size_t>(i) * 3, 'x'));
+    ASSERT_LE(hub.statistics().waiting_bytes, 2 * 4096U);
+    received += quick->receive().size();
+    ASSERT_LE(hub.statistics().waiting_bytes, 4096U);
+  }
+  EXPECT_EQ(received, 3000U);
+}
+
+TEST_F(SmallBoxTest, AMessageThatNeverFitsIsDroppedAndTold) {
+  client->subscribe("/robot_description");
+  publish_description(std::string(5000, 'x'));
+  step();
+  EXPECT_THAT(client->receive_one()["msg"], HasSubstr("1 of /robot_description"));
+}
+
+TEST_F(SubscriptionTest, DropsAreToldAtMostOnceASecond) {
+  client->subscribe("/zmp");
+  std::vector<std::string> warnings;
+  for (int i = 0; i < 250; ++i) {  // 2.5 s, 100 Hz
+    publish(i);
+    publish(i);
+    for (const json& message : client->receive()) {
+      if (message["op"] == "status") {
+        EXPECT_EQ(message["level"], "warning");
+        warnings.push_back(message["msg"]);
+      }
+    }
+    pass(10 * kMillisecond_ns, {client.get()});
+  }
+  ASSERT_THAT(warnings, SizeIs(3));
+  EXPECT_THAT(warnings[0], HasSubstr("1 of /zmp"));
+  EXPECT_THAT(warnings[1], HasSubstr("100 of /zmp"));
+  EXPECT_GE(hub.statistics().dropped, 201U);
+}
+
+TEST_F(SmallBoxTest, WhoNeverReadsItsAnswersIsClosed) {
+  for (int i = 0; i < 100 && !client->closed; ++i) {
+    client->send({{"op", "dance"}});
+  }
+  ASSERT_TRUE(client->closed);
+  EXPECT_EQ(client->closed->first, 1008);
+  EXPECT_LE(hub.statistics().waiting_bytes, 4096U);
+}
+
+TEST_F(SmallBoxTest, PublicationsGiveWayToAnswers) {
+  client->subscribe("/zmp", {{"queue_length", 10}});
+  client->subscribe("/robot_description");
+  publish_description(std::string(3500, 'x'));
+  for (int i = 0; i < 4; ++i) {
+    publish(i);
+  }
+  for (int i = 0; i < 10; ++i) {
+    client->send({{"op", "dance"}});
+  }
+  EXPECT_FALSE(client->closed);
+  EXPECT_EQ(json::parse(*client->next_frame()->bytes)["op"], "status");
+}
+
+// Puts the fragments of one message together again.
+std::string reassemble(const std::vector<json>& fragments, std::size_t piece_bytes) {
+  std::string whole;
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    EXPECT_EQ(fragments[i]["op"], "fragment");
+    EXPECT_EQ(fragments[i]["num"], i);
+    EXPECT_EQ(fragments[i]["total"], fragments.size());
+    ids.insert(fragments[i]["id"].get<std::string>());
+    const std::string data = fragments[i]["data"];
+    EXPECT_LE(data.size(), piece_bytes);
+    whole += data;
+  }
+  EXPECT_THAT(ids, SizeIs(1));
+  return whole;
+}
+
+TEST_F(SubscriptionTest, LongMessagesComeInFragmentsThatMakeTheWhole) {
+  for (const std::size_t piece_bytes : {64U, 65U, 66U, 67U, 100U, 1000U}) {
+    std::string text;
+    for (int i = 0; i < 600; ++i) {
+      text += i % 4 == 0   ? "a\"b\\"
+              : i % 4 == 1 ? "\xC3\xA4"
+              : i % 4 == 2 ? "\xE2\x82\xAC"
+                           : "\xF0\x9F\xA4\x96";
+    }
+    publish_description(text);
+    const auto other = connect("peer");
+    other->subscribe("/robot_description", {{"fragment_size", piece_bytes}});
+    const json message = json::parse(reassemble(other->receive(), piece_bytes));
+    EXPECT_EQ(message["msg"]["data"], text) << piece_bytes;
+    EXPECT_EQ(hub.statistics().waiting_bytes, 0U);
+  }
+}
+
+TEST_F(SubscriptionTest, ShortMessagesAreNotFragmented) {
+  client->subscribe("/zmp", {{"fragment_size", 10000}});
+  publish(1);
+  EXPECT_EQ(client->receive_one()["op"], "publish");
+}
+
+TEST_F(SubscriptionTest, AnswersGoBetweenFragments) {
+  publish_description(std::string(1000, 'x'));
+  client->subscribe("/robot_description", {{"fragment_size", 100}});
+  std::vector<json> fragments{json::parse(*client->next_frame()->bytes)};
+  client->send({{"op", "dance"}});
+  EXPECT_EQ(json::parse(*client->next_frame()->bytes)["op"], "status");
+  for (const json& fragment : client->receive()) {
+    fragments.push_back(fragment);
+  }
+  EXPECT_EQ(json::parse(reassemble(fragments, 100))["op"], "publish");
+}
+
+TEST_F(SubscriptionTest, CborIsNotFragmented) {
+  client->subscribe("/zmp", {{"fragment_size", 64}, {"compression", "cbor"}});
+  EXPECT_EQ(client->receive_one()["level"], "warning");
+  publish(1);
+  EXPECT_EQ(client->receive_one()["op"], "publish");
+}
+
+}  // namespace
+}  // namespace gaitway::api
