@@ -66,6 +66,7 @@ void Cosimulation::advance_millisecond() {
   }
   joints_.step(now_ns_, plant_.sensors());
   message_controller_.step(now_ns_);
+  memory_block_.beat(now_ns_);
   if (core::is_tick(now_ns_) && now_ns_ >= std::max(silent_until_ns_, busy_until_ns_)) {
     main_controller_tick();
   }

@@ -19,6 +19,7 @@
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "gaitway/tools/robot_ctl.hpp"
 #include "gaitway/tools/run_command.hpp"
 
 namespace gaitway::tools {
@@ -141,12 +142,34 @@ int list_parameters(Conversation& conversation, PluginRequest request) {
   }
 }
 
+// The same by the robot API's services.
+int change_over_api(PluginVerb verb, const CtlOptions& options) {
+  if (verb == PluginVerb::stop || verb == PluginVerb::start) {
+    throw std::invalid_argument(
+        "stop and start of a plug-in need --socket SOCKET: the robot API has no such service");
+  }
+  ApiClient client(options.robot.api);
+  if (verb == PluginVerb::set) {
+    return call_and_print(
+        client, "/plugins/set_parameter",
+        {{"plugin", options.plugin}, {"parameter", options.parameter}, {"value", options.value}});
+  }
+  if (verb == PluginVerb::describe_parameter) {
+    return call_and_print(client, "/plugins/get_parameters", {{"plugin", options.plugin}});
+  }
+  const char* const service = verb == PluginVerb::reload ? "/plugins/reload"
+                              : verb == PluginVerb::load ? "/plugins/load"
+                                                         : "/plugins/unload";
+  return call_and_print(client, service, {{"name", options.plugin}, {"library", options.library}});
+}
+
 }  // namespace
 
 CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
-  CLI::App* const command = app.add_subcommand("ctl", "Change the plug-ins of a running main controller");
-  command->add_option("--socket", options.socket, "Socket of the message controller's memory block")
-      ->required();
+  CLI::App* const command = app.add_subcommand("ctl", "Command a running robot, and change its plug-ins");
+  command->add_option("--socket", options.socket,
+                      "Change plug-ins over the message controller's memory block, without the robot API");
+  add_robot_ctl(*command, options.robot);
   command->add_option("--timeout", options.timeout_s, "Seconds to wait for the answer")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
@@ -166,6 +189,11 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
   }
   command->footer(
       "Examples:\n"
+      "  gaitway ctl walk 0.15 --seconds 5\n"
+      "  gaitway ctl emergency-stop\n"
+      "  gaitway ctl echo /joint_states --count 3\n"
+      "  gaitway ctl --url wss://robot:9090 --token-file token --ca ca.pem plugins\n"
+      "  gaitway ctl set stability gain \"1.1\"\n"
       "  gaitway ctl --socket /run/gaitway.sock reload trajectory\n"
       "  gaitway ctl --socket /run/gaitway.sock reload sway --library build/libsway.so\n"
       "  gaitway ctl --socket /run/gaitway.sock stop stability\n"
@@ -178,6 +206,12 @@ CLI::App* add_ctl_command(CLI::App& app, CtlOptions& options) {
 }
 
 int ctl(const CLI::App& command, const CtlOptions& options) {
+  if (is_robot_ctl(command)) {
+    return robot_ctl(command, options.robot);
+  }
+  if (options.socket.empty()) {
+    return change_over_api(parsed_verb(command), options);
+  }
   const PluginVerb verb = parsed_verb(command);
   const PluginRequest request = request_of(verb, options);
   Conversation conversation(options);

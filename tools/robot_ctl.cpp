@@ -100,6 +100,11 @@ void print_table(const json& values) {
                  plugin["p99_step_us"].get<double>());
     }
   }
+  for (std::size_t i = 0; values.contains("live") && i < values["names"].size(); ++i) {
+    fmt::print("{:<28} {:<16} {:<10} {:<5} {}\n", values["names"][i].get<std::string>(),
+               values["values"][i].get<std::string>(), values["units"][i].get<std::string>(),
+               values["live"][i].get<bool>() ? "live" : "", values["docs"][i].get<std::string>());
+  }
 }
 
 }  // namespace

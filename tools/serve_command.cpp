@@ -129,8 +129,8 @@ core::Configuration configuration_of(const ServeOptions& options) {
     set("origins", options.origins);
   }
   set_path("token_file", options.token_file);
-  set_path("tls_certificate", options.tls_certificate);
-  set_path("tls_key", options.tls_key);
+  set_path("certificate_file", options.certificate_file);
+  set_path("key_file", options.key_file);
   api.host.writes = std::filesystem::absolute(options.out) / "recordings";
   return configuration;
 }
@@ -242,13 +242,14 @@ CLI::App* add_serve_command(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   command
       ->add_option("--address", options.address,
-                   "Address to listen on. Any but a loopback one needs --token-file and --tls-*")
+                   "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
+                   "--key-file")
       ->capture_default_str();
   command->add_option("--origins", options.origins,
                       "Web origins that may connect besides this computer's, with commas between them");
   command->add_option("--token-file", options.token_file, "File with the token that clients must know");
-  command->add_option("--tls-certificate", options.tls_certificate, "Certificate chain (PEM)");
-  command->add_option("--tls-key", options.tls_key, "Its private key (PEM)");
+  command->add_option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
+  command->add_option("--key-file", options.key_file, "Its private key (PEM)");
   command->add_option("--seconds", options.seconds, "Virtual time to run; without it until told to stop");
   command->add_option("--speed", options.speed, "Times real time")->capture_default_str();
   command->add_option("--profile", options.profile,
@@ -268,7 +269,7 @@ CLI::App* add_serve_command(CLI::App& app, ServeOptions& options) {
       "Examples:\n"
       "  gaitway serve                              ws://127.0.0.1:9090, until Ctrl-C\n"
       "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
-      "  gaitway serve --address 0.0.0.0 --token-file token --tls-certificate cert.pem --tls-key key.pem\n"
+      "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
       "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"
       "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
   return command;

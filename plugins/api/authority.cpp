@@ -69,7 +69,9 @@ bool Authority::held_by(const Claimant& claimant) const noexcept {
   return lease_ && lease_->claimant == claimant.number;
 }
 
-std::string_view Authority::holder() const noexcept { return lease_ ? lease_->name : std::string_view(); }
+std::string_view Authority::holder() const noexcept {
+  return lease_ ? lease_->name : std::string_view();
+}
 
 void Authority::expire(std::int64_t now_ns) noexcept {
   if (lease_ && now_ns >= lease_->ends_ns) {

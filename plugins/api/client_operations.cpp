@@ -7,7 +7,6 @@
 #include "client_session.hpp"
 #include "gaitway/api/json_reader.hpp"
 #include "gaitway/api/message_definition.hpp"
-#include "secrets.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -107,7 +106,7 @@ void ClientSession::authenticate(const Json& message, const Json& id) {
   if (!token) {
     throw Refused("token is missing");
   }
-  const bool right = !hub_.options.token.empty() && same_secret(*token, hub_.options.token);
+  const bool right = hub_.options.is_token && hub_.options.is_token(*token);
   if (!right && !authorised_) {
     tell_error("the token is wrong", id);
     close(1008, "wrong token");

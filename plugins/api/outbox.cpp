@@ -101,8 +101,8 @@ bool Outbox::ready(std::int64_t now_ns) const noexcept {
 std::uint64_t Outbox::take_drops(Topic topic) noexcept {
   Lane* const lane = this->lane(topic);
   const std::uint64_t drops = lane != nullptr ? std::exchange(lane->drops, 0) : 0;
-  has_drops_ = std::any_of(lanes_.begin(), lanes_.end(),
-                           [](const auto& place) { return place && place->drops > 0; });
+  has_drops_ =
+      std::any_of(lanes_.begin(), lanes_.end(), [](const auto& place) { return place && place->drops > 0; });
   return drops;
 }
 

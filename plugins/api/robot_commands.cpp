@@ -28,11 +28,12 @@ Velocity velocity_of(const ros::Twist& twist, const Limits& limits) {
     if (std::abs(component.value) <= component.most) {
       continue;  // not so for NaN
     }
-    const std::string shown_value = std::string(component.name) + " is " + shown_json(nlohmann::json(component.value));
+    const std::string shown_value =
+        std::string(component.name) + " is " + shown_json(nlohmann::json(component.value));
     throw Refused(component.most == 0.0
                       ? shown_value + ", but must be 0: the robot walks in the plane"
-                      : shown_value + ", but must be from -" + shown_json(nlohmann::json(component.most)) + " to " +
-                            shown_json(nlohmann::json(component.most)) + " " + component.unit);
+                      : shown_value + ", but must be from -" + shown_json(nlohmann::json(component.most)) +
+                            " to " + shown_json(nlohmann::json(component.most)) + " " + component.unit);
   }
   return {twist.linear.x, twist.linear.y, twist.angular.z};
 }

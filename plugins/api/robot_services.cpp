@@ -114,8 +114,8 @@ void ServiceDesk::move_joint(const Caller& caller) {
   }
   if (!(asked.position >= joint->lower_rad && asked.position <= joint->upper_rad)) {
     throw Refused("position is " + shown_json(json(asked.position)) + ", but must be from " +
-                  shown_json(json(joint->lower_rad)) + " to " + shown_json(json(joint->upper_rad)) + " rad for " +
-                  shown(asked.joint));
+                  shown_json(json(joint->lower_rad)) + " to " + shown_json(json(joint->upper_rad)) +
+                  " rad for " + shown(asked.joint));
   }
   if (!(asked.duration > 0.0 && asked.duration <= kMost_s)) {
     throw Refused("duration is " + shown_json(json(asked.duration)) + ", but must be above 0 and at most " +

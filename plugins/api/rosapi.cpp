@@ -155,7 +155,8 @@ ros::ServiceProviders::Response Rosapi::answer(const ros::ServiceProviders::Requ
   return {node_if(!names_of(kAllServices, request.service).empty())};
 }
 
-ros::ServiceRequestDetails::Response Rosapi::answer(const ros::ServiceRequestDetails::Request& request) const {
+ros::ServiceRequestDetails::Response Rosapi::answer(
+    const ros::ServiceRequestDetails::Request& request) const {
   return {details(request.type, "_Request")};
 }
 
@@ -168,7 +169,9 @@ ros::MessageDetails::Response Rosapi::answer(const ros::MessageDetails::Request&
   return {details(request.type, "")};
 }
 
-ros::Nodes::Response Rosapi::answer(const ros::Nodes::Request&) const { return {node_if(true)}; }
+ros::Nodes::Response Rosapi::answer(const ros::Nodes::Request&) const {
+  return {node_if(true)};
+}
 
 ros::NodeDetails::Response Rosapi::answer(const ros::NodeDetails::Request& request) const {
   if (request.node != kNode) {
@@ -177,7 +180,9 @@ ros::NodeDetails::Response Rosapi::answer(const ros::NodeDetails::Request& reque
   return {{std::string(kVelocityTopic)}, published(), all_names(kAllServices)};
 }
 
-ros::GetActionServers::Response Rosapi::answer(const ros::GetActionServers::Request&) const { return {}; }
+ros::GetActionServers::Response Rosapi::answer(const ros::GetActionServers::Request&) const {
+  return {};
+}
 
 ros::GetTime::Response Rosapi::answer(const ros::GetTime::Request&) const {
   constexpr std::int64_t kSecond_ns = 1'000'000'000;

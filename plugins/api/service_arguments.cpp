@@ -6,8 +6,7 @@
 
 namespace gaitway::api {
 
-nlohmann::json named_arguments(const nlohmann::json& arguments,
-                               const std::vector<std::string_view>& fields) {
+nlohmann::json named_arguments(const nlohmann::json& arguments, const std::vector<std::string_view>& fields) {
   if (arguments.is_object()) {
     return arguments;
   }

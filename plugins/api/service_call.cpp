@@ -7,7 +7,9 @@ namespace {
 
 using nlohmann::json;
 
-void append_cbor_value(std::string& out, const json& value) { json::to_cbor(value, out); }
+void append_cbor_value(std::string& out, const json& value) {
+  json::to_cbor(value, out);
+}
 
 }  // namespace
 

@@ -15,7 +15,7 @@ using testing::SizeIs;
 
 HubOptions with_token() {
   HubOptions options;
-  options.token = "open sesame";
+  options.is_token = [](std::string_view offered) { return offered == "open sesame"; };
   options.limits.connections = 3;
   options.limits.messages_per_s = 100.0;
   return options;

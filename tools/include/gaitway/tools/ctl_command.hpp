@@ -1,9 +1,11 @@
-// `gaitway ctl`: changes the plug-ins of a main controller that is running.
+// `gaitway ctl`: commands a robot that is running, and changes its plug-ins.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+
+#include "gaitway/tools/robot_ctl.hpp"
 
 namespace gaitway::tools {
 
@@ -12,6 +14,7 @@ inline constexpr int kExitNoAnswer = 3;
 
 struct CtlOptions {
   std::filesystem::path socket;
+  RobotCtlOptions robot;
   std::string plugin, library, parameter, value;
   double timeout_s = 10.0;
 };

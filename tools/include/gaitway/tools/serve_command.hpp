@@ -21,7 +21,7 @@ struct ServeOptions {
   std::string address = "127.0.0.1";
   int port = 9090;
   std::string origins;  // further web origins that may connect, with commas between them
-  std::filesystem::path token_file, tls_certificate, tls_key;
+  std::filesystem::path token_file, certificate_file, key_file;
   std::optional<double> seconds;
   double speed = 1.0;  // times real time
   std::uint64_t seed = 1;

@@ -25,7 +25,8 @@ struct HubState;
 
 struct HubOptions {
   Limits limits;
-  std::string token;  // that clients must show; empty: none is right
+  // Whether this is the token that clients must show, in constant time; without it none is right.
+  std::function<bool(std::string_view offered)> is_token;
   // For rosapi: name ("plug-in:parameter") -> value, as in a configuration. Kept up to date by what clients
   // set and read.
   std::map<std::string, std::string, std::less<>> parameters;

@@ -52,9 +52,8 @@ inline constexpr std::array kTopics{
              "Planned zero-moment point [m] at this instant"},
     TopicRow{Topic::com, "/com", ros::PointStamped::kName, 100.0, false, "odom",
              "Estimated centre of mass [m]"},
-    TopicRow{
-        Topic::odometry, "/odom", ros::Odometry::kName, 100.0, false, "odom",
-        "Pose of the base, as planned footsteps, joints and attitude give it; twist in the base's frame"},
+    TopicRow{Topic::odometry, "/odom", ros::Odometry::kName, 100.0, false, "odom",
+             "Pose of the base, by dead reckoning with feet, joints and gyro; twist in the base's frame"},
     TopicRow{Topic::transforms, "/tf", ros::TFMessage::kName, 100.0, false, "",
              "odom to base, and base to every link, from the measured joints"},
     TopicRow{Topic::footsteps, "/footsteps", ros::PoseArray::kName, 0.0, true, "odom",

@@ -1,0 +1,318 @@
+// What is new is read once, converted once, and given away.
+#include "gaitway/api/feed.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "gaitway/api/diagnostics.hpp"
+#include "gaitway/api/event_message.hpp"
+#include "gaitway/api/frame_messages.hpp"
+#include "gaitway/api/planned_motion.hpp"
+#include "gaitway/api/robot_frames.hpp"
+#include "gaitway/api/ros_time.hpp"
+#include "gaitway/api/sensor_messages.hpp"
+#include "gaitway/msgclient/cycle.hpp"
+
+namespace gaitway::api {
+namespace {
+
+constexpr std::int64_t kDiagnosticsPeriod_ns = 1'000'000'000;
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min();
+
+// A latest-value topic and what was last read of it.
+template <class T>
+class Latest {
+ public:
+  Latest(msgclient::Client& client, std::string_view topic) : reader_(client.read<T>(topic)) {}
+
+  [[nodiscard]] bool is_newer() const noexcept { return reader_.newest_sequence() != sequence_; }
+  // Whether there is a newer value; it is then in value().
+  bool update() noexcept {
+    if (!is_newer()) return false;
+    const msgclient::ReadResult result = reader_.read(value_);
+    if (result.status != msgclient::ReadStatus::value) return false;
+    sequence_ = result.sequence;
+    there_ = true;
+    return true;
+  }
+  // Nothing of it is known until the next value.
+  void forget() noexcept { there_ = false; }
+  [[nodiscard]] const T& value() const noexcept { return value_; }
+  [[nodiscard]] const T* if_there() const noexcept { return there_ ? &value_ : nullptr; }
+
+ private:
+  msgclient::Reader<T> reader_;
+  std::uint64_t sequence_ = 0;
+  bool there_ = false;
+  T value_{};
+};
+
+std::string text_of_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) {
+    throw urdf::RobotError("the robot's description '" + file.string() +
+                           "' cannot be read, and so not be published; check the file and its permissions");
+  }
+  return text;
+}
+
+std::int64_t slot_edge(std::int64_t time_ns) noexcept {
+  return time_ns - time_ns % msgclient::kSlot_ns;
+}
+
+}  // namespace
+
+struct Feed::Topics {
+  explicit Topics(msgclient::Client& robot) : client(robot), events(robot.read_stream<Event>("events")) {}
+
+  msgclient::Client& client;
+  Latest<JointStates> joints{client, "joint_states"};
+  Latest<FootForces> forces{client, "foot_forces"};
+  Latest<gaitway::Imu> imu{client, "imu"};
+  Latest<NetworkState> network{client, "network_state"};
+  Latest<NetworkHealth> health{client, "network_health"};
+  Latest<Estimate> estimate{client, "estimate"};
+  Latest<MotionPlan> plan{client, "motion_plan"};
+  Latest<PluginStatistics> statistics{client, "plugin_statistics"};
+  msgclient::StreamReader<Event> events;
+};
+
+struct Feed::Messages {
+  explicit Messages(const urdf::RobotModel& model)
+      : joints(make_joint_state(model)),
+        imu(make_imu(model)),
+        wrenches{make_foot_wrench(urdf::Side::left), make_foot_wrench(urdf::Side::right)},
+        odometry(make_odometry(model)),
+        transforms(model),
+        description{text_of_file(model.directory / "robot.urdf")} {}
+
+  ros::JointState joints;
+  ros::Imu imu;
+  std::array<ros::WrenchStamped, 2> wrenches;
+  ros::Odometry odometry;
+  LinkTransforms transforms;
+  ros::PointStamped point = make_ground_point();
+  Footsteps footsteps;
+  ros::String description;
+};
+
+struct Feed::State {
+  explicit State(const urdf::RobotModel& robot) : model(robot), frames(robot), diagnostics(robot) {}
+
+  urdf::RobotModel model;
+  RobotFrames frames;
+  Diagnostics diagnostics;
+  PlannedMotion motion;
+  std::int64_t robot_ns = 0, beat_wall_ns = kNever, heartbeat_age_ns = 0;
+  // Newest of each, so that nothing is published twice.
+  std::int64_t joints_ns = 0, imu_ns = 0, forces_ns = 0, estimate_ns = 0, edge_ns = kNever;
+  bool joints_wait = false, estimate_waits = false;  // to be made frames of
+  bool described = false, footsteps_told = false;
+  std::int64_t diagnostics_ns = kNever, diagnostics_wall_ns = kNever;
+  std::uint64_t missed_events = 0;
+};
+
+Feed::Feed(msgclient::Client& client, const urdf::RobotModel& model)
+    : topics_(std::make_unique<Topics>(client)),
+      messages_(std::make_unique<Messages>(model)),
+      state_(std::make_unique<State>(model)) {}
+Feed::~Feed() = default;
+
+std::int64_t Feed::robot_ns() const noexcept {
+  return state_->robot_ns;
+}
+std::int64_t Feed::heartbeat_age_ns() const noexcept {
+  return state_->heartbeat_age_ns;
+}
+
+void Feed::poll(std::int64_t wall_ns, PublicationSink& sink) {
+  follow_clock(wall_ns);
+  publish_once(sink);
+  read_network();
+  // An estimate belongs to the joints of its slot, which may have been read in the poll before.
+  if (topics_->estimate.update()) state_->estimate_waits = true;
+  if (state_->joints_wait && slot_edge(topics_->estimate.value().stamp_ns) <= slot_edge(state_->joints_ns)) {
+    publish_frames(sink);
+  }
+  publish_joints(sink);
+  publish_frames(sink);
+  publish_imu(sink);
+  publish_wrenches(sink);
+  publish_at_slot_edge(sink);
+  publish_diagnostics(wall_ns, sink);
+  publish_events(sink);
+}
+
+void Feed::follow_clock(std::int64_t wall_ns) {
+  State& state = *state_;
+  const std::int64_t beat_ns = topics_->client.heartbeat_ns();
+  if (beat_ns < state.robot_ns) forget();
+  if (beat_ns != state.robot_ns || state.beat_wall_ns == kNever) state.beat_wall_ns = wall_ns;
+  state.robot_ns = beat_ns;
+  state.heartbeat_age_ns = wall_ns - state.beat_wall_ns;
+}
+
+void Feed::forget() {
+  State& state = *state_;
+  state.frames.reset();
+  state.diagnostics.reset();
+  state.motion.clear();
+  topics_->estimate.forget();
+  state.joints_ns = state.imu_ns = state.forces_ns = state.estimate_ns = 0;
+  state.edge_ns = state.diagnostics_ns = kNever;
+  state.joints_wait = state.estimate_waits = false;
+}
+
+void Feed::publish_once(PublicationSink& sink) {
+  if (state_->described || !sink.wants(Topic::robot_description)) return;
+  sink.publish(Topic::robot_description, messages_->description, state_->robot_ns);
+  state_->described = true;
+}
+
+void Feed::read_network() {
+  topics_->network.update();
+  if (topics_->plan.update()) state_->motion.take(topics_->plan.value());
+}
+
+void Feed::publish_joints(PublicationSink& sink) {
+  State& state = *state_;
+  if (!topics_->joints.is_newer()) return;
+  if (state.joints_wait) publish_transforms(sink, false);
+  topics_->joints.update();
+  const JointStates& joints = topics_->joints.value();
+  if (joints.stamp_ns < state.joints_ns) forget();
+  if (joints.stamp_ns == state.joints_ns) return;  // no joint has answered since
+  state.joints_ns = joints.stamp_ns;
+  state.joints_wait = true;
+  if (!sink.wants(Topic::joint_states)) return;
+  fill(messages_->joints, joints);
+  sink.publish(Topic::joint_states, messages_->joints, state.robot_ns);
+}
+
+void Feed::publish_imu(PublicationSink& sink) {
+  State& state = *state_;
+  if (!topics_->imu.update() || topics_->imu.value().stamp_ns == state.imu_ns) return;
+  state.imu_ns = topics_->imu.value().stamp_ns;
+  if (!sink.wants(Topic::imu)) return;
+  fill(messages_->imu, topics_->imu.value(), topics_->estimate.if_there());
+  sink.publish(Topic::imu, messages_->imu, state.robot_ns);
+}
+
+void Feed::publish_wrenches(PublicationSink& sink) {
+  State& state = *state_;
+  if (!topics_->forces.update() || topics_->forces.value().stamp_ns == state.forces_ns) return;
+  state.forces_ns = topics_->forces.value().stamp_ns;
+  for (const urdf::Side side : urdf::kSides) {
+    const Topic topic = side == urdf::Side::left ? Topic::left_wrench : Topic::right_wrench;
+    if (!sink.wants(topic)) continue;
+    ros::WrenchStamped& message = messages_->wrenches[static_cast<std::size_t>(side)];
+    fill(message, topics_->forces.value(), state.model, side);
+    sink.publish(topic, message, state.robot_ns);
+  }
+}
+
+void Feed::publish_frames(PublicationSink& sink) {
+  State& state = *state_;
+  if (!state.estimate_waits || state.joints_ns == 0) return;
+  const Estimate& estimate = topics_->estimate.value();
+  state.estimate_waits = false;
+  if (estimate.stamp_ns == state.estimate_ns) return;  // some sensor has fallen silent
+  state.estimate_ns = estimate.stamp_ns;
+
+  const JointStates& joints = topics_->joints.value();
+  const std::size_t count = state.model.joints.size();
+  const std::int64_t instant_ns = slot_edge(joints.stamp_ns);  // the joints measure at the slot's beginning
+  const NetworkState* network = topics_->network.if_there();
+  const auto accepted = network != nullptr ? std::optional(network->accepted_sequence) : std::nullopt;
+  state.frames.update(instant_ns, {joints.position, count}, {joints.velocity, count}, estimate,
+                      state.motion.at(instant_ns, accepted));
+  if (state.joints_wait) publish_transforms(sink, true);
+  if (sink.wants(Topic::odometry)) {
+    fill(messages_->odometry, state.frames, joints.stamp_ns);
+    sink.publish(Topic::odometry, messages_->odometry, state.robot_ns);
+  }
+  const auto publish_point = [&](Topic topic, const Eigen::Vector3d& point_m) {
+    if (!sink.wants(topic)) return;
+    fill(messages_->point, state.frames.odom_from_support(), point_m, estimate.stamp_ns);
+    sink.publish(topic, messages_->point, state.robot_ns);
+  };
+  publish_point(Topic::com, {estimate.com[0], estimate.com[1], estimate.com[2]});
+  publish_point(Topic::zmp, {estimate.zmp[0], estimate.zmp[1], 0.0});
+}
+
+void Feed::publish_transforms(PublicationSink& sink, bool with_base) {
+  State& state = *state_;
+  state.joints_wait = false;
+  if (!sink.wants(Topic::transforms)) return;
+  const JointStates& joints = topics_->joints.value();
+  messages_->transforms.fill({joints.position, state.model.joints.size()},
+                             with_base ? &state.frames.odom_from_base() : nullptr, joints.stamp_ns);
+  sink.publish(Topic::transforms, messages_->transforms.message(), state.robot_ns);
+}
+
+void Feed::publish_at_slot_edge(PublicationSink& sink) {
+  State& state = *state_;
+  const std::int64_t edge_ns = slot_edge(state.robot_ns);
+  if (edge_ns == state.edge_ns || state.robot_ns == 0) return;
+  state.edge_ns = edge_ns;
+  if (sink.wants(Topic::clock)) {
+    sink.publish(Topic::clock, ros::Clock{ros_time(state.robot_ns)}, state.robot_ns);
+  }
+  const bool wants_zmp = sink.wants(Topic::reference_zmp);
+  const bool wants_footsteps = sink.wants(Topic::footsteps);
+  if (!wants_zmp && !wants_footsteps) return;
+  const NetworkState* network = topics_->network.if_there();
+  const std::optional<PlannedMoment> moment =
+      state.motion.at(edge_ns, network != nullptr ? std::optional(network->accepted_sequence) : std::nullopt);
+  if (wants_zmp && moment) {
+    fill(messages_->point, state.frames.odom_from_plan(), {moment->zmp_m.x(), moment->zmp_m.y(), 0.0},
+         edge_ns);
+    sink.publish(Topic::reference_zmp, messages_->point, state.robot_ns);
+  }
+  if (!wants_footsteps) return;
+  const bool changed =
+      messages_->footsteps.update(moment ? moment->plan : nullptr, edge_ns, state.frames.odom_from_plan());
+  if (changed || !state.footsteps_told) {
+    sink.publish(Topic::footsteps, messages_->footsteps.message(), state.robot_ns);
+    state.footsteps_told = true;
+  }
+}
+
+void Feed::publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink) {
+  State& state = *state_;
+  const bool due = state.diagnostics_ns == kNever ||
+                   state.robot_ns - state.diagnostics_ns >= kDiagnosticsPeriod_ns ||
+                   wall_ns - state.diagnostics_wall_ns >= kDiagnosticsPeriod_ns;
+  if (!due) return;
+  state.diagnostics_ns = state.robot_ns;
+  state.diagnostics_wall_ns = wall_ns;
+  if (!sink.wants(Topic::diagnostics)) return;
+  topics_->statistics.update();
+  topics_->health.update();
+  const RobotCondition condition{.stamp_ns = state.robot_ns,
+                                 .heartbeat_age_ns = state.heartbeat_age_ns,
+                                 .plugins = topics_->statistics.if_there(),
+                                 .network = topics_->network.if_there(),
+                                 .health = topics_->health.if_there()};
+  sink.publish(Topic::diagnostics, state.diagnostics.report(condition), state.robot_ns);
+}
+
+void Feed::publish_events(PublicationSink& sink) {
+  Event event;
+  while (topics_->events.read(event).status == msgclient::ReadStatus::value) {
+    if (sink.wants(Topic::events)) sink.publish(Topic::events, log_of(event), state_->robot_ns);
+  }
+  const std::uint64_t missed = topics_->events.missed();
+  if (missed == state_->missed_events) return;
+  if (sink.wants(Topic::events)) {
+    sink.publish(Topic::events, log_of_missed(missed - state_->missed_events, state_->robot_ns),
+                 state_->robot_ns);
+  }
+  state_->missed_events = missed;
+}
+
+}  // namespace gaitway::api

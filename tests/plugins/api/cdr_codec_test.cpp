@@ -1,0 +1,72 @@
+// CDR byte for byte; the recording's test has the MCAP library decode every topic.
+#include "gaitway/api/cdr_codec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "gaitway/api/ros_messages.hpp"
+
+namespace gaitway::api {
+namespace {
+
+using namespace std::string_literals;
+
+template <class Message>
+std::string cdr(const Message& message) {
+  std::string out;
+  append_cdr(out, message);
+  return out;
+}
+
+const std::string kHeader = "\x00\x01\x00\x00"s;
+
+TEST(CdrCodec, NumbersAreLittleEndian) {
+  EXPECT_EQ(cdr(ros::Time{1, 0x0A0B0C0D}), kHeader + "\x01\x00\x00\x00\x0D\x0C\x0B\x0A"s);
+  EXPECT_EQ(cdr(ros::Time{-2, 0}), kHeader + "\xFE\xFF\xFF\xFF\x00\x00\x00\x00"s);
+}
+
+TEST(CdrCodec, StringsHaveTheirLengthAndAClosingZero) {
+  EXPECT_EQ(cdr(ros::String{"ab"}), kHeader + "\x03\x00\x00\x00"s + "ab\0"s);
+  EXPECT_EQ(cdr(ros::String{}), kHeader + "\x01\x00\x00\x00\x00"s);
+}
+
+TEST(CdrCodec, DoublesStandAtMultiplesOfEightAfterTheHeader) {
+  ros::PointStamped message;
+  message.header.frame_id = "odom";  // 4 + 4 + 4 + 5 = 17 bytes, then 7 of padding
+  message.point.x = 1.0;
+  EXPECT_EQ(cdr(message), kHeader + std::string(8, '\0') + "\x05\x00\x00\x00"s + "odom\0"s +
+                              std::string(7, '\0') + "\x00\x00\x00\x00\x00\x00\xF0\x3F"s +
+                              std::string(16, '\0'));
+}
+
+TEST(CdrCodec, SequencesHaveACountAndArraysHaveNone) {
+  ros::JointState joints;
+  joints.name = {"a"};
+  joints.position = {1.0};
+  EXPECT_EQ(cdr(joints), kHeader + std::string(8, '\0') + "\x01\x00\x00\x00\x00"s + std::string(3, '\0') +
+                             "\x01\x00\x00\x00"s + "\x02\x00\x00\x00"s + "a\0"s + std::string(2, '\0') +
+                             "\x01\x00\x00\x00"s +  // at 28: the position's count; 32 is a multiple of eight
+                             "\x00\x00\x00\x00\x00\x00\xF0\x3F"s + std::string(4, '\0') +
+                             std::string(4, '\0'));
+  const std::string imu = cdr(ros::Imu{});  // header 13, padded to 16; then 4 + 9 + 3 + 9 + 3 + 9 doubles
+  EXPECT_EQ(imu.size(), 4U + 16U + 37U * 8U);
+}
+
+TEST(CdrCodec, BytesAreNotPadded) {
+  ros::DiagnosticStatus status;
+  status.level = 2;
+  // level at 0, name at 4; each empty string 5 bytes, the next at a multiple of four.
+  EXPECT_EQ(cdr(status), kHeader + "\x02\x00\x00\x00"s + "\x01\x00\x00\x00\x00\x00\x00\x00"s +
+                             "\x01\x00\x00\x00\x00\x00\x00\x00"s + "\x01\x00\x00\x00\x00\x00\x00\x00"s +
+                             std::string(4, '\0'));
+}
+
+TEST(CdrCodec, AppendsToWhatIsThereAndAlignsFromItsOwnBeginning) {
+  std::string out = "123";
+  append_cdr(out, ros::Time{1, 2});
+  EXPECT_EQ(out, "123"s + cdr(ros::Time{1, 2}));
+}
+
+}  // namespace
+}  // namespace gaitway::api
