@@ -246,7 +246,8 @@ TEST_F(RealTime, PlugInsAreReplacedFromTheCommandLineWhileTheRobotWalks) {
                 testing::AllOf(testing::StartsWith("0 "), HasSubstr("state handed on")))
         << everything();
   }
-  EXPECT_THAT(ctl({"parameters", "stability"}), testing::AllOf(testing::StartsWith("0 "), HasSubstr("trim_limit")));
+  EXPECT_THAT(ctl({"parameters", "stability"}),
+              testing::AllOf(testing::StartsWith("0 "), HasSubstr("trim_limit")));
   EXPECT_THAT(ctl({"parameters", "stabilty"}),
               testing::AllOf(testing::StartsWith("2 "), HasSubstr("Did you mean 'stability'?")));
   EXPECT_THAT(ctl({"reload", "trajektory"}),
