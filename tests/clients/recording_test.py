@@ -65,7 +65,7 @@ class Recording(unittest.TestCase):
             self.assertAlmostEqual(counts[topic] / SECONDS, 100.0, delta=1.0, msg=topic)
         self.assertAlmostEqual(counts["/zmp/reference"] / SECONDS, 100.0, delta=4.0)  # from the first plan on
         self.assertEqual(counts["/diagnostics"], 5)
-        self.assertEqual(counts["/events"], 10)
+        self.assertGreaterEqual(counts["/events"], 10)  # of this test, and the robot's own
         self.assertEqual(counts["/robot_description"], 1)
         self.assertGreater(counts["/footsteps"], 10)
         print("rates in Hz:", {topic: count / SECONDS for topic, count in sorted(counts.items())})
