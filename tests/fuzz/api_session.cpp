@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 40> kMessages{
     R"({"op":"call_service","id":"c","service":"/stand"})",
     R"({"op":"call_service","service":"/stop"})",
     R"({"op":"call_service","service":"/emergency_stop","args":[true]})",
-    R"({"op":"call_service","service":"/move_joint","args":["head_yaw",0.2,1]})",
+    R"({"op":"call_service","service":"/move_joint","args":["neck_yaw",0.2,1]})",
     R"({"op":"call_service","service":"/play_motion","args":{"motion":"wave"}})",
     R"({"op":"call_service","service":"/plugins/list","compression":"cbor"})",
     R"({"op":"call_service","service":"/plugins/reload","args":{"name":"stability"},"timeout":0.1})",

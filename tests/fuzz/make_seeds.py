@@ -189,6 +189,28 @@ def api_seeds():
     write("api_messages", "broken_text", b'"\xc3\xa4\xff\xed\xa0\x80\xf4\x90\x80\x80\xe2\x82')
 
 
+def say(client, message):
+    """A known message of api_session.cpp, by its number there, unchanged."""
+    return bytes([0, client, message, 1])
+
+
+def conversation_seeds():
+    wait, read = bytes([9, 0, 60]), bytes([13, 0, 31])
+    publish = b"".join(bytes([11, 0, which, 22]) for which in range(4))
+    heard = bytes([15, 0, 1, 1, 0, 0])
+    write("api_session", "two_drivers", b"\0" + say(0, 0) + say(1, 0) + say(1, 15) + say(0, 0) + bytes([9, 0, 110]) +
+          say(1, 1) + bytes([14, 1]) + say(2, 25) + bytes([13, 2, 5]) + say(2, 28) + say(1, 28) + say(2, 27) + say(0, 14))
+    write("api_session", "subscriptions", b"\0" + b"".join(say(0, message) for message in range(5, 11)) + publish + read +
+          publish * 3 + heard + wait + publish + read + say(0, 11) + say(0, 12) + say(0, 13) + publish + read * 2)
+    write("api_session", "orders", b"\0" + b"".join(say(message % 3, message) for message in range(14, 33)) +
+          bytes([12, 0, 0, 1, 4]) + b"done" + bytes([12, 0, 1, 0, 2]) + b"no" + heard + wait + read + bytes([13, 1, 31]))
+    write("api_session", "token", b"\1" + say(0, 0) + say(0, 35) + say(0, 0) + say(1, 36) + say(1, 35) + say(2, 14) + heard +
+          bytes([9, 0, 250]) * 3 + read)
+    write("api_session", "flood", b"\0" + say(0, 0) * 60 + say(0, 16) + say(0, 33) * 60 + read)
+    write("api_session", "own_words", b"\0" + bytes([8, 0, 13]) + b'{"op":"dance"}'[:13] + b"\1" + bytes([8, 1, 2]) + b"\xc3(" +
+          b"\1" + bytes([8, 2, 4, 1, 2, 3, 4, 0]) + read)
+
+
 def main():
     if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
         sys.exit(__doc__)
@@ -199,6 +221,7 @@ def main():
     controller_seeds(frames)
     text_seeds()
     api_seeds()
+    conversation_seeds()
 
 
 if __name__ == "__main__":

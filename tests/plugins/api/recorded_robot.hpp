@@ -23,7 +23,7 @@ class RecordedRobot final : public RobotPort {
   std::deque<OrderResult> results;
   std::vector<PluginStatus> plugin_list{
       {.name = "stability", .state = "works", .steps = 7, .worst_step_us = 12.5}};
-  std::vector<JointLimits> joint_list{{"head_yaw", -1.0, 1.0}, {"left_knee", 0.0, 2.0}};
+  std::vector<JointLimits> joint_list{{"neck_yaw", -1.0, 1.0}, {"left_knee", 0.0, 2.0}};
   std::int64_t time_ns = 0;
   bool is_connected = true;
   bool is_blocked = false;  // takes no orders

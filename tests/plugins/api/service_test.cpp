@@ -84,7 +84,7 @@ TEST_F(ServiceTest, UnknownServicesFail) {
 TEST_F(ServiceTest, ArgumentsComeByNameOrInOrder) {
   call_later("/move_joint", {{"joint", "left_knee"}, {"position", 0.5}, {"duration", 1.5}});
   EXPECT_EQ(robot.moved_joint, "1 0.500000 1.500000");
-  call_later("/move_joint", {"head_yaw", -0.5, 2});
+  call_later("/move_joint", {"neck_yaw", -0.5, 2});
   EXPECT_EQ(robot.moved_joint, "0 -0.500000 2.000000");
 }
 
@@ -115,7 +115,7 @@ TEST_F(ServiceTest, OrdersAreAnsweredWhenTheRobotHasSaidWhatBecameOfThem) {
 }
 
 TEST_F(ServiceTest, OrdersThatFailSaySo) {
-  call_later("/move_joint", {"head_yaw", 0.1, 1.0});
+  call_later("/move_joint", {"neck_yaw", 0.1, 1.0});
   finish(false, "the robot walks");
   EXPECT_EQ(values(client->receive_one()), (json{{"success", false}, {"message", "the robot walks"}}));
 }
@@ -283,8 +283,7 @@ TEST_F(ServiceTest, EveryServiceAnswersItsExample) {
       messages = client->receive();
     }
     ASSERT_THAT(messages, SizeIs(1)) << row.name;
-    EXPECT_EQ(messages[0]["result"], row.service != Service::move_joint || messages[0]["result"].get<bool>())
-        << row.name << ": " << messages[0].dump();
+    EXPECT_EQ(messages[0]["result"], true) << row.name << ": " << messages[0].dump();
     robot.recording = true;  // so that it can be stopped
   }
 }

@@ -45,7 +45,7 @@ struct HubStatistics {
   std::string commander;           // name of who has the command; empty: nobody
 };
 
-// Sessions must not outlive their hub. A connection's wake() and close() must not destroy a session.
+// Sessions must not outlive their hub.
 class Hub final : public SessionHub {
  public:
   Hub(RobotPort& robot, HubOptions options);

@@ -16,7 +16,8 @@ struct Frame {
   bool binary = false;
 };
 
-// What a session asks of its connection. Called from within the session's and the hub's own calls.
+// What a session asks of its connection. Called from within the session's and the hub's own calls, so neither
+// call may destroy a session.
 class Connection {
  public:
   virtual ~Connection() = default;
