@@ -18,7 +18,10 @@ struct ServerCallbacks {
 };
 
 // All work is done by the thread in run(). After the constructor it makes no socket but by accept4, opens no
-// file and starts no thread.
+// file and starts no thread. But glibc's allocator does, in a thread beside the first, when it gives memory
+// back
+// (/proc/sys/vm/overcommit_memory): a filter that kills for it wants mallopt(M_TRIM_THRESHOLD, INT_MAX)
+// before.
 class Server {
  public:
   // `hub` must outlive the server. Throws std::system_error when the kernel gives no descriptor.
