@@ -65,6 +65,8 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
 
   [[nodiscard]] ServerCore& core() noexcept { return core_; }
   [[nodiscard]] OutgoingQueue& queue() noexcept { return queue_; }
+  // A step of the handshake may end after the deadline, or the server, has ended the connection.
+  [[nodiscard]] bool in_handshake() const noexcept { return phase_ == Phase::handshake; }
   [[nodiscard]] bool reads() const noexcept { return phase_ == Phase::open; }
   void pinged() noexcept { pinging_ = false; }
 

@@ -32,7 +32,8 @@ class MessageRate {
   }
 
  private:
-  static constexpr double kForgiven = 0.1;  // of the refusals: so many of the allowed rate are forgotten again
+  static constexpr double kForgiven =
+      0.1;  // of the refusals: so many of the allowed rate are forgotten again
 
   double per_s_;
   double left_;

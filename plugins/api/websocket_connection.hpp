@@ -86,7 +86,7 @@ void WebSocketConnection<Stream>::start() {
     stream().async_handshake(boost::asio::ssl::stream_base::server, [self = self()](ErrorCode error) {
       if (error) {
         self->left(Refusal::tls);
-      } else {
+      } else if (self->in_handshake()) {
         self->read_request();
       }
     });
@@ -104,6 +104,9 @@ void WebSocketConnection<Stream>::read_request() {
 
 template <class Stream>
 void WebSocketConnection<Stream>::decide(ErrorCode error) {
+  if (!in_handshake()) {
+    return;
+  }
   if (error == http::error::header_limit || error == http::error::buffer_overflow) {
     refuse(
         {http::status::request_header_fields_too_large, Refusal::bad_request,
@@ -157,6 +160,9 @@ void WebSocketConnection<Stream>::accept(bool authorised) {
   socket_.set_option(websocket::stream_base::decorator(
       [](websocket::response_type& response) { response.set(http::field::server, "gaitway"); }));
   socket_.async_accept(request_.get(), [self = self(), authorised](ErrorCode error) {
+    if (!self->in_handshake()) {
+      return;
+    }
     if (!error) {
       self->serve(authorised);
     } else if (error.category() == make_error_code(websocket::error::bad_sec_key).category()) {

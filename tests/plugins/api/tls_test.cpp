@@ -104,9 +104,30 @@ TEST_F(Tls, SlowReadersAreDropped) {
 TEST_F(Tls, EndsWhenTheServerStops) {
   RunningServer server(secured());
   WebSocketClient client(server.port(), with_token(SecretFiles::kToken));
+  server.await([](const ServerStatistics&, EchoHub& hub) { return hub.sessions == 1; });
   std::thread stopping([&] { server.stop(); });
   EXPECT_EQ(client.receive_close(), 1001U);
   stopping.join();
+}
+
+// Whatever step of the handshake the end meets: with TLS there are many.
+TEST_F(Tls, StoppingDuringAHandshakeEndsIt) {
+  ServerOptions options = secured();
+  options.closing_ns = 1'000'000;
+  options.tick_ns = 1'000'000;
+  for (int repetition = 0; repetition < 100; ++repetition) {
+    RunningServer server(options);
+    std::thread connecting([&] {
+      try {
+        WebSocketClient(server.port(), with_token(SecretFiles::kToken)).receive_close();
+      } catch (const std::exception&) {  // cut off before it had a WebSocket
+      }
+    });
+    server.await([](const ServerStatistics& statistics, EchoHub&) { return statistics.accepted == 1; });
+    server.stop();
+    connecting.join();
+    EXPECT_EQ(server.statistics().connected, 0U);
+  }
 }
 
 }  // namespace
