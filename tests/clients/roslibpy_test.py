@@ -127,11 +127,11 @@ class Roslibpy(unittest.TestCase):
         self.assertTrue({"trajectory", "kinematics", "zmp", "stability", "api"} <= {plugin["name"] for plugin in listing["plugins"]})
         parameters = call(self.ros, "/plugins/get_parameters", "gaitway_msgs/GetParameters", plugin="stability")
         self.assertTrue(parameters["success"], parameters)
-        live = [i for i, flag in enumerate(parameters["live"]) if flag]
-        self.assertTrue(live)
-        name, value = parameters["names"][live[0]], parameters["values"][live[0]]
-        changed = call(self.ros, "/plugins/set_parameter", "gaitway_msgs/SetParameter", plugin="stability", parameter=name, value=value)
-        self.assertTrue(changed["success"], changed)
+        self.assertTrue(parameters["names"])
+        fixed = call(self.ros, "/plugins/set_parameter", "gaitway_msgs/SetParameter", plugin="stability",
+                     parameter=parameters["names"][0], value=parameters["values"][0])
+        self.assertFalse(fixed["success"], "none of its parameters may change while it runs")
+        self.assertIn(parameters["names"][0], fixed["message"])
         refused = call(self.ros, "/plugins/set_parameter", "gaitway_msgs/SetParameter", plugin="stability", parameter="nonsense", value="1")
         self.assertFalse(refused["success"])
         self.assertIn("nonsense", refused["message"])
