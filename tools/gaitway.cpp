@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/tools/api_command.hpp"
 #include "gaitway/tools/bus_command.hpp"
 #include "gaitway/tools/ctl_command.hpp"
 #include "gaitway/tools/dev_command.hpp"
@@ -60,6 +61,8 @@ int run_gaitway(int argc, char** argv) {
   gaitway::tools::NewPluginOptions new_plugin_options;
   gaitway::tools::PluginsOptions plugins_options;
   const CLI::App* const run = gaitway::tools::add_run_command(app, run_options);
+  gaitway::tools::ApiOptions api_options;
+  const CLI::App* const api = gaitway::tools::add_api_command(app, api_options);
   gaitway::tools::ServeOptions serve_options;
   const CLI::App* const serve = gaitway::tools::add_serve_command(app, serve_options);
   gaitway::tools::CtlOptions ctl_options;
@@ -83,6 +86,9 @@ int run_gaitway(int argc, char** argv) {
   }
   if (run->parsed()) {
     return gaitway::tools::run(run_options);
+  }
+  if (api->parsed()) {
+    return gaitway::tools::document_api(api_options);
   }
   if (serve->parsed()) {
     return gaitway::tools::serve(serve_options);

@@ -117,7 +117,9 @@ class Trial {
   HubOptions options() const {
     HubOptions options;
     options.limits = tight();
-    options.token = wants_token_ ? "secret" : "";
+    if (wants_token_) {
+      options.is_token = [](std::string_view offered) { return offered == "secret"; };
+    }
     options.motions = {"bow"};
     return options;
   }

@@ -24,8 +24,8 @@ struct Limits {
   std::int64_t lease_ns = 1'000'000'000;           // of the command, without a command or a keep-alive
   std::int64_t answer_ns = 10'000'000'000;         // in which a service that takes time must have answered
   std::int64_t velocity_ns = 500'000'000;          // that a velocity command holds
-  double forward_m_per_s = 1.5;  // of a velocity command, in either direction, also to the left
-  double turn_rad_per_s = 3.0;
+  double forward_m_per_s = 1.0;  // of a velocity command, in either direction, also to the left
+  double turn_rad_per_s = 2.0;
 };
 
 }  // namespace gaitway::api

@@ -1,0 +1,52 @@
+"""`gaitway ctl` over the API does what it says, and what was asked is a scenario that gives the same run again, to the bit."""
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from served_robot import COMMAND, ServedRobot
+
+
+class ServedCommands(unittest.TestCase):
+    def ctl(self, *arguments, code=0):
+        result = subprocess.run([COMMAND, "ctl", "--url", f"ws://127.0.0.1:{self.robot.port}", *arguments], capture_output=True,
+                                text=True, timeout=120)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result.stdout + result.stderr
+
+    def test_ctl_and_replay(self):
+        with tempfile.TemporaryDirectory(prefix="gaitway_commands_") as folder:
+            with ServedRobot("--seed", "3", speed=4.0) as self.robot:
+                self.assertIn("/joint_states", self.ctl("topics"))
+                self.assertIn("trajectory", self.ctl("plugins"))
+                joints = [json.loads(line) for line in self.ctl("echo", "/joint_states", "--count", "3").splitlines()]
+                self.assertEqual([len(message["name"]) for message in joints], [22, 22, 22])
+                self.assertIn("com_height", self.ctl("parameters", "trajectory"))
+                self.ctl("walk", "0.12,0,0.1", "--seconds", "2")
+                self.ctl("record", "walk")
+                self.ctl("record-stop")
+                self.assertIn("motions", self.ctl("play", "wave", code=2))
+                self.assertIn("left_knie", self.ctl("move-joint", "left_knie", "0.3", code=2))
+                self.ctl("walk", "9", code=1)
+                self.ctl("halt")
+                self.ctl("emergency-stop")
+                self.ctl("stand", "--no-such-option", code=1)
+                self.robot.stop()
+                commands = Path(folder) / "commands.yaml"
+                commands.write_text((self.robot.out / "commands.yaml").read_text())
+            text = commands.read_text()
+            self.assertRegex(text, r"walk: \[0\.12, 0(\.0)?, 0\.1\]")
+            self.assertIn("emergency_stop: hold", text)
+            replay = Path(folder) / "replay"
+            subprocess.run([COMMAND, "run", "--quiet", "--no-pictures", "--seed", "3", "--scenario", str(commands), "--out", str(replay)],
+                           check=False, timeout=300)
+            replayed = json.loads((replay / "summary.json").read_text())
+            self.assertEqual(replayed["virtual_seconds"], self.robot.summary["virtual_seconds"])
+            self.assertEqual(replayed["digest"], self.robot.summary["digest"])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
