@@ -37,13 +37,18 @@ void require_type(const json& message, std::string_view topic, std::string_view 
   }
 }
 
-Encoding encoding_of(const json& message) {
+// `raw`: whether "cbor-raw" may be asked for.
+Encoding encoding_of(const json& message, bool raw) {
   const std::string compression = optional_text(message, "compression").value_or("none");
   if (compression == "cbor") {
     return Encoding::cbor;
   }
+  if (raw && compression == "cbor-raw") {
+    return Encoding::cbor_raw;
+  }
   if (compression != "none" && !compression.empty()) {
-    throw Refused("compression is " + shown(compression) + ", but must be \"none\" or \"cbor\"");
+    throw Refused("compression is " + shown(compression) + ", but must be \"none\"" +
+                  (raw ? ", \"cbor\" or \"cbor-raw\"" : " or \"cbor\""));
   }
   return Encoding::json;
 }
@@ -180,7 +185,7 @@ Terms ClientSession::terms_of(const Json& message, const TopicRow& row, const Js
   constexpr std::uint64_t kMostQueueAsked = 1'000'000'000;
   const Limits& limits = hub_.options.limits;
   Terms terms;
-  terms.encoding = encoding_of(message);
+  terms.encoding = encoding_of(message, true);
   terms.fragment_bytes = fragment_bytes_of(message);
   terms.throttle_ns = static_cast<std::int64_t>(whole_number(message, "throttle_rate", 0, kMostThrottle_ms)) *
                       kMillisecond_ns;
@@ -193,7 +198,7 @@ Terms ClientSession::terms_of(const Json& message, const TopicRow& row, const Js
              " messages are kept",
          id);
   }
-  if (terms.encoding == Encoding::cbor && terms.fragment_bytes > 0) {
+  if (is_binary(terms.encoding) && terms.fragment_bytes > 0) {
     tell(Level::warning, "fragment_size is left out of account: CBOR is sent whole", id);
   }
   return terms;
@@ -237,7 +242,7 @@ void ClientSession::call_service(const Json& message, const Json& id) {
   call.service = name_in(message, "service");
   call.arguments = message.value("args", Json());
   call.timeout_ns = timeout_of(message, hub_.options.limits);
-  call.encoding = encoding_of(message);
+  call.encoding = encoding_of(message, false);
   call.fragment_bytes = fragment_bytes_of(message);
   hub_.desk.call(call, claimant_, hub_.now_ns);
 }

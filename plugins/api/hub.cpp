@@ -8,10 +8,11 @@
 
 namespace gaitway::api {
 
-HubState::HubState(RobotPort& robot, HubOptions hub_options)
-    : options(std::move(hub_options)),
-      commands(robot, options.limits),
-      desk(robot, commands, options.limits, options.parameters, options.motions,
+HubState::HubState(RobotPort& port, HubOptions hub_options)
+    : robot(port),
+      options(std::move(hub_options)),
+      commands(port, options.limits),
+      desk(port, commands, options.limits, options.parameters, options.motions,
            [this](const ServiceCall& call, Frame frame) {
              if (const auto session = sessions.find(call.client); session != sessions.end()) {
                session->second->answer(call, std::move(frame));
@@ -65,6 +66,10 @@ void Hub::require_type(Topic topic, std::string_view type) {
     throw std::logic_error("a message of " + std::string(type) + " for the topic " +
                            std::string(row(topic).name) + ", which is of " + std::string(row(topic).type));
   }
+}
+
+std::int64_t Hub::robot_ns() const {
+  return state_->robot.now_ns();
 }
 
 void Hub::publish_encoded(Topic topic, const Encode& encode) {

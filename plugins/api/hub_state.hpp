@@ -14,8 +14,9 @@ namespace gaitway::api {
 class ClientSession;
 
 struct HubState {
-  HubState(RobotPort& robot, HubOptions hub_options);
+  HubState(RobotPort& port, HubOptions hub_options);
 
+  const RobotPort& robot;
   HubOptions options;
   RobotCommands commands;
   ServiceDesk desk;

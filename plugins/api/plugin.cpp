@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <chrono>
 #include <deque>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -53,6 +54,11 @@ class ReportQueue {
   std::deque<Line> lines_;
 };
 
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 // Everything between the memory block and the sockets, in the order of its construction.
 class Door {
  public:
@@ -67,7 +73,7 @@ class Door {
         feed_(client_, robot_),
         setup_(parameters.server),
         url_(setup_.url()),
-        hub_(port_, hub_options(parameters.server.limits, setup_)),
+        hub_(port_, hub_options(parameters.server.limits, setup_, robot_directory)),
         server_(hub_, std::move(setup_),
                 {.on_tick = [this](std::int64_t wall_ns) { on_tick(wall_ns); },
                  .on_poll = [this](std::int64_t wall_ns) { on_poll(wall_ns); }}) {
@@ -83,9 +89,11 @@ class Door {
   }
 
  private:
-  static HubOptions hub_options(const Limits& limits, const ServerSetup& setup) {
+  static HubOptions hub_options(const Limits& limits, const ServerSetup& setup,
+                                const std::filesystem::path& robot_directory) {
     HubOptions options;
     options.limits = limits;
+    options.parameters["robot_description"] = read_text(robot_directory / "robot.urdf");
     if (setup.token()) {
       options.is_token = [token = *setup.token()](std::string_view offered) {
         return token.matches(offered);

@@ -34,7 +34,7 @@ void Publications::publish(Topic topic, const Encode& encode) {
     if (!frame.bytes) {
       auto bytes = std::make_shared<std::string>();
       encode(encoding, *bytes);
-      frame = {std::move(bytes), encoding == Encoding::cbor};
+      frame = {std::move(bytes), is_binary(encoding)};
     }
     return frame;
   };
@@ -42,7 +42,7 @@ void Publications::publish(Topic topic, const Encode& encode) {
     subscriber->offer(topic, form(subscriber->encoding(topic)));
   }
   if (row(topic).latched) {
-    latched_[index(topic)] = {form(Encoding::json), form(Encoding::cbor)};
+    latched_[index(topic)] = {form(Encoding::json), form(Encoding::cbor), form(Encoding::cbor_raw)};
   }
 }
 

@@ -48,7 +48,7 @@ class Processes:
     def kill_main_controller(self):
         """Not its supervisor, which starts it again."""
         children = Path(f"/proc/{self.main.pid}/task/{self.main.pid}/children").read_text().split()
-        controllers = [int(child) for child in children if "main_controller" in Path(f"/proc/{child}/cmdline").read_text()]
+        controllers = [int(child) for child in children if os.readlink(f"/proc/{child}/exe").endswith("/main_controller")]
         assert len(controllers) == 1, controllers
         os.kill(controllers[0], signal.SIGKILL)
 

@@ -77,6 +77,8 @@ class ServedRobot:
         code = self.process.wait(60)
         for reader in self._readers:
             reader.join(10)
+        self.process.stderr.close()
+        self.process.stdout.close()
         self.summary = json.loads((self.out / "summary.json").read_text())
         return code
 
@@ -98,3 +100,13 @@ def until(condition, what, timeout_s=20.0):
     while not condition():
         assert time.monotonic() < end, f"not within {timeout_s} s: {what}"
         time.sleep(0.01)
+
+
+def run_script(name, *arguments, timeout_s=240):
+    """Runs a JavaScript test from beside the packages that it imports: that is where an ES module looks for them."""
+    here = Path(__file__).parent
+    packages = Path(os.environ["GAITWAY_CLIENTS_NODE"])
+    with tempfile.TemporaryDirectory(prefix="test_", dir=packages) as folder:
+        script = Path(folder) / name
+        script.write_text((here / name).read_text())
+        subprocess.run([os.environ["GAITWAY_NODE"], str(script), *map(str, arguments)], check=True, timeout=timeout_s)

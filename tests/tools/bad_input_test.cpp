@@ -292,6 +292,19 @@ TEST_F(BadInput, OptionsThatCannotBe) {
   expect_refused("--walk 0.1 --scenario " + quoted(file("scenario.yaml")), {"--walk", "--scenario"});
 }
 
+TEST_F(BadInput, ServersThatMayNotBe) {
+  const std::string serve = "serve --out " + quoted(file("out")) + " ";
+  expect_refused_line(serve + "--speed 0", {"--speed 0", "between 0.01 and 100"});
+  expect_refused_line(serve + "--port 70000", {"--port 70000", "65535"});
+  expect_refused_line(serve + "--seconds -1", {"--seconds -1"});
+  expect_refused_line(serve + "--config " + GAITWAY_DEFAULT_CONFIGURATION,
+                      {"walk.yaml", "no plug-in that serves the network"});
+  expect_refused_line(serve + "--address 0.0.0.0 --port 0",
+                      {"address", "0.0.0.0", "token_file", "certificate_file"});
+  expect_refused_line(serve + "--address nowhere --port 0", {"address", "nowhere"});
+  expect_refused_line(serve + "--port 0 --token-file /no/such/token", {"token_file", "/no/such/token"});
+}
+
 TEST_F(BadInput, CommandsThatDoNotExist) {
   expect_refused_line("", {"subcommand is required"});
   expect_refused_line("rum", {"'rum': there is no such command or option", "Did you mean 'run'?"});

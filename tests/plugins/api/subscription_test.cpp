@@ -2,9 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <numeric>
 #include <set>
+#include <vector>
 
 #include "test_client.hpp"
 
@@ -88,6 +91,25 @@ TEST_F(SubscriptionTest, CborIsBinary) {
   const json message = json::from_cbor(*frame->bytes);
   EXPECT_EQ(message["topic"], "/zmp");
   EXPECT_EQ(message["msg"]["point"]["x"], 0.5);
+}
+
+// What Foxglove asks for: it decodes the message by its definition.
+TEST_F(SubscriptionTest, CborRawCarriesTheMessageInRos2sOwnEncoding) {
+  robot.time_ns = 7'000'000'009;
+  client->subscribe("/zmp", {{"compression", "cbor-raw"}});
+  publish(0.5);
+  const auto frame = client->next_frame();
+  ASSERT_TRUE(frame);
+  EXPECT_TRUE(frame->binary);
+  const json message = json::from_cbor(*frame->bytes);
+  EXPECT_EQ(message["msg"]["secs"], 7);
+  EXPECT_EQ(message["msg"]["nsecs"], 9);
+  const auto& bytes = message["msg"]["bytes"].get_binary();
+  const std::vector<std::uint8_t> encapsulation(bytes.begin(), bytes.begin() + 4);
+  EXPECT_EQ(encapsulation, (std::vector<std::uint8_t>{0, 1, 0, 0}));
+  double x = 0.0;  // the last three numbers are the point
+  std::memcpy(&x, bytes.data() + bytes.size() - 3 * sizeof(double), sizeof x);
+  EXPECT_EQ(x, 0.5);
 }
 
 TEST_F(SubscriptionTest, NobodyIsServedWithoutSubscription) {

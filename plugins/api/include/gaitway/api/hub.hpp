@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gaitway/api/cbor_codec.hpp"
+#include "gaitway/api/cdr_codec.hpp"
 #include "gaitway/api/encoding.hpp"
 #include "gaitway/api/json_codec.hpp"
 #include "gaitway/api/limits.hpp"
@@ -62,11 +63,17 @@ class Hub final : public SessionHub {
   template <Message M>
   void publish(Topic topic, const M& message) {
     require_type(topic, M::kName);
-    publish_encoded(topic, [&message, topic](Encoding encoding, std::string& out) {
-      if (encoding == Encoding::cbor) {
-        append_publish_cbor(out, row(topic).name, message);
-      } else {
-        append_publish_json(out, row(topic).name, message);
+    publish_encoded(topic, [this, &message, topic](Encoding encoding, std::string& out) {
+      switch (encoding) {
+        case Encoding::json:
+          return append_publish_json(out, row(topic).name, message);
+        case Encoding::cbor:
+          return append_publish_cbor(out, row(topic).name, message);
+        case Encoding::cbor_raw: {
+          std::string cdr;
+          append_cdr(cdr, message);
+          return append_publish_cbor_raw(out, row(topic).name, robot_ns(), cdr);
+        }
       }
     });
   }
@@ -78,6 +85,7 @@ class Hub final : public SessionHub {
  private:
   using Encode = std::function<void(Encoding encoding, std::string& out)>;
   static void require_type(Topic topic, std::string_view type);
+  [[nodiscard]] std::int64_t robot_ns() const;
   void publish_encoded(Topic topic, const Encode& encode);
 
   std::unique_ptr<HubState> state_;

@@ -32,7 +32,7 @@ inline constexpr std::array kOperations{
         "throttle_rate|integer|optional: ms between messages, at least\n"
         "queue_length|integer|optional: how many messages wait when you are slow; the oldest are dropped\n"
         "fragment_size|integer|optional: bytes above which messages come in fragments\n"
-        "compression|string|optional: \"none\" for JSON, \"cbor\"\n",
+        "compression|string|optional: \"none\" for JSON, \"cbor\", or \"cbor-raw\" for CBOR around CDR\n",
         R"({"op": "subscribe", "topic": "/joint_states", "type": "sensor_msgs/msg/JointState", )"
         R"("throttle_rate": 50, "queue_length": 1})",
         R"({"op": "publish", "topic": "/joint_states"})"},

@@ -19,29 +19,30 @@ inline constexpr std::uint64_t kRecordingLimit_bytes = std::uint64_t{4} << 30;
 // Whether a recording may be called so: 1 to 100 of A-Z a-z 0-9 . _ - and no dot in front.
 [[nodiscard]] bool is_recording_name(std::string_view name) noexcept;
 
-// A sink: give it to the feed beside the others, from the feed's first poll on. The last message of each latched topic is
-// kept, and is the first of every recording. Log and publish time are the
-// robot's clock. Writes in the caller's thread, a chunk at a time.
+// A sink: give it to the feed beside the others, from the feed's first poll on. The last message of each
+// latched topic is kept, and is the first of every recording. Log and publish time are the robot's clock.
+// Writes in the caller's thread, a chunk at a time.
 class Recorder final : public PublicationSink {
  public:
-  // `folder`: exists; it is opened here, and files are made beneath it only. Throws std::runtime_error when it
-  // cannot be opened.
+  // `folder`: exists; it is opened here, and files are made beneath it only. Throws std::runtime_error when
+  // it cannot be opened.
   explicit Recorder(std::filesystem::path folder, std::uint64_t limit_bytes = kRecordingLimit_bytes);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder() override;  // ends the recording
 
-  // Makes <name>.mcap and gives its path. Throws std::runtime_error, for people, when a recording is under way, the
-  // name is not plain or taken, or the file cannot be made: nothing is overwritten.
+  // Makes <name>.mcap and gives its path. Throws std::runtime_error, for people, when a recording is under
+  // way, the name is not plain or taken, or the file cannot be made: nothing is overwritten.
   std::string start(std::string_view name, std::int64_t robot_ns);
-  // Ends the recording: path of the finished file. Throws std::runtime_error when none is under way or its end could not be
-  // written (none is then under way, either).
+  // Ends the recording: path of the finished file. Throws std::runtime_error when none is under way or its
+  // end could not be written (none is then under way, either).
   std::string stop();
   [[nodiscard]] bool recording() const noexcept { return writer_ != nullptr; }
 
   // Time passes: once a second what waits is written. To be called every 100 ms or so.
   void step(std::int64_t wall_ns);
-  // Why the recording has ended by itself, for people: the disk is full, or the file is as large as it may be.
+  // Why the recording has ended by itself, for people: the disk is full, or the file is as large as it may
+  // be.
   [[nodiscard]] std::optional<std::string> take_report();
 
   [[nodiscard]] bool wants(Topic topic) const override { return recording() || row(topic).latched; }
