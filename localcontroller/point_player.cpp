@@ -160,10 +160,21 @@ std::int32_t PointPlayer::within_limits(std::int32_t count) const noexcept {
   return count < lowest_ ? lowest_ : count > highest_ ? highest_ : count;
 }
 
+// What is left of the batch leaves the joint where it is.
+bool PointPlayer::rests() const noexcept {
+  for (int slot = slot_; slot < can::kBatchPoints; ++slot) {
+    if (executing_[static_cast<std::size_t>(slot)] != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool PointPlayer::move_to(std::int32_t count, int duration_slots, std::int64_t now_ns) noexcept {
-  if (running_ || frozen_ || duration_slots <= 0) {
+  if ((running_ && !rests()) || frozen_ || duration_slots <= 0) {
     return false;
   }
+  running_ = false;
   begin_segment(count, now_ns, duration_slots * kSlot_ns);
   moves_by_hand_ = true;
   return true;

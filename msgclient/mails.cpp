@@ -28,7 +28,8 @@ std::string_view reason_text(Reason reason) noexcept {
     case Reason::stopping:
       return "a stop was asked for: the safe tail plays to its end first";
     case Reason::moving_by_hand:
-      return "a joint is still moving by a manual command";
+      return "a joint is moving by a manual command, or was left away from where the plan has it: move it "
+             "back";
     case Reason::emergency_stopped:
       return "the robot is in emergency stop";
     case Reason::not_standing:

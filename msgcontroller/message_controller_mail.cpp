@@ -86,6 +86,9 @@ void MessageController::judge(const msgclient::HandOver& hand_over, std::int64_t
   if (problem.reason == Reason::none) {
     problem = motion_without_node(*incoming_, playback_.next_start());
   }
+  if (problem.reason == Reason::none) {
+    problem = away_by_hand(*incoming_, playback_.next_start());
+  }
   if (problem.reason != Reason::none) {
     refuse(problem.reason);
     answer.joint = problem.joint;
@@ -109,7 +112,21 @@ CountPlanProblem MessageController::motion_without_node(const CountPlan& plan,
   return {};
 }
 
+// Whoever moved a joint by hand brings it back before batches go on: none pulls it back in a time slot.
+CountPlanProblem MessageController::away_by_hand(const CountPlan& plan,
+                                                 std::span<const std::int32_t> start) const noexcept {
+  constexpr std::int32_t kThere = 2;  // counts
+  for (std::size_t j = 0; j < node_.size(); ++j) {
+    const std::int32_t away = plan.count[0][j] - start[j];
+    if (moved_by_hand_[j] && std::abs(away) > kThere) {
+      return {msgclient::Reason::moving_by_hand, static_cast<std::int32_t>(j), 0, static_cast<double>(away)};
+    }
+  }
+  return {};
+}
+
 void MessageController::play(const CountPlan& plan) noexcept {
+  moved_by_hand_.fill(false);
   playback_.accept(plan);
   state_.accepted_sequence = plan.sequence;
   gains_ = hand_over_->trim;
@@ -172,6 +189,11 @@ msgclient::Reason MessageController::obey(const msgclient::UserCommandMail& mail
   return msgclient::Reason::unknown_command;
 }
 
+void MessageController::drop_waiting_trajectories() noexcept {
+  queue_.drop_identifiers(profile_.row(can::MessageKind::trajectory).base_id,
+                          profile_.id_of(can::MessageKind::trajectory, profile_.largest_node, true));
+}
+
 // Long enough before the next cycle, the running batch's tail takes the place of what is prepared; later,
 // that plays, and its tail follows. On the joints 10 ms after the request, one way or the other.
 void MessageController::stop_early(std::int64_t now_ns) noexcept {
@@ -182,8 +204,7 @@ void MessageController::stop_early(std::int64_t now_ns) noexcept {
     return;
   }
   if (playback_.return_to_running_tail()) {
-    queue_.drop_identifiers(profile_.row(can::MessageKind::trajectory).base_id,
-                            profile_.id_of(can::MessageKind::trajectory, profile_.largest_node, true));
+    drop_waiting_trajectories();
     if (playback_.prepared()) {
       send_tail();
     }
@@ -214,7 +235,11 @@ msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail
   }
   const auto j = static_cast<std::size_t>(mail.joint);
   const double position = static_cast<double>(mail.position);
-  if (mode() != Mode::holding || playback_.prepared()) {
+  // A robot that stands plays batches that leave it where it is.
+  const bool synchronised = profile_.has(can::MessageKind::sync);
+  const bool stands = mode() == Mode::holding ? !playback_.prepared()
+                                              : mode() == Mode::batches && synchronised && playback_.rests();
+  if (!stands) {
     return Reason::not_standing;
   }
   // The proof of the bus counts on user commands keeping their distance.
@@ -236,9 +261,12 @@ msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail
                                               .target_count = static_cast<std::int16_t>(count),
                                               .duration_slots = static_cast<std::uint8_t>(duration)}));
   next_user_command_ns_ = now_ns + profile_.row(can::MessageKind::user_command).period_ns;
+  drop_waiting_trajectories();
   playback_.hold(static_cast<int>(mail.joint), count);
-  // While it moves there, its reference is its own affair.
-  resync_until_[j] = slots_since_start_ + duration + 2U;
+  moved_by_hand_[j] = true;
+  // While it moves there, and while the batch that it has left still runs, its reference is its own affair.
+  const std::uint32_t batch_left = static_cast<std::uint32_t>(kSlotsPerCycle - playback_.slot());
+  resync_until_[j] = slots_since_start_ + std::max(duration, batch_left) + 2U;
   moving_by_hand_until_ = std::max(moving_by_hand_until_, resync_until_[j]);
   return Reason::none;
 }

@@ -65,6 +65,30 @@ void Playback::begin_cycle() noexcept {
   plan_waits_ = false;
 }
 
+bool Playback::rests() const noexcept {
+  const auto& here = running_.active ? running_.count[static_cast<std::size_t>(slot_)] : held_;
+  const auto stays = [this, &here](const std::array<std::int32_t, kMaxJoints>& point) {
+    return std::equal(here.begin(), here.begin() + joint_count_, point.begin());
+  };
+  const auto first = running_.active ? running_.count.begin() + slot_ : running_.count.end();
+  const bool prepared_stays =
+      !prepared_.active || std::all_of(prepared_.count.begin(), prepared_.count.end(), stays);
+  return std::all_of(first, running_.count.end(), stays) && prepared_stays &&
+         std::all_of(plan_.count.begin() + std::min(cursor_, plan_.point_count),
+                     plan_.count.begin() + plan_.point_count, stays);
+}
+
+void Playback::hold(int joint, std::int32_t count) noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  held_[j] = count;
+  for (auto& point : running_.count) {
+    point[j] = count;
+  }
+  prepared_.active = false;
+  plan_waits_ = false;
+  cursor_ = plan_.point_count;
+}
+
 std::int32_t Playback::expected_count(int joint, int slot) const noexcept {
   const auto j = static_cast<std::size_t>(joint);
   return running_.active ? running_.count[static_cast<std::size_t>(slot)][j] : held_[j];

@@ -15,8 +15,8 @@ WalkCommand stand_at(std::int64_t now_ns) noexcept {
 
 // Another process wrote it: as far as the type allows, and no further.
 bool sensible(const WalkCommand& request) noexcept {
-  const auto& fields = TopicType<WalkCommand>::fields;
-  const auto within = [&fields](std::string_view name, double value) {
+  const auto within = [](std::string_view name, double value) {
+    const auto& fields = TopicType<WalkCommand>::fields;
     const auto field =
         std::find_if(fields.begin(), fields.end(), [name](const auto& one) { return one.name == name; });
     return field != fields.end() && value >= field->lowest && value <= field->highest;

@@ -298,9 +298,22 @@ TEST_F(PointPlayerTest, MovesByHandInAStraightLineWhileHoldingOnly) {
   EXPECT_DOUBLE_EQ(player.reference(slot_ns(10)).count, 100.0);
   EXPECT_FALSE(player.move_to(50, 0, slot_ns(10)));
   ++cycle;
-  player.on_trajectory(batch(true));
+  player.on_trajectory(batch(true, {0, 0, 5}));
   take_sync(0);
   EXPECT_FALSE(player.move_to(0, 10, slot_ns(0)));
+}
+
+TEST_F(PointPlayerTest, MovesByHandOutOfABatchThatLeavesItWhereItIs) {
+  player.on_trajectory(batch(true, {7}));
+  take_sync(0);
+  EXPECT_FALSE(player.move_to(27, 2, slot_ns(0))) << "it moves";
+  take_sync(1);
+  ASSERT_TRUE(player.move_to(27, 2, slot_ns(1)));
+  EXPECT_FALSE(player.running());
+  take_sync(2);
+  EXPECT_DOUBLE_EQ(player.reference(slot_ns(2)).count, 17.0);
+  take_sync(3);
+  EXPECT_DOUBLE_EQ(player.reference(slot_ns(3)).count, 27.0);
 }
 
 TEST_F(PointPlayerTest, FreezesOnTheNearestCount) {

@@ -141,6 +141,51 @@ TEST_F(UserCommandQueueTest, AJointMovesWithinItsLimitsOnly) {
   EXPECT_EQ(bus_.count(3) - JointsOnABus::home_count(robot_.joints[3]), 20);
 }
 
+// What a standing robot plays: batches that leave it where it is.
+TEST_F(UserCommandQueueTest, AJointMovesWhileBatchesLeaveTheRobotWhereItIs) {
+  const auto still = [this](std::uint32_t sequence) {
+    auto mail = std::make_unique<msgclient::HandOver>(batch(sequence));
+    for (int point = 0; point < static_cast<int>(mail->point_count); ++point) {
+      for (int joint = 0; joint < static_cast<int>(robot_.joints.size()); ++joint) {
+        const urdf::Joint& description = robot_.joints[static_cast<std::size_t>(joint)];
+        const double home = JointsOnABus::home_count(description) * description.count_rad;
+        mail->set_position(point, joint, static_cast<float>(home));
+      }
+    }
+    return mail;
+  };
+  const auto give = [this, &still](std::uint32_t sequence) {
+    run_until(std::int64_t{sequence} * kCycle_ns - 10 * kMillisecond_ns);
+    EXPECT_TRUE(adapter_.host().post(*still(sequence), now_ns_));
+    run_until(now_ns_ + 2 * kMillisecond_ns);
+    return adapter_.host().take_answer(now_ns_)->reason;
+  };
+  EXPECT_EQ(give(2), Reason::none);
+  run_until(2 * kCycle_ns + 5 * kMillisecond_ns);
+  EXPECT_EQ(give(3), Reason::none);
+  ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad + 20 * robot_.joints[3].count_rad)));
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(bus_.sent[can::MessageKind::user_command], 1) << "at once";
+  EXPECT_EQ(give(4), Reason::moving_by_hand);
+  run_until(5 * kCycle_ns);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  EXPECT_EQ(bus_.count(3) - JointsOnABus::home_count(robot_.joints[3]), 20);
+  EXPECT_EQ(controller_.state().resynchronised, 0U);
+  EXPECT_EQ(give(6), Reason::moving_by_hand) << "it is not where the plan has it";
+  ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad)));
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(give(9), Reason::none);
+  run_until(10 * kCycle_ns);
+  expect_moved(0);
+}
+
+TEST_F(UserCommandQueueTest, AJointDoesNotMoveByHandWhileABatchOrItsTailMoves) {
+  hand_over(2);
+  run_until(2 * kCycle_ns + 5 * kMillisecond_ns);
+  ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad)));
+  EXPECT_EQ(outcome(), Reason::not_standing);
+}
+
 TEST_F(UserCommandQueueTest, WhatNobodyKnowsIsRefused) {
   run_until(kCycle_ns);
   ASSERT_TRUE(push(command_of(4)));

@@ -38,7 +38,8 @@ class PointPlayer {
   // Begins a slot. False, and nothing changes, for a repetition of the last SYNC. A batch starts on slot 0
   // only, and one that was passed over there (another one was committed) is dropped.
   bool on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
-  // Moves to a count over some slots; only while no batch runs. False otherwise.
+  // Moves to a count over some slots; only while no batch runs, or the rest of one leaves the joint where it
+  // is, which is then over for it. False otherwise.
   bool move_to(std::int32_t count, int duration_slots, std::int64_t now_ns) noexcept;
   // Freezes the reference where it is now; batches are ignored from then on.
   void freeze(std::int64_t now_ns) noexcept;
@@ -73,6 +74,7 @@ class PointPlayer {
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
   void start_batch(const can::Sync& sync) noexcept;
   void make_up_until(int slot) noexcept;
+  [[nodiscard]] bool rests() const noexcept;
   void enter_slot(int slot, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool apply_repair(const can::Sync& sync, std::int64_t now_ns) noexcept;
   [[nodiscard]] double coasting_rate_per_s() const noexcept;

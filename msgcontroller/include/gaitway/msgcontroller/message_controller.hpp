@@ -85,12 +85,15 @@ class MessageController {
   void judge(const msgclient::HandOver& hand_over, std::int64_t now_ns, msgclient::Answer& answer) noexcept;
   [[nodiscard]] CountPlanProblem motion_without_node(const CountPlan& plan,
                                                      std::span<const std::int32_t> start) const noexcept;
+  [[nodiscard]] CountPlanProblem away_by_hand(const CountPlan& plan,
+                                              std::span<const std::int32_t> start) const noexcept;
   void play(const CountPlan& plan) noexcept;
   void answer(const msgclient::Answer& answer) noexcept;
   void take_user_command(std::int64_t now_ns) noexcept;
   msgclient::Reason obey(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept;
   void stop_at_once(bool soft) noexcept;
   void stop_early(std::int64_t now_ns) noexcept;
+  void drop_waiting_trajectories() noexcept;
   void prepare_tail() noexcept;
   void send_tail() noexcept;
   msgclient::Reason move_joint(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept;
@@ -139,6 +142,7 @@ class MessageController {
   std::uint32_t moving_by_hand_until_ = 0;  // slot since start at which the last manual movement has ended
   std::int64_t next_user_command_ns_ = 0;   // not before: user commands keep their period
   std::uint64_t unanswered_ = 0;
+  std::array<bool, kMaxJoints> moved_by_hand_{};  // since the last batch was accepted
   std::array<std::uint32_t, kMaxJoints>
       resync_until_{};  // until this slot a joint's count may differ: a repair is on its way
   // The last slot of the running cycle whose point the joint has after a repair.

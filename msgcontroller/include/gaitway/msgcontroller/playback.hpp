@@ -33,8 +33,11 @@ class Playback {
   // A new cycle begins: the prepared segment becomes the running one; without one, the joints hold.
   void begin_cycle() noexcept;
   void enter_slot(int slot) noexcept { slot_ = slot; }
-  // A joint was moved by hand while nothing runs: from now on it stands there.
-  void hold(int joint, std::int32_t count) noexcept { held_[static_cast<std::size_t>(joint)] = count; }
+  // Whether nothing of what is left to play, with its tail, moves any joint.
+  [[nodiscard]] bool rests() const noexcept;
+  // A joint is moved by hand while nothing runs or all of it rests: from now on it stands there, and nothing
+  // follows what runs.
+  void hold(int joint, std::int32_t count) noexcept;
 
   [[nodiscard]] bool prepared() const noexcept { return prepared_.active; }
   [[nodiscard]] const Segment& prepared_segment() const noexcept { return prepared_; }

@@ -49,7 +49,7 @@ class CdrWriter {
   template <class Message>
   requires std::is_class_v<Message>
   void write(const Message& message) {
-    message.fields([this](std::string_view, const auto& member) { write(member); });
+    message.fields([this](std::string_view, const auto& member) { this->write(member); });
   }
 
  private:

@@ -76,7 +76,8 @@ inline constexpr std::array kServices{
                "For everybody who is let in",
                R"({"data": false})"},
     ServiceRow{Service::move_joint, "/move_joint", ros::MoveJoint::kName, true,
-               "Move one joint to `position` [rad] within `duration` [s], while the robot stands",
+               "Move one joint to `position` [rad] within `duration` [s], while the robot stands; it walks "
+               "again when the joint is back",
                R"({"joint": "neck_yaw", "position": 0.2, "duration": 1.0})"},
     ServiceRow{Service::play_motion, "/play_motion", ros::PlayMotion::kName, true,
                "Play a motion by its name", R"({"motion": "wave"})"},
