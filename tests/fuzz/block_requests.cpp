@@ -122,6 +122,10 @@ class Server {
       require(answer.error[0] != '\0' && answer.fd_count == 0, "who is refused gets a text, and no memory");
       return;
     }
+    if (request.verb == protocol::Verb::seal) {
+      require(answer.fd_count == 0, "who gives up the right to open topics gets no memory for it");
+      return;
+    }
     require(answer.fd_count >= 1, "who is not refused gets memory");
     for (std::size_t i = 0; i < answer.fd_count; ++i) {
       const auto segment =
