@@ -1,108 +1,8 @@
 // One joint as the bus sees it: frames in, torque and frames out.
-#include "gaitway/localcontroller/joint_controller.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <optional>
-#include <vector>
+#include "joint_controller_fixture.hpp"
 
 namespace gaitway::localcontroller {
 namespace {
-
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
-constexpr can::NodeId kNode = 7;
-
-class JointControllerTest : public testing::Test {
- protected:
-  static JointConfig config() {
-    JointConfig joint;
-    joint.node = kNode;
-    joint.count_rad = 0.05 * 3.141592653589793 / 180.0;
-    joint.encoder_count_rad = 6.283185307179586 / 65536.0;
-    joint.stiffness_Nm_per_rad = 300.0;
-    joint.damping_Nms_per_rad = 4.0;
-    joint.torque_limit_Nm = 8.0;
-    joint.speed_limit_rad_per_s = 8.0;
-    joint.lower_rad = -1.0;
-    joint.upper_rad = 1.0;
-    joint.trim_channel = 2;
-    joint.trim_count_rad = 0.001;
-    joint.trim_slew_rad_per_s = 2.0;
-    joint.trim_limit_rad = 0.05;
-    joint.channel_scale[0] = 0.01F;
-    joint.channel_scale[1] = 0.001F;
-    return joint;
-  }
-  // Every joint says first of all that it has started; the tests look at what comes after.
-  void SetUp() override {
-    joint.step(now_ns, sensors);
-    EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted});
-  }
-  static constexpr int kRestarted = static_cast<int>(can::Fault::restarted);
-  static constexpr int kReportPeriod_ms = 80;
-
-  // One millisecond.
-  double step() {
-    now_ns += kMillisecond_ns;
-    return joint.step(now_ns, sensors);
-  }
-  void run(int milliseconds) {
-    for (int i = 0; i < milliseconds; ++i) {
-      step();
-    }
-  }
-  // Time slots of a robot that stands.
-  void run_slots(int count) {
-    for (int i = 0; i < count; ++i) {
-      sync(next_slot);
-      next_slot = (next_slot + 1) % 8;
-      cycle = static_cast<std::uint16_t>(cycle + (next_slot == 0 ? 1 : 0));
-      run(10);
-    }
-  }
-  template <class Message>
-  void send(const Message& message) {
-    joint.on_frame(can::encode(can::kFullProfile, message), now_ns);
-  }
-  void sync(int slot, bool committed = false, bool toggle = false) {
-    send(can::Sync{cycle, static_cast<std::uint8_t>(slot), committed, toggle});
-  }
-  std::vector<can::Frame> frames() {
-    std::vector<can::Frame> all;
-    can::Frame frame;
-    while (joint.take_frame(frame)) {
-      all.push_back(frame);
-    }
-    return all;
-  }
-  std::optional<can::Feedback> feedback() {
-    std::optional<can::Feedback> last;
-    for (const can::Frame& frame : frames()) {
-      if (const auto decoded = can::decode_feedback(can::kFullProfile, frame)) {
-        last = decoded;
-      }
-    }
-    return last;
-  }
-
-  std::vector<int> fault_reports() {
-    std::vector<int> masks;
-    for (const can::Frame& frame : frames()) {
-      if (const auto report = can::decode_fault_report(can::kFullProfile, frame)) {
-        EXPECT_EQ(report->node, kNode);
-        masks.push_back(report->faults);
-      }
-    }
-    return masks;
-  }
-
-  std::uint16_t cycle = 1;
-  std::int64_t now_ns = 0;
-  int next_slot = 0;
-  JointSensors sensors;
-  JointController joint{config()};
-};
 
 TEST_F(JointControllerTest, AnswersEachSyncWithOneFeedbackFrameOfWhatItMeasured) {
   sensors = {.encoder_count = -1234, .channel = {12.344F, -3.0F}};
@@ -165,62 +65,6 @@ TEST_F(JointControllerTest, ARepeatedSyncIsNotAnsweredTwice) {
   EXPECT_TRUE(frames().empty());
 }
 
-TEST_F(JointControllerTest, ReportsAPositionLimitWhenItBeginsAndWhenItEnds) {
-  constexpr int kLimit = static_cast<int>(can::Fault::position_limit);
-  const auto limit = static_cast<std::int32_t>(1.0 / config().count_rad);
-  run_slots(9);
-  send(can::UserCommand{kNode, static_cast<std::int16_t>(limit + 200), 1});
-  run(1);
-  sensors.encoder_count = static_cast<std::int32_t>(limit * config().count_rad / config().encoder_count_rad);
-  EXPECT_EQ(fault_reports(), std::vector<int>{kLimit | kRestarted});
-  EXPECT_EQ(joint.reference_count(), limit);
-  run(9);
-  EXPECT_LE(joint.reference_rad(), 1.0);
-  EXPECT_TRUE(fault_reports().empty()) << "once is enough, and reports keep their period";
-  send(can::UserCommand{kNode, static_cast<std::int16_t>(limit - 1), 50});
-  run_slots(9);
-  EXPECT_EQ(fault_reports().back() & kLimit, 0);
-}
-
-TEST_F(JointControllerTest, SaysThatItHasRestartedUntilItPlaysWhatItWasToldAgain) {
-  send(can::Trajectory{kNode, true, {1, 1, 1, 1, 1, 1, 1, 1}});
-  for (int slot = 0; slot < 8; ++slot) {
-    sync(slot, true, true);
-    run(10);
-  }
-  run(1);
-  EXPECT_EQ(fault_reports(), std::vector<int>{0});
-}
-
-TEST_F(JointControllerTest, ReportsALostSyncAfterTwoSlotsAndItsReturn) {
-  run_slots(1);
-  run(kReportPeriod_ms);
-  EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted | static_cast<int>(can::Fault::sync_lost)});
-  run_slots(9);
-  EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted});
-}
-
-TEST_F(JointControllerTest, ReportsTorqueThatIsNotEnoughForAWhileOnly) {
-  sensors.encoder_count = -600;  // 0.058 rad: more than the torque can hold
-  run(20);
-  sensors.encoder_count = 0;
-  run(kReportPeriod_ms);
-  EXPECT_TRUE(fault_reports().empty()) << "too short to matter";
-  sensors.encoder_count = -600;
-  run(kReportPeriod_ms);
-  EXPECT_EQ(fault_reports().back(), kRestarted | static_cast<int>(can::Fault::torque_saturated));
-}
-
-TEST_F(JointControllerTest, OneWildReadingOfTheEncoderMovesNothingAndIsReported) {
-  run(kReportPeriod_ms);
-  const double before_Nm = step();
-  sensors.encoder_count = 30'000;
-  EXPECT_DOUBLE_EQ(step(), before_Nm);
-  EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted | static_cast<int>(can::Fault::encoder)});
-  sensors.encoder_count = 0;
-  EXPECT_DOUBLE_EQ(step(), before_Nm);
-}
-
 TEST_F(JointControllerTest, ATrimIsLimitedSlewedAndFadesOutWithoutNewOnes) {
   double last = 0.0;
   for (int ms = 0; ms < 100; ++ms) {
@@ -272,14 +116,6 @@ TEST_F(JointControllerTest, LimitsThatLieBetweenCountsAreRoundedInwards) {
   EXPECT_EQ(reached(-10.7, 10.7, -500), -10);
   EXPECT_EQ(reached(3.2, 40.5, -500), 4) << "a knee";
   EXPECT_EQ(reached(-40.5, -3.2, 500), -4);
-}
-
-TEST_F(JointControllerTest, AFaultThatEndedBeforeItCouldBeReportedIsReportedAllTheSame) {
-  sync(0);
-  run(10);
-  send(can::UserCommand{kNode, 32767, 1});
-  run(kReportPeriod_ms);
-  EXPECT_NE(fault_reports().front() & static_cast<int>(can::Fault::position_limit), 0);
 }
 
 TEST_F(JointControllerTest, AnEmergencyStopHoldKeepsThePositionAndIgnoresBatches) {
