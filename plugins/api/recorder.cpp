@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gaitway/api/cdr_codec.hpp"
 #include "gaitway/api/message_definition.hpp"
 
 namespace gaitway::api {
@@ -129,50 +128,6 @@ void Recorder::write(Topic topic, std::string_view data, std::int64_t robot_ns) 
   } else if (!writer_->write(static_cast<std::size_t>(topic), data, robot_ns, robot_ns)) {
     end(writer_->error());
   }
-}
-
-template <class Message>
-void Recorder::take(Topic topic, const Message& message, std::int64_t robot_ns) {
-  const bool latched = row(topic).latched;
-  if (!recording() && !latched) return;
-  encoded_.clear();
-  append_cdr(encoded_, message);
-  if (latched) latched_[static_cast<std::size_t>(topic)] = encoded_;
-  if (recording()) write(topic, encoded_, robot_ns);
-}
-
-void Recorder::publish(Topic topic, const ros::JointState& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::Imu& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::WrenchStamped& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::PointStamped& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::Odometry& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::TFMessage& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::PoseArray& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::String& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::Clock& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::DiagnosticArray& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
-}
-void Recorder::publish(Topic topic, const ros::Log& message, std::int64_t robot_ns) {
-  take(topic, message, robot_ns);
 }
 
 }  // namespace gaitway::api

@@ -133,7 +133,11 @@ void PollASlotAndRecordAll(benchmark::State& state) {
   {
     Recorder recorder(folder);
     recorder.start("bench", 0);
-    poll_slots(state, recorder);
+    GenericSink sink([](Topic) { return true; },
+                     [&recorder](Topic topic, const auto& message, std::int64_t robot_ns) {
+                       recorder.publish(topic, message, robot_ns);
+                     });
+    poll_slots(state, sink);
     recorder.stop();
   }
   state.counters["bytes_per_slot"] =

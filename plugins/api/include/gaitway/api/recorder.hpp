@@ -9,8 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include "gaitway/api/cdr_codec.hpp"
 #include "gaitway/api/mcap_writer.hpp"
-#include "gaitway/api/publication_sink.hpp"
+#include "gaitway/api/publication.hpp"
 
 namespace gaitway::api {
 
@@ -19,17 +20,17 @@ inline constexpr std::uint64_t kRecordingLimit_bytes = std::uint64_t{4} << 30;
 // Whether a recording may be called so: 1 to 100 of A-Z a-z 0-9 . _ - and no dot in front.
 [[nodiscard]] bool is_recording_name(std::string_view name) noexcept;
 
-// A sink: give it to the feed beside the others, from the feed's first poll on. The last message of each
+// Takes what the feed publishes, from the feed's first poll on. The last message of each
 // latched topic is kept, and is the first of every recording. Log and publish time are the robot's clock.
 // Writes in the caller's thread, a chunk at a time.
-class Recorder final : public PublicationSink {
+class Recorder {
  public:
   // `folder`: exists; it is opened here, and files are made beneath it only. Throws std::runtime_error when
   // it cannot be opened.
   explicit Recorder(std::filesystem::path folder, std::uint64_t limit_bytes = kRecordingLimit_bytes);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
-  ~Recorder() override;  // ends the recording
+  ~Recorder();  // ends the recording
 
   // Makes <name>.mcap and gives its path. Throws std::runtime_error, for people, when a recording is under
   // way, the name is not plain or taken, or the file cannot be made: nothing is overwritten.
@@ -45,22 +46,24 @@ class Recorder final : public PublicationSink {
   // be.
   [[nodiscard]] std::optional<std::string> take_report();
 
-  [[nodiscard]] bool wants(Topic topic) const override { return recording() || row(topic).latched; }
-  void publish(Topic topic, const ros::JointState& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::Imu& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::WrenchStamped& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::PointStamped& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::Odometry& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::TFMessage& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::PoseArray& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::String& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::Clock& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::DiagnosticArray& message, std::int64_t robot_ns) override;
-  void publish(Topic topic, const ros::Log& message, std::int64_t robot_ns) override;
+  // Whether publish() would do anything.
+  [[nodiscard]] bool wants(Topic topic) const { return recording() || row(topic).latched; }
+  template <class Message>
+  void publish(Topic topic, const Message& message, std::int64_t robot_ns) {
+    if (!wants(topic)) {
+      return;
+    }
+    encoded_.clear();
+    append_cdr(encoded_, message);
+    if (row(topic).latched) {
+      latched_[static_cast<std::size_t>(topic)] = encoded_;
+    }
+    if (recording()) {
+      write(topic, encoded_, robot_ns);
+    }
+  }
 
  private:
-  template <class Message>
-  void take(Topic topic, const Message& message, std::int64_t robot_ns);
   void write(Topic topic, std::string_view data, std::int64_t robot_ns);
   void end(std::string_view reason);
   [[nodiscard]] std::string path() const;
