@@ -118,6 +118,7 @@ Frame encode(const Profile& profile, const Sync& message) noexcept {
       .put(message.slot)
       .put(message.batch_committed ? 1 : 0)
       .put(message.toggle ? 1 : 0)
+      .put(message.softness)
       .frame();
 }
 
@@ -202,6 +203,7 @@ std::optional<Sync> decode_sync(const Profile& profile, const Frame& frame) noex
   message.slot = reader.take<std::uint8_t>();
   message.batch_committed = reader.take<bool>();
   message.toggle = reader.take<bool>();
+  message.softness = reader.take<std::uint8_t>();
   return message;
 }
 

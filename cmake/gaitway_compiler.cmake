@@ -37,6 +37,9 @@ endif()
 if(GAITWAY_SANITIZE)
   target_compile_options(gaitway_compiler INTERFACE -fsanitize=${GAITWAY_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(gaitway_compiler INTERFACE -fsanitize=${GAITWAY_SANITIZE})
+  # Eigen pads what it allocates under the address sanitizer; a distribution's Ceres, which is linked into the same program, does not,
+  # and frees what was padded. Allocations are aligned without padding, too.
+  target_compile_options(gaitway_compiler INTERFACE -DEIGEN_MALLOC_ALREADY_ALIGNED=1)
   if(GAITWAY_SANITIZE MATCHES "undefined")
     target_compile_options(gaitway_compiler INTERFACE -fno-sanitize-recover=undefined)
   endif()

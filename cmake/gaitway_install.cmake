@@ -19,10 +19,14 @@ gaitway_shared_folder(urdf urdf)
 gaitway_shared_folder(config core/config)
 gaitway_shared_folder(scenarios tools/scenarios)
 gaitway_shared_folder(templates tools/templates)
+gaitway_shared_folder(motions plugins/trajectory/motions)
+gaitway_shared_folder(calibration tools/calibration/poses)
 install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
-install(DIRECTORY core/config tools/scenarios tools/templates DESTINATION share/gaitway)
+install(DIRECTORY core/config tools/scenarios tools/templates plugins/trajectory/motions DESTINATION share/gaitway)
+install(DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway/prepared_motions" DESTINATION share/gaitway)
+install(DIRECTORY tools/calibration/poses/ DESTINATION share/gaitway/calibration)
 install(FILES docs/first-plugin.md docs/plugin-interface.md docs/plugin-check.md docs/architecture.md docs/real_time.md docs/socketcan.md
-              docs/hardware.md docs/network.md docs/gaitway.dbc docs/bus-tools.md
+              docs/hardware.md docs/gait.md docs/gait-measurement.md docs/motions.md docs/calibration.md docs/network.md docs/gaitway.dbc docs/bus-tools.md
               docs/api.md docs/api_examples.json docs/api_schemas.json LICENSE DESTINATION share/doc/gaitway)
 install(DIRECTORY docs/examples DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
 

@@ -30,6 +30,15 @@ function(gaitway_executable name)
   target_link_libraries(${name} PRIVATE ${arg_LINKS} gaitway_compiler)
 endfunction()
 
+# Under a sanitizer, optimising what large headers bring takes half of the compiler's time; what is no hot path does without.
+function(gaitway_unoptimised_if_sanitized)
+  foreach(target IN LISTS ARGN)
+    if(GAITWAY_SANITIZE)
+      target_compile_options(${target} PRIVATE -O0)
+    endif()
+  endforeach()
+endfunction()
+
 # One test binary a room; every GoogleTest case becomes a ctest case. LABELS: long for what only --long runs.
 function(gaitway_test name)
   cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
@@ -45,6 +54,10 @@ function(gaitway_test name)
   # The renderer's own threads live in a library that the thread sanitizer cannot see into.
   if(GAITWAY_SANITIZE MATCHES "thread")
     list(APPEND properties ENVIRONMENT "TSAN_OPTIONS=ignore_noninstrumented_modules=1")
+  endif()
+  if("long" IN_LIST arg_LABELS AND NOT GAITWAY_LONG_TESTS)
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)  # the same sources as the short ones, built again
+    return()
   endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
 endfunction()

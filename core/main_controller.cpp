@@ -120,7 +120,8 @@ void MainController::post_trim(const Tick& tick, TickReport& report) noexcept {
   }
   trim_sequence_ = read.sequence;
   msgclient::TrimUpdate update{.stamp_ns = trim_.stamp_ns,
-                               .channel_count = std::min<std::uint32_t>(trim_.channel_count, kTrimChannels)};
+                               .channel_count = std::min<std::uint32_t>(trim_.channel_count, kTrimChannels),
+                               .softness = static_cast<float>(trim_.softness)};
   for (std::size_t channel = 0; channel < update.channel_count; ++channel) {
     update.angle[channel] = static_cast<float>(trim_.angle[channel]);
   }

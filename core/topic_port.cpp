@@ -168,7 +168,8 @@ std::uint32_t TopicPort::elements_in_use(const FloatField& field) const noexcept
   std::uint32_t rows = field.rows;
   if (use_.type_hash == TopicType<MotionPlan>::hash && field.rows == kMaxPoints) {
     rows = points_in_use<MotionPlan>(copy_.data());
-  } else if (use_.type_hash == TopicType<JointPlan>::hash) {
+  } else if (use_.type_hash == TopicType<JointPlan>::hash ||
+             (use_.type_hash == TopicType<PosturePlan>::hash && field.rows == kMaxPoints)) {
     rows = 0;  // most of its columns are not in use; what is goes through the check of joint plans
   }
   return field.count / field.rows * rows;

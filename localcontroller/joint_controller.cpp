@@ -5,6 +5,7 @@ namespace gaitway::localcontroller {
 namespace {
 
 constexpr double kServoPeriod_s = 0.001;
+constexpr double kStiffeningPerStep = kServoPeriod_s / 0.5;  // from no torque to all of it in half a second
 constexpr double kTurn_rad = 6.283185307179586;
 constexpr double kPositionCount_rad = kTurn_rad / 65536.0;
 constexpr double kCurrentCount_Nm = 0.125;
@@ -125,6 +126,7 @@ void JointController::on_stop(can::StopMode mode, std::int64_t now_ns) noexcept 
 void JointController::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
   slots_alone_ = 0;
   feedback_pending_ = player_.on_sync(sync, now_ns) || feedback_pending_;
+  share_asked_ = 1.0 - static_cast<double>(sync.softness) / can::kMostSoftness;
 }
 
 void JointController::reset() noexcept {
@@ -144,6 +146,11 @@ double JointController::step(std::int64_t now_ns, const JointSensors& sensors) n
     channels_[channel].add(sensors.channel[channel]);
   }
   trim_.step(now_ns, kServoPeriod_s);
+  // Soft at once; stiff little by little, since the joint may lie far from its reference by now.
+  share_ = share_asked_ <= share_                       ? share_asked_
+           : share_asked_ - share_ < kStiffeningPerStep ? share_asked_
+                                                        : share_ + kStiffeningPerStep;
+  servo_.set_share(share_);
   const PointPlayer::Reference reference = player_.reference(now_ns);
   reference_rad_ = reference.count * config_.count_rad;
   measured_rad_ = plausible_position_rad(sensors.encoder_count);
@@ -160,7 +167,7 @@ double JointController::step(std::int64_t now_ns, const JointSensors& sensors) n
 // A single wild reading must not kick the joint: its last place counts, until the encoder has stood elsewhere
 // for a while.
 double JointController::plausible_position_rad(std::int32_t encoder_count) noexcept {
-  const double read_rad = encoder_count * config_.encoder_count_rad;
+  const double read_rad = encoder_count * config_.encoder_count_rad - config_.encoder_zero_rad;
   const double jump_rad = read_rad - measured_rad_;
   const bool plausible =
       !measured_ || config_.speed_limit_rad_per_s <= 0.0 ||

@@ -28,6 +28,7 @@ std::array<std::uint32_t, kTrimWords> pack(const TrimUpdate& trim) noexcept {
   for (std::size_t i = 0; i < trim.angle.size(); ++i) {
     words[3 + i] = std::bit_cast<std::uint32_t>(trim.angle[i]);
   }
+  words[3 + kTrimChannels] = std::bit_cast<std::uint32_t>(trim.softness);
   seal(words);
   return words;
 }
@@ -41,6 +42,7 @@ bool unpack(std::span<const std::uint32_t> words, TrimUpdate& trim) noexcept {
   for (std::size_t i = 0; i < trim.angle.size(); ++i) {
     trim.angle[i] = std::bit_cast<float>(words[3 + i]);
   }
+  trim.softness = std::bit_cast<float>(words[3 + kTrimChannels]);
   return true;
 }
 

@@ -19,7 +19,7 @@ namespace gaitway::msgclient {
 using WindowWord = std::atomic<std::uint32_t>;
 static_assert(WindowWord::is_always_lock_free && sizeof(WindowWord) == 4);
 
-inline constexpr std::size_t kTrimWords = 2 + 1 + kTrimChannels + 1;
+inline constexpr std::size_t kTrimWords = 2 + 1 + kTrimChannels + 1 + 1;
 inline constexpr std::size_t kUserCommandWords = 6;
 inline constexpr std::size_t kAnswerWords = 8;
 inline constexpr std::array<std::size_t, kMailKinds> kMailboxWords = {kMaxHandOverWords, kTrimWords,

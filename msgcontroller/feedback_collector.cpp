@@ -43,7 +43,7 @@ void FeedbackCollector::take(int joint, const can::Feedback& feedback, std::int6
   joint_states_.slot = slot_;
   for (std::size_t channel = 0; channel < 2; ++channel) {
     const urdf::SensorChannel& description = channels_[j][channel];
-    take_channel(description, feedback.channel[channel] * description.scale, now_ns);
+    take_channel(description, feedback.channel[channel] * description.scale / description.gain, now_ns);
   }
   awaited_ &= ~(std::uint64_t{1} << static_cast<unsigned>(joint));
 }

@@ -53,7 +53,8 @@ void MessageController::send_sync(std::int64_t now_ns) noexcept {
     send(can::encode(profile_, can::Sync{.cycle = static_cast<std::uint16_t>(state_.cycle),
                                          .slot = static_cast<std::uint8_t>(state_.slot),
                                          .batch_committed = running.active,
-                                         .toggle = running.toggle}),
+                                         .toggle = running.toggle,
+                                         .softness = softness_}),
          now_ns + kSlot_ns);
   } else if (state_.slot == 0 && running.active) {
     send_running();

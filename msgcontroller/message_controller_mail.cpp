@@ -22,9 +22,12 @@ void MessageController::take_mails(std::int64_t now_ns) noexcept {
   msgclient::TrimUpdate update;
   if (adapter_.take_trim(update, now_ns) == msgclient::TakeStatus::mail && mode() != Mode::emergency_stop) {
     const std::span<const float> given = std::span(update.angle).first(update.channel_count);
-    if (!std::all_of(given.begin(), given.end(), [](float angle) { return std::isfinite(angle); })) {
+    if (!std::all_of(given.begin(), given.end(), [](float angle) { return std::isfinite(angle); }) ||
+        !std::isfinite(update.softness)) {
       return;  // as if none had come: the message controller's own trims follow
     }
+    softness_ = static_cast<std::uint8_t>(
+        std::lround(std::clamp(update.softness, 0.0F, 1.0F) * static_cast<float>(can::kMostSoftness)));
     std::array<double, kTrimChannels> angle{};
     std::copy(given.begin(), given.end(), angle.begin());
     send_trim(angle);

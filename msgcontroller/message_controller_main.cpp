@@ -16,6 +16,7 @@
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/bus_timeline.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
+#include "gaitway/msgcontroller/motion_requests.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/msgcontroller/walk_requests.hpp"
 #include "gaitway/process/duration_histogram.hpp"
@@ -44,6 +45,17 @@ struct Options {
   bool obey_walk_requests = false;
   double wait_s = 5.0;
   double seconds = 0.0;
+};
+
+// What people ask through the robot API.
+struct PeoplesRequests {
+  explicit PeoplesRequests(msgclient::Client& behavior) : walk(behavior), motion(behavior) {}
+  void step(std::int64_t now_ns) noexcept {
+    walk.step(now_ns);
+    motion.step(now_ns);
+  }
+  msgcontroller::WalkRequests walk;
+  msgcontroller::MotionRequests motion;
 };
 
 // Publishes one walk command after a while, as the scenario's player does.
@@ -118,8 +130,7 @@ bool work(msgcontroller::BusTimeline& timeline, msgcontroller::BusConnection& bu
 
 LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
-                    msgcontroller::BusConnection& bus,
-                    std::optional<msgcontroller::WalkRequests>& walk_requests) {
+                    msgcontroller::BusConnection& bus, std::optional<PeoplesRequests>& requests) {
   LoopResult result;
   result.begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = result.begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
@@ -149,8 +160,8 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
     if (walk) {
       walk->step(now_ns);
     }
-    if (walk_requests) {
-      walk_requests->step(now_ns);
+    if (requests) {
+      requests->step(now_ns);
     }
   }
   result.end_ns = process::monotonic_ns();
@@ -220,9 +231,9 @@ int run(const Options& options) {
   msgclient::Client client = block.local_client("message_controller");
   msgclient::EmiMessage adapter(client);
   msgclient::Client behavior = block.local_client("behavior");
-  std::optional<msgcontroller::WalkRequests> walk_requests;
+  std::optional<PeoplesRequests> requests;
   if (options.obey_walk_requests) {
-    walk_requests.emplace(behavior);
+    requests.emplace(behavior);
   }
   msgcontroller::MessageController controller(robot, client, adapter);
   const std::unique_ptr<msgcontroller::BusConnection> bus = connect(options);
@@ -232,7 +243,7 @@ int run(const Options& options) {
   block.beat(process::monotonic_ns());
   msgclient::MemoryBlockServer server(block, options.memory);
   process::ask_for_real_time("message_controller", kPriority);
-  const LoopResult result = run_loop(options, block, server, controller, *bus, walk_requests);
+  const LoopResult result = run_loop(options, block, server, controller, *bus, requests);
   bus->close();
   write_summary(options, controller.state(), controller.health(), result, bus->interface());
   return result.exit_code;
@@ -265,8 +276,9 @@ int main(int argc, char** argv) {
   app.add_option("--walk-after", options.walk_after_s, "Seconds from the start to that command")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  app.add_flag("--obey-walk-requests", options.obey_walk_requests,
-               "Walk as people ask through the robot API. Only while no plug-in commands the walk")
+  app.add_flag(
+         "--obey-walk-requests", options.obey_walk_requests,
+         "Walk and play motions as people ask through the robot API. Only while no plug-in commands the walk")
       ->excludes("--walk");
   app.add_option("--wait", options.wait_s, "Seconds to wait for the bus at the start")
       ->check(CLI::Range(0.0, 1e6))

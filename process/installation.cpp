@@ -60,6 +60,19 @@ std::filesystem::path template_directory() {
   return shared("templates");
 }
 
+std::filesystem::path motion_directory() {
+  return shared("motions");
+}
+
+std::filesystem::path prepared_motion_directory() {
+  const std::filesystem::path found = installation_root();
+  return found.empty() ? found : found / "share" / "gaitway" / "prepared_motions";
+}
+
+std::filesystem::path calibration_directory() {
+  return shared("calibration");
+}
+
 std::filesystem::path shipped_plugin_directory() {
   const std::filesystem::path found = installation_root();
   return found.empty() ? found : found / "lib" / "gaitway" / "plugins";

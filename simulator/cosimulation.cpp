@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -44,9 +45,11 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
   foreign_station_ = bus_.attach();
   if (options_.obey_walk_requests) {
     walk_requests_.emplace(behavior_client_);
+    motion_requests_.emplace(behavior_client_);
   } else if (!options_.plugin_commands_walk) {
     walk_command_.emplace(behavior_client_.write<WalkCommand>("walk_command"));
     walk_command_->publish(WalkCommand{}, 0);
+    motion_command_.emplace(behavior_client_.write<MotionRequest>("motion_command"));
   }
   options_.main_controller.injected_faults = &plugin_faults_;
   main_controller_ =
@@ -62,6 +65,10 @@ void Cosimulation::advance_millisecond() {
     const auto command = walk_requests_->step(now_ns_);
     if (command && observer_ != nullptr) {
       observer_->on_walk_request(*command, now_ns_);
+    }
+    const auto motion = motion_requests_->step(now_ns_);
+    if (motion && observer_ != nullptr) {
+      observer_->on_motion_request(*motion, now_ns_);
     }
   }
   joints_.step(now_ns_, plant_.sensors());
@@ -232,6 +239,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       command.turn_rate = walk.turn_rate_rad_per_s;
       self.walk_command_->publish(command, self.now_ns_);
     }
+    void operator()(const MotionEvent& motion) const { self.ask(motion); }
     void operator()(const StopEvent&) const { post(msgclient::UserCommandKind::stop); }
     void operator()(const EmergencyStopEvent& stop) const {
       post(stop.soft ? msgclient::UserCommandKind::emergency_stop_soft
@@ -300,9 +308,21 @@ void Cosimulation::ask(const msgclient::UserCommandMail& mail) {
   }
 }
 
+void Cosimulation::ask(const MotionEvent& motion) {
+  if (!motion_command_) {
+    throw std::invalid_argument("a plug-in or somebody outside alone commands the motions");
+  }
+  MotionRequest request{};
+  request.stamp_ns = now_ns_;
+  request.number = ++motions_asked_;
+  std::memcpy(request.name, motion.name.data(), std::min(motion.name.size(), sizeof request.name - 1));
+  motion_command_->publish(request, now_ns_);
+}
+
 void Cosimulation::end_walk_requests() {
   if (walk_requests_) {
     walk_requests_->end(now_ns_);
+    motion_requests_->end();
   }
 }
 

@@ -15,6 +15,7 @@ localcontroller::JointConfig joint_config(const urdf::RobotModel& robot, int joi
   config.node = source.node;
   config.count_rad = source.count_rad;
   config.encoder_count_rad = source.encoder_count_rad;
+  config.encoder_zero_rad = source.encoder_zero_rad;
   config.stiffness_Nm_per_rad = source.servo.stiffness_Nm_per_rad;
   config.damping_Nms_per_rad = source.servo.damping_Nms_per_rad;
   config.torque_limit_Nm = source.motor.torque_limit_Nm;

@@ -93,7 +93,7 @@ void JointNetwork::power_off(int joint) noexcept {
 void JointNetwork::power_on(int joint, const PlantSensors& sensors) noexcept {
   const auto j = static_cast<std::size_t>(joint);
   localcontroller::JointConfig config = configs_[j];
-  const double position_rad = sensors.encoder_count[j] * config.encoder_count_rad;
+  const double position_rad = sensors.encoder_count[j] * config.encoder_count_rad - config.encoder_zero_rad;
   config.initial_reference_count = static_cast<std::int32_t>(std::lround(position_rad / config.count_rad));
   joints_[j] = localcontroller::JointController(config);
   powered_[j] = true;

@@ -6,10 +6,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "ground.hpp"
+
 namespace gaitway::simulator {
 namespace {
 
-constexpr int kGroundType = 1;  // the ground touches everything of the robot; the robot does not touch itself
+constexpr int kTouchesGround = 1;
+// Of the stop at either end of a joint's play: as hard as the time step allows.
+constexpr double kPlayStopTime_s = 0.002;
+constexpr double kPlayArmature_kg_m2 = 1e-5;
 
 struct SpecDeleter {
   void operator()(mjSpec* spec) const noexcept { mj_deleteSpec(spec); }
@@ -28,21 +33,7 @@ void copy_pose(const Eigen::Isometry3d& pose, double* position, double* quaterni
   quaternion[3] = rotation.z();
 }
 
-void add_ground(mjSpec* spec, const urdf::RobotModel& robot) {
-  mjsTexture* const texture = mjs_addTexture(spec, nullptr);
-  mjs_setName(texture->element, "checker");
-  texture->type = mjTEXTURE_2D;
-  texture->builtin = mjBUILTIN_CHECKER;
-  texture->width = texture->height = 256;
-  for (int i = 0; i < 3; ++i) {
-    texture->rgb1[i] = 0.86;
-    texture->rgb2[i] = 0.76;
-  }
-  mjsMaterial* const material = mjs_addMaterial(spec, nullptr);
-  mjs_setName(material->element, "ground");
-  mjs_setInStringVec(material->textures, mjTEXROLE_RGB, "checker");
-  material->texuniform = 1;
-  material->texrepeat[0] = material->texrepeat[1] = 5.0F;  // tiles of 10 cm
+void add_sky_and_sun(mjSpec* spec) {
   mjsTexture* const sky = mjs_addTexture(spec, nullptr);
   sky->type = mjTEXTURE_SKYBOX;
   sky->builtin = mjBUILTIN_GRADIENT;
@@ -51,33 +42,22 @@ void add_ground(mjSpec* spec, const urdf::RobotModel& robot) {
   const double top[3] = {0.62, 0.74, 0.88}, bottom[3] = {0.96, 0.97, 0.98};
   std::copy_n(top, 3, sky->rgb1);
   std::copy_n(bottom, 3, sky->rgb2);
-
-  mjsBody* const world = mjs_findBody(spec, "world");
-  mjsGeom* const ground = mjs_addGeom(world, nullptr);
-  mjs_setName(ground->element, "ground");
-  ground->type = mjGEOM_PLANE;
-  ground->size[0] = ground->size[1] = 0.0;  // endless
-  ground->size[2] = 0.05;
-  ground->contype = kGroundType;
-  ground->conaffinity = 0;
-  ground->friction[0] = robot.contact.friction;
-  mjs_setString(ground->material, "ground");
-  mjsLight* const light = mjs_addLight(world, nullptr);
+  mjsLight* const light = mjs_addLight(mjs_findBody(spec, "world"), nullptr);
   light->type = mjLIGHT_DIRECTIONAL;
   std::copy_n(kSunDirection.data(), 3, light->dir);
   light->castshadow = 1;
 }
 
-void add_collision(mjsBody* body, const urdf::Link& link, const urdf::RobotModel& robot) {
+void add_collision(mjsBody* body, const urdf::Link& link, double friction) {
   for (const urdf::BoxShape& box : link.collision) {
     mjsGeom* const geom = mjs_addGeom(body, nullptr);
     geom->type = mjGEOM_BOX;
     copy_pose(box.pose, geom->pos, geom->quat);
     copy(box.size_m / 2.0, geom->size);
     geom->contype = 0;
-    geom->conaffinity = kGroundType;
+    geom->conaffinity = kTouchesGround;
     geom->condim = 3;
-    geom->friction[0] = robot.contact.friction;
+    geom->friction[0] = friction;
     geom->mass = 0.0;
     geom->group = 3;  // not drawn
   }
@@ -127,7 +107,25 @@ void add_hinge(mjsBody* body, const urdf::Joint& joint) {
   hinge->frictionloss = joint.motor.friction_Nm;
 }
 
-void add_robot(mjSpec* spec, const urdf::RobotModel& robot, const ModelMismatch& mismatch) {
+// Behind the motor and its encoder the link can move on by itself, from one stop to the other.
+void add_play(mjsBody* body, const urdf::Joint& joint, double width_rad) {
+  mjsJoint* const hinge = mjs_addJoint(body, nullptr);
+  mjs_setName(hinge->element, (joint.name + "_play").c_str());
+  hinge->type = mjJNT_HINGE;
+  copy(joint.axis, hinge->axis);
+  hinge->limited = mjLIMITED_TRUE;
+  hinge->range[0] = -width_rad / 2.0;
+  hinge->range[1] = width_rad / 2.0;
+  hinge->solref_limit[0] = kPlayStopTime_s;
+  hinge->solref_limit[1] = 1.0;
+  hinge->armature = kPlayArmature_kg_m2;
+}
+
+void add_robot(mjSpec* spec, const urdf::RobotModel& robot, const ModelMismatch& mismatch,
+               const Conditions& conditions) {
+  const double friction = conditions.ground.friction.value_or(robot.contact.friction);
+  // A calibration tells what the robot is believed to be, and does not change what it is.
+  const Eigen::Vector3d described_to_true_m = mismatch.trunk_com_offset_m - robot.trunk_com_offset_m;
   std::vector<mjsBody*> bodies;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const urdf::Link& link = robot.links[i];
@@ -140,12 +138,13 @@ void add_robot(mjSpec* spec, const urdf::RobotModel& robot, const ModelMismatch&
       body = mjs_addBody(bodies[static_cast<std::size_t>(joint.parent_link)], nullptr);
       copy_pose(joint.origin, body->pos, body->quat);
       add_hinge(body, joint);
+      if (conditions.body.backlash_rad > 0.0) add_play(body, joint, conditions.body.backlash_rad);
     }
     mjs_setName(body->element, link.name.c_str());
     const bool is_trunk = static_cast<int>(i) == robot.imu.link;
-    set_inertia(body, link, mismatch.mass_factor[i],
-                is_trunk ? mismatch.trunk_com_offset_m : Eigen::Vector3d::Zero());
-    add_collision(body, link, robot);
+    set_inertia(body, link, mismatch.mass_factor[i] * (is_trunk ? conditions.body.trunk_mass_factor : 1.0),
+                is_trunk ? described_to_true_m : Eigen::Vector3d::Zero());
+    add_collision(body, link, friction);
     add_visuals(body, link);
     bodies.push_back(body);
   }
@@ -180,11 +179,13 @@ void set_options(mjSpec& spec, const urdf::RobotModel& robot) {
 
 }  // namespace
 
-ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch) {
+ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch,
+                                 const Conditions& conditions) {
   const std::unique_ptr<mjSpec, SpecDeleter> spec(mj_makeSpec());
   set_options(*spec, robot);
-  add_ground(spec.get(), robot);
-  add_robot(spec.get(), robot, mismatch);
+  add_ground(spec.get(), conditions.ground, conditions.ground.friction.value_or(robot.contact.friction));
+  add_sky_and_sun(spec.get());
+  add_robot(spec.get(), robot, mismatch, conditions);
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
     throw std::runtime_error(robot.name + ": the physics model cannot be built: " + mjs_getError(spec.get()));

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
@@ -33,8 +34,9 @@ struct DataDeleter {
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
-// Body i + 1 of the model is link i, hinge i is joint i (after the base's free joint). Throws
-// std::runtime_error with the compiler's words.
-ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch);
+// Body i + 1 of the model is link i; a hinge has its joint's name. Throws std::runtime_error with the
+// compiler's words.
+ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch,
+                                 const Conditions& conditions);
 
 }  // namespace gaitway::simulator

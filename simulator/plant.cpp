@@ -15,7 +15,6 @@
 namespace gaitway::simulator {
 namespace {
 
-constexpr int kFreeJointPositions = 7, kFreeJointVelocities = 6;
 constexpr double kMassDeviation = 0.05;
 constexpr double kZeroDeviation_rad = 0.4 * std::numbers::pi / 180.0;
 const Eigen::Vector3d kTrunkComDeviation_m(0.006, 0.004, 0.006);
@@ -63,30 +62,59 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
     : robot(description),
       mismatch_random(options.seed, 0x6D69'736D'6174'6368ULL),
       noise_random(options.seed, 0x6E6F'6973'6500'0000ULL),
+      condition_random(options.seed, 0x636F'6E64'6974'696FULL),
       noise(options.sensor_noise),
       mismatch(draw_mismatch(robot, mismatch_random, options.mismatch)),
-      model(build_physics_model(robot, mismatch)),
+      body_conditions(options.conditions.body),
+      ground(ground_rotation(options.conditions.ground)),
+      model(build_physics_model(robot, mismatch, options.conditions)),
+      tiles(*model, options.conditions.ground, options.seed),
       data(mj_makeData(model.get())),
       foot_body{robot.feet[0].link + 1, robot.feet[1].link + 1},
       trunk_body(robot.imu.link + 1) {
   std::vector<double> home_rad;
   for (const urdf::Joint& joint : robot.joints) {
+    const int hinge = mj_name2id(model.get(), mjOBJ_JOINT, joint.name.c_str());
+    position_address.push_back(model->jnt_qposadr[hinge]);
+    velocity_address.push_back(model->jnt_dofadr[hinge]);
     zero_error_rad.push_back(options.mismatch * kZeroDeviation_rad * mismatch_random.normal());
     home_rad.push_back(joint.home_rad);
   }
   urdf::ForwardKinematics kinematics(robot);
   kinematics.compute(home_rad);
   home.assign(static_cast<std::size_t>(model->nq), 0.0);
-  home[2] = -std::min(kinematics.sole_pose(urdf::Side::left).translation().z(),
-                      kinematics.sole_pose(urdf::Side::right).translation().z());
-  home[3] = 1.0;
-  std::copy(home_rad.begin(), home_rad.end(), home.begin() + kFreeJointPositions);
+  const double height_m = -std::min(kinematics.sole_pose(urdf::Side::left).translation().z(),
+                                    kinematics.sole_pose(urdf::Side::right).translation().z());
+  const Eigen::Vector3d place = ground * Eigen::Vector3d(0.0, 0.0, height_m);
+  std::copy_n(place.data(), 3, home.begin());
+  home[3] = ground.w();
+  home[4] = ground.x();
+  home[5] = ground.y();
+  home[6] = ground.z();
+  for (std::size_t j = 0; j < home_rad.size(); ++j) {
+    home[static_cast<std::size_t>(position_address[j])] = home_rad[j];
+  }
+  draw_sensor_faults();
+  link_force_N.assign(static_cast<std::size_t>(model->nbody), 0.0);
+  tiles.follow(*model, place);
   sensors.encoder_count.assign(robot.joints.size(), 0);
   sensors.motor_torque_Nm.assign(robot.joints.size(), 0.0);
   reset(data.get());
   read_contacts();
   mj_step1(model.get(), data.get());
   read_sensors(true);
+}
+
+void Plant::Implementation::draw_sensor_faults() {
+  for (double& bias : gyro_bias_rad_per_s) {
+    bias = body_conditions.gyro_bias_deviation_rad_per_s * condition_random.normal();
+  }
+  for (auto& foot : cell_gain) {
+    for (double& gain : foot) gain = 1.0 + body_conditions.cell_gain_deviation * condition_random.normal();
+  }
+  if (body_conditions.dead_cell)
+    cell_gain[static_cast<std::size_t>(body_conditions.dead_cell->foot)][body_conditions.dead_cell->cell] =
+        0.0;
 }
 
 void Plant::Implementation::reset(mjData* state) const {
@@ -105,14 +133,15 @@ void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
     if (!std::isfinite(command_Nm[j])) {
       throw std::invalid_argument(robot.joints[j].name + ": the torque asked for is not a finite number");
     }
-    const double velocity = data->qvel[kFreeJointVelocities + j];
+    const int address = velocity_address[j];
+    const double velocity = data->qvel[address];
     const bool driving = command_Nm[j] * velocity > 0.0;
     const double fade = driving ? std::max(0.0, 1.0 - std::abs(velocity) / motor.speed_limit_rad_per_s) : 1.0;
-    const double limit = motor.torque_limit_Nm * fade;
+    const double limit = motor.torque_limit_Nm * body_conditions.torque_factor * fade;
     // In single precision, so that a record of the torques replays to the bit.
     const double torque = static_cast<double>(static_cast<float>(std::clamp(command_Nm[j], -limit, limit)));
     sensors.motor_torque_Nm[j] = torque;
-    data->qfrc_applied[kFreeJointVelocities + j] = torque;
+    data->qfrc_applied[address] = torque;
   }
 }
 
@@ -130,6 +159,8 @@ void Plant::Implementation::apply_pushes() {
 
 void Plant::Implementation::read_contacts() {
   std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  contact.body_force_N = contact.hardest_force_N = contact.trunk_force_N = 0.0;
+  std::fill(link_force_N.begin(), link_force_N.end(), 0.0);
   for (std::size_t foot = 0; foot < 2; ++foot) {
     contact.sole[foot] = body_pose(*data, foot_body[foot]) * robot.feet[foot].sole;
     contact.normal_force_N[foot] = 0.0;
@@ -141,11 +172,16 @@ void Plant::Implementation::read_contacts() {
     }
     const int body = std::max(model->geom_bodyid[point.geom[0]], model->geom_bodyid[point.geom[1]]);
     const std::size_t foot = body == foot_body[0] ? 0 : body == foot_body[1] ? 1 : 2;
-    if (foot == 2) {
-      continue;
-    }
     double force[6];
     mj_contactForce(model.get(), data.get(), i, force);
+    if (foot == 2) {
+      double& on_link_N = link_force_N[static_cast<std::size_t>(body)];
+      on_link_N += force[0];
+      contact.body_force_N += force[0];
+      contact.trunk_force_N += body == trunk_body ? force[0] : 0.0;
+      contact.hardest_force_N = std::max(contact.hardest_force_N, on_link_N);
+      continue;
+    }
     const Eigen::Vector3d position = Eigen::Map<const Eigen::Vector3d>(point.pos);
     contact.normal_force_N[foot] += force[0];
     moment[foot] += force[0] * (contact.sole[foot].inverse() * position).head<2>();
@@ -177,7 +213,8 @@ void Plant::Implementation::read_sensors(bool first) {
   sensors.acceleration_m_per_s2 = specific_force(0, motion.linear, imu.linear());
   sensors.angular_velocity_rad_per_s = imu.linear().transpose() * motion.angular;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    sensors.angular_velocity_rad_per_s[axis] += sigma.angular_velocity_rad_per_s * normal();
+    sensors.angular_velocity_rad_per_s[axis] +=
+        gyro_bias_rad_per_s[axis] + sigma.angular_velocity_rad_per_s * normal();
   }
   // Roll and pitch from the direction of gravity in the sensor's frame.
   const Eigen::Vector3d up = imu.linear().row(2);
@@ -195,7 +232,7 @@ void Plant::Implementation::read_sensors(bool first) {
     }
   }
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const double angle = data->qpos[kFreeJointPositions + j] + zero_error_rad[j];
+    const double angle = data->qpos[position_address[j]] + zero_error_rad[j];
     sensors.encoder_count[j] =
         static_cast<std::int32_t>(std::lround(angle / robot.joints[j].encoder_count_rad));
   }
@@ -216,7 +253,8 @@ void Plant::Implementation::read_foot(std::size_t foot) {
   const double force = contact.normal_force_N[foot];
   const Eigen::Vector2d slope = spread.inverse() * (force * (contact.foot_cop_m[foot] - centre));
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    sensors.force_N[foot][i] = force > 0.0 ? force / 4.0 + slope.dot(cells[i] - centre) : 0.0;
+    const double on_cell_N = force > 0.0 ? force / 4.0 + slope.dot(cells[i] - centre) : 0.0;
+    sensors.force_N[foot][i] = cell_gain[foot][i] * on_cell_N;
   }
 }
 
@@ -230,6 +268,7 @@ void Plant::step(std::span<const double> command_Nm) {
   Implementation& self = *implementation_;
   self.apply_motors(command_Nm);
   self.apply_pushes();
+  self.tiles.follow(*self.model, Eigen::Map<const Eigen::Vector3d>(self.data->qpos));
   // mj_step in two halves: forces and integration, then poses and velocities of the new state. In between,
   // contact points and the forces in them belong together.
   mj_step2(self.model.get(), self.data.get());
@@ -260,8 +299,8 @@ PlantTruth Plant::truth() const {
   PlantTruth truth;
   truth.base = body_pose(*self.data, 1);
   truth.com_m = Eigen::Map<const Eigen::Vector3d>(self.data->subtree_com + 3);
-  const Eigen::Isometry3d trunk = body_pose(*self.data, self.trunk_body);
-  truth.trunk_tilt_rad = std::acos(std::clamp(trunk.linear()(2, 2), -1.0, 1.0));
+  truth.trunk = body_pose(*self.data, self.trunk_body);
+  truth.trunk_tilt_rad = std::acos(std::clamp(truth.trunk.linear()(2, 2), -1.0, 1.0));
   double force = 0.0;
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const Eigen::Vector2d& cop = self.contact.foot_cop_m[foot];
@@ -275,11 +314,25 @@ PlantTruth Plant::truth() const {
   return truth;
 }
 
+BodyTruth Plant::body_truth() const {
+  const Implementation& self = *implementation_;
+  BodyTruth truth{.encoder_zero_rad = self.zero_error_rad,
+                  .trunk_com_offset_m = self.mismatch.trunk_com_offset_m,
+                  .link_mass_kg = {},
+                  .cell_gain = self.cell_gain};
+  const std::span<const double> masses(self.model->body_mass,
+                                       self.robot.links.size() + 1);  // the world first
+  truth.link_mass_kg.assign(masses.begin() + 1, masses.end());
+  return truth;
+}
+
 bool Plant::fallen() const noexcept {
   const mjData& data = *implementation_->data;
+  const Eigen::Vector3d base = Eigen::Map<const Eigen::Vector3d>(data.xpos + 3);
+  const double height_m = (implementation_->ground.inverse() * base).z();
   // Asked the other way round, so that a state that is not a number counts as fallen.
   const bool up = data.xmat[9 * implementation_->trunk_body + 8] >= std::cos(kFallenTilt_rad);
-  return !(up && data.xpos[3 + 2] >= kFallenHeight_m);
+  return !(up && height_m >= kFallenHeight_m);
 }
 
 void Plant::push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns,
@@ -314,7 +367,7 @@ Replay Plant::replay(std::span<const float> applied_torque_Nm) const {
   const auto started = std::chrono::steady_clock::now();
   for (std::size_t row = 0; row < applied_torque_Nm.size(); row += joints) {
     for (std::size_t j = 0; j < joints; ++j) {
-      data->qfrc_applied[kFreeJointVelocities + j] = static_cast<double>(applied_torque_Nm[row + j]);
+      data->qfrc_applied[self.velocity_address[j]] = static_cast<double>(applied_torque_Nm[row + j]);
     }
     mj_step(self.model.get(), data.get());
   }

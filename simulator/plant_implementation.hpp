@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gaitway/simulator/plant.hpp"
+#include "ground.hpp"
 #include "physics_model.hpp"
 #include "random_stream.hpp"
 
@@ -19,6 +20,7 @@ struct ActivePush {
 struct Plant::Implementation {
   Implementation(const urdf::RobotModel& robot, const PlantOptions& options);
 
+  void draw_sensor_faults();
   void reset(mjData* state) const;
   void apply_motors(std::span<const double> command_Nm);
   void apply_pushes();
@@ -27,17 +29,24 @@ struct Plant::Implementation {
   void read_foot(std::size_t foot);
 
   urdf::RobotModel robot;
-  RandomStream mismatch_random, noise_random;
+  RandomStream mismatch_random, noise_random, condition_random;
   bool noise;
   ModelMismatch mismatch;
+  BodyConditions body_conditions;
+  Eigen::Quaterniond ground;  // ground_rotation()
   std::vector<double> zero_error_rad;
+  Eigen::Vector3d gyro_bias_rad_per_s = Eigen::Vector3d::Zero();
+  std::array<std::array<double, 4>, 2> cell_gain{};
   ModelPointer model;
+  TileField tiles;
+  std::vector<int> position_address, velocity_address;  // of each joint, in qpos and qvel
   DataPointer data;
   std::array<int, 2> foot_body{};
   int trunk_body = 0;
   std::vector<double> home;  // qpos at the start
   PlantSensors sensors;
   GroundContact contact;
+  std::vector<double> link_force_N;                        // of the bodies that are no feet
   std::array<Eigen::Vector3d, 3> last_velocity_m_per_s{};  // of IMU, left sole, right sole
   std::vector<ActivePush> pushes;
 };

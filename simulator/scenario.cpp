@@ -9,6 +9,8 @@
 #include <iterator>
 #include <utility>
 
+#include "conditions_yaml.hpp"
+#include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
 #include "gaitway/urdf/yaml_value.hpp"
 
@@ -214,9 +216,21 @@ ManualJointEvent read_move(const YamlValue& value, const urdf::RobotModel& robot
           value.at("duration_slots").integer(1, kLongest_slots)};
 }
 
+// Which motions there are, the trajectory plug-in knows, and refuses the others.
+MotionEvent read_motion_name(const YamlValue& value) {
+  constexpr std::size_t kMostBytes = sizeof(MotionRequest::name) - 1;
+  const std::string name = value.text();
+  if (name.empty() || name.size() > kMostBytes) {
+    value.refuse(fmt::format("the name of a motion has 1 to {} bytes", kMostBytes),
+                 "`gaitway motion list` lists them.");
+  }
+  return {name};
+}
+
 ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 9> kKeys{"at_s",           "asked",      "walk", "stand", "stop",
-                                                  "emergency_stop", "move_joint", "push", "fault"};
+  constexpr std::array<std::string_view, 11> kKeys{"at_s",       "asked",        "walk", "stand",
+                                                   "motion",     "leave_motion", "stop", "emergency_stop",
+                                                   "move_joint", "push",         "fault"};
   value.require_map(kKeys);
   ScenarioEvent event{.at_s = value.at("at_s").number({0.0, kLongestRun_s, "s"}), .action = StopEvent{}};
   if (const auto asked = value.find("asked")) {
@@ -235,6 +249,11 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
     } else if (key == "stand") {
       require_true(*action);
       event.action = WalkEvent{.walk = false};
+    } else if (key == "motion") {
+      event.action = read_motion_name(*action);
+    } else if (key == "leave_motion") {
+      require_true(*action);
+      event.action = MotionEvent{};
     } else if (key == "stop") {
       require_true(*action);
     } else if (key == "move_joint") {
@@ -253,7 +272,9 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
   }
   if (actions != 1) {
     value.refuse(
-        "an event has at_s and exactly one of walk, stand, stop, emergency_stop, move_joint, push, fault",
+        "an event has at_s and exactly one of walk, stand, motion, leave_motion, stop, emergency_stop, "
+        "move_joint, push, "
+        "fault",
         "Write one event for each action.");
   }
   return event;
@@ -262,11 +283,12 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 2> kKeys{"seconds", "events"};
+  constexpr std::array<std::string_view, 3> kKeys{"seconds", "conditions", "events"};
   const YamlValue root = YamlValue::read(file);
   root.require_map(kKeys);
   Scenario scenario;
   scenario.seconds = root.at("seconds").number({0.001, kLongestRun_s, "s"});
+  if (const auto conditions = root.find("conditions")) scenario.conditions = read_conditions(*conditions);
   if (const auto events = root.find("events")) {
     for (const YamlValue& event : events->items()) {
       scenario.events.push_back(read_event(event, robot));
@@ -289,7 +311,7 @@ Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_
                     forward_m_per_s, left_m_per_s, turn_rate_rad_per_s, kLargestSpeed_m_per_s,
                     kLargestTurnRate_rad_per_s));
   }
-  Scenario scenario{.seconds = seconds, .events = {}};
+  Scenario scenario{.seconds = seconds, .conditions = {}, .events = {}};
   scenario.events.push_back(
       {.at_s = kStanding_s,
        .action = WalkEvent{.velocity_m_per_s = velocity, .turn_rate_rad_per_s = turn_rate_rad_per_s}});

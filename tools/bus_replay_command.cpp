@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gaitway/can/candump_log.hpp"
@@ -77,7 +78,8 @@ std::string csv_row(const urdf::RobotModel& robot, std::int64_t now_ns, const si
     const auto j = static_cast<std::size_t>(joint);
     row += fmt::format(",{},{:.6f},{:.6f}", joints.joint(joint).reference_count(),
                        joints.joint(joint).reference_rad(),
-                       plant.sensors().encoder_count[j] * robot.joints[j].encoder_count_rad);
+                       plant.sensors().encoder_count[j] * robot.joints[j].encoder_count_rad -
+                           robot.joints[j].encoder_zero_rad);
   }
   return row + "\n";
 }
@@ -149,11 +151,13 @@ int replay_bus_log(const BusReplayOptions& options) {
   check_log(options.log, log, robot.profile);
   const std::int64_t shift_ns = start_at_zero(log);
   ReplayOptions replay_options{
-      .plant = {.seed = options.seed, .mismatch = options.mismatch},
+      .plant = {.seed = options.seed, .mismatch = options.mismatch, .conditions = {}},
       .comparison = options.references_only ? ReplayComparison::references : ReplayComparison::everything,
       .losses = options.losses};
   if (options.scenario) {
-    replay_options.events = simulator::load_scenario(*options.scenario, robot.model).events;
+    simulator::Scenario scenario = simulator::load_scenario(*options.scenario, robot.model);
+    replay_options.plant.conditions = scenario.conditions;
+    replay_options.events = std::move(scenario.events);
   }
   LogReplay replay(robot.model, replay_options);
   std::string csv;

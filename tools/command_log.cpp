@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+#include <nlohmann/json.hpp>
+
 #include "gaitway/msgclient/mails.hpp"
 
 namespace gaitway::tools {
@@ -21,6 +24,12 @@ struct Yaml {
     return walk.walk ? fmt::format("walk: [{}, {}, {}]", walk.velocity_m_per_s.x(), walk.velocity_m_per_s.y(),
                                    walk.turn_rate_rad_per_s)
                      : "stand: true";
+  }
+  std::string operator()(const simulator::MotionEvent& motion) const {
+    return motion.name.empty()
+               ? "leave_motion: true"
+               : "motion: " + nlohmann::json(motion.name)
+                                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
   std::string operator()(const simulator::StopEvent&) const { return "asked: true, stop: true"; }
   std::string operator()(const simulator::EmergencyStopEvent& stop) const {
@@ -47,6 +56,12 @@ void CommandLog::on_walk_request(const WalkCommand& command, std::int64_t now_ns
                                   .turn_rate_rad_per_s = command.turn_rate,
                                   .walk = command.walk != 0};
   events_.push_back({.at_s = seconds_of(now_ns), .action = walk});
+}
+
+void CommandLog::on_motion_request(const MotionRequest& request, std::int64_t now_ns) {
+  const auto* const name = reinterpret_cast<const char*>(request.name);
+  events_.push_back({.at_s = seconds_of(now_ns),
+                     .action = simulator::MotionEvent{{name, strnlen(name, sizeof request.name)}}});
 }
 
 void CommandLog::on_millisecond(std::int64_t began_ns) {

@@ -10,10 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/calibration/calibrate_command.hpp"
 #include "gaitway/tools/api_command.hpp"
 #include "gaitway/tools/bus_command.hpp"
 #include "gaitway/tools/ctl_command.hpp"
 #include "gaitway/tools/dev_command.hpp"
+#include "gaitway/tools/measure_command.hpp"
+#include "gaitway/tools/motion_command.hpp"
 #include "gaitway/tools/new_plugin_command.hpp"
 #include "gaitway/tools/plugin_check_command.hpp"
 #include "gaitway/tools/plugins_command.hpp"
@@ -75,6 +78,12 @@ int run_gaitway(int argc, char** argv) {
   const CLI::App* const check = gaitway::tools::add_check_plugin_command(app, check_options);
   gaitway::tools::BusOptions bus_options;
   const CLI::App* const bus = gaitway::tools::add_bus_command(app, bus_options);
+  gaitway::tools::MeasureOptions measure_options;
+  const CLI::App* const measure = gaitway::tools::add_measure_command(app, measure_options);
+  gaitway::tools::MotionOptions motion_options;
+  const CLI::App* const motion = gaitway::tools::add_motion_command(app, motion_options);
+  gaitway::calibration::CalibrateOptions calibrate_options;
+  const CLI::App* const calibrate = gaitway::calibration::add_calibrate_command(app, calibrate_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -95,6 +104,15 @@ int run_gaitway(int argc, char** argv) {
   }
   if (bus->parsed()) {
     return gaitway::tools::bus(*bus, bus_options);
+  }
+  if (measure->parsed()) {
+    return gaitway::tools::measure(*measure, measure_options);
+  }
+  if (motion->parsed()) {
+    return gaitway::tools::motion_command(*motion, motion_options);
+  }
+  if (calibrate->parsed()) {
+    return gaitway::calibration::calibrate_command(calibrate_options);
   }
   if (check->parsed()) {
     return gaitway::tools::check_plugin(check_options);

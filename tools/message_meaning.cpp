@@ -78,6 +78,10 @@ constexpr FieldText kFields[]{
     {MessageKind::sync, "batch_committed",
      "a batch was sent for this cycle: whoever holds it starts it at slot 0"},
     {MessageKind::sync, "toggle", "toggle of that batch"},
+    {MessageKind::sync, "softness",
+     "of all joints, for a fall: 0 the servos give their whole torque, 7 none; softer at once, stiffer in "
+     "half a "
+     "second"},
     {MessageKind::trim, "trim_*", "correction of the joint with this trim channel"},
     {MessageKind::feedback, "position", "measured angle"},
     {MessageKind::feedback, "current", "motor torque, rounded and saturating"},

@@ -188,7 +188,7 @@ class Describer {
       return;
     }
     signal.name = urdf::channel_name(channel);
-    signal.factor = channel.scale;
+    signal.factor = channel.scale / channel.gain;
   }
 
   void describe_trim(int channel, DescribedSignal& signal) const {

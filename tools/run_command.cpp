@@ -228,6 +228,7 @@ int run(const RunOptions& options) {
   simulator::CosimulationOptions cosimulation_options;
   cosimulation_options.plant.seed = options.seed;
   cosimulation_options.plant.mismatch = options.mismatch;
+  cosimulation_options.plant.conditions = scenario.conditions;
   cosimulation_options.main_controller.configuration = options.config;
   cosimulation_options.main_controller.try_at_start = true;
   cosimulation_options.main_controller.plugins = plugins.configuration;

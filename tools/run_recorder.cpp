@@ -248,7 +248,9 @@ void RunRecorder::track_joints(RunSample& sample) {
   for (int joint = 0; joint < run_.joints().size(); ++joint) {
     const auto j = static_cast<std::size_t>(joint);
     const localcontroller::JointController& controller = run_.joints().joint(joint);
-    const double measured = sensors.encoder_count[j] * run_.robot().joints[j].encoder_count_rad;
+    const urdf::Joint& description = run_.robot().joints[j];
+    const double measured =
+        sensors.encoder_count[j] * description.encoder_count_rad - description.encoder_zero_rad;
     const double reference = controller.reference_rad() + controller.trim_rad();
     if (!metrics_.fell) {
       metrics_.tracking_rad.add(reference - measured);

@@ -93,6 +93,9 @@ class ServeObserver final : public simulator::CosimulationObserver {
   void on_walk_request(const WalkCommand& command, std::int64_t now_ns) override {
     commands.on_walk_request(command, now_ns);
   }
+  void on_motion_request(const MotionRequest& request, std::int64_t now_ns) override {
+    commands.on_motion_request(request, now_ns);
+  }
 
   RunRecorder recorder;
   CommandLog commands;

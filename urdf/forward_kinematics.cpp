@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 namespace gaitway::urdf {
 namespace {
@@ -92,6 +93,16 @@ Eigen::Isometry3d ForwardKinematics::link_pose(int link) const noexcept {
 Eigen::Isometry3d ForwardKinematics::sole_pose(Side side) const noexcept {
   const auto index = static_cast<std::size_t>(side);
   return link_pose(static_cast<int>(foot_link_[index])) * sole_[index];
+}
+
+double home_com_height_m(const RobotModel& model) {
+  const ForwardKinematics home(model);
+  const double height_m = home.com_m().z() - home.sole_pose(Side::left).translation().z();
+  if (!(height_m > 0.0)) {
+    throw std::invalid_argument("the CoM of robot '" + model.name +
+                                "' is not above its soles in the home posture; check home_deg in robot.yaml");
+  }
+  return height_m;
 }
 
 }  // namespace gaitway::urdf

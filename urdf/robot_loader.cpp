@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "calibration_file.hpp"
 #include "description_error.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/nearest_name.hpp"
@@ -23,7 +24,7 @@ class Assembly {
  public:
   Assembly(const UrdfFile& urdf, const NetworkFile& network) : urdf_(urdf), network_(network) {}
 
-  RobotModel assemble(const std::filesystem::path& directory) {
+  RobotModel assemble(const std::filesystem::path& directory, CalibrationUse calibration) {
     model_.name = urdf_.name;
     model_.directory = directory;
     add_link(urdf_.base_link, -1);
@@ -43,6 +44,10 @@ class Assembly {
     model_.physics_step_s = network_.physics_step_s;
     model_.hip_height_m = network_.hip_height_m;
     check_standing();
+    const std::filesystem::path found = directory / "calibration.yaml";
+    if (calibration == CalibrationUse::applied && std::filesystem::exists(found)) {
+      apply_calibration_file(found, model_);
+    }
     model_.tree = make_kdl_tree(model_);
     return std::move(model_);
   }
@@ -196,10 +201,10 @@ class Assembly {
 
 }  // namespace
 
-RobotModel load_robot(const std::filesystem::path& directory) {
+RobotModel load_robot(const std::filesystem::path& directory, CalibrationUse calibration) {
   const UrdfFile urdf = read_urdf_file(directory / "robot.urdf");
   const NetworkFile network = read_network_file(directory / "robot.yaml");
-  return Assembly(urdf, network).assemble(directory);
+  return Assembly(urdf, network).assemble(directory, calibration);
 }
 
 }  // namespace gaitway::urdf

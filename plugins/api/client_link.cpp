@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint16_t kGoingAway = 1001, kPolicyViolation = 1008, kTryAgainLater = 1013;
 constexpr std::size_t kLongestReason = 123;  // RFC 6455, 5.5.1, without the code
 // Of one turn; then the others have theirs.
-constexpr std::size_t kTurnBytes = 64 * 1024;
+constexpr std::size_t kTurnBytes = std::size_t{64} * 1024;
 constexpr std::size_t kTurnFrames = OutgoingQueue::kBuffers / 2;
 constexpr int kTurns = 4;
 // Pings and pongs that a client may send in a second.

@@ -10,6 +10,7 @@
 #include "gaitway/api/diagnostics.hpp"
 #include "gaitway/api/event_message.hpp"
 #include "gaitway/api/frame_messages.hpp"
+#include "gaitway/api/motion_message.hpp"
 #include "gaitway/api/planned_motion.hpp"
 #include "gaitway/api/robot_frames.hpp"
 #include "gaitway/api/ros_time.hpp"
@@ -77,6 +78,7 @@ struct Feed::Topics {
   Latest<NetworkHealth> health{client, "network_health"};
   Latest<Estimate> estimate{client, "estimate"};
   Latest<MotionPlan> plan{client, "motion_plan"};
+  Latest<gaitway::MotionState> motion{client, "motion_state"};
   Latest<PluginStatistics> statistics{client, "plugin_statistics"};
   msgclient::StreamReader<Event> events;
 };
@@ -114,6 +116,8 @@ struct Feed::State {
   bool described = false, footsteps_told = false;
   std::int64_t diagnostics_ns = kNever, diagnostics_wall_ns = kNever;
   std::uint64_t missed_events = 0;
+  std::uint32_t motion_told = 0, motions_ended = 0;  // MotionState::state and ended, of the last message
+  bool any_motion_told = false;
 };
 
 Feed::Feed(msgclient::Client& client, const urdf::RobotModel& model)
@@ -144,6 +148,7 @@ void Feed::poll(std::int64_t wall_ns, PublicationSink& sink) {
   publish_wrenches(sink);
   publish_at_slot_edge(sink);
   publish_diagnostics(wall_ns, sink);
+  publish_motion(sink);
   publish_events(sink);
 }
 
@@ -299,6 +304,19 @@ void Feed::publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink) {
                                  .network = topics_->network.if_there(),
                                  .health = topics_->health.if_there()};
   sink.publish(Topic::diagnostics, state.diagnostics.report(condition), state.robot_ns);
+}
+
+void Feed::publish_motion(PublicationSink& sink) {
+  if (!topics_->motion.update()) return;
+  const gaitway::MotionState& motion = topics_->motion.value();
+  State& state = *state_;
+  const bool news = motion.state != 0 || state.motion_told != 0 || motion.ended != state.motions_ended;
+  if (!news && state.any_motion_told) return;
+  state.motion_told = motion.state;
+  state.motions_ended = motion.ended;
+  state.any_motion_told = true;
+  if (sink.wants(Topic::motion_state))
+    sink.publish(Topic::motion_state, motion_state_of(motion), state.robot_ns);
 }
 
 void Feed::publish_events(PublicationSink& sink) {

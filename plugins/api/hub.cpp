@@ -12,12 +12,11 @@ HubState::HubState(RobotPort& port, HubOptions hub_options)
     : robot(port),
       options(std::move(hub_options)),
       commands(port, options.limits),
-      desk(port, commands, options.limits, options.parameters, options.motions,
-           [this](const ServiceCall& call, Frame frame) {
-             if (const auto session = sessions.find(call.client); session != sessions.end()) {
-               session->second->answer(call, std::move(frame));
-             }
-           }) {}
+      desk(port, commands, options.limits, options.parameters, [this](const ServiceCall& call, Frame frame) {
+        if (const auto session = sessions.find(call.client); session != sessions.end()) {
+          session->second->answer(call, std::move(frame));
+        }
+      }) {}
 
 Hub::Hub(RobotPort& robot, HubOptions options)
     : state_(std::make_unique<HubState>(robot, std::move(options))) {}

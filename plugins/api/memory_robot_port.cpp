@@ -73,6 +73,8 @@ MemoryRobotPort::MemoryRobotPort(msgclient::Client& client, const urdf::RobotMod
       orders_(client.write_queue<PluginRequest>("api_plugin_request")),
       order_answers_(client.read_stream<PluginAnswer>("plugin_answer")),
       statistics_(client.read<PluginStatistics>("plugin_statistics")),
+      motion_requests_(client.write<MotionRequest>("motion_request")),
+      motion_states_(client.read<MotionState>("motion_state")),
       last_number_(std::random_device{}()) {  // answers to a process before this one are not ours
   for (const urdf::Joint& joint : robot.joints) {
     joints_.push_back({joint.name, joint.lower_rad, joint.upper_rad});
@@ -144,6 +146,49 @@ std::optional<std::uint32_t> MemoryRobotPort::move_joint(int joint, double posit
   return push(command);
 }
 
+std::optional<std::uint32_t> MemoryRobotPort::play_motion(std::string_view name) {
+  if (name.empty() && motions_awaited_.empty()) {
+    MotionState state{};
+    static_cast<void>(motion_states_.read(state));
+    if (state.state == 0) {
+      return std::nullopt;  // nothing to leave
+    }
+  }
+  MotionRequest request{};
+  last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
+  request.stamp_ns = now_ns();
+  request.number = last_number_;
+  if (!copy_text(std::string(name), request.name)) {
+    return std::nullopt;
+  }
+  motion_requests_.publish(request, request.stamp_ns);
+  motions_awaited_.push_back(last_number_);
+  return last_number_;
+}
+
+// A request that came before another one could be answered was never seen.
+std::optional<OrderResult> MemoryRobotPort::take_motion_answer() {
+  if (motions_awaited_.size() > 1) {
+    const std::uint32_t number = motions_awaited_.front();
+    motions_awaited_.pop_front();
+    return OrderResult{number, false, "another motion was asked for before this one could begin"};
+  }
+  if (motions_awaited_.empty() || motion_states_.newest_sequence() == motion_state_seen_) {
+    return std::nullopt;
+  }
+  MotionState state;
+  const auto read = motion_states_.read(state);
+  if (!read) {
+    return std::nullopt;
+  }
+  motion_state_seen_ = read.sequence;
+  if (state.answered != motions_awaited_.front()) {
+    return std::nullopt;
+  }
+  motions_awaited_.pop_front();
+  return OrderResult{state.answered, state.refused == 0, text_of(state.text)};
+}
+
 std::optional<std::uint32_t> MemoryRobotPort::order(const PluginOrder& order) {
   PluginRequest request{};
   last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
@@ -160,12 +205,16 @@ std::optional<std::uint32_t> MemoryRobotPort::order(const PluginOrder& order) {
 }
 
 std::optional<OrderResult> MemoryRobotPort::take_result() {
+  if (const auto answer = take_motion_answer()) {
+    return answer;
+  }
   UserCommandAnswer answer;
   while (command_answers_.read(answer)) {
     if (awaited_.erase(answer.number) != 0) {
       const auto reason = static_cast<msgclient::Reason>(answer.reason);
-      return OrderResult{answer.number, reason == msgclient::Reason::none,
-                         std::string(msgclient::reason_text(reason))};
+      return OrderResult{
+          answer.number, reason == msgclient::Reason::none,
+          reason == msgclient::Reason::none ? "" : std::string(msgclient::reason_text(reason))};
     }
   }
   PluginAnswer done;

@@ -51,6 +51,13 @@ void RobotCommands::stand(Claimant& claimant, std::int64_t now_ns) {
   demand(claimant, now_ns);
   walks_ = false;
   robot_.stand();
+  static_cast<void>(robot_.play_motion(""));
+}
+
+std::optional<std::uint32_t> RobotCommands::play_motion(Claimant& claimant, const std::string& name,
+                                                        std::int64_t now_ns) {
+  demand(claimant, now_ns);
+  return robot_.play_motion(name);
 }
 
 std::optional<std::uint32_t> RobotCommands::move_joint(Claimant& claimant, int joint, double position_rad,

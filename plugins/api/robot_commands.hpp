@@ -26,9 +26,8 @@ class RobotCommands {
   void stand(Claimant& claimant, std::int64_t now_ns);
   std::optional<std::uint32_t> move_joint(Claimant& claimant, int joint, double position_rad,
                                           double duration_s, std::int64_t now_ns);
+  std::optional<std::uint32_t> play_motion(Claimant& claimant, const std::string& name, std::int64_t now_ns);
   std::optional<std::uint32_t> order(Claimant& claimant, const PluginOrder& order, std::int64_t now_ns);
-  // A command that the robot cannot carry out still needs the command.
-  void demand(Claimant& claimant, std::int64_t now_ns);
 
   // For everybody: nobody else has the command afterwards, and nothing walks on.
   std::optional<std::uint32_t> stop(Claimant& by);
@@ -46,6 +45,7 @@ class RobotCommands {
   [[nodiscard]] const Authority& authority() const noexcept { return authority_; }
 
  private:
+  void demand(Claimant& claimant, std::int64_t now_ns);
   void end_walk();
 
   RobotPort& robot_;

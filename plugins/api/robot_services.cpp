@@ -85,7 +85,7 @@ void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order
 void ServiceDesk::stand(const Caller& caller) {
   static_cast<void>(request<ros::Trigger>(caller));
   commands_.stand(caller.claimant, caller.now_ns);
-  reply(caller.call, ros::Trigger::Response{true, "the walk ends by the next steps"});
+  reply(caller.call, ros::Trigger::Response{true, "a walk ends by the next steps, a motion by its way out"});
 }
 
 // A stop is carried out whatever is wrong with its arguments, and however many answers are waited for.
@@ -128,19 +128,14 @@ void ServiceDesk::move_joint(const Caller& caller) {
 }
 
 void ServiceDesk::play_motion(const Caller& caller) {
+  constexpr std::size_t kMostNameBytesOfMotion = 47;
   const auto asked = request<ros::PlayMotion>(caller);
-  commands_.demand(caller.claimant, caller.now_ns);
-  if (std::find(motions_.begin(), motions_.end(), asked.motion) != motions_.end()) {
-    throw CommandDenied("the motion " + shown(asked.motion) + " cannot be played by way of the API");
+  require_short("motion", asked.motion, kMostNameBytesOfMotion);
+  if (asked.motion.empty()) {
+    throw Refused("motion is empty, but must be the name of one; /stand leaves the one that plays");
   }
-  if (motions_.empty()) {
-    throw CommandDenied("this robot has no motions");
-  }
-  std::string known;
-  for (const std::string& motion : motions_) {
-    known += (known.empty() ? "" : ", ") + shown(motion);
-  }
-  throw CommandDenied("motion is " + shown(asked.motion) + ", but must be one of: " + known);
+  orders_.require_room(caller.call.client);
+  await<ros::PlayMotion>(caller, commands_.play_motion(caller.claimant, asked.motion, caller.now_ns));
 }
 
 void ServiceDesk::start_recording(const Caller& caller) {

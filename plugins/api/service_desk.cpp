@@ -16,12 +16,11 @@ const ServiceRow* find_service(std::string_view name) noexcept {
 }
 
 ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits,
-                         ParameterValues parameters, std::vector<std::string> motions, Send send)
+                         ParameterValues parameters, Send send)
     : robot_(robot),
       commands_(commands),
       limits_(limits),
       parameters_(std::move(parameters)),
-      motions_(std::move(motions)),
       send_(std::move(send)),
       rosapi_(robot_, parameters_),
       orders_(robot_) {}

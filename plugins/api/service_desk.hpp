@@ -28,7 +28,7 @@ class ServiceDesk {
   using Send = std::function<void(const ServiceCall& call, Frame frame)>;
 
   ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits, ParameterValues parameters,
-              std::vector<std::string> motions, Send send);
+              Send send);
   ServiceDesk(const ServiceDesk&) = delete;
   ServiceDesk& operator=(const ServiceDesk&) = delete;
 
@@ -96,7 +96,6 @@ class ServiceDesk {
   RobotCommands& commands_;
   Limits limits_;
   ParameterValues parameters_;
-  std::vector<std::string> motions_;
   Send send_;
   Rosapi rosapi_;
   Orders orders_;

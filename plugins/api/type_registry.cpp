@@ -89,8 +89,8 @@ void add_services(TypeRegistry& registry) {
 
 void add_all_messages(TypeRegistry& registry) {
   using namespace ros;
-  add_messages<Clock, DiagnosticArray, Imu, JointState, Log, Odometry, PointStamped, PoseArray, String,
-               TFMessage, Twist, WrenchStamped>(registry);
+  add_messages<Clock, DiagnosticArray, Imu, JointState, Log, MotionState, Odometry, PointStamped, PoseArray,
+               String, TFMessage, Twist, WrenchStamped>(registry);
 }
 
 void add_all_services(TypeRegistry& registry) {

@@ -10,6 +10,7 @@
 namespace gaitway::kinematics {
 namespace {
 
+constexpr std::uint8_t kBothFeet = 2;
 constexpr int kKnotSpacing = 4;  // points of the tail from one placement of the base to the next
 
 // Quadratic through three values at the points a, b, c, evaluated at t; they may be equal or lie anywhere.
@@ -36,6 +37,27 @@ PlanPoint point_of(const MotionPlan& plan, int point, const BaseOffset& correcti
   return result;
 }
 
+// The stand in which the motion begins and ends, at each point of the plan.
+void stand_still(const MotionPlan& plan, const PosturePlan& posture, MotionPlan& stand) noexcept {
+  stand.sequence = plan.sequence;
+  stand.tail_count = plan.tail_count;
+  stand.start_ns = plan.start_ns;
+  for (std::size_t point = 0; point < kBatchPoints + plan.tail_count; ++point) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      stand.com[point][axis] = stand.zmp[point][axis] = posture.stand_com[axis];
+    }
+    stand.hip_height[point] = posture.stand_hip_height;
+    stand.base_yaw[point] = stand.commanded_yaw[point] = posture.stand_yaw;
+    for (std::size_t side = 0; side < 2; ++side) {
+      stand.foot_position[point][side][0] = posture.stand_foot[side][0];
+      stand.foot_position[point][side][1] = posture.stand_foot[side][1];
+      stand.foot_position[point][side][2] = 0.0;
+      stand.foot_yaw[point][side] = posture.stand_foot[side][2];
+    }
+    stand.support[point] = kBothFeet;
+  }
+}
+
 BatchOutcome leg_failure(int point, const BothLegs& legs) noexcept {
   const bool left = !legs[0].reached();
   return {BatchOutcome::Kind::leg_unreachable, point, left ? urdf::Side::left : urdf::Side::right,
@@ -55,8 +77,9 @@ struct BatchSolver::Run {
   }
 };
 
-BatchSolver::BatchSolver(const urdf::RobotModel& model, SolverChoice choice)
+BatchSolver::BatchSolver(const urdf::RobotModel& model, SolverChoice choice, bool compensate_load)
     : model_(model), placement_(model_, choice) {
+  if (compensate_load) load_compensation_ = std::make_unique<LoadCompensation>(model_);
   if (model_.joints.size() > static_cast<std::size_t>(kMaxJoints)) {
     throw urdf::RobotError(fmt::format("{}: {} joints; a joint plan holds at most {}", model_.name,
                                        model_.joints.size(), kMaxJoints));
@@ -64,14 +87,58 @@ BatchSolver::BatchSolver(const urdf::RobotModel& model, SolverChoice choice)
   for (const urdf::Joint& joint : model_.joints) home_rad_.push_back(static_cast<float>(joint.home_rad));
 }
 
-BatchOutcome BatchSolver::solve(const MotionPlan& plan, const BaseOffset& correction, JointPlan& joint_plan) {
+BatchOutcome BatchSolver::solve(const MotionPlan& plan, const BaseOffset& correction, JointPlan& joint_plan,
+                                std::span<const double> reference_rad, const PosturePlan* posture) {
   if (plan.tail_count > static_cast<std::uint32_t>(kMaxTailPoints)) {
     return {BatchOutcome::Kind::too_many_points, static_cast<int>(plan.tail_count), urdf::Side::left, {}};
   }
+  if (posture == nullptr) return solve_standing_or_walking(plan, correction, joint_plan, reference_rad);
+  if (posture->sequence != plan.sequence || posture->tail_count != plan.tail_count ||
+      posture->joint_count != home_rad_.size()) {
+    return {BatchOutcome::Kind::no_posture, 0, urdf::Side::left, {}};
+  }
+  if (posture->from_home != 0) {
+    stand_at_home(plan, joint_plan);
+  } else {
+    stand_still(plan, *posture, *stand_);
+    const BatchOutcome outcome = solve_standing_or_walking(*stand_, correction, joint_plan, reference_rad);
+    if (!outcome.solved()) return outcome;
+  }
+  for (std::size_t point = 0; point < kBatchPoints + plan.tail_count; ++point) {
+    for (std::size_t joint = 0; joint < home_rad_.size(); ++joint) {
+      joint_plan.position[point][joint] += posture->offset[point][joint];
+    }
+    joint_plan.support[point] = std::min<std::uint8_t>(plan.support[point], kBothFeet);
+  }
+  return {};
+}
+
+// A robot that gets up has no stand whose references could be held: it is at the home angles, and what is
+// known of the batch before is forgotten.
+void BatchSolver::stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) noexcept {
+  for (std::size_t point = 0; point < kBatchPoints + plan.tail_count; ++point) {
+    std::memcpy(joint_plan.position[point], home_rad_.data(), home_rad_.size() * sizeof(float));
+  }
+  joint_plan.sequence = plan.sequence;
+  joint_plan.joint_count = static_cast<std::uint32_t>(home_rad_.size());
+  joint_plan.tail_count = plan.tail_count;
+  joint_plan.reserved = 0;
+  fade_ = CorrectionFade{};
+  sequence_ = 0;
+  if (load_compensation_) load_compensation_->begin_anew();
+}
+
+BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, const BaseOffset& correction,
+                                                    JointPlan& joint_plan,
+                                                    std::span<const double> reference_rad) {
   Run run{plan, joint_plan, fade_};
   run.fade.begin(plan.sequence, kBatchPoints, plan.tail_count, correction);
   if (const BatchOutcome outcome = solve_batch(run); !outcome.solved()) return outcome;
   if (const BatchOutcome outcome = solve_tail(run); !outcome.solved()) return outcome;
+  if (load_compensation_) {
+    load_compensation_->apply(plan, sequence_ != 0 && plan.sequence == sequence_ + 1, reference_rad,
+                              joint_plan);
+  }
 
   joint_plan.sequence = plan.sequence;
   joint_plan.joint_count = static_cast<std::uint32_t>(home_rad_.size());
@@ -94,6 +161,7 @@ BatchOutcome BatchSolver::solve_point(Run& run, int point, const Eigen::Vector2d
   }
   knot = {static_cast<double>(point), result.offset_m, result.refined_m};
   write(run.joint_plan, point, result.legs);
+  note_base(run.at(point), frames, result.offset_m, point);
   return {};
 }
 
@@ -137,13 +205,27 @@ BatchOutcome BatchSolver::solve_tail(Run& run) {
       const QuadraticWeights between(knots[1].point, knots[2].point, knot.point, point);
       const Eigen::Vector2d offset =
           between.first * knots[1].used_m + between.second * knots[2].used_m + between.third * knot.used_m;
-      const BothLegs legs = placement_.place(placement_.frames(run.at(point)), offset);
+      const PlanPoint planned = run.at(point);
+      const PointFrames frames = placement_.frames(planned);
+      const BothLegs legs = placement_.place(frames, offset);
       if (!legs[0].reached() || !legs[1].reached()) return leg_failure(point, legs);
       write(run.joint_plan, point, legs);
+      note_base(planned, frames, offset, point);
     }
     knots = {knots[1], knots[2], knot};
   }
   return {};
+}
+
+void BatchSolver::note_base(const PlanPoint& planned, const PointFrames& frames,
+                            const Eigen::Vector2d& offset_m, int point) noexcept {
+  if (!load_compensation_) return;
+  const Eigen::AngleAxisd heading(planned.base_yaw_rad, Eigen::Vector3d::UnitZ());
+  const Eigen::Vector2d beside = planned.com_offset_m + offset_m;
+  Eigen::Isometry3d& base = load_compensation_->base(point);
+  base.linear() = heading * frames.heading_from_base;
+  base.translation() = heading * Eigen::Vector3d(beside.x(), beside.y(), frames.base_height_m) +
+                       Eigen::Vector3d(planned.com_m.x(), planned.com_m.y(), 0.0);
 }
 
 void BatchSolver::write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept {
@@ -157,7 +239,8 @@ void BatchSolver::write(JointPlan& joint_plan, int point, const BothLegs& legs) 
 }
 
 bool BatchSolver::plan_batch(std::uint32_t sequence, const MotionPlan& plan, const Correction& correction,
-                             JointPlan& joint_plan) {
+                             JointPlan& joint_plan, std::span<const double> reference_rad,
+                             const PosturePlan* posture) {
   if (plan.sequence != sequence) {
     joint_plan.sequence = 0;
     joint_plan.joint_count = 0;
@@ -166,7 +249,7 @@ bool BatchSolver::plan_batch(std::uint32_t sequence, const MotionPlan& plan, con
   }
   const BaseOffset offset{{correction.com_offset[0], correction.com_offset[1]},
                           {correction.base_attitude_offset[0], correction.base_attitude_offset[1]}};
-  const BatchOutcome outcome = solve(plan, offset, joint_plan);
+  const BatchOutcome outcome = solve(plan, offset, joint_plan, reference_rad, posture);
   if (!outcome.solved()) {
     throw std::runtime_error("batch " + std::to_string(sequence) + ": " + describe(outcome));
   }
@@ -187,6 +270,8 @@ std::string BatchSolver::describe(const BatchOutcome& outcome) const {
     case BatchOutcome::Kind::com_not_placed:
       return fmt::format("{}: no base position brings the centre of mass to the planned point",
                          where(outcome.point));
+    case BatchOutcome::Kind::no_posture:
+      return "motion_plan: a motion plays, but posture_plan is not of the same batch, tail and robot";
     case BatchOutcome::Kind::leg_unreachable:
       break;
   }

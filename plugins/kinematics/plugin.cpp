@@ -16,21 +16,25 @@ class Kinematics final : public Plugin {
  public:
   explicit Kinematics(Setup& setup)
       : solver_(urdf::load_robot(setup.robot_directory()),
-                solver_choice(setup.parameter("solver", std::string("auto")))),
+                solver_choice(setup.parameter("solver", std::string("auto"))),
+                setup.parameter("compensate_load", true)),
         motion_plan_(setup.reads<MotionPlan>("motion_plan")),
+        posture_plan_(setup.reads_optional<PosturePlan>("posture_plan")),
         correction_(setup.reads_optional<Correction>("correction")),
+        joint_states_(setup.reads_optional<JointStates>("joint_states")),
         joint_plan_(setup.writes<JointPlan>("joint_plan")) {
     setup.period(Period::batch);
   }
 
   // Throws if a foot pose cannot be reached: the batch is not handed over then, and the safe tail plays on.
   void step(const Tick& tick) override {
-    solver_.plan_batch(tick.batch_sequence, motion_plan_.read(), correction_at(tick.now_ns),
-                       joint_plan_.value());
+    const MotionPlan& plan = motion_plan_.read();
+    solver_.plan_batch(tick.batch_sequence, plan, correction_at(tick.now_ns), joint_plan_.value(),
+                       references(), plan.motion != 0 ? &posture_plan_.read() : nullptr);
     joint_plan_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 2; }
   void save_state(StateWriter& state) const override { state(solver_); }
   void restore_state(StateReader& state) override { state(solver_); }
 
@@ -40,9 +44,17 @@ class Kinematics final : public Plugin {
     return asked ? correction_.read() : Correction{};
   }
 
+  std::span<const double> references() {
+    if (!joint_states_.has_value()) return {};
+    const JointStates& joints = joint_states_.read();
+    return {joints.reference_position, joints.joint_count};
+  }
+
   BatchSolver solver_;
   Input<MotionPlan> motion_plan_;
+  Input<PosturePlan> posture_plan_;
   Input<Correction> correction_;
+  Input<JointStates> joint_states_;
   Output<JointPlan> joint_plan_;
 };
 

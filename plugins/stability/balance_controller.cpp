@@ -2,11 +2,17 @@
 #include "gaitway/stability/balance_controller.hpp"
 
 #include <cmath>
+#include <cstring>
+
+#include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::stability {
 namespace {
 
 constexpr double kTick_s = 0.010;
+constexpr std::uint32_t kUpright = 0;  // Estimate::fall
+// A trunk that is to lean further is not balanced: near 90° roll and pitch do not say which way it falls.
+constexpr double kMostLean_rad = 1.0;
 constexpr std::int64_t kNetworkLifetime_ns = 50'000'000;
 
 const BalanceParameters& checked(const BalanceParameters& parameters) {
@@ -20,25 +26,41 @@ std::optional<std::uint32_t> accepted_sequence(const NetworkState* network, std:
   return network->accepted_sequence;
 }
 
-msgclient::TrunkMotion motion_of(const Estimate& estimate) noexcept {
-  return {estimate.attitude[0], estimate.attitude[1], estimate.angular_velocity[0],
-          estimate.angular_velocity[1]};
+bool leans_little(const PlanMoment& meant) noexcept {
+  return std::cos(meant.trunk_attitude_rad[0]) * std::cos(meant.trunk_attitude_rad[1]) >
+         std::cos(kMostLean_rad);
+}
+
+// As far as it is not what a key-frame motion wants.
+msgclient::TrunkMotion motion_of(const Estimate& estimate, const PlanMoment& meant) noexcept {
+  return {estimate.attitude[0] - meant.trunk_attitude_rad[0],
+          estimate.attitude[1] - meant.trunk_attitude_rad[1],
+          estimate.angular_velocity[0] - meant.trunk_rate_rad_per_s[0],
+          estimate.angular_velocity[1] - meant.trunk_rate_rad_per_s[1]};
 }
 
 }  // namespace
 
 BalanceController::BalanceController(const urdf::RobotModel& model, const BalanceParameters& parameters)
-    : parameters_(checked(parameters)), trims_(model, parameters), heading_(parameters), lean_(parameters) {}
+    : parameters_(checked(parameters)),
+      trims_(model, parameters),
+      heading_(parameters),
+      speed_(parameters),
+      lean_(parameters, urdf::home_com_height_m(model)),
+      fall_reaction_(parameters.fall_softness) {}
 
-bool BalanceController::is_usable(const Estimate* estimate, std::int64_t now_ns) const noexcept {
+bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& meant,
+                                  std::int64_t now_ns) const noexcept {
   if (estimate == nullptr) return false;
   if (static_cast<double>(now_ns - estimate->stamp_ns) * 1e-9 > parameters_.estimate_lifetime_s) return false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(estimate->attitude[axis]) || !std::isfinite(estimate->angular_velocity[axis]))
       return false;
   }
-  return std::abs(estimate->attitude[0]) < parameters_.fallen_at_rad &&
-         std::abs(estimate->attitude[1]) < parameters_.fallen_at_rad;
+  // A motion that gets up is balanced before the robot counts as upright again.
+  return (estimate->fall == kUpright || meant.motion) &&
+         std::abs(estimate->attitude[0] - meant.trunk_attitude_rad[0]) < parameters_.fallen_at_rad &&
+         std::abs(estimate->attitude[1] - meant.trunk_attitude_rad[1]) < parameters_.fallen_at_rad;
 }
 
 bool BalanceController::is_airborne(const Estimate& estimate) noexcept {
@@ -49,6 +71,7 @@ bool BalanceController::is_airborne(const Estimate& estimate) noexcept {
 
 std::optional<std::size_t> BalanceController::support_of(const std::optional<PlanMoment>& moment,
                                                          const Estimate& estimate) noexcept {
+  if (moment && moment->support > kBothFeet) return std::nullopt;
   if (moment) return moment->support;
   const bool left = estimate.contact[0] != 0;
   const bool right = estimate.contact[1] != 0;
@@ -65,30 +88,42 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
   correction = Correction{};
   correction.stamp_ns = now_ns;
   trim.stamp_ns = now_ns;
-  if (!is_usable(inputs.estimate, now_ns)) {
+  // Without an estimate nothing is known of a fall: the softness stays.
+  if (inputs.estimate != nullptr)
+    trim.softness = fall_reaction_.update(inputs.estimate->fall, moment && moment->on_ground);
+  const PlanMoment meant = moment.value_or(PlanMoment{});
+  if (!is_usable(inputs.estimate, meant, now_ns)) {
     trims_.update(std::nullopt, kBothFeet, trim);
     heading_.pause();
+    speed_.pause();
     lean_.fade();
   } else {
     const Estimate& estimate = *inputs.estimate;
     const std::optional<std::size_t> support = support_of(moment, estimate);
-    const bool grounded = !is_airborne(estimate) && support.has_value();
-    trims_.update(grounded ? std::optional(motion_of(estimate)) : std::nullopt, support.value_or(kBothFeet),
-                  trim);
-    if (grounded) {
-      lean_.update(estimate.attitude[0], estimate.attitude[1]);
-    } else {
+    const bool grounded = !is_airborne(estimate) && support.has_value() && leans_little(meant);
+    trims_.update(grounded ? std::optional(motion_of(estimate, meant)) : std::nullopt,
+                  support.value_or(kBothFeet), trim);
+    if (grounded && !meant.motion) {
+      lean_.update(estimate.attitude[0], estimate.attitude[1], meant.walking);
+    } else if (!grounded) {
       lean_.fade();
     }
     if (grounded && moment) {
       correction.turn_rate_offset =
-          heading_.update(estimate.attitude[2], moment->base_yaw_rad, moment->walking);
+          heading_.update(estimate.attitude[2], moment->commanded_yaw_rad, moment->walking);
+      const Eigen::Map<const Eigen::Vector2d> com_velocity(estimate.com_velocity);
+      Eigen::Map<Eigen::Vector2d>(correction.velocity_offset) =
+          speed_.update(moment->com_velocity_m_per_s, com_velocity, moment->walking);
     } else {
       heading_.pause();
+      speed_.pause();
     }
   }
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  if (!timeline_.newest_stays_upright()) std::memset(trim.gain, 0, sizeof trim.gain);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
     correction.base_attitude_offset[axis] = lean_.offset_rad()[axis];
+    correction.com_offset[axis] = lean_.com_offset_m()[axis];
+  }
 }
 
 }  // namespace gaitway::stability

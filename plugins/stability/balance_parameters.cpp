@@ -37,10 +37,14 @@ void BalanceParameters::validate() const {
   require_range("fallen_at", fallen_at_rad, 0.1, 1.5);
   require_range("airborne_after", airborne_after_s, 0.0, 5.0);
   require_range("estimate_lifetime", estimate_lifetime_s, 0.02, 1.0);
+  require_range("fall_softness", fall_softness, 0.0, 1.0);
   require_range("heading_gain", heading_gain_per_s, 0.0, 5.0);
   require_range("heading_limit", heading_limit_rad_per_s, 0.0, 1.0);
   require_range("heading_filter", heading_filter_s, 0.0, 5.0);
+  require_range("speed_filter", speed_filter_s, 0.0, 20.0);
+  require_range("speed_limit", speed_limit_m_per_s, 0.0, 0.5);
   require_range("lean_gain", lean_gain_per_s, 0.0, 5.0);
+  require_range("walking_lean_gain", walking_lean_gain_per_s, 0.0, 5.0);
   require_range("lean_limit", lean_limit_rad, 0.0, 0.3);
 }
 

@@ -1,4 +1,4 @@
-// Slip, corrections, error.
+// The way strayed so far, filtered, times the gain.
 #include "gaitway/stability/heading_feedback.hpp"
 
 #include <algorithm>
@@ -17,17 +17,15 @@ HeadingFeedback::HeadingFeedback(const BalanceParameters& parameters) noexcept
       limit_rad_per_s_(parameters.heading_limit_rad_per_s),
       filter_s_(parameters.heading_filter_s) {}
 
-double HeadingFeedback::update(double measured_yaw_rad, double planned_yaw_rad, bool walking) noexcept {
-  const double difference = measured_yaw_rad - planned_yaw_rad;
+double HeadingFeedback::update(double measured_yaw_rad, double commanded_yaw_rad, bool walking) noexcept {
+  const double difference = measured_yaw_rad - commanded_yaw_rad;
   if (last_difference_rad_ && std::abs(difference - *last_difference_rad_) < kPlanJump_rad) {
-    slip_rad_ += difference - *last_difference_rad_;
+    strayed_rad_ += difference - *last_difference_rad_;
   }
   last_difference_rad_ = difference;
-  error_rad_ += kTick_s / (filter_s_ + kTick_s) * (-(slip_rad_ + corrected_rad_) - error_rad_);
+  error_rad_ += kTick_s / (filter_s_ + kTick_s) * (-strayed_rad_ - error_rad_);
   if (!walking) return 0.0;
-  const double turn_rate = std::clamp(gain_per_s_ * error_rad_, -limit_rad_per_s_, limit_rad_per_s_);
-  corrected_rad_ += turn_rate * kTick_s;
-  return turn_rate;
+  return std::clamp(gain_per_s_ * error_rad_, -limit_rad_per_s_, limit_rad_per_s_);
 }
 
 }  // namespace gaitway::stability

@@ -11,11 +11,12 @@ constexpr double kFadePerTick = 0.995;  // half in 1.4 s
 
 }  // namespace
 
-void LeanIntegrator::update(double roll_rad, double pitch_rad) noexcept {
+void LeanIntegrator::update(double roll_rad, double pitch_rad, bool walking) noexcept {
+  const double gain_per_s = walking ? walking_gain_per_s_ : gain_per_s_;
   const std::array<double, 2> lean{roll_rad - reference_rad_[0], pitch_rad - reference_rad_[1]};
   for (std::size_t axis = 0; axis < lean.size(); ++axis) {
     offset_rad_[axis] =
-        std::clamp(offset_rad_[axis] - gain_per_s_ * kTick_s * lean[axis], -limit_rad_, limit_rad_);
+        std::clamp(offset_rad_[axis] - gain_per_s * kTick_s * lean[axis], -limit_rad_, limit_rad_);
   }
 }
 

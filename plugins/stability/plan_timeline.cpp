@@ -1,6 +1,7 @@
 // A small ring of excerpts.
 #include "gaitway/stability/plan_timeline.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -8,22 +9,39 @@ namespace gaitway::stability {
 namespace {
 
 constexpr std::int64_t kPoint_ns = 10'000'000;
+constexpr double kPoint_s = 0.010;
+// A trunk that leans less may be balanced as if it were upright: the trims for it are small.
+constexpr double kUpright_rad = 0.05;
+constexpr std::size_t kMostSupport = 2;  // both feet; beyond it neither is meant to carry
 
 }  // namespace
 
 void PlanTimeline::take(const MotionPlan& plan) noexcept {
   if (plan.sequence == 0) return;
   const std::uint32_t count = kBatchPoints + std::min<std::uint32_t>(plan.tail_count, kMaxTailPoints);
-  if (!std::all_of(plan.base_yaw, plan.base_yaw + count, [](double yaw) { return std::isfinite(yaw); }))
-    return;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!std::isfinite(plan.commanded_yaw[i] + plan.base_yaw[i] + plan.com_velocity[i][0] +
+                       plan.com_velocity[i][1] + plan.trunk_attitude[i][0] + plan.trunk_attitude[i][1]))
+      return;
+  }
   if (kept_[newest_].sequence != plan.sequence) newest_ = (newest_ + 1) % kKept;
   Excerpt& excerpt = kept_[newest_];
   excerpt.sequence = plan.sequence;
   excerpt.count = count;
   excerpt.start_ns = plan.start_ns;
   excerpt.walking = plan.footstep_count > 0;
+  excerpt.motion = plan.motion != 0;
+  upright_ = true;
   std::copy_n(plan.support, count, excerpt.support.begin());
-  std::copy_n(plan.base_yaw, count, excerpt.base_yaw_rad.begin());
+  std::copy_n(plan.commanded_yaw, count, excerpt.commanded_yaw_rad.begin());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Eigen::Rotation2Dd to_base(-plan.base_yaw[i]);
+    const Eigen::Vector2d velocity =
+        to_base * Eigen::Vector2d(plan.com_velocity[i][0], plan.com_velocity[i][1]);
+    excerpt.com_velocity_m_per_s[i] = {velocity.x(), velocity.y()};
+    excerpt.trunk_attitude_rad[i] = {plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]};
+    upright_ = upright_ && std::hypot(plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]) < kUpright_rad;
+  }
 }
 
 std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
@@ -36,11 +54,18 @@ std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
     const std::int64_t slot =
         (now_ns - excerpt.start_ns) / kPoint_ns;  // point i is reached at the end of slot i
     PlanMoment moment;
-    moment.support =
-        std::min<std::size_t>(excerpt.support[static_cast<std::size_t>(std::min(slot, last))], 2);
-    moment.base_yaw_rad =
-        excerpt.base_yaw_rad[static_cast<std::size_t>(std::clamp<std::int64_t>(slot - 1, 0, last))];
+    const std::size_t support = excerpt.support[static_cast<std::size_t>(std::min(slot, last))];
+    moment.support = std::min(support, kMostSupport + 1);
+    moment.on_ground = support > kMostSupport && slot <= last;
+    const auto reached = static_cast<std::size_t>(std::clamp<std::int64_t>(slot - 1, 0, last));
+    moment.commanded_yaw_rad = excerpt.commanded_yaw_rad[reached];
+    moment.com_velocity_m_per_s = Eigen::Vector2d(excerpt.com_velocity_m_per_s[reached].data());
     moment.walking = excerpt.walking && slot <= last;
+    moment.motion = excerpt.motion && slot <= last;
+    moment.trunk_attitude_rad = Eigen::Vector2d(excerpt.trunk_attitude_rad[reached].data());
+    const std::size_t before = reached == 0 ? 0 : reached - 1;
+    moment.trunk_rate_rad_per_s =
+        (moment.trunk_attitude_rad - Eigen::Vector2d(excerpt.trunk_attitude_rad[before].data())) / kPoint_s;
     return moment;
   }
   return std::nullopt;

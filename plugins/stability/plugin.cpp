@@ -26,10 +26,14 @@ BalanceParameters parameters_of(Setup& setup) {
   p.fallen_at_rad = setup.parameter("fallen_at", p.fallen_at_rad, "rad");
   p.airborne_after_s = setup.parameter("airborne_after", p.airborne_after_s, "s");
   p.estimate_lifetime_s = setup.parameter("estimate_lifetime", p.estimate_lifetime_s, "s");
+  p.fall_softness = setup.parameter("fall_softness", p.fall_softness, "1");
   p.heading_gain_per_s = setup.parameter("heading_gain", p.heading_gain_per_s, "1/s");
   p.heading_limit_rad_per_s = setup.parameter("heading_limit", p.heading_limit_rad_per_s, "rad/s");
   p.heading_filter_s = setup.parameter("heading_filter", p.heading_filter_s, "s");
+  p.speed_filter_s = setup.parameter("speed_filter", p.speed_filter_s, "s");
+  p.speed_limit_m_per_s = setup.parameter("speed_limit", p.speed_limit_m_per_s, "m/s");
   p.lean_gain_per_s = setup.parameter("lean_gain", p.lean_gain_per_s, "1/s");
+  p.walking_lean_gain_per_s = setup.parameter("walking_lean_gain", p.walking_lean_gain_per_s, "1/s");
   p.lean_limit_rad = setup.parameter("lean_limit", p.lean_limit_rad, "rad");
   return p;
 }
@@ -59,7 +63,7 @@ class Stability final : public Plugin {
     correction_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 3; }
   void save_state(StateWriter& state) const override { state(controller_); }
   void restore_state(StateReader& state) override { state(controller_); }
 

@@ -54,6 +54,11 @@ int GaitParameters::preview_points() const noexcept {
 int GaitParameters::absorb_points() const noexcept {
   return whole_points(absorb_s);
 }
+double GaitParameters::hip_height_at_m(double forward_m_per_s) const noexcept {
+  const double share =
+      (std::abs(forward_m_per_s) - slow_speed_m_per_s) / (fast_speed_m_per_s - slow_speed_m_per_s);
+  return hip_height_m - std::clamp(share, 0.0, 1.0) * (hip_height_m - fast_hip_height_m);
+}
 int GaitParameters::longest_tail_points() const noexcept {
   return swing_points() + step_points() + settle_points();
 }
@@ -61,6 +66,10 @@ int GaitParameters::longest_tail_points() const noexcept {
 void GaitParameters::validate() const {
   require_within(com_height_m, 0.05, 2.0, "com_height", "m");
   require_within(hip_height_m, 0.05, 2.0, "hip_height", "m");
+  require_within(fast_hip_height_m, 0.05, hip_height_m, "fast_hip_height", "m");
+  require_within(slow_speed_m_per_s, 0.0, 2.0, "slow_speed", "m/s");
+  require_within(fast_speed_m_per_s, slow_speed_m_per_s + 0.01, 3.0, "fast_speed", "m/s");
+  require_within(swing_moment_s2, 0.0, 0.05, "swing_moment", "s^2");
   require_within(step_time_s, 0.20, 1.0, "step_time", "s");
   require_within(double_support_share, 0.05, 0.6, "double_support_share", "1");
   require_within(lead_in_s, 0.1, 2.0, "lead_in", "s");

@@ -1,7 +1,16 @@
-// The plug-in `trajectory`: connects the walking pattern to its topics.
+// The plug-in `trajectory`: connects the walking pattern and the player of motions to their topics.
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
 #include "gaitway/core/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/process/installation.hpp"
 #include "gaitway/trajectory/limit_report.hpp"
+#include "gaitway/trajectory/motion_desk.hpp"
+#include "gaitway/trajectory/motion_player.hpp"
+#include "gaitway/trajectory/motion_table_file.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
 #include "gaitway/trajectory/reach_check.hpp"
 #include "gaitway/trajectory/standing_posture.hpp"
@@ -31,6 +40,10 @@ GaitParameters configured(Setup& setup) {
   set(p.lift_m, "lift", "m");
   set(p.zmp_forward_m, "zmp_forward", "m");
   set(p.zmp_inward_m, "zmp_inward", "m");
+  set(p.fast_hip_height_m, "fast_hip_height", "m");
+  set(p.slow_speed_m_per_s, "slow_speed", "m/s");
+  set(p.fast_speed_m_per_s, "fast_speed", "m/s");
+  set(p.swing_moment_s2, "swing_moment", "s^2");
   set(p.max_step_forward_m, "max_step_forward", "m");
   set(p.max_step_backward_m, "max_step_backward", "m");
   set(p.max_foot_spacing_m, "max_foot_spacing", "m");
@@ -47,6 +60,38 @@ GaitParameters configured(Setup& setup) {
   return p;
 }
 
+// Beside the robot's description, as an installation has it; or in this code's own installation.
+std::filesystem::path shipped_motions(const std::filesystem::path& robot_directory) {
+  const std::filesystem::path beside = robot_directory.parent_path().parent_path() / "prepared_motions";
+  return std::filesystem::is_directory(beside) ? beside : process::prepared_motion_directory();
+}
+
+// The prepared motions of the folder that the parameter names. One that was prepared for another robot, or
+// for another stand than this configuration's, is left out, and that is reported.
+std::vector<MotionTable> motions_of(Setup& setup, const GaitParameters& parameters) {
+  const std::filesystem::path directory = setup.robot_directory();
+  std::filesystem::path folder =
+      setup.parameter("motions", "", "Folder with prepared motions; empty: those that are shipped");
+  if (folder.empty()) folder = shipped_motions(directory);
+  const urdf::RobotModel robot = urdf::load_robot(directory);
+  const std::uint64_t digest = robot_digest(directory);
+  const bool own_stand = stands_as_described(parameters, with_standing_posture({}, robot));
+  std::vector<MotionTable> motions;
+  for (const std::filesystem::path& file : motion_table_files(folder)) {
+    MotionTable motion = read_motion_table(file);
+    if (motion.robot_digest == digest && own_stand && motion.joint_count == robot.joints.size()) {
+      motions.push_back(std::move(motion));
+      continue;
+    }
+    const std::string text =
+        fmt::format("the motion '{}' cannot be played: it was prepared for {}", motion.name,
+                    own_stand ? "another robot. Prepare it for this one with `gaitway motion prepare`"
+                              : "the robot's standing posture, and the parameters give another one");
+    setup.reporter()(Severity::warning, text.c_str());
+  }
+  return motions;
+}
+
 class Trajectory final : public Plugin {
  public:
   explicit Trajectory(Setup& setup) : Trajectory(setup, configured(setup)) {}
@@ -54,41 +99,88 @@ class Trajectory final : public Plugin {
   void step(const Tick& tick) override {
     MotionPlan& plan = plan_.value();
     const PlanDecision decision = decide(tick);
-    if (decision == PlanDecision::wait) {
+    if (decision != PlanDecision::resume) player_.break_off();
+    if (decision == PlanDecision::begin_anew) pattern_.reset_to_stand(continuity_.restart_stance());
+    const WalkCommand walk = commanded(tick.now_ns);
+    heed_requests(tick, walk, decision);
+    if (decision == PlanDecision::wait || player_.lies()) {
       plan.sequence = 0;
       plan.tail_count = 0;
       plan.footstep_count = 0;
-      plan_.publish();
-      return;
+      plan.motion = 0;
+    } else if (player_.plays()) {
+      player_.plan(tick.batch_sequence, tick.batch_start_ns, plan, posture_.value());
+      continuity_.published(tick.batch_sequence, pattern_.final_stance());
+      posture_.publish();
+    } else {
+      plan_steps(tick, walk, plan);
     }
-    if (decision == PlanDecision::begin_anew) pattern_.reset_to_stand(continuity_.restart_stance());
-    const WalkCommand walk = commanded(tick.now_ns);
-    const Correction correction = correction_.has_value() ? correction_.read() : Correction{};
-    pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction, plan);
-    report_limits(walk);
-    continuity_.published(tick.batch_sequence, pattern_.final_stance());
     plan_.publish();
+    player_.tell(state_.value());
+    state_.value().stamp_ns = tick.now_ns;
+    state_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
-  void save_state(StateWriter& state) const override { state(pattern_, continuity_); }
-  void restore_state(StateReader& state) override { state(pattern_, continuity_); }
+  [[nodiscard]] std::uint32_t state_version() const override { return 3; }
+  void save_state(StateWriter& state) const override {
+    state(pattern_, continuity_, player_, desk_, void_until_ns_);
+  }
+  void restore_state(StateReader& state) override {
+    state(pattern_, continuity_, player_, desk_, void_until_ns_);
+  }
 
  private:
   Trajectory(Setup& setup, const GaitParameters& parameters)
       : pattern_(parameters),
+        player_(motions_of(setup, parameters)),
+        desk_(player_.motions(), urdf::load_robot(setup.robot_directory())),
+        stand_{{}, parameters.stand_com_forward_m, parameters.hip_height_m, parameters.foot_spacing_m},
         limits_(parameters),
         report_(setup.reporter()),
         walk_(setup.reads_optional<WalkCommand>("walk_command")),
+        request_(setup.reads_optional<MotionRequest>("motion_command")),
+        estimate_(setup.reads_optional<Estimate>("estimate")),
+        joints_(setup.reads_optional<JointStates>("joint_states")),
         network_(setup.reads_optional<NetworkState>("network_state")),
         correction_(setup.reads_previous<Correction>("correction")),
-        plan_(setup.writes<MotionPlan>("motion_plan")) {
+        plan_(setup.writes<MotionPlan>("motion_plan")),
+        posture_(setup.writes<PosturePlan>("posture_plan")),
+        state_(setup.writes<gaitway::MotionState>("motion_state")) {
     setup.period(Period::batch);
   }
 
-  // Who commands a walk for a while only must go on commanding it: if it cannot any more, the robot stands.
+  void plan_steps(const Tick& tick, const WalkCommand& walk, MotionPlan& plan) {
+    const Correction correction = correction_.has_value() ? correction_.read() : Correction{};
+    pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction, plan);
+    report_limits(walk);
+    continuity_.published(tick.batch_sequence, pattern_.final_stance());
+  }
+
+  // Who commands a walk while a motion plays means the motion to end.
+  void heed_requests(const Tick& tick, const WalkCommand& walk, PlanDecision decision) {
+    if (player_.plays() && walk.walk != 0) player_.leave();
+    if (!request_.has_value()) return;
+    const MotionCircumstances now{.now_ns = tick.now_ns,
+                                  .follows = decision != PlanDecision::wait,
+                                  .stands = pattern_.state().phase == Phase::stand && walk.walk == 0,
+                                  .estimate = estimate_.has_value() ? &estimate_.read() : nullptr,
+                                  .joints = joints_.has_value() ? &joints_.read() : nullptr};
+    const std::optional<MotionOrder> order = desk_.answer(request_.read(), now, player_, state_.value());
+    if (!order || (order->kind == MotionOrder::Kind::none && state_.value().refused == 0)) return;
+    report_(state_.value().refused != 0 ? Severity::warning : Severity::info,
+            reinterpret_cast<const char*>(state_.value().text));
+    if (order->kind == MotionOrder::Kind::leave) player_.leave();
+    if (order->kind != MotionOrder::Kind::play) return;
+    stand_.middle = middle_of(pattern_.state().feet);
+    player_.start(order->motion, stand_, desk_.offsets(now));
+  }
+
+  // Who commands a walk for a while only must go on commanding it: if it cannot any more, the robot stands. A
+  // command from before a fall, or during it, is void: a robot that has got up does not walk off by itself.
   [[nodiscard]] WalkCommand commanded(std::int64_t now_ns) {
     const WalkCommand command = walk_.has_value() ? walk_.read() : WalkCommand{};
+    if (estimate_.has_value() && estimate_.read().fall != 0) void_until_ns_ = now_ns;
+    if (command.stamp_ns <= void_until_ns_) return WalkCommand{};
     return command.valid_until_ns == 0 || now_ns < command.valid_until_ns ? command : WalkCommand{};
   }
 
@@ -114,17 +206,27 @@ class Trajectory final : public Plugin {
   }
 
   WalkingPattern pattern_;
+  MotionPlayer player_;
+  MotionDesk desk_;
+  Stand stand_;
   LimitReport limits_;
   Reporter report_;
   PlanContinuity continuity_;
   Input<WalkCommand> walk_;
+  Input<MotionRequest> request_;
+  Input<Estimate> estimate_;
+  Input<JointStates> joints_;
   Input<NetworkState> network_;
   Input<Correction> correction_;
+  std::int64_t void_until_ns_ = -1;  // walk commands up to this stamp were given before a fall
   Output<MotionPlan> plan_;
+  Output<PosturePlan> posture_;
+  Output<gaitway::MotionState> state_;
 };
 
 }  // namespace
 }  // namespace gaitway::trajectory
 
-GAITWAY_PLUGIN(gaitway::trajectory::Trajectory, "trajectory", "1.0.0",
-               "Plans footsteps, feet and CoM of the walk, and the safe tail of each batch")
+GAITWAY_PLUGIN(
+    gaitway::trajectory::Trajectory, "trajectory", "1.0.0",
+    "Plans footsteps, feet and CoM of the walk, plays key-frame motions, and gives each batch its safe tail")

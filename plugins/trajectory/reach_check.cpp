@@ -16,6 +16,10 @@
 namespace gaitway::trajectory {
 namespace {
 
+constexpr int kStepParts = 4;  // lengths of steps that are looked at: the hips are lower in a longer one
+// Of what a fast walk lowers the hips, this is still there at the end of a long step in which they rise for a
+// stop.
+constexpr double kLoweredInStop = 0.4;
 constexpr double kInHand_m = 0.002;  // of the leg's length, for balance feedback and the way of the CoM
 
 // Largest and smallest cosine over an interval of angles.
@@ -99,17 +103,22 @@ double farthest_hip_to_ankle_m(const GaitParameters& p, const LegReach& leg, dou
   const double far = farther_share(p);
   const double side = leg.hip_left_m < 0.0 ? -1.0 : 1.0;
   double farthest_m = 0.0;
-  for (const double share : {far, 1.0 - far}) {
-    for (const double turn_rad : {-0.5 * p.max_step_turn_rad, 0.5 * p.max_step_turn_rad}) {
-      for (const double ahead_m : {share * step_forward_m, -share * step_forward_m}) {
-        // In the heading of the base: the CoM keeps over the reference ZMP, the foot is turned against it.
-        const Eigen::Rotation2Dd foot(turn_rad);
-        const Eigen::Vector2d sole = Eigen::Vector2d(ahead_m, side * share * foot_spacing_m) -
-                                     foot * Eigen::Vector2d(p.zmp_forward_m, 0.0);
-        const Eigen::Vector2d ankle = sole + foot * Eigen::Vector2d(leg.ankle_forward_m, leg.ankle_left_m);
-        const Eigen::Vector2d hip(leg.hip_forward_m, leg.hip_left_m);
-        farthest_m =
-            std::max(farthest_m, std::hypot((ankle - hip).norm(), p.hip_height_m - leg.ankle_height_m));
+  for (int part = 0; part <= kStepParts; ++part) {
+    const double step_m = step_forward_m * part / kStepParts;
+    const double lowered_m = p.hip_height_m - p.hip_height_at_m(step_m / p.step_time_s);
+    const double hip_height_m = p.hip_height_m - kLoweredInStop * lowered_m;
+    for (const double share : {far, 1.0 - far}) {
+      for (const double turn_rad : {-0.5 * p.max_step_turn_rad, 0.5 * p.max_step_turn_rad}) {
+        for (const double ahead_m : {share * step_m, -share * step_m}) {
+          // In the heading of the base: the CoM keeps over the reference ZMP, the foot is turned against it.
+          const Eigen::Rotation2Dd foot(turn_rad);
+          const Eigen::Vector2d sole = Eigen::Vector2d(ahead_m, side * share * foot_spacing_m) -
+                                       foot * Eigen::Vector2d(p.zmp_forward_m, 0.0);
+          const Eigen::Vector2d ankle = sole + foot * Eigen::Vector2d(leg.ankle_forward_m, leg.ankle_left_m);
+          const Eigen::Vector2d hip(leg.hip_forward_m, leg.hip_left_m);
+          farthest_m =
+              std::max(farthest_m, std::hypot((ankle - hip).norm(), hip_height_m - leg.ankle_height_m));
+        }
       }
     }
   }
@@ -145,14 +154,14 @@ void require_reachable(const GaitParameters& p, const urdf::RobotModel& robot) {
       refuse("max_step_backward", p.max_step_backward_m, rule(p.max_step_backward_m, p.max_foot_spacing_m),
              "Lower max_step_backward, max_foot_spacing or hip_height");
     }
-    const double folded_m = p.hip_height_m - leg.ankle_height_m - p.lift_m;
+    const double folded_m = p.fast_hip_height_m - leg.ankle_height_m - p.lift_m;
     if (folded_m < leg.shortest_m + kInHand_m) {
-      refuse(
-          "lift", p.lift_m,
-          fmt::format("with hip_height = {:.4g} m, hip and ankle come as near as {:.4g} m, but the leg folds "
-                      "to {:.4g} m",
-                      p.hip_height_m, folded_m, leg.shortest_m + kInHand_m),
-          "Lower lift or raise hip_height");
+      refuse("lift", p.lift_m,
+             fmt::format(
+                 "with fast_hip_height = {:.4g} m, hip and ankle come as near as {:.4g} m, but the leg folds "
+                 "to {:.4g} m",
+                 p.fast_hip_height_m, folded_m, leg.shortest_m + kInHand_m),
+             "Lower lift or raise fast_hip_height");
     }
   }
 }

@@ -28,4 +28,9 @@ Pose2 SwingFoot::at(double time_s) const noexcept {
   return {x_.at(since).position, y_.at(since).position, yaw_.at(since).position};
 }
 
+Eigen::RowVector2d SwingFoot::acceleration_m_per_s2(double time_s) const noexcept {
+  const double since = time_s - aimed_s_;
+  return {x_.at(since).acceleration, y_.at(since).acceleration};
+}
+
 }  // namespace gaitway::trajectory

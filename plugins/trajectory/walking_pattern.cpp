@@ -8,6 +8,7 @@ namespace gaitway::trajectory {
 namespace {
 
 constexpr std::int64_t kPointPeriod_ns = 10'000'000;
+constexpr double kSameHeight_m = 1e-4;
 constexpr int kRampPoints = 6;  // of the offset that absorbs a change of footsteps
 constexpr auto kBatch = static_cast<int>(kBatchPoints);
 
@@ -64,6 +65,7 @@ void WalkingPattern::reset_to_stand(const Pose2& middle) noexcept {
   const double half = 0.5 * parameters_.foot_spacing_m;
   state_.feet = {middle.compose({0.0, half, 0.0}), middle.compose({0.0, -half, 0.0})};
   state_.cart.motion.row(0) = stand_com(state_.feet);
+  state_.hips = HipHeight(parameters_.hip_height_m);
   final_stance_ = middle;
   batch_reference_.count = 0;
 }
@@ -102,6 +104,7 @@ void WalkingPattern::begin_walking(PatternState& state, const Velocity2& wanted)
   state.phase = Phase::walking;
   state.elapsed_points = 0;
   state.cart.error_sum.setZero();
+  state.yaw_correction_rad = {};
   state.zmp_offset = {};
   state.divergence = absorber_.divergence(state.cart);
 }
@@ -117,6 +120,19 @@ void WalkingPattern::begin_settling(PatternState& state) const noexcept {
   }
   state.phase = Phase::settling;
   state.elapsed_points = 0;
+  aim_hips(state, parameters_.hip_height_m);
+}
+
+// It takes as long as the settling, so that every stop ends at the stand's height.
+void WalkingPattern::aim_hips(PatternState& state, double goal_m) const noexcept {
+  const bool same = goal_m == state.hips.goal_m();
+  const bool about_the_same = std::abs(goal_m - state.hips.goal_m()) < kSameHeight_m;
+  if (same || (about_the_same && goal_m != parameters_.hip_height_m)) return;  // the stand's height is exact
+  state.hips.aim(goal_m, parameters_.settle_points());
+}
+
+Eigen::RowVector2d WalkingPattern::swing_zmp_m(const SwingFoot& swing, int in_swing) const noexcept {
+  return parameters_.swing_moment_s2 * swing.acceleration_m_per_s2(in_swing * kPointPeriod_s);
 }
 
 Step WalkingPattern::closing_step_after(const Step& before) const noexcept {
@@ -131,27 +147,56 @@ Step WalkingPattern::closing_step_after(const Step& before) const noexcept {
   return step;
 }
 
-Step WalkingPattern::step_after(const Step& before, const Velocity2& wanted,
+void WalkingPattern::aim_step(Step& step, const Wanted& wanted, const Eigen::Vector2d& offset_m) noexcept {
+  step.velocity = planner_.next_velocity(step.velocity_before, wanted.velocity, applied_);
+  Velocity2 commanded = wanted.velocity, before = step.velocity_before;
+  commanded.turn_rad_per_s = wanted.commanded_turn_rad_per_s;
+  before.turn_rad_per_s = step.commanded_turn_before_rad_per_s;
+  StepLimit ignored = StepLimit::none;  // what limits the commands is told of the velocity
+  step.commanded_turn_rad_per_s = planner_.next_velocity(before, commanded, ignored).turn_rad_per_s;
+  step.landing = planner_.landing(step.stance, step.swing, step.velocity, offset_m, applied_);
+}
+
+Step WalkingPattern::step_after(const Step& before, const Wanted& wanted,
                                 const Eigen::Vector2d& offset_m) noexcept {
   Step step = closing_step_after(before);
   step.velocity_before = before.velocity;
-  step.velocity = planner_.next_velocity(step.velocity_before, wanted, applied_);
-  step.landing = planner_.landing(step.stance, step.swing, step.velocity, offset_m, applied_);
+  step.commanded_turn_before_rad_per_s = before.commanded_turn_rad_per_s;
+  aim_step(step, wanted, offset_m);
   return step;
 }
 
-void WalkingPattern::schedule_walk(PatternState& state, const Velocity2& wanted,
+double WalkingPattern::landing_yaw_correction_rad(const PatternState& state) const noexcept {
+  const Step& step = state.step;
+  return state.yaw_correction_rad[index_of(other(step.swing))] +
+         (step.velocity.turn_rad_per_s - step.commanded_turn_rad_per_s) * parameters_.step_time_s;
+}
+
+// Of the base, whose yaw is the mean of the feet's.
+double WalkingPattern::yaw_correction_rad(const PatternState& state) const noexcept {
+  double sum_rad = state.yaw_correction_rad[0] + state.yaw_correction_rad[1];
+  const int in_swing = state.elapsed_points - state.step.double_support_points;
+  if (state.phase == Phase::walking && in_swing > 0) {
+    const double share = smooth_share(static_cast<double>(in_swing) / state.step.swing_points);
+    sum_rad +=
+        share * (landing_yaw_correction_rad(state) - state.yaw_correction_rad[index_of(state.step.swing)]);
+  }
+  return 0.5 * sum_rad;
+}
+
+void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted,
                                    const Eigen::Vector2d& offset_m) noexcept {
-  if (state.phase != Phase::walking) begin_walking(state, wanted);
+  if (state.phase != Phase::walking) begin_walking(state, wanted.velocity);
   Step& step = state.step;
   Eigen::Vector2d offset_left = offset_m;
   if (is_open(state)) {
-    step.velocity = planner_.next_velocity(step.velocity_before, wanted, applied_);
-    step.landing = planner_.landing(step.stance, step.swing, step.velocity, offset_m, applied_);
+    aim_step(step, wanted, offset_m);
     offset_left.setZero();
     const int in_swing = state.elapsed_points - step.double_support_points;
     if (in_swing > 0) state.swing.aim(step.landing, in_swing * kPointPeriod_s);
   }
+  aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
+                                                       std::abs(wanted.velocity.forward_m_per_s))));
   schedule_.count = schedule_.next = 0;
   schedule_.ends = false;
   const int wanted_points = kBatch + parameters_.preview_points();
@@ -171,6 +216,7 @@ void WalkingPattern::schedule_stop(PatternState& state) noexcept {
   schedule_.count = schedule_.next = 0;
   schedule_.ends = true;
   if (state.phase != Phase::walking) return;
+  aim_hips(state, parameters_.hip_height_m);
   Step& step = state.step;
   if (state.elapsed_points <= step.double_support_points) {
     if (planner_.is_beside(step.stance, step.swing, state.feet[index_of(step.swing)])) {
@@ -196,10 +242,21 @@ void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReferenc
   int row = 0;
   const Step* step = &state.step;
   int elapsed = state.elapsed_points;
+  std::array<Pose2, 2> feet = state.feet;  // where the last step left them
   for (int i = -1; i < schedule_.count && row < most; ++i, elapsed = 0) {
     if (i >= 0) step = &schedule_.steps[static_cast<std::size_t>(i)];
-    for (; elapsed < step->points() && row < most; ++elapsed)
-      reference.point.row(row++) = zmp_in_step(*step, elapsed);
+    const bool swings = i < 0 && elapsed > step->double_support_points;
+    const SwingFoot swing =
+        swings ? state.swing
+               : SwingFoot(feet[index_of(step->swing)], step->landing, step->swing_points * kPointPeriod_s);
+    // What the leg in the air adds to the ZMP is left to it: the cart gets the rest.
+    for (; elapsed < step->points() && row < most; ++elapsed) {
+      reference.point.row(row) = zmp_in_step(*step, elapsed);
+      const int in_swing = elapsed - step->double_support_points;
+      if (in_swing > 0) reference.point.row(row) -= swing_zmp_m(swing, in_swing);
+      ++row;
+    }
+    feet = feet_after(*step);
   }
   if (schedule_.ends) {
     const Eigen::RowVector2d end = stand_com(feet_after(*step));
@@ -215,6 +272,7 @@ void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReferenc
 }
 
 void WalkingPattern::advance(PatternState& state, const ZmpReference& reference, int index) noexcept {
+  state.hips.advance();
   if (state.phase == Phase::walking) {
     controller_.step(state.cart, reference, index);
     advance_step(state);
@@ -239,6 +297,7 @@ void WalkingPattern::advance_step(PatternState& state) noexcept {
     return;
   }
   state.feet[foot] = step.landing;
+  state.yaw_correction_rad[foot] = landing_yaw_correction_rad(state);
   state.foot_height_m[foot] = 0.0;
   if (schedule_.next < schedule_.count) {
     state.step = schedule_.steps[static_cast<std::size_t>(schedule_.next++)];
@@ -269,14 +328,20 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
   applied_ = StepLimit::none;
   plan.sequence = sequence;
   plan.start_ns = start_ns;
+  plan.motion = 0;
   Velocity2 wanted{command.velocity[0], command.velocity[1], command.turn_rate};
   const bool finite = std::isfinite(wanted.forward_m_per_s) && std::isfinite(wanted.left_m_per_s) &&
                       std::isfinite(wanted.turn_rad_per_s);
   if (command.walk != 0 && finite && !must_finish_stop(state_)) {
+    const double commanded_turn_rad_per_s = wanted.turn_rad_per_s;
     if (std::isfinite(correction.turn_rate_offset)) wanted.turn_rad_per_s += correction.turn_rate_offset;
+    if (std::isfinite(correction.velocity_offset[0] + correction.velocity_offset[1])) {
+      wanted.forward_m_per_s += correction.velocity_offset[0];
+      wanted.left_m_per_s += correction.velocity_offset[1];
+    }
     Eigen::Vector2d offset_m(correction.step_offset[0], correction.step_offset[1]);
     if (!offset_m.allFinite()) offset_m.setZero();
-    schedule_walk(state_, wanted, offset_m);
+    schedule_walk(state_, {wanted, commanded_turn_rad_per_s}, offset_m);
   } else {
     schedule_stop(state_);
   }
@@ -306,12 +371,16 @@ void WalkingPattern::write_tail(MotionPlan& plan) noexcept {
 }
 
 void WalkingPattern::write_point(const PatternState& state, std::size_t i, MotionPlan& plan) const noexcept {
-  const Eigen::RowVector2d zmp = controller_.zmp(state.cart);
+  const bool in_the_air =
+      state.phase == Phase::walking && state.elapsed_points > state.step.double_support_points;
+  Eigen::RowVector2d zmp = controller_.zmp(state.cart);
+  if (in_the_air) zmp += swing_zmp_m(state.swing, state.elapsed_points - state.step.double_support_points);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto column = static_cast<Eigen::Index>(axis);
     plan.com[i][axis] = state.cart.motion(0, column);
     plan.com_velocity[i][axis] = state.cart.motion(1, column);
     plan.zmp[i][axis] = zmp(column);
+    plan.trunk_attitude[i][axis] = 0.0;
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const Pose2& foot = state.feet[side];
@@ -320,10 +389,9 @@ void WalkingPattern::write_point(const PatternState& state, std::size_t i, Motio
     plan.foot_position[i][side][2] = state.foot_height_m[side];
     plan.foot_yaw[i][side] = foot.yaw_rad;
   }
-  plan.hip_height[i] = parameters_.hip_height_m;
+  plan.hip_height[i] = state.hips.height_m();
   plan.base_yaw[i] = 0.5 * (state.feet[0].yaw_rad + state.feet[1].yaw_rad);
-  const bool in_the_air =
-      state.phase == Phase::walking && state.elapsed_points > state.step.double_support_points;
+  plan.commanded_yaw[i] = plan.base_yaw[i] - yaw_correction_rad(state);
   plan.support[i] = in_the_air ? static_cast<std::uint8_t>(other(state.step.swing)) : std::uint8_t{2};
 }
 

@@ -23,12 +23,11 @@ ComFilter::ComFilter(const EstimatorParameters& parameters, double omega_rad_per
       parameters.acceleration_drift_m_per_s2_rts * parameters.acceleration_drift_m_per_s2_rts * dt_s;
   const double measurement = parameters.com_noise_m * parameters.com_noise_m;
 
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
   for (int i = 0; i < kMostIterations; ++i) {
-    covariance = (transition * covariance * transition.transpose() + process).eval();
-    const Eigen::Vector3d gain = covariance.col(0) / (covariance(0, 0) + measurement);
-    covariance = (covariance - gain * covariance.row(0)).eval();
-    covariance = (0.5 * (covariance + covariance.transpose())).eval();
+    covariance_ = (transition * covariance_ * transition.transpose() + process).eval();
+    const Eigen::Vector3d gain = covariance_.col(0) / (covariance_(0, 0) + measurement);
+    covariance_ = (covariance_ - gain * covariance_.row(0)).eval();
+    covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
     const double change = (gain - gain_).cwiseAbs().maxCoeff();
     gain_ = gain;
     if (change < kStandstill) break;

@@ -8,6 +8,7 @@ namespace gaitway::zmp {
 namespace {
 
 constexpr std::int64_t kSlot_ns = 10'000'000;
+constexpr double kSlot_s = 0.010;
 constexpr std::size_t kMaskBits = 64;
 
 bool all_finite(std::span<const double> values) noexcept {
@@ -75,21 +76,29 @@ void SensorInputs::take_joints(std::int64_t now_ns, const JointStates& joints) n
       position_rad_[i] = joints.position[i];
     }
   }
-  fastest_leg_joint_ = 0.0;
-  for (const auto& leg : leg_joints_) {
-    for (const int joint : leg) {
-      fastest_leg_joint_ = std::max(fastest_leg_joint_, std::abs(joints.velocity[joint]));
+  const bool first = !joints_.seen;
+  mark(joints_, joints.stamp_ns);
+  leg_reference_rate_ = 0.0;
+  for (std::size_t side = 0; side < leg_joints_.size(); ++side) {
+    for (std::size_t i = 0; i < leg_joints_[side].size(); ++i) {
+      const double reference = joints.reference_position[leg_joints_[side][i]];
+      const double change = first ? 0.0 : std::abs(reference - leg_reference_rad_[side][i]);
+      if (!std::isfinite(reference)) continue;
+      leg_reference_rad_[side][i] = reference;
+      leg_reference_rate_ = std::max(leg_reference_rate_, change / (kSlot_s * joints_.slots));
     }
   }
-  mark(joints_, joints.stamp_ns);
 }
 
 void SensorInputs::take_forces(std::int64_t now_ns, const FootForces& forces,
                                std::uint64_t missing) noexcept {
   if (!is_fresh(forces_, forces.stamp_ns, now_ns, missing)) return;
-  if (!all_finite(forces.force[0]) || !all_finite(forces.force[1])) return;
+  for (std::size_t side = 0; side < force_N_.size(); ++side) {
+    if (!all_finite(forces.force[side]) || !all_finite(forces.acceleration[side])) return;
+  }
   for (std::size_t side = 0; side < force_N_.size(); ++side) {
     std::copy(std::begin(forces.force[side]), std::end(forces.force[side]), force_N_[side].begin());
+    foot_acceleration_[side] = Eigen::Map<const Eigen::Vector3d>(forces.acceleration[side]);
   }
   mark(forces_, forces.stamp_ns);
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace gaitway::zmp {
 namespace {
@@ -13,7 +12,8 @@ constexpr double kGravity_m_per_s2 = 9.81;
 constexpr double kLeastForceShare = 0.02;  // of the body weight: with less, a ZMP says nothing
 // Without joint states the pendulum is predicted, but it is unstable: after so many ticks the CoM is held.
 constexpr int kMostBlindTicks = 10;
-constexpr int kLongestGapSlots = 10;  // of the IMU; after a longer one, roll and pitch start anew
+constexpr int kLongestGapSlots = 10;        // of the IMU; after a longer one, roll and pitch start anew
+constexpr double kRestlessTilt_rad = 0.05;  // of the accelerometer, where its length says nothing
 
 const EstimatorParameters& checked(const EstimatorParameters& parameters) {
   parameters.validate();
@@ -26,16 +26,6 @@ ContactThresholds thresholds_of(const EstimatorParameters& parameters, double ma
           parameters.support_margin};
 }
 
-double home_com_height_m(const urdf::RobotModel& model) {
-  const urdf::ForwardKinematics home(model);
-  const double height_m = (home.com_m() - home.sole_pose(urdf::Side::left).translation()).z();
-  if (!(height_m > 0.0)) {
-    throw std::invalid_argument("the CoM of robot '" + model.name +
-                                "' is not above its soles in the home posture; check home_deg in robot.yaml");
-  }
-  return height_m;
-}
-
 std::size_t index_of(urdf::Side side) noexcept {
   return static_cast<std::size_t>(side);
 }
@@ -45,16 +35,21 @@ std::size_t index_of(urdf::Side side) noexcept {
 StateEstimator::StateEstimator(const urdf::RobotModel& model, const EstimatorParameters& parameters)
     : parameters_(checked(parameters)),
       mass_kg_(model.total_mass_kg()),
-      nominal_com_height_m_(home_com_height_m(model)),
+      nominal_com_height_m_(urdf::home_com_height_m(model)),
       feet_(model.feet),
       inputs_(model, parameters.stale_after_s),
       contacts_(thresholds_of(parameters, mass_kg_)),
-      bias_(parameters),
-      attitude_(parameters.tilt_time_constant_s),
+      cells_(parameters, mass_kg_ * kGravity_m_per_s2),
+      attitude_(parameters),
+      feet_planted_(parameters, mass_kg_ * kGravity_m_per_s2),
+      model_uncertainty_(model_uncertainty(model, parameters)),
       kinematics_(model),
       com_{ComFilter(parameters, std::sqrt(kGravity_m_per_s2 / nominal_com_height_m_), kTick_s),
            ComFilter(parameters, std::sqrt(kGravity_m_per_s2 / nominal_com_height_m_), kTick_s),
-           ComFilter(parameters, 0.0, kTick_s)} {}
+           ComFilter(parameters, 0.0, kTick_s)},
+      com_offset_(parameters, model_uncertainty_.com_m.head<2>()),
+      slip_{SlipObserver(parameters), SlipObserver(parameters)},
+      fall_(parameters.fall) {}
 
 bool StateEstimator::update(std::int64_t now_ns, const JointStates& joints, const FootForces& forces,
                             const gaitway::Imu& imu, Estimate& estimate) noexcept {
@@ -63,7 +58,10 @@ bool StateEstimator::update(std::int64_t now_ns, const JointStates& joints, cons
   update_attitude();
   kinematics_.update(inputs_.position_rad(), attitude_.attitude());
   update_pressure();
+  hold_heading();
+  update_slip();
   update_com();
+  update_fall();
   write(estimate);
   return true;
 }
@@ -71,26 +69,56 @@ bool StateEstimator::update(std::int64_t now_ns, const JointStates& joints, cons
 void StateEstimator::update_attitude() noexcept {
   const int slots = inputs_.imu_slots();
   if (slots == 0) return;
-  const bool planted = contacts_.in_contact(urdf::Side::left) && contacts_.in_contact(urdf::Side::right);
-  const double dt_s = kTick_s * std::min(slots, kLongestGapSlots);
-  bias_.update(inputs_.gyro_rad_per_s(), planted, inputs_.fastest_leg_joint_rad_per_s(), dt_s);
   if (slots > kLongestGapSlots) attitude_.lose_tilt();
-  const Eigen::Vector3d rate = inputs_.gyro_rad_per_s() - bias_.bias_rad_per_s();
-  angular_velocity_ += dt_s / (parameters_.rate_filter_s + dt_s) * (rate - angular_velocity_);
-  const std::optional<Eigen::Vector2d> tilt =
-      inputs_.inclination_rad()
-          ? inputs_.inclination_rad()
-          : tilt_of_acceleration(inputs_.acceleration_m_per_s2(), parameters_.accelerometer_band_m_per_s2);
-  attitude_.update(rate, tilt, dt_s);
+  const double dt_s = kTick_s * std::min(slots, kLongestGapSlots);
+  attitude_.predict(inputs_.gyro_rad_per_s(), dt_s, dt_s - kTick_s);
+  const Eigen::Vector3d& force = inputs_.acceleration_m_per_s2();
+  if (inputs_.inclination_rad()) {
+    attitude_.correct_tilt(*inputs_.inclination_rad(), parameters_.tilt_noise_rad);
+  } else if (const auto tilt = tilt_of_acceleration(force, parameters_.accelerometer_band_m_per_s2)) {
+    // An acceleration that lengthens the specific force may tilt it as well.
+    const double unrest = std::abs(force.norm() - kGravity_m_per_s2) / kGravity_m_per_s2;
+    attitude_.correct_tilt(*tilt, std::hypot(kRestlessTilt_rad, unrest));
+  }
+  angular_velocity_ +=
+      dt_s / (parameters_.rate_filter_s + dt_s) * (attitude_.rate_rad_per_s() - angular_velocity_);
+}
+
+void StateEstimator::hold_heading() noexcept {
+  const InputFaults& faults = inputs_.faults();
+  if (inputs_.imu_slots() == 0 || faults.joints_stale || faults.missing != 0) return;
+  const double left = kinematics_.heading_rad(urdf::Side::left);
+  const double right = kinematics_.heading_rad(urdf::Side::right);
+  feet_planted_.update({pressure_[0].force_N, pressure_[1].force_N}, left - right,
+                       inputs_.leg_reference_rate_rad_per_s(), kTick_s);
+  if (feet_planted_.planted()) {
+    attitude_.hold_heading(0.5 * (left + right), feet_planted_.creep_rad_rts(), kTick_s);
+  } else {
+    attitude_.release_heading();
+  }
 }
 
 void StateEstimator::update_pressure() noexcept {
-  const double least_force_N = kLeastForceShare * mass_kg_ * kGravity_m_per_s2;
+  const double weight_N = mass_kg_ * kGravity_m_per_s2;
+  const double least_force_N = kLeastForceShare * weight_N;
+  if (const int slots = inputs_.force_slots(); slots > 0) {
+    const Eigen::Vector3d force = attitude_.attitude().tilt() * inputs_.acceleration_m_per_s2();
+    cells_.update(inputs_.cell_force_N(), force.z() / kGravity_m_per_s2, kTick_s * slots);
+  }
   for (const urdf::Side side : urdf::kSides) {
     const std::size_t i = index_of(side);
-    pressure_[i] = foot_pressure(feet_[i], inputs_.cell_force_N(side), least_force_N);
+    pressure_[i] = foot_pressure(feet_[i], cells_.force_N()[i], least_force_N);
   }
   contacts_.update({pressure_[0].force_N, pressure_[1].force_N});
+}
+
+void StateEstimator::update_slip() noexcept {
+  if (inputs_.force_slots() == 0) return;
+  for (const urdf::Side side : urdf::kSides) {
+    const Eigen::Vector3d force = kinematics_.sole_tilt(side) * inputs_.foot_acceleration_m_per_s2(side);
+    slip_[index_of(side)].update(contacts_.in_contact(side), force.head<2>(),
+                                 kTick_s * inputs_.force_slots());
+  }
 }
 
 // Mean of the feet's ZMPs, weighted by force; the last one while there is no load.
@@ -107,28 +135,87 @@ Eigen::Vector2d StateEstimator::zmp_in(urdf::Side foot) const noexcept {
                                                                    : Eigen::Vector2d(moment / force_N);
 }
 
+// From the cells' noise and gains, and from how well the kinematics knows where the other foot is.
+Eigen::Vector2d StateEstimator::zmp_variance_in(urdf::Side foot) const noexcept {
+  const double force_N = pressure_[0].force_N + pressure_[1].force_N;
+  if (force_N < kLeastForceShare * mass_kg_ * kGravity_m_per_s2) return zmp_variance_;
+  std::array<CellCalibration::PerCell, 2> lever;
+  for (const urdf::Side side : urdf::kSides) {
+    for (std::size_t cell = 0; cell < 4; ++cell) {
+      const Eigen::Vector3d place = kinematics_.sole_point_m(foot, side, feet_[index_of(side)].cell_m[cell]);
+      for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        lever[static_cast<std::size_t>(axis)][static_cast<Eigen::Index>(4 * index_of(side) + cell)] =
+            (place[axis] - zmp_m_[axis]) / force_N;
+      }
+    }
+  }
+  const double other_share = std::clamp(pressure_[1 - index_of(foot)].force_N / force_N, 0.0, 1.0);
+  Eigen::Vector2d variance = (other_share * model_uncertainty_.foot_m.head<2>()).cwiseAbs2();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    variance[static_cast<Eigen::Index>(axis)] += cells_.variance_of_sum(lever[axis]);
+  }
+  return variance;
+}
+
 void StateEstimator::update_com() noexcept {
   if (!started_) {
     support_ = contacts_.support();
-    const Eigen::Vector3d com = kinematics_.com_m(support_);
+    const Eigen::Vector3d com = measured_com_m(support_);
     for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].start(com[static_cast<Eigen::Index>(axis)]);
     started_ = true;
   }
   const InputFaults& faults = inputs_.faults();
   zmp_m_ = zmp_in(support_);
+  zmp_variance_ = zmp_variance_in(support_);
   blind_ticks_ = faults.joints_stale ? std::min(blind_ticks_ + 1, kMostBlindTicks) : 0;
   if (!faults.joints_stale || (!faults.forces_stale && blind_ticks_ < kMostBlindTicks)) {
-    const bool in_the_air =
-        !contacts_.in_contact(urdf::Side::left) && !contacts_.in_contact(urdf::Side::right);
-    const double stiffness = in_the_air ? 0.0 : omega_rad_per_s() * omega_rad_per_s();
+    const double stiffness = in_the_air() ? 0.0 : omega_rad_per_s() * omega_rad_per_s();
     com_[0].predict(stiffness * (com_[0].position_m() - zmp_m_.x()));
     com_[1].predict(stiffness * (com_[1].position_m() - zmp_m_.y()));
     com_[2].predict((pressure_[0].force_N + pressure_[1].force_N) / mass_kg_ - kGravity_m_per_s2);
   }
   if (contacts_.support() != support_) change_support();
   if (faults.joints_stale) return;
-  const Eigen::Vector3d measured = kinematics_.com_m(support_);
+  const Eigen::Vector3d measured = measured_com_m(support_);
   for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].correct(measured[static_cast<Eigen::Index>(axis)]);
+  if (faults.forces_stale || in_the_air()) return;
+  com_offset_.update({com_[0].unexplained_m_per_s2(), com_[1].unexplained_m_per_s2()}, omega_rad_per_s(),
+                     zmp_variance_, kTick_s);
+}
+
+// Of old values a fall is neither told nor over.
+void StateEstimator::update_fall() noexcept {
+  if (inputs_.faults().joints_stale || inputs_.faults().imu_stale) return;
+  FallInputs now;
+  now.body.com_m = filtered_com_m();
+  now.body.com_velocity_m_per_s = {com_[0].velocity_m_per_s(), com_[1].velocity_m_per_s(),
+                                   com_[2].velocity_m_per_s()};
+  for (const urdf::Side side : urdf::kSides) {
+    const urdf::Foot& foot = feet_[index_of(side)];
+    auto corner = now.body.sole_corner_m[index_of(side)].begin();
+    for (const double x : {0.5, -0.5}) {
+      for (const double y : {0.5, -0.5}) {
+        const Eigen::Vector2d place = foot.centre_m + foot.size_m.cwiseProduct(Eigen::Vector2d(x, y));
+        *corner++ = kinematics_.sole_point_m(support_, side, place);
+      }
+    }
+  }
+  const Attitude& attitude = attitude_.attitude();
+  now.heading_rad = -kinematics_.heading_rad(support_);
+  now.trunk_tilt_rad =
+      std::acos(std::clamp(std::cos(attitude.roll_rad) * std::cos(attitude.pitch_rad), -1.0, 1.0));
+  now.load_share = (pressure_[0].force_N + pressure_[1].force_N) / (mass_kg_ * kGravity_m_per_s2);
+  fall_.update(now);
+}
+
+bool StateEstimator::in_the_air() const noexcept {
+  return !contacts_.in_contact(urdf::Side::left) && !contacts_.in_contact(urdf::Side::right);
+}
+
+Eigen::Vector3d StateEstimator::measured_com_m(urdf::Side foot) const noexcept {
+  Eigen::Vector3d com = kinematics_.com_m(foot);
+  com.head<2>() -= com_offset_.offset_m();
+  return com;
 }
 
 // The filters' states, seen from the other foot: what they know beyond the kinematics is kept.
@@ -138,14 +225,15 @@ void StateEstimator::change_support() noexcept {
   Eigen::Matrix3d states;  // row: axis; column: position, velocity, unexplained acceleration
   for (std::size_t axis = 0; axis < 3; ++axis)
     states.row(static_cast<Eigen::Index>(axis)) = com_[axis].state();
-  states.col(0) -= kinematics_.com_m(support_);
+  states.col(0) -= measured_com_m(support_);
   states = (turn * states).eval();
-  states.col(0) += kinematics_.com_m(to);
+  states.col(0) += measured_com_m(to);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     com_[axis].set_state(states.row(static_cast<Eigen::Index>(axis)).transpose());
   }
   support_ = to;
   zmp_m_ = zmp_in(to);
+  zmp_variance_ = zmp_variance_in(to);
 }
 
 Eigen::Vector3d StateEstimator::filtered_com_m() const noexcept {
@@ -164,9 +252,13 @@ void StateEstimator::write(Estimate& estimate) const noexcept {
   for (const urdf::Side side : urdf::kSides) {
     const std::size_t i = index_of(side);
     estimate.contact[i] = contacts_.in_contact(side) ? 1 : 0;
+    estimate.slip_speed[i] = slip_[i].speed_m_per_s();
     estimate.foot_force[i] = pressure_[i].force_N;
     Eigen::Map<Eigen::Vector2d>(estimate.foot_zmp[i]) = pressure_[i].zmp_m;
   }
+  estimate.fall = static_cast<std::uint32_t>(fall_.fall());
+  estimate.fall_direction = fall_.direction_rad();
+  estimate.time_to_impact = fall_.time_to_impact_s();
   Eigen::Map<Eigen::Vector2d>(estimate.zmp) = zmp_m_;
   const double omega = omega_rad_per_s();
   const Eigen::Vector3d com = filtered_com_m();
@@ -180,6 +272,22 @@ void StateEstimator::write(Estimate& estimate) const noexcept {
   estimate.attitude[1] = attitude.pitch_rad;
   estimate.attitude[2] = attitude.yaw_rad;
   Eigen::Map<Eigen::Vector3d>(estimate.angular_velocity) = angular_velocity_;
+  Eigen::Map<Eigen::Vector3d>(estimate.gyro_bias) = attitude_.bias_rad_per_s();
+  write_deviations(estimate);
+}
+
+void StateEstimator::write_deviations(Estimate& estimate) const noexcept {
+  const double omega = omega_rad_per_s();
+  Eigen::Vector3d model = model_uncertainty_.com_m.cwiseAbs2();
+  model.head<2>() = com_offset_.variance_m2();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double of_model = model[static_cast<Eigen::Index>(axis)];
+    estimate.com_deviation[axis] = std::sqrt(com_[axis].position_variance() + of_model);
+    if (axis < 2) estimate.dcm_deviation[axis] = std::sqrt(com_[axis].dcm_variance(omega) + of_model);
+  }
+  Eigen::Map<Eigen::Vector2d>(estimate.zmp_deviation) = zmp_variance_.cwiseSqrt();
+  Eigen::Map<Eigen::Vector3d>(estimate.attitude_deviation) = attitude_.attitude_deviation_rad();
+  Eigen::Map<Eigen::Vector3d>(estimate.gyro_bias_deviation) = attitude_.bias_deviation_rad_per_s();
 }
 
 }  // namespace gaitway::zmp

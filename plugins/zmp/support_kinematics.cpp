@@ -18,8 +18,8 @@ void SupportKinematics::update_levels(const Attitude& attitude) noexcept {
     const std::size_t i = index_of(side);
     base_from_sole_[i] = kinematics_.sole_pose(side);
     const Eigen::Vector3d forward = upright_from_base * base_from_sole_[i].linear().col(0);
-    const double heading = std::atan2(forward.y(), forward.x());
-    level_from_base_[i] = Eigen::AngleAxisd(-heading, Eigen::Vector3d::UnitZ()) * upright_from_base;
+    heading_rad_[i] = std::atan2(forward.y(), forward.x());
+    level_from_base_[i] = Eigen::AngleAxisd(-heading_rad_[i], Eigen::Vector3d::UnitZ()) * upright_from_base;
   }
 }
 

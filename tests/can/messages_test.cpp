@@ -114,7 +114,7 @@ TEST(Codecs, EveryMessageComesBackAsItWas) {
     expect_round_trip(UserCommand{draw_node(), draw_any<std::int16_t>(), draw_any<std::uint8_t>()},
                       decode_user_command, MessageKind::user_command);
     expect_round_trip(Sync{draw_any<std::uint16_t>(), static_cast<std::uint8_t>(draw(0, 7)), draw(0, 1) == 1,
-                           draw(0, 1) == 1},
+                           draw(0, 1) == 1, static_cast<std::uint8_t>(draw(0, kMostSoftness))},
                       decode_sync, MessageKind::sync);
     Trim trim;
     draw_into(trim.count);
@@ -148,6 +148,7 @@ TEST(Codecs, BytesLieWhereTheTableSays) {
   EXPECT_EQ(encode(kFullProfile, Trajectory{5, true, {1, -1, 2, -2, 3, -3, 127, -128}}),
             (Frame{0x10B, 8, {0x01, 0xFF, 0x02, 0xFE, 0x03, 0xFD, 0x7F, 0x80}}));
   EXPECT_EQ(encode(kFullProfile, Sync{0x1234, 5, true, true}), (Frame{0x008, 3, {0x34, 0x12, 0x1D}}));
+  EXPECT_EQ(encode(kFullProfile, Sync{0x1234, 5, true, true, 6}), (Frame{0x008, 3, {0x34, 0x12, 0xDD}}));
   EXPECT_EQ(encode(kFullProfile, Feedback{2, -2, -1, JointState::soft, true, false, 0x9, {0x1234, -1}}),
             (Frame{0x042, 8, {0xFE, 0xFF, 0xFF, 0xA9, 0x34, 0x12, 0xFF, 0xFF}}));
   EXPECT_EQ(encode(kFullProfile, Resynchronisation{1, true, 6, -2, {1, 2, 3, 4, -5}}),

@@ -41,7 +41,7 @@ std::optional<Values> decode(const Profile& profile, MessageKind kind, const Fra
       break;
     case MessageKind::sync:
       if (const auto m = decode_sync(profile, frame)) {
-        return Values{m->cycle, m->slot, m->batch_committed ? 1 : 0, m->toggle ? 1 : 0};
+        return Values{m->cycle, m->slot, m->batch_committed ? 1 : 0, m->toggle ? 1 : 0, m->softness};
       }
       break;
     case MessageKind::trim:

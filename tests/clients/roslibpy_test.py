@@ -12,7 +12,7 @@ from served_robot import ServedRobot, until
 # Topics that speak all the time; `/events` does when there is something to say.
 STEADY = ["/joint_states", "/imu/data", "/foot/left/wrench", "/foot/right/wrench", "/zmp", "/zmp/reference", "/com", "/odom", "/tf",
           "/clock", "/diagnostics"]
-LATCHED = ["/robot_description", "/footsteps"]
+LATCHED = ["/robot_description", "/footsteps", "/motion_state"]
 
 
 class Listener:
@@ -141,7 +141,12 @@ class Roslibpy(unittest.TestCase):
         self.assertFalse(outside["success"])
         with self.assertRaisesRegex(Exception, "nobody"):
             call(self.ros, "/plugins/unload", "gaitway_msgs/ChangePlugin", name="nobody", library="")
-        self.assertFalse(call(self.ros, "/play_motion", "gaitway_msgs/PlayMotion", motion="wave")["success"])
+        unknown = call(self.ros, "/play_motion", "gaitway_msgs/PlayMotion", motion="jump")
+        self.assertFalse(unknown["success"])
+        self.assertIn("squat", unknown["message"])
+        motion = Listener(self.ros, "/motion_state", "gaitway_msgs/MotionState")
+        until(lambda: call(self.ros, "/play_motion", "gaitway_msgs/PlayMotion", motion="squat")["success"], "the squat's beginning")
+        until(lambda: motion.message and motion.message["motion"] == "squat" and motion.message["result"] == "finished", "its end")
         recording = call(self.ros, "/recording/start", "gaitway_msgs/StartRecording", name="roslibpy")
         self.assertTrue(recording["success"], recording)
         self.assertFalse(call(self.ros, "/recording/start", "gaitway_msgs/StartRecording", name="other")["success"])

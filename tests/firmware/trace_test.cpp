@@ -20,6 +20,7 @@ localcontroller::JointConfig any_config() {
   config.node = 11;
   config.count_rad = 0.1;
   config.encoder_count_rad = -0.0;
+  config.encoder_zero_rad = 0.007;
   config.stiffness_Nm_per_rad = std::numeric_limits<double>::denorm_min();
   config.lower_rad = -1.25;
   config.initial_reference_count = -7;
@@ -49,6 +50,7 @@ TEST(Trace, KeepsAConfigurationToTheBit) {
   EXPECT_EQ(read.node, written.node);
   EXPECT_EQ(read.count_rad, written.count_rad);
   EXPECT_TRUE(std::signbit(read.encoder_count_rad));
+  EXPECT_EQ(read.encoder_zero_rad, written.encoder_zero_rad);
   EXPECT_EQ(read.stiffness_Nm_per_rad, written.stiffness_Nm_per_rad);
   EXPECT_EQ(read.lower_rad, written.lower_rad);
   EXPECT_EQ(read.initial_reference_count, written.initial_reference_count);

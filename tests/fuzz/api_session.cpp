@@ -120,7 +120,6 @@ class Trial {
     if (wants_token_) {
       options.is_token = [](std::string_view offered) { return offered == "secret"; };
     }
-    options.motions = {"bow"};
     return options;
   }
   void connect(Peer& peer) {

@@ -84,7 +84,7 @@ def bus_seeds(lines, frames):
 
 
 def mail_seeds():
-    trim = words(1, 0, 8) + words(*[0.01 * i for i in range(8)])
+    trim = words(1, 0, 8) + words(*[0.01 * i for i in range(8)]) + words(0.5)  # the last one: softness
     write("small_mails", "trim", b"\1" + trim + words(0))
     write("small_mails", "user_command", b"\1" + words(1, 3, 7, 0.25, 50, 0))
     write("small_mails", "answer", b"\1" + words(0, 12, 2, 7, 3, 5, 1.5, 0))
@@ -95,7 +95,7 @@ def mail_seeds():
     write("hand_over", "two_joints", b"\1" + wide)
     post = b"\1" + struct.pack("<H", len(small) // 4) + small + b"\0"
     write("emi_window", "mad_host", b"\0" + b"\0" + post + b"\2\1\6\0" + words(1, 0, 0, 0.0, 0, 0) + b"\0" +
-          b"\1\1\x0c\0" + trim + words(0) + b"\0")
+          b"\1\1\x0d\0" + trim + words(0) + b"\0")
     write("emi_window", "mad_message_controller", b"\1" + (b"\1\x08\0" + words(0, 12, 0, 0, 1, 1, 0.0, 0) + b"\0\0\1") * 2)
 
 
@@ -142,6 +142,7 @@ def controller_seeds(frames):
 def text_seeds():
     write("scenario_file", "everything", (
         "seconds: 20\nevents:\n  - {at_s: 1.0, walk: [0.15, 0.0, 0.1]}\n  - {at_s: 8.0, stand: true}\n"
+        "  - {at_s: 8.2, motion: wave}\n  - {at_s: 8.4, leave_motion: true}\n"
         "  - {at_s: 9, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}\n"
         "  - {at_s: 9.5, emergency_stop: soft}\n  - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3}}\n"
         "  - {at_s: 3, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}\n"
@@ -174,6 +175,22 @@ def text_seeds():
         '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial></link>\n'
         '<joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="0 0 1"/><axis xyz="0 1 0"/>'
         '<limit lower="-1" upper="1" effort="8" velocity="8"/></joint></robot>\n'))
+
+
+def motion_seeds():
+    def array(count, content):
+        return struct.pack("<Q", count) + content
+
+    def way(points):
+        point = struct.pack("<18dQ", *([0.0] * 17), 0.0, 2)
+        return array(points, point * points) + array(points, struct.pack("<f", 0.1) * points)
+
+    def table(on_ground):
+        return (b"GMOTION1" + array(4, b"wave") + array(0, b"") + struct.pack("<QQQ", 7, 1, on_ground) + way(17)
+                + array(3, struct.pack("<IiIiIi", 0, -1, 0, 0, 0, -1)) + struct.pack("<Q", 1) + way(8))
+
+    write("motion_table", "standing", table(0))
+    write("motion_table", "on_ground", table(1))
 
 
 def api_seeds():
@@ -220,6 +237,7 @@ def main():
     block_seeds()
     controller_seeds(frames)
     text_seeds()
+    motion_seeds()
     api_seeds()
     conversation_seeds()
 

@@ -270,5 +270,34 @@ TEST_F(JointControllerTest, FollowsItsBatchesOnASimulatedJoint) {
   EXPECT_NEAR(joint.reference_rad(), 0.2 * std::sin(7.854 * 1.6), 2 * config().count_rad);
 }
 
+// Held 0.02 rad away from its reference.
+TEST_F(JointControllerTest, GoesSoftAtOnceAndStiffInHalfASecond) {
+  sensors.encoder_count = static_cast<std::int32_t>(std::lround(0.02 / config().encoder_count_rad));
+  const auto slots = [&](int count, std::uint8_t softness) {
+    double torque_Nm = 0.0;
+    for (int i = 0; i < count; ++i) {
+      send(can::Sync{cycle, static_cast<std::uint8_t>(i % 8), false, false, softness});
+      for (int ms = 0; ms < 10; ++ms) torque_Nm = step();
+    }
+    return torque_Nm;
+  };
+  const double stiff_Nm = slots(10, 0);
+  EXPECT_NEAR(stiff_Nm, -300.0 * 0.02, 0.1);
+  EXPECT_NEAR(slots(1, 4), stiff_Nm * 3.0 / 7.0, 1e-9);
+  EXPECT_EQ(slots(1, can::kMostSoftness), 0.0);
+  run(50);
+  EXPECT_EQ(step(), 0.0) << "without SYNC it stays soft";
+  EXPECT_NEAR(slots(25, 0), stiff_Nm / 2.0, 0.03 * std::abs(stiff_Nm));
+  EXPECT_NEAR(slots(30, 0), stiff_Nm, 1e-9);
+}
+
+TEST_F(JointControllerTest, NoSoftnessEndsAnEmergencyStop) {
+  sensors.encoder_count = 100;
+  run_slots(5);
+  send(can::EmergencyStop{can::StopMode::soft});
+  run_slots(100);
+  EXPECT_EQ(step(), 0.0);
+}
+
 }  // namespace
 }  // namespace gaitway::localcontroller

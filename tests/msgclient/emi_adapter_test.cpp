@@ -91,8 +91,10 @@ TEST_F(EmiAdapterTest, AnOccupiedMailboxRefuses) {
 }
 
 TEST_F(EmiAdapterTest, CarriesTrimsAndUserCommands) {
-  TrimUpdate trim{
-      .stamp_ns = -1'234'567'890'123, .channel_count = 8, .angle = {0.1F, -0.2F, 0, 0, 0, 0, 0, 0.3F}};
+  TrimUpdate trim{.stamp_ns = -1'234'567'890'123,
+                  .channel_count = 8,
+                  .angle = {0.1F, -0.2F, 0, 0, 0, 0, 0, 0.3F},
+                  .softness = 0.75F};
   const UserCommandMail command{.sequence = 3,
                                 .kind = UserCommandKind::manual_joint,
                                 .joint = 5,

@@ -126,7 +126,7 @@ TEST(MemoryBlock, HoldsAllStandardTopicsInItsDefaultSize) {
 }
 
 TEST(MemoryBlock, RefusesWhatDoesNotFitNamingTopicAndSizes) {
-  MemoryBlock block;
+  MemoryBlock block(std::size_t{1} << 20);
   Client client = block.local_client("greedy");
   const TopicDescriptor large{"panorama", "Image", 1, 300'000, TopicKind::latest, 0};
   EXPECT_THAT(

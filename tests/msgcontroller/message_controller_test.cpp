@@ -2,6 +2,8 @@
 // tail.
 #include "message_controller_fixture.hpp"
 
+#include <limits>
+
 namespace gaitway::msgcontroller {
 namespace {
 
@@ -212,6 +214,30 @@ TEST_F(MessageControllerTest, WritesTrimsOfItsOwnWhenTheMainControllerIsSilent) 
   adapter_.host().post(*mail, now_ns_);
   run_until(4 * kCycle_ns);
   EXPECT_GE(bus_.sent[can::MessageKind::trim], 16);
+}
+
+TEST_F(MessageControllerTest, EverySyncSaysHowSoftTheJointsAre) {
+  std::vector<int> softness;
+  bus_.drop = [&](const can::Frame& frame) {
+    if (const auto sync = can::decode_sync(controller_.profile(), frame)) softness.push_back(sync->softness);
+    return false;
+  };
+  const auto heard_after = [&](float asked) {
+    adapter_.host().post(msgclient::TrimUpdate{.channel_count = 8, .softness = asked}, now_ns_);
+    softness.clear();
+    run_until(now_ns_ + 3 * kSlot_ns);
+    return softness.empty() ? -1 : softness.back();
+  };
+  run_until(kCycle_ns);
+  EXPECT_EQ(heard_after(0.0F), 0);
+  EXPECT_EQ(heard_after(1.0F), can::kMostSoftness);
+  EXPECT_EQ(heard_after(std::numeric_limits<float>::quiet_NaN()), can::kMostSoftness)
+      << "as if nothing had come";
+  run_until(now_ns_ + kCycle_ns);
+  EXPECT_EQ(softness.back(), can::kMostSoftness) << "a main controller that falls silent leaves them soft";
+  EXPECT_EQ(heard_after(-3.0F), 0);
+  EXPECT_EQ(heard_after(7.0F), can::kMostSoftness);
+  EXPECT_EQ(heard_after(0.43F), 3);
 }
 
 }  // namespace

@@ -37,6 +37,11 @@ class SimulatedRun {
     chosen.message_port_takes_back = false;
     return SimulatedRun(chosen, {});
   }
+  static SimulatedRun on_ground(std::uint64_t seed, const simulator::GroundConditions& ground) {
+    simulator::CosimulationOptions chosen = options(seed, source_tree() / "core/config/walk.yaml");
+    chosen.plant.conditions.ground = ground;
+    return SimulatedRun(chosen, {});
+  }
   SimulatedRun(std::uint64_t seed, const core::Configuration& plugins)
       : SimulatedRun(options(seed, plugins.file, plugins), {}) {}
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "simulated_run.hpp"
 
@@ -55,6 +56,19 @@ TEST_P(StopsTurnsAndSideSteps, SideSteps) {
   run.play({.seconds = 16.0, .events = {walk_at(1.0, 0.0, GetParam() % 2 == 0 ? 0.05 : -0.05)}});
   ASSERT_FALSE(run.metrics().fell);
   EXPECT_NEAR(std::abs(run.metrics().mean_side_speed_m_per_s()), 0.05, 0.01);
+}
+
+// Nobody tells the robot of the slope.
+TEST(UnpreparedSlope, IsStoodAndWalkedOnInAnyDirection) {
+  const double slope_rad = 6.0 * std::numbers::pi / 180.0;
+  for (int k = 0; k < 8; ++k) {
+    const double uphill_rad = k * std::numbers::pi / 4.0;
+    simulator::GroundConditions ground;
+    ground.slope_rad = slope_rad * Eigen::Vector2d(std::cos(uphill_rad), std::sin(uphill_rad));
+    auto run = SimulatedRun::on_ground(static_cast<std::uint64_t>(k + 1), ground);
+    run.play({.seconds = 8.0, .events = {walk_at(1.0, 0.15)}});
+    EXPECT_FALSE(run.metrics().fell) << "uphill towards " << 45 * k << " degrees";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, StraightWalk, ::testing::Range(1, 1 + seeds(20)));

@@ -14,11 +14,13 @@ class HomeServo {
   explicit HomeServo(const urdf::RobotModel& model) : model_(model), torque_(model.joints.size()) {}
 
   std::span<const double> operator()(const Plant& plant) {
+    // A joint with play has two hinges, the motor's first.
+    const std::size_t hinges = (plant.velocities().size() - 6) / torque_.size();
     for (std::size_t j = 0; j < torque_.size(); ++j) {
       const urdf::Joint& joint = model_.joints[j];
       const double angle = plant.sensors().encoder_count[j] * joint.encoder_count_rad;
       torque_[j] = joint.servo.stiffness_Nm_per_rad * (joint.home_rad - angle) -
-                   joint.servo.damping_Nms_per_rad * plant.velocities()[6 + j];
+                   joint.servo.damping_Nms_per_rad * plant.velocities()[6 + hinges * j];
     }
     return torque_;
   }

@@ -51,6 +51,24 @@ TEST_F(PlantTest, BeginsInTheHomePostureWithItsSolesOnTheGround) {
   }
 }
 
+TEST_F(PlantTest, TellsWhatOfTheBodyLiesOnTheGround) {
+  Plant plant(model_, exact_);
+  servo_.hold(plant, 500);
+  EXPECT_EQ(plant.ground_contact().body_force_N, 0.0) << "it stands on its feet alone";
+  for (int ms = 0; ms < 4000; ++ms) plant.step(no_torque_);
+  double force_Ns = 0.0;
+  for (int ms = 0; ms < 500; ++ms) {
+    plant.step(no_torque_);
+    const GroundContact& contact = plant.ground_contact();
+    EXPECT_GE(contact.body_force_N, contact.hardest_force_N);
+    EXPECT_GE(contact.hardest_force_N, contact.trunk_force_N);
+    force_Ns += 0.001 * (contact.body_force_N + contact.normal_force_N[0] + contact.normal_force_N[1]);
+  }
+  EXPECT_GT(plant.ground_contact().body_force_N, 0.0);
+  EXPECT_NEAR(force_Ns / 0.5, model_.total_mass_kg() * kGravity_m_per_s2, 2.0)
+      << "at rest the ground carries it";
+}
+
 TEST_F(PlantTest, StandsInItsHomePostureUnderItsServos) {
   Plant plant(model_, exact_);
   servo_.hold(plant, 2000);

@@ -140,7 +140,7 @@ TEST_F(AuthorCommands, PluginsAreListedWithWhatTheyDeclare) {
   EXPECT_EQ(find(trajectory["topics"], "motion_plan")["access"], "write");
   EXPECT_EQ(find(trajectory["topics"], "correction")["access"], "read_previous");
   EXPECT_EQ(find(trajectory["parameters"], "step_time")["unit"], "s");
-  EXPECT_EQ(find(trajectory["parameters"], "step_time")["default"], "0.4");
+  EXPECT_EQ(find(trajectory["parameters"], "step_time")["default"], "0.32");
   ASSERT_EQ(gaitway("plugins"), 0);
   EXPECT_THAT(said_, HasSubstr("writes      trim, correction"));
 }

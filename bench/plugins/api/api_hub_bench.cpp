@@ -27,6 +27,7 @@ class DeafRobot final : public RobotPort {
   std::optional<std::uint32_t> stop() override { return std::nullopt; }
   std::optional<std::uint32_t> emergency_stop(bool) override { return std::nullopt; }
   std::optional<std::uint32_t> move_joint(int, double, double) override { return std::nullopt; }
+  std::optional<std::uint32_t> play_motion(std::string_view) override { return std::nullopt; }
   std::optional<std::uint32_t> order(const PluginOrder&) override { return std::nullopt; }
   std::optional<OrderResult> take_result() override { return std::nullopt; }
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }

@@ -28,7 +28,7 @@ USER_COMMAND_ID = 0x002
 
 
 class WebSocket:
-    """As much of one as this needs: text messages out, and whatever comes is thrown away."""
+    """As much of one as this needs: text messages both ways, and now and then a sign of life."""
 
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port))
@@ -39,6 +39,7 @@ class WebSocket:
         assert b" 101 " in self.socket.recv(4096)
         self.socket.setblocking(False)
         self.shown = 0.0
+        self.unread = b""
 
     def frame(self, opcode, payload):
         mask = os.urandom(4)
@@ -48,16 +49,26 @@ class WebSocket:
     def send(self, message):
         self.frame(1, json.dumps(message).encode())
 
-    def drain(self):
-        """Reads what has come, and shows now and then that somebody is here: a pong needs no ping."""
+    def messages(self):
+        """What has come; shows now and then that somebody is here, too: a pong needs no ping."""
         try:
-            while self.socket.recv(65536):
-                pass
+            while data := self.socket.recv(65536):
+                self.unread += data
         except BlockingIOError:
             pass
         if time.monotonic() > self.shown + 0.2:
             self.shown = time.monotonic()
             self.frame(10, b"")
+        while len(self.unread) >= 4:
+            short = self.unread[1] & 127
+            header = 2 if short < 126 else 4
+            size = short if short < 126 else struct.unpack("!H", self.unread[2:4])[0]
+            if len(self.unread) < header + size:
+                return
+            opcode, payload = self.unread[0] & 15, self.unread[header:header + size]
+            self.unread = self.unread[header + size:]
+            if opcode == 1:
+                yield json.loads(payload)
 
 
 def start(folder, name, *arguments):
@@ -91,7 +102,7 @@ def measure(port, bus_port, trials):
         pause_until = time.monotonic() + random.uniform(0.06, 0.16)
         while time.monotonic() < pause_until:
             bus.recv(0.005)
-            client.drain()
+            list(client.messages())
         sent_s = time.monotonic()
         client.send({"op": "call_service", "service": "/move_joint",
                      "args": {"joint": "neck_yaw", "position": 0.02 * (trial % 2), "duration": 0.02}})
@@ -103,6 +114,8 @@ def measure(port, bus_port, trials):
                     taken.append(1e3 * (message.timestamp - sent_s))
                 break
         else:
+            answers = [message for message in client.messages() if message["op"] == "service_response"]
+            print(f"trial {trial}: no frame; the answer: {answers}")
             lost += trial >= 5
     bus.shutdown()
     return sorted(taken), lost

@@ -1,6 +1,7 @@
 // Cost of one leg by both solvers, of the whole-body CoM, and of a whole batch with its tail.
 #include <benchmark/benchmark.h>
 
+#include <string>
 #include <vector>
 
 #include "gaitway/kinematics/batch_solver.hpp"
@@ -68,10 +69,13 @@ void BM_WholeBodyCom(benchmark::State& state) {
 }
 BENCHMARK(BM_WholeBodyCom);
 
-// Batches of a walk, 8 points and 140 of the tail; argument: index of the solver's choice.
+// Batches of a walk, 8 points and 140 of the tail; arguments: index of the solver's choice, whether the
+// references lead by what the servos give way.
 void BM_Batch(benchmark::State& state) {
   const auto choice = state.range(0) == 0 ? SolverChoice::closed_form : SolverChoice::kdl;
-  BatchSolver solver(test::make_robot(), choice);
+  urdf::RobotModel robot = test::make_robot();
+  for (urdf::Joint& joint : robot.joints) joint.servo.stiffness_Nm_per_rad = 300.0;
+  BatchSolver solver(robot, choice, state.range(1) != 0);
   const test::WalkingPlan walk(0.25, 0.3);
   std::vector<MotionPlan> plans;
   for (std::uint32_t sequence = 1; sequence <= 30; ++sequence) plans.push_back(walk.batch(sequence));
@@ -85,9 +89,10 @@ void BM_Batch(benchmark::State& state) {
     benchmark::DoNotOptimize(joint_plan);
     i = i + 1 == plans.size() ? 0 : i + 1;
   }
-  state.SetLabel(state.range(0) == 0 ? "closed form" : "KDL");
+  state.SetLabel(std::string(state.range(0) == 0 ? "closed form" : "KDL") +
+                 (state.range(1) == 0 ? "" : ", load compensated"));
 }
-BENCHMARK(BM_Batch)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_Batch)->Args({0, 0})->Args({0, 1})->Args({1, 0})->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace gaitway::kinematics

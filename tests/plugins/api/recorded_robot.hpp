@@ -53,6 +53,12 @@ class RecordedRobot final : public RobotPort {
         std::to_string(joint) + " " + std::to_string(position_rad) + " " + std::to_string(duration_s);
     return note("move_joint");
   }
+  std::optional<std::uint32_t> play_motion(std::string_view name) override {
+    if (name.empty()) {
+      return std::nullopt;  // what a stand means, too, and nobody waits for
+    }
+    return note("play_motion " + std::string(name));
+  }
   std::optional<std::uint32_t> order(const PluginOrder& order) override {
     orders.push_back(order);
     return note("order");

@@ -257,8 +257,19 @@ TEST_F(ServiceTest, ParametersAreSetAndRemembered) {
   EXPECT_EQ(known(), "2");
 }
 
-TEST_F(ServiceTest, MotionsThatThereAreNotAreRefused) {
-  EXPECT_THAT(values(client->call("/play_motion", {{"motion", "wave"}}))["message"], HasSubstr("no motions"));
+TEST_F(ServiceTest, PlaysMotionsAndPassesOnWhyNot) {
+  call_later("/play_motion", {{"motion", "wave"}});
+  EXPECT_EQ(robot.told.back(), "play_motion wave");
+  finish(true, "'wave' begins");
+  EXPECT_EQ(values(client->receive_one()), (json{{"success", true}, {"message", "'wave' begins"}}));
+  call_later("/play_motion", {{"motion", "jump"}});
+  finish(false, "there is no motion 'jump'");
+  EXPECT_EQ(values(client->receive_one())["message"], "there is no motion 'jump'");
+  const std::size_t told = robot.told.size();
+  for (const std::string& name : {std::string(), std::string(48, 'a'), std::string("a\nb")}) {
+    EXPECT_EQ(client->call("/play_motion", {{"motion", name}})["result"], false) << name;
+  }
+  EXPECT_EQ(robot.told.size(), told);
 }
 
 TEST_F(ServiceTest, RecordsUnderPlainNamesOnly) {

@@ -45,7 +45,7 @@ class BalanceControllerTest : public ::testing::Test {
     plan_->footstep_count = 2;
     for (std::size_t i = 0; i < kMaxPoints; ++i) {
       plan_->support[i] = support;
-      plan_->base_yaw[i] = yaw_rad;
+      plan_->commanded_yaw[i] = yaw_rad;
     }
     has_plan_ = true;
   }
@@ -147,6 +147,7 @@ TEST_F(BalanceControllerTest, AShortLossOfContactChangesNothing) {
 }
 
 TEST_F(BalanceControllerTest, HeadingErrorAsksForATurnAndNothingElse) {
+  estimate_.attitude[0] = estimate_.attitude[1] = 0.0;
   plan(2);
   tick(10);
   for (int i = 0; i < 50; ++i) {
@@ -159,10 +160,37 @@ TEST_F(BalanceControllerTest, HeadingErrorAsksForATurnAndNothingElse) {
     EXPECT_EQ(correction_.com_offset[axis], 0.0);
     EXPECT_EQ(correction_.base_attitude_offset[axis], 0.0);
     EXPECT_EQ(correction_.step_offset[axis], 0.0);
+    EXPECT_EQ(correction_.velocity_offset[axis], 0.0);
   }
   has_estimate_ = false;
   tick();
   EXPECT_EQ(correction_.turn_rate_offset, 0.0);
+}
+
+TEST_F(BalanceControllerTest, AFallSoftensTheJointsAndEndsTheTrims) {
+  plan(2);
+  tick(30);
+  EXPECT_EQ(trim_.softness, 0.0);
+  EXPECT_NE(trim_.angle[kLeftAnklePitch], 0.0);
+  estimate_.fall = 1;
+  tick();
+  EXPECT_EQ(trim_.softness, 1.0);
+  tick(15);
+  expect_zero_trims();
+  estimate_is_fresh_ = false;
+  tick(100);
+  EXPECT_EQ(trim_.softness, 1.0) << "a robot that is not heard stays as it is";
+}
+
+TEST_F(BalanceControllerTest, AMotionOnTheGroundMakesTheJointsStiffAgain) {
+  estimate_.fall = 2;
+  plan(2);
+  tick(5);
+  EXPECT_EQ(trim_.softness, 1.0);
+  plan(3);
+  tick(5);
+  EXPECT_EQ(trim_.softness, 0.0);
+  expect_zero_trims();
 }
 
 TEST(BalanceParametersTest, BadValuesAreRefusedByName) {
@@ -174,6 +202,59 @@ TEST(BalanceParametersTest, BadValuesAreRefusedByName) {
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("ankle_pitch gain is -0.25"), std::string::npos) << error.what();
   }
+}
+
+// The trunk is where the motion has it: nothing to correct; and 0.04 rad beyond: what is corrected in the
+// stand.
+TEST_F(BalanceControllerTest, BalancesAboutWhereAMotionHasTheTrunk) {
+  plan(2);
+  plan_->footstep_count = 0;
+  plan_->motion = 1;
+  for (auto& attitude : plan_->trunk_attitude) attitude[1] = 0.75;
+  estimate_.attitude[1] = 0.75;
+  tick(20);
+  expect_zero_trims();
+  estimate_.attitude[1] = 0.79;  // no fall, although it would be one in the stand at 0.8 and more
+  tick(1);
+  EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.01, 1e-7);
+  EXPECT_EQ(trim_.gain[2][kLeftAnklePitch][1], 0.0) << "the message controller knows of no leaning trunk";
+}
+
+TEST_F(BalanceControllerTest, ATrunkThatTurnsAsPlannedIsNotHeldBack) {
+  plan(2);
+  plan_->motion = 1;
+  for (std::size_t i = 0; i < kMaxPoints; ++i) plan_->trunk_attitude[i][1] = 0.01 * static_cast<double>(i);
+  for (int i = 0; i < 30; ++i) {
+    // Point i is reached at the end of slot i.
+    estimate_.attitude[1] = i < 2 ? 0.0 : 0.01 * (i - 2);
+    estimate_.angular_velocity[1] = i < 3 ? 0.0 : 1.0;
+    tick(1);
+  }
+  for (const double angle : trim_.angle) EXPECT_NEAR(angle, 0.0, 0.003);
+}
+
+TEST_F(BalanceControllerTest, NothingIsBalancedWhereNoFootStands) {
+  plan(2);
+  tick(20);
+  EXPECT_NE(trim_.angle[kLeftAnklePitch], 0.0);
+  plan(3);
+  tick(200);
+  expect_zero_trims();
+}
+
+// Beyond 90° pitch grows when the robot falls back: trims by it would push it over, as they once did on
+// getting up.
+TEST_F(BalanceControllerTest, ATrunkThatIsToHangDownIsNotBalanced) {
+  plan(2);
+  plan_->motion = 1;
+  for (auto& attitude : plan_->trunk_attitude) {
+    attitude[0] = 3.14;
+    attitude[1] = 1.2;
+  }
+  estimate_.attitude[0] = 3.14;
+  estimate_.attitude[1] = 1.3;
+  tick(100);
+  expect_zero_trims();
 }
 
 }  // namespace

@@ -48,8 +48,9 @@ double heading_after(double seconds, double commanded_rad_per_s, double gain_per
     slipped += 2.1 * kDegree * kTick_s;
     const double swing = 1.0 * kDegree * std::sin(2.0 * M_PI * 1.25 * t);  // the trunk's, with the steps
     const double heading = planned + slipped;
-    delayed.push_back(feedback.update(heading + swing, planned, true));
-    if (t > 10.0) worst_late = std::max(worst_late, std::abs(heading - commanded_rad_per_s * (t + kTick_s)));
+    const double commanded = commanded_rad_per_s * (t + kTick_s);
+    delayed.push_back(feedback.update(heading + swing, commanded, true));
+    if (t > 10.0) worst_late = std::max(worst_late, std::abs(heading - commanded));
   }
   return worst_late;
 }

@@ -20,7 +20,7 @@ std::unique_ptr<MotionPlan> plan_of(std::uint32_t sequence, std::int64_t start_n
   plan->footstep_count = 1;
   for (std::size_t i = 0; i < 24; ++i) {
     plan->support[i] = i < 8 ? batch_support : std::uint8_t{2};
-    plan->base_yaw[i] = yaw_rad + 0.001 * static_cast<double>(i + 1);
+    plan->commanded_yaw[i] = yaw_rad + 0.001 * static_cast<double>(i + 1);
   }
   return plan;
 }
@@ -68,10 +68,10 @@ TEST(PlanTimeline, APlanThatWasNotAcceptedLeavesTheTailOfTheOneBefore) {
 TEST(PlanTimeline, YawIsWhatWasReachedAndStaysAfterTheTail) {
   PlanTimeline timeline;
   timeline.take(*plan_of(1, 0, 0, 0.5));
-  EXPECT_DOUBLE_EQ(timeline.at(3 * kSlot_ns, std::nullopt)->base_yaw_rad, 0.503);
-  EXPECT_DOUBLE_EQ(timeline.at(24 * kSlot_ns, std::nullopt)->base_yaw_rad, 0.524);
+  EXPECT_DOUBLE_EQ(timeline.at(3 * kSlot_ns, std::nullopt)->commanded_yaw_rad, 0.503);
+  EXPECT_DOUBLE_EQ(timeline.at(24 * kSlot_ns, std::nullopt)->commanded_yaw_rad, 0.524);
   const auto late = timeline.at(5000 * kSlot_ns, std::nullopt);
-  EXPECT_DOUBLE_EQ(late->base_yaw_rad, 0.524);
+  EXPECT_DOUBLE_EQ(late->commanded_yaw_rad, 0.524);
   EXPECT_EQ(late->support, 2U);
   EXPECT_FALSE(late->walking);
 }

@@ -17,14 +17,15 @@ class Footsteps : public ::testing::Test {
 
 TEST_F(Footsteps, ForwardStepLandsAheadAtNominalSpacing) {
   const Pose2 foot = planner.landing({}, Side::left, {0.2, 0.0, 0.0}, {0.0, 0.0}, applied);
-  EXPECT_NEAR(foot.x_m, 0.08, 1e-12);
+  EXPECT_NEAR(foot.x_m, 0.2 * parameters.step_time_s, 1e-12);
   EXPECT_NEAR(foot.y_m, 0.10, 1e-12);
   EXPECT_EQ(applied, StepLimit::none);
 }
 
 TEST_F(Footsteps, OnlyTheOuterFootMovesSideways) {
   const Velocity2 left{0.0, 0.05, 0.0};
-  EXPECT_NEAR(planner.landing({}, Side::left, left, {0.0, 0.0}, applied).y_m, 0.14, 1e-12);
+  EXPECT_NEAR(planner.landing({}, Side::left, left, {0.0, 0.0}, applied).y_m,
+              0.10 + 2.0 * 0.05 * parameters.step_time_s, 1e-12);
   EXPECT_NEAR(planner.landing({}, Side::right, left, {0.0, 0.0}, applied).y_m, -0.10, 1e-12);
 }
 
@@ -78,8 +79,8 @@ TEST_F(Footsteps, SpeedIsScaledOntoTheEllipsoidWithItsDirectionKept) {
 
 TEST_F(Footsteps, VelocityChangesByTheAccelerationOfOneStep) {
   const Velocity2 v = planner.next_velocity({}, {0.2, 0.0, -0.44}, applied);
-  EXPECT_NEAR(v.forward_m_per_s, 0.25 * 0.4, 1e-12);
-  EXPECT_NEAR(v.turn_rad_per_s, -0.4, 1e-12);
+  EXPECT_NEAR(v.forward_m_per_s, 0.25 * parameters.step_time_s, 1e-12);
+  EXPECT_NEAR(v.turn_rad_per_s, -1.0 * parameters.step_time_s, 1e-12);
   EXPECT_EQ(applied, StepLimit::acceleration);
 }
 

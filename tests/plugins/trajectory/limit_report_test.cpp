@@ -41,9 +41,9 @@ TEST(LimitReport, NamesCommandRuleAndValue) {
   (void)report.news(walk(1.0), StepLimit::speed);
   EXPECT_THAT(report.text(StepLimit::speed),
               AllOf(HasSubstr("walk 1, 0 m/s, 0 rad/s"), HasSubstr("rule speed"),
-                    HasSubstr("at most 0.3 forward, 0.25 backward")));
+                    HasSubstr("at most 0.469 forward, 0.312 backward")));
   EXPECT_THAT(report.text(StepLimit::length),
-              AllOf(HasSubstr("rule length"), HasSubstr("max_step_forward 0.12 m")));
+              AllOf(HasSubstr("rule length"), HasSubstr("max_step_forward 0.15 m")));
   EXPECT_THAT(report.text(StepLimit::spacing), HasSubstr("max_foot_spacing 0.16 m"));
   EXPECT_THAT(report.text(StepLimit::turn), HasSubstr("max_step_turn 0.24 rad"));
   EXPECT_THAT(report.text(StepLimit::sole_gap), HasSubstr("min_sole_gap 0.008 m"));

@@ -28,15 +28,15 @@ inline std::vector<double> home_posture(const urdf::RobotModel& model) {
   return home;
 }
 
-// Cell forces whose sum is force_N and whose ZMP is zmp_m in the sole frame: bilinear in the cells'
-// rectangle.
+// Cell forces whose sum is force_N and whose ZMP is zmp_m in the sole frame, as a rigid plate loads four
+// equal springs.
 inline std::array<double, 4> cell_forces(const urdf::Foot& foot, double force_N,
                                          const Eigen::Vector2d& zmp_m) {
-  const double front = foot.cell_m[0].x(), rear = foot.cell_m[2].x();
-  const double left = foot.cell_m[0].y(), right = foot.cell_m[1].y();
-  const double u = (zmp_m.x() - rear) / (front - rear);
-  const double v = (zmp_m.y() - right) / (left - right);
-  return {force_N * u * v, force_N * u * (1.0 - v), force_N * (1.0 - u) * v, force_N * (1.0 - u) * (1.0 - v)};
+  const Eigen::Vector2d half = 0.5 * (foot.cell_m[0] - foot.cell_m[3]);
+  const Eigen::Vector2d middle = 0.5 * (foot.cell_m[0] + foot.cell_m[3]);
+  const Eigen::Vector2d share = (zmp_m - middle).cwiseQuotient(half) / 4.0;
+  return {force_N * (0.25 + share.x() + share.y()), force_N * (0.25 + share.x() - share.y()),
+          force_N * (0.25 - share.x() + share.y()), force_N * (0.25 - share.x() - share.y())};
 }
 
 // Everything that the sensors say in one slot.

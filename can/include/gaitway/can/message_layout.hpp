@@ -52,10 +52,11 @@ inline constexpr std::array<FieldSpec, 1> kEmergencyStop{{{"mode", 0, 8, false, 
 inline constexpr std::array<FieldSpec, 3> kUserCommand{{{"node", 0, 8, false, ""},
                                                         {"target_count", 8, 16, true, "count"},
                                                         {"duration_slots", 24, 8, false, "10 ms"}}};
-inline constexpr std::array<FieldSpec, 4> kSync{{{"cycle", 0, 16, false, "80 ms"},
+inline constexpr std::array<FieldSpec, 5> kSync{{{"cycle", 0, 16, false, "80 ms"},
                                                  {"slot", 16, 3, false, "10 ms"},
                                                  {"batch_committed", 19, 1, false, ""},
-                                                 {"toggle", 20, 1, false, ""}}};
+                                                 {"toggle", 20, 1, false, ""},
+                                                 {"softness", 21, 3, false, "1/7"}}};
 inline constexpr std::array<FieldSpec, 8> kTrim{{{"trim_0", 0, 8, true, "trim count"},
                                                  {"trim_1", 8, 8, true, "trim count"},
                                                  {"trim_2", 16, 8, true, "trim count"},

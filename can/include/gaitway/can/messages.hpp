@@ -37,12 +37,15 @@ struct UserCommand {
   friend bool operator==(const UserCommand&, const UserCommand&) = default;
 };
 
+inline constexpr std::uint8_t kMostSoftness = 7;
+
 // Sent at every slot edge; starts batches and keeps the joints' slots aligned.
 struct Sync {
   std::uint16_t cycle = 0;       // low 16 bits of the cycle number = of the batch's sequence number
   std::uint8_t slot = 0;         // 0..7
   bool batch_committed = false;  // a batch for this cycle was sent: whoever holds it starts it at slot 0
   bool toggle = false;           // toggle of the committed batch
+  std::uint8_t softness = 0;     // of all joints: 0 the servo's whole torque .. kMostSoftness none
   friend bool operator==(const Sync&, const Sync&) = default;
 };
 

@@ -44,7 +44,8 @@ concept JointPort = requires(Port& port, localcontroller::JointSensors& sensors,
 // angle that the (absolute) encoder says.
 [[nodiscard]] inline localcontroller::JointConfig held_where_found(localcontroller::JointConfig config,
                                                                    std::int32_t encoder_count) noexcept {
-  const double count = encoder_count * config.encoder_count_rad / config.count_rad;
+  const double count =
+      (encoder_count * config.encoder_count_rad - config.encoder_zero_rad) / config.count_rad;
   config.initial_reference_count = static_cast<std::int32_t>(count < 0.0 ? count - 0.5 : count + 0.5);
   return config;
 }

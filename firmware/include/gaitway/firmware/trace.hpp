@@ -112,6 +112,7 @@ void trace_fields(Fields& fields, localcontroller::JointConfig& config) {
   fields(config.node);
   fields(config.count_rad);
   fields(config.encoder_count_rad);
+  fields(config.encoder_zero_rad);
   fields(config.stiffness_Nm_per_rad);
   fields(config.damping_Nms_per_rad);
   fields(config.torque_limit_Nm);

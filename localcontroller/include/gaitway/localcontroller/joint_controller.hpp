@@ -22,6 +22,7 @@ struct JointConfig {
   can::NodeId node = 0;
   double count_rad = 0.0;             // size of a count on the wire
   double encoder_count_rad = 0.0;     // size of an encoder count
+  double encoder_zero_rad = 0.0;      // what the encoder says where the joint is at 0
   double stiffness_Nm_per_rad = 0.0;  // position gain of the servo
   double damping_Nms_per_rad = 0.0;   // velocity gain; the reference's velocity is fed forward
   double torque_limit_Nm = 0.0;       // fades to zero at speed_limit_rad_per_s in the driving direction
@@ -88,6 +89,8 @@ class JointController {
   double reference_rad_;
   double measured_rad_ = 0.0;
   double torque_Nm_ = 0.0;
+  double share_ = 1.0;  // of the servo's torque: less while the robot falls
+  double share_asked_ = 1.0;
   bool soft_ = false;        // after an emergency stop; ends with a restart
   std::int64_t now_ns_ = 0;  // of the last step
   bool measured_ = false;    // the encoder has been read

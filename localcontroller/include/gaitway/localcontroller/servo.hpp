@@ -27,6 +27,8 @@ class Servo {
     started_ = false;
     velocity_rad_per_s_ = 0.0;
   }
+  // Of both gains and of the torque limit: 1 all, 0 nothing. For a joint that goes soft.
+  void set_share(double share) noexcept { share_ = share; }
   [[nodiscard]] double velocity_rad_per_s() const noexcept { return velocity_rad_per_s_; }
   [[nodiscard]] bool saturated() const noexcept { return saturated_; }
 
@@ -34,6 +36,7 @@ class Servo {
   ServoGains gains_;
   double last_rad_ = 0.0;
   double velocity_rad_per_s_ = 0.0;
+  double share_ = 1.0;
   bool started_ = false;
   bool saturated_ = false;
 };

@@ -9,11 +9,13 @@
 
 namespace gaitway::msgclient {
 
-// Host to message controller every 10 ms: absolute corrections. Not answered: the next one replaces it.
+// Host to message controller every 10 ms: absolute corrections, and how soft the joints are. Not answered:
+// the next one replaces it.
 struct TrimUpdate {
   std::int64_t stamp_ns = 0;
   std::uint32_t channel_count = 0;  // valid channels, in the order of the network file's trim channels
   std::array<float, kTrimChannels> angle{};  // [rad]
+  float softness = 0.0F;                     // of all joints: 0 the servos' whole torque .. 1 none
 
   friend bool operator==(const TrimUpdate&, const TrimUpdate&) = default;
 };

@@ -11,7 +11,7 @@ namespace gaitway::msgclient {
 
 class TopicRegistry;
 
-inline constexpr std::size_t kDefaultBlockBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kDefaultBlockBytes = std::size_t{2} << 20;
 inline constexpr std::size_t kMaxBlockBytes = std::size_t{4} << 20;
 // Values above this size get kSlotsOfLargeTopic slots, so that a plan doesn't fill the block.
 inline constexpr std::uint32_t kLargeTopicBytes = 16384;

@@ -133,7 +133,8 @@ class MessageController {
   bool stop_requested_ = false;
   bool stop_is_soft_ = false;  // the emergency stop that holds
   std::int64_t slot_start_ns_ = 0;
-  std::uint32_t stop_sent_in_slot_ = 0;     // slot since start in which the emergency stop was last sent
+  std::uint8_t softness_ = 0;            // of all joints, as heard last: a host that falls silent leaves it
+  std::uint32_t stop_sent_in_slot_ = 0;  // slot since start in which the emergency stop was last sent
   bool prepared_before_last_slot_ = false;  // the last slot's feedback can tell whether its frames arrived
   bool feedback_published_ = true;
   bool trim_sent_this_slot_ = false;

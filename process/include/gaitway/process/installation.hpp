@@ -3,7 +3,8 @@
 //
 //   <root>/bin                          programs
 //   <root>/lib/gaitway                  libraries that they bring along; plugins/ the plug-ins
-//   <root>/share/gaitway                urdf/, config/, scenarios/, templates/
+//   <root>/share/gaitway                urdf/, config/, scenarios/, templates/, motions/, prepared_motions/,
+//                                       calibration/
 #pragma once
 
 #include <filesystem>
@@ -18,6 +19,11 @@ namespace gaitway::process {
 [[nodiscard]] std::filesystem::path default_config_file();
 [[nodiscard]] std::filesystem::path scenario_directory();
 [[nodiscard]] std::filesystem::path template_directory();
+[[nodiscard]] std::filesystem::path motion_directory();
+[[nodiscard]] std::filesystem::path calibration_directory();
+
+// Where the motions are that a robot can play; empty if this code lies in no installation.
+[[nodiscard]] std::filesystem::path prepared_motion_directory();
 
 // Where the shipped plug-ins are; empty if this code lies in no installation.
 [[nodiscard]] std::filesystem::path shipped_plugin_directory();

@@ -17,6 +17,7 @@
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
+#include "gaitway/msgcontroller/motion_requests.hpp"
 #include "gaitway/msgcontroller/walk_requests.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
@@ -30,7 +31,8 @@ struct CosimulationOptions {
   double largest_clock_drift_ppm = 50.0;
   core::MainControllerOptions main_controller;
   bool plugin_commands_walk = false;  // a plug-in writes `walk_command`: walk events are refused
-  // People's requests in the topic `walk_request` are obeyed: walk events are refused, too.
+  // People's requests in the topics `walk_request` and `motion_request` are obeyed: walk and motion events
+  // are refused, too.
   bool obey_walk_requests = false;
   // To be shared with other processes; it outlives the run. nullptr: a block of its own.
   msgclient::MemoryBlock* memory_block = nullptr;
@@ -52,6 +54,8 @@ class CosimulationObserver {
   // A walk request of somebody outside has become the command, before the millisecond that begins at
   // `now_ns`.
   virtual void on_walk_request(const WalkCommand&, std::int64_t /*now_ns*/) {}
+  // The same of a request for a motion.
+  virtual void on_motion_request(const MotionRequest&, std::int64_t /*now_ns*/) {}
 };
 
 class Cosimulation {
@@ -65,8 +69,8 @@ class Cosimulation {
   void advance_millisecond();
 
   // From outside; all of it takes effect in the millisecond that comes next. Throws std::invalid_argument for
-  // a walk event when somebody else commands the walk, urdf::RobotError for a fault of a plug-in that is not
-  // there.
+  // a walk or motion event when somebody else commands the robot, urdf::RobotError for a fault of a plug-in
+  // that is not there.
   void apply(const ScenarioEvent& event);
 
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
@@ -81,7 +85,7 @@ class Cosimulation {
   // For changes between two milliseconds.
   [[nodiscard]] core::PluginManager& plugins() noexcept { return main_controller_->plugins(); }
   [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
-  // From now on no walk request is obeyed any more, and the robot comes to a stand.
+  // From now on no walk or motion request is obeyed any more, and the robot comes to a stand.
   void end_walk_requests();
   // The scenario does not.
   [[nodiscard]] bool others_command_walk() const noexcept {
@@ -103,6 +107,7 @@ class Cosimulation {
   void finish_restarts();
   void inject(const PluginFault& fault);
   void ask(const msgclient::UserCommandMail& mail);
+  void ask(const MotionEvent& motion);
 
   urdf::RobotModel robot_;
   CosimulationOptions options_;
@@ -119,6 +124,9 @@ class Cosimulation {
   std::unique_ptr<core::MainController> main_controller_;
   std::optional<msgclient::Writer<WalkCommand>> walk_command_;  // none: somebody else writes it
   std::optional<msgcontroller::WalkRequests> walk_requests_;
+  std::optional<msgclient::Writer<MotionRequest>> motion_command_;  // likewise
+  std::optional<msgcontroller::MotionRequests> motion_requests_;
+  std::uint32_t motions_asked_ = 0;
   std::optional<msgclient::QueueWriter<UserCommand>> asked_commands_;  // opened when one is asked for
   CosimulationObserver* observer_ = nullptr;
 

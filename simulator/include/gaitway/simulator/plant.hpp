@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
@@ -20,6 +21,7 @@ struct PlantOptions {
   // Scales what the planner does not know: link masses 5 %, trunk CoM 6/4/6 mm, joint zeros 0.4° (all σ).
   double mismatch = 1.0;
   bool sensor_noise = true;
+  Conditions conditions = {};
 };
 
 // What the sensors read, in SI units, sensor frames; noise included.
@@ -46,13 +48,26 @@ struct GroundContact {
   std::array<double, 2> normal_force_N{};
   // Centre of pressure of each foot in its own sole frame; valid where the force is > 0.
   std::array<Eigen::Vector2d, 2> foot_cop_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  // Of the links that are no feet: what a robot that has fallen lies on.
+  double body_force_N = 0.0;     // normal, of all of them
+  double hardest_force_N = 0.0;  // normal, of the link that is hit hardest
+  double trunk_force_N = 0.0;    // normal, of the link with the IMU
 };
 
 struct PlantTruth {
-  Eigen::Isometry3d base = Eigen::Isometry3d::Identity();  // pelvis in the world
+  Eigen::Isometry3d base = Eigen::Isometry3d::Identity();   // pelvis in the world
+  Eigen::Isometry3d trunk = Eigen::Isometry3d::Identity();  // link with the IMU, in the world
   Eigen::Vector3d com_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d cop_m = Eigen::Vector3d::Zero();  // of both feet together, in the world
   double trunk_tilt_rad = 0.0;                      // against the vertical
+};
+
+// What the seed has drawn of the body, and its description does not say: for reports and tests alone.
+struct BodyTruth {
+  std::vector<double> encoder_zero_rad;                          // of each joint
+  Eigen::Vector3d trunk_com_offset_m = Eigen::Vector3d::Zero();  // from the description's
+  std::vector<double> link_mass_kg;
+  std::array<std::array<double, 4>, 2> cell_gain{};  // [Side]; 0: a dead one
 };
 
 // A bare replay of recorded torques.
@@ -79,8 +94,10 @@ class Plant {
 
   [[nodiscard]] const PlantSensors& sensors() const noexcept;  // of the present instant
   [[nodiscard]] PlantTruth truth() const;
+  [[nodiscard]] BodyTruth body_truth() const;
   [[nodiscard]] const GroundContact& ground_contact() const noexcept;
-  [[nodiscard]] bool fallen() const noexcept;  // trunk tilt > 50°, base height < 0.2 m, or not a number
+  [[nodiscard]] bool fallen()
+      const noexcept;  // trunk tilt > 50°, base < 0.2 m above the ground's plane, or not a number
   [[nodiscard]] double time_s() const noexcept;
   // Hash input: qpos and qvel, bit for bit.
   [[nodiscard]] std::span<const double> positions() const noexcept;
@@ -94,7 +111,7 @@ class Plant {
 
   // The same model from the same start, fed the given torques (motor_torque_Nm, one row for each step,
   // row-major) and nothing else: no sensors, no contacts read. Without pushes it ends where the recorded run
-  // did, to the bit; pushes are not replayed. The plant itself does not move.
+  // did, to the bit; pushes are not replayed, tiles stay where they lie. The plant itself does not move.
   [[nodiscard]] Replay replay(std::span<const float> applied_torque_Nm) const;
   // Its wall time alone.
   [[nodiscard]] double replay_wall_s(std::span<const float> applied_torque_Nm) const;

@@ -1,9 +1,11 @@
 // A scenario: what is asked of the robot, and what is done to it, at which time. Read from YAML:
 //
 //   seconds: 20
+//   conditions: {slope_deg: [5, 0]}              # of the ground and the body; see conditions.hpp
 //   events:
 //     - {at_s: 1.0, walk: [0.15, 0.0, 0.0]}        # forward m/s, left m/s, turn rad/s
 //     - {at_s: 8.0, stand: true}                   # stop walking: finish the step and stand
+//     - {at_s: 8.5, motion: wave}                  # a key-frame motion; leave_motion: true ends it early
 //     - {at_s: 9.0, stop: true}                    # user command: the message controller plays the safe tail
 //     - {at_s: 9.5, emergency_stop: hold}          # or: soft
 //     - {at_s: 10.0, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}
@@ -27,6 +29,7 @@
 
 #include "gaitway/can/frame.hpp"
 #include "gaitway/core/plugin_fault_table.hpp"
+#include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
@@ -35,6 +38,10 @@ struct WalkEvent {
   Eigen::Vector2d velocity_m_per_s = Eigen::Vector2d::Zero();
   double turn_rate_rad_per_s = 0.0;
   bool walk = true;  // false: finish the step and stand
+};
+// Play a key-frame motion; without a name: leave the one that plays.
+struct MotionEvent {
+  std::string name;
 };
 struct StopEvent {};
 struct EmergencyStopEvent {
@@ -97,7 +104,7 @@ struct PluginFault {
 
 struct ScenarioEvent {
   double at_s = 0.0;
-  std::variant<WalkEvent, StopEvent, EmergencyStopEvent, ManualJointEvent, PushEvent,
+  std::variant<WalkEvent, MotionEvent, StopEvent, EmergencyStopEvent, ManualJointEvent, PushEvent,
                MainControllerSilentFault, LoseFramesFault, DisturbBusFault, JamFault, BusOffFault,
                JointRestartsFault, ForeignFrameFault, PluginFault>
       action;
@@ -106,6 +113,7 @@ struct ScenarioEvent {
 
 struct Scenario {
   double seconds = 20.0;
+  Conditions conditions = {};
   std::vector<ScenarioEvent> events;  // in order of time
 };
 

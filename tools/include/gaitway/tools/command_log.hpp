@@ -9,13 +9,14 @@
 
 namespace gaitway::tools {
 
-// Notes each walk request and user command with the millisecond in which it took effect.
+// Notes each walk request, motion request and user command with the millisecond in which it took effect.
 class CommandLog {
  public:
   // Opens what `run` tells; outlived by it. Throws msgclient::TopicError.
   explicit CommandLog(simulator::Cosimulation& run);
 
   void on_walk_request(const WalkCommand& command, std::int64_t now_ns);
+  void on_motion_request(const MotionRequest& request, std::int64_t now_ns);
   // After each millisecond; `began_ns`: when it began. What was obeyed in it.
   void on_millisecond(std::int64_t began_ns);
 

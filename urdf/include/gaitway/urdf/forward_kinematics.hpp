@@ -58,4 +58,8 @@ class ForwardKinematics {
   std::array<Eigen::Isometry3d, 2> sole_{Eigen::Isometry3d::Identity(), Eigen::Isometry3d::Identity()};
 };
 
+// Of the whole body's CoM above the soles, at the home posture. Throws std::invalid_argument if it is not
+// above them.
+[[nodiscard]] double home_com_height_m(const RobotModel& model);
+
 }  // namespace gaitway::urdf

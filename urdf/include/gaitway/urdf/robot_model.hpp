@@ -73,6 +73,7 @@ struct Joint {
   std::uint8_t node = 0;   // id of its local controller on the bus, 1..64, unique
   double count_rad = 0.0;  // size of a count on the wire
   double encoder_count_rad = 0.0;
+  double encoder_zero_rad = 0.0;  // what the encoder says where the joint is at 0: from the calibration
   Servo servo;
   Motor motor;
   int trim_channel = -1;  // its place in the trim frame; -1: none
@@ -94,6 +95,7 @@ struct SensorChannel {
   int index = 0;       // cell 0..3 (front left, front right, rear left, rear right), or axis x, y, z = 0..2
                        // (inclination: roll, pitch = 0, 1)
   double scale = 1.0;  // sensor unit (N, m/s², rad/s, rad) for one count of the 16-bit channel
+  double gain = 1.0;   // of the sensor, by which its readings are divided: from the calibration
 };
 
 struct Foot {
@@ -163,6 +165,8 @@ struct RobotModel {
   NetworkSettings network;
   double physics_step_s = 0.001;
   double hip_height_m = 0.0;  // of the hip axes above the ground in the standing posture
+  // From the calibration, and in links[imu.link].com_m already.
+  Eigen::Vector3d trunk_com_offset_m = Eigen::Vector3d::Zero();
   // Same joints and links; segments bear the links' names. KDL's root segment has no inertia: the base's mass
   // is in links[0] alone.
   KDL::Tree tree;
@@ -173,7 +177,12 @@ struct RobotModel {
   [[nodiscard]] std::optional<int> joint_of_node(int node) const noexcept;
 };
 
-// Loads <directory>/robot.urdf and <directory>/robot.yaml. Throws RobotError.
-RobotModel load_robot(const std::filesystem::path& directory);
+// What becomes of <directory>/calibration.yaml, if there is one.
+enum class CalibrationUse : std::uint8_t { applied, left_out };
+
+// Loads <directory>/robot.urdf, <directory>/robot.yaml and, if there is one, <directory>/calibration.yaml.
+// Throws RobotError.
+RobotModel load_robot(const std::filesystem::path& directory,
+                      CalibrationUse calibration = CalibrationUse::applied);
 
 }  // namespace gaitway::urdf

@@ -16,6 +16,7 @@ namespace gaitway::api {
 //   controller /odom, /tf, /com, /zmp                     with each new estimate; /tf without odom when none
 //   comes /clock, /zmp/reference, /footsteps         when the robot's clock passes a multiple of 10 ms
 //   /diagnostics                               each second, of the robot's clock or of the caller's
+//   /motion_state                              as it changes, and with each batch while a motion plays
 //   /events                                    as they come;   /robot_description   in the first poll
 //
 // A topic keeps only its newest values: who polls less often than each 10 ms misses some. When the robot's
@@ -54,6 +55,7 @@ class Feed {
   void publish_transforms(PublicationSink& sink, bool with_base);
   void publish_at_slot_edge(PublicationSink& sink);
   void publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink);
+  void publish_motion(PublicationSink& sink);
   void publish_events(PublicationSink& sink);
 
   std::unique_ptr<Topics> topics_;

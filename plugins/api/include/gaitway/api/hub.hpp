@@ -31,7 +31,6 @@ struct HubOptions {
   // For rosapi: name ("plug-in:parameter") -> value, as in a configuration. Kept up to date by what clients
   // set and read.
   std::map<std::string, std::string, std::less<>> parameters;
-  std::vector<std::string> motions;  // by name
 };
 
 // What clients cost, for diagnostics; counts are since the start.

@@ -1,6 +1,7 @@
 // The robot as the API reaches it: requests into its own topics of the memory block, answers out of others'.
 #pragma once
 
+#include <deque>
 #include <set>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace gaitway::api {
 
 class Recorder;
 
-// Writes `walk_request` and the queues `user_command` and `api_plugin_request`. For one thread.
+// Writes `walk_request`, `motion_request` and the queues `user_command` and `api_plugin_request`. For one
+// thread.
 class MemoryRobotPort final : public RobotPort {
  public:
   // Opens the topics: throws msgclient::TopicError. All references outlive it. `recorder`: nullptr: recording
@@ -30,6 +32,7 @@ class MemoryRobotPort final : public RobotPort {
   std::optional<std::uint32_t> stop() override;
   std::optional<std::uint32_t> emergency_stop(bool soft) override;
   std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) override;
+  std::optional<std::uint32_t> play_motion(std::string_view name) override;
   std::optional<std::uint32_t> order(const PluginOrder& order) override;
   std::optional<OrderResult> take_result() override;
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }
@@ -39,6 +42,7 @@ class MemoryRobotPort final : public RobotPort {
 
  private:
   std::optional<std::uint32_t> push(UserCommand command);
+  std::optional<OrderResult> take_motion_answer();
 
   msgclient::Client& client_;
   Recorder* recorder_;
@@ -49,8 +53,12 @@ class MemoryRobotPort final : public RobotPort {
   msgclient::QueueWriter<PluginRequest> orders_;
   msgclient::StreamReader<PluginAnswer> order_answers_;
   mutable msgclient::Reader<PluginStatistics> statistics_;
+  msgclient::Writer<MotionRequest> motion_requests_;
+  msgclient::Reader<MotionState> motion_states_;
   std::uint32_t last_number_;
-  std::set<std::uint32_t> awaited_;  // numbers of the orders that have no answer yet
+  std::set<std::uint32_t> awaited_;            // numbers of the orders that have no answer yet
+  std::deque<std::uint32_t> motions_awaited_;  // likewise; the newest alone is answered by the robot
+  std::uint64_t motion_state_seen_ = 0;
   std::int64_t heartbeat_ns_ = 0;
   std::int64_t heard_ns_ = 0;  // by the wall clock
   bool connected_ = false;

@@ -25,6 +25,7 @@ class PublicationSink {
   virtual void publish(Topic topic, const ros::Odometry& message, std::int64_t robot_ns) = 0;
   virtual void publish(Topic topic, const ros::TFMessage& message, std::int64_t robot_ns) = 0;
   virtual void publish(Topic topic, const ros::PoseArray& message, std::int64_t robot_ns) = 0;
+  virtual void publish(Topic topic, const ros::MotionState& message, std::int64_t robot_ns) = 0;
   virtual void publish(Topic topic, const ros::String& message, std::int64_t robot_ns) = 0;
   virtual void publish(Topic topic, const ros::Clock& message, std::int64_t robot_ns) = 0;
   virtual void publish(Topic topic, const ros::DiagnosticArray& message, std::int64_t robot_ns) = 0;
@@ -59,6 +60,9 @@ class GenericSink final : public PublicationSink {
     take_(topic, message, robot_ns);
   }
   void publish(Topic topic, const ros::PoseArray& message, std::int64_t robot_ns) override {
+    take_(topic, message, robot_ns);
+  }
+  void publish(Topic topic, const ros::MotionState& message, std::int64_t robot_ns) override {
     take_(topic, message, robot_ns);
   }
   void publish(Topic topic, const ros::String& message, std::int64_t robot_ns) override {

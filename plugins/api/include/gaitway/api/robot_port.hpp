@@ -58,7 +58,7 @@ class RobotPort {
 
   // Walk with this velocity until so much robot time has passed without a new command.
   virtual void walk(const Velocity& velocity, std::int64_t valid_ns) = 0;
-  // End the walk by the next steps, and stand.
+  // End the walk by the next steps, and stand. A motion goes on.
   virtual void stand() = 0;
 
   // Orders: the number under which take_result() tells of it, or nothing when the way is blocked (a full
@@ -66,6 +66,8 @@ class RobotPort {
   virtual std::optional<std::uint32_t> stop() = 0;  // plays the safe tail at once
   virtual std::optional<std::uint32_t> emergency_stop(bool soft) = 0;
   virtual std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) = 0;
+  // An empty name: leave the motion that plays, if any. Answered when it begins, or is refused.
+  virtual std::optional<std::uint32_t> play_motion(std::string_view name) = 0;
   virtual std::optional<std::uint32_t> order(const PluginOrder& order) = 0;
   virtual std::optional<OrderResult> take_result() = 0;
 

@@ -253,6 +253,26 @@ struct DiagnosticArray {
   }
 };
 
+// Which key-frame motion plays, or played last.
+struct MotionState {
+  Header header;
+  std::string motion;
+  std::string state;        // "none", "approaching", "playing" or "leaving"
+  double time = 0.0;        // s since it began
+  double duration = 0.0;    // s, of the whole
+  std::uint32_t ended = 0;  // how many motions have ended since the robot's start
+  std::string result;       // of the last one that ended: "none", "finished", "left" or "broken off"
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/MotionState") {
+    visit("header", self.header);
+    visit("motion", self.motion);
+    visit("state", self.state);
+    visit("time", self.time);
+    visit("duration", self.duration);
+    visit("ended", self.ended);
+    visit("result", self.result);
+  }
+};
+
 struct Log {
   Time stamp;
   std::uint8_t level = 20;  // 10 DEBUG, 20 INFO, 30 WARN, 40 ERROR, 50 FATAL

@@ -79,8 +79,11 @@ inline constexpr std::array kServices{
                "Move one joint to `position` [rad] within `duration` [s], while the robot stands; it walks "
                "again when the joint is back",
                R"({"joint": "neck_yaw", "position": 0.2, "duration": 1.0})"},
-    ServiceRow{Service::play_motion, "/play_motion", ros::PlayMotion::kName, true,
-               "Play a motion by its name", R"({"motion": "wave"})"},
+    ServiceRow{
+        Service::play_motion, "/play_motion", ros::PlayMotion::kName, true,
+        "Play a key-frame motion by its name, from the stand; the answer comes when it begins, /motion_state "
+        "tells how it goes on",
+        R"({"motion": "wave"})"},
     ServiceRow{Service::list_plugins, "/plugins/list", ros::ListPlugins::kName, false,
                "The plug-ins, their state and what their steps cost [us]", "{}"},
     ServiceRow{Service::get_parameters, "/plugins/get_parameters", ros::GetParameters::kName, false,

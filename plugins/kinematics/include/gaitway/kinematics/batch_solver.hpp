@@ -3,10 +3,13 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "gaitway/kinematics/correction_fade.hpp"
+#include "gaitway/kinematics/load_compensation.hpp"
 #include "gaitway/kinematics/whole_body_placement.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -15,7 +18,7 @@ namespace gaitway::kinematics {
 
 // What became of a batch. If not solved, the joint plan must not be handed over.
 struct BatchOutcome {
-  enum class Kind { solved, too_many_points, leg_unreachable, com_not_placed };
+  enum class Kind { solved, too_many_points, leg_unreachable, com_not_placed, no_posture };
   Kind kind = Kind::solved;
   int point = 0;  // at which it failed; 0 is the first of the batch, kBatchPoints the first of the tail
   urdf::Side side = urdf::Side::left;  // leg_unreachable: the side
@@ -34,17 +37,23 @@ class BatchSolver {
   static constexpr double kTailTolerance_m = 0.1e-3;  // at the points that are solved, not interpolated
 
   // Throws urdf::RobotError if the model does not fit the topics or the choice of the solver.
-  BatchSolver(const urdf::RobotModel& model, SolverChoice choice);
+  // compensate_load: the references of the legs lead by what their servos give way under the planned load.
+  BatchSolver(const urdf::RobotModel& model, SolverChoice choice, bool compensate_load = false);
 
-  // Fills joint_plan; on failure its content is unspecified and this object is as before. No allocation.
+  // Fills joint_plan; on failure its content is unspecified and this object is as before. reference_rad:
+  // where the joints' references are now, in the model's order; empty if that is not known. No allocation.
+  // posture: of a plan whose `motion` is set, else nullptr. Its offsets already lead by what the motion's
+  // load takes beyond the stand's: they are added to the references of the stand, which are solved as ever.
   [[nodiscard]] BatchOutcome solve(const MotionPlan& plan, const BaseOffset& correction,
-                                   JointPlan& joint_plan);
+                                   JointPlan& joint_plan, std::span<const double> reference_rad = {},
+                                   const PosturePlan* posture = nullptr);
 
   // All that a plug-in does for the batch of a tick: joint_plan is solved, or says "no plan" (sequence 0)
   // while `plan` is none for the batch of that number. True: solved. Throws std::runtime_error where a foot
-  // is out of reach.
+  // is out of reach, or a motion's posture does not belong to the plan.
   bool plan_batch(std::uint32_t sequence, const MotionPlan& plan, const Correction& correction,
-                  JointPlan& joint_plan);
+                  JointPlan& joint_plan, std::span<const double> reference_rad = {},
+                  const PosturePlan* posture = nullptr);
 
   // A failure in words: which side, at which point, by how much. Allocates.
   [[nodiscard]] std::string describe(const BatchOutcome& outcome) const;
@@ -55,6 +64,7 @@ class BatchSolver {
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.fade_, self.sequence_, self.last_);
+    if (self.load_compensation_) archive(*self.load_compensation_);
   }
 
  private:
@@ -71,16 +81,23 @@ class BatchSolver {
 
   BatchOutcome solve_point(Run& run, int point, const Eigen::Vector2d& guess_m, double tolerance_m,
                            Knot& knot);
+  BatchOutcome solve_standing_or_walking(const MotionPlan& plan, const BaseOffset& correction,
+                                         JointPlan& joint_plan, std::span<const double> reference_rad);
+  void stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) noexcept;
   BatchOutcome solve_batch(Run& run);
   BatchOutcome solve_tail(Run& run);
   void write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept;
+  void note_base(const PlanPoint& planned, const PointFrames& frames, const Eigen::Vector2d& offset_m,
+                 int point) noexcept;
 
   const urdf::RobotModel model_;
   WholeBodyPlacement placement_;
+  std::unique_ptr<LoadCompensation> load_compensation_;  // large; none: the references are the planned angles
   std::vector<float> home_rad_;
   CorrectionFade fade_;
-  std::uint32_t sequence_ = 0;  // of the last batch that was solved
-  std::array<Knot, 3> last_{};  // its last three points
+  std::uint32_t sequence_ = 0;                                          // of the last batch that was solved
+  std::array<Knot, 3> last_{};                                          // its last three points
+  std::unique_ptr<MotionPlan> stand_ = std::make_unique<MotionPlan>();  // of a motion; large
 };
 
 }  // namespace gaitway::kinematics

@@ -6,9 +6,11 @@
 
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/stability/balance_parameters.hpp"
+#include "gaitway/stability/fall_reaction.hpp"
 #include "gaitway/stability/heading_feedback.hpp"
 #include "gaitway/stability/lean_integrator.hpp"
 #include "gaitway/stability/plan_timeline.hpp"
+#include "gaitway/stability/speed_feedback.hpp"
 #include "gaitway/stability/trim_feedback.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -27,9 +29,12 @@ class BalanceController {
   // Throws std::invalid_argument (see BalanceParameters::validate).
   BalanceController(const urdf::RobotModel& model, const BalanceParameters& parameters);
 
-  // The support comes from the plan that plays now; without a plan, from the estimate's contacts. Trims fade
-  // to zero while the estimate is missing, too old or not finite, while the robot is fallen, in the air, or
-  // has neither plan nor contact. No allocation.
+  // From the recognition of a fall on the joints go soft, see FallReaction. The support comes from the plan
+  // that plays now; without a plan, from the estimate's contacts. Trims fade to zero while the estimate is
+  // missing, too old or not finite, while the robot falls or lies, is in the air, on the ground by its
+  // motion, or has neither plan nor contact. While a key-frame motion plays, the trunk is balanced about
+  // where the motion has it, and the lean that was learned is kept; the message controller, which knows of no
+  // moving reference, gets no gains for a tail through which the trunk is to lean. No allocation.
   void update(std::int64_t now_ns, const BalanceInputs& inputs, TrimCommand& trim,
               Correction& correction) noexcept;
 
@@ -39,11 +44,13 @@ class BalanceController {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.timeline_, self.trims_, self.heading_, self.lean_, self.without_contact_s_);
+    archive(self.timeline_, self.trims_, self.heading_, self.speed_, self.lean_, self.fall_reaction_,
+            self.without_contact_s_);
   }
 
  private:
-  [[nodiscard]] bool is_usable(const Estimate* estimate, std::int64_t now_ns) const noexcept;
+  [[nodiscard]] bool is_usable(const Estimate* estimate, const PlanMoment& meant,
+                               std::int64_t now_ns) const noexcept;
   [[nodiscard]] static std::optional<std::size_t> support_of(const std::optional<PlanMoment>& moment,
                                                              const Estimate& estimate) noexcept;
   [[nodiscard]] bool is_airborne(const Estimate& estimate) noexcept;
@@ -52,7 +59,9 @@ class BalanceController {
   PlanTimeline timeline_;
   TrimFeedback trims_;
   HeadingFeedback heading_;
+  SpeedFeedback speed_;
   LeanIntegrator lean_;
+  FallReaction fall_reaction_;
   double without_contact_s_ = 0.0;
 };
 

@@ -26,14 +26,21 @@ struct BalanceParameters {
   double airborne_after_s = 0.05;  // without contact of any foot
   double estimate_lifetime_s = 0.05;
 
+  double fall_softness = 1.0;  // of all joints from the recognition of a fall on: 0 none, 1 no torque
+
   // Heading, through the commanded turn rate.
   double heading_gain_per_s = 1.0;
   double heading_limit_rad_per_s = 0.30;
   double heading_filter_s = 0.20;  // low-pass of the heading's error: the trunk's yaw swings with every step
 
-  // Lean, through the batches' base attitude. 0: off.
-  double lean_gain_per_s = 0.0;  // 0.5 is proven on slopes
-  double lean_limit_rad = 0.10;
+  // Speed, through the commanded velocity.
+  double speed_filter_s = 2.0;  // several steps; 0: no feedback of the speed
+  double speed_limit_m_per_s = 0.06;
+
+  // Lean, through the batches' base attitude and CoM.
+  double lean_gain_per_s = 1.5;           // while standing; 0: off
+  double walking_lean_gain_per_s = 0.15;  // small: walking sways, and the batches answer late
+  double lean_limit_rad = 0.17;
 
   // Throws std::invalid_argument naming parameter, value, rule and remedy.
   void validate() const;

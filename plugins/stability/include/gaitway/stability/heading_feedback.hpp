@@ -8,17 +8,14 @@
 namespace gaitway::stability {
 
 // The plan's own heading contains the corrections made so far, so it is no reference: a correction would move
-// its own goal. What counts is the slip, by which the robot has turned further than its plan, and that
-// corrections have undone only a part of it: error = -(slip + corrections), turn rate = gain * error. It
-// becomes zero when the heading is what it would be without slip and corrections.
+// its own goal. The reference is the plan's `commanded_yaw`; turn rate = gain * (commanded - measured).
 class HeadingFeedback {
  public:
   explicit HeadingFeedback(const BalanceParameters& parameters) noexcept;
 
-  // One tick. measured: integrated yaw of the trunk; planned: the plan's base yaw at the same time. Returns
-  // the turn rate to add, rad/s, counter-clockwise; zero unless walking, when a correction would change
-  // nothing.
-  double update(double measured_yaw_rad, double planned_yaw_rad, bool walking) noexcept;
+  // One tick. measured: integrated yaw of the trunk; commanded: the plan's at the same time. Returns the turn
+  // rate to add, rad/s, counter-clockwise; zero unless walking, when a correction would change nothing.
+  double update(double measured_yaw_rad, double commanded_yaw_rad, bool walking) noexcept;
   // A tick without estimate or plan: no correction, and the next tick's headings count as equal but for the
   // error so far.
   void pause() noexcept { last_difference_rad_.reset(); }
@@ -28,14 +25,13 @@ class HeadingFeedback {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.last_difference_rad_, self.slip_rad_, self.corrected_rad_, self.error_rad_);
+    archive(self.last_difference_rad_, self.strayed_rad_, self.error_rad_);
   }
 
  private:
   double gain_per_s_, limit_rad_per_s_, filter_s_;
-  std::optional<double> last_difference_rad_;  // measured - planned
-  double slip_rad_ = 0.0;
-  double corrected_rad_ = 0.0;
+  std::optional<double> last_difference_rad_;  // measured - commanded
+  double strayed_rad_ = 0.0;                   // the same since the start, without the plan's jumps
   double error_rad_ = 0.0;
 };
 

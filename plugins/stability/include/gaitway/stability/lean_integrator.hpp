@@ -1,7 +1,10 @@
-// Takes out a lasting lean of the trunk, slowly, through the base attitude of the batches.
+// Takes out a lasting lean of the trunk (a slope, joint zeros), slowly, through the batches: the base is
+// turned back upright, and the CoM goes where it would be if the whole body had been turned about the ground
+// below it.
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "gaitway/stability/balance_parameters.hpp"
 
@@ -9,18 +12,27 @@ namespace gaitway::stability {
 
 class LeanIntegrator {
  public:
-  explicit LeanIntegrator(const BalanceParameters& parameters) noexcept
+  // com_height_m: of the CoM above the ground.
+  LeanIntegrator(const BalanceParameters& parameters, double com_height_m) noexcept
       : gain_per_s_(parameters.lean_gain_per_s),
+        walking_gain_per_s_(parameters.walking_lean_gain_per_s),
         limit_rad_(parameters.lean_limit_rad),
+        com_height_m_(com_height_m),
         reference_rad_(parameters.attitude_reference_rad) {}
 
   // One tick with the trunk's measured roll and pitch, rad.
-  void update(double roll_rad, double pitch_rad) noexcept;
+  void update(double roll_rad, double pitch_rad, bool walking) noexcept;
   // One tick without: what was learned fades away in some seconds.
   void fade() noexcept;
 
   // Roll, pitch to add to the base's attitude: against the lean.
   [[nodiscard]] const std::array<double, 2>& offset_rad() const noexcept { return offset_rad_; }
+
+  // To add to the planned CoM, base axes: plans place it along the ground's normal above the feet, balance
+  // asks for the vertical.
+  [[nodiscard]] std::array<double, 2> com_offset_m() const noexcept {
+    return {com_height_m_ * std::sin(offset_rad_[1]), -com_height_m_ * std::sin(offset_rad_[0])};
+  }
 
   // What a successor goes on from.
   template <class Self, class Archive>
@@ -29,7 +41,7 @@ class LeanIntegrator {
   }
 
  private:
-  double gain_per_s_, limit_rad_;
+  double gain_per_s_, walking_gain_per_s_, limit_rad_, com_height_m_;
   std::array<double, 2> reference_rad_;
   std::array<double, 2> offset_rad_{};
 };

@@ -2,6 +2,7 @@
 // before it are kept.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,15 +12,25 @@
 namespace gaitway::stability {
 
 struct PlanMoment {
-  std::size_t support = 2;    // 0 left, 1 right, 2 both feet: in the time slot that begins now
-  double base_yaw_rad = 0.0;  // reached now, in the frame `plan`
-  bool walking = false;       // the plan has footsteps to come
+  std::size_t support = 2;  // 0 left, 1 right, 2 both feet, 3 neither: in the time slot that begins now
+  double commanded_yaw_rad = 0.0;                                  // reached now, in the frame `plan`
+  Eigen::Vector2d com_velocity_m_per_s = Eigen::Vector2d::Zero();  // forward and left of the base
+  bool walking = false;                                            // the plan has footsteps to come
+  bool motion = false;                                             // a key-frame motion plays
+  // Of the trunk, roll and pitch, as they are meant to be now; and their rates.
+  Eigen::Vector2d trunk_attitude_rad = Eigen::Vector2d::Zero(),
+                  trunk_rate_rad_per_s = Eigen::Vector2d::Zero();
+  bool on_ground = false;  // neither foot is meant to carry: a motion of a robot that lies
 };
 
 class PlanTimeline {
  public:
   // Takes a plan, or a revision of one. A plan without sequence or with non-finite yaw is not taken.
   void take(const MotionPlan& plan) noexcept;
+
+  // Whether the trunk is to stay near upright through the newest plan and its tail: the message controller,
+  // which knows one attitude reference alone, may then balance the tail.
+  [[nodiscard]] bool newest_stays_upright() const noexcept { return upright_; }
 
   // accepted_sequence: newest batch that the message controller accepted, if that is known: a plan that it
   // has not accepted is not played. After its last point a plan stays at it. Nothing before the first plan
@@ -30,7 +41,7 @@ class PlanTimeline {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.kept_, self.newest_);
+    archive(self.kept_, self.newest_, self.upright_);
   }
 
  private:
@@ -38,14 +49,16 @@ class PlanTimeline {
     std::uint32_t sequence = 0;  // 0: none
     std::uint32_t count = 0;
     std::int64_t start_ns = 0;
-    bool walking = false;
+    bool walking = false, motion = false;
     std::array<std::uint8_t, kMaxPoints> support{};
-    std::array<double, kMaxPoints> base_yaw_rad{};
+    std::array<double, kMaxPoints> commanded_yaw_rad{};
+    std::array<std::array<double, 2>, kMaxPoints> com_velocity_m_per_s{}, trunk_attitude_rad{};
   };
   static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
 
   std::array<Excerpt, kKept> kept_{};
   std::size_t newest_ = 0;
+  bool upright_ = true;
 };
 
 }  // namespace gaitway::stability

@@ -16,14 +16,14 @@ struct Sole {
 struct GaitParameters {
   // The robot in its standing posture.
   double com_height_m = 0.378;         // of the CoM above the ground: the height of the cart's table
-  double hip_height_m = 0.360;         // of the hip axes above the ground, constant
+  double hip_height_m = 0.360;         // of the hip axes above the ground, while standing and walking slowly
   double stand_com_forward_m = 0.010;  // CoM of the nominal stand ahead of the line between the sole origins
   double foot_spacing_m = 0.100;       // lateral distance of the sole origins
   Sole sole;
 
   // Timing. All are rounded to whole points of 10 ms.
-  double step_time_s = 0.40;
-  double double_support_share = 0.15;  // of the step time
+  double step_time_s = 0.32;
+  double double_support_share = 0.10;  // of the step time
   double lead_in_s = 0.60;             // first weight shift, from the start command to the first lift
   double settle_s = 0.60;              // from the last touch-down to rest
   double freeze_share = 0.30;          // of the swing: from here on a footstep is fixed
@@ -35,8 +35,19 @@ struct GaitParameters {
   double zmp_forward_m = 0.010;  // reference ZMP ahead of the sole's origin
   double zmp_inward_m = 0.010;   // and towards the other foot
 
+  // A fast walk goes with lower hips: the knees turn more slowly. The hip height falls linearly with the
+  // speed.
+  double fast_hip_height_m = 0.335;
+  double slow_speed_m_per_s = 0.20;  // up to here the hips stay at hip_height
+  double fast_speed_m_per_s = 0.40;  // from here on they are at fast_hip_height
+
+  // The leg in the air shifts the ZMP by this times its foot's acceleration: (sum of each link's mass x its
+  // share of the foot's motion x its depth below the CoM) / weight. From the robot's masses; 0: not reckoned
+  // with.
+  double swing_moment_s2 = 0.0042;
+
   // Limits of a footstep against its stance foot.
-  double max_step_forward_m = 0.120;  // 0.30 m/s at 0.40 s a step: the knees' speed allows little more
+  double max_step_forward_m = 0.150;  // 0.47 m/s at 0.32 s a step: the joints' speed allows little more
   double max_step_backward_m = 0.100;
   double max_foot_spacing_m = 0.160;
   double min_sole_gap_m = 0.008;  // clear distance between the soles' rectangles when a foot lands
@@ -59,6 +70,8 @@ struct GaitParameters {
   [[nodiscard]] int settle_points() const noexcept;
   [[nodiscard]] int preview_points() const noexcept;
   [[nodiscard]] int absorb_points() const noexcept;
+  // Of the hip axes above the ground at a speed forward or backward.
+  [[nodiscard]] double hip_height_at_m(double forward_m_per_s) const noexcept;
   // Points of the longest safe tail: a swing just begun, the closing step, the settling.
   [[nodiscard]] int longest_tail_points() const noexcept;
 

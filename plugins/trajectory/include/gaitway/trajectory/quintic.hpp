@@ -40,6 +40,12 @@ class Quintic {
         (2.0 * c[2] + s * (6.0 * c[3] + s * (12.0 * c[4] + s * 20.0 * c[5]))) / (duration_s_ * duration_s_)};
   }
 
+  [[nodiscard]] double jerk(double time_s) const noexcept {
+    const double s = time_s / duration_s_;
+    const auto& c = coefficient_;
+    return (6.0 * c[3] + s * (24.0 * c[4] + s * 60.0 * c[5])) / (duration_s_ * duration_s_ * duration_s_);
+  }
+
  private:
   std::array<double, 6> coefficient_{};
   double duration_s_ = 1.0;

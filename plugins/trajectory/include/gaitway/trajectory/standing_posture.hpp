@@ -11,4 +11,8 @@ namespace gaitway::trajectory {
 // hold. The ZMP is put below the middle of the sole.
 [[nodiscard]] GaitParameters with_standing_posture(GaitParameters parameters, const urdf::RobotModel& robot);
 
+// Whether a robot with `parameters` stands as one with `described` does: CoM, hips and feet.
+[[nodiscard]] bool stands_as_described(const GaitParameters& parameters,
+                                       const GaitParameters& described) noexcept;
+
 }  // namespace gaitway::trajectory

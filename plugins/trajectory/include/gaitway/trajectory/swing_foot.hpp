@@ -23,6 +23,7 @@ class SwingFoot {
   void aim(const Pose2& landing, double time_s) noexcept;
 
   [[nodiscard]] Pose2 at(double time_s) const noexcept;
+  [[nodiscard]] Eigen::RowVector2d acceleration_m_per_s2(double time_s) const noexcept;
 
  private:
   Quintic x_, y_, yaw_;

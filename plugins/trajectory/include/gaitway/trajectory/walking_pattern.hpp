@@ -8,6 +8,7 @@
 #include "gaitway/trajectory/divergence_absorber.hpp"
 #include "gaitway/trajectory/footstep_planner.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
+#include "gaitway/trajectory/hip_height.hpp"
 #include "gaitway/trajectory/preview_controller.hpp"
 #include "gaitway/trajectory/quintic.hpp"
 #include "gaitway/trajectory/swing_foot.hpp"
@@ -30,13 +31,16 @@ struct Step {
   Pose2 stance;
   Pose2 landing;
   Velocity2 velocity_before, velocity;  // of the step before, and with which this one was planned
+  // The turn rate that the commands alone would have, without the yaw feedback.
+  double commanded_turn_before_rad_per_s = 0.0, commanded_turn_rad_per_s = 0.0;
   Eigen::RowVector2d zmp_from = Eigen::RowVector2d::Zero(), zmp_to = Eigen::RowVector2d::Zero();
 
   [[nodiscard]] int points() const noexcept { return double_support_points + swing_points; }
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.swing, self.double_support_points, self.swing_points, self.last, self.lead_in, self.stance,
-            self.landing, self.velocity_before, self.velocity, self.zmp_from, self.zmp_to);
+            self.landing, self.velocity_before, self.velocity, self.commanded_turn_before_rad_per_s,
+            self.commanded_turn_rad_per_s, self.zmp_from, self.zmp_to);
   }
 };
 
@@ -52,10 +56,12 @@ struct PatternState {
   Step step;  // in flight while walking
   SwingFoot swing;
   std::array<Quintic, 2> settle;  // x, y of the CoM
+  HipHeight hips;
+  std::array<double, 2> yaw_correction_rad{};  // [Side]: by which the yaw feedback has turned the foot so far
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.phase, self.elapsed_points, self.cart, self.divergence, self.zmp_offset, self.feet,
-            self.foot_height_m, self.step, self.swing, self.settle);
+            self.foot_height_m, self.step, self.swing, self.settle, self.hips, self.yaw_correction_rad);
   }
 };
 
@@ -98,15 +104,29 @@ class WalkingPattern {
     bool ends = false;        // after the last step the robot settles
   };
 
+  // What is asked for: by the commands, and with the yaw feedback's correction.
+  struct Wanted {
+    Velocity2 velocity;
+    double commanded_turn_rad_per_s = 0.0;
+  };
+
   void begin_walking(PatternState& state, const Velocity2& wanted) noexcept;
   void begin_settling(PatternState& state) const noexcept;
   // Aim the step in flight, or begin one, and fill schedule_ with the steps that follow it.
-  void schedule_walk(PatternState& state, const Velocity2& wanted, const Eigen::Vector2d& offset_m) noexcept;
+  void schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m) noexcept;
   void schedule_stop(PatternState& state) noexcept;
-  [[nodiscard]] Step step_after(const Step& before, const Velocity2& wanted,
+  [[nodiscard]] Step step_after(const Step& before, const Wanted& wanted,
                                 const Eigen::Vector2d& offset_m) noexcept;
+  // Velocities and landing place of a step after those of the step before.
+  void aim_step(Step& step, const Wanted& wanted, const Eigen::Vector2d& offset_m) noexcept;
+  [[nodiscard]] double yaw_correction_rad(const PatternState& state) const noexcept;
   [[nodiscard]] Step closing_step_after(const Step& before) const noexcept;
   void fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept;
+  [[nodiscard]] double landing_yaw_correction_rad(const PatternState& state) const noexcept;
+  // The hips' way to another height from where they are.
+  void aim_hips(PatternState& state, double goal_m) const noexcept;
+  // By how much the leg in the air shifts the ZMP, `in_swing` points into the swing.
+  [[nodiscard]] Eigen::RowVector2d swing_zmp_m(const SwingFoot& swing, int in_swing) const noexcept;
   void advance(PatternState& state, const ZmpReference& reference, int index) noexcept;
   void advance_step(PatternState& state) noexcept;
   void advance_settling(PatternState& state) const noexcept;

@@ -31,6 +31,12 @@ class ComFilter {
   void set_state(const Eigen::Vector3d& state) noexcept { state_ = state; }
   [[nodiscard]] const Eigen::Vector3d& state() const noexcept { return state_; }
   [[nodiscard]] const Eigen::Vector3d& gain() const noexcept { return gain_; }
+  // After a correction, of the noise alone: position, and position + velocity / omega.
+  [[nodiscard]] double position_variance() const noexcept { return covariance_(0, 0); }
+  [[nodiscard]] double dcm_variance(double omega_rad_per_s) const noexcept {
+    return covariance_(0, 0) + 2.0 * covariance_(0, 1) / omega_rad_per_s +
+           covariance_(1, 1) / (omega_rad_per_s * omega_rad_per_s);
+  }
 
   // What a successor goes on from.
   template <class Self, class Archive>
@@ -40,6 +46,7 @@ class ComFilter {
 
  private:
   double dt_s_;
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Identity();  // at which the Riccati equation stands still
   Eigen::Vector3d gain_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d state_ = Eigen::Vector3d::Zero();
 };

@@ -1,6 +1,8 @@
 // Every number of the state estimate, with its unit, and the rules that these numbers must keep.
 #pragma once
 
+#include "gaitway/zmp/fall_recognition.hpp"
+
 namespace gaitway::zmp {
 
 struct EstimatorParameters {
@@ -9,23 +11,50 @@ struct EstimatorParameters {
   double contact_off_share = 0.04;  // and out of contact below
   double support_margin = 0.10;  // the other foot becomes the support foot at 0.5 + margin of the whole load
 
-  // Attitude.
-  double tilt_time_constant_s = 0.5;  // roll and pitch follow the gyro in less, the inclinometer in more time
+  // Attitude. Noise: standard deviation of one sample, the mean over 10 ms.
+  double gyro_noise_rad_per_s = 0.0035;
+  double tilt_noise_rad = 0.001;  // of the inclinometer
   double accelerometer_band_m_per_s2 =
       1.0;                     // without inclinometer: specific forces further from g are not used
   double rate_filter_s = 0.0;  // low-pass of the angular velocity; 0: none
+  double bias_deviation_rad_per_s = 0.005;  // of the gyro's bias, each axis
+  double bias_lifetime_s = 1e6;             // in which it forgets itself
+  double heading_noise_rad = 0.002;         // how far play lets trunk and feet turn unseen
+  // How standing feet creep, per square root of a second: always; when they have just been planted; for a
+  // load that rattles, times the mean square of its change as a share of the weight; and while the legs are
+  // moved, times the fastest joint's rate.
+  double creep_rad_rts = 0.0001;
+  double settling_creep_rad_rts = 0.003;
+  double rattle_creep_rad_rts = 1.5;
+  double moved_creep_rts = 0.1;
+  double planted_share = 0.2;  // of the body weight on each foot, for planted_time: the feet stand
+  double planted_time_s = 0.2;
 
-  // Gyro bias, learned while standing still.
-  double still_rate_rad_per_s = 0.05;        // gyro, each axis
-  double still_joint_rate_rad_per_s = 0.25;  // leg joints
-  double still_time_s = 0.5;                 // so long, before learning begins
-  double bias_time_constant_s = 3.0;
-  double bias_limit_rad_per_s = 0.05;
+  // Force cells. Gains are factors; their lifetime is that in which a gain forgets itself.
+  double cell_noise_N = 0.065;
+  double cell_gain_deviation = 0.04;
+  double cell_gain_lifetime_s = 1e6;
+
+  // What the robot's description does not know, as standard deviations.
+  double link_mass_deviation = 0.05;     // of each link, as a share
+  double trunk_com_deviation_m = 0.005;  // each axis
+  double joint_zero_deviation_rad = 0.007;
 
   // Noise densities of the filter of CoM position and velocity.
   double com_noise_m = 0.0005;                   // of the kinematics' CoM, one sample
   double acceleration_noise_m_per_s2 = 1.5;      // of the pendulum's acceleration, one sample
   double acceleration_drift_m_per_s2_rts = 1.5;  // of what it does not explain, per square root of a second
+
+  // Offset of the kinematics' CoM over a foot.
+  double com_offset_noise_m_rts = 0.008;       // in the mean over a second
+  double com_offset_drift_m_per_rts = 0.0005;  // as the posture changes
+
+  // Slip.
+  double slip_leak_s = 0.15;  // in which an integrated acceleration is forgotten
+  double slip_offset_time_s =
+      2.0;  // in which the tilt of a sole is learned that the kinematics does not know
+
+  FallParameters fall;
 
   // Inputs.
   double stale_after_s = 0.035;  // age from which a sensor's last value is only kept

@@ -40,11 +40,15 @@ class SensorInputs {
   [[nodiscard]] std::int64_t stamp_ns() const noexcept;
   // Whole slots between the IMU sample before and this one; 0: no new one.
   [[nodiscard]] int imu_slots() const noexcept { return imu_.slots; }
+  [[nodiscard]] int force_slots() const noexcept { return forces_.slots; }  // the same of the forces
 
   [[nodiscard]] std::span<const double> position_rad() const noexcept { return position_rad_; }
-  [[nodiscard]] double fastest_leg_joint_rad_per_s() const noexcept { return fastest_leg_joint_; }
-  [[nodiscard]] std::span<const double, 4> cell_force_N(urdf::Side side) const noexcept {
-    return std::span<const double, 4>(force_N_[static_cast<std::size_t>(side)]);
+  // How fast the legs are meant to move: of the fastest joint. Play does not rattle in it.
+  [[nodiscard]] double leg_reference_rate_rad_per_s() const noexcept { return leg_reference_rate_; }
+  [[nodiscard]] const std::array<std::array<double, 4>, 2>& cell_force_N() const noexcept { return force_N_; }
+  // Specific force at a sole's origin, in its frame.
+  [[nodiscard]] const Eigen::Vector3d& foot_acceleration_m_per_s2(urdf::Side side) const noexcept {
+    return foot_acceleration_[static_cast<std::size_t>(side)];
   }
   [[nodiscard]] const Eigen::Vector3d& gyro_rad_per_s() const noexcept { return gyro_; }
   [[nodiscard]] const Eigen::Vector3d& acceleration_m_per_s2() const noexcept { return acceleration_; }
@@ -56,8 +60,9 @@ class SensorInputs {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.joints_, self.forces_, self.imu_, self.faults_, self.position_rad_, self.fastest_leg_joint_,
-            self.force_N_, self.gyro_, self.acceleration_, self.inclination_);
+    archive(self.joints_, self.forces_, self.imu_, self.faults_, self.position_rad_, self.leg_reference_rad_,
+            self.leg_reference_rate_, self.force_N_, self.foot_acceleration_, self.gyro_, self.acceleration_,
+            self.inclination_);
   }
 
  private:
@@ -82,12 +87,14 @@ class SensorInputs {
 
   std::int64_t stale_after_ns_;
   bool has_inclinometer_ = false;
-  std::array<std::array<int, 6>, 2> leg_joints_{};
   Source joints_, forces_, imu_;
   InputFaults faults_;
   std::vector<double> position_rad_;
-  double fastest_leg_joint_ = 0.0;
+  std::array<std::array<int, 6>, 2> leg_joints_{};
+  std::array<std::array<double, 6>, 2> leg_reference_rad_{};
+  double leg_reference_rate_ = 0.0;
   std::array<std::array<double, 4>, 2> force_N_{};
+  std::array<Eigen::Vector3d, 2> foot_acceleration_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   Eigen::Vector3d gyro_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector2d> inclination_;

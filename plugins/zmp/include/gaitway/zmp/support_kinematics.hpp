@@ -32,6 +32,15 @@ class SupportKinematics {
   // A point of the sole `of` (in its sole frame, z = 0), in the level frame of `foot`, m.
   [[nodiscard]] Eigen::Vector3d sole_point_m(urdf::Side foot, urdf::Side of,
                                              const Eigen::Vector2d& point_m) const noexcept;
+  // Heading of a sole (of its x axis) against the trunk's heading.
+  [[nodiscard]] double heading_rad(urdf::Side foot) const noexcept {
+    return heading_rad_[static_cast<std::size_t>(foot)];
+  }
+  // From a sole frame to its level frame.
+  [[nodiscard]] Eigen::Matrix3d sole_tilt(urdf::Side foot) const noexcept {
+    const auto i = static_cast<std::size_t>(foot);
+    return level_from_base_[i] * base_from_sole_[i].linear();
+  }
   // Rotation from the level frame of one foot to that of another: a turn about the vertical.
   [[nodiscard]] Eigen::Matrix3d turn(urdf::Side to, urdf::Side from) const noexcept;
 
@@ -42,6 +51,7 @@ class SupportKinematics {
   int trunk_;
   std::array<Eigen::Isometry3d, 2> base_from_sole_;
   std::array<Eigen::Matrix3d, 2> level_from_base_;
+  std::array<double, 2> heading_rad_{};
 };
 
 }  // namespace gaitway::zmp

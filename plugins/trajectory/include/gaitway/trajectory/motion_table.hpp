@@ -1,0 +1,63 @@
+// A key-frame motion as it is played: rows of points that were planned before, and for every batch the way
+// that leaves it. Frame: on the ground in the middle between the soles of the stand in which the motion
+// begins, x forward, z up.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gaitway::trajectory {
+
+// What stands, as MotionPlan::support has it.
+inline constexpr std::uint8_t kNothingStands = 3;
+
+// One point, beside the joints.
+struct MotionPoint {
+  std::array<double, 2> com_m{}, com_velocity_m_per_s{}, zmp_m{};
+  std::array<double, 2> trunk_attitude_rad{};     // roll, pitch
+  std::array<std::array<double, 3>, 2> foot_m{};  // [Side]
+  std::array<double, 2> foot_yaw_rad{};           // [Side]
+  double hip_height_m = 0.0;
+  double base_yaw_rad = 0.0;
+  std::uint64_t support = 2;
+};
+
+struct MotionWay {
+  std::vector<MotionPoint> points;
+  // For each point a row with every joint's reference, from where it is in the standing posture.
+  std::vector<float> offset_rad;
+
+  [[nodiscard]] std::size_t size() const noexcept { return points.size(); }
+  [[nodiscard]] std::span<const float> row(std::size_t point) const noexcept {
+    const std::size_t joints = offset_rad.size() / points.size();
+    return std::span(offset_rad).subspan(point * joints, joints);
+  }
+};
+
+// How to come to rest from the end of a batch: so many batches further on the path, and then along a way, if
+// any.
+struct MotionExit {
+  std::uint32_t go_on_batches = 0;
+  std::int32_t way = -1;  // index into MotionTable::ways; -1: none, the path ends there
+};
+
+struct MotionTable {
+  std::string name, description;
+  std::uint64_t robot_digest = 0;  // of the description that it was planned for
+  std::size_t joint_count = 0;
+  bool on_ground = false;  // begins lying in its first posture, not in the stand
+  // Point 0 is where it begins; whole batches follow it.
+  MotionWay path;
+  std::vector<MotionExit> exits;  // [batches played]
+  std::vector<MotionWay> ways;    // whole batches each
+
+  [[nodiscard]] std::size_t batch_count() const noexcept { return exits.size() - 1; }
+  // Points until the robot rests, when the motion is left after so many batches.
+  [[nodiscard]] std::size_t exit_points(std::size_t batches) const noexcept;
+};
+
+}  // namespace gaitway::trajectory

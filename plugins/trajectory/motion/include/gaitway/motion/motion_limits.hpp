@@ -1,0 +1,39 @@
+// What a planned motion may ask of the robot: shares of what the robot can, so that feedback has the rest.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::motion {
+
+inline constexpr double kPointTime_s = 0.01;  // a point of the wire's batches
+
+struct MotionLimits {
+  double joint_margin_rad = 0.009;  // kept from each joint's stops
+  double speed_share = 0.9;         // of motor and reference speed
+  double torque_share = 0.8;        // of what the motor gives at the speed of that instant
+  // Not the robot's but the servo's: what it follows within a degree.
+  double acceleration_limit_rad_per_s2 = 120.0;
+  double zmp_margin_m = 0.012;      // inside the edges of the support
+  double friction_share = 0.6;      // of the ground's coefficient
+  double least_weight_share = 0.3;  // of the weight that stays on the ground
+};
+
+// The same in numbers for each joint.
+struct JointLimits {
+  JointLimits(const urdf::RobotModel& robot, const MotionLimits& limits);
+
+  // Largest torque at that speed: fades to zero at the motor's speed limit when it drives, not when it
+  // brakes.
+  [[nodiscard]] double torque_Nm(Eigen::Index joint, double at_speed_rad_per_s,
+                                 double asked_Nm) const noexcept;
+
+  Eigen::VectorXd lower_rad, upper_rad;
+  // The least of motor, reference and wire: a byte of counts in a point, less one for the rounding.
+  Eigen::VectorXd speed_rad_per_s;
+  Eigen::VectorXd acceleration_rad_per_s2;
+  Eigen::VectorXd standstill_torque_Nm, motor_speed_rad_per_s;
+};
+
+}  // namespace gaitway::motion

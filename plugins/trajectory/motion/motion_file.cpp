@@ -1,0 +1,242 @@
+// Reads motions strictly: what isn't understood is refused with file, line, field, value and rule.
+#include "gaitway/motion/motion_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/urdf/yaml_value.hpp"
+
+namespace gaitway::motion {
+namespace {
+
+using urdf::YamlValue;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr urdf::Range kAngle{-180.0, 180.0, "deg"};
+constexpr urdf::Range kTilt{-60.0, 60.0, "deg"};
+constexpr urdf::Range kShift{-0.5, 0.5, "m"};
+constexpr urdf::Range kHipHeight{0.05, 1.0, "m"};
+constexpr urdf::Range kTime{0.0, 60.0, "s"};
+
+// The place of the value's text among the names.
+std::size_t choice(const YamlValue& value, std::span<const std::string_view> names) {
+  const std::string text = value.text();
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) {
+    value.refuse(fmt::format("must be {}", fmt::join(names, ", ")), "Choose one of them.");
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+int joint_named(const YamlValue& value, const std::string& name, const urdf::RobotModel& robot) {
+  std::vector<std::string> known;
+  std::transform(robot.joints.begin(), robot.joints.end(), std::back_inserter(known),
+                 [](const urdf::Joint& joint) { return joint.name; });
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end()) {
+    value.refuse(fmt::format("the robot '{}' has no joint '{}'", robot.name, name),
+                 urdf::suggest(name, known));
+  }
+  return static_cast<int>(found - known.begin());
+}
+
+void add_joint(const YamlValue& value, const std::string& name, double angle_rad,
+               const urdf::RobotModel& robot, std::vector<JointAngle>& angles) {
+  const int index = joint_named(value, name, robot);
+  const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
+  if (angle_rad < joint.lower_rad || angle_rad > joint.upper_rad) {
+    value.refuse(fmt::format("{} turns from {:.1f} to {:.1f} deg", name, joint.lower_rad / kDegree,
+                             joint.upper_rad / kDegree),
+                 "Choose an angle between these.");
+  }
+  if (std::any_of(angles.begin(), angles.end(), [&](const JointAngle& a) { return a.joint == index; })) {
+    value.refuse(fmt::format("{} has an angle in this key already", name), "Give it once.");
+  }
+  angles.push_back({index, angle_rad});
+}
+
+// A mirror in the xz plane turns a rotation about (x, y, z) into one against (x, -y, z).
+double mirror_sign(const YamlValue& value, const urdf::Joint& left, const urdf::Joint& right) {
+  const Eigen::Vector3d mirrored(-left.axis.x(), left.axis.y(), -left.axis.z());
+  const double along = mirrored.dot(right.axis);
+  if (std::abs(std::abs(along) - 1.0) > 1e-6) {
+    value.refuse(fmt::format("{} and {} are no mirror images of each other", left.name, right.name),
+                 "Name both under joints.");
+  }
+  return along > 0.0 ? 1.0 : -1.0;
+}
+
+void add_both_sides(const YamlValue& value, const std::string& name, const urdf::RobotModel& robot,
+                    std::vector<JointAngle>& angles) {
+  const int left = joint_named(value, "left_" + name, robot);
+  const int right = joint_named(value, "right_" + name, robot);
+  const double angle = value.number(kAngle) * kDegree;
+  const double sign = mirror_sign(value, robot.joints[static_cast<std::size_t>(left)],
+                                  robot.joints[static_cast<std::size_t>(right)]);
+  add_joint(value, "left_" + name, angle, robot, angles);
+  add_joint(value, "right_" + name, sign * angle, robot, angles);
+}
+
+void read_angle(const YamlValue& map, std::string_view key, std::optional<double>& target) {
+  if (const auto value = map.find(key)) {
+    target = value->number(kTilt) * kDegree;
+  }
+}
+
+PelvisWish read_pelvis(const YamlValue& value) {
+  constexpr std::array<std::string_view, 7> kKeys{"hip_height_m", "roll_deg",  "pitch_deg", "yaw_deg",
+                                                  "over",         "forward_m", "left_m"};
+  value.require_map(kKeys);
+  PelvisWish wish;
+  if (const auto height = value.find("hip_height_m")) {
+    wish.hip_height_m = height->number(kHipHeight);
+  }
+  read_angle(value, "roll_deg", wish.attitude_rad[0]);
+  read_angle(value, "pitch_deg", wish.attitude_rad[1]);
+  read_angle(value, "yaw_deg", wish.attitude_rad[2]);
+  if (const auto over = value.find("over")) {
+    constexpr std::array<std::string_view, 3> kOver{"both", "left", "right"};
+    wish.over = static_cast<Over>(choice(*over, kOver));
+  }
+  if (const auto forward = value.find("forward_m")) {
+    wish.com_offset_m[0] = forward->number(kShift);
+  }
+  if (const auto left = value.find("left_m")) {
+    wish.com_offset_m[1] = left->number(kShift);
+  }
+  return wish;
+}
+
+FootWish read_foot(const YamlValue& value) {
+  constexpr std::array<std::string_view, 6> kKeys{"forward_m", "left_m",    "up_m",
+                                                  "roll_deg",  "pitch_deg", "yaw_deg"};
+  value.require_map(kKeys);
+  FootWish wish;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    if (const auto shift = value.find(kKeys[i])) wish.position_m[axis] = shift->number(kShift);
+    if (const auto angle = value.find(kKeys[i + 3])) wish.attitude_rad[axis] = angle->number(kTilt) * kDegree;
+  }
+  if (wish.position_m.z() < 0.0) {
+    value.at("up_m").refuse("the foot would be in the ground", "Choose 0 or more.");
+  }
+  return wish;
+}
+
+void read_joints(const YamlValue& value, const urdf::RobotModel& robot, Key& key) {
+  if (const auto joints = value.find("joints")) {
+    for (const auto& [name, angle] : joints->entries()) {
+      joint_named(angle, name, robot);
+      add_joint(angle, name, angle.number(kAngle) * kDegree, robot, key.joints);
+    }
+  }
+  if (const auto both = value.find("symmetric")) {
+    for (const auto& [name, angle] : both->entries()) {
+      add_both_sides(angle, name, robot, key.joints);
+    }
+  }
+}
+
+bool moves_legs(const Key& key, const urdf::RobotModel& robot) {
+  return std::any_of(key.joints.begin(), key.joints.end(), [&](const JointAngle& angle) {
+    return std::any_of(robot.legs.begin(), robot.legs.end(), [&](const urdf::Leg& leg) {
+      return std::find(leg.joints.begin(), leg.joints.end(), angle.joint) != leg.joints.end();
+    });
+  });
+}
+
+void read_stance(const YamlValue& value, const urdf::RobotModel& robot, Key& key) {
+  const bool legs_given = moves_legs(key, robot);
+  const auto refuse_double = [&](const YamlValue& field) {
+    if (legs_given || key.contact == Contact::none) {
+      field.refuse(legs_given ? "the key gives angles of leg joints, which say this already"
+                              : "with contact none nothing says where the ground is",
+                   "Give one or the other.");
+    }
+  };
+  if (const auto pelvis = value.find("pelvis")) {
+    refuse_double(*pelvis);
+    key.pelvis = read_pelvis(*pelvis);
+  }
+  for (const urdf::Side side : urdf::kSides) {
+    const auto foot = value.find(side == urdf::Side::left ? "left_foot" : "right_foot");
+    if (!foot) continue;
+    refuse_double(*foot);
+    if (stands_on(key.contact, side)) {
+      foot->refuse(fmt::format("the robot stands on this foot: contact is {}", name_of(key.contact)),
+                   "Only a lifted foot can be moved.");
+    }
+    key.foot[static_cast<std::size_t>(side)] = read_foot(*foot);
+  }
+}
+
+Key read_key(const YamlValue& value, const urdf::RobotModel& robot) {
+  constexpr std::array<std::string_view, 10> kKeys{"name",       "from",      "contact",   "hold_s",
+                                                   "min_time_s", "joints",    "symmetric", "pelvis",
+                                                   "left_foot",  "right_foot"};
+  value.require_map(kKeys);
+  Key key;
+  key.name = value.at("name").text();
+  key.where = fmt::format("{}:{}: key '{}'", value.file().string(), value.line(), key.name);
+  if (const auto from = value.find("from")) {
+    constexpr std::array<std::string_view, 2> kFrom{"previous", "home"};
+    key.from_home = choice(*from, kFrom) == 1;
+  }
+  if (const auto contact = value.find("contact")) {
+    key.contact = static_cast<Contact>(choice(*contact, kContactNames));
+  }
+  if (const auto hold = value.find("hold_s")) key.hold_s = hold->number(kTime);
+  if (const auto least = value.find("min_time_s")) key.min_time_s = least->number(kTime);
+  read_joints(value, robot, key);
+  read_stance(value, robot, key);
+  return key;
+}
+
+Motion read(const YamlValue& file, const urdf::RobotModel& robot) {
+  constexpr std::array<std::string_view, 4> kKeys{"name", "description", "start", "keys"};
+  file.require_map(kKeys);
+  Motion motion{.name = file.at("name").text(), .description = file.at("description").text(), .keys = {}};
+  if (const auto start = file.find("start")) {
+    constexpr std::array<std::string_view, 2> kStarts{"home", "first_key"};
+    motion.starts_at_first_key = choice(*start, kStarts) == 1;
+  }
+  const YamlValue keys = file.at("keys");
+  for (const YamlValue& key : keys.items()) {
+    motion.keys.push_back(read_key(key, robot));
+  }
+  if (motion.keys.size() < (motion.starts_at_first_key ? 2U : 1U)) {
+    keys.refuse("a motion goes to at least one key", "Add one.");
+  }
+  return motion;
+}
+
+}  // namespace
+
+Motion read_motion(const std::filesystem::path& file, const urdf::RobotModel& robot) {
+  return read(YamlValue::read(file), robot);
+}
+
+Motion parse_motion(const std::string& text, const std::filesystem::path& file,
+                    const urdf::RobotModel& robot) {
+  return read(YamlValue::parse(text, file), robot);
+}
+
+std::vector<std::filesystem::path> motion_files(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) {
+    throw urdf::RobotError(
+        fmt::format("{}: is no folder. Name the one that holds the motions' files", folder.string()));
+  }
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace gaitway::motion

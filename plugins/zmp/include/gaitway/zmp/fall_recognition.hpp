@@ -1,0 +1,73 @@
+// Tells a fall before the impact, and when the robot stands again.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "gaitway/zmp/tipping.hpp"
+
+namespace gaitway::zmp {
+
+enum class Fall : std::uint32_t { upright = 0, falls = 1, lies = 2 };
+
+struct FallParameters {
+  double margin = 0.30;     // of the tipping state: beyond it no foot can be put down in time
+  double confirm_s = 0.02;  // for so long, without a break
+  TippingModel model;
+
+  // Throws std::invalid_argument naming parameter, value, rule and remedy.
+  void validate() const;
+};
+
+struct FallInputs {
+  BodyOverFeet body;
+  double heading_rad = 0.0;     // of the trunk, in the body's frame
+  double trunk_tilt_rad = 0.0;  // against the vertical
+  double load_share = 0.0;      // of the body's weight, on both feet
+};
+
+// To be updated every 10 ms while the sensors are heard; without them it stays as it is. Not thread-safe.
+class FallRecognition {
+ public:
+  // Throws std::invalid_argument (see FallParameters::validate).
+  explicit FallRecognition(const FallParameters& parameters);
+
+  // Upright → falls: the body tips beyond the margin over feet that stood on something just now (a robot that
+  // is carried does not fall). Falls → lies: the predicted impact is past. Lies → upright: it has stood
+  // straight on its feet for half a second. A robot that is found lying at the start lies. 0.3 us,
+  // 2 us while it tips; no allocation.
+  void update(const FallInputs& inputs) noexcept;
+
+  [[nodiscard]] Fall fall() const noexcept { return fall_; }
+  // Where to it falls, or fell: against the trunk's heading, 0 ahead, π/2 to the left.
+  [[nodiscard]] double direction_rad() const noexcept { return direction_rad_; }
+  [[nodiscard]] double time_to_impact_s() const noexcept { return time_to_impact_s_; }  // while it falls
+  [[nodiscard]] const Tipping& tipping() const noexcept { return tipping_; }
+
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.fall_, self.direction_rad_, self.time_to_impact_s_, self.beyond_ticks_, self.airborne_ticks_,
+            self.straight_ticks_, self.lying_ticks_, self.overdue_ticks_);
+  }
+
+ private:
+  void watch_upright(const FallInputs& inputs) noexcept;
+  void watch_falling(const FallInputs& inputs) noexcept;
+  void begin_fall(const FallInputs& inputs) noexcept;
+  [[nodiscard]] bool stands_again(const FallInputs& inputs) noexcept;
+
+  FallParameters parameters_;
+  int confirm_ticks_;
+  Tipping tipping_;
+  Fall fall_ = Fall::upright;
+  double direction_rad_ = 0.0;
+  double time_to_impact_s_ = 0.0;
+  int beyond_ticks_ = 0;    // the margin, in a row
+  int airborne_ticks_ = 0;  // without load on the feet, in a row
+  int straight_ticks_ = 0;  // on its feet, in a row
+  int lying_ticks_ = 0;     // tilted far without load on the feet, in a row
+  int overdue_ticks_ = 0;   // that the predicted impact is past
+};
+
+}  // namespace gaitway::zmp

@@ -1,0 +1,75 @@
+// What a motion's file may say, and what is said about one that is wrong.
+#include "gaitway/motion/motion_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "motion_fixture.hpp"
+
+namespace gaitway::motion {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string complaint_about(const std::string& keys) {
+  try {
+    of_keys(keys);
+  } catch (const urdf::RobotError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+double angle_of(const Key& key, const std::string& joint) {
+  for (const JointAngle& angle : key.joints) {
+    if (angle.joint == humanoid22().joint_index(joint)) return angle.angle_rad;
+  }
+  return 99.0;
+}
+
+TEST(MotionFile, SymmetricAnglesAreMirrorImages) {
+  const Motion motion = of_keys("  - {name: arms, symmetric: {shoulder_pitch: -30, shoulder_roll: 40}}\n");
+  const Key& key = motion.keys.at(0);
+  EXPECT_EQ(key.joints.size(), 4U);
+  EXPECT_DOUBLE_EQ(angle_of(key, "right_shoulder_pitch"), angle_of(key, "left_shoulder_pitch"));
+  EXPECT_DOUBLE_EQ(angle_of(key, "right_shoulder_roll"), -angle_of(key, "left_shoulder_roll"));
+  EXPECT_NEAR(angle_of(key, "left_shoulder_roll"), 0.6981, 1e-4);
+}
+
+TEST(MotionFile, NamesFileLineFieldAndRemedyOfAWrongOne) {
+  struct Wrong {
+    std::string keys;
+    std::vector<std::string> said;
+  };
+  const std::vector<Wrong> all{
+      {"  - {name: a, hold: 1}\n", {"test.yaml:4", "hold", "hold_s"}},
+      {"  - {name: a, joints: {left_kne: 20}}\n", {"test.yaml:4", "left_kne", "Did you mean 'left_knee'?"}},
+      {"  - {name: a, joints: {left_knee: -20}}\n", {"test.yaml:4", "left_knee", "0.0 to 131.8 deg"}},
+      {"  - {name: a, joints: {left_elbow: -20}, symmetric: {elbow: -20}}\n", {"elbow", "already"}},
+      {"  - {name: a, symmetric: {waist_yaw: 20}}\n", {"left_waist_yaw"}},
+      {"  - {name: a, contact: hands}\n", {"contact", "both, left, right, none"}},
+      {"  - {name: a, left_foot: {up_m: 0.1}}\n", {"left_foot", "stands on this foot"}},
+      {"  - {name: a, contact: left, right_foot: {up_m: -0.1}}\n", {"up_m", "in the ground"}},
+      {"  - {name: a, joints: {left_knee: 20}, pelvis: {pitch_deg: 5}}\n", {"pelvis", "leg joints"}},
+      {"  - {name: a, contact: none, pelvis: {pitch_deg: 5}}\n", {"pelvis", "contact none"}},
+      {"  - {name: a, pelvis: {hip_height_m: 2}}\n", {"hip_height_m"}},
+      {"  - {name: a, min_time_s: -1}\n", {"min_time_s"}},
+      {"  []\n", {"keys", "at least one key"}},
+  };
+  for (const Wrong& wrong : all) {
+    const std::string complaint = complaint_about(wrong.keys);
+    for (const std::string& part : wrong.said) EXPECT_THAT(complaint, HasSubstr(part)) << wrong.keys;
+  }
+}
+
+TEST(MotionFile, AFolderListsItsMotionsByName) {
+  std::vector<std::string> names;
+  for (const auto& file : motion_files(GAITWAY_MOTIONS)) names.push_back(file.stem());
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"bow", "kick", "squat", "wave"}));
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  EXPECT_THROW(static_cast<void>(motion_files("/nowhere")), urdf::RobotError);
+}
+
+}  // namespace
+}  // namespace gaitway::motion

@@ -1,0 +1,100 @@
+// What a calibration is for: a robot that is loaded with it knows its joints and forces, and stands upright.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "gaitway/calibration/calibration_report.hpp"
+#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion_planner.hpp"
+#include "gaitway/simulator/cosimulation.hpp"
+
+namespace gaitway::calibration {
+namespace {
+
+// Of a standing robot: RMS over the legs' joints; of the feet's loads; of the trunk against the vertical.
+struct Errors {
+  double joint_rad = 0.0, force_N = 0.0, tilt_rad = 0.0;
+};
+
+// The balance feedback takes a lean out whether the robot knows its joints or not: what is left would say
+// nothing.
+core::Configuration without_lean_feedback() {
+  core::Configuration configuration = core::read_configuration(GAITWAY_CONFIGURATION);
+  for (core::PluginEntry& plugin : configuration.plugins) {
+    if (plugin.name == "stability") plugin.parameters.push_back({.name = "lean_gain", .text = "0"});
+  }
+  return configuration;
+}
+
+class CalibratedRobot : public ::testing::TestWithParam<std::uint64_t> {
+ protected:
+  CalibratedRobot() { std::filesystem::copy(GAITWAY_ROBOT, folder_); }
+  ~CalibratedRobot() override { std::filesystem::remove_all(folder_); }
+
+  // Through the whole chain: what the message controller says of a robot that has stood for a second.
+  [[nodiscard]] Errors stand() const {
+    simulator::CosimulationOptions options;
+    options.plant.seed = GetParam();
+    options.plant.conditions.body.cell_gain_deviation = 0.03;
+    options.main_controller.configuration = GAITWAY_CONFIGURATION;
+    options.main_controller.plugins = without_lean_feedback();
+    options.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
+    const urdf::RobotModel robot = urdf::load_robot(folder_);
+    simulator::Cosimulation run(robot, options);
+    for (int i = 0; i < 1500; ++i) run.advance_millisecond();
+    auto joint_reader = run.client().read<JointStates>("joint_states");
+    auto force_reader = run.client().read<FootForces>("foot_forces");
+    JointStates joints{};
+    joint_reader.read(joints);
+    Errors errors;
+    for (const urdf::Leg& leg : robot.legs) {
+      for (const int joint : leg.joints) {
+        const auto j = static_cast<std::size_t>(joint);
+        errors.joint_rad += std::pow(joints.position[j] - run.plant().positions()[7 + j], 2) / 12.0;
+      }
+    }
+    errors.joint_rad = std::sqrt(errors.joint_rad);
+    // Cells' noise is averaged away.
+    constexpr int kSlots = 50;
+    std::array<double, 2> off_N{};
+    for (int slot = 0; slot < kSlots; ++slot) {
+      for (int i = 0; i < 10; ++i) run.advance_millisecond();
+      FootForces forces{};
+      force_reader.read(forces);
+      for (std::size_t side = 0; side < 2; ++side) {
+        double load_N = 0.0;
+        for (const double force : forces.force[side]) load_N += force;
+        off_N[side] += (load_N - run.plant().ground_contact().normal_force_N[side]) / kSlots;
+      }
+      errors.tilt_rad += run.plant().truth().trunk_tilt_rad / kSlots;
+    }
+    errors.force_N = std::hypot(off_N[0], off_N[1]);
+    return errors;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      ("gaitway-calibrated-" + std::to_string(getpid()) + "-" + std::to_string(GetParam()));
+};
+
+TEST_P(CalibratedRobot, KnowsItsJointsAndStandsUpright) {
+  const urdf::RobotModel described = urdf::load_robot(folder_);
+  const motion::MotionPlan poses =
+      motion::plan_motion(described, motion::read_motion(GAITWAY_POSES, described), {}).plan;
+  const Errors before = stand();
+  const SimulatedCalibration found = calibrate_simulated(described, poses, {.seed = GetParam()});
+  std::ofstream(folder_ / "calibration.yaml") << calibration_text(described, found.calibration);
+  const Errors after = stand();
+  EXPECT_GT(before.joint_rad, 0.25 * kDegree_rad);
+  EXPECT_LT(after.joint_rad, 0.08 * kDegree_rad);
+  EXPECT_LT(after.tilt_rad, 0.5 * before.tilt_rad);
+  EXPECT_LT(after.force_N, before.force_N);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, CalibratedRobot, ::testing::Values(1U, 2U));
+
+}  // namespace
+}  // namespace gaitway::calibration

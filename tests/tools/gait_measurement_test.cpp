@@ -1,0 +1,438 @@
+// The gait measurement: its searches, its trials, what it keeps, and the command as a user meets it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "gaitway/tools/gait_measurement.hpp"
+#include "gaitway/tools/gait_report.hpp"
+#include "gaitway/tools/level_search.hpp"
+#include "gaitway/tools/pinned_plugins.hpp"
+#include "gaitway/trajectory/gait_parameters.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// Plays a search against a limit; returns the levels that it tried.
+std::vector<double> levels_tried(LevelSearch& search, double true_limit) {
+  std::vector<double> tried;
+  while (const auto level = search.next()) {
+    tried.push_back(search.levels()[*level]);
+    search.judged(tried.back() <= true_limit);
+  }
+  return tried;
+}
+
+TEST(LevelSearch, goes_up_from_a_floor_that_holds_until_a_level_fails) {
+  LevelSearch search({1, 2, 3, 4, 5}, 1);
+  EXPECT_THAT(levels_tried(search, 3.5), ElementsAre(2, 3, 4));
+  EXPECT_EQ(search.limit(), 3.0);
+  EXPECT_FALSE(search.open_ended());
+}
+
+TEST(LevelSearch, goes_down_from_a_floor_that_fails_until_a_level_holds) {
+  LevelSearch search({1, 2, 3, 4, 5}, 3);
+  EXPECT_THAT(levels_tried(search, 2.0), ElementsAre(4, 3, 2));
+  EXPECT_EQ(search.limit(), 2.0);
+}
+
+TEST(LevelSearch, says_when_nothing_and_when_everything_holds) {
+  LevelSearch weak({1, 2, 3}, 1);
+  EXPECT_THAT(levels_tried(weak, 0.5), ElementsAre(2, 1));
+  EXPECT_EQ(weak.limit(), std::nullopt);
+  LevelSearch strong({1, 2, 3}, 1);
+  EXPECT_THAT(levels_tried(strong, 9.0), ElementsAre(2, 3));
+  EXPECT_EQ(strong.limit(), 3.0);
+  EXPECT_TRUE(strong.open_ended());
+}
+
+TEST(LevelSearch, refuses_levels_that_do_not_ascend_and_a_floor_that_is_none) {
+  EXPECT_THROW(LevelSearch({1, 1, 2}, 0), std::invalid_argument);
+  EXPECT_THROW(LevelSearch({1, 2}, 2), std::invalid_argument);
+}
+
+TEST(LevelTally, nineteen_of_twenty_hold_and_eighteen_do_not) {
+  for (const int failures : {0, 1, 2}) {
+    LevelTally tally(20, true);
+    for (int seed = 0; seed < 20; ++seed) {
+      EXPECT_FALSE(tally.decided());
+      tally.note(seed, seed >= failures);
+    }
+    EXPECT_TRUE(tally.decided());
+    EXPECT_EQ(tally.holds(), failures <= 1) << failures;
+    EXPECT_EQ(tally.passed(), 20 - failures);
+  }
+  EXPECT_EQ(allowed_failures(10), 0);
+}
+
+TEST(LevelTally, is_given_up_by_the_seeds_own_order_whatever_ends_first) {
+  LevelTally tally(20, false);
+  tally.note(7, false);
+  tally.note(3, false);
+  EXPECT_FALSE(tally.decided()) << "seeds 0 to 2 may have failed before";
+  for (const int seed : {2, 1, 0, 4, 5}) {
+    tally.note(seed, true);
+  }
+  EXPECT_FALSE(tally.decided());
+  tally.note(6, true);
+  EXPECT_TRUE(tally.decided());
+  EXPECT_FALSE(tally.holds());
+  tally.note(9, false);
+  EXPECT_EQ(tally.judged(), 8);
+  EXPECT_EQ(tally.passed(), 6);
+}
+
+TEST(GaitTable, has_its_floors_among_its_levels_in_both_lengths) {
+  for (const bool quick : {false, true}) {
+    std::set<std::string> names;
+    for (const GaitRow& row : gait_table({.step_time_s = 0.4, .quick = quick})) {
+      EXPECT_TRUE(names.insert(row.name).second) << row.name;
+      EXPECT_NE(row.trials, nullptr) << row.name;
+      EXPECT_FALSE(row.trials(1, row.floor).empty()) << row.name;
+      if (row.has_levels()) {
+        EXPECT_EQ(std::count(row.levels.begin(), row.levels.end(), row.floor), 1) << row.name;
+        EXPECT_EQ(std::count(row.levels.begin(), row.levels.end(), row.aim), 1) << row.name;
+        EXPECT_GE(row.aim, row.floor) << row.name;
+      } else {
+        EXPECT_LT(row.aim, row.floor) << row.name;
+      }
+    }
+  }
+}
+
+TEST(GaitTable, pushes_come_from_all_sides_in_all_phases_of_the_step_time) {
+  const std::vector<std::string> name{"push_walking"};
+  const GaitRow row = chosen_rows(gait_table({.step_time_s = 0.32, .quick = false}), name).front();
+  std::set<long> directions_deg, instants_ms;
+  for (const Trial& trial : row.trials(5, 1.2)) {
+    directions_deg.insert(std::lround(trial.push->direction_rad * 180.0 / std::numbers::pi));
+    instants_ms.insert(std::lround(trial.push->at_s * 1e3));
+    EXPECT_NEAR(trial.seconds, trial.push->at_s + 4.1, 1e-9);
+  }
+  EXPECT_THAT(directions_deg, ElementsAre(0, 45, 90, 135, 180, 225, 270, 315));
+  ASSERT_EQ(instants_ms.size(), 16U);
+  EXPECT_EQ(*instants_ms.rbegin() - *instants_ms.begin(), 600) << "15 sixteenths of two steps";
+}
+
+TEST(GaitTable, random_commands_stay_within_the_floors_and_change_every_one_to_four_seconds) {
+  const std::vector<std::string> name{"random"};
+  const GaitRow row = chosen_rows(gait_table({}), name).front();
+  const std::vector<TimedVelocity> commands = row.trials(3, 5.0).front().commands;
+  EXPECT_NE(row.trials(4, 5.0).front().commands[0].velocity, commands[0].velocity);
+  ASSERT_GT(commands.size(), 75U);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    EXPECT_GE(commands[i].velocity.x(), -0.2);
+    EXPECT_LE(commands[i].velocity.x(), 0.35);
+    EXPECT_LE(std::abs(commands[i].velocity.y()), 0.08);
+    EXPECT_LE(std::abs(commands[i].velocity.z()), 0.8);
+    if (i > 0) {
+      EXPECT_GE(commands[i].at_s - commands[i - 1].at_s, 1.0 - 1e-9);
+      EXPECT_LE(commands[i].at_s - commands[i - 1].at_s, 4.0 + 1e-9);
+    }
+  }
+}
+
+TEST(GaitTable, names_the_row_that_was_meant) {
+  const std::vector<std::string> wrong{"strait"};
+  try {
+    chosen_rows(gait_table({}), wrong);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'strait'"));
+    EXPECT_THAT(error.what(), HasSubstr("'straight'"));
+  }
+}
+
+TEST(GaitTable, reads_the_step_time_of_the_configuration) {
+  const char* const text = "plugins: [{name: trajectory, parameters: {step_time: 0.28 s}}]";
+  EXPECT_EQ(step_time_of(core::parse_configuration(text, "walk.yaml")), 0.28);
+  EXPECT_EQ(step_time_of(core::parse_configuration("plugins: [{name: trajectory}]", "walk.yaml")),
+            trajectory::GaitParameters{}.step_time_s);
+}
+
+const TrialRobot& robot() {
+  static const TrialRobot it{
+      urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22"),
+      core::read_configuration(std::filesystem::path(GAITWAY_SOURCE_DIR) / "core/config/walk.yaml"),
+      {GAITWAY_PLUGIN_DIR}};
+  return it;
+}
+
+Trial standing(std::uint64_t seed, double seconds) {
+  Trial trial;
+  trial.seed = seed;
+  trial.seconds = seconds;
+  return trial;
+}
+
+Trial pushed_ahead(double impulse_Ns) {
+  Trial trial = standing(1, 2.5);
+  trial.push = TrialPush{0.5, 0.0, impulse_Ns};
+  return trial;
+}
+
+TEST(GaitTrial, a_slight_push_leaves_the_feet_in_place_and_a_violent_one_fells) {
+  const TrialOutcome slight = run_trial(robot(), pushed_ahead(0.3));
+  EXPECT_FALSE(slight.fell);
+  EXPECT_LT(slight.foot_moved_m, 0.005);
+  EXPECT_LT(slight.foot_lifted_m, 0.002);
+  const TrialOutcome violent = run_trial(robot(), pushed_ahead(12.0));
+  EXPECT_TRUE(violent.fell);
+  EXPECT_GT(violent.ended_s, 0.5);
+  EXPECT_LT(violent.ended_s, 2.5);
+  EXPECT_GT(violent.foot_lifted_m, 0.005);
+}
+
+TEST(GaitTrial, a_fall_is_told_well_before_the_impact_and_soft_joints_take_the_edge_off_it) {
+  Trial trial = pushed_ahead(7.0);
+  trial.watches_fall = true;
+  const TrialOutcome soft = run_trial(robot(), trial);
+  trial.stiff_in_fall = true;
+  const TrialOutcome stiff = run_trial(robot(), trial);
+  for (const TrialOutcome& outcome : {soft, stiff}) {
+    ASSERT_TRUE(outcome.fell);
+    ASSERT_TRUE(outcome.fall && outcome.fall->told_s && outcome.fall->impact_s);
+    EXPECT_GE(outcome.fall->lead_s().value(), 0.2);
+    EXPECT_GT(*outcome.fall->told_s, 0.5) << "after the push began";
+  }
+  EXPECT_EQ(*soft.fall->told_s, *stiff.fall->told_s);
+  EXPECT_LT(soft.fall->hardest_force_N, stiff.fall->hardest_force_N);
+}
+
+TEST(GaitTrial, a_push_that_the_robot_stands_is_no_fall) {
+  Trial trial = pushed_ahead(1.5);
+  trial.watches_fall = true;
+  const TrialOutcome outcome = run_trial(robot(), trial);
+  ASSERT_FALSE(outcome.fell);
+  EXPECT_FALSE(outcome.fall->told_s);
+  EXPECT_FALSE(outcome.fall->impact_s);
+  EXPECT_FALSE(outcome.fall->lead_s());
+}
+
+TEST(GaitTrial, speed_heading_and_zmp_of_a_walk) {
+  Trial trial = standing(2, 9.0);
+  trial.commands.push_back({1.0, {0.15, 0.0, 0.0}});
+  trial.steady_from_s = 4.0;
+  const TrialOutcome outcome = run_trial(robot(), trial);
+  ASSERT_FALSE(outcome.fell);
+  EXPECT_NEAR(outcome.mean_velocity.x(), 0.15, 0.03);
+  EXPECT_NEAR(outcome.mean_velocity.y(), 0.0, 0.03);
+  EXPECT_LT(std::abs(outcome.heading_drift_rad), 0.3);
+  EXPECT_NE(outcome.heading_drift_rad, 0.0);
+  EXPECT_EQ(outcome.heading_deg.size(), 8U) << "once a second from the first step on";
+  ASSERT_TRUE(outcome.zmp_error_rms_m.has_value());
+  EXPECT_GT(*outcome.zmp_error_rms_m, 1e-5);
+  EXPECT_LT(*outcome.zmp_error_rms_m, 0.01);
+}
+
+TEST(GaitTrial, comes_back_from_its_json_as_it_was) {
+  TrialOutcome outcome;
+  outcome.fell = true;
+  outcome.ended_s = 0.1 + 0.2;
+  outcome.mean_velocity = {0.1, -0.2, 1.0 / 3.0};
+  outcome.heading_deg = {0.5F, -1.25F};
+  outcome.zmp_error_rms_m = 1e-3;
+  outcome.foot_moved_m = 0.02;
+  outcome.fall =
+      FallOutcome{.told_s = 0.1, .impact_s = 0.3, .hardest_force_N = 500.0, .trunk_speed_m_per_s = 1.0 / 3.0};
+  const auto json = nlohmann::ordered_json::parse(to_json(outcome).dump());
+  EXPECT_EQ(to_json(outcome_from_json(json)), to_json(outcome));
+  EXPECT_EQ(outcome_from_json(json).ended_s, outcome.ended_s);
+}
+
+class GaitMeasurementTest : public ::testing::Test {
+ protected:
+  GaitMeasurementTest()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("gaitway_gait_measurement_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~GaitMeasurementTest() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ifstream in(file(name));
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  // Pushes that grow, two to a seed; the levels are impulses.
+  static GaitRow push_row() {
+    GaitRow row;
+    row.name = "pushes";
+    row.measure = "pushes";
+    row.unit = "N·s";
+    row.floor = 0.3;
+    row.aim = 12.0;
+    row.levels = {0.3, 12.0, 15.0};
+    row.trials = [](std::uint64_t seed, double level) {
+      std::vector<Trial> trials(2, standing(seed, 1.6));
+      trials[0].push = TrialPush{0.2, 0.0, level};
+      trials[1].push = TrialPush{0.2, 1.0, level};
+      return trials;
+    };
+    row.passes = [](const TrialOutcome& outcome, const Trial&, double) { return !outcome.fell; };
+    row.picture = GaitRow::Picture::pushes;
+    return row;
+  }
+  GaitMeasurement measure(const std::string& name, int jobs, std::uint64_t fingerprint = 1) {
+    TrialStore store(file(name), fingerprint);
+    return measure_gait(robot(), {push_row()}, store,
+                        {.seeds = 3, .first_seed = 4, .jobs = jobs, .progress = {}});
+  }
+  static std::string report(const GaitMeasurement& measurement) {
+    return gait_json({}, measurement).dump() + gait_page({}, measurement);
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(GaitMeasurementTest, searches_the_limit_and_ends_a_seed_with_its_first_failure) {
+  const GaitMeasurement measurement = measure("trials.jsonl", 1);
+  const RowResult& row = measurement.rows.front();
+  EXPECT_TRUE(row.floor_holds());
+  EXPECT_EQ(row.limit, 0.3);
+  ASSERT_EQ(row.levels.size(), 2U);
+  EXPECT_EQ(row.levels[0].seeds.size(), 3U);
+  // The first seed decides that 12 N·s are too much, and its first push that the second need not be tried.
+  ASSERT_EQ(row.levels[1].seeds.size(), 1U);
+  EXPECT_EQ(row.levels[1].seeds[0].trials.size(), 1U);
+  EXPECT_EQ(measurement.trials_run, 3 * 2 + 1);
+}
+
+TEST_F(GaitMeasurementTest, gives_the_same_with_many_jobs_as_with_one) {
+  EXPECT_EQ(report(measure("one.jsonl", 1)), report(measure("many.jsonl", 4)));
+}
+
+TEST_F(GaitMeasurementTest, runs_nothing_again_and_goes_on_where_it_was_interrupted) {
+  const GaitMeasurement first = measure("trials.jsonl", 4);
+  const GaitMeasurement second = measure("trials.jsonl", 4);
+  EXPECT_EQ(second.trials_run, 0U);
+  EXPECT_EQ(report(second), report(first));
+
+  // Three lines and a piece of the fourth are left.
+  std::string text = text_of("trials.jsonl");
+  std::size_t end = 0;
+  for (int line = 0; line < 3; ++line) {
+    end = text.find('\n', end) + 1;
+  }
+  std::ofstream(file("trials.jsonl")) << text.substr(0, end + 20);
+  const GaitMeasurement resumed = measure("trials.jsonl", 1);
+  EXPECT_LE(resumed.trials_run, first.trials_run - 3);
+  EXPECT_GT(resumed.trials_run, 0U);
+  EXPECT_EQ(report(resumed), report(first));
+  EXPECT_EQ(measure("trials.jsonl", 1).trials_run, 0U) << "the piece must not spoil the line after it";
+}
+
+TEST_F(GaitMeasurementTest, forgets_what_another_robot_did) {
+  measure("trials.jsonl", 2, 1);
+  EXPECT_GT(measure("trials.jsonl", 2, 2).trials_run, 0U);
+}
+
+TEST_F(GaitMeasurementTest, fingerprint_follows_configuration_and_description) {
+  EXPECT_EQ(fingerprint_of(robot()), fingerprint_of(robot()));
+  TrialRobot other = robot();
+  std::filesystem::copy_file(other.plugins.file, file("walk.yaml"));
+  other.plugins.file = file("walk.yaml");
+  EXPECT_EQ(fingerprint_of(robot()), fingerprint_of(other)) << "the place is no part of it";
+  std::ofstream(file("walk.yaml"), std::ios::app) << "    parameters: {}\n";
+  EXPECT_NE(fingerprint_of(robot()), fingerprint_of(other));
+}
+
+TEST_F(GaitMeasurementTest, keeps_the_plugins_that_it_began_with) {
+  TrialRobot pinned = robot();
+  std::filesystem::create_directories(file("build"));
+  const std::filesystem::path built = file("build") / "libgaitway_plugin_zmp.so";
+  std::filesystem::copy_file(std::filesystem::path(GAITWAY_PLUGIN_DIR) / built.filename(), built);
+  pinned.plugin_path = {file("build"), GAITWAY_PLUGIN_DIR};
+  pin_plugins(pinned.plugins, pinned.plugin_path, file("plugins"));
+  EXPECT_EQ(fingerprint_of(pinned), fingerprint_of(robot())) << "the same content";
+  std::ofstream(built) << "half a library";
+  std::ofstream(file("plugins") / "libold_0123.so") << "of an earlier measurement";
+  remove_other_plugins(pinned.plugins, file("plugins"));
+  EXPECT_FALSE(std::filesystem::exists(file("plugins") / "libold_0123.so"));
+  const Trial trial = standing(1, 0.1);
+  EXPECT_EQ(to_json(run_trial(pinned, trial)), to_json(run_trial(robot(), trial)));
+}
+
+TEST_F(GaitMeasurementTest, refuses_a_line_that_is_no_outcome_and_a_file_that_is_in_use) {
+  std::ofstream(file("trials.jsonl")) << "{\"key\":\"1\"}\n";
+  try {
+    const TrialStore store(file("trials.jsonl"), 1);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("trials.jsonl:1: no outcome"));
+  }
+  const TrialStore first(file("used.jsonl"), 1);
+  EXPECT_THROW(TrialStore(file("used.jsonl"), 1), std::invalid_argument);
+}
+
+TEST_F(GaitMeasurementTest, hands_a_failure_of_a_trial_on) {
+  TrialRobot broken = robot();
+  broken.plugins.plugins.front().library = "libnot_there.so";
+  TrialStore store(file("trials.jsonl"), 1);
+  EXPECT_THROW(
+      measure_gait(broken, {push_row()}, store, {.seeds = 3, .first_seed = 1, .jobs = 3, .progress = {}}),
+      std::runtime_error);
+}
+
+class MeasureCommand : public GaitMeasurementTest {
+ protected:
+  // Returns the exit code; what was printed is in `said` and `complaint`.
+  int gaitway(const std::string& arguments) {
+    const std::string line = std::string(GAITWAY_COMMAND) + " measure gait --out '" + file("out").string() +
+                             "' " + arguments + " >'" + file("said").string() + "' 2>'" +
+                             file("complaint").string() + "'";
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  void expect_refused(const std::string& arguments, const std::string& part) {
+    EXPECT_EQ(gaitway(arguments), 1) << arguments;
+    EXPECT_THAT(text_of("complaint"), HasSubstr(part));
+    EXPECT_FALSE(std::filesystem::exists(file("out")));
+  }
+};
+
+TEST_F(MeasureCommand, refuses_bad_input_before_anything_moves) {
+  expect_refused("--seeds 0", "--seeds 0: must lie between 1 and");
+  expect_refused("--jobs -1", "--jobs -1: must lie between 1 and");
+  expect_refused("--rows straight,push_sideways", "no row 'push_sideways'");
+  expect_refused("--config nowhere.yaml", "nowhere.yaml");
+  expect_refused("--robot nowhere", "nowhere");
+}
+
+TEST_F(MeasureCommand, measures_a_row_writes_its_table_and_is_instant_the_second_time) {
+  const std::string arguments = "--quick --seeds 1 --rows push_front --jobs 2";
+  const int code = gaitway(arguments);
+  const auto json = nlohmann::json::parse(text_of("out/gait.json"));
+  EXPECT_EQ(code, json.at("floors_hold").get<bool>() ? 0 : 3) << text_of("complaint");
+  ASSERT_EQ(json.at("rows").size(), 1U);
+  EXPECT_EQ(json.at("rows")[0].at("name"), "push_front");
+  EXPECT_FALSE(json.at("rows")[0].at("levels").empty());
+  EXPECT_THAT(text_of("out/gait.md"), HasSubstr("| standing push to the front, feet in place | 2.2 N·s |"));
+  EXPECT_THAT(text_of("out/gait.html"), HasSubstr("<svg"));
+  EXPECT_THAT(text_of("said"), testing::Not(HasSubstr("\n0 trials run")));
+
+  const std::string page = text_of("out/gait.html");
+  EXPECT_EQ(gaitway(arguments), code);
+  EXPECT_THAT(text_of("said"), HasSubstr("\n0 trials run"));
+  EXPECT_EQ(text_of("out/gait.html"), page);
+}
+
+}  // namespace
+}  // namespace gaitway::tools

@@ -1,0 +1,82 @@
+// A robot's calibration.yaml becomes part of its model, or is refused with its place.
+#include "broken_robot.hpp"
+#include "gaitway/urdf/forward_kinematics.hpp"
+
+namespace gaitway::urdf {
+namespace {
+
+constexpr double kDegree_rad = 3.14159265358979323846 / 180.0;
+constexpr const char* kSound = R"(robot: humanoid22
+joint_zeros_deg:
+  left_knee: {value: 0.5, deviation: 0.03}
+  right_hip_yaw: {value: -0.25}
+trunk_com_offset_m: {value: [0.004, -0.002, 0.01], deviation: [0.001, 0.001, 0.003]}
+force_cell_gains:
+  left: {value: [1.01, 0.99, 1.02, 0.98]}
+  right: {value: [1.03, 1.0, 1.0, 0.97], deviation: [0.01, 0.01, 0.01, 0.01]}
+)";
+
+TEST(CalibrationFile, becomes_part_of_the_model) {
+  const test::BrokenRobot robot;
+  const RobotModel described = robot.load();
+  robot.write("calibration.yaml", kSound);
+  const RobotModel calibrated = robot.load();
+  const auto joint = [&](const char* name) {
+    return calibrated.joints[static_cast<std::size_t>(calibrated.joint_index(name))];
+  };
+  EXPECT_DOUBLE_EQ(joint("left_knee").encoder_zero_rad, 0.5 * kDegree_rad);
+  EXPECT_DOUBLE_EQ(joint("right_hip_yaw").encoder_zero_rad, -0.25 * kDegree_rad);
+  EXPECT_EQ(joint("left_hip_yaw").encoder_zero_rad, 0.0);
+  const auto trunk = static_cast<std::size_t>(described.imu.link);
+  const Eigen::Vector3d offset = calibrated.links[trunk].com_m - described.links[trunk].com_m;
+  EXPECT_TRUE(offset.isApprox(Eigen::Vector3d(0.004, -0.002, 0.01), 1e-9));
+  EXPECT_EQ(calibrated.trunk_com_offset_m, Eigen::Vector3d(0.004, -0.002, 0.01));
+  const double share = described.links[trunk].mass_kg / described.total_mass_kg();
+  EXPECT_NEAR(ForwardKinematics(calibrated).com_m().x() - ForwardKinematics(described).com_m().x(),
+              0.004 * share, 1e-9);
+  int cells = 0;
+  for (const auto& pair : calibrated.channels) {
+    for (const SensorChannel& channel : pair) {
+      if (channel.kind != SensorKind::force_cell) {
+        EXPECT_EQ(channel.gain, 1.0);
+        continue;
+      }
+      ++cells;
+      if (channel.side == Side::left && channel.index == 2) {
+        EXPECT_EQ(channel.gain, 1.02);
+      }
+      if (channel.side == Side::right && channel.index == 3) {
+        EXPECT_EQ(channel.gain, 0.97);
+      }
+    }
+  }
+  EXPECT_EQ(cells, 8);
+}
+
+TEST(CalibrationFile, may_be_left_out) {
+  const test::BrokenRobot robot;
+  robot.write("calibration.yaml", kSound);
+  const RobotModel described = load_robot(robot.folder(), CalibrationUse::left_out);
+  EXPECT_EQ(described.trunk_com_offset_m, Eigen::Vector3d::Zero());
+  for (const Joint& joint : described.joints) EXPECT_EQ(joint.encoder_zero_rad, 0.0);
+}
+
+TEST(CalibrationFile, is_refused_with_its_place) {
+  const auto expect = [](const std::string& before, const std::string& after,
+                         const std::vector<std::string>& parts) {
+    test::BrokenRobot robot;
+    robot.write("calibration.yaml", kSound);
+    robot.replace("calibration.yaml", before, after).expect_complaint(parts);
+  };
+  expect("robot: humanoid22", "robot: other", {"calibration.yaml:1", "humanoid22", "gaitway calibrate"});
+  expect("left_knee", "left_nee", {"calibration.yaml:3", "left_nee", "left_knee"});
+  expect("value: 0.5,", "value: 50,", {"calibration.yaml:3", "50", "20"});
+  expect("value: 0.5,", "", {"calibration.yaml:3", "value"});
+  expect("0.004, ", "", {"calibration.yaml:5", "trunk_com_offset_m"});
+  expect("0.004", "4", {"calibration.yaml:5", "0.1"});
+  expect("1.02", "0", {"calibration.yaml:7", "0.5"});
+  expect("force_cell_gains", "force_cell_gain", {"calibration.yaml:6", "force_cell_gains"});
+}
+
+}  // namespace
+}  // namespace gaitway::urdf

@@ -1,0 +1,73 @@
+// Measures the rows of the gait table on all cores.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gaitway/tools/gait_table.hpp"
+#include "gaitway/tools/gait_trial.hpp"
+#include "gaitway/tools/trial_store.hpp"
+
+namespace gaitway::tools {
+
+// What one seed did at one level.
+struct SeedResult {
+  std::uint64_t seed = 0;
+  bool passed = true;
+  double figure = 0.0;  // of rows without levels: the worst of the trials
+  // In a row with levels they end with the first that failed.
+  std::vector<Trial> trials;
+  std::vector<TrialOutcome> outcomes;
+};
+
+struct LevelResult {
+  double level = 0.0;
+  bool holds = false;  // with 19 of 20 seeds
+  int passed = 0;
+  std::vector<SeedResult>
+      seeds;  // that count, in the seeds' order: a level that cannot hold any more ends early
+};
+
+struct RowResult {
+  GaitRow row;
+  int seeds = 0;
+  int floor_passed = 0;  // seeds that pass the floor; it holds if that is all
+  std::vector<LevelResult>
+      levels;  // that were tried, ascending; the floor is one. One alone in a row without levels
+  // Rows with levels: the highest that holds; none: not even the lowest. Without: the figure that 19 of 20
+  // seeds keep, infinite if they do not.
+  std::optional<double> limit;
+  bool open_ended = false;  // the highest level holds: the limit may lie beyond
+
+  [[nodiscard]] bool floor_holds() const noexcept { return floor_passed == seeds; }
+};
+
+struct GaitMeasurement {
+  std::vector<RowResult> rows;
+  std::uint64_t trials_run = 0;
+  std::uint64_t trials_known = 0;  // from the store
+};
+
+struct GaitProgress {
+  std::string row;
+  std::uint64_t trials_done = 0;
+  std::uint64_t trials_planned = 0;   // grows as levels hold
+  std::optional<double> remaining_s;  // of those that are planned; none: not known yet
+};
+
+struct GaitMeasurementOptions {
+  int seeds = 20;
+  std::uint64_t first_seed = 1;
+  int jobs = 1;
+  std::function<void(const GaitProgress&)> progress;  // one call at a time, from any thread; empty: none
+};
+
+// The result depends on the rows, the robot and the seeds alone, not on the number of jobs (but for processor
+// times). Throws what a trial throws, after the others that were running have ended.
+GaitMeasurement measure_gait(const TrialRobot& robot, const std::vector<GaitRow>& rows, TrialStore& store,
+                             const GaitMeasurementOptions& options);
+
+}  // namespace gaitway::tools

@@ -1,0 +1,55 @@
+// The rows of the gait table: what is tried in each, from which floor up, and what passes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gaitway/tools/gait_trial.hpp"
+
+namespace gaitway::tools {
+
+struct GaitRow {
+  std::string name;     // for --rows
+  std::string measure;  // for people
+  std::string unit;
+  double floor = 0.0;
+  double aim = 0.0;
+  double shown_scale = 1.0;  // of the figures in tables: 1000 for metres in mm
+
+  // A row is of one of two kinds. With levels: ascending, each harder, the floor among them; the limit is
+  // searched. A seed passes a level when each of its trials does. Without: each seed yields a figure, the
+  // smaller the better, the worst of its trials; it passes when that is at most the floor.
+  std::vector<double> levels;
+  std::function<std::vector<Trial>(std::uint64_t seed, double level)> trials;
+  std::function<bool(const TrialOutcome&, const Trial&, double level)> passes;  // with levels
+  std::function<double(const TrialOutcome&, const Trial&)> figure;              // without; infinite: it fell
+
+  int most_seeds = 0;       // 0: as many as asked for
+  bool runs_alone = false;  // no other trial runs meanwhile: processor time is measured
+  enum class Picture : std::uint8_t { none, speeds, headings, pushes } picture = Picture::none;
+
+  [[nodiscard]] bool has_levels() const noexcept { return !levels.empty(); }
+};
+
+struct GaitTableOptions {
+  double step_time_s = 0.4;
+  bool quick = false;  // shorter walks, fewer levels, directions and phases
+};
+
+// All rows in the table's order.
+std::vector<GaitRow> gait_table(const GaitTableOptions& options);
+
+// Those of the given names, in the table's order; all if there are none. Throws std::invalid_argument that
+// names an unknown one and the nearest known.
+std::vector<GaitRow> chosen_rows(std::vector<GaitRow> table, std::span<const std::string> names);
+
+// The step period that the configuration's `step_time` asks for; the trajectory plug-in's own default if it
+// does not.
+double step_time_of(const core::Configuration& plugins);
+
+}  // namespace gaitway::tools
