@@ -44,7 +44,7 @@ class ServedCommands(unittest.TestCase):
                 commands.write_text((self.robot.out / "commands.yaml").read_text())
             text = commands.read_text()
             self.assertRegex(text, r"walk: \[0\.12, 0(\.0)?, 0\.1\]")
-            self.assertIn("motion: wave", text)
+            self.assertIn('motion: "wave"', text)
             self.assertIn("emergency_stop: hold", text)
             replay = Path(folder) / "replay"
             subprocess.run([COMMAND, "run", "--quiet", "--no-pictures", "--seed", "3", "--scenario", str(commands), "--out", str(replay)],

@@ -10,6 +10,7 @@
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
+cannot() { echo "SKIPPED: $*"; exit 77; }  # nothing that is set up on this computer would change it
 skip() {
   echo "SKIPPED: $*"
   [ "${GAITWAY_REQUIRE_VM:-0}" = 1 ] && { echo "GAITWAY_REQUIRE_VM is set: a skipped test is a failure here."; exit 1; }
@@ -47,11 +48,12 @@ export -p >"$job/command"
 
 # If this script dies, so must everything in the guest: its processes are processes of this computer's kernel,
 # and left alone they would make system calls there. A process namespace ends them all with its first one, and each
-# of the processes in between dies with its parent.
+# of the processes in between dies with its parent. That first one is a shell: a kernel that panics sends itself
+# SIGABRT again and again, and a namespace's first process never gets it.
 mortal=(setpriv --pdeathsig KILL)
 seconds=${GAITWAY_VM_SECONDS:-240}
 TMPDIR=$memory_folder "${mortal[@]}" timeout -s KILL "$seconds" "${mortal[@]}" "${isolate[@]}" \
-  "$kernel" mem="${memory_mb}M" uml_dir="$job" umid=vm root=/dev/root rootfstype=hostfs rootflags=/ rw \
+  sh -c '"$@"; exit $?' kernel "$kernel" mem="${memory_mb}M" uml_dir="$job" umid=vm root=/dev/root rootfstype=hostfs rootflags=/ rw \
   init="$here/guest_init.sh" gaitway_job="$job" gaitway_modules="$modules" \
   quiet loglevel=1 con=null con0=null,null >"$job/kernel_log" 2>&1 </dev/null &
 vm=$!
@@ -61,6 +63,8 @@ trap 'kill -KILL $vm 2>/dev/null; rm -rf "$job"; exit 143' TERM INT HUP
 [ -f "$job/output" ] && cat "$job/output"
 [ -f "$job/exit_code" ] && exit "$(cat "$job/exit_code")"
 if [ ! -f "$job/ready" ]; then
+  # Linux 6.1's user mode has no room for the registers of a processor with AMX: setting those of its first process fails.
+  grep -qw amx_tile /proc/cpuinfo && cannot "user-mode Linux ended with $ended: it has no room for the registers of this processor (AMX)"
   tail -5 "$job/kernel_log"
   skip "user-mode Linux did not come up (it ended with $ended); its last lines are above"
 fi
