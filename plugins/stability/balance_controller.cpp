@@ -47,7 +47,8 @@ BalanceController::BalanceController(const urdf::RobotModel& model, const Balanc
       heading_(parameters),
       speed_(parameters),
       lean_(parameters, urdf::home_com_height_m(model)),
-      fall_reaction_(parameters.fall_softness) {}
+      fall_reaction_(parameters.fall_softness),
+      soles_(model, parameters) {}
 
 bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& meant,
                                   std::int64_t now_ns) const noexcept {
@@ -103,6 +104,7 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
     const bool grounded = !is_airborne(estimate) && support.has_value() && leans_little(meant);
     trims_.update(grounded ? std::optional(motion_of(estimate, meant)) : std::nullopt,
                   support.value_or(kBothFeet), trim);
+    if (grounded && moment && !meant.motion && !meant.walking && support == kBothFeet) soles_.learn(estimate);
     if (grounded && !meant.motion) {
       lean_.update(estimate.attitude[0], estimate.attitude[1], meant.walking);
     } else if (!grounded) {
@@ -119,6 +121,7 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
       speed_.pause();
     }
   }
+  soles_.add_to(trim);
   if (!timeline_.newest_stays_upright()) std::memset(trim.gain, 0, sizeof trim.gain);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     correction.base_attitude_offset[axis] = lean_.offset_rad()[axis];

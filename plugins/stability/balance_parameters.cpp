@@ -46,6 +46,8 @@ void BalanceParameters::validate() const {
   require_range("lean_gain", lean_gain_per_s, 0.0, 5.0);
   require_range("walking_lean_gain", walking_lean_gain_per_s, 0.0, 5.0);
   require_range("lean_limit", lean_limit_rad, 0.0, 0.3);
+  require_range("sole_gain", sole_gain_rad_per_m_s, 0.0, 20.0);
+  require_range("sole_limit", sole_limit_rad, 0.0, 0.2);
 }
 
 }  // namespace gaitway::stability

@@ -35,6 +35,8 @@ BalanceParameters parameters_of(Setup& setup) {
   p.lean_gain_per_s = setup.parameter("lean_gain", p.lean_gain_per_s, "1/s");
   p.walking_lean_gain_per_s = setup.parameter("walking_lean_gain", p.walking_lean_gain_per_s, "1/s");
   p.lean_limit_rad = setup.parameter("lean_limit", p.lean_limit_rad, "rad");
+  p.sole_gain_rad_per_m_s = setup.parameter("sole_gain", p.sole_gain_rad_per_m_s, "rad/(m*s)");
+  p.sole_limit_rad = setup.parameter("sole_limit", p.sole_limit_rad, "rad");
   return p;
 }
 
@@ -63,7 +65,7 @@ class Stability final : public Plugin {
     correction_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 3; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 4; }
   void save_state(StateWriter& state) const override { state(controller_); }
   void restore_state(StateReader& state) override { state(controller_); }
 

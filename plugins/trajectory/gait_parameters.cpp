@@ -76,6 +76,13 @@ void GaitParameters::validate() const {
   require_within(settle_s, 0.2, 1.5, "settle", "s");
   require_within(freeze_share, 0.0, 0.9, "freeze_share", "1");
   require_within(absorb_s, 0.2, 1.0, "absorb", "s");
+  require_within(adjust_threshold_m, 0.0, 1.0, "adjust_threshold", "m");
+  require_within(adjust_side_threshold_m, 0.0, 1.0, "adjust_side_threshold", "m");
+  require_within(adjust_share, 0.0, 2.0, "adjust_share", "1");
+  require_within(adjust_until_share, 0.0, 0.9, "adjust_until_share", "1");
+  require_within(adjust_speed_m_per_s, 0.0, 2.0, "adjust_speed", "m/s");
+  require_within(adjust_zmp_m, 0.0, 0.1, "adjust_zmp", "m");
+  require_within(response_lag_s, 0.0, 0.1, "response_lag", "s");
   require_within(lift_m, 0.0, 0.2, "lift", "m");
   require_within(preview_s, 0.5, kMostPreviewPoints * kPointPeriod_s, "preview", "s");
   require_within(zmp_error_weight, 1e-6, 1e6, "zmp_error_weight", "1");

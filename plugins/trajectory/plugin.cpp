@@ -7,6 +7,7 @@
 #include "gaitway/core/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/limit_report.hpp"
 #include "gaitway/trajectory/motion_desk.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
@@ -38,6 +39,13 @@ GaitParameters configured(Setup& setup) {
   set(p.freeze_share, "freeze_share", "1");
   set(p.absorb_s, "absorb", "s");
   set(p.lift_m, "lift", "m");
+  set(p.adjust_threshold_m, "adjust_threshold", "m");
+  set(p.adjust_side_threshold_m, "adjust_side_threshold", "m");
+  set(p.adjust_share, "adjust_share", "1");
+  set(p.adjust_until_share, "adjust_until_share", "1");
+  set(p.adjust_speed_m_per_s, "adjust_speed", "m/s");
+  set(p.adjust_zmp_m, "adjust_zmp", "m");
+  set(p.response_lag_s, "response_lag", "s");
   set(p.zmp_forward_m, "zmp_forward", "m");
   set(p.zmp_inward_m, "zmp_inward", "m");
   set(p.fast_hip_height_m, "fast_hip_height", "m");
@@ -121,17 +129,18 @@ class Trajectory final : public Plugin {
     state_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 3; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 4; }
   void save_state(StateWriter& state) const override {
-    state(pattern_, continuity_, player_, desk_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, desk_, void_until_ns_);
   }
   void restore_state(StateReader& state) override {
-    state(pattern_, continuity_, player_, desk_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, desk_, void_until_ns_);
   }
 
  private:
   Trajectory(Setup& setup, const GaitParameters& parameters)
       : pattern_(parameters),
+        divergence_(parameters),
         player_(motions_of(setup, parameters)),
         desk_(player_.motions(), urdf::load_robot(setup.robot_directory())),
         stand_{{}, parameters.stand_com_forward_m, parameters.hip_height_m, parameters.foot_spacing_m},
@@ -151,7 +160,11 @@ class Trajectory final : public Plugin {
 
   void plan_steps(const Tick& tick, const WalkCommand& walk, MotionPlan& plan) {
     const Correction correction = correction_.has_value() ? correction_.read() : Correction{};
-    pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction, plan);
+    Eigen::Vector2d dcm_deviation_m = Eigen::Vector2d::Zero();
+    if (estimate_.has_value())
+      dcm_deviation_m = divergence_.deviation_m(estimate_.read(), tick.batch_start_ns);
+    pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction, plan, dcm_deviation_m);
+    divergence_.take(plan);
     report_limits(walk);
     continuity_.published(tick.batch_sequence, pattern_.final_stance());
   }
@@ -206,6 +219,7 @@ class Trajectory final : public Plugin {
   }
 
   WalkingPattern pattern_;
+  DivergenceFeedback divergence_;
   MotionPlayer player_;
   MotionDesk desk_;
   Stand stand_;

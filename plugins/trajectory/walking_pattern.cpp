@@ -1,6 +1,7 @@
 // The walking pattern's state machine: stand, steps, settling; and the plan that it writes.
 #include "gaitway/trajectory/walking_pattern.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +57,8 @@ WalkingPattern::WalkingPattern(const GaitParameters& parameters)
     : parameters_(checked(parameters)),
       controller_(preview_of(parameters_)),
       absorber_(parameters_.com_height_m, parameters_.absorb_points(), kRampPoints),
-      planner_(parameters_) {
+      planner_(parameters_),
+      adjustment_(parameters_, absorber_.omega_per_s(), absorber_.effect()) {
   reset_to_stand({});
 }
 
@@ -154,7 +156,8 @@ void WalkingPattern::aim_step(Step& step, const Wanted& wanted, const Eigen::Vec
   before.turn_rad_per_s = step.commanded_turn_before_rad_per_s;
   StepLimit ignored = StepLimit::none;  // what limits the commands is told of the velocity
   step.commanded_turn_rad_per_s = planner_.next_velocity(before, commanded, ignored).turn_rad_per_s;
-  step.landing = planner_.landing(step.stance, step.swing, step.velocity, offset_m, applied_);
+  step.landing =
+      planner_.landing(step.stance, step.swing, step.velocity, offset_m + step.adjustment_m, applied_);
 }
 
 Step WalkingPattern::step_after(const Step& before, const Wanted& wanted,
@@ -184,8 +187,35 @@ double WalkingPattern::yaw_correction_rad(const PatternState& state) const noexc
   return 0.5 * sum_rad;
 }
 
-void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted,
-                                   const Eigen::Vector2d& offset_m) noexcept {
+// The plan's DCM moves to the body's by a change of the CoM's velocity: its place stays, and goes over to
+// where the body is within 1/ω.
+void WalkingPattern::adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  Step& step = state.step;
+  const Eigen::Rotation2Dd to_plan(step.stance.yaw_rad);
+  const Eigen::Vector2d excess = adjustment_.excess_m(to_plan.inverse() * dcm_deviation_m);
+  if (excess.isZero()) return;
+  const int in_swing = state.elapsed_points - step.double_support_points;
+  const double landing_s = (step.points() - state.elapsed_points) * kPointPeriod_s;
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  if (in_swing < parameters_.adjust_until_share * step.swing_points) {
+    const double swing_left_s = (step.swing_points - std::max(in_swing, 0)) * kPointPeriod_s;
+    shift = adjustment_.shift_m(excess, landing_s, swing_left_s);
+    StepLimit ignored = StepLimit::none;  // who commands the walk has not asked for this
+    const Pose2 before = step.stance.relative_of(step.landing);
+    step.landing =
+        planner_.landing(step.stance, step.swing, step.velocity, step.adjustment_m + shift, ignored);
+    shift = step.stance.relative_of(step.landing).position() - before.position();
+    step.adjustment_m += shift;
+    if (in_swing > 0) state.swing.aim(step.landing, in_swing * kPointPeriod_s);
+  }
+  const Eigen::RowVector2d answered =
+      (to_plan * adjustment_.answered_m(excess, shift, landing_s)).transpose();
+  state.cart.motion.row(1) += absorber_.omega_per_s() * answered;
+  state.divergence += answered;
+}
+
+void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m,
+                                   const Eigen::Vector2d& dcm_deviation_m) noexcept {
   if (state.phase != Phase::walking) begin_walking(state, wanted.velocity);
   Step& step = state.step;
   Eigen::Vector2d offset_left = offset_m;
@@ -195,6 +225,7 @@ void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted,
     const int in_swing = state.elapsed_points - step.double_support_points;
     if (in_swing > 0) state.swing.aim(step.landing, in_swing * kPointPeriod_s);
   }
+  adjust_step(state, dcm_deviation_m);
   aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
                                                        std::abs(wanted.velocity.forward_m_per_s))));
   schedule_.count = schedule_.next = 0;
@@ -324,7 +355,8 @@ void WalkingPattern::advance_settling(PatternState& state) const noexcept {
 }
 
 void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
-                          const Correction& correction, MotionPlan& plan) noexcept {
+                          const Correction& correction, MotionPlan& plan,
+                          const Eigen::Vector2d& dcm_deviation_m) noexcept {
   applied_ = StepLimit::none;
   plan.sequence = sequence;
   plan.start_ns = start_ns;
@@ -341,7 +373,7 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
     }
     Eigen::Vector2d offset_m(correction.step_offset[0], correction.step_offset[1]);
     if (!offset_m.allFinite()) offset_m.setZero();
-    schedule_walk(state_, {wanted, commanded_turn_rad_per_s}, offset_m);
+    schedule_walk(state_, {wanted, commanded_turn_rad_per_s}, offset_m, dcm_deviation_m);
   } else {
     schedule_stop(state_);
   }

@@ -10,6 +10,7 @@
 #include "gaitway/stability/heading_feedback.hpp"
 #include "gaitway/stability/lean_integrator.hpp"
 #include "gaitway/stability/plan_timeline.hpp"
+#include "gaitway/stability/sole_alignment.hpp"
 #include "gaitway/stability/speed_feedback.hpp"
 #include "gaitway/stability/trim_feedback.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -39,13 +40,14 @@ class BalanceController {
               Correction& correction) noexcept;
 
   [[nodiscard]] const TrimFeedback& trims() const noexcept { return trims_; }
+  [[nodiscard]] const SoleAlignment& soles() const noexcept { return soles_; }
   [[nodiscard]] const HeadingFeedback& heading() const noexcept { return heading_; }
 
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.timeline_, self.trims_, self.heading_, self.speed_, self.lean_, self.fall_reaction_,
-            self.without_contact_s_);
+            self.soles_, self.without_contact_s_);
   }
 
  private:
@@ -62,6 +64,7 @@ class BalanceController {
   SpeedFeedback speed_;
   LeanIntegrator lean_;
   FallReaction fall_reaction_;
+  SoleAlignment soles_;
   double without_contact_s_ = 0.0;
 };
 

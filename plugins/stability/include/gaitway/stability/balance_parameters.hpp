@@ -42,6 +42,10 @@ struct BalanceParameters {
   double walking_lean_gain_per_s = 0.15;  // small: walking sways, and the batches answer late
   double lean_limit_rad = 0.17;
 
+  // Soles, through constant trims of the ankles.
+  double sole_gain_rad_per_m_s = 3.0;  // of what a centre of pressure is beside its place; 0: off
+  double sole_limit_rad = 0.04;
+
   // Throws std::invalid_argument naming parameter, value, rule and remedy.
   void validate() const;
 };

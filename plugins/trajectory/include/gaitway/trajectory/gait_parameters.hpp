@@ -30,6 +30,15 @@ struct GaitParameters {
 
   double absorb_s = 0.40;  // over which the ZMP absorbs a change of footsteps
 
+  // Step adjustment, by what the estimated DCM deviates from the planned one (StepAdjustment).
+  double adjust_threshold_m = 0.030;       // ahead and back: below it, nothing is done
+  double adjust_side_threshold_m = 0.020;  // to either side
+  double adjust_share = 0.7;               // of the full adjustment; 0: off
+  double adjust_until_share = 0.75;        // of the swing: from here on not even this moves the footstep
+  double adjust_speed_m_per_s = 0.25;      // at which the landing may move, times what is left of the swing
+  double adjust_zmp_m = 0.030;             // by which the planned ZMP may move, where the step cannot
+  double response_lag_s = 0.020;           // of the body behind its plan: servos and sensors
+
   // Shape of a step.
   double lift_m = 0.030;         // highest point of the swing foot's sole
   double zmp_forward_m = 0.010;  // reference ZMP ahead of the sole's origin

@@ -11,6 +11,7 @@
 #include "gaitway/trajectory/hip_height.hpp"
 #include "gaitway/trajectory/preview_controller.hpp"
 #include "gaitway/trajectory/quintic.hpp"
+#include "gaitway/trajectory/step_adjustment.hpp"
 #include "gaitway/trajectory/swing_foot.hpp"
 
 namespace gaitway::trajectory {
@@ -30,6 +31,7 @@ struct Step {
   bool lead_in = false;  // first step from the stand: the ZMP moves smoothly, not linearly
   Pose2 stance;
   Pose2 landing;
+  Eigen::Vector2d adjustment_m = Eigen::Vector2d::Zero();  // of the landing by StepAdjustment, stance frame
   Velocity2 velocity_before, velocity;  // of the step before, and with which this one was planned
   // The turn rate that the commands alone would have, without the yaw feedback.
   double commanded_turn_before_rad_per_s = 0.0, commanded_turn_rad_per_s = 0.0;
@@ -39,8 +41,8 @@ struct Step {
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.swing, self.double_support_points, self.swing_points, self.last, self.lead_in, self.stance,
-            self.landing, self.velocity_before, self.velocity, self.commanded_turn_before_rad_per_s,
-            self.commanded_turn_rad_per_s, self.zmp_from, self.zmp_to);
+            self.landing, self.adjustment_m, self.velocity_before, self.velocity,
+            self.commanded_turn_before_rad_per_s, self.commanded_turn_rad_per_s, self.zmp_from, self.zmp_to);
   }
 };
 
@@ -77,9 +79,12 @@ class WalkingPattern {
   // Advances by kBatchPoints points towards `command` and fills `plan`, with the safe tail that begins at the
   // end of the batch. A non-finite command counts as a stop, a non-finite correction as none.
   // correction.step_offset moves the next footstep that is not fixed yet. About 5 µs.
-  // A walk command that comes back in the last step before the stand takes effect when the robot settles.
+  // `dcm_deviation_m`: by how much the body's DCM will be off the plan's at start_ns, in the plan's frame;
+  // the step in flight is adjusted to it. A walk command that comes back in the last step before the stand
+  // takes effect when the robot settles.
   void plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
-            const Correction& correction, MotionPlan& plan) noexcept;
+            const Correction& correction, MotionPlan& plan,
+            const Eigen::Vector2d& dcm_deviation_m = Eigen::Vector2d::Zero()) noexcept;
 
   // Where the tail of the last plan ends: the middle between the sole origins.
   [[nodiscard]] const Pose2& final_stance() const noexcept { return final_stance_; }
@@ -113,8 +118,10 @@ class WalkingPattern {
   void begin_walking(PatternState& state, const Velocity2& wanted) noexcept;
   void begin_settling(PatternState& state) const noexcept;
   // Aim the step in flight, or begin one, and fill schedule_ with the steps that follow it.
-  void schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m) noexcept;
+  void schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m,
+                     const Eigen::Vector2d& dcm_deviation_m) noexcept;
   void schedule_stop(PatternState& state) noexcept;
+  void adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
   [[nodiscard]] Step step_after(const Step& before, const Wanted& wanted,
                                 const Eigen::Vector2d& offset_m) noexcept;
   // Velocities and landing place of a step after those of the step before.
@@ -142,6 +149,7 @@ class WalkingPattern {
   PreviewController controller_;
   DivergenceAbsorber absorber_;
   FootstepPlanner planner_;
+  StepAdjustment adjustment_;
   PatternState state_, tail_state_;
   Schedule schedule_;
   ZmpReference batch_reference_, tail_reference_;

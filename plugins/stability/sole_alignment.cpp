@@ -1,0 +1,68 @@
+// Integrators of the centres of pressure.
+#include "gaitway/stability/sole_alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gaitway/urdf/forward_kinematics.hpp"
+
+namespace gaitway::stability {
+namespace {
+
+constexpr double kTick_s = 0.010;
+constexpr std::size_t kAnklePitch = 4, kAnkleRoll = 5;  // of a leg's joints, from the hip down
+constexpr double kLeastShare = 0.25;                    // of the load, on either foot
+// A push of 0.3 N·s turns the trunk faster; the sway of a robot that has just begun to stand is slower.
+constexpr double kCalm_rad_per_s = 0.2;
+
+}  // namespace
+
+SoleAlignment::SoleAlignment(const urdf::RobotModel& model, const BalanceParameters& parameters)
+    : gain_rad_per_m_s_(parameters.sole_gain_rad_per_m_s),
+      limit_rad_(parameters.sole_limit_rad),
+      trim_limit_rad_(std::min(parameters.trim_limit_rad, model.trim.limit_rad)) {
+  const urdf::ForwardKinematics home(model);
+  const auto joint = [&model](std::size_t side, std::size_t which) -> const urdf::Joint& {
+    return model.joints[static_cast<std::size_t>(model.legs[side].joints[which])];
+  };
+  const auto axis = [&home](const urdf::Joint& of) {
+    return (home.link_rotation(of.child_link) * of.axis).eval();
+  };
+  const auto channel = [](const urdf::Joint& of) {
+    return of.trim_channel < kTrimChannels ? of.trim_channel : -1;
+  };
+  for (std::size_t side = 0; side < ankles_.size(); ++side) {
+    const urdf::Joint& pitch = joint(side, kAnklePitch);
+    const urdf::Joint& roll = joint(side, kAnkleRoll);
+    ankles_[side] = {channel(pitch), channel(roll), axis(pitch).y(), axis(roll).x()};
+  }
+}
+
+void SoleAlignment::learn(const Estimate& standing) noexcept {
+  const double load_N = standing.foot_force[0] + standing.foot_force[1];
+  const double least_N = std::min(standing.foot_force[0], standing.foot_force[1]);
+  const double sway_rad_per_s = std::hypot(standing.angular_velocity[0], standing.angular_velocity[1]);
+  const auto& zmp = standing.foot_zmp;
+  const bool finite = std::isfinite(zmp[0][0] + zmp[0][1] + zmp[1][0] + zmp[1][1]);
+  if (!finite || !(least_N > kLeastShare * load_N) || !(sway_rad_per_s < kCalm_rad_per_s)) return;
+  const auto turn = [this](double& angle_rad, double zmp_m) {
+    angle_rad = std::clamp(angle_rad + gain_rad_per_m_s_ * kTick_s * zmp_m, -limit_rad_, limit_rad_);
+  };
+  turn(roll_rad_[0], zmp[0][1]);  // pressed on its left edge: that edge goes up
+  turn(roll_rad_[1], zmp[1][1]);
+  turn(pitch_rad_, -0.5 * (zmp[0][0] - zmp[1][0]));  // pressed on its toes: they go up
+}
+
+void SoleAlignment::add_to(TrimCommand& trim) const noexcept {
+  const auto add = [&](int channel, double angle_rad) {
+    if (channel < 0) return;
+    double& sum_rad = trim.angle[channel];
+    sum_rad = std::clamp(sum_rad + angle_rad, -trim_limit_rad_, trim_limit_rad_);
+  };
+  for (std::size_t side = 0; side < ankles_.size(); ++side) {
+    add(ankles_[side].pitch_channel, ankles_[side].pitch_about_y * pitch_rad(side));
+    add(ankles_[side].roll_channel, ankles_[side].roll_about_x * roll_rad(side));
+  }
+}
+
+}  // namespace gaitway::stability

@@ -1,0 +1,56 @@
+// A ring of planned points, and the comparison from the support foot.
+#include "gaitway/trajectory/divergence_feedback.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace gaitway::trajectory {
+namespace {
+
+constexpr std::int64_t kPoint_ns = 10'000'000;
+constexpr std::int64_t kOldest_ns = 60'000'000;
+
+}  // namespace
+
+DivergenceFeedback::DivergenceFeedback(const GaitParameters& parameters) noexcept
+    : omega_per_s_(std::sqrt(kGravity_m_per_s2 / parameters.com_height_m)),
+      lag_ns_(std::llround(parameters.response_lag_s * 1e9)) {}
+
+void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
+  for (std::size_t i = 0; i < kBatchPoints; ++i) {
+    newest_ = (newest_ + 1) % kKept;
+    Point& point = points_[newest_];
+    point.time_ns = plan.start_ns + static_cast<std::int64_t>(i + 1) * kPoint_ns;
+    point.dcm_m = Eigen::Vector2d(plan.com[i]) + Eigen::Vector2d(plan.com_velocity[i]) / omega_per_s_;
+    point.zmp_m = Eigen::Vector2d(plan.zmp[i]);
+    for (std::size_t side = 0; side < point.foot_m.size(); ++side) {
+      point.foot_m[side] = Eigen::Vector2d(plan.foot_position[i][side]);
+      point.foot_yaw_rad[side] = plan.foot_yaw[i][side];
+    }
+  }
+}
+
+const DivergenceFeedback::Point* DivergenceFeedback::planned_for(std::int64_t time_ns) const noexcept {
+  for (const Point& point : points_) {
+    if (point.time_ns >= 0 && std::abs(point.time_ns - time_ns) <= kPoint_ns / 2) return &point;
+  }
+  return nullptr;
+}
+
+Eigen::Vector2d DivergenceFeedback::deviation_m(const Estimate& estimate,
+                                                std::int64_t start_ns) const noexcept {
+  const std::int64_t ahead_ns = start_ns - estimate.stamp_ns;
+  const Point* const planned = planned_for(estimate.stamp_ns - lag_ns_);
+  if (planned == nullptr || estimate.fall != 0 || ahead_ns < 0 || ahead_ns > kOldest_ns ||
+      estimate.support >= planned->foot_m.size())
+    return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d& foot = planned->foot_m[estimate.support];
+  const Eigen::Rotation2Dd to_plan(planned->foot_yaw_rad[estimate.support]);
+  const Eigen::Vector2d dcm = foot + to_plan * Eigen::Vector2d(estimate.dcm) - planned->dcm_m;
+  const Eigen::Vector2d zmp = foot + to_plan * Eigen::Vector2d(estimate.zmp) - planned->zmp_m;
+  const double growth = std::exp(omega_per_s_ * static_cast<double>(ahead_ns) * 1e-9);
+  const Eigen::Vector2d deviation = zmp + growth * (dcm - zmp);
+  return deviation.allFinite() ? deviation : Eigen::Vector2d::Zero().eval();
+}
+
+}  // namespace gaitway::trajectory

@@ -1,0 +1,197 @@
+// A body off its plan: how its deviation is foretold, and what the step in flight does about it.
+#include "gaitway/trajectory/step_adjustment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "gaitway/trajectory/divergence_feedback.hpp"
+#include "gaitway/trajectory/walking_pattern.hpp"
+#include "plan_probe.hpp"
+
+namespace gaitway::trajectory {
+namespace {
+
+constexpr std::int64_t kCycle_ns = 80'000'000, kPoint_ns = 10'000'000;
+
+double omega_of(const GaitParameters& parameters) {
+  return std::sqrt(kGravity_m_per_s2 / parameters.com_height_m);
+}
+
+class AdjustedWalk : public ::testing::Test {
+ protected:
+  void run(int cycles, const Eigen::Vector2d& deviation_m = Eigen::Vector2d::Zero()) {
+    for (int i = 0; i < cycles; ++i) {
+      ++sequence;
+      pattern.plan(sequence, sequence * kCycle_ns, command, Correction{}, *plan, deviation_m);
+    }
+  }
+  // In the middle of the walk, before the next batch begins a swing early enough to be adjusted.
+  void run_into_a_swing(Side swing) {
+    command.walk = 1;
+    command.velocity[0] = 0.15;
+    run(40);
+    const auto early = [this, swing] {
+      const PatternState& now = pattern.state();
+      return now.step.swing == swing && now.elapsed_points > now.step.double_support_points &&
+             now.elapsed_points < now.step.points() / 2;
+    };
+    while (!early()) run(1);
+  }
+  [[nodiscard]] Eigen::Vector2d next_footstep() const { return {plan->footstep[0][0], plan->footstep[0][1]}; }
+
+  GaitParameters parameters;
+  WalkingPattern pattern{parameters};
+  WalkCommand command{};
+  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
+  std::uint32_t sequence = 0;
+};
+
+TEST_F(AdjustedWalk, StaysAsItIsWithinTheThresholds) {
+  run_into_a_swing(Side::left);
+  WalkingPattern undisturbed = pattern;
+  run(1, {0.9 * parameters.adjust_threshold_m, -0.9 * parameters.adjust_side_threshold_m});
+  auto expected = std::make_unique<MotionPlan>();
+  undisturbed.plan(sequence, sequence * kCycle_ns, command, Correction{}, *expected);
+  for (std::size_t i = 0; i < kBatchPoints; ++i) EXPECT_EQ(com_of(*plan, i), com_of(*expected, i));
+  EXPECT_EQ(plan->footstep[0][1], expected->footstep[0][1]);
+}
+
+TEST_F(AdjustedWalk, StepsToWhereTheBodyFalls) {
+  run_into_a_swing(Side::left);
+  WalkingPattern undisturbed = pattern;
+  auto expected = std::make_unique<MotionPlan>();
+  const double left_s = (pattern.state().step.points() - pattern.state().elapsed_points) * kPointPeriod_s;
+  run(1, {0.0, parameters.adjust_side_threshold_m + 0.010});
+  undisturbed.plan(sequence, sequence * kCycle_ns, command, Correction{}, *expected);
+  const Eigen::Vector2d moved =
+      next_footstep() - Eigen::Vector2d(expected->footstep[0][0], expected->footstep[0][1]);
+  const double transfer_s = left_s + 0.5 * parameters.double_support_points() * kPointPeriod_s;
+  EXPECT_NEAR(moved.y(), parameters.adjust_share * 0.010 * std::exp(omega_of(parameters) * transfer_s), 1e-9);
+  EXPECT_NEAR(moved.x(), 0.0, 1e-9);
+  // The steps after it follow from where it lands.
+  EXPECT_NEAR(plan->footstep[1][1] - plan->footstep[0][1], expected->footstep[1][1] - expected->footstep[0][1], 1e-9);
+}
+
+// Only the velocity changes, by so much that the plan's DCM becomes the body's.
+TEST_F(AdjustedWalk, TakesOverTheDivergenceWithoutAJumpOfTheCentreOfMass) {
+  run_into_a_swing(Side::right);
+  WalkingPattern undisturbed = pattern;
+  const Eigen::RowVector2d com_before = pattern.state().cart.motion.row(0);
+  auto expected = std::make_unique<MotionPlan>();
+  constexpr double kExcess_m = 0.008;
+  run(1, {parameters.adjust_threshold_m + kExcess_m, 0.0});
+  undisturbed.plan(sequence, sequence * kCycle_ns, command, Correction{}, *expected);
+  EXPECT_LT((com_of(*plan, 0) - com_before.transpose()).norm(), 0.005);
+  const Eigen::Vector2d faster = com_velocity_of(*plan, 0) - com_velocity_of(*expected, 0);
+  EXPECT_NEAR(faster.x(), omega_of(parameters) * kExcess_m, 0.15 * omega_of(parameters) * kExcess_m);
+  EXPECT_NEAR(faster.y(), 0.0, 1e-6);
+}
+
+TEST_F(AdjustedWalk, KeepsTheFootstepsLimitsWhateverTheDeviation) {
+  for (const Eigen::Vector2d& deviation : {Eigen::Vector2d(0.5, 0.0), Eigen::Vector2d(-0.5, 0.0),
+                                           Eigen::Vector2d(0.0, 0.5), Eigen::Vector2d(0.3, -0.5)}) {
+    for (const Side swing : {Side::left, Side::right}) {
+      run_into_a_swing(swing);
+      for (int i = 0; i < 12; ++i) {
+        run(1, deviation);
+        EXPECT_EQ(pattern.applied_limits(), StepLimit::none) << "nobody commanded it";
+        for (std::size_t k = 0; k < kBatchPoints + plan->tail_count; ++k) {
+          ASSERT_GT(sole_gap_m(*plan, k, parameters.sole), 0.0);
+          ASSERT_TRUE(com_of(*plan, k).allFinite());
+        }
+        const Pose2 foot = pattern.state().step.stance.relative_of(pattern.state().step.landing);
+        EXPECT_LE(std::abs(foot.y_m), parameters.max_foot_spacing_m + 1e-9);
+        EXPECT_LE(foot.x_m, parameters.max_step_forward_m + 1e-9);
+        EXPECT_GE(foot.x_m, -parameters.max_step_backward_m - 1e-9);
+      }
+      run(60);
+    }
+  }
+}
+
+TEST_F(AdjustedWalk, LeavesAFootAloneThatIsAboutToLand) {
+  run_into_a_swing(Side::left);
+  while (pattern.state().elapsed_points - pattern.state().step.double_support_points <
+         parameters.adjust_until_share * pattern.state().step.swing_points)
+    run(1);
+  ASSERT_EQ(pattern.state().step.swing, Side::left);
+  const Pose2 before = pattern.state().step.landing;
+  run(1, {0.0, 0.1});
+  EXPECT_EQ(plan->footstep[0][1], before.y_m);
+}
+
+class Deviation : public ::testing::Test {
+ protected:
+  // A plan that stands still: CoM and ZMP at (0.01, 0), feet beside.
+  Deviation() {
+    plan->start_ns = kCycle_ns;
+    for (std::size_t i = 0; i < kBatchPoints; ++i) {
+      plan->com[i][0] = plan->zmp[i][0] = 0.01;
+      plan->foot_position[i][0][1] = 0.05;
+      plan->foot_position[i][1][1] = -0.05;
+      plan->foot_yaw[i][0] = plan->foot_yaw[i][1] = 0.3;
+    }
+    feedback.take(*plan);
+    estimate->support = 1;
+    estimate->stamp_ns = start_ns - 20'000'000;
+    see({0.01, 0.0}, {0.01, 0.0});
+  }
+  // In the plan's frame; the estimate has it in the right foot's.
+  void see(const Eigen::Vector2d& dcm, const Eigen::Vector2d& zmp) {
+    const Pose2 foot{0.0, -0.05, 0.3};
+    const Pose2 d = foot.relative_of({dcm.x(), dcm.y(), 0.0}), z = foot.relative_of({zmp.x(), zmp.y(), 0.0});
+    estimate->dcm[0] = d.x_m;
+    estimate->dcm[1] = d.y_m;
+    estimate->zmp[0] = z.x_m;
+    estimate->zmp[1] = z.y_m;
+  }
+
+  GaitParameters parameters;
+  DivergenceFeedback feedback{parameters};
+  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
+  std::unique_ptr<Estimate> estimate = std::make_unique<Estimate>();
+  std::int64_t start_ns = 2 * kCycle_ns;
+};
+
+TEST_F(Deviation, IsNothingForABodyOnItsPlan) {
+  EXPECT_LT(feedback.deviation_m(*estimate, start_ns).norm(), 1e-12);
+}
+
+TEST_F(Deviation, GrowsAwayFromTheZmpUntilTheBatchBegins) {
+  see({0.03, -0.01}, {0.01, 0.0});
+  const double growth = std::exp(omega_of(parameters) * 0.020);
+  const Eigen::Vector2d deviation = feedback.deviation_m(*estimate, start_ns);
+  EXPECT_NEAR(deviation.x(), 0.02 * growth, 1e-12);
+  EXPECT_NEAR(deviation.y(), -0.01 * growth, 1e-12);
+  see({0.03, -0.01}, {0.03, -0.01});  // a ZMP below it holds it where it is
+  EXPECT_LT((feedback.deviation_m(*estimate, start_ns) - Eigen::Vector2d(0.02, -0.01)).norm(), 1e-12);
+}
+
+TEST_F(Deviation, IsNothingThatCanBeActedOnWithoutAFreshUprightFiniteEstimate) {
+  const auto expect_none = [&](const char* why) {
+    EXPECT_EQ(feedback.deviation_m(*estimate, start_ns), Eigen::Vector2d::Zero()) << why;
+    see({0.05, 0.0}, {0.01, 0.0});
+    estimate->support = 1;
+    estimate->fall = 0;
+    estimate->stamp_ns = start_ns - 20'000'000;
+    ASSERT_GT(feedback.deviation_m(*estimate, start_ns).norm(), 0.03);
+  };
+  see({0.05, 0.0}, {0.01, 0.0});
+  estimate->stamp_ns = start_ns - 70'000'000;
+  expect_none("too old");
+  estimate->stamp_ns = start_ns + kPoint_ns;
+  expect_none("of the future");
+  estimate->fall = 1;
+  expect_none("falls");
+  estimate->support = 7;
+  expect_none("no such foot");
+  estimate->dcm[0] = std::numeric_limits<double>::quiet_NaN();
+  expect_none("not a number");
+  EXPECT_EQ(DivergenceFeedback(parameters).deviation_m(*estimate, start_ns), Eigen::Vector2d::Zero()) << "no plan";
+}
+
+}  // namespace
+}  // namespace gaitway::trajectory
