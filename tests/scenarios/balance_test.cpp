@@ -37,7 +37,8 @@ TEST(WalkingRobot, StepsAgainstAPushFromTheSideInAnyPhaseOfItsStep) {
       const simulator::PushEvent push{
           .body = "trunk", .direction = {0.0, left, 0.0}, .impulse_Ns = 1.6, .duration_s = 0.1};
       run.play({.seconds = push_s + 4.0, .events = {walk_at(0.5, 0.2), {push_s, push}}});
-      EXPECT_FALSE(run.metrics().fell) << "to the " << (left > 0.0 ? "left" : "right") << " in phase " << phase;
+      EXPECT_FALSE(run.metrics().fell)
+          << "to the " << (left > 0.0 ? "left" : "right") << " in phase " << phase;
       EXPECT_EQ(run.cosimulation.message_controller().state().refused, 0U);
     }
   }

@@ -59,7 +59,7 @@ TEST_P(SoleTurns, ThePressedEdgeGoesUp) {
   learn(soles, estimate, 10);
   soles.add_to(trim);
   const auto turn = turned(model, trim);
-  EXPECT_NEAR(turn[0].x(), 0.003, 1e-5);   // 3 rad/(m s) for 0.1 s: about x, the left edge goes up
+  EXPECT_NEAR(turn[0].x(), 0.003, 1e-5);  // 3 rad/(m s) for 0.1 s: about x, the left edge goes up
   EXPECT_NEAR(turn[1].x(), 0.0, 1e-5);
   EXPECT_NEAR(turn[1].y(), -0.003, 1e-5);  // about -y, the toes go up; by half of the difference
   EXPECT_NEAR(turn[0].y(), 0.003, 1e-5);

@@ -72,7 +72,8 @@ TEST_F(AdjustedWalk, StepsToWhereTheBodyFalls) {
   EXPECT_NEAR(moved.y(), parameters.adjust_share * 0.010 * std::exp(omega_of(parameters) * transfer_s), 1e-9);
   EXPECT_NEAR(moved.x(), 0.0, 1e-9);
   // The steps after it follow from where it lands.
-  EXPECT_NEAR(plan->footstep[1][1] - plan->footstep[0][1], expected->footstep[1][1] - expected->footstep[0][1], 1e-9);
+  EXPECT_NEAR(plan->footstep[1][1] - plan->footstep[0][1],
+              expected->footstep[1][1] - expected->footstep[0][1], 1e-9);
 }
 
 // Only the velocity changes, by so much that the plan's DCM becomes the body's.
@@ -190,7 +191,8 @@ TEST_F(Deviation, IsNothingThatCanBeActedOnWithoutAFreshUprightFiniteEstimate) {
   expect_none("no such foot");
   estimate->dcm[0] = std::numeric_limits<double>::quiet_NaN();
   expect_none("not a number");
-  EXPECT_EQ(DivergenceFeedback(parameters).deviation_m(*estimate, start_ns), Eigen::Vector2d::Zero()) << "no plan";
+  EXPECT_EQ(DivergenceFeedback(parameters).deviation_m(*estimate, start_ns), Eigen::Vector2d::Zero())
+      << "no plan";
 }
 
 }  // namespace
