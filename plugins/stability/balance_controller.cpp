@@ -31,6 +31,13 @@ bool leans_little(const PlanMoment& meant) noexcept {
          std::cos(kMostLean_rad);
 }
 
+// A push of 0.3 N·s turns the trunk faster; the sway of a robot that has just begun to stand is slower. What
+// is learned from a trunk that is being caught makes it fall.
+bool sways(const Estimate& estimate) noexcept {
+  constexpr double kCalm_rad_per_s = 0.2;
+  return !(std::hypot(estimate.angular_velocity[0], estimate.angular_velocity[1]) < kCalm_rad_per_s);
+}
+
 // As far as it is not what a key-frame motion wants.
 msgclient::TrunkMotion motion_of(const Estimate& estimate, const PlanMoment& meant) noexcept {
   return {estimate.attitude[0] - meant.trunk_attitude_rad[0],
@@ -104,9 +111,9 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
     const bool grounded = !is_airborne(estimate) && support.has_value() && leans_little(meant);
     trims_.update(grounded ? std::optional(motion_of(estimate, meant)) : std::nullopt,
                   support.value_or(kBothFeet), trim);
-    if (grounded && moment && !meant.motion && !meant.walking && support == kBothFeet) soles_.learn(estimate);
-    if (grounded && !meant.motion) {
+    if (grounded && !meant.motion && (meant.walking || !sways(estimate))) {
       lean_.update(estimate.attitude[0], estimate.attitude[1], meant.walking);
+      if (moment && !meant.walking && support == kBothFeet) soles_.learn(estimate);
     } else if (!grounded) {
       lean_.fade();
     }

@@ -12,8 +12,6 @@ namespace {
 constexpr double kTick_s = 0.010;
 constexpr std::size_t kAnklePitch = 4, kAnkleRoll = 5;  // of a leg's joints, from the hip down
 constexpr double kLeastShare = 0.25;                    // of the load, on either foot
-// A push of 0.3 N·s turns the trunk faster; the sway of a robot that has just begun to stand is slower.
-constexpr double kCalm_rad_per_s = 0.2;
 
 }  // namespace
 
@@ -41,10 +39,9 @@ SoleAlignment::SoleAlignment(const urdf::RobotModel& model, const BalanceParamet
 void SoleAlignment::learn(const Estimate& standing) noexcept {
   const double load_N = standing.foot_force[0] + standing.foot_force[1];
   const double least_N = std::min(standing.foot_force[0], standing.foot_force[1]);
-  const double sway_rad_per_s = std::hypot(standing.angular_velocity[0], standing.angular_velocity[1]);
   const auto& zmp = standing.foot_zmp;
   const bool finite = std::isfinite(zmp[0][0] + zmp[0][1] + zmp[1][0] + zmp[1][1]);
-  if (!finite || !(least_N > kLeastShare * load_N) || !(sway_rad_per_s < kCalm_rad_per_s)) return;
+  if (!finite || !(least_N > kLeastShare * load_N)) return;
   const auto turn = [this](double& angle_rad, double zmp_m) {
     angle_rad = std::clamp(angle_rad + gain_rad_per_m_s_ * kTick_s * zmp_m, -limit_rad_, limit_rad_);
   };

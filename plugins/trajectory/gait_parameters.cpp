@@ -45,6 +45,12 @@ int GaitParameters::double_support_points() const noexcept {
 int GaitParameters::lead_in_points() const noexcept {
   return whole_points(lead_in_s);
 }
+int GaitParameters::recover_lead_in_points() const noexcept {
+  return whole_points(recover_lead_in_s);
+}
+int GaitParameters::recover_swing_points() const noexcept {
+  return whole_points(recover_swing_s);
+}
 int GaitParameters::settle_points() const noexcept {
   return whole_points(settle_s);
 }
@@ -82,6 +88,10 @@ void GaitParameters::validate() const {
   require_within(adjust_until_share, 0.0, 0.9, "adjust_until_share", "1");
   require_within(adjust_speed_m_per_s, 0.0, 2.0, "adjust_speed", "m/s");
   require_within(adjust_zmp_m, 0.0, 0.1, "adjust_zmp", "m");
+  require_within(recover_beyond_m, -0.05, 1.0, "recover_beyond", "m");
+  require_within(recover_lead_in_s, kPointPeriod_s, 2.0, "recover_lead_in", "s");
+  require_within(recover_swing_s, 0.10, 1.0, "recover_swing", "s");
+  require_within(recover_step_m, 0.0, 1.0, "recover_step", "m");
   require_within(response_lag_s, 0.0, 0.1, "response_lag", "s");
   require_within(lift_m, 0.0, 0.2, "lift", "m");
   require_within(preview_s, 0.5, kMostPreviewPoints * kPointPeriod_s, "preview", "s");

@@ -227,15 +227,20 @@ void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, co
   adjust_step(state, dcm_deviation_m);
   aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
                                                        std::abs(wanted.velocity.forward_m_per_s))));
+  schedule_steps_after(step, state.elapsed_points, wanted, offset_left);
+}
+
+void WalkingPattern::schedule_steps_after(const Step& flying, int elapsed_points, const Wanted& wanted,
+                                          Eigen::Vector2d offset_m) noexcept {
   schedule_.count = schedule_.next = 0;
   schedule_.ends = false;
   const int wanted_points = kBatch + parameters_.preview_points();
-  const Step* before = &step;
-  for (int points = step.points() - state.elapsed_points;
-       points <= wanted_points && schedule_.count < kMaxSteps; points += before->points()) {
+  const Step* before = &flying;
+  for (int points = flying.points() - elapsed_points; points <= wanted_points && schedule_.count < kMaxSteps;
+       points += before->points()) {
     Step& next = schedule_.steps[static_cast<std::size_t>(schedule_.count++)];
-    next = step_after(*before, wanted, offset_left);
-    offset_left.setZero();
+    next = step_after(*before, wanted, offset_m);
+    offset_m.setZero();
     before = &next;
   }
 }
@@ -265,7 +270,8 @@ void WalkingPattern::schedule_stop(PatternState& state) noexcept {
   }
 }
 
-void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept {
+void WalkingPattern::lay_out_reference(const PatternState& state, int points,
+                                       ZmpReference& reference) const noexcept {
   reference.count = 0;
   if (state.phase != Phase::walking) return;
   const int most = std::min(points + 1, ZmpReference::kCapacity);
@@ -296,6 +302,11 @@ void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReferenc
     }
   }
   reference.count = row;
+}
+
+void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept {
+  lay_out_reference(state, points, reference);
+  if (state.phase != Phase::walking) return;
   absorber_.absorb(state.divergence, reference, state.zmp_offset);
   DivergenceAbsorber::shift(state.zmp_offset, kBatch);
   state.divergence = absorber_.required_divergence(reference, kBatch);
@@ -326,6 +337,7 @@ void WalkingPattern::advance_step(PatternState& state) noexcept {
         swing_height_m(static_cast<double>(in_swing) / step.swing_points, parameters_.lift_m);
     return;
   }
+  if (state.recovery_steps > 0) --state.recovery_steps;
   state.feet[foot] = step.landing;
   state.yaw_correction_rad[foot] = landing_yaw_correction_rad(state);
   state.foot_height_m[foot] = 0.0;

@@ -18,6 +18,11 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
   plan.sequence = sequence;
   plan.start_ns = start_ns;
   plan.motion = 0;
+  Eigen::Vector2d deviation_m = dcm_deviation_m;
+  if (must_recover(state_, deviation_m)) {
+    begin_recovery(state_, deviation_m);
+    deviation_m.setZero();  // it is the plan's now
+  }
   Velocity2 wanted{command.velocity[0], command.velocity[1], command.turn_rate};
   const bool finite = std::isfinite(wanted.forward_m_per_s) && std::isfinite(wanted.left_m_per_s) &&
                       std::isfinite(wanted.turn_rad_per_s);
@@ -30,7 +35,9 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
     }
     Eigen::Vector2d offset_m(correction.step_offset[0], correction.step_offset[1]);
     if (!offset_m.allFinite()) offset_m.setZero();
-    schedule_walk(state_, {wanted, commanded_turn_rad_per_s}, offset_m, dcm_deviation_m);
+    schedule_walk(state_, {wanted, commanded_turn_rad_per_s}, offset_m, deviation_m);
+  } else if (state_.recovery_steps > 0) {
+    schedule_walk(state_, {}, Eigen::Vector2d::Zero(), deviation_m);
   } else {
     schedule_stop(state_);
   }

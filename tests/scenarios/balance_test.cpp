@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "simulated_run.hpp"
 
@@ -41,6 +42,22 @@ TEST(WalkingRobot, StepsAgainstAPushFromTheSideInAnyPhaseOfItsStep) {
           << "to the " << (left > 0.0 ? "left" : "right") << " in phase " << phase;
       EXPECT_EQ(run.cosimulation.message_controller().state().refused, 0U);
     }
+  }
+}
+
+// 2.2 N·s move it at a third of a metre per second: ahead and back that is more than its soles can take.
+TEST(StandingRobot, StepsAfterItselfWhenItIsPushedOffItsFeet) {
+  for (int direction = 0; direction < 8; ++direction) {
+    const double towards_rad = direction * std::numbers::pi / 4.0;
+    SimulatedRun run(static_cast<std::uint64_t>(direction + 1));
+    const simulator::PushEvent push{.body = "trunk",
+                                    .direction = {std::cos(towards_rad), std::sin(towards_rad), 0.0},
+                                    .impulse_Ns = 2.2,
+                                    .duration_s = 0.1};
+    run.play({.seconds = 8.0, .events = {{1.5, push}}});
+    EXPECT_FALSE(run.metrics().fell) << "pushed towards " << 45 * direction << " degrees";
+    const auto& velocities = run.cosimulation.plant().velocities();
+    EXPECT_LT(std::hypot(velocities[0], velocities[1]), 0.02) << "it stands again";
   }
 }
 

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -91,10 +94,19 @@ TEST(BusMeasurement, EveryMessageOfTheFullProfileIsThere) {
 
 TEST(BusMeasurement, ARobotThatFallsIsNotMeasured) {
   const BusRobot robot = robot_with("paper");
-  EXPECT_THROW(
-      static_cast<void>(measure_simulated_bus(
-          robot, {.walk = {0.9, 0.0, 0.0}, .seconds = 20.0, .config = process::default_config_file()})),
-      std::runtime_error);
+  // Ankles that answer eight times too strongly.
+  std::stringstream text;
+  text << std::ifstream(process::default_config_file()).rdbuf();
+  std::string plugins = text.str();
+  const std::string stability = "library: libgaitway_plugin_stability.so";
+  const std::size_t at = plugins.find(stability);
+  ASSERT_NE(at, std::string::npos);
+  plugins.insert(at + stability.size(), "\n    parameters: {ankle_pitch: 2.0, ankle_roll: 2.0}");
+  const std::filesystem::path config = std::filesystem::path(testing::TempDir()) / "gaitway_falls.yaml";
+  std::ofstream(config) << plugins;
+  EXPECT_THROW(static_cast<void>(measure_simulated_bus(robot, {.seconds = 20.0, .config = config})),
+               std::runtime_error);
+  std::filesystem::remove(config);
 }
 
 }  // namespace

@@ -138,6 +138,22 @@ TEST_F(BalanceControllerTest, FallenAirborneOrUndefinedRobotIsNotTrimmed) {
   }
 }
 
+// A push of 1.9 N·s from the front: half a second of its lean, integrated, made the robot fall.
+TEST_F(BalanceControllerTest, NothingIsLearnedFromAStandingBodyThatIsBeingCaught) {
+  plan(2);
+  plan_->footstep_count = 0;  // it stands
+  estimate_.foot_force[0] = estimate_.foot_force[1] = 33.0;
+  estimate_.foot_zmp[0][1] = 0.02;
+  estimate_.angular_velocity[1] = 0.3;
+  tick(50);
+  EXPECT_EQ(correction_.base_attitude_offset[1], 0.0);
+  EXPECT_EQ(controller_.soles().roll_rad(0), 0.0);
+  estimate_.angular_velocity[1] = 0.05;
+  tick(50);
+  EXPECT_LT(correction_.base_attitude_offset[1], -0.02);
+  EXPECT_GT(controller_.soles().roll_rad(0), 0.02);
+}
+
 TEST_F(BalanceControllerTest, AShortLossOfContactChangesNothing) {
   plan(2);
   tick(100);

@@ -74,7 +74,7 @@ TEST(SoleAlignment, LeavesToTheBodyHowFarAheadItsWeightIs) {
   EXPECT_EQ(soles.pitch_rad(0), 0.0);
 }
 
-TEST(SoleAlignment, LearnsNothingFromABodyThatIsBeingCaught) {
+TEST(SoleAlignment, LearnsNothingFromAFootThatBearsLittle) {
   const auto learned = [](const Estimate& estimate) {
     SoleAlignment soles(test::humanoid(), BalanceParameters{});
     learn(soles, estimate, 100);
@@ -83,9 +83,6 @@ TEST(SoleAlignment, LearnsNothingFromABodyThatIsBeingCaught) {
   Estimate calm = standing();
   calm.foot_zmp[0][0] = calm.foot_zmp[0][1] = 0.01;
   EXPECT_GT(learned(calm), 0.01);
-  Estimate sways = calm;
-  sways.angular_velocity[1] = 0.3;
-  EXPECT_EQ(learned(sways), 0.0);
   Estimate on_one_foot = calm;
   on_one_foot.foot_force[1] = 5.0;
   EXPECT_EQ(learned(on_one_foot), 0.0);

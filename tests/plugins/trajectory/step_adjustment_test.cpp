@@ -124,6 +124,34 @@ TEST_F(AdjustedWalk, LeavesAFootAloneThatIsAboutToLand) {
   EXPECT_EQ(plan->footstep[0][1], before.y_m);
 }
 
+// Until it stands again; the deviation is gone once the step is planned.
+TEST_F(AdjustedWalk, StepsAfterABodyThatIsPushedOffItsFeetAndStandsAgain) {
+  for (const Eigen::Vector2d& towards : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(-1.0, 0.0),
+                                         Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(0.0, -1.0)}) {
+    pattern.reset_to_stand({});
+    command = WalkCommand{};
+    run(3);
+    const double edge_m = towards.x() > 0.0   ? 0.0775 - parameters.stand_com_forward_m
+                          : towards.x() < 0.0 ? 0.0575 + parameters.stand_com_forward_m
+                                              : 0.0925;
+    run(1, (edge_m - 0.002) * towards);
+    EXPECT_EQ(plan->footstep_count, 0U) << "its feet still hold it";
+    run(1, (edge_m + 0.002) * towards);
+    ASSERT_GT(plan->footstep_count, 0U);
+    const double quick_s = parameters.recover_lead_in_s + parameters.recover_swing_s;
+    EXPECT_NEAR(static_cast<double>(plan->footstep_landing_ns[0] - plan->start_ns) * 1e-9, quick_s, 1e-9);
+    if (towards.y() != 0.0) {
+      EXPECT_EQ(plan->footstep_side[0], towards.y() > 0.0 ? 0U : 1U);
+      EXPECT_GT(std::abs(next_footstep().y()), 0.5 * parameters.foot_spacing_m + 0.02);
+    } else {
+      EXPECT_NEAR(next_footstep().x(), towards.x() * parameters.recover_step_m, 1e-9);
+    }
+    run(40);
+    EXPECT_EQ(pattern.state().phase, Phase::stand);
+    EXPECT_EQ(plan->footstep_count, 0U);
+  }
+}
+
 class Deviation : public ::testing::Test {
  protected:
   // A plan that stands still: CoM and ZMP at (0.01, 0), feet beside.

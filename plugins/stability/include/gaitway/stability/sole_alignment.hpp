@@ -21,8 +21,8 @@ class SoleAlignment {
  public:
   SoleAlignment(const urdf::RobotModel& model, const BalanceParameters& parameters);
 
-  // To be called every 10 ms while the robot is meant to stand on both feet. Learns nothing while the trunk
-  // sways or one foot bears little: then the centres of pressure say how the body is being caught.
+  // To be called every 10 ms while the robot stands calmly on both feet: if it sways, the centres of pressure
+  // say how the body is being caught. Learns nothing while one foot bears little.
   void learn(const Estimate& standing) noexcept;
 
   // The sums stay within the limit of the trims.

@@ -37,7 +37,15 @@ struct GaitParameters {
   double adjust_until_share = 0.75;        // of the swing: from here on not even this moves the footstep
   double adjust_speed_m_per_s = 0.25;      // at which the landing may move, times what is left of the swing
   double adjust_zmp_m = 0.030;             // by which the planned ZMP may move, where the step cannot
-  double response_lag_s = 0.020;           // of the body behind its plan: servos and sensors
+
+  // A standing robot that is pushed off its feet steps after itself.
+  double recover_beyond_m = 0.0;    // of the DCM, outside of the soles' rectangle
+  double recover_lead_in_s = 0.04;  // from then to the lift
+  double recover_swing_s = 0.20;    // of the first step; the others are those of a walk in place
+  double recover_step_m =
+      0.08;  // longest first step ahead or back: the hips are high, and the swing is short
+
+  double response_lag_s = 0.020;  // of the body behind its plan: servos and sensors
 
   // Shape of a step.
   double lift_m = 0.030;         // highest point of the swing foot's sole
@@ -76,6 +84,8 @@ struct GaitParameters {
   [[nodiscard]] int double_support_points() const noexcept;
   [[nodiscard]] int swing_points() const noexcept { return step_points() - double_support_points(); }
   [[nodiscard]] int lead_in_points() const noexcept;
+  [[nodiscard]] int recover_lead_in_points() const noexcept;
+  [[nodiscard]] int recover_swing_points() const noexcept;
   [[nodiscard]] int settle_points() const noexcept;
   [[nodiscard]] int preview_points() const noexcept;
   [[nodiscard]] int absorb_points() const noexcept;

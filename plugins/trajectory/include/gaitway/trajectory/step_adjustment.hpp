@@ -21,6 +21,12 @@ class StepAdjustment {
   // Of a deviation, what is beyond the thresholds: the rest is left to the trims and to the feet's own edges.
   [[nodiscard]] Eigen::Vector2d excess_m(const Eigen::Vector2d& deviation_m) const noexcept;
 
+  // By how much a landing `landing_s` from now is to move so that nothing of a deviation is left.
+  [[nodiscard]] Eigen::Vector2d full_shift_m(const Eigen::Vector2d& deviation_m,
+                                             double landing_s) const noexcept {
+    return deviation_m / decay(landing_s);
+  }
+
   // By how much the landing is to move for it, `landing_s` before the foot lands: the chosen share of the
   // full adjustment, and no more than the swing foot gets there. Not yet limited by where a foot may land.
   [[nodiscard]] Eigen::Vector2d shift_m(const Eigen::Vector2d& excess_m, double landing_s,

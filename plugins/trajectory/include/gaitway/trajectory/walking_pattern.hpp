@@ -59,11 +59,13 @@ struct PatternState {
   SwingFoot swing;
   std::array<Quintic, 2> settle;  // x, y of the CoM
   HipHeight hips;
+  int recovery_steps = 0;                      // to be taken in place before the robot stands again
   std::array<double, 2> yaw_correction_rad{};  // [Side]: by which the yaw feedback has turned the foot so far
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.phase, self.elapsed_points, self.cart, self.divergence, self.zmp_offset, self.feet,
-            self.foot_height_m, self.step, self.swing, self.settle, self.hips, self.yaw_correction_rad);
+            self.foot_height_m, self.step, self.swing, self.settle, self.hips, self.recovery_steps,
+            self.yaw_correction_rad);
   }
 };
 
@@ -120,7 +122,14 @@ class WalkingPattern {
   // Aim the step in flight, or begin one, and fill schedule_ with the steps that follow it.
   void schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m,
                      const Eigen::Vector2d& dcm_deviation_m) noexcept;
+  // Fills schedule_ with the steps after the one in flight.
+  void schedule_steps_after(const Step& flying, int elapsed_points, const Wanted& wanted,
+                            Eigen::Vector2d offset_m) noexcept;
   void schedule_stop(PatternState& state) noexcept;
+  // A standing robot whose DCM has left its soles steps after it.
+  [[nodiscard]] bool must_recover(const PatternState& state,
+                                  const Eigen::Vector2d& dcm_deviation_m) const noexcept;
+  void begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
   void adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
   [[nodiscard]] Step step_after(const Step& before, const Wanted& wanted,
                                 const Eigen::Vector2d& offset_m) noexcept;
@@ -128,6 +137,8 @@ class WalkingPattern {
   void aim_step(Step& step, const Wanted& wanted, const Eigen::Vector2d& offset_m) noexcept;
   [[nodiscard]] double yaw_correction_rad(const PatternState& state) const noexcept;
   [[nodiscard]] Step closing_step_after(const Step& before) const noexcept;
+  // The steps' reference as it is planned, and with what absorbs their changes.
+  void lay_out_reference(const PatternState& state, int points, ZmpReference& reference) const noexcept;
   void fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept;
   [[nodiscard]] double landing_yaw_correction_rad(const PatternState& state) const noexcept;
   // The hips' way to another height from where they are.

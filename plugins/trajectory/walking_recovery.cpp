@@ -1,0 +1,59 @@
+// From the stand into a step, when the body is pushed off its feet.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "gaitway/trajectory/walking_pattern.hpp"
+
+namespace gaitway::trajectory {
+namespace {
+
+constexpr int kRecoverySteps = 5;
+
+}  // namespace
+
+bool WalkingPattern::must_recover(const PatternState& state,
+                                  const Eigen::Vector2d& dcm_deviation_m) const noexcept {
+  if (state.phase == Phase::walking || dcm_deviation_m.isZero()) return false;
+  const Pose2 middle = middle_of(state.feet);
+  const Eigen::Vector2d dcm = absorber_.divergence(state.cart).transpose() + dcm_deviation_m;
+  const Pose2 seen = middle.relative_of({dcm.x(), dcm.y(), 0.0});
+  const Sole& sole = parameters_.sole;
+  const Pose2 left = middle.relative_of(state.feet[0]);
+  const double ahead = std::abs(seen.x_m - sole.centre_forward_m) - 0.5 * sole.length_m;
+  const double aside = std::abs(seen.y_m) - (std::abs(left.y_m) + 0.5 * sole.width_m);
+  return std::max(ahead, aside) > parameters_.recover_beyond_m;
+}
+
+// The feet stand side by side: whichever is lifted, the body falls to its side meanwhile, and the step is as wide
+// as that asks for.
+void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  const Pose2 middle = middle_of(state.feet);
+  const double to_left = (Eigen::Rotation2Dd(-middle.yaw_rad) * dcm_deviation_m).y();
+  begin_walking(state, {0.0, to_left, 0.0});
+  state.recovery_steps = kRecoverySteps;
+  Step& step = state.step;
+  step.double_support_points = parameters_.recover_lead_in_points();
+  step.swing_points = parameters_.recover_swing_points();
+  step.landing = planner_.beside(step.stance, step.swing);
+  schedule_steps_after(step, 0, {}, Eigen::Vector2d::Zero());
+  lay_out_reference(state, static_cast<int>(kBatchPoints) + parameters_.preview_points(), batch_reference_);
+
+  const Eigen::RowVector2d dcm = absorber_.divergence(state.cart) + dcm_deviation_m.transpose();
+  const Eigen::RowVector2d asked = absorber_.required_divergence(batch_reference_, 0);
+  const Eigen::Rotation2Dd to_plan(step.stance.yaw_rad);
+  const Eigen::Vector2d gap = to_plan.inverse() * (dcm - asked).transpose();
+  const double landing_s = step.points() * kPointPeriod_s;
+  Eigen::Vector2d shift = adjustment_.full_shift_m(gap, landing_s);
+  shift.x() = std::clamp(shift.x(), -parameters_.recover_step_m, parameters_.recover_step_m);
+  StepLimit ignored = StepLimit::none;  // nobody has commanded it
+  step.landing = planner_.landing(step.stance, step.swing, {}, shift, ignored);
+  step.adjustment_m = step.stance.relative_of(step.landing).position() -
+                      step.stance.relative_of(planner_.beside(step.stance, step.swing)).position();
+  const Eigen::RowVector2d taken =
+      asked + (to_plan * adjustment_.answered_m(gap, step.adjustment_m, landing_s)).transpose();
+  state.cart.motion.row(1) += absorber_.omega_per_s() * (taken - absorber_.divergence(state.cart));
+  state.divergence = taken;
+}
+
+}  // namespace gaitway::trajectory
