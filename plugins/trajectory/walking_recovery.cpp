@@ -25,8 +25,8 @@ bool WalkingPattern::must_recover(const PatternState& state,
   return std::max(ahead, aside) > parameters_.recover_beyond_m;
 }
 
-// The feet stand side by side: whichever is lifted, the body falls to its side meanwhile, and the step is as wide
-// as that asks for.
+// The feet stand side by side: whichever is lifted, the body falls to its side meanwhile, and the step is as
+// wide as that asks for.
 void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept {
   const Pose2 middle = middle_of(state.feet);
   const double to_left = (Eigen::Rotation2Dd(-middle.yaw_rad) * dcm_deviation_m).y();

@@ -94,14 +94,14 @@ TEST(BusMeasurement, EveryMessageOfTheFullProfileIsThere) {
 
 TEST(BusMeasurement, ARobotThatFallsIsNotMeasured) {
   const BusRobot robot = robot_with("paper");
-  // Ankles that answer eight times too strongly.
+  // Ankles that want the trunk to lean by 17 degrees.
   std::stringstream text;
   text << std::ifstream(process::default_config_file()).rdbuf();
   std::string plugins = text.str();
   const std::string stability = "library: libgaitway_plugin_stability.so";
   const std::size_t at = plugins.find(stability);
   ASSERT_NE(at, std::string::npos);
-  plugins.insert(at + stability.size(), "\n    parameters: {ankle_pitch: 2.0, ankle_roll: 2.0}");
+  plugins.insert(at + stability.size(), "\n    parameters: {pitch_reference: 0.3}");
   const std::filesystem::path config = std::filesystem::path(testing::TempDir()) / "gaitway_falls.yaml";
   std::ofstream(config) << plugins;
   EXPECT_THROW(static_cast<void>(measure_simulated_bus(robot, {.seconds = 20.0, .config = config})),

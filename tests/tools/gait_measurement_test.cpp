@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -202,17 +203,24 @@ TEST(GaitTrial, a_slight_push_leaves_the_feet_in_place_and_a_violent_one_fells) 
 TEST(GaitTrial, a_fall_is_told_well_before_the_impact_and_soft_joints_take_the_edge_off_it) {
   Trial trial = pushed_ahead(7.0);
   trial.watches_fall = true;
-  const TrialOutcome soft = run_trial(robot(), trial);
-  trial.stiff_in_fall = true;
-  const TrialOutcome stiff = run_trial(robot(), trial);
-  for (const TrialOutcome& outcome : {soft, stiff}) {
-    ASSERT_TRUE(outcome.fell);
-    ASSERT_TRUE(outcome.fall && outcome.fall->told_s && outcome.fall->impact_s);
-    EXPECT_GE(outcome.fall->lead_s().value(), 0.2);
-    EXPECT_GT(*outcome.fall->told_s, 0.5) << "after the push began";
+  std::array<std::vector<double>, 2> hardest_force_N;  // of soft and of stiff joints, one for each seed
+  for (trial.seed = 1; trial.seed <= 9; ++trial.seed) {
+    std::array<double, 2> told_s{};
+    for (const std::size_t stiff : {0U, 1U}) {
+      trial.stiff_in_fall = stiff != 0;
+      const TrialOutcome outcome = run_trial(robot(), trial);
+      ASSERT_TRUE(outcome.fell);
+      ASSERT_TRUE(outcome.fall && outcome.fall->told_s && outcome.fall->impact_s);
+      EXPECT_GE(outcome.fall->lead_s().value(), 0.2);
+      EXPECT_GT(*outcome.fall->told_s, 0.5) << "after the push began";
+      told_s[stiff] = *outcome.fall->told_s;
+      hardest_force_N[stiff].push_back(outcome.fall->hardest_force_N);
+    }
+    EXPECT_EQ(told_s[0], told_s[1]);
   }
-  EXPECT_EQ(*soft.fall->told_s, *stiff.fall->told_s);
-  EXPECT_LT(soft.fall->hardest_force_N, stiff.fall->hardest_force_N);
+  // How a body folds is chance: one fall in some is harder with soft joints.
+  for (auto& forces : hardest_force_N) std::sort(forces.begin(), forces.end());
+  EXPECT_LT(hardest_force_N[0][4], hardest_force_N[1][4]) << "median";
 }
 
 TEST(GaitTrial, a_push_that_the_robot_stands_is_no_fall) {
