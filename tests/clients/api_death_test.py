@@ -14,9 +14,14 @@ class ApiDeath(unittest.TestCase):
         return subprocess.run([COMMAND, "ctl", "--url", f"ws://127.0.0.1:{self.robot.port}", *arguments], capture_output=True,
                               text=True, timeout=60)
 
+    def odometry(self):
+        return json.loads(self.ctl("echo", "/odom").stdout)
+
     def position(self):
-        message = json.loads(self.ctl("echo", "/odom").stdout)
-        return message["pose"]["pose"]["position"]["x"]
+        return self.odometry()["pose"]["pose"]["position"]["x"]
+
+    def speed(self):
+        return abs(self.odometry()["twist"]["twist"]["linear"]["x"])
 
     def test_the_robot_stands_and_the_api_comes_back(self):
         deaths = 3
@@ -31,6 +36,7 @@ class ApiDeath(unittest.TestCase):
                 self.assertEqual(driver.wait(30), 1, driver.stderr.read())
                 driver.stderr.close()
                 until(lambda: self.ctl("stand").returncode == 0, "a client that goes on")
+                until(lambda: self.speed() < 0.01, "the stand")  # before the robot is told to end
             self.robot.stop()
             events = self.robot.summary["events"]["newest"]
             commands = (self.robot.out / "commands.yaml").read_text()
