@@ -32,6 +32,7 @@ constexpr double kDefaultSeconds = 20.0;
 constexpr double kDefaultSpeed_m_per_s = 0.15;
 constexpr double kAfterFall_s = 1.0;  // shown after a fall, before the run ends
 constexpr int kPictures = 8;
+constexpr double kFirstPicture_s = 0.5;
 constexpr int kPictureWidth_px = 320, kPictureHeight_px = 360;
 
 double seconds_since(Clock::time_point start) {
@@ -95,9 +96,10 @@ class Progress {
 // The poses for the film strip, taken during the run and drawn after it.
 class Snapshots {
  public:
-  Snapshots(int wanted, double run_s) : interval_s_(run_s / wanted) {}
+  // The first one at `from_s`.
+  Snapshots(double from_s, double interval_s) : interval_s_(interval_s), next_s_(from_s) {}
   void look(const simulator::Plant& plant) {
-    if (plant.time_s() >= next_s_) {
+    if (plant.time_s() >= next_s_ && poses_.size() < kPictures) {
       next_s_ += interval_s_;
       poses_.emplace_back(plant.positions().begin(), plant.positions().end());
     }
@@ -113,7 +115,7 @@ class Snapshots {
 
  private:
   double interval_s_;
-  double next_s_ = 0.5;
+  double next_s_;
   std::vector<std::vector<double>> poses_;
 };
 
@@ -151,6 +153,10 @@ void check(const RunOptions& options) {
   if (options.seconds && !(*options.seconds >= 0.001 && *options.seconds <= 86400.0)) {
     throw std::invalid_argument(
         fmt::format("--seconds {}: must lie between 0.001 and 86400", *options.seconds));
+  }
+  if (options.film && !(options.film->size() == 2 && (*options.film)[0] >= 0.0 &&
+                        (*options.film)[1] > (*options.film)[0] && std::isfinite((*options.film)[1]))) {
+    throw std::invalid_argument("--film: wants FROM,TO in s, the second one later, for example 3.5,5");
   }
   if (!(options.mismatch >= 0.0 && options.mismatch <= 10.0)) {
     throw std::invalid_argument(fmt::format("--mismatch {}: must lie between 0 and 10", options.mismatch));
@@ -201,12 +207,16 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->capture_default_str();
   run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
   run->add_flag("!--no-pictures", options.pictures, "Draw no film strip");
+  run->add_option("--film", options.film,
+                  "FROM,TO: the film strip shows this part of the run [s] (default: all of it)")
+      ->delimiter(',');
   run->add_flag("--quiet", options.quiet, "No progress line and no table");
   run->footer(
       "Examples:\n"
       "  gaitway run                                      walks straight on at 0.15 m/s for 20 s\n"
       "  gaitway run --walk 0.1,0.03,0.2 --seconds 30     forward, sideways and turning\n"
       "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
+      "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
       "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
       "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
   return run;
@@ -238,7 +248,9 @@ int run(const RunOptions& options) {
 
   RunRecorder recorder(cosimulation, options.out / "bus.log", true);
   cosimulation.observe(&recorder);
-  Snapshots snapshots(kPictures, scenario.seconds);
+  Snapshots snapshots = options.film ? Snapshots((*options.film)[0],
+                                                 ((*options.film)[1] - (*options.film)[0]) / (kPictures - 1))
+                                     : Snapshots(kFirstPicture_s, scenario.seconds / kPictures);
   RunTiming timing;
   timing.wall_s = simulate(cosimulation, scenario, recorder, snapshots, Progress(options.quiet));
   const auto csv_started = Clock::now();

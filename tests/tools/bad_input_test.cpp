@@ -285,6 +285,9 @@ TEST_F(BadInput, OptionsThatCannotBe) {
   expect_refused("--seconds -5", {"--seconds -5"});
   expect_refused("--seconds nan", {"--seconds nan"});
   expect_refused("--seconds long", {"--seconds", "long"});
+  expect_refused("--film 3", {"--film", "FROM,TO"});
+  expect_refused("--film 3,2", {"--film", "FROM,TO"});
+  expect_refused("--film 0,nan", {"--film", "FROM,TO"});
   expect_refused("--seed -1", {"--seed", "-1"});
   expect_refused("--mismatch -1", {"--mismatch -1", "between 0 and 10"});
   expect_refused("--wlak 0.1", {"'--wlak': there is no such command or option", "Did you mean '--walk'?"});

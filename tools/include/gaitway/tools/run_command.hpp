@@ -28,6 +28,7 @@ struct RunOptions {
   double mismatch = 1.0;
   std::filesystem::path out = "out/run";
   bool pictures = true;
+  std::optional<std::vector<double>> film;  // from and to when the film strip shows the run, s
   bool quiet = false;
 };
 
