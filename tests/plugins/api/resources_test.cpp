@@ -57,7 +57,9 @@ TEST(Resources, ConnectionsLeaveNothingBehind) {
   EXPECT_LT(mallinfo2().uordblks, memory + 20'000);
 }
 
-// Lets this process have no further descriptor while it lives.
+#ifndef GAITWAY_SANITIZED
+// Lets this process have no further descriptor while it lives. Not under a sanitizer: to look at an object's
+// type, its runtime opens a pipe, and without one it sees errors.
 class NoMoreDescriptors {
  public:
   explicit NoMoreDescriptors() {
@@ -98,6 +100,7 @@ TEST(Resources, WithoutDescriptorsNewClientsWaitAndOldOnesGoOn) {
   none.reset();
   EXPECT_THAT(new_one.receive_header(), testing::StartsWith("HTTP/1.1 101 "));
 }
+#endif
 
 }  // namespace
 }  // namespace gaitway::api
