@@ -32,7 +32,7 @@ struct GaitParameters {
 
   // Step adjustment, by what the estimated DCM deviates from the planned one (StepAdjustment).
   double adjust_threshold_m = 0.030;       // ahead and back: below it, nothing is done
-  double adjust_side_threshold_m = 0.020;  // to either side
+  double adjust_side_threshold_m = 0.025;  // to either side
   double adjust_share = 0.7;               // of the full adjustment; 0: off
   double adjust_until_share = 0.75;        // of the swing: from here on not even this moves the footstep
   double adjust_speed_m_per_s = 0.25;      // at which the landing may move, times what is left of the swing
