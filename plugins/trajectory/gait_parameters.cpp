@@ -87,7 +87,6 @@ void GaitParameters::validate() const {
   require_within(adjust_share, 0.0, 2.0, "adjust_share", "1");
   require_within(adjust_until_share, 0.0, 0.9, "adjust_until_share", "1");
   require_within(adjust_speed_m_per_s, 0.0, 2.0, "adjust_speed", "m/s");
-  require_within(adjust_zmp_m, 0.0, 0.1, "adjust_zmp", "m");
   require_within(recover_beyond_m, -0.05, 1.0, "recover_beyond", "m");
   require_within(recover_lead_in_s, kPointPeriod_s, 2.0, "recover_lead_in", "s");
   require_within(recover_swing_s, 0.10, 1.0, "recover_swing", "s");

@@ -44,7 +44,6 @@ GaitParameters configured(Setup& setup) {
   set(p.adjust_share, "adjust_share", "1");
   set(p.adjust_until_share, "adjust_until_share", "1");
   set(p.adjust_speed_m_per_s, "adjust_speed", "m/s");
-  set(p.adjust_zmp_m, "adjust_zmp", "m");
   set(p.recover_beyond_m, "recover_beyond", "m");
   set(p.recover_lead_in_s, "recover_lead_in", "s");
   set(p.recover_swing_s, "recover_swing", "s");

@@ -5,14 +5,12 @@
 
 namespace gaitway::trajectory {
 
-StepAdjustment::StepAdjustment(const GaitParameters& parameters, double omega_per_s,
-                               double absorber_effect) noexcept
+StepAdjustment::StepAdjustment(const GaitParameters& parameters, double omega_per_s) noexcept
     : threshold_m_(parameters.adjust_threshold_m, parameters.adjust_side_threshold_m),
       share_(parameters.adjust_share),
       swing_speed_m_per_s_(parameters.adjust_speed_m_per_s),
       omega_per_s_(omega_per_s),
-      half_double_support_s_(0.5 * parameters.double_support_points() * kPointPeriod_s),
-      most_by_zmp_m_(parameters.adjust_zmp_m * absorber_effect) {}
+      half_double_support_s_(0.5 * parameters.double_support_points() * kPointPeriod_s) {}
 
 // The ZMP moves to the new foot in the middle of the double support that follows the landing.
 double StepAdjustment::decay(double landing_s) const noexcept {
@@ -28,12 +26,6 @@ Eigen::Vector2d StepAdjustment::shift_m(const Eigen::Vector2d& excess_m, double 
                                         double swing_left_s) const noexcept {
   const double most_m = swing_speed_m_per_s_ * swing_left_s;
   return (share_ / decay(landing_s) * excess_m).cwiseMax(-most_m).cwiseMin(most_m);
-}
-
-Eigen::Vector2d StepAdjustment::answered_m(const Eigen::Vector2d& excess_m, const Eigen::Vector2d& shift_m,
-                                           double landing_s) const noexcept {
-  const Eigen::Vector2d by_step = decay(landing_s) * shift_m;
-  return by_step + (excess_m - by_step).cwiseMax(-most_by_zmp_m_).cwiseMin(most_by_zmp_m_);
 }
 
 }  // namespace gaitway::trajectory

@@ -57,7 +57,7 @@ WalkingPattern::WalkingPattern(const GaitParameters& parameters)
       controller_(preview_of(parameters_)),
       absorber_(parameters_.com_height_m, parameters_.absorb_points(), kRampPoints),
       planner_(parameters_),
-      adjustment_(parameters_, absorber_.omega_per_s(), absorber_.effect()) {
+      adjustment_(parameters_, absorber_.omega_per_s()) {
   reset_to_stand({});
 }
 
@@ -207,8 +207,7 @@ void WalkingPattern::adjust_step(PatternState& state, const Eigen::Vector2d& dcm
     step.adjustment_m += shift;
     if (in_swing > 0) state.swing.aim(step.landing, in_swing * kPointPeriod_s);
   }
-  const Eigen::RowVector2d answered =
-      (to_plan * adjustment_.answered_m(excess, shift, landing_s)).transpose();
+  const Eigen::RowVector2d answered = (to_plan * adjustment_.answered_m(shift, landing_s)).transpose();
   state.cart.motion.row(1) += absorber_.omega_per_s() * answered;
   state.divergence += answered;
 }

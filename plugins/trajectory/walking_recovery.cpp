@@ -51,7 +51,7 @@ void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& 
   step.adjustment_m = step.stance.relative_of(step.landing).position() -
                       step.stance.relative_of(planner_.beside(step.stance, step.swing)).position();
   const Eigen::RowVector2d taken =
-      asked + (to_plan * adjustment_.answered_m(gap, step.adjustment_m, landing_s)).transpose();
+      asked + (to_plan * adjustment_.answered_m(step.adjustment_m, landing_s)).transpose();
   state.cart.motion.row(1) += absorber_.omega_per_s() * (taken - absorber_.divergence(state.cart));
   state.divergence = taken;
 }

@@ -42,8 +42,6 @@ class DivergenceAbsorber {
     return cart.motion.row(0) + cart.motion.row(1) / omega_per_s_;
   }
   [[nodiscard]] double omega_per_s() const noexcept { return omega_per_s_; }
-  // Of a trapezoid of height 1 on ξ.
-  [[nodiscard]] double effect() const noexcept { return effect_; }
 
  private:
   [[nodiscard]] double shape(int row) const noexcept;  // trapezoid of height 1

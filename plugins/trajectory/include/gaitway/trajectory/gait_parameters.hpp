@@ -36,7 +36,6 @@ struct GaitParameters {
   double adjust_share = 0.7;               // of the full adjustment; 0: off
   double adjust_until_share = 0.75;        // of the swing: from here on not even this moves the footstep
   double adjust_speed_m_per_s = 0.25;      // at which the landing may move, times what is left of the swing
-  double adjust_zmp_m = 0.030;             // by which the planned ZMP may move, where the step cannot
 
   // A standing robot that is pushed off its feet steps after itself.
   double recover_beyond_m = 0.0;    // of the DCM, outside of the soles' rectangle

@@ -15,8 +15,7 @@ namespace gaitway::trajectory {
 // foot, m.
 class StepAdjustment {
  public:
-  // absorber_effect: of a ZMP offset of 1 m, as the divergence absorber spreads it, on ξ.
-  StepAdjustment(const GaitParameters& parameters, double omega_per_s, double absorber_effect) noexcept;
+  StepAdjustment(const GaitParameters& parameters, double omega_per_s) noexcept;
 
   // Of a deviation, what is beyond the thresholds: the rest is left to the trims and to the feet's own edges.
   [[nodiscard]] Eigen::Vector2d excess_m(const Eigen::Vector2d& deviation_m) const noexcept;
@@ -32,16 +31,17 @@ class StepAdjustment {
   [[nodiscard]] Eigen::Vector2d shift_m(const Eigen::Vector2d& excess_m, double landing_s,
                                         double swing_left_s) const noexcept;
 
-  // The part of the excess that a landing moved by `shift_m` answers, and the ZMP within its own limit: by
-  // it, the plan's DCM moves to the body's. What nothing answers stays a deviation.
-  [[nodiscard]] Eigen::Vector2d answered_m(const Eigen::Vector2d& excess_m, const Eigen::Vector2d& shift_m,
-                                           double landing_s) const noexcept;
+  // The part of the deviation that a landing moved by `shift_m` answers: by it, the plan's DCM moves to the
+  // body's. What no step answers stays a deviation.
+  [[nodiscard]] Eigen::Vector2d answered_m(const Eigen::Vector2d& shift_m, double landing_s) const noexcept {
+    return decay(landing_s) * shift_m;
+  }
 
  private:
   [[nodiscard]] double decay(double landing_s) const noexcept;
 
   Eigen::Vector2d threshold_m_;
-  double share_, swing_speed_m_per_s_, omega_per_s_, half_double_support_s_, most_by_zmp_m_;
+  double share_, swing_speed_m_per_s_, omega_per_s_, half_double_support_s_;
 };
 
 }  // namespace gaitway::trajectory
