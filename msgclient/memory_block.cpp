@@ -48,6 +48,9 @@ Client MemoryBlock::local_client(const std::string& name) {
 void MemoryBlock::beat(std::int64_t now_ns) noexcept {
   registry_->beat(now_ns);
 }
+void MemoryBlock::keep_to_this_process() {
+  registry_->keep_to_this_process();
+}
 std::size_t MemoryBlock::size_bytes() const noexcept {
   return registry_->block_bytes();
 }

@@ -78,6 +78,12 @@ Segment Segment::map(process::FileDescriptor fd, std::size_t bytes, Access acces
   return Segment(std::move(fd), data, bytes);
 }
 
+void Segment::keep_to_this_process() {
+  if (mmap(data_, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED, fd_.get(), 0) == MAP_FAILED) {
+    fail("cannot map " + std::to_string(bytes_) + " bytes of its own for a copy of the process");
+  }
+}
+
 process::FileDescriptor Segment::reopen_read_only() const {
   const std::string path = "/proc/self/fd/" + std::to_string(fd_.get());
   process::FileDescriptor fd(open(path.c_str(), O_RDONLY | O_CLOEXEC));

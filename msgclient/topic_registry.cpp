@@ -145,9 +145,9 @@ TopicRegistry::Topic& TopicRegistry::declare(const TopicDescriptor& wanted, cons
         wanted.name, client_name, storage + cursor, wanted.size, block_bytes_ - used_bytes_, block_bytes_,
         kMaxBlockBytes));
   }
-  topic.storage = std::make_shared<const Segment>(Segment::create("gaitway_" + wanted.name, storage));
+  topic.storage = std::make_shared<Segment>(Segment::create("gaitway_" + wanted.name, storage));
   if (cursor > 0) {
-    topic.cursor = std::make_shared<const Segment>(Segment::create("gaitway_cursor_" + wanted.name, cursor));
+    topic.cursor = std::make_shared<Segment>(Segment::create("gaitway_cursor_" + wanted.name, cursor));
   }
   used_bytes_ += storage + cursor;
   index_.emplace(wanted.name, topics_.size());
@@ -200,6 +200,17 @@ void TopicRegistry::release_all(ClientId client) noexcept {
   for (Topic& topic : topics_) {
     give_back(topic, client, Role::writer);
     give_back(topic, client, Role::reader);
+  }
+}
+
+void TopicRegistry::keep_to_this_process() {
+  const std::scoped_lock lock(mutex_);
+  directory_segment_.keep_to_this_process();
+  for (const Topic& topic : topics_) {
+    topic.storage->keep_to_this_process();
+    if (topic.cursor) {
+      topic.cursor->keep_to_this_process();
+    }
   }
 }
 

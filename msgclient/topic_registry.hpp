@@ -27,6 +27,8 @@ class TopicRegistry {
   void release(ClientId client, const std::string& topic, Role role) noexcept;
   void release_all(ClientId client) noexcept;
 
+  void keep_to_this_process();
+
   void beat(std::int64_t now_ns) noexcept { directory_.beat(now_ns); }
   [[nodiscard]] const Directory& directory() const noexcept { return directory_; }
   [[nodiscard]] const Segment& directory_segment() const noexcept { return directory_segment_; }
@@ -38,10 +40,10 @@ class TopicRegistry {
     TopicInfo info;
     std::string declared_by;
     RingGeometry geometry;
-    std::shared_ptr<const Segment> storage;
-    std::shared_ptr<const Segment> cursor;  // queues only
-    ClientId writer = 0;                    // 0: nobody
-    ClientId reader = 0;                    // of a queue
+    std::shared_ptr<Segment> storage;
+    std::shared_ptr<Segment> cursor;  // queues only
+    ClientId writer = 0;              // 0: nobody
+    ClientId reader = 0;              // of a queue
   };
 
   Topic& declare(const TopicDescriptor& wanted, const std::string& client_name);

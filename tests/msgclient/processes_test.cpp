@@ -12,20 +12,26 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "checked_value.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/process/working_copy.hpp"
 #include "topic_error.hpp"
 
 namespace gaitway::msgclient {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // A forked child must not outlive a test that fails.
@@ -345,6 +351,34 @@ TEST_F(Processes, AClientThatTalksNonsenseIsDroppedAlone) {
 
 // The writer is killed again and again while it publishes; large values make sure that it is in the middle of
 // one.
+TEST(CopiedBlock, GoesOnWithWhatIsThereAndLeavesNoTrace) {
+  MemoryBlock block;
+  Client client = block.local_client("both");
+  auto writer = client.write<Imu>("imu");
+  auto reader = client.read<Imu>("imu");
+  auto pushes = client.write_queue<UserCommand>("user_command");
+  auto pops = client.read_queue<UserCommand>("user_command");
+  Imu imu{};
+  writer.publish(imu, 5);
+  (void)pushes.push(UserCommand{}, 5);
+  for (int copies = 0; copies < 2; ++copies) {
+    process::WorkingCopy copy([&](const process::WorkingCopy::Tell& tell) {
+      block.keep_to_this_process();
+      tell(std::to_string(reader.read(imu).stamp_ns));
+      writer.publish(imu, 6);
+      tell(std::to_string(reader.read(imu).stamp_ns));
+      UserCommand command{};
+      tell(pops.pop(command) ? "a command" : "no command");
+    });
+    std::vector<std::string> told;
+    while (!copy.done()) {
+      std::ranges::move(copy.listen(), std::back_inserter(told));
+    }
+    EXPECT_THAT(told, ElementsAre("5", "6", "a command"));
+    EXPECT_EQ(reader.read(imu).stamp_ns, 5);
+  }
+}
+
 TEST(KilledWriter, AlwaysLeavesAWholeValue) {
   using Value = CheckedValue<4096>;
   constexpr int kKills = 300;

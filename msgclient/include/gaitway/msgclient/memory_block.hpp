@@ -35,6 +35,11 @@ class MemoryBlock {
   // Shows all clients that the owner lives; for the cycle.
   void beat(std::int64_t now_ns) noexcept;
 
+  // For a copy of the owner's process that fork() made and that goes on with what is in the block alone: the
+  // owner and its other copies see nothing of what it writes from now on. The owner must not write while the
+  // copy lives, or the copy may see it. Throws std::system_error.
+  void keep_to_this_process();
+
   [[nodiscard]] std::size_t size_bytes() const noexcept;
   [[nodiscard]] std::size_t used_bytes() const noexcept;
   [[nodiscard]] const std::shared_ptr<TopicRegistry>& registry() const noexcept { return registry_; }

@@ -27,6 +27,10 @@ class Segment {
   Segment& operator=(Segment&& other) noexcept;
   ~Segment();
 
+  // In a copy of the process that fork() made: the memory stays where it is, but from now on what the copy
+  // writes there is seen by nobody else. Of memory that is mapped writable. Throws std::system_error.
+  void keep_to_this_process();
+
   [[nodiscard]] void* data() const noexcept { return data_; }
   [[nodiscard]] std::size_t size() const noexcept { return bytes_; }
   [[nodiscard]] int fd() const noexcept { return fd_.get(); }

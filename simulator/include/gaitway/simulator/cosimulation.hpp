@@ -73,6 +73,11 @@ class Cosimulation {
   // that is not there.
   void apply(const ScenarioEvent& event);
 
+  // For a copy of this process that fork() made: the run goes on in it without a trace in the process that it
+  // came from, as long as that one waits. Not where plug-ins have processes or threads of their own, which
+  // are not copied. Throws std::system_error.
+  void keep_to_this_process() { memory_block_.keep_to_this_process(); }
+
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   [[nodiscard]] Plant& plant() noexcept { return plant_; }
   [[nodiscard]] const Plant& plant() const noexcept { return plant_; }
