@@ -22,6 +22,7 @@
 #include "gaitway/tools/gait_report.hpp"
 #include "gaitway/tools/level_search.hpp"
 #include "gaitway/tools/pinned_plugins.hpp"
+#include "gaitway/tools/trial_series.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 
 namespace gaitway::tools {
@@ -198,6 +199,43 @@ TEST(GaitTrial, a_slight_push_leaves_the_feet_in_place_and_a_violent_one_fells) 
   EXPECT_GT(violent.ended_s, 0.5);
   EXPECT_LT(violent.ended_s, 2.5);
   EXPECT_GT(violent.foot_lifted_m, 0.005);
+}
+
+// Pushes at two instants of a walk, from several sides; one of them fells the robot.
+std::vector<Trial> pushed_walks() {
+  std::vector<Trial> trials;
+  for (const double at_s : {1.831, 2.0}) {
+    for (const double direction_rad : {0.0, 2.0, 4.0}) {
+      Trial trial = standing(3, at_s + 1.0);
+      trial.commands.push_back({0.5, {0.2, 0.0, 0.0}});
+      trial.steady_from_s = 1.0;
+      trial.push = TrialPush{at_s, direction_rad, direction_rad == 4.0 ? 9.0 : 1.0};
+      trials.push_back(trial);
+    }
+  }
+  return trials;
+}
+
+TEST(TrialSeries, shares_the_walk_before_the_pushes_without_any_difference) {
+  std::vector<Trial> trials = pushed_walks();
+  std::rotate(trials.begin(), trials.begin() + 2, trials.end());  // back to the earlier instant at the end
+  trials.push_back(standing(3, 0.3));
+  std::size_t next = 0;
+  std::set<bool> falls;
+  run_trials(robot(), trials, [&](std::size_t trial, const TrialOutcome& outcome) {
+    EXPECT_EQ(trial, next++);
+    EXPECT_EQ(to_json(outcome), to_json(run_trial(robot(), trials[trial]))) << "trial " << trial;
+    falls.insert(outcome.fell);
+    return true;
+  });
+  EXPECT_EQ(next, trials.size());
+  EXPECT_EQ(falls.size(), 2U) << "some fall, some do not";
+}
+
+TEST(TrialSeries, ends_when_it_is_told_to) {
+  std::size_t played = 0;
+  run_trials(robot(), pushed_walks(), [&](std::size_t, const TrialOutcome&) { return ++played < 2; });
+  EXPECT_EQ(played, 2U);
 }
 
 TEST(GaitTrial, a_fall_is_told_well_before_the_impact_and_soft_joints_take_the_edge_off_it) {

@@ -1,21 +1,25 @@
-// A pool of threads plays the trials; each row's search says which level comes next. The unit of work is one
-// seed at one level: its trials run one after the other and end with the first failure.
+// A pool of processes plays the trials; each row's search says which level comes next. The unit of work is
+// one seed at one level: its trials run one after the other and end with the first failure.
 #include "gaitway/tools/gait_measurement.hpp"
 
+#include <poll.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
-#include <condition_variable>
 #include <deque>
-#include <exception>
 #include <limits>
+#include <list>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <stdexcept>
-#include <thread>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <system_error>
 #include <utility>
 
+#include "gaitway/process/working_copy.hpp"
 #include "gaitway/tools/level_search.hpp"
+#include "gaitway/tools/trial_series.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -36,7 +40,6 @@ struct LevelRun {
   LevelRun(int seeds, bool is_floor) : tally(seeds, is_floor), results(static_cast<std::size_t>(seeds)) {}
   LevelTally tally;
   std::vector<SeedResult> results;
-  bool closed = false;  // decided: what still runs for it is in vain
 };
 
 struct RowRun {
@@ -57,13 +60,21 @@ struct Unit {
   std::vector<Trial> trials;
 };
 
-double seconds_of(const std::vector<Trial>& trials) {
+double seconds_of(std::span<const Trial> trials) {
   double sum_s = 0.0;
   for (const Trial& trial : trials) {
     sum_s += trial.seconds;
   }
   return sum_s;
 }
+
+// A unit whose trials run in a copy of the process.
+struct Worker {
+  Unit unit;
+  std::vector<Trial> trials;  // of the unit, that are not known
+  std::size_t told = 0;       // outcomes of them
+  process::WorkingCopy copy;
+};
 
 class Pool {
  public:
@@ -79,31 +90,31 @@ class Pool {
 
  private:
   void plan_next_level(RowRun& row);
-  void work() noexcept;
-  void play(const Unit& unit);
+  void start_next();
+  [[nodiscard]] std::vector<Trial> unknown_trials(const Unit& unit) const;
+  void listen_to_workers();
+  void listen_to(Worker& worker);
+  void finish(const Worker& worker);
+  void give_up(const RowRun& row, std::size_t level);
+  void skip_rest(const Worker& worker);
   // The seed's result if all of it that counts is in the store.
   [[nodiscard]] std::optional<SeedResult> known_result(const Unit& unit) const;
   static void add(const Unit& unit, const Trial& trial, const TrialOutcome& outcome, SeedResult& result);
-  [[nodiscard]] static bool ends(const Unit& unit,
-                                 const SeedResult& result);  // the other trials change nothing
+  // The unit's other trials change nothing.
+  [[nodiscard]] static bool ends(const Unit& unit, const Trial& trial, const TrialOutcome& outcome);
   static void note(LevelRun& run, const Unit& unit, SeedResult result);
   static void close(RowRun& row, LevelRun& run);
   [[nodiscard]] std::uint64_t seed_of(int index) const {
     return options_.first_seed + static_cast<std::uint64_t>(index);
   }
-  TrialOutcome outcome_of(const Trial& trial);
-  [[nodiscard]] bool in_vain(const Unit& unit);
   void note_progress(const Unit& unit, std::size_t trials, double seconds);
 
   const TrialRobot& robot_;
   TrialStore& store_;
   const GaitMeasurementOptions& options_;
 
-  std::mutex mutex_;  // guards all that follows
-  std::condition_variable changed_;
   std::deque<Unit> waiting_;
-  int working_ = 0;  // units that threads are at
-  std::exception_ptr failure_;
+  std::list<Worker> workers_;
   std::uint64_t trials_run_ = 0, trials_known_ = 0, trials_done_ = 0, trials_planned_ = 0;
   double planned_s_ = 0.0, done_s_ = 0.0;  // virtual time
   double played_s_ = 0.0;                  // virtual time, of trials that really ran
@@ -111,20 +122,14 @@ class Pool {
 };
 
 void Pool::measure(const std::vector<RowRun*>& rows, int jobs) {
-  {
-    const std::lock_guard lock(mutex_);
-    for (RowRun* const row : rows) {
-      plan_next_level(*row);
+  for (RowRun* const row : rows) {
+    plan_next_level(*row);
+  }
+  while (!waiting_.empty() || !workers_.empty()) {
+    while (!waiting_.empty() && workers_.size() < static_cast<std::size_t>(jobs)) {
+      start_next();
     }
-  }
-  std::vector<std::jthread> threads;
-  threads.reserve(static_cast<std::size_t>(jobs));
-  for (int i = 0; i < jobs; ++i) {
-    threads.emplace_back([this] { work(); });
-  }
-  threads.clear();  // joins
-  if (failure_) {
-    std::rethrow_exception(failure_);
+    listen_to_workers();
   }
 }
 
@@ -152,7 +157,6 @@ void Pool::plan_next_level(RowRun& row) {
       planned_s_ += seconds_of(unit.trials);
       waiting_.push_back(std::move(unit));
     }
-    changed_.notify_all();
     return;
   }
 }
@@ -166,11 +170,24 @@ std::optional<SeedResult> Pool::known_result(const Unit& unit) const {
       return std::nullopt;
     }
     add(unit, trial, *outcome, result);
-    if (ends(unit, result)) {
+    if (ends(unit, trial, *outcome)) {
       break;
     }
   }
   return result;
+}
+
+std::vector<Trial> Pool::unknown_trials(const Unit& unit) const {
+  std::vector<Trial> unknown;
+  for (const Trial& trial : unit.trials) {
+    const auto outcome = store_.find(trial);
+    if (!outcome) {
+      unknown.push_back(trial);
+    } else if (ends(unit, trial, *outcome)) {
+      break;
+    }
+  }
+  return unknown;
 }
 
 void Pool::add(const Unit& unit, const Trial& trial, const TrialOutcome& outcome, SeedResult& result) {
@@ -185,8 +202,9 @@ void Pool::add(const Unit& unit, const Trial& trial, const TrialOutcome& outcome
   result.outcomes.push_back(outcome);
 }
 
-bool Pool::ends(const Unit& unit, const SeedResult& result) {
-  return unit.row->row.has_levels() && !result.passed;
+bool Pool::ends(const Unit& unit, const Trial& trial, const TrialOutcome& outcome) {
+  const GaitRow& row = unit.row->row;
+  return row.has_levels() && !row.passes(outcome, trial, unit.row->search.levels()[unit.level]);
 }
 
 void Pool::note(LevelRun& run, const Unit& unit, SeedResult result) {
@@ -195,84 +213,99 @@ void Pool::note(LevelRun& run, const Unit& unit, SeedResult result) {
 }
 
 void Pool::close(RowRun& row, LevelRun& run) {
-  run.closed = true;
   row.search.judged(run.tally.holds());
 }
 
-void Pool::work() noexcept {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    changed_.wait(lock, [this] { return !waiting_.empty() || working_ == 0 || failure_ != nullptr; });
-    if (failure_ != nullptr || waiting_.empty()) {
-      break;
+void Pool::start_next() {
+  Unit unit = std::move(waiting_.front());
+  waiting_.pop_front();
+  std::vector<Trial> trials = unknown_trials(unit);
+  const auto play = [&](const process::WorkingCopy::Tell& tell) {
+    store_.leave_file();
+    run_trials(robot_, trials, [&](std::size_t trial, const TrialOutcome& outcome) {
+      tell(to_json(outcome).dump());
+      return !ends(unit, trials[trial], outcome);
+    });
+  };
+  process::WorkingCopy copy(play);
+  workers_.push_back({std::move(unit), std::move(trials), 0, std::move(copy)});
+}
+
+void Pool::listen_to_workers() {
+  std::vector<pollfd> told;
+  for (const Worker& worker : workers_) {
+    told.push_back({worker.copy.descriptor(), POLLIN, 0});
+  }
+  while (poll(told.data(), told.size(), -1) < 0) {
+    if (errno != EINTR) {
+      throw std::system_error(errno, std::generic_category(), "cannot wait for trials");
     }
-    const Unit unit = std::move(waiting_.front());
-    waiting_.pop_front();
-    ++working_;
-    lock.unlock();
-    try {
-      play(unit);
-      lock.lock();
-    } catch (...) {
-      lock.lock();
-      failure_ = std::current_exception();
+  }
+  auto worker = workers_.begin();
+  for (const pollfd& one : told) {
+    if (one.revents != 0) {
+      listen_to(*worker);
     }
-    --working_;
-    changed_.notify_all();
+    ++worker;
+  }
+  const auto next_done = [this] {
+    return std::ranges::find_if(workers_, [](const Worker& one) { return one.copy.done(); });
+  };
+  for (auto done = next_done(); done != workers_.end(); done = next_done()) {
+    std::list<Worker> finished;  // apart from those that its result makes vain
+    finished.splice(finished.begin(), workers_, done);
+    finish(finished.front());
   }
 }
 
-bool Pool::in_vain(const Unit& unit) {
-  const std::lock_guard lock(mutex_);
-  return failure_ != nullptr || unit.row->levels.at(unit.level).closed;
+void Pool::listen_to(Worker& worker) {
+  for (const std::string& line : worker.copy.listen()) {
+    const Trial& trial = worker.trials.at(worker.told++);
+    store_.keep(trial, outcome_from_json(nlohmann::ordered_json::parse(line)));
+    ++trials_run_;
+    played_s_ += trial.seconds;
+    note_progress(worker.unit, 1, trial.seconds);
+  }
 }
 
-TrialOutcome Pool::outcome_of(const Trial& trial) {
-  if (const auto known = store_.find(trial)) {
-    const std::lock_guard lock(mutex_);
-    ++trials_known_;
-    return *known;
-  }
-  const TrialOutcome outcome = run_trial(robot_, trial);
-  store_.keep(trial, outcome);
-  const std::lock_guard lock(mutex_);
-  ++trials_run_;
-  played_s_ += trial.seconds;
-  return outcome;
-}
-
-void Pool::play(const Unit& unit) {
-  SeedResult result;
-  result.seed = seed_of(unit.seed_index);
-  std::size_t left = unit.trials.size();
-  double left_s = seconds_of(unit.trials);
-  for (const Trial& trial : unit.trials) {
-    if (in_vain(unit)) {
-      break;
-    }
-    add(unit, trial, outcome_of(trial), result);
-    --left;
-    left_s -= trial.seconds;
-    note_progress(unit, 1, trial.seconds);
-    if (ends(unit, result)) {
-      break;
-    }
-  }
-  note_progress(unit, left, left_s);
-  const std::lock_guard lock(mutex_);
+void Pool::finish(const Worker& worker) {
+  const Unit& unit = worker.unit;
+  SeedResult result = known_result(unit).value();
+  trials_known_ += result.trials.size() - worker.told;
+  skip_rest(worker);
   LevelRun& run = unit.row->levels.at(unit.level);
-  if (run.closed || failure_ != nullptr) {
-    return;
-  }
   note(run, unit, std::move(result));
   if (run.tally.decided()) {
     close(*unit.row, run);
+    give_up(*unit.row, unit.level);
     plan_next_level(*unit.row);
   }
 }
 
+// What is still to do for a level that is decided.
+void Pool::give_up(const RowRun& row, std::size_t level) {
+  const auto in_vain = [&](const Unit& unit) { return unit.row == &row && unit.level == level; };
+  std::erase_if(workers_, [&](const Worker& worker) {
+    if (in_vain(worker.unit)) {
+      skip_rest(worker);
+    }
+    return in_vain(worker.unit);
+  });
+  std::erase_if(waiting_, [&](const Unit& unit) {
+    if (in_vain(unit)) {
+      note_progress(unit, unit.trials.size(), seconds_of(unit.trials));
+    }
+    return in_vain(unit);
+  });
+}
+
+void Pool::skip_rest(const Worker& worker) {
+  const std::span<const Trial> told(worker.trials.data(), worker.told);
+  note_progress(worker.unit, worker.unit.trials.size() - told.size(),
+                seconds_of(worker.unit.trials) - seconds_of(told));
+}
+
 void Pool::note_progress(const Unit& unit, std::size_t trials, double seconds) {
-  const std::lock_guard lock(mutex_);
   trials_done_ += trials;
   done_s_ += seconds;
   if (!options_.progress) {

@@ -1,11 +1,9 @@
 // Plays a trial in the co-simulation.
+#include "trial_run.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <ctime>
-
-#include "gaitway/simulator/cosimulation.hpp"
-#include "gaitway/tools/gait_trial.hpp"
-#include "trial_watch.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -42,7 +40,7 @@ simulator::CosimulationOptions options_of(const TrialRobot& robot, const Trial& 
   return options;
 }
 
-void push(simulator::Cosimulation& run, const TrialPush& push) {
+void apply_push(simulator::Cosimulation& run, const TrialPush& push) {
   const Eigen::Matrix3d rotation = run.plant().truth().base.linear();
   const double towards_rad = std::atan2(rotation(1, 0), rotation(0, 0)) + push.direction_rad;
   simulator::PushEvent event;
@@ -56,36 +54,61 @@ void push(simulator::Cosimulation& run, const TrialPush& push) {
 
 }  // namespace
 
-TrialOutcome run_trial(const TrialRobot& robot, const Trial& trial) {
-  simulator::Cosimulation run(robot.model, options_of(robot, trial));
-  TrialWatch watch(run, trial);
-  if (trial.corrupted_share > 0.0) {
-    run.apply({0.0, simulator::DisturbBusFault{.corruption = trial.corrupted_share,
-                                               .omission = 0.0,
-                                               .duplicate = 0.0,
-                                               .duration_s = trial.seconds + 1.0}});
+TrialRun::TrialRun(const TrialRobot& robot, const Trial& trial)
+    : trial_(trial), run_(robot.model, options_of(robot, trial)), watch_(run_, trial_) {
+  if (trial_.corrupted_share > 0.0) {
+    run_.apply({0.0, simulator::DisturbBusFault{.corruption = trial_.corrupted_share,
+                                                .omission = 0.0,
+                                                .duplicate = 0.0,
+                                                .duration_s = trial_.seconds + 1.0}});
   }
-  auto command = trial.commands.begin();
-  bool push_due = trial.push.has_value();
-  const std::int64_t end_ns = std::llround(trial.seconds * 1e9);
-  const auto goes_on = [&] {
-    return trial.watches_fall ? !watch.fall_is_over() && (run.now_ns() < end_ns || watch.falls())
-                              : run.now_ns() < end_ns && !run.plant().fallen();
-  };
+}
+
+bool TrialRun::goes_on() const {
+  const bool in_time = run_.now_ns() < std::llround(trial_.seconds * 1e9);
+  return trial_.watches_fall ? !watch_.fall_is_over() && (in_time || watch_.falls())
+                             : in_time && !run_.plant().fallen();
+}
+
+bool TrialRun::is_due(double at_s) const {
+  return at_s <= static_cast<double>(run_.now_ns()) * 1e-9 + kTolerance_s;
+}
+
+void TrialRun::advance_millisecond() {
+  for (; commands_given_ < trial_.commands.size() && is_due(trial_.commands[commands_given_].at_s);
+       ++commands_given_) {
+    const TimedVelocity& command = trial_.commands[commands_given_];
+    run_.apply({command.at_s, simulator::WalkEvent{.velocity_m_per_s = command.velocity.head<2>(),
+                                                   .turn_rate_rad_per_s = command.velocity.z()}});
+  }
+  if (!pushed_ && trial_.push && is_due(trial_.push->at_s)) {
+    apply_push(run_, *trial_.push);
+    pushed_ = true;
+  }
+  run_.advance_millisecond();
+  watch_.look();
+}
+
+void TrialRun::advance_to(double at_s) {
+  while (goes_on() && !is_due(at_s)) {
+    advance_millisecond();
+  }
+}
+
+TrialOutcome TrialRun::finish() {
   while (goes_on()) {
-    const double now_s = static_cast<double>(run.now_ns()) * 1e-9 + kTolerance_s;
-    for (; command != trial.commands.end() && command->at_s <= now_s; ++command) {
-      run.apply({command->at_s, simulator::WalkEvent{.velocity_m_per_s = command->velocity.head<2>(),
-                                                     .turn_rate_rad_per_s = command->velocity.z()}});
-    }
-    if (push_due && trial.push->at_s <= now_s) {
-      push(run, *trial.push);
-      push_due = false;
-    }
-    run.advance_millisecond();
-    watch.look();
+    advance_millisecond();
   }
-  return watch.outcome();
+  return watch_.outcome();
+}
+
+void TrialRun::go_on_in_copy_as(const Trial& trial) {
+  run_.keep_to_this_process();
+  trial_ = trial;
+}
+
+TrialOutcome run_trial(const TrialRobot& robot, const Trial& trial) {
+  return TrialRun(robot, trial).finish();
 }
 
 }  // namespace gaitway::tools

@@ -87,7 +87,6 @@ std::string TrialStore::key_of(const std::string& description) const {
 
 std::optional<TrialOutcome> TrialStore::find(const Trial& trial) const {
   const std::string key = key_of(description_of(trial));
-  const std::lock_guard lock(mutex_);
   const auto found = outcomes_.find(key);
   return found == outcomes_.end() ? std::nullopt : std::optional(found->second);
 }
@@ -97,7 +96,6 @@ void TrialStore::keep(const Trial& trial, const TrialOutcome& outcome) {
   const std::string key = key_of(description);
   const std::string line = fmt::format("{{\"key\":\"{}\",\"trial\":{},\"outcome\":{}}}\n", key, description,
                                        to_json(outcome).dump());
-  const std::lock_guard lock(mutex_);
   // One call writes the whole line or, on a full disk, a part that the next start drops.
   if (write(descriptor_.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
     throw std::runtime_error(

@@ -61,12 +61,13 @@ struct GaitProgress {
 struct GaitMeasurementOptions {
   int seeds = 20;
   std::uint64_t first_seed = 1;
-  int jobs = 1;
-  std::function<void(const GaitProgress&)> progress;  // one call at a time, from any thread; empty: none
+  int jobs = 1;                                       // processes side by side
+  std::function<void(const GaitProgress&)> progress;  // empty: none
 };
 
 // The result depends on the rows, the robot and the seeds alone, not on the number of jobs (but for processor
-// times). Throws what a trial throws, after the others that were running have ended.
+// times). The trials run in copies of the process: call it where there is a single thread. Throws
+// std::runtime_error with what a trial threw, or with how its process came to its end; the others end, too.
 GaitMeasurement measure_gait(const TrialRobot& robot, const std::vector<GaitRow>& rows, TrialStore& store,
                              const GaitMeasurementOptions& options);
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -19,7 +18,7 @@ namespace gaitway::tools {
 // be loaded, std::runtime_error for a file that cannot be read.
 std::uint64_t fingerprint_of(const TrialRobot& robot);
 
-// Thread-safe. One process at a time has the file.
+// One process at a time has the file.
 class TrialStore {
  public:
   // Reads what is there; a last line that was cut off is dropped. `fingerprint` becomes part of each key.
@@ -29,6 +28,9 @@ class TrialStore {
   [[nodiscard]] std::optional<TrialOutcome> find(const Trial& trial) const;
   // Throws std::runtime_error when the file cannot be written.
   void keep(const Trial& trial, const TrialOutcome& outcome);
+  // For a copy of the process that fork() made: the file stays the first process's alone, and can be
+  // another's as soon as that one has ended. Nothing is kept any more.
+  void leave_file() { descriptor_ = {}; }
 
  private:
   [[nodiscard]] std::string key_of(const std::string& description) const;
@@ -37,7 +39,6 @@ class TrialStore {
   std::filesystem::path file_;
   std::uint64_t fingerprint_;
   process::FileDescriptor descriptor_;
-  mutable std::mutex mutex_;
   std::unordered_map<std::string, TrialOutcome> outcomes_;  // by key
 };
 
