@@ -40,7 +40,9 @@ std::string failure_of(WorkingCopy copy) {
 }
 
 TEST(WorkingCopy, HandsOnWhatItsWorkThrowsAndHowItsProcessEnds) {
-  const auto throws = [](const WorkingCopy::Tell&) { throw std::invalid_argument("line 3:\n  no such joint"); };
+  const auto throws = [](const WorkingCopy::Tell&) {
+    throw std::invalid_argument("line 3:\n  no such joint");
+  };
   EXPECT_EQ(failure_of(WorkingCopy(throws)), "line 3:\n  no such joint");
   EXPECT_THAT(failure_of(WorkingCopy([](const WorkingCopy::Tell&) { raise(SIGKILL); })), HasSubstr("Killed"));
   EXPECT_THAT(failure_of(WorkingCopy([](const WorkingCopy::Tell&) { _exit(7); })), HasSubstr("code 7"));

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "trial_run.hpp"
 #include "gaitway/process/working_copy.hpp"
+#include "trial_run.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -24,8 +24,8 @@ class WorkingCopy {
   WorkingCopy& operator=(WorkingCopy&&) = delete;
   ~WorkingCopy();  // ends the copy at once if it still works
 
-  // Waits until the copy tells something, or ends. Throws std::runtime_error with what its work threw, or with
-  // how the process came to its end.
+  // Waits until the copy tells something, or ends. Throws std::runtime_error with what its work threw, or
+  // with how the process came to its end.
   [[nodiscard]] std::vector<std::string> listen();
   // It has done its work, and all that it told was heard.
   [[nodiscard]] bool done() const noexcept { return process_ < 0; }
