@@ -161,6 +161,21 @@ TEST(GaitTable, names_the_row_that_was_meant) {
   }
 }
 
+std::vector<std::string> names_of(const std::vector<GaitRow>& rows) {
+  std::vector<std::string> names;
+  for (const GaitRow& row : rows) names.push_back(row.name);
+  return names;
+}
+
+TEST(GaitTable, leaves_out_the_rows_that_it_is_told_to) {
+  const std::vector<std::string> rows{"zmp", "straight", "compute"}, except{"compute", "tiles"};
+  EXPECT_THAT(names_of(chosen_rows(gait_table({}), rows, except)), ElementsAre("straight", "zmp"));
+  EXPECT_EQ(chosen_rows(gait_table({}), {}, except).size(), gait_table({}).size() - 2);
+  EXPECT_THROW(chosen_rows(gait_table({}), except, except), std::invalid_argument) << "nothing is left";
+  const std::vector<std::string> wrong{"compue"};
+  EXPECT_THROW(chosen_rows(gait_table({}), {}, wrong), std::invalid_argument);
+}
+
 TEST(GaitTable, reads_the_step_time_of_the_configuration) {
   const char* const text = "plugins: [{name: trajectory, parameters: {step_time: 0.28 s}}]";
   EXPECT_EQ(step_time_of(core::parse_configuration(text, "walk.yaml")), 0.28);

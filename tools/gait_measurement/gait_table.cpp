@@ -339,24 +339,30 @@ std::vector<GaitRow> gait_table(const GaitTableOptions& options) {
   return table;
 }
 
-std::vector<GaitRow> chosen_rows(std::vector<GaitRow> table, std::span<const std::string> names) {
-  if (names.empty()) {
-    return table;
-  }
+std::vector<GaitRow> chosen_rows(std::vector<GaitRow> table, std::span<const std::string> names,
+                                 std::span<const std::string> except) {
   std::vector<std::string> known;
   known.reserve(table.size());
   for (const GaitRow& row : table) {
     known.push_back(row.name);
   }
-  for (const std::string& name : names) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw std::invalid_argument(
-          fmt::format("--rows: the table has no row '{}'. {}", name, urdf::suggest(name, known)));
+  const auto check = [&known](const char* option, std::span<const std::string> wanted) {
+    for (const std::string& name : wanted) {
+      if (std::ranges::find(known, name) == known.end()) {
+        throw std::invalid_argument(
+            fmt::format("{}: the table has no row '{}'. {}", option, name, urdf::suggest(name, known)));
+      }
     }
-  }
-  std::erase_if(table, [names](const GaitRow& row) {
-    return std::find(names.begin(), names.end(), row.name) == names.end();
+  };
+  check("--rows", names);
+  check("--except", except);
+  std::erase_if(table, [names, except](const GaitRow& row) {
+    const bool named = names.empty() || std::ranges::find(names, row.name) != names.end();
+    return !named || std::ranges::find(except, row.name) != except.end();
   });
+  if (table.empty()) {
+    throw std::invalid_argument("--except: leaves no row to measure. Leave out fewer");
+  }
   return table;
 }
 

@@ -113,7 +113,8 @@ int measure_gait_table(const MeasureGaitOptions& options) {
   const auto started = Clock::now();
   const core::Configuration plugins = core::read_configuration(options.config);
   const std::vector<GaitRow> rows =
-      chosen_rows(gait_table({.step_time_s = step_time_of(plugins), .quick = options.quick}), options.rows);
+      chosen_rows(gait_table({.step_time_s = step_time_of(plugins), .quick = options.quick}), options.rows,
+                  options.except);
   TrialRobot robot = load(options);
   prepare_output(options.out);
   pin_plugins(robot.plugins, robot.plugin_path, options.out / "plugins");
@@ -171,6 +172,7 @@ CLI::App* add_measure_command(CLI::App& app, MeasureOptions& options) {
       ->capture_default_str();
   command->add_option("--jobs", gait.jobs, "Trials side by side (default: one a core)");
   command->add_option("--rows", gait.rows, "Rows of the table, by name; default: all")->delimiter(',');
+  command->add_option("--except", gait.except, "Rows to leave out")->delimiter(',');
   command->add_option("--robot", gait.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
   command->add_option("--config", gait.config, "Plug-ins of the main controller (YAML)")
       ->capture_default_str();
@@ -181,6 +183,7 @@ CLI::App* add_measure_command(CLI::App& app, MeasureOptions& options) {
                   "\nExamples:\n"
                   "  gaitway measure gait --quick\n"
                   "  gaitway measure gait --rows straight,heading --seeds 5\n"
+                  "  gaitway measure gait --quick --except compute\n"
                   "  gaitway measure gait --config without_trims.yaml --out out/without_trims\n"
                   "An interrupted measurement goes on where it was when it is given the same --out.\n"
                   "Exit code: 0 each floor holds with all seeds, 3 one does not, 1 the input was bad.");

@@ -44,9 +44,10 @@ struct GaitTableOptions {
 // All rows in the table's order.
 std::vector<GaitRow> gait_table(const GaitTableOptions& options);
 
-// Those of the given names, in the table's order; all if there are none. Throws std::invalid_argument that
-// names an unknown one and the nearest known.
-std::vector<GaitRow> chosen_rows(std::vector<GaitRow> table, std::span<const std::string> names);
+// Those of the given names, all if there are none, without those of `except`; in the table's order. Throws
+// std::invalid_argument that names an unknown one and the nearest known, or when none is left.
+std::vector<GaitRow> chosen_rows(std::vector<GaitRow> table, std::span<const std::string> names,
+                                 std::span<const std::string> except = {});
 
 // The step period that the configuration's `step_time` asks for; the trajectory plug-in's own default if it
 // does not.

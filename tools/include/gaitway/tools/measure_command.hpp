@@ -19,8 +19,9 @@ struct MeasureGaitOptions {
   std::filesystem::path out = "out/gait";
   std::optional<int> seeds;  // 20, or fewer with --quick
   std::uint64_t first_seed = 1;
-  int jobs = 0;  // 0: all cores
-  std::vector<std::string> rows;
+  int jobs = 0;                     // 0: all cores
+  std::vector<std::string> rows;    // none: all
+  std::vector<std::string> except;  // of these
   bool quick = false;
   bool quiet = false;
 };
