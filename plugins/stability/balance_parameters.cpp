@@ -4,50 +4,55 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <string_view>
 
 namespace gaitway::stability {
 namespace {
 
-void require_range(std::string_view name, double value, double low, double high) {
-  if (!(value >= low && value <= high)) {
-    throw std::invalid_argument(
-        fmt::format("{} is {}, but must be from {} to {}; change it in the plug-in's parameters", name, value,
-                    low, high));
-  }
-}
-
-void require_gain(std::string_view name, const JointGain& gain) {
-  require_range(fmt::format("{} gain", name), gain.angle_rad_per_rad, 0.0, 2.0);
-  require_range(fmt::format("{} rate gain", name), gain.rate_rad_per_rad_per_s, 0.0, 1.0);
-}
+constexpr double kMostGain = 2.0, kMostRateGain_s = 1.0;
 
 }  // namespace
 
+std::vector<BalanceParameters::Number> BalanceParameters::numbers() {
+  return {
+      {ankle_pitch.angle_rad_per_rad, "ankle_pitch", "rad/rad", 0.0, kMostGain},
+      {ankle_pitch.rate_rad_per_rad_per_s, "ankle_pitch_rate", "s", 0.0, kMostRateGain_s},
+      {ankle_roll.angle_rad_per_rad, "ankle_roll", "rad/rad", 0.0, kMostGain},
+      {ankle_roll.rate_rad_per_rad_per_s, "ankle_roll_rate", "s", 0.0, kMostRateGain_s},
+      {hip_pitch.angle_rad_per_rad, "hip_pitch", "rad/rad", 0.0, kMostGain},
+      {hip_pitch.rate_rad_per_rad_per_s, "hip_pitch_rate", "s", 0.0, kMostRateGain_s},
+      {hip_roll.angle_rad_per_rad, "hip_roll", "rad/rad", 0.0, kMostGain},
+      {hip_roll.rate_rad_per_rad_per_s, "hip_roll_rate", "s", 0.0, kMostRateGain_s},
+      {attitude_reference_rad[0], "roll_reference", "rad", -0.3, 0.3},
+      {attitude_reference_rad[1], "pitch_reference", "rad", -0.3, 0.3},
+      {trim_limit_rad, "trim_limit", "rad", 0.0, 0.5},
+      {ramp_s, "ramp", "s", 0.01, 5.0},
+      {standing_after_s, "standing_after", "s", 0.0, 5.0},
+      {fallen_at_rad, "fallen_at", "rad", 0.1, 1.5},
+      {airborne_after_s, "airborne_after", "s", 0.0, 5.0},
+      {estimate_lifetime_s, "estimate_lifetime", "s", 0.02, 1.0},
+      {fall_softness, "fall_softness", "1", 0.0, 1.0},
+      {heading_gain_per_s, "heading_gain", "1/s", 0.0, 5.0},
+      {heading_limit_rad_per_s, "heading_limit", "rad/s", 0.0, 1.0},
+      {heading_filter_s, "heading_filter", "s", 0.0, 5.0},
+      {speed_filter_s, "speed_filter", "s", 0.0, 20.0},
+      {speed_limit_m_per_s, "speed_limit", "m/s", 0.0, 0.5},
+      {lean_gain_per_s, "lean_gain", "1/s", 0.0, 5.0},
+      {walking_lean_gain_per_s, "walking_lean_gain", "1/s", 0.0, 5.0},
+      {lean_limit_rad, "lean_limit", "rad", 0.0, 0.3},
+      {sole_gain_rad_per_m_s, "sole_gain", "rad/(m*s)", 0.0, 20.0},
+      {sole_limit_rad, "sole_limit", "rad", 0.0, 0.2},
+  };
+}
+
 void BalanceParameters::validate() const {
-  require_gain("ankle_pitch", ankle_pitch);
-  require_gain("ankle_roll", ankle_roll);
-  require_gain("hip_pitch", hip_pitch);
-  require_gain("hip_roll", hip_roll);
-  require_range("roll_reference", attitude_reference_rad[0], -0.3, 0.3);
-  require_range("pitch_reference", attitude_reference_rad[1], -0.3, 0.3);
-  require_range("trim_limit", trim_limit_rad, 0.0, 0.5);
-  require_range("ramp", ramp_s, 0.01, 5.0);
-  require_range("standing_after", standing_after_s, 0.0, 5.0);
-  require_range("fallen_at", fallen_at_rad, 0.1, 1.5);
-  require_range("airborne_after", airborne_after_s, 0.0, 5.0);
-  require_range("estimate_lifetime", estimate_lifetime_s, 0.02, 1.0);
-  require_range("fall_softness", fall_softness, 0.0, 1.0);
-  require_range("heading_gain", heading_gain_per_s, 0.0, 5.0);
-  require_range("heading_limit", heading_limit_rad_per_s, 0.0, 1.0);
-  require_range("heading_filter", heading_filter_s, 0.0, 5.0);
-  require_range("speed_filter", speed_filter_s, 0.0, 20.0);
-  require_range("speed_limit", speed_limit_m_per_s, 0.0, 0.5);
-  require_range("lean_gain", lean_gain_per_s, 0.0, 5.0);
-  require_range("walking_lean_gain", walking_lean_gain_per_s, 0.0, 5.0);
-  require_range("lean_limit", lean_limit_rad, 0.0, 0.3);
-  require_range("sole_gain", sole_gain_rad_per_m_s, 0.0, 20.0);
-  require_range("sole_limit", sole_limit_rad, 0.0, 0.2);
+  // A copy, since it gives access to the numbers themselves.
+  for (BalanceParameters copy = *this; const Number& number : copy.numbers()) {
+    if (!(number.value >= number.lowest && number.value <= number.highest)) {
+      throw std::invalid_argument(
+          fmt::format("{} is {} {}, but must be from {} to {}; change it in the plug-in's parameters",
+                      number.name, number.value, number.unit, number.lowest, number.highest));
+    }
+  }
 }
 
 }  // namespace gaitway::stability

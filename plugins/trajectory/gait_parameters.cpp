@@ -69,42 +69,59 @@ int GaitParameters::longest_tail_points() const noexcept {
   return swing_points() + step_points() + settle_points();
 }
 
+std::vector<GaitParameters::Number> GaitParameters::numbers() {
+  return {
+      {com_height_m, "com_height", "m", 0.05, 2.0},
+      {hip_height_m, "hip_height", "m", 0.05, 2.0},
+      {stand_com_forward_m, "stand_com_forward", "m", -0.5, 0.5},
+      {foot_spacing_m, "foot_spacing", "m", 0.01, 1.0},
+      {step_time_s, "step_time", "s", 0.20, 1.0},
+      {double_support_share, "double_support_share", "1", 0.05, 0.6},
+      {lead_in_s, "lead_in", "s", 0.1, 2.0},
+      {settle_s, "settle", "s", 0.2, 1.5},
+      {freeze_share, "freeze_share", "1", 0.0, 0.9},
+      {absorb_s, "absorb", "s", 0.2, 1.0},
+      {lift_m, "lift", "m", 0.0, 0.2},
+      {adjust_threshold_m, "adjust_threshold", "m", 0.0, 1.0},
+      {adjust_side_threshold_m, "adjust_side_threshold", "m", 0.0, 1.0},
+      {adjust_share, "adjust_share", "1", 0.0, 2.0},
+      {adjust_until_share, "adjust_until_share", "1", 0.0, 0.9},
+      {adjust_speed_m_per_s, "adjust_speed", "m/s", 0.0, 2.0},
+      {recover_beyond_m, "recover_beyond", "m", -0.05, 1.0},
+      {recover_lead_in_s, "recover_lead_in", "s", kPointPeriod_s, 2.0},
+      {recover_swing_s, "recover_swing", "s", 0.10, 1.0},
+      {recover_step_m, "recover_step", "m", 0.0, 1.0},
+      {response_lag_s, "response_lag", "s", 0.0, 0.1},
+      {zmp_forward_m, "zmp_forward", "m", -0.5, 0.5},
+      {zmp_inward_m, "zmp_inward", "m", -0.5, 0.5},
+      {fast_hip_height_m, "fast_hip_height", "m", 0.05, 2.0},
+      {slow_speed_m_per_s, "slow_speed", "m/s", 0.0, 2.0},
+      {fast_speed_m_per_s, "fast_speed", "m/s", 0.01, 3.0},
+      {swing_moment_s2, "swing_moment", "s^2", 0.0, 0.05},
+      {max_step_forward_m, "max_step_forward", "m", 0.0, 1.0},
+      {max_step_backward_m, "max_step_backward", "m", 0.0, 1.0},
+      {max_foot_spacing_m, "max_foot_spacing", "m", 0.01, 1.0},
+      {min_sole_gap_m, "min_sole_gap", "m", 0.0, 0.1},
+      {max_step_turn_rad, "max_step_turn", "rad", 0.0, 0.7},
+      {forward_acceleration_m_per_s2, "forward_acceleration", "m/s^2", 1e-3, 10.0},
+      {lateral_acceleration_m_per_s2, "lateral_acceleration", "m/s^2", 1e-3, 10.0},
+      {turn_acceleration_rad_per_s2, "turn_acceleration", "rad/s^2", 1e-3, 50.0},
+      {preview_s, "preview", "s", 0.5, kMostPreviewPoints * kPointPeriod_s},
+      {zmp_error_weight, "zmp_error_weight", "1", 1e-6, 1e6},
+      {jerk_weight, "jerk_weight", "1", 1e-12, 1.0},
+  };
+}
+
 void GaitParameters::validate() const {
-  require_within(com_height_m, 0.05, 2.0, "com_height", "m");
-  require_within(hip_height_m, 0.05, 2.0, "hip_height", "m");
-  require_within(fast_hip_height_m, 0.05, hip_height_m, "fast_hip_height", "m");
-  require_within(slow_speed_m_per_s, 0.0, 2.0, "slow_speed", "m/s");
-  require_within(fast_speed_m_per_s, slow_speed_m_per_s + 0.01, 3.0, "fast_speed", "m/s");
-  require_within(swing_moment_s2, 0.0, 0.05, "swing_moment", "s^2");
-  require_within(step_time_s, 0.20, 1.0, "step_time", "s");
-  require_within(double_support_share, 0.05, 0.6, "double_support_share", "1");
-  require_within(lead_in_s, 0.1, 2.0, "lead_in", "s");
-  require_within(settle_s, 0.2, 1.5, "settle", "s");
-  require_within(freeze_share, 0.0, 0.9, "freeze_share", "1");
-  require_within(absorb_s, 0.2, 1.0, "absorb", "s");
-  require_within(adjust_threshold_m, 0.0, 1.0, "adjust_threshold", "m");
-  require_within(adjust_side_threshold_m, 0.0, 1.0, "adjust_side_threshold", "m");
-  require_within(adjust_share, 0.0, 2.0, "adjust_share", "1");
-  require_within(adjust_until_share, 0.0, 0.9, "adjust_until_share", "1");
-  require_within(adjust_speed_m_per_s, 0.0, 2.0, "adjust_speed", "m/s");
-  require_within(recover_beyond_m, -0.05, 1.0, "recover_beyond", "m");
-  require_within(recover_lead_in_s, kPointPeriod_s, 2.0, "recover_lead_in", "s");
-  require_within(recover_swing_s, 0.10, 1.0, "recover_swing", "s");
-  require_within(recover_step_m, 0.0, 1.0, "recover_step", "m");
-  require_within(response_lag_s, 0.0, 0.1, "response_lag", "s");
-  require_within(lift_m, 0.0, 0.2, "lift", "m");
-  require_within(preview_s, 0.5, kMostPreviewPoints * kPointPeriod_s, "preview", "s");
-  require_within(zmp_error_weight, 1e-6, 1e6, "zmp_error_weight", "1");
-  require_within(jerk_weight, 1e-12, 1.0, "jerk_weight", "1");
+  // A copy, since it gives access to the numbers themselves.
+  for (GaitParameters copy = *this; const Number& number : copy.numbers()) {
+    require_within(number.value, number.lowest, number.highest, number.name, number.unit);
+  }
   require_within(sole.length_m, 0.01, 1.0, "sole_length", "m");
   require_within(sole.width_m, 0.01, 1.0, "sole_width", "m");
-  require_within(min_sole_gap_m, 0.0, 0.1, "min_sole_gap", "m");
-  require_within(max_step_forward_m, 0.0, 1.0, "max_step_forward", "m");
-  require_within(max_step_backward_m, 0.0, 1.0, "max_step_backward", "m");
-  require_within(max_step_turn_rad, 0.0, 0.7, "max_step_turn", "rad");
-  require_within(forward_acceleration_m_per_s2, 1e-3, 10.0, "forward_acceleration", "m/s^2");
-  require_within(lateral_acceleration_m_per_s2, 1e-3, 10.0, "lateral_acceleration", "m/s^2");
-  require_within(turn_acceleration_rad_per_s2, 1e-3, 50.0, "turn_acceleration", "rad/s^2");
+  require(fast_hip_height_m <= hip_height_m, "fast_hip_height", fast_hip_height_m, "m", "at most hip_height");
+  require(fast_speed_m_per_s >= slow_speed_m_per_s + 0.01, "fast_speed", fast_speed_m_per_s, "m/s",
+          "at least 0.01 m/s above slow_speed");
   require(foot_spacing_m >= sole.width_m + min_sole_gap_m, "foot_spacing", foot_spacing_m, "m",
           "at least sole_width + min_sole_gap");
   require(max_foot_spacing_m >= foot_spacing_m, "max_foot_spacing", max_foot_spacing_m, "m",

@@ -25,47 +25,10 @@ namespace {
 GaitParameters configured(Setup& setup) {
   const urdf::RobotModel robot = urdf::load_robot(setup.robot_directory());
   GaitParameters p = with_standing_posture({}, robot);
-  const auto set = [&setup](double& value, const char* name, const char* unit) {
-    value = setup.parameter(name, value, unit);
-  };
-  set(p.com_height_m, "com_height", "m");
-  set(p.hip_height_m, "hip_height", "m");
-  set(p.stand_com_forward_m, "stand_com_forward", "m");
-  set(p.foot_spacing_m, "foot_spacing", "m");
-  set(p.step_time_s, "step_time", "s");
-  set(p.double_support_share, "double_support_share", "1");
-  set(p.lead_in_s, "lead_in", "s");
-  set(p.settle_s, "settle", "s");
-  set(p.freeze_share, "freeze_share", "1");
-  set(p.absorb_s, "absorb", "s");
-  set(p.lift_m, "lift", "m");
-  set(p.adjust_threshold_m, "adjust_threshold", "m");
-  set(p.adjust_side_threshold_m, "adjust_side_threshold", "m");
-  set(p.adjust_share, "adjust_share", "1");
-  set(p.adjust_until_share, "adjust_until_share", "1");
-  set(p.adjust_speed_m_per_s, "adjust_speed", "m/s");
-  set(p.recover_beyond_m, "recover_beyond", "m");
-  set(p.recover_lead_in_s, "recover_lead_in", "s");
-  set(p.recover_swing_s, "recover_swing", "s");
-  set(p.recover_step_m, "recover_step", "m");
-  set(p.response_lag_s, "response_lag", "s");
-  set(p.zmp_forward_m, "zmp_forward", "m");
-  set(p.zmp_inward_m, "zmp_inward", "m");
-  set(p.fast_hip_height_m, "fast_hip_height", "m");
-  set(p.slow_speed_m_per_s, "slow_speed", "m/s");
-  set(p.fast_speed_m_per_s, "fast_speed", "m/s");
-  set(p.swing_moment_s2, "swing_moment", "s^2");
-  set(p.max_step_forward_m, "max_step_forward", "m");
-  set(p.max_step_backward_m, "max_step_backward", "m");
-  set(p.max_foot_spacing_m, "max_foot_spacing", "m");
-  set(p.min_sole_gap_m, "min_sole_gap", "m");
-  set(p.max_step_turn_rad, "max_step_turn", "rad");
-  set(p.forward_acceleration_m_per_s2, "forward_acceleration", "m/s^2");
-  set(p.lateral_acceleration_m_per_s2, "lateral_acceleration", "m/s^2");
-  set(p.turn_acceleration_rad_per_s2, "turn_acceleration", "rad/s^2");
-  set(p.preview_s, "preview", "s");
-  set(p.zmp_error_weight, "zmp_error_weight", "1");
-  set(p.jerk_weight, "jerk_weight", "1");
+  for (const GaitParameters::Number& number : p.numbers()) {
+    number.value =
+        setup.parameter(number.name, number.value, number.unit, {number.lowest, number.highest, ""});
+  }
   p.validate();
   require_reachable(p, robot);
   return p;

@@ -216,7 +216,7 @@ TEST(BalanceParametersTest, BadValuesAreRefusedByName) {
     BalanceController controller(humanoid(), parameters);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("ankle_pitch gain is -0.25"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("ankle_pitch is -0.25"), std::string::npos) << error.what();
   }
 }
 

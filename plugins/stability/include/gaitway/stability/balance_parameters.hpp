@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 namespace gaitway::stability {
 
@@ -45,6 +46,15 @@ struct BalanceParameters {
   // Soles, through constant trims of the ankles.
   double sole_gain_rad_per_m_s = 3.0;  // of what a centre of pressure is beside its place; 0: off
   double sole_limit_rad = 0.04;
+
+  // A number as the configuration has it, and what it may be.
+  struct Number {
+    double& value;
+    const char* name;
+    const char* unit;
+    double lowest, highest;
+  };
+  [[nodiscard]] std::vector<Number> numbers();
 
   // Throws std::invalid_argument naming parameter, value, rule and remedy.
   void validate() const;

@@ -1,6 +1,8 @@
 // Every number of the walking pattern, with its unit, and the rules that these numbers must keep.
 #pragma once
 
+#include <vector>
+
 namespace gaitway::trajectory {
 
 inline constexpr double kPointPeriod_s = 0.010;  // time between two points of a plan
@@ -92,6 +94,16 @@ struct GaitParameters {
   [[nodiscard]] double hip_height_at_m(double forward_m_per_s) const noexcept;
   // Points of the longest safe tail: a swing just begun, the closing step, the settling.
   [[nodiscard]] int longest_tail_points() const noexcept;
+
+  // A number as the configuration has it, and what it may be whatever the others are.
+  struct Number {
+    double& value;
+    const char* name;
+    const char* unit;
+    double lowest, highest;
+  };
+  // All but the sole, which is the robot's.
+  [[nodiscard]] std::vector<Number> numbers();
 
   // Throws std::invalid_argument naming the parameter, its value, the rule and the remedy.
   void validate() const;
