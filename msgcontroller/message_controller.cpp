@@ -27,15 +27,6 @@ constexpr std::uint32_t kSilentSlots = 2;
 // A leg whose joint has been silent for so long cannot be relied on: the robot stops.
 constexpr std::uint32_t kSilentSlotsOfALeg = 10;
 
-std::vector<can::NodeId> joint_nodes(const urdf::RobotModel& robot, const can::Profile& profile) {
-  std::vector<can::NodeId> nodes;
-  nodes.reserve(robot.joints.size());
-  for (const urdf::Joint& joint : robot.joints) {
-    nodes.push_back(is_on_bus(profile, joint) ? joint.node : can::NodeId{0});
-  }
-  return nodes;
-}
-
 std::uint32_t least_urgent_feedback(const can::Profile& profile, const std::vector<can::NodeId>& nodes) {
   const can::NodeId last_node =
       nodes.empty() ? can::NodeId{0} : *std::max_element(nodes.begin(), nodes.end());

@@ -123,6 +123,15 @@ Profile network_profile(const urdf::RobotModel& robot) {
   return profile;
 }
 
+std::vector<can::NodeId> joint_nodes(const urdf::RobotModel& robot, const can::Profile& profile) {
+  std::vector<can::NodeId> nodes;
+  nodes.reserve(robot.joints.size());
+  for (const urdf::Joint& joint : robot.joints) {
+    nodes.push_back(is_on_bus(profile, joint) ? joint.node : can::NodeId{0});
+  }
+  return nodes;
+}
+
 std::vector<can::NodeId> nodes_on_bus(const Profile& profile, const urdf::RobotModel& robot) {
   std::vector<can::NodeId> nodes;
   for (const urdf::Joint& joint : robot.joints) {

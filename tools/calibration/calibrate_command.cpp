@@ -11,6 +11,7 @@
 
 #include "gaitway/calibration/calibration_report.hpp"
 #include "gaitway/calibration/measurement_file.hpp"
+#include "gaitway/calibration/standing_log.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/process/installation.hpp"
@@ -26,8 +27,10 @@ void require(bool holds, const std::string& what) {
 }
 
 void check(const CalibrateOptions& o) {
-  require(o.simulate != !o.measurements.empty(),
-          "calibrate: give either --simulate or --measurements FILE, and not both");
+  const int sources = int{o.simulate} + int{!o.measurements.empty()} + int{!o.bus_log.empty()};
+  require(
+      sources == 1,
+      "calibrate: give either --simulate or --measurements FILE or --bus-log FILE, and one of them alone");
   require(o.mismatch >= 0.0 && o.mismatch <= 10.0,
           fmt::format("--mismatch {}: must lie between 0 and 10", o.mismatch));
   require(o.seeds >= 1 && o.seeds <= kMostSeeds,
@@ -46,7 +49,7 @@ void check(const CalibrateOptions& o) {
           fmt::format("--weighed-deviation-kg {}: must be above 0, at most 100", o.weighed_deviation_kg));
   require(!(o.simulate && o.weighed_kg),
           "--weighed-kg: the simulated robot is weighed by itself. Leave it out");
-  require(o.simulate || o.record.empty(),
+  require(o.measurements.empty() || o.record.empty(),
           "--record: the measurements come from a file already. Leave it out");
   require(o.seeds == 1 || (o.out.empty() && o.record.empty()),
           "--out, --record: these are of one robot. Leave --seeds out");
@@ -138,24 +141,47 @@ int from_simulation(const CalibrateOptions& options, const urdf::RobotModel& rob
   return finish(options, robot, last->calibration, &last->truth);
 }
 
-int from_file(const CalibrateOptions& options, const urdf::RobotModel& robot) {
-  const MeasurementFile measured = read_measurements(options.measurements, robot);
+// Of a robot that is not simulated here; `file` is where they come from.
+int from_measurements(const CalibrateOptions& options, const urdf::RobotModel& robot,
+                      const MeasurementFile& measured, const std::filesystem::path& file) {
   CalibrationSettings settings;
   settings.weighing = measured.weighing;
   if (options.weighed_kg) settings.weighing = Weighing{*options.weighed_kg, options.weighed_deviation_kg};
   if (options.play_deg > 0.0) allow_play(options.play_deg * kDegree_rad, settings.standing);
   settings.standing.floor_tilt_rad = options.floor_deg * kDegree_rad;
+  if (!options.record.empty()) {
+    process::write_text_file(options.record, measurement_text({settings.weighing, measured.poses}, robot));
+  }
   try {
     return finish(options, robot, calibrate(robot, measured.poses, settings), nullptr);
   } catch (const CalibrationError& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", options.measurements.string(), error.what()));
+    throw std::invalid_argument(fmt::format("{}: {}", file.string(), error.what()));
   }
+}
+
+// The joints of the log had the calibration that lies in the robot's folder, if one does.
+int from_bus_log(const CalibrateOptions& options, const urdf::RobotModel& robot) {
+  std::vector<double> zero_in_use_rad;
+  for (const urdf::Joint& joint : urdf::load_robot(options.robot).joints) {
+    zero_in_use_rad.push_back(joint.encoder_zero_rad);
+  }
+  MeasurementFile measured;
+  try {
+    measured.poses =
+        standing_poses(robot, zero_in_use_rad, can::read_candump_log(options.bus_log), options.measure_s);
+  } catch (const StandingLogError& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", options.bus_log.string(), error.what()));
+  }
+  if (!options.quiet) fmt::print("{} poses in {}\n", measured.poses.size(), options.bus_log.string());
+  return from_measurements(options, robot, measured, options.bus_log);
 }
 
 void add_inputs(CLI::App& command, CalibrateOptions& options) {
   command.add_flag("--simulate", options.simulate,
                    "The simulated robot takes the poses; what is true stands beside what is found");
   command.add_option("--measurements", options.measurements, "Measured poses of a robot (YAML)");
+  command.add_option("--bus-log", options.bus_log,
+                     "Log of a robot's bus (candump -L, or bus.log of a run) while it took the poses");
   command.add_option("--robot", options.robot, "Folder of the robot's description")->capture_default_str();
   command.add_option("--weighed-kg", options.weighed_kg,
                      "What the robot weighs, if the file does not say it");
@@ -167,6 +193,11 @@ void add_inputs(CLI::App& command, CalibrateOptions& options) {
       .add_option("--floor-deg", options.floor_deg,
                   "How far the floor may lean (standard deviation; with --measurements)")
       ->capture_default_str();
+  command
+      .add_option("--measure-s", options.measure_s, "How long each pose is measured, at the end of its hold")
+      ->capture_default_str();
+  command.add_option("--record", options.record,
+                     "File for the measurements (of the last round), as --measurements reads them");
   command.add_option("--out", options.out, "File for the calibration, such as calibration.yaml");
   command.add_flag("--quiet", options.quiet, "No progress and no table");
 }
@@ -189,14 +220,6 @@ void add_simulation(CLI::App& command, CalibrateOptions& options) {
                   "How often the poses are taken at most, with the zeros found before")
       ->capture_default_str()
       ->group("Simulation");
-  command
-      .add_option("--measure-s", options.measure_s, "How long each pose is measured, at the end of its hold")
-      ->capture_default_str()
-      ->group("Simulation");
-  command
-      .add_option("--record", options.record,
-                  "File for the last round's measurements, as --measurements reads them")
-      ->group("Simulation");
 }
 
 }  // namespace
@@ -212,6 +235,7 @@ CLI::App* add_calibrate_command(CLI::App& app, CalibrateOptions& options) {
       "Examples:\n"
       "  gaitway calibrate --simulate --seed 3 --out calibration.yaml\n"
       "  gaitway calibrate --simulate --seeds 20\n"
+      "  gaitway calibrate --bus-log out/serve/bus.log --weighed-kg 6.87 --out calibration.yaml\n"
       "  gaitway calibrate --measurements standing.yaml --weighed-kg 6.87 --out calibration.yaml\n"
       "Exit code: 0 found, 3 the measurements do not fit the robot, 1 the input was bad.");
   return command;
@@ -220,7 +244,10 @@ CLI::App* add_calibrate_command(CLI::App& app, CalibrateOptions& options) {
 int calibrate_command(const CalibrateOptions& options) {
   check(options);
   const urdf::RobotModel robot = urdf::load_robot(options.robot, urdf::CalibrationUse::left_out);
-  return options.simulate ? from_simulation(options, robot) : from_file(options, robot);
+  if (options.simulate) return from_simulation(options, robot);
+  if (!options.bus_log.empty()) return from_bus_log(options, robot);
+  return from_measurements(options, robot, read_measurements(options.measurements, robot),
+                           options.measurements);
 }
 
 }  // namespace gaitway::calibration

@@ -6,96 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "standing_reading.hpp"
+
 namespace gaitway::calibration {
 namespace {
 
 constexpr double kZeroBlend_s = 0.5;
-constexpr int kBlocks = 10;
 // Ankles' speed for each metre between where the two soles press.
 constexpr double kRelaxing_rad_per_s_m = 0.7;
 constexpr double kMostRelaxed_rad = 0.06;
 constexpr double kLoaded_N = 5.0;
 
-// Mean of many samples, and its deviation from the means of some blocks of them: neighbouring samples may be
-// alike.
-class BlockMean {
- public:
-  explicit BlockMean(int samples) : block_size_(std::max(1, samples / kBlocks)) {}
-
-  void add(double sample) {
-    const auto block = static_cast<std::size_t>(std::min(count_++ / block_size_, kBlocks - 1));
-    sums_[block] += sample;
-    ++sizes_[block];
-  }
-  [[nodiscard]] double mean() const {
-    double sum = 0.0;
-    for (const double block : sums_) sum += block;
-    return sum / count_;
-  }
-  [[nodiscard]] double deviation() const {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < sums_.size(); ++i) {
-      const double off = sums_[i] / sizes_[i] - mean();
-      squares += off * off;
-    }
-    return std::sqrt(squares / (kBlocks - 1) / kBlocks);
-  }
-
- private:
-  int block_size_, count_ = 0;
-  std::array<double, kBlocks> sums_{};
-  std::array<int, kBlocks> sizes_{};
-};
-
 }  // namespace
-
-// All sensors while the robot stands in one pose.
-class PosePerformer::Reading {
- public:
-  Reading(const urdf::RobotModel& robot, int samples)
-      : robot_(robot), channels_(robot.joints.size() + kOthers, BlockMean(samples)) {}
-
-  void take(const simulator::PlantSensors& sensors) {
-    std::size_t next = 0;
-    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
-      channels_[next++].add(sensors.encoder_count[j] * robot_.joints[j].encoder_count_rad);
-    }
-    for (const double value : sensors.acceleration_m_per_s2) channels_[next++].add(value);
-    for (const double value : sensors.inclination_rad) channels_[next++].add(value);
-    for (const auto& foot : sensors.force_N) {
-      for (const double value : foot) channels_[next++].add(value);
-    }
-  }
-
-  [[nodiscard]] StandingMeasurement result() const {
-    StandingMeasurement result;
-    std::size_t next = 0;
-    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
-      result.joint_rad.push_back(channels_[next++].mean());
-    }
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      result.specific_force_m_per_s2[axis] = channels_[next].mean();
-      result.specific_force_deviation_m_per_s2[axis] = channels_[next++].deviation();
-    }
-    result.inclination_rad.emplace();
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      (*result.inclination_rad)[axis] = channels_[next].mean();
-      result.inclination_deviation_rad[axis] = channels_[next++].deviation();
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-      for (std::size_t cell = 0; cell < kCells; ++cell) {
-        result.force_N[side][cell] = channels_[next].mean();
-        result.force_deviation_N[side][cell] = channels_[next++].deviation();
-      }
-    }
-    return result;
-  }
-
- private:
-  static constexpr std::size_t kOthers = 3 + 2 + 2 * kCells;
-  const urdf::RobotModel& robot_;
-  std::vector<BlockMean> channels_;
-};
 
 PosePerformer::PosePerformer(const urdf::RobotModel& robot, simulator::Plant& plant, double measured_s)
     : robot_(robot),
@@ -110,7 +32,16 @@ PosePerformer::PosePerformer(const urdf::RobotModel& robot, simulator::Plant& pl
   }
 }
 
-void PosePerformer::play_point(std::span<const double> from, std::span<const double> to, Reading* reading) {
+void PosePerformer::take(const simulator::PlantSensors& sensors, StandingReading& reading) const {
+  std::vector<double> joint_rad(robot_.joints.size());
+  for (std::size_t j = 0; j < joint_rad.size(); ++j) {
+    joint_rad[j] = sensors.encoder_count[j] * robot_.joints[j].encoder_count_rad;
+  }
+  reading.take(joint_rad, sensors.acceleration_m_per_s2, sensors.inclination_rad, sensors.force_N);
+}
+
+void PosePerformer::play_point(std::span<const double> from, std::span<const double> to,
+                               StandingReading* reading) {
   const int steps = static_cast<int>(std::lround(motion::kPointTime_s / robot_.physics_step_s));
   std::vector<double> torque_Nm(robot_.joints.size());
   moment_Nm_.fill(Eigen::Vector2d::Zero());
@@ -125,7 +56,7 @@ void PosePerformer::play_point(std::span<const double> from, std::span<const dou
                           (to[j] - from[j]) / motion::kPointTime_s, measured_rad, robot_.physics_step_s);
     }
     plant_.step(torque_Nm);
-    if (reading != nullptr) reading->take(plant_.sensors());
+    if (reading != nullptr) take(plant_.sensors(), *reading);
     for (std::size_t side = 0; side < 2; ++side) {
       const urdf::Foot& foot = robot_.feet[side];
       for (std::size_t cell = 0; cell < kCells; ++cell) {
@@ -180,7 +111,7 @@ std::vector<StandingMeasurement> PosePerformer::perform(
   for (const motion::KeyTime& key : plan.keys) {
     const bool is_pose = key.left - key.reached >= measured;
     const std::size_t begin = is_pose ? key.left - measured : key.left;
-    Reading reading(robot_, samples);
+    StandingReading reading(robot_.joints.size(), samples);
     for (; point < key.left; ++point) {
       if (plan.contact[point] != motion::Contact::both)
         placement_ += plan.contact[point - 1] == motion::Contact::both;

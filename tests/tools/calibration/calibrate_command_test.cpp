@@ -77,13 +77,17 @@ TEST_F(CalibrateCommand, what_it_recorded_gives_the_calibration_that_it_found) {
 
 TEST_F(CalibrateCommand, refuses_bad_input) {
   expect_refused("", "either --simulate or --measurements");
-  expect_refused("--simulate --measurements x.yaml", "not both");
+  expect_refused("--simulate --measurements x.yaml", "one of them alone");
   expect_refused("--simulate --mismatch -1", "between 0 and 10");
   expect_refused("--simulate --rounds 0", "between 1 and 10");
   expect_refused("--simulate --measure-s 100", "between 0.1 and 60");
   expect_refused("--simulate --measure-s 5", "no pose is held");
   expect_refused("--simulate --seeds 3 --out x.yaml", "of one robot");
   expect_refused("--measurements /nowhere.yaml", "/nowhere.yaml");
+  expect_refused("--bus-log /nowhere.log", "/nowhere.log");
+  expect_refused("--bus-log x --simulate", "one of them alone");
+  std::ofstream(file("silent.log")) << "(0.000075) can0 008#000000\n";
+  expect_refused("--bus-log " + file("silent.log"), "in 0 poses");
   expect_refused("--simulat", "--simulate");
 }
 

@@ -17,6 +17,9 @@ namespace gaitway::msgcontroller {
 [[nodiscard]] inline bool is_on_bus(const can::Profile& profile, const urdf::Joint& joint) noexcept {
   return joint.node <= profile.largest_node;
 }
+// The node of each joint; 0: it is not on the bus.
+[[nodiscard]] std::vector<can::NodeId> joint_nodes(const urdf::RobotModel& robot,
+                                                   const can::Profile& profile);
 // The nodes on the bus, in the order of the joints.
 [[nodiscard]] std::vector<can::NodeId> nodes_on_bus(const can::Profile& profile,
                                                     const urdf::RobotModel& robot);

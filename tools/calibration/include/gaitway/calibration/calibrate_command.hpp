@@ -15,7 +15,7 @@ inline constexpr int kExitMisfit = 3;  // the measurements do not fit the robot
 
 struct CalibrateOptions {
   bool simulate = false;
-  std::filesystem::path measurements;  // empty: none
+  std::filesystem::path measurements, bus_log;  // empty: none
   std::filesystem::path robot, poses;
   std::uint64_t seed = 1;
   int seeds = 1, rounds = 4;

@@ -14,6 +14,8 @@
 
 namespace gaitway::calibration {
 
+class StandingReading;
+
 class PerformanceError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -31,9 +33,9 @@ class PosePerformer {
       const std::function<void(const std::string&)>& progress = {});
 
  private:
-  class Reading;
   // The servos' references go straight from one row to the other in a point's time.
-  void play_point(std::span<const double> from, std::span<const double> to, Reading* reading);
+  void play_point(std::span<const double> from, std::span<const double> to, StandingReading* reading);
+  void take(const simulator::PlantSensors& sensors, StandingReading& reading) const;
   // Turns the ankles against each other until both soles press alike: legs with wrong zeros else stand on the
   // edges of their soles. The body does not move by it.
   void relax_ankles();
