@@ -156,10 +156,10 @@ std::vector<StandingMeasurement> standing_poses(const urdf::RobotModel& robot,
     poses.push_back(std::move(pose));
   }
   if (poses.size() < kFewestPoses) {
-    throw StandingLogError(
-        fmt::format("in {:.1f} s the robot stands still for {:g} s in {} poses, but it takes {} at least. Log "
-                    "the bus while it takes the poses, as docs/calibration.md says",
-                    static_cast<double>(samples.size()) * kSlot_s, measured_s, poses.size(), kFewestPoses));
+    throw StandingLogError(fmt::format(
+        "in {:.1f} s the robot stands still for {:g} s in {} poses, but it takes {} at least. Log "
+        "the bus while it takes the poses, as docs/calibration.md says",
+        static_cast<double>(samples.size()) * kSlot_s, measured_s, poses.size(), kFewestPoses));
   }
   return poses;
 }

@@ -35,8 +35,7 @@ class StandingReading {
 
   // Encoders without calibration; specific force and inclination (roll, pitch) of the trunk; [Side][cell].
   void take(std::span<const double> joint_rad, const Eigen::Vector3d& specific_force_m_per_s2,
-            const Eigen::Vector2d& inclination_rad,
-            const std::array<std::array<double, kCells>, 2>& force_N);
+            const Eigen::Vector2d& inclination_rad, const std::array<std::array<double, kCells>, 2>& force_N);
   // Name, feet and placement are left as they are in a new one.
   [[nodiscard]] StandingMeasurement result() const;
 
