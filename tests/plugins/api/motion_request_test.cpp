@@ -93,7 +93,8 @@ TEST_F(MotionRequestTest, IsRefusedWithWhatThereIs) {
   run_for(0.3);
   ASSERT_EQ(answers_.size(), 1U);
   EXPECT_EQ(answers_[0]["values"]["success"], false);
-  EXPECT_THAT(answers_[0]["values"]["message"], HasSubstr("there is: bow, get_up_front, kick, squat, wave"));
+  EXPECT_THAT(answers_[0]["values"]["message"],
+              HasSubstr("there is: bow, get_up_back, get_up_front, kick, squat, wave"));
 }
 
 TEST_F(MotionRequestTest, OfTwoAtOnceTheSecondIsPlayedAndBothAreAnswered) {
