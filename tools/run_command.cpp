@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <variant>
 
 #include "gaitway/core/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
@@ -119,7 +120,14 @@ class Snapshots {
   std::vector<std::vector<double>> poses_;
 };
 
-// Runs the scenario to its end, or to a second after a fall; returns the wall time that it took.
+bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
+  return std::any_of(scenario.events.begin(), scenario.events.end(), [fell_at_s](const auto& event) {
+    return event.at_s > fell_at_s && std::holds_alternative<simulator::MotionEvent>(event.action);
+  });
+}
+
+// Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot; returns the
+// wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
                 RunRecorder& recorder, Snapshots& snapshots, const Progress& progress) {
   const auto started = Clock::now();
@@ -134,7 +142,8 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
     }
     cosimulation.advance_millisecond();
     snapshots.look(cosimulation.plant());
-    if (recorder.metrics().fell && last_ns == end_ns) {
+    if (const RunMetrics& metrics = recorder.metrics();
+        metrics.fell && last_ns == end_ns && !gets_up_after(scenario, metrics.fell_at_s)) {
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
     }
     if (cosimulation.now_ns() % 100'000'000 == 0) {

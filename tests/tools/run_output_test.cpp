@@ -126,5 +126,18 @@ TEST_F(RunOutput, AFallIsToldByTheExitCodeAndTheSummary) {
   EXPECT_GT(summary()["fell_at_s"], 1.0);
 }
 
+TEST_F(RunOutput, EndsASecondAfterAFallUnlessAMotionIsToLiftTheRobot) {
+  const std::filesystem::path scenario = folder_ / "fall.yaml";
+  const std::string fall =
+      "seconds: 5\nevents:\n"
+      "  - {at_s: 0.5, push: {body: trunk, direction: [1, 0, 0], impulse_Ns: 8.0, duration_s: 0.1}}\n";
+  std::ofstream(scenario) << fall;
+  EXPECT_EQ(run("--no-pictures --scenario '" + scenario.string() + "'"), 2);
+  EXPECT_LT(summary()["virtual_seconds"], 3.0);
+  std::ofstream(scenario) << fall << "  - {at_s: 3.0, motion: get_up_front}\n";
+  EXPECT_EQ(run("--no-pictures --scenario '" + scenario.string() + "'"), 2);
+  EXPECT_EQ(summary()["virtual_seconds"], 5.0);
+}
+
 }  // namespace
 }  // namespace gaitway::tools

@@ -192,11 +192,11 @@ std::vector<Trial> Pool::unknown_trials(const Unit& unit) const {
 
 void Pool::add(const Unit& unit, const Trial& trial, const TrialOutcome& outcome, SeedResult& result) {
   const GaitRow& row = unit.row->row;
-  if (row.has_levels()) {
-    result.passed = row.passes(outcome, trial, unit.row->search.levels()[unit.level]);
-  } else {
+  if (row.has_figure()) {
     result.figure = std::max(result.figure, row.figure(outcome, trial));
     result.passed = result.figure <= row.floor;
+  } else {
+    result.passed = row.passes(outcome, trial, unit.row->search.levels()[unit.level]);
   }
   result.trials.push_back(trial);
   result.outcomes.push_back(outcome);
@@ -204,7 +204,7 @@ void Pool::add(const Unit& unit, const Trial& trial, const TrialOutcome& outcome
 
 bool Pool::ends(const Unit& unit, const Trial& trial, const TrialOutcome& outcome) {
   const GaitRow& row = unit.row->row;
-  return row.has_levels() && !row.passes(outcome, trial, unit.row->search.levels()[unit.level]);
+  return !row.has_figure() && !row.passes(outcome, trial, unit.row->search.levels()[unit.level]);
 }
 
 void Pool::note(LevelRun& run, const Unit& unit, SeedResult result) {
@@ -348,8 +348,10 @@ RowResult result_of(RowRun& run) {
   if (run.row.has_levels()) {
     result.limit = run.search.limit();
     result.open_ended = run.search.open_ended();
-  } else {
+  } else if (run.row.has_figure()) {
     result.limit = kept_figure(result.levels.front().seeds);
+  } else {
+    result.limit = static_cast<double>(result.floor_passed) / result.seeds;
   }
   return result;
 }

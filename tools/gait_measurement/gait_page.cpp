@@ -121,7 +121,7 @@ std::string heading_plot(const RowResult& result) {
   return plot.svg();
 }
 
-// Rows without levels: a bar for each seed.
+// Rows with a figure: a bar for each seed.
 std::string figure_plot(const RowResult& result) {
   const GaitRow& row = result.row;
   const std::vector<SeedResult>& seeds = result.levels.front().seeds;
@@ -150,6 +150,15 @@ std::string figure_plot(const RowResult& result) {
       Eigen::Vector2d(static_cast<double>(seeds.front().seed) + count - 0.5, row.floor * row.shown_scale)};
   plot.line(floor, "#555", "floor");
   return plot.svg();
+}
+
+// Rows whose seeds pass or do not.
+std::string failed_seeds(const RowResult& result) {
+  std::string failed;
+  for (const SeedResult& seed : result.levels.front().seeds) {
+    failed += seed.passed ? "" : fmt::format(" {}", seed.seed);
+  }
+  return fmt::format("<p>Seeds that fail:{}</p>\n", failed.empty() ? " none" : failed);
 }
 
 // Levels over seeds that passed them.
@@ -189,8 +198,10 @@ std::string pictures_of(const RowResult& result) {
   std::string html = fmt::format("<h2>{}</h2>\n", escape_html(result.row.measure));
   if (result.row.has_levels()) {
     html += survival_plot(result);
-  } else {
+  } else if (result.row.has_figure()) {
     html += figure_plot(result);
+  } else {
+    html += failed_seeds(result);
   }
   switch (result.row.picture) {
     case GaitRow::Picture::speeds:

@@ -53,6 +53,11 @@ bool is_no_false_alarm(const TrialOutcome& outcome, const Trial&, double) {
   return !outcome.fall || !outcome.fall->told_s || outcome.fell;
 }
 
+// It lay, and stands at the end of the trial, in time.
+bool has_risen(const TrialOutcome& outcome, const Trial& trial, double) {
+  return outcome.fell && outcome.stands_since_s && *outcome.stands_since_s <= trial.rise->at_s + kRise_s;
+}
+
 double speed_error(const TrialOutcome& outcome, const Trial& trial) {
   return outcome.fell ? kFailed : std::abs(held_share(outcome, trial) - 1.0);
 }
@@ -285,6 +290,21 @@ void add_fall_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
   table.push_back(std::move(alarms));
 }
 
+void add_rise_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
+  const auto rises = [&](const std::string& motion, const char* from, double direction_rad) {
+    GaitRow row = named_row(motion, fmt::format("gets up from the {} within {:.0f} s", from, kRise_s),
+                            "% of the seeds", 0.9, 1.0);
+    row.shown_scale = 100.0;
+    row.trials = [=](std::uint64_t seed, double) {
+      return Trials{get_up(frame, seed, direction_rad, motion)};
+    };
+    row.passes = has_risen;
+    table.push_back(std::move(row));
+  };
+  rises("get_up_front", "front", 0.0);
+  rises("get_up_back", "back", std::numbers::pi);
+}
+
 void add_figure_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
   GaitRow zmp = figure_row("zmp", "ZMP estimate against the contact solver, walking, 3 % cell gain errors",
                            "mm RMS", 0.003, 0.0015, 1000.0);
@@ -331,7 +351,7 @@ std::vector<GaitRow> gait_table(const GaitTableOptions& options) {
   add_ground_rows(table, frame);
   add_condition_rows(table, frame);
   add_fall_rows(table, frame);
-  // The row "get_up" belongs here.
+  add_rise_rows(table, frame);
   add_figure_rows(table, frame);
   if (options.quick) {
     std::for_each(table.begin(), table.end(), thin_out);

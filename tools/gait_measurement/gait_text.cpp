@@ -66,11 +66,11 @@ Json level_of(const RowResult& result, const LevelResult& level) {
       {"level", level.level}, {"holds", level.holds}, {"passed", level.passed}, {"seeds", Json::array()}};
   for (const SeedResult& seed : level.seeds) {
     Json one = {{"seed", seed.seed}, {"passed", seed.passed}};
-    if (!result.row.has_levels()) {
+    if (result.row.has_figure()) {
       one["figure"] = number(seed.figure);
     }
     one["trials"] = seed.trials.size();
-    if (result.row.has_levels() && !seed.passed) {
+    if (!result.row.has_figure() && !seed.passed) {
       one["failed"] = describe(seed.trials.back());
       one["outcome"] = to_json(seed.outcomes.back());
       one["outcome"].erase("heading_deg");

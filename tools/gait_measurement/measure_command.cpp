@@ -186,7 +186,7 @@ CLI::App* add_measure_command(CLI::App& app, MeasureOptions& options) {
                   "  gaitway measure gait --quick --except compute\n"
                   "  gaitway measure gait --config without_trims.yaml --out out/without_trims\n"
                   "An interrupted measurement goes on where it was when it is given the same --out.\n"
-                  "Exit code: 0 each floor holds with all seeds, 3 one does not, 1 the input was bad.");
+                  "Exit code: 0 each floor holds, 3 one does not, 1 the input was bad.");
   measure->footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
   return measure;
 }

@@ -99,6 +99,9 @@ Json describe(const Trial& trial) {
   if (trial.stiff_in_fall) {
     json["stiff_in_fall"] = true;
   }
+  if (trial.rise) {
+    json["rise"] = {{"at_s", trial.rise->at_s}, {"motion", trial.rise->motion}};
+  }
   json["ground"] = ground_of(trial.conditions.ground);
   json["body"] = body_of(trial.conditions.body);
   if (trial.corrupted_share != 0.0) {
@@ -125,6 +128,9 @@ Json to_json(const TrialOutcome& outcome) {
   if (outcome.fall) {
     json["fall"] = fall_json(*outcome.fall);
   }
+  if (outcome.stands_since_s) {
+    json["stands_since_s"] = *outcome.stands_since_s;
+  }
   if (outcome.batch_compute_p99_us > 0.0) {
     json["batch_compute_p99_us"] = outcome.batch_compute_p99_us;
   }
@@ -147,6 +153,9 @@ TrialOutcome outcome_from_json(const Json& json) {
   }
   if (json.contains("fall")) {
     outcome.fall = fall_from(json.at("fall"));
+  }
+  if (json.contains("stands_since_s")) {
+    outcome.stands_since_s = json.at("stands_since_s").get<double>();
   }
   outcome.batch_compute_p99_us = json.value("batch_compute_p99_us", 0.0);
   return outcome;

@@ -225,4 +225,15 @@ std::vector<Trial> hard_walking(const TrialFrame& frame, std::uint64_t seed, dou
   return trials;
 }
 
+Trial get_up(const TrialFrame& frame, std::uint64_t seed, double direction_rad, const std::string& motion) {
+  constexpr double kFallAndLie_s = 3.0, kStandOn_s = 3.0, kAnyInstant_s = 1.0, kAskew_rad = 20.0 * kDeg;
+  std::mt19937_64 random(seed ^ 0x6765'7420'7570'0000ULL);
+  const double at_s = kStandFirst_s + kAnyInstant_s * unit_of(random);
+  const double towards_rad = direction_rad + between(random, -kAskew_rad, kAskew_rad);
+  Trial trial = pushed(plain_trial(frame, seed, 0.0), at_s, towards_rad, between(random, 7.0, 9.0));
+  trial.rise = TrialRise{trial.push->at_s + kFallAndLie_s, motion};
+  trial.seconds = trial.rise->at_s + kRise_s + kStandOn_s;
+  return trial;
+}
+
 }  // namespace gaitway::tools

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "gaitway/tools/gait_trial.hpp"
@@ -21,6 +22,7 @@ inline constexpr double kFloorForward_m_per_s = 0.35, kFloorBackward_m_per_s = 0
 
 inline constexpr double kCommand_s = 1.0;    // the first walk command of a trial comes then
 inline constexpr double kStartUp_s = 3.0;    // from a command to steady walking
+inline constexpr double kRise_s = 12.0;      // so long it may take from the command to stand
 inline constexpr double kAfterPush_s = 4.0;  // the robot must still be up then
 
 // A standing robot in the environment of all rows: sensor noise, gyro bias, play in the joints.
@@ -60,5 +62,8 @@ std::vector<Trial> falls(const TrialFrame& frame, std::uint64_t seed);
 std::vector<Trial> hard_walking(const TrialFrame& frame, std::uint64_t seed, double minutes);
 
 std::vector<double> evenly_spread_directions_rad(int count);
+
+// Felled while it stands by a push into the direction, at any instant; lies, and is told to play the motion.
+Trial get_up(const TrialFrame& frame, std::uint64_t seed, double direction_rad, const std::string& motion);
 
 }  // namespace gaitway::tools

@@ -66,6 +66,9 @@ TrialRun::TrialRun(const TrialRobot& robot, const Trial& trial)
 
 bool TrialRun::goes_on() const {
   const bool in_time = run_.now_ns() < std::llround(trial_.seconds * 1e9);
+  if (trial_.rise) {
+    return in_time;
+  }
   return trial_.watches_fall ? !watch_.fall_is_over() && (in_time || watch_.falls())
                              : in_time && !run_.plant().fallen();
 }
@@ -84,6 +87,10 @@ void TrialRun::advance_millisecond() {
   if (!pushed_ && trial_.push && is_due(trial_.push->at_s)) {
     apply_push(run_, *trial_.push);
     pushed_ = true;
+  }
+  if (!risen_ && trial_.rise && is_due(trial_.rise->at_s)) {
+    run_.apply({trial_.rise->at_s, simulator::MotionEvent{trial_.rise->motion}});
+    risen_ = true;
   }
   run_.advance_millisecond();
   watch_.look();

@@ -32,7 +32,7 @@ class TrialRun {
   simulator::Cosimulation run_;
   TrialWatch watch_;  // keeps references to both
   std::size_t commands_given_ = 0;
-  bool pushed_ = false;
+  bool pushed_ = false, risen_ = false;
 };
 
 }  // namespace gaitway::tools

@@ -15,6 +15,9 @@ namespace {
 constexpr double kTolerance_s = 1e-6;
 constexpr double kLeaning_rad = 0.35;  // of the trunk: a robot that walks does not lean so far
 constexpr double kWatchedFall_s = 1.0;
+// Of a robot that stands again.
+constexpr double kUpright_rad = 0.1;
+constexpr double kStandingHeight = 0.9;  // of the hips, as a share of that in the stand
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 double yaw_of(const Eigen::Isometry3d& pose) {
@@ -35,6 +38,9 @@ void TrialWatch::look() {
   outcome_.ended_s = plant.time_s();
   if (trial_.watches_fall) {
     watch_fall();
+  }
+  if (trial_.rise) {
+    watch_stand();
   }
   if (plant.fallen()) {
     outcome_.fell = true;
@@ -75,6 +81,18 @@ void TrialWatch::watch_fall() {
   if (!fall_.told_s && estimate_.read(estimate).status == msgclient::ReadStatus::value &&
       estimate.fall != 0) {
     fall_.told_s = plant.time_s();
+  }
+}
+
+void TrialWatch::watch_stand() {
+  const simulator::PlantTruth truth = run_.plant().truth();
+  const bool stands = truth.trunk_tilt_rad < kUpright_rad &&
+                      truth.base.translation().z() > kStandingHeight * run_.robot().hip_height_m &&
+                      run_.plant().ground_contact().body_force_N == 0.0;
+  if (!stands) {
+    outcome_.stands_since_s.reset();
+  } else if (!outcome_.stands_since_s) {
+    outcome_.stands_since_s = run_.plant().time_s();
   }
 }
 

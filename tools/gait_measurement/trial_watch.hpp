@@ -39,6 +39,7 @@ class TrialWatch {
   void compare_zmp();
   void watch_feet(double time_s);
   void watch_fall();
+  void watch_stand();
   [[nodiscard]] double lowest_corner_m(std::size_t foot) const;
 
   simulator::Cosimulation& run_;

@@ -17,8 +17,8 @@ namespace gaitway::tools {
 struct SeedResult {
   std::uint64_t seed = 0;
   bool passed = true;
-  double figure = 0.0;  // of rows without levels: the worst of the trials
-  // In a row with levels they end with the first that failed.
+  double figure = 0.0;  // of rows with one: the worst of the trials
+  // In a row without a figure they end with the first that failed.
   std::vector<Trial> trials;
   std::vector<TrialOutcome> outcomes;
 };
@@ -34,15 +34,18 @@ struct LevelResult {
 struct RowResult {
   GaitRow row;
   int seeds = 0;
-  int floor_passed = 0;  // seeds that pass the floor; it holds if that is all
+  int floor_passed = 0;  // seeds that pass the floor; it holds if they are as many as must
   std::vector<LevelResult>
       levels;  // that were tried, ascending; the floor is one. One alone in a row without levels
-  // Rows with levels: the highest that holds; none: not even the lowest. Without: the figure that 19 of 20
-  // seeds keep, infinite if they do not.
+  // Rows with levels: the highest that holds; none: not even the lowest. With a figure: the one that 19 of 20
+  // seeds keep, infinite if they do not. Else: the share of the seeds that pass.
   std::optional<double> limit;
   bool open_ended = false;  // the highest level holds: the limit may lie beyond
 
-  [[nodiscard]] bool floor_holds() const noexcept { return floor_passed == seeds; }
+  [[nodiscard]] bool floor_holds() const noexcept {
+    constexpr double kRounding = 1e-9;
+    return floor_passed >= row.floor_share() * seeds - kRounding;
+  }
 };
 
 struct GaitMeasurement {

@@ -21,19 +21,23 @@ struct GaitRow {
   double aim = 0.0;
   double shown_scale = 1.0;  // of the figures in tables: 1000 for metres in mm
 
-  // A row is of one of two kinds. With levels: ascending, each harder, the floor among them; the limit is
-  // searched. A seed passes a level when each of its trials does. Without: each seed yields a figure, the
-  // smaller the better, the worst of its trials; it passes when that is at most the floor.
+  // A row is of one of three kinds. With levels: ascending, each harder, the floor among them; the limit is
+  // searched. A seed passes a level when each of its trials does. With a figure: each seed yields one, the
+  // smaller the better, the worst of its trials; it passes when that is at most the floor. With neither: a
+  // seed passes or does not; floor and aim are shares of the seeds.
   std::vector<double> levels;
   std::function<std::vector<Trial>(std::uint64_t seed, double level)> trials;
-  std::function<bool(const TrialOutcome&, const Trial&, double level)> passes;  // with levels
-  std::function<double(const TrialOutcome&, const Trial&)> figure;              // without; infinite: it fell
+  std::function<bool(const TrialOutcome&, const Trial&, double level)> passes;  // without a figure
+  std::function<double(const TrialOutcome&, const Trial&)> figure;              // infinite: it fell
 
   int most_seeds = 0;       // 0: as many as asked for
   bool runs_alone = false;  // no other trial runs meanwhile: processor time is measured
   enum class Picture : std::uint8_t { none, speeds, headings, pushes } picture = Picture::none;
 
   [[nodiscard]] bool has_levels() const noexcept { return !levels.empty(); }
+  [[nodiscard]] bool has_figure() const noexcept { return figure != nullptr; }
+  // Of the seeds, that must pass the floor.
+  [[nodiscard]] double floor_share() const noexcept { return has_levels() || has_figure() ? 1.0 : floor; }
 };
 
 struct GaitTableOptions {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gaitway/core/configuration.hpp"
@@ -31,9 +32,15 @@ struct TrialPush {
   double impulse_Ns = 0.0;
 };
 
+// A robot that has fallen is told to play it.
+struct TrialRise {
+  double at_s = 0.0;
+  std::string motion;
+};
+
 struct Trial {
   std::uint64_t seed = 1;
-  double seconds = 10.0;  // ends earlier when the robot falls
+  double seconds = 10.0;  // ends earlier when the robot falls, unless it shall rise
   simulator::Conditions conditions = {};
   double corrupted_share = 0.0;         // of the frames on the bus, from the first instant on
   std::vector<TimedVelocity> commands;  // in order of time; none: it stands
@@ -42,8 +49,9 @@ struct Trial {
   bool watches_fall = false;
   // The shipped stability plug-in leaves the joints stiff: shows whether a robot would have fallen.
   bool stiff_in_fall = false;
-  double steady_from_s = 0.0;  // speeds and the ZMP's error are taken from here on
-  double gait_cycle_s = 0.8;   // two steps: body sway is averaged over it
+  std::optional<TrialRise> rise;  // the trial goes on after a fall, up to its end
+  double steady_from_s = 0.0;     // speeds and the ZMP's error are taken from here on
+  double gait_cycle_s = 0.8;      // two steps: body sway is averaged over it
   // Measures what batches cost the processor: of that alone the outcome is not the same each time.
   bool times_compute = false;
 };
@@ -73,6 +81,7 @@ struct TrialOutcome {
   double foot_lifted_m = 0.0;  // of the lowest corner of the sole above where it stood
   double batch_compute_p99_us = 0.0;
   std::optional<FallOutcome> fall;
+  std::optional<double> stands_since_s;  // of a trial with a rise: since then to its end; none: it does not
 };
 
 // What a trial's key is made of, and what stands beside its outcome in the file.
