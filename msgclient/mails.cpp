@@ -40,6 +40,8 @@ std::string_view reason_text(Reason reason) noexcept {
       return "the command is not known";
     case Reason::node_fault:
       return "a local controller that is needed is missing or reports a fault";
+    case Reason::nothing_to_revise:
+      return "it revises a batch that doesn't run, or from a time slot from which this network revises none";
   }
   return "unknown reason";
 }

@@ -18,7 +18,8 @@ CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const
   if (static_cast<std::size_t>(joints) != count_rad.size() || points < kBatchPoints || points > kMaxPoints) {
     return {.reason = Reason::wrong_size};
   }
-  for (int point = 0; point < points; ++point) {
+  const auto first = static_cast<int>(hand_over.first_slot);
+  for (int point = first; point < points; ++point) {
     auto& row = plan.count[static_cast<std::size_t>(point)];
     for (int joint = 0; joint < joints; ++joint) {
       const auto j = static_cast<std::size_t>(joint);
@@ -28,10 +29,10 @@ CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const
       }
       row[j] = static_cast<std::int32_t>(std::lround(counts));
       const std::int32_t before =
-          point == 0 ? start_count[j] : plan.count[static_cast<std::size_t>(point - 1)][j];
+          point == first ? start_count[j] : plan.count[static_cast<std::size_t>(point - 1)][j];
       const std::int32_t delta = row[j] - before;
       if (delta > kLargestDelta || delta < -kLargestDelta) {
-        return {point == 0 ? Reason::jump : Reason::too_fast, joint, point, static_cast<double>(delta)};
+        return {point == first ? Reason::jump : Reason::too_fast, joint, point, static_cast<double>(delta)};
       }
     }
     plan.support[static_cast<std::size_t>(point)] = hand_over.support[static_cast<std::size_t>(point)];
@@ -39,6 +40,7 @@ CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const
   plan.sequence = hand_over.sequence;
   plan.joint_count = joints;
   plan.point_count = points;
+  plan.first_point = first;
   return {};
 }
 

@@ -48,6 +48,7 @@ MessageController::MessageController(const urdf::RobotModel& robot, msgclient::C
                                      msgclient::EmiMessage& adapter)
     : profile_(network_profile(robot)),
       hand_over_lead_ns_(hand_over_lead_ns(robot)),
+      revision_slot_(static_cast<std::uint32_t>(robot.network.revision_slot)),
       joint_count_(static_cast<int>(robot.joints.size())),
       node_(joint_nodes(robot, profile_)),
       in_a_leg_(robot.joints.size(), false),
@@ -111,7 +112,7 @@ void MessageController::send_tail() noexcept {
   set_mode(Mode::safe_tail);
   ++state_.tail_played;
   if (profile_.has(can::MessageKind::sync)) {
-    send_prepared();
+    send_waiting();
   }
 }
 
@@ -125,8 +126,13 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   if (slot == 0) {
     begin_cycle();
   }
-  playback_.enter_slot(slot);
-  prepared_before_last_slot_ = slot == kLastSlot && playback_.prepared();
+  if (playback_.enter_slot(slot)) {
+    covered_until_.fill(kLastSlot);
+    if (stop_requested_) {
+      prepare_tail();  // the revision's
+    }
+  }
+  waits_for_next_slot_ = playback_.waiting_segment() != nullptr && playback_.waiting_from() == slot + 1;
   state_.cycle = static_cast<std::uint32_t>(slot_index / kSlotsPerCycle);
   state_.slot = static_cast<std::uint32_t>(slot);
   state_.stamp_ns = now_ns;

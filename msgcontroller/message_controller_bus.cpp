@@ -38,8 +38,8 @@ void MessageController::on_bus_state(can::BusState state, can::ErrorCounters err
   if (was_off && !is_off) {
     if (mode() == Mode::emergency_stop) {
       send_stop();
-    } else if (playback_.prepared() && profile_.has(can::MessageKind::sync)) {
-      send_prepared();
+    } else if (profile_.has(can::MessageKind::sync)) {
+      send_waiting();
     }
   }
   watch_.health().stamp_ns = now_ns;
@@ -66,32 +66,39 @@ void MessageController::send_sync(std::int64_t now_ns) noexcept {
   }
 }
 
-void MessageController::send_prepared() noexcept {
+void MessageController::send_waiting() noexcept {
   for (int joint = 0; joint < joint_count_; ++joint) {
-    send_trajectory(joint, false);
+    send_waiting_trajectory(joint);
   }
 }
 
 void MessageController::send_running() noexcept {
   for (int joint = 0; joint < joint_count_; ++joint) {
-    send_trajectory(joint, true);
+    can::Trajectory frame{.node = node_[static_cast<std::size_t>(joint)],
+                          .toggle = playback_.running_segment().toggle};
+    for (int slot = 0; slot < kBatchPoints; ++slot) {
+      frame.delta[static_cast<std::size_t>(slot)] =
+          static_cast<std::int8_t>(playback_.running_delta(joint, slot));
+    }
+    if (frame.node != 0) {
+      send(can::encode(profile_, frame), slot_start_ns_ + kSlot_ns);
+    }
   }
 }
 
-// Of the running or the prepared segment. After its start, a prepared batch's frame would be of no use.
-void MessageController::send_trajectory(int joint, bool running) noexcept {
+// Of the batch, or revision, that has not started. After its start the frame would be of no use.
+void MessageController::send_waiting_trajectory(int joint) noexcept {
   const can::NodeId node = node_[static_cast<std::size_t>(joint)];
-  if (node == 0) {
+  const Segment* const waiting = playback_.waiting_segment();
+  if (node == 0 || waiting == nullptr) {
     return;
   }
-  can::Trajectory frame{
-      .node = node,
-      .toggle = running ? playback_.running_segment().toggle : playback_.prepared_segment().toggle};
+  can::Trajectory frame{.node = node, .toggle = waiting->toggle};
   for (int slot = 0; slot < kBatchPoints; ++slot) {
-    frame.delta[static_cast<std::size_t>(slot)] = static_cast<std::int8_t>(
-        running ? playback_.running_delta(joint, slot) : playback_.prepared_delta(joint, slot));
+    frame.delta[static_cast<std::size_t>(slot)] =
+        static_cast<std::int8_t>(playback_.waiting_delta(joint, slot));
   }
-  const int slots_left = running ? 1 : kSlotsPerCycle - playback_.slot();
+  const int slots_left = playback_.waiting_from() - playback_.slot();
   send(can::encode(profile_, frame), slot_start_ns_ + slots_left * kSlot_ns);
 }
 
@@ -157,10 +164,11 @@ void MessageController::on_forged(const NetworkWatch::Arrival& arrival) noexcept
     send_stop();
     return;
   }
-  if (arrival.message.kind == can::MessageKind::trajectory && arrival.joint >= 0 && playback_.prepared() &&
-      mode() != Mode::emergency_stop && profile_.has(can::MessageKind::sync)) {
+  if (arrival.message.kind == can::MessageKind::trajectory && arrival.joint >= 0 &&
+      playback_.waiting_segment() != nullptr && mode() != Mode::emergency_stop &&
+      profile_.has(can::MessageKind::sync)) {
     ++state_.repaired;
-    send_trajectory(arrival.joint, false);
+    send_waiting_trajectory(arrival.joint);
   }
   stop_safely();
 }
@@ -192,14 +200,16 @@ bool MessageController::plays_as_expected(int joint, const can::Feedback& feedba
 void MessageController::supervise(int joint, const NetworkWatch::Arrival& arrival) noexcept {
   const can::Feedback& feedback = arrival.feedback;
   const auto j = static_cast<std::size_t>(joint);
-  // The prepared batch must have arrived by the feedback of the last slot; if not, it is sent once more.
-  // A segment of the safe tail is sent within the last slot, after the joints have answered its SYNC.
+  // The batch or revision that comes next must have arrived by the feedback of the slot before it starts; if
+  // not, it is sent once more. A segment of the safe tail is sent within the last slot, after the joints have
+  // answered its SYNC.
   const bool synchronised = profile_.has(can::MessageKind::sync);
-  if (synchronised && playback_.slot() == kLastSlot && prepared_before_last_slot_ && playback_.prepared() &&
-      feedback.pending_toggle != playback_.prepared_segment().toggle) {
+  const Segment* const waiting = playback_.waiting_segment();
+  if (synchronised && waits_for_next_slot_ && waiting != nullptr &&
+      feedback.pending_toggle != waiting->toggle) {
     watch_.count(Incident::trajectory_lost, feedback.node);
     ++state_.repaired;
-    send_trajectory(joint, false);
+    send_waiting_trajectory(joint);
   }
   if (resync_until_[j] > slots_since_start_) {
     return;  // a repair is on its way, or a manual movement is under way
@@ -208,7 +218,8 @@ void MessageController::supervise(int joint, const NetworkWatch::Arrival& arriva
     return;  // it may have answered before its batch, which starts as it arrives, was there
   }
   if (!plays_as_expected(joint, feedback) || arrival.returned) {
-    const bool never_came = playback_.slot() <= 1 && playback_.running_segment().active &&
+    const bool never_came = playback_.slot() <= playback_.running_from() + 1 &&
+                            playback_.running_segment().active &&
                             feedback.executing_toggle != playback_.running_segment().toggle;
     watch_.count(never_came ? Incident::trajectory_lost : Incident::count_differed, feedback.node);
     resynchronise(joint);
@@ -231,7 +242,7 @@ void MessageController::resynchronise(int joint) noexcept {
   covered_until_[j] = std::min(kLastSlot, effective_slot + can::kResyncDeltas);
   can::Resynchronisation frame{
       .node = node_[j],
-      .toggle = playback_.running_segment().toggle,
+      .toggle = playback_.segment_in(effective_slot).toggle,
       .slot = static_cast<std::uint8_t>(effective_slot),
       .count = static_cast<std::int16_t>(playback_.expected_count(joint, effective_slot))};
   for (int k = 0; k < can::kResyncDeltas && effective_slot + k < kLastSlot; ++k) {

@@ -63,34 +63,23 @@ void MessageController::judge(const msgclient::HandOver& hand_over, std::int64_t
     answer.verdict = reason == Reason::too_late ? Verdict::late : Verdict::refused;
     answer.reason = reason;
   };
-  const std::uint32_t next_cycle = state_.cycle + 1;
-  const std::int64_t deadline_ns = std::int64_t{next_cycle} * msgclient::kCycle_ns - hand_over_lead_ns_;
   if (mode() == Mode::emergency_stop) {
     return refuse(Reason::emergency_stopped);
   }
   if (stop_requested_) {
     return refuse(Reason::stopping);
   }
-  // A batch begins where its joints stand, so a joint that moves by hand must have arrived by then.
-  const std::uint32_t slots_to_start = static_cast<std::uint32_t>(kSlotsPerCycle - playback_.slot());
-  if (moving_by_hand_until_ > slots_since_start_ + slots_to_start) {
-    return refuse(Reason::moving_by_hand);
+  if (const Reason reason = untimely(hand_over, now_ns); reason != Reason::none) {
+    return refuse(reason);
   }
-  if (hand_over.sequence < next_cycle || now_ns > deadline_ns) {
-    return refuse(Reason::too_late);
-  }
-  if (hand_over.sequence > next_cycle) {
-    return refuse(Reason::early_sequence);
-  }
-  if (playback_.prepared()) {
-    return refuse(Reason::old_sequence);
-  }
-  CountPlanProblem problem = to_counts(hand_over, count_rad_, playback_.next_start(), *incoming_);
+  const std::span<const std::int32_t> start =
+      hand_over.first_slot == 0 ? playback_.next_start() : playback_.reached_before(hand_over.first_slot);
+  CountPlanProblem problem = to_counts(hand_over, count_rad_, start, *incoming_);
   if (problem.reason == Reason::none) {
-    problem = motion_without_node(*incoming_, playback_.next_start());
+    problem = motion_without_node(*incoming_, start);
   }
   if (problem.reason == Reason::none) {
-    problem = away_by_hand(*incoming_, playback_.next_start());
+    problem = away_by_hand(*incoming_, start);
   }
   if (problem.reason != Reason::none) {
     refuse(problem.reason);
@@ -100,10 +89,40 @@ void MessageController::judge(const msgclient::HandOver& hand_over, std::int64_t
   }
 }
 
+// Whether it comes at the wrong time: a batch for another cycle than the next, a revision of another batch
+// than the running one, or one of them with too little time left to send it.
+msgclient::Reason MessageController::untimely(const msgclient::HandOver& hand_over,
+                                              std::int64_t now_ns) const noexcept {
+  using msgclient::Reason;
+  const bool revises = hand_over.first_slot != 0;
+  const std::uint32_t cycle = revises ? state_.cycle : state_.cycle + 1;
+  const std::uint32_t slot = state_.slot;
+  const std::uint32_t slots_to_start = (revises ? hand_over.first_slot : kSlotsPerCycle) - slot;
+  const std::int64_t start_ns =
+      (std::int64_t{cycle} * kSlotsPerCycle + hand_over.first_slot) * msgclient::kSlot_ns;
+  if (revises && (hand_over.first_slot != revision_slot_ || hand_over.sequence > cycle)) {
+    return Reason::nothing_to_revise;
+  }
+  // A batch begins where its joints stand, so a joint that moves by hand must have arrived by then.
+  if (moving_by_hand_until_ > slots_since_start_ + slots_to_start) {
+    return Reason::moving_by_hand;
+  }
+  if (hand_over.sequence < cycle || now_ns > start_ns - hand_over_lead_ns_) {
+    return Reason::too_late;
+  }
+  if (revises) {
+    return playback_.revisable(cycle) ? Reason::none : Reason::nothing_to_revise;
+  }
+  if (hand_over.sequence > cycle) {
+    return Reason::early_sequence;
+  }
+  return playback_.waiting_segment() != nullptr ? Reason::old_sequence : Reason::none;
+}
+
 // A joint that is not on the bus cannot move.
 CountPlanProblem MessageController::motion_without_node(const CountPlan& plan,
                                                         std::span<const std::int32_t> start) const noexcept {
-  for (int point = 0; point < plan.point_count; ++point) {
+  for (int point = plan.first_point; point < plan.point_count; ++point) {
     for (std::size_t j = 0; j < node_.size(); ++j) {
       const std::int32_t moved = plan.count[static_cast<std::size_t>(point)][j] - start[j];
       if (node_[j] == 0 && moved != 0) {
@@ -120,9 +139,10 @@ CountPlanProblem MessageController::away_by_hand(const CountPlan& plan,
                                                  std::span<const std::int32_t> start) const noexcept {
   constexpr std::int32_t kThere = 2;  // counts
   for (std::size_t j = 0; j < node_.size(); ++j) {
-    const std::int32_t away = plan.count[0][j] - start[j];
+    const std::int32_t away = plan.count[static_cast<std::size_t>(plan.first_point)][j] - start[j];
     if (moved_by_hand_[j] && std::abs(away) > kThere) {
-      return {msgclient::Reason::moving_by_hand, static_cast<std::int32_t>(j), 0, static_cast<double>(away)};
+      return {msgclient::Reason::moving_by_hand, static_cast<std::int32_t>(j), plan.first_point,
+              static_cast<double>(away)};
     }
   }
   return {};
@@ -130,12 +150,12 @@ CountPlanProblem MessageController::away_by_hand(const CountPlan& plan,
 
 void MessageController::play(const CountPlan& plan) noexcept {
   moved_by_hand_.fill(false);
-  playback_.accept(plan);
+  plan.first_point > 0 ? playback_.accept_revision(plan) : playback_.accept(plan);
   state_.accepted_sequence = plan.sequence;
   gains_ = hand_over_->trim;
   set_mode(Mode::batches);
   if (profile_.has(can::MessageKind::sync)) {
-    send_prepared();
+    send_waiting();
   }
 }
 

@@ -74,6 +74,22 @@ void check_periods(const urdf::RobotModel& robot, const urdf::MessageSetting& se
   }
 }
 
+// A revision is one more frame of each joint in a cycle, as far from those of the batches as its slot is from
+// the cycle's ends.
+void allow_revisions(const urdf::RobotModel& robot, Profile& profile) {
+  const int slot = robot.network.revision_slot;
+  if (slot == 0) {
+    return;
+  }
+  can::ProfileRow& trajectory = profile.rows[static_cast<std::size_t>(MessageKind::trajectory)];
+  if (trajectory.rule != IdRule::per_node_and_toggle || !profile.has(MessageKind::sync)) {
+    refuse(robot, robot.network.line, "network.revision_slot",
+           fmt::format("the profile '{}' plays each batch as it was handed over", profile.name),
+           "Leave revision_slot out, or choose the profile full.");
+  }
+  trajectory.period_ns = std::min(slot, can::kBatchPoints - slot) * can::kSlotPeriod_ns;
+}
+
 void check_identifiers(const urdf::RobotModel& robot, const Profile& profile) {
   std::map<std::uint32_t, std::string> owner;
   const auto claim = [&](std::uint32_t id, MessageKind kind) {
@@ -119,6 +135,7 @@ Profile network_profile(const urdf::RobotModel& robot) {
     check_periods(robot, setting, profile);
     apply(robot, setting, profile);
   }
+  allow_revisions(robot, profile);
   check_identifiers(robot, profile);
   return profile;
 }

@@ -30,8 +30,36 @@ bool Playback::return_to_running_tail() noexcept {
   return true;
 }
 
+void Playback::accept_revision(const CountPlan& plan) noexcept {
+  plan_ = plan;
+  cursor_ = kBatchPoints;
+  revision_ = running_;
+  revision_.toggle = next_toggle_;
+  revision_slot_ = plan.first_point;
+  for (auto point = static_cast<std::size_t>(plan.first_point); point < kBatchPoints; ++point) {
+    revision_.count[point] = plan.count[point];
+    revision_.support[point] = plan.support[point];
+  }
+}
+
+bool Playback::enter_slot(int slot) noexcept {
+  slot_ = slot;
+  if (!revision_.active || slot < revision_slot_) {
+    return false;
+  }
+  begin_revision();
+  return true;
+}
+
+void Playback::begin_revision() noexcept {
+  running_ = revision_;
+  running_from_ = revision_slot_;
+  next_toggle_ = !running_.toggle;
+  revision_.active = false;
+}
+
 bool Playback::prepare_from_tail() noexcept {
-  if (!tail_left()) {
+  if (!tail_left() || revision_.active) {
     return false;
   }
   prepare(cursor_);
@@ -51,6 +79,10 @@ void Playback::prepare(int first_point) noexcept {
 }
 
 void Playback::begin_cycle() noexcept {
+  if (revision_.active) {
+    begin_revision();  // its slots were missed, but the joints were not told so
+  }
+  running_from_ = 0;
   if (running_.active) {
     held_ = running_.count.back();
   }
@@ -73,7 +105,9 @@ bool Playback::rests() const noexcept {
   const auto first = running_.active ? running_.count.begin() + slot_ : running_.count.end();
   const bool prepared_stays =
       !prepared_.active || std::all_of(prepared_.count.begin(), prepared_.count.end(), stays);
-  return std::all_of(first, running_.count.end(), stays) && prepared_stays &&
+  const bool revision_stays = !revision_.active || std::all_of(revision_.count.begin() + revision_slot_,
+                                                               revision_.count.end(), stays);
+  return std::all_of(first, running_.count.end(), stays) && prepared_stays && revision_stays &&
          std::all_of(plan_.count.begin() + std::min(cursor_, plan_.point_count),
                      plan_.count.begin() + plan_.point_count, stays);
 }
@@ -85,25 +119,32 @@ void Playback::hold(int joint, std::int32_t count) noexcept {
     point[j] = count;
   }
   prepared_.active = false;
+  revision_.active = false;
   plan_waits_ = false;
   cursor_ = plan_.point_count;
 }
 
 std::int32_t Playback::expected_count(int joint, int slot) const noexcept {
   const auto j = static_cast<std::size_t>(joint);
-  return running_.active ? running_.count[static_cast<std::size_t>(slot)][j] : held_[j];
+  return running_.active ? segment_in(slot).count[static_cast<std::size_t>(slot)][j] : held_[j];
 }
 
 std::span<const std::int32_t> Playback::next_start() const noexcept {
-  const auto& last = running_.active ? running_.count.back() : held_;
+  const auto& last = running_.active ? segment_in(kBatchPoints - 1).count.back() : held_;
   return {last.data(), static_cast<std::size_t>(joint_count_)};
 }
 
-std::int32_t Playback::prepared_delta(int joint, int slot) const noexcept {
+std::span<const std::int32_t> Playback::reached_before(std::uint32_t slot) const noexcept {
+  const auto& reached = running_.active ? running_.count[slot - 1] : held_;
+  return {reached.data(), static_cast<std::size_t>(joint_count_)};
+}
+
+std::int32_t Playback::waiting_delta(int joint, int slot) const noexcept {
   const auto j = static_cast<std::size_t>(joint);
-  const std::int32_t before =
-      slot == 0 ? next_start()[j] : prepared_.count[static_cast<std::size_t>(slot - 1)][j];
-  return prepared_.count[static_cast<std::size_t>(slot)][j] - before;
+  const Segment& waiting = revision_.active ? revision_ : prepared_;
+  const std::int32_t start = revision_.active ? held_[j] : next_start()[j];
+  const std::int32_t before = slot == 0 ? start : waiting.count[static_cast<std::size_t>(slot - 1)][j];
+  return waiting.count[static_cast<std::size_t>(slot)][j] - before;
 }
 
 std::int32_t Playback::running_delta(int joint, int slot) const noexcept {

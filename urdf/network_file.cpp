@@ -254,11 +254,16 @@ void read_trim(const YamlValue& map, TrimSettings& trim) {
 void read_network(const YamlValue& map, NetworkSettings& network) {
   constexpr int kLargestId = 0x7FF;
   constexpr Range kMessage_ms{0.1, 10000.0, "ms"};
-  map.require_map(Keys{"profile", "messages"});
+  constexpr int kFirstRevision = 2,
+                kLastRevision = 6;  // before: not planned in time; after: the next batch's
+  map.require_map(Keys{"profile", "messages", "revision_slot"});
   network.line = map.line();
   if (const auto profile = map.find("profile")) {
     network.profile = profile->text();
     network.line = profile->line();
+  }
+  if (const auto slot = map.find("revision_slot")) {
+    network.revision_slot = slot->integer(kFirstRevision, kLastRevision);
   }
   if (const auto messages = map.find("messages")) {
     for (const auto& [name, value] : messages->entries()) {

@@ -54,6 +54,8 @@ TEST(BrokenNetwork, WrongTypesAreRefused) {
   expect_refused("node: 5,", "node: 5.5,", {"joints[4].node = '5.5': must be a whole number"});
   expect_refused("servo: {stiffness_Nm_per_rad: 300, damping_Nms_per_rad: 4}", "servo: 300",
                  {"defaults.servo = '300': must be a map"});
+  expect_refused("{profile: full}", "{profile: full, revision_slot: 7}",
+                 {"network.revision_slot = '7': must be 2..6"});
   expect_refused("size_m: [0.135, 0.085]", "size_m: [0.135]",
                  {"feet.left.size_m = a list of 1: must be a list of 2"});
 }

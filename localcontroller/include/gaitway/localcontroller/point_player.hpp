@@ -36,7 +36,9 @@ class PointPlayer {
   // feedback shows the message controller that it came too late.
   void on_resynchronisation(const can::Resynchronisation& repair) noexcept;
   // Begins a slot. False, and nothing changes, for a repetition of the last SYNC. A batch starts on slot 0
-  // only, and one that was passed over there (another one was committed) is dropped.
+  // only, and one that was passed over there (another one was committed) is dropped. A SYNC amid a batch that
+  // names the toggle of a newer frame revises the batch: it goes on by that frame's points, and what they
+  // differ by in the slots that are over is made up for.
   bool on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
   // Moves to a count over some slots; only while no batch runs, or the rest of one leaves the joint where it
   // is, which is then over for it. False otherwise.
@@ -70,9 +72,10 @@ class PointPlayer {
 
  private:
   // The slot began at `start_ns`; its segment ends with it.
-  void begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns) noexcept;
+  void begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns, std::int32_t made_up = 0) noexcept;
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
   void start_batch(const can::Sync& sync) noexcept;
+  [[nodiscard]] std::int32_t revise(const can::Sync& sync) noexcept;
   void make_up_until(int slot) noexcept;
   [[nodiscard]] bool rests() const noexcept;
   void enter_slot(int slot, std::int64_t now_ns) noexcept;
@@ -101,6 +104,7 @@ class PointPlayer {
   bool pending_toggle_ = false;
   bool executing_toggle_ = false;
   std::array<std::int8_t, can::kBatchPoints> pending_{}, executing_{};
+  int known_from_ = 0;  // slot from which on executing_ is the batch's: not those before a repair
   bool has_repair_ = false;
   can::Resynchronisation repair_;
   bool at_limit_ = false;

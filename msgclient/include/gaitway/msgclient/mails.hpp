@@ -60,7 +60,8 @@ enum class Reason : std::uint32_t {
   not_standing,       // a manual joint command while the robot moves
   unknown_joint,
   unknown_command,
-  node_fault  // a local controller that is needed is missing or reports a fault
+  node_fault,        // a local controller that is needed is missing or reports a fault
+  nothing_to_revise  // a revision of a batch that doesn't run, or of what cannot be revised
 };
 // One sentence for people.
 std::string_view reason_text(Reason reason) noexcept;

@@ -17,6 +17,7 @@ struct CountPlan {
   std::uint32_t sequence = 0;  // 0: none
   int joint_count = 0;
   int point_count = 0;  // batch and tail
+  int first_point = 0;  // of a revision: those before it have been played, and are not here
   std::array<std::array<std::int32_t, kMaxJoints>, kMaxPoints> count{};
   std::array<std::uint8_t, kMaxPoints> support{};
 };
@@ -30,8 +31,8 @@ struct CountPlanProblem {
 };
 
 // Converts a hand-over. `count_rad`: size of a count of each joint. `start_count`: each joint's reference
-// where the batch begins. Every change of 10 ms must fit the signed byte of a trajectory frame; nothing is
-// clipped.
+// where the batch, or the revised part of it, begins. Every change of 10 ms must fit the signed byte of a
+// trajectory frame; nothing is clipped.
 CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const double> count_rad,
                            std::span<const std::int32_t> start_count, CountPlan& plan) noexcept;
 

@@ -69,9 +69,9 @@ class MessageController {
   void begin_cycle() noexcept;
   void send(const can::Frame& frame, std::int64_t expires_ns = kNeverExpires_ns) noexcept;
   void send_sync(std::int64_t now_ns) noexcept;
-  void send_prepared() noexcept;
+  void send_waiting() noexcept;
   void send_running() noexcept;
-  void send_trajectory(int joint, bool running) noexcept;
+  void send_waiting_trajectory(int joint) noexcept;
   void send_stop() noexcept;
   void resynchronise(int joint) noexcept;
   void restart_points(int joint) noexcept;
@@ -83,6 +83,8 @@ class MessageController {
   [[nodiscard]] bool plays_as_expected(int joint, const can::Feedback& feedback) const noexcept;
   void take_hand_over(std::int64_t now_ns) noexcept;
   void judge(const msgclient::HandOver& hand_over, std::int64_t now_ns, msgclient::Answer& answer) noexcept;
+  [[nodiscard]] msgclient::Reason untimely(const msgclient::HandOver& hand_over,
+                                           std::int64_t now_ns) const noexcept;
   [[nodiscard]] CountPlanProblem motion_without_node(const CountPlan& plan,
                                                      std::span<const std::int32_t> start) const noexcept;
   [[nodiscard]] CountPlanProblem away_by_hand(const CountPlan& plan,
@@ -103,8 +105,10 @@ class MessageController {
   void set_mode(Mode mode) noexcept { state_.mode = static_cast<std::uint32_t>(mode); }
 
   can::Profile profile_;
-  // Latest hand-over, before its cycle begins: the trajectory frames must have arrived by then.
+  // Latest hand-over, before its cycle or its first slot begins: the trajectory frames must have arrived by
+  // then.
   std::int64_t hand_over_lead_ns_;
+  std::uint32_t revision_slot_;  // from which batches may be revised; 0: they may not
   int joint_count_;
   std::vector<double> count_rad_, lower_rad_, upper_rad_;
   std::vector<can::NodeId> node_;  // of each joint; 0: not on the bus, holds still
@@ -135,7 +139,7 @@ class MessageController {
   std::int64_t slot_start_ns_ = 0;
   std::uint8_t softness_ = 0;            // of all joints, as heard last: a host that falls silent leaves it
   std::uint32_t stop_sent_in_slot_ = 0;  // slot since start in which the emergency stop was last sent
-  bool prepared_before_last_slot_ = false;  // the last slot's feedback can tell whether its frames arrived
+  bool waits_for_next_slot_ = false;  // sent before this slot: its feedback can tell whether it has arrived
   bool feedback_published_ = true;
   bool trim_sent_this_slot_ = false;
   std::uint32_t slots_since_start_ = 0;

@@ -1,5 +1,5 @@
-// What the joints are told to play: the running cycle's eight points, the prepared ones of the next cycle,
-// and the newest accepted plan whose safe tail takes over when no newer batch arrives.
+// What the joints are told to play: the running cycle's eight points and their revision, the prepared ones of
+// the next cycle, and the newest accepted plan whose safe tail takes over when no newer batch arrives.
 #pragma once
 
 #include <array>
@@ -25,14 +25,18 @@ class Playback {
 
   // Takes an accepted plan: its batch becomes the prepared segment, its tail the one to fall back on.
   void accept(const CountPlan& plan) noexcept;
-  // Prepares the next eight points of the tail; false when there is none left.
+  // Takes an accepted revision of the batch that runs, from plan.first_point on, which is yet to come; its
+  // tail replaces the batch's. Until then nothing else can be prepared.
+  void accept_revision(const CountPlan& plan) noexcept;
+  // Prepares the next eight points of the tail; false when there is none left, or a revision is to come.
   bool prepare_from_tail() noexcept;
   // Instead of the plan that was accepted last and has not begun: the tail of the one that runs; if that is
   // over, nothing. False, and nothing changes: no plan was accepted since the cycle began, or none runs.
   bool return_to_running_tail() noexcept;
   // A new cycle begins: the prepared segment becomes the running one; without one, the joints hold.
   void begin_cycle() noexcept;
-  void enter_slot(int slot) noexcept { slot_ = slot; }
+  // True when the revision begins with this slot.
+  bool enter_slot(int slot) noexcept;
   // Whether nothing of what is left to play, with its tail, moves any joint.
   [[nodiscard]] bool rests() const noexcept;
   // A joint is moved by hand while nothing runs or all of it rests: from now on it stands there, and nothing
@@ -40,8 +44,23 @@ class Playback {
   void hold(int joint, std::int32_t count) noexcept;
 
   [[nodiscard]] bool prepared() const noexcept { return prepared_.active; }
-  [[nodiscard]] const Segment& prepared_segment() const noexcept { return prepared_; }
   [[nodiscard]] const Segment& running_segment() const noexcept { return running_; }
+  // Whether a batch runs that was accepted for this cycle, and nothing has been accepted since.
+  [[nodiscard]] bool revisable(std::uint32_t cycle) const noexcept {
+    return running_.active && plan_.sequence == cycle && !prepared_.active && !revision_.active;
+  }
+  [[nodiscard]] bool revision_waits() const noexcept { return revision_.active; }
+  // What the joints play in a slot of the running cycle.
+  [[nodiscard]] const Segment& segment_in(int slot) const noexcept {
+    return revision_.active && slot >= revision_slot_ ? revision_ : running_;
+  }
+  // What is with the joints ahead of its start, if anything is, and the slot of this cycle that it starts at.
+  [[nodiscard]] const Segment* waiting_segment() const noexcept {
+    return revision_.active ? &revision_ : prepared_.active ? &prepared_ : nullptr;
+  }
+  [[nodiscard]] int waiting_from() const noexcept { return revision_.active ? revision_slot_ : kBatchPoints; }
+  // The slot at which what runs now began: 0, or a revision's.
+  [[nodiscard]] int running_from() const noexcept { return running_from_; }
   [[nodiscard]] int slot() const noexcept { return slot_; }
   [[nodiscard]] std::uint32_t accepted_sequence() const noexcept { return plan_.sequence; }
   [[nodiscard]] bool tail_left() const noexcept { return cursor_ < plan_.point_count; }
@@ -50,8 +69,11 @@ class Playback {
   // The reference of a joint at the end of a slot of the running cycle, and where the next segment begins.
   [[nodiscard]] std::int32_t expected_count(int joint, int slot) const noexcept;
   [[nodiscard]] std::span<const std::int32_t> next_start() const noexcept;
-  // Change of a joint in a slot of a segment that starts where the running one (or the hold) ends.
-  [[nodiscard]] std::int32_t prepared_delta(int joint, int slot) const noexcept;
+  // The references of all joints at the end of the slot before `slot` of the running cycle, 1..kBatchPoints.
+  [[nodiscard]] std::span<const std::int32_t> reached_before(std::uint32_t slot) const noexcept;
+  // Change of a joint in a slot of the segment that waits: the prepared one starts where the running one (or
+  // the hold) ends, a revision where the running one started.
+  [[nodiscard]] std::int32_t waiting_delta(int joint, int slot) const noexcept;
   // The same of the running segment.
   [[nodiscard]] std::int32_t running_delta(int joint, int slot) const noexcept;
   // Which feet are meant to carry the robot now: 0 left, 1 right, 2 both.
@@ -59,6 +81,7 @@ class Playback {
 
  private:
   void prepare(int first_point) noexcept;
+  void begin_revision() noexcept;
 
   int joint_count_;
   int slot_ = 0;
@@ -69,6 +92,9 @@ class Playback {
   int running_cursor_ = 0;
   bool plan_waits_ = false;  // plan_ was accepted in this cycle
   Segment running_, prepared_;
+  Segment revision_;  // of the running one; its points before revision_slot_ are the same
+  int revision_slot_ = 0;
+  int running_from_ = 0;
   std::array<std::int32_t, kMaxJoints> held_{};  // where the joints stand when no segment runs
 };
 

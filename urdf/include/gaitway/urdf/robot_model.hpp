@@ -148,6 +148,9 @@ struct NetworkSettings {
   std::string profile = "full";
   int line = 0;  // of the network file; 0: it says nothing
   std::vector<MessageSetting> messages;
+  // The time slot of each cycle from which on its batch may be revised; 0: batches are played as they are
+  // handed over.
+  int revision_slot = 0;
 };
 
 struct RobotModel {
