@@ -43,6 +43,7 @@ std::size_t bytes_over_emi(const PluginManager& manager) {
 MainController::MainController(const urdf::RobotModel& robot, msgclient::Client& client,
                                msgclient::EmiHost& host, const MainControllerOptions& options)
     : check_(robot),
+      revision_slot_(robot.network.revision_slot),
       host_(host),
       wall_clock_(options.wall_clock),
       event_publisher_(client),
@@ -71,6 +72,9 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
       manager_.is_trial_to_blame("joint_plan") && manager_.take_trial_back(tick, last_refusal_.data())) {
     post_trim(tick, report);
     hand_over(tick, report);
+  }
+  if (is_revision_tick(tick, revision_slot_)) {
+    revise(tick, report);
   }
   manager_.end_trial(tick);
   const std::int64_t duration_ns = wall_clock_ == nullptr ? 0 : wall_clock_() - begin_ns;
@@ -152,7 +156,29 @@ MainController::HandOverOutcome MainController::hand_over(const Tick& tick, Tick
     ++counts_.without_plan;
     return HandOverOutcome::nothing;
   }
-  if (!plan_is_usable(tick) || !msgclient::make_hand_over(*plan_, trim_, *posted_)) {
+  return post(tick, 0, report);
+}
+
+// Nothing is missed without one: the batch goes on as it is.
+void MainController::revise(const Tick& tick, TickReport& report) noexcept {
+  report.batch = true;
+  const std::uint32_t running = tick.batch_sequence - 1;
+  const bool is_news = joint_plan_reader_.newest_sequence() != plan_publication_;
+  if (!is_news || running == 0 || accepted_->sequence != running ||
+      manager_.fault_behind("joint_plan") != nullptr || !joint_plan_reader_.read(*plan_) ||
+      plan_->sequence != running) {
+    return;
+  }
+  if (post(tick, revision_slot_, report) == HandOverOutcome::posted) {
+    ++counts_.revisions;
+  }
+}
+
+MainController::HandOverOutcome MainController::post(const Tick& tick, int first_point,
+                                                     TickReport& report) noexcept {
+  plan_publication_ = joint_plan_reader_.newest_sequence();
+  if (!plan_is_usable(tick, first_point) ||
+      !msgclient::make_hand_over(*plan_, trim_, *posted_, static_cast<std::uint32_t>(first_point))) {
     return HandOverOutcome::unusable;
   }
   const msgclient::PostResult result = host_.post(*posted_, tick.now_ns);
@@ -165,21 +191,23 @@ MainController::HandOverOutcome MainController::hand_over(const Tick& tick, Tick
                      : "the message controller has not taken the batch before: this one was not handed over");
     return HandOverOutcome::not_taken;
   }
-  ++counts_.handed_over;
+  counts_.handed_over += first_point == 0 ? 1U : 0U;
   report.handed_over = report.posted = true;
   report.transfer_ns = std::max(report.transfer_ns, result.transfer_ns);
   return HandOverOutcome::posted;
 }
 
-bool MainController::plan_is_usable(const Tick& tick) noexcept {
-  const JointPlanVerdict verdict = check_.check(*plan_, start_reference(tick));
+bool MainController::plan_is_usable(const Tick& tick, int first_point) noexcept {
+  const JointPlanVerdict verdict = check_.check(
+      *plan_, first_point == 0 ? start_reference(tick) : reference_before(first_point), first_point);
   if (verdict.accepted()) {
     return true;
   }
   ++counts_.refused_locally;
   counts_.refused_points += verdict.refused_points;
   std::array<char, 220> text{};
-  const auto prefix = fmt::format_to_n(text.data(), text.size(), "batch {}: ", tick.batch_sequence);
+  const auto prefix = fmt::format_to_n(
+      text.data(), text.size(), "{} {}: ", first_point == 0 ? "batch" : "revision of batch", plan_->sequence);
   const std::string_view line = check_.describe(verdict, std::span(text).subspan(prefix.size));
   note_refusal(tick, {text.data(), prefix.size + line.size()});
   return false;
@@ -199,9 +227,12 @@ std::span<const double> MainController::start_reference(const Tick& tick) noexce
   // The accepted batch plays from its cycle on, then its safe tail, then the tail's last point.
   const std::int64_t played =
       std::int64_t{tick.batch_sequence - accepted_->sequence} * msgclient::kSlotsPerCycle;
-  const auto point = static_cast<int>(std::min<std::int64_t>(played, accepted_->point_count) - 1);
+  return reference_before(static_cast<int>(std::min<std::int64_t>(played, accepted_->point_count)));
+}
+
+std::span<const double> MainController::reference_before(int point) noexcept {
   for (std::size_t joint = 0; joint < accepted_->joint_count; ++joint) {
-    start_rad_[joint] = static_cast<double>(accepted_->position_at(point, static_cast<int>(joint)));
+    start_rad_[joint] = static_cast<double>(accepted_->position_at(point - 1, static_cast<int>(joint)));
   }
   return std::span(start_rad_).first(accepted_->joint_count);
 }

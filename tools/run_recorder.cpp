@@ -105,10 +105,12 @@ void RunRecorder::finish() {
   }
 }
 
+// At the tick that prepares the next cycle's plan, or revises the running one.
 void RunRecorder::read_plan() {
-  MotionPlan& slot = plans_[(run_.message_controller().state().cycle + 1U) % plans_.size()];
-  if (run_.message_controller().state().slot == core::kBatchSlot) {
-    motion_plan_.read(slot);
+  const NetworkState& network = run_.message_controller().state();
+  const Tick tick = core::tick_at(network.stamp_ns);
+  if (tick.batch || core::is_revision_tick(tick, run_.robot().network.revision_slot)) {
+    motion_plan_.read(plans_[(network.cycle + (tick.batch ? 1U : 0U)) % plans_.size()]);
   }
 }
 

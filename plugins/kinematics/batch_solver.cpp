@@ -69,6 +69,7 @@ BatchOutcome leg_failure(int point, const BothLegs& legs) noexcept {
 struct BatchSolver::Run {
   const MotionPlan& plan;
   JointPlan& joint_plan;
+  const Past& past;
   CorrectionFade fade;
   std::array<Knot, kBatchPoints> batch{};
 
@@ -124,20 +125,22 @@ void BatchSolver::stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) n
   joint_plan.tail_count = plan.tail_count;
   joint_plan.reserved = 0;
   fade_ = CorrectionFade{};
-  sequence_ = 0;
+  past_ = Past{};
   if (load_compensation_) load_compensation_->begin_anew();
 }
 
 BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, const BaseOffset& correction,
                                                     JointPlan& joint_plan,
                                                     std::span<const double> reference_rad) {
-  Run run{plan, joint_plan, fade_};
-  run.fade.begin(plan.sequence, kBatchPoints, plan.tail_count, correction);
+  const bool revises = past_.sequence != 0 && plan.sequence == past_.sequence;
+  const Past past = revises ? past_before_ : past_;
+  Run run{plan, joint_plan, past, fade_};
+  run.fade.begin(plan.sequence, kBatchPoints, plan.tail_count, revises ? fade_.target() : correction);
   if (const BatchOutcome outcome = solve_batch(run); !outcome.solved()) return outcome;
   if (const BatchOutcome outcome = solve_tail(run); !outcome.solved()) return outcome;
   if (load_compensation_) {
-    load_compensation_->apply(plan, sequence_ != 0 && plan.sequence == sequence_ + 1, reference_rad,
-                              joint_plan);
+    if (revises) load_compensation_->take_back();
+    load_compensation_->apply(plan, past.precedes(plan), reference_rad, joint_plan);
   }
 
   joint_plan.sequence = plan.sequence;
@@ -146,8 +149,9 @@ BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, cons
   joint_plan.reserved = 0;
   std::memcpy(joint_plan.support, plan.support, kBatchPoints + plan.tail_count);
   fade_ = run.fade;
-  sequence_ = plan.sequence;
-  std::copy(run.batch.end() - 3, run.batch.end(), last_.begin());
+  past_before_ = past;
+  past_.sequence = plan.sequence;
+  std::copy(run.batch.end() - 3, run.batch.end(), past_.last.begin());
   return {};
 }
 
@@ -167,11 +171,13 @@ BatchOutcome BatchSolver::solve_point(Run& run, int point, const Eigen::Vector2d
 
 BatchOutcome BatchSolver::solve_batch(Run& run) {
   // The points before this batch, if the last batch was the one before; else the newest offset must do.
-  std::array<Knot, 3> before = last_;
-  const bool successor = sequence_ != 0 && run.plan.sequence == sequence_ + 1;
+  const Past& past = run.past;
+  std::array<Knot, 3> before = past.last;
   for (Knot& knot : before) {
     knot.point -= kBatchPoints;
-    if (!successor) knot.refined_m = sequence_ != 0 ? last_[2].refined_m : placement_.standing_offset_m();
+    if (!past.precedes(run.plan)) {
+      knot.refined_m = past.sequence != 0 ? past.last[2].refined_m : placement_.standing_offset_m();
+    }
   }
   for (int point = 0; point < kBatchPoints; ++point) {
     // Equidistant points: the quadratic through three of them goes on with 1, -3, 3.

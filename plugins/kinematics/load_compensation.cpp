@@ -41,7 +41,7 @@ void LoadCompensation::read_row(const JointPlan& joint_plan, int point) {
 }
 
 const LoadCompensation::Row& LoadCompensation::row(int point) const noexcept {
-  return point < 0 ? before_[static_cast<std::size_t>(kBefore + point)]
+  return point < 0 ? past_.rows[static_cast<std::size_t>(kBefore + point)]
                    : rows_[static_cast<std::size_t>(point)];
 }
 
@@ -123,34 +123,36 @@ void LoadCompensation::add(const std::array<Angles, 2>& lead, JointPlan& joint_p
                            int point) const noexcept {
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t i = 0; i < 6; ++i) {
-      joint_plan.position[point][model_.legs[side].joints[i]] += static_cast<float>(share_ * lead[side][i]);
+      joint_plan.position[point][model_.legs[side].joints[i]] +=
+          static_cast<float>(past_.share * lead[side][i]);
     }
   }
 }
 
 void LoadCompensation::apply(const MotionPlan& plan, bool goes_on, std::span<const double> reference_rad,
                              JointPlan& joint_plan) {
+  past_before_ = past_;
   const int points = static_cast<int>(kBatchPoints) + static_cast<int>(plan.tail_count);
   const int known = std::min(points, static_cast<int>(kBatchPoints) + kReach);
   for (int point = 0; point < known; ++point) read_row(joint_plan, point);
   // At either end of what is known, the nearest point that has neighbours on both sides stands in.
-  const int first = goes_on && started_ ? 0 : kReach;
+  const int first = goes_on && past_.started ? 0 : kReach;
   const auto neighbours = [&](int point) {
     return Neighbours{std::clamp(point, first, known - 1 - kReach), kReach};
   };
-  if (!started_) {
-    share_ = share_of(reference_rad, lead_rad(plan, 0, neighbours(0)));
-    started_ = true;
+  if (!past_.started) {
+    past_.share = share_of(reference_rad, lead_rad(plan, 0, neighbours(0)));
+    past_.started = true;
   }
   std::array<Angles, 2> lead{};
   for (int point = 0; point < static_cast<int>(kBatchPoints); ++point) {
     lead = lead_rad(plan, point, neighbours(point));
-    share_ = std::min(1.0, share_ + kFadePerPoint);
+    past_.share = std::min(1.0, past_.share + kFadePerPoint);
     add(lead, joint_plan, point);
   }
   add_to_tail(plan, points, lead, joint_plan);
   for (int k = 0; k < kBefore; ++k) {
-    before_[static_cast<std::size_t>(k)] = rows_[kBatchPoints - kBefore + static_cast<std::size_t>(k)];
+    past_.rows[static_cast<std::size_t>(k)] = rows_[kBatchPoints - kBefore + static_cast<std::size_t>(k)];
   }
 }
 

@@ -17,6 +17,8 @@ DivergenceFeedback::DivergenceFeedback(const GaitParameters& parameters) noexcep
       lag_ns_(std::llround(parameters.response_lag_s * 1e9)) {}
 
 void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
+  const bool revises = points_[newest_].time_ns > plan.start_ns;
+  if (revises) newest_ = (newest_ + kKept - kBatchPoints) % kKept;
   for (std::size_t i = 0; i < kBatchPoints; ++i) {
     newest_ = (newest_ + 1) % kKept;
     Point& point = points_[newest_];
@@ -48,8 +50,11 @@ Eigen::Vector2d DivergenceFeedback::deviation_m(const Estimate& estimate,
   const Eigen::Rotation2Dd to_plan(planned->foot_yaw_rad[estimate.support]);
   const Eigen::Vector2d dcm = foot + to_plan * Eigen::Vector2d(estimate.dcm) - planned->dcm_m;
   const Eigen::Vector2d zmp = foot + to_plan * Eigen::Vector2d(estimate.zmp) - planned->zmp_m;
-  const double growth = std::exp(omega_per_s_ * static_cast<double>(ahead_ns) * 1e-9);
-  const Eigen::Vector2d deviation = zmp + growth * (dcm - zmp);
+  const auto growth_over = [this](std::int64_t time_ns) {
+    return std::exp(omega_per_s_ * static_cast<double>(time_ns) * 1e-9);
+  };
+  Eigen::Vector2d deviation = zmp + growth_over(ahead_ns) * (dcm - zmp);
+  if (planned->time_ns <= answered_ns_) deviation -= growth_over(start_ns - answered_ns_) * answered_m_;
   return deviation.allFinite() ? deviation : Eigen::Vector2d::Zero().eval();
 }
 

@@ -1,9 +1,11 @@
 // The plug-in `trajectory`: connects the walking pattern and the player of motions to their topics.
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gaitway/core/cycle.hpp"
 #include "gaitway/core/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/installation.hpp"
@@ -71,6 +73,11 @@ class Trajectory final : public Plugin {
   explicit Trajectory(Setup& setup) : Trajectory(setup, configured(setup)) {}
 
   void step(const Tick& tick) override {
+    if (!tick.batch) {
+      if (core::is_revision_tick(tick, revision_slot_)) revise(tick);
+      return;
+    }
+    see_revision_through(tick);
     MotionPlan& plan = plan_.value();
     const PlanDecision decision = decide(tick);
     if (decision != PlanDecision::resume) player_.break_off();
@@ -95,7 +102,7 @@ class Trajectory final : public Plugin {
     state_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 4; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 5; }
   void save_state(StateWriter& state) const override {
     state(pattern_, divergence_, continuity_, player_, desk_, void_until_ns_);
   }
@@ -105,7 +112,8 @@ class Trajectory final : public Plugin {
 
  private:
   Trajectory(Setup& setup, const GaitParameters& parameters)
-      : pattern_(parameters),
+      : revision_slot_(urdf::load_robot(setup.robot_directory()).network.revision_slot),
+        pattern_(parameters),
         divergence_(parameters),
         player_(motions_of(setup, parameters)),
         desk_(player_.motions(), urdf::load_robot(setup.robot_directory())),
@@ -121,16 +129,57 @@ class Trajectory final : public Plugin {
         plan_(setup.writes<MotionPlan>("motion_plan")),
         posture_(setup.writes<PosturePlan>("posture_plan")),
         state_(setup.writes<gaitway::MotionState>("motion_state")) {
-    setup.period(Period::batch);
+    setup.period(revision_slot_ > 0 ? Period::tick : Period::batch);
+    pattern_.revise_from(revision_slot_);
+  }
+
+  // The rest of the batch that runs, by what has been seen since it was planned.
+  void revise(const Tick& tick) {
+    const std::uint32_t running = tick.batch_sequence - 1;
+    MotionPlan& plan = plan_.value();
+    if (!network_.has_value() || plan.sequence != running) return;
+    const NetworkState& network = network_.read();
+    if (static_cast<NetworkMode>(network.mode) != NetworkMode::batches ||
+        network.accepted_sequence != running)
+      return;
+    const std::int64_t start_ns = plan.start_ns + revision_slot_ * msgclient::kSlot_ns;
+    const WalkCommand walk = commanded(tick.now_ns);
+    if (!pattern_.revise(walk, correction(), plan, deviation_m(start_ns))) return;
+    divergence_.take(plan);
+    divergence_.answered(pattern_.answered_m(), start_ns);
+    report_limits(walk);
+    continuity_.published(running, pattern_.final_stance());
+    accepted_before_revision_ = accepted_hand_overs(network);
+    plan_.publish();
+  }
+
+  // A revision that did not reach the joints, whoever refused it, was none.
+  void see_revision_through(const Tick& tick) {
+    if (!accepted_before_revision_) return;
+    if (accepted_hand_overs(network_.read()) == *accepted_before_revision_) {
+      pattern_.take_revision_back();
+      divergence_.forget();
+      continuity_.published(tick.batch_sequence - 1, pattern_.final_stance());
+    }
+    accepted_before_revision_.reset();
+  }
+
+  [[nodiscard]] static std::uint64_t accepted_hand_overs(const NetworkState& network) noexcept {
+    return network.handed_over - network.late - network.refused;
+  }
+
+  Correction correction() { return correction_.has_value() ? correction_.read() : Correction{}; }
+
+  Eigen::Vector2d deviation_m(std::int64_t start_ns) {
+    if (!estimate_.has_value()) return Eigen::Vector2d::Zero();
+    return divergence_.deviation_m(estimate_.read(), start_ns);
   }
 
   void plan_steps(const Tick& tick, const WalkCommand& walk, MotionPlan& plan) {
-    const Correction correction = correction_.has_value() ? correction_.read() : Correction{};
-    Eigen::Vector2d dcm_deviation_m = Eigen::Vector2d::Zero();
-    if (estimate_.has_value())
-      dcm_deviation_m = divergence_.deviation_m(estimate_.read(), tick.batch_start_ns);
-    pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction, plan, dcm_deviation_m);
+    pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction(), plan,
+                  deviation_m(tick.batch_start_ns));
     divergence_.take(plan);
+    divergence_.answered(pattern_.answered_m(), tick.batch_start_ns);
     report_limits(walk);
     continuity_.published(tick.batch_sequence, pattern_.final_stance());
   }
@@ -184,6 +233,9 @@ class Trajectory final : public Plugin {
                               network.accepted_sequence);
   }
 
+  int revision_slot_;  // of a cycle, from which its batch may be revised; 0: none is
+  // While a revision may be under way: how many hand-overs had been accepted before it.
+  std::optional<std::uint64_t> accepted_before_revision_;
   WalkingPattern pattern_;
   DivergenceFeedback divergence_;
   MotionPlayer player_;

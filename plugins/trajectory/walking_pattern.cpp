@@ -307,8 +307,12 @@ void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReferenc
   lay_out_reference(state, points, reference);
   if (state.phase != Phase::walking) return;
   absorber_.absorb(state.divergence, reference, state.zmp_offset);
-  DivergenceAbsorber::shift(state.zmp_offset, kBatch);
-  state.divergence = absorber_.required_divergence(reference, kBatch);
+}
+
+void WalkingPattern::pass(PatternState& state, const ZmpReference& reference, int played) const noexcept {
+  if (reference.count == 0) return;
+  DivergenceAbsorber::shift(state.zmp_offset, played);
+  state.divergence = absorber_.required_divergence(reference, played);
 }
 
 void WalkingPattern::advance(PatternState& state, const ZmpReference& reference, int index) noexcept {

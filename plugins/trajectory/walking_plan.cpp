@@ -14,10 +14,37 @@ constexpr auto kBatch = static_cast<int>(kBatchPoints);
 void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
                           const Correction& correction, MotionPlan& plan,
                           const Eigen::Vector2d& dcm_deviation_m) noexcept {
-  applied_ = StepLimit::none;
   plan.sequence = sequence;
   plan.start_ns = start_ns;
   plan.motion = 0;
+  schedule(command, correction, dcm_deviation_m);
+  write_batch(0, plan);
+  write_tail(plan);
+  revisable_sequence_ = first_revised_ > 0 ? sequence : 0;
+}
+
+bool WalkingPattern::revise(const WalkCommand& command, const Correction& correction, MotionPlan& plan,
+                            const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  if (revisable_sequence_ == 0 || plan.sequence != revisable_sequence_ || plan.motion != 0) return false;
+  revisable_sequence_ = 0;
+  unrevised_state_ = state_;
+  unrevised_final_stance_ = final_stance_;
+  state_ = revisable_state_;
+  schedule(command, correction, dcm_deviation_m);
+  write_batch(first_revised_, plan);
+  write_tail(plan);
+  return true;
+}
+
+void WalkingPattern::take_revision_back() noexcept {
+  state_ = unrevised_state_;
+  final_stance_ = unrevised_final_stance_;
+}
+
+void WalkingPattern::schedule(const WalkCommand& command, const Correction& correction,
+                              const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  applied_ = StepLimit::none;
+  const Eigen::RowVector2d before = absorber_.divergence(state_.cart);
   Eigen::Vector2d deviation_m = dcm_deviation_m;
   if (must_recover(state_, deviation_m)) {
     begin_recovery(state_, deviation_m);
@@ -41,13 +68,22 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
   } else {
     schedule_stop(state_);
   }
-  fill_reference(state_, kBatch + parameters_.preview_points(), batch_reference_);
-  write_footsteps(state_, plan);
-  for (int i = 0; i < kBatch; ++i) {
+  answered_m_ = (absorber_.divergence(state_.cart) - before).transpose();
+}
+
+void WalkingPattern::write_batch(int first, MotionPlan& plan) noexcept {
+  const int points = kBatch - first;
+  fill_reference(state_, points + parameters_.preview_points(), batch_reference_);
+  write_footsteps(state_, first, plan);
+  for (int i = 0; i < points; ++i) {
+    if (first == 0 && i > 0 && i == first_revised_) {
+      revisable_state_ = state_;
+      pass(revisable_state_, batch_reference_, i);
+    }
     advance(state_, batch_reference_, i);
-    write_point(state_, static_cast<std::size_t>(i), plan);
+    write_point(state_, static_cast<std::size_t>(first + i), plan);
   }
-  write_tail(plan);
+  pass(state_, batch_reference_, points);
 }
 
 // Until the stand is reached, in whole batches; one batch at least.
@@ -91,10 +127,10 @@ void WalkingPattern::write_point(const PatternState& state, std::size_t i, Motio
   plan.support[i] = in_the_air ? static_cast<std::uint8_t>(other(state.step.swing)) : std::uint8_t{2};
 }
 
-void WalkingPattern::write_footsteps(const PatternState& state, MotionPlan& plan) const noexcept {
+void WalkingPattern::write_footsteps(const PatternState& state, int first, MotionPlan& plan) const noexcept {
   plan.footstep_count = 0;
   if (state.phase != Phase::walking) return;
-  int points = -state.elapsed_points;
+  int points = first - state.elapsed_points;
   for (int i = -1; i < schedule_.count && plan.footstep_count < kMaxFootsteps; ++i) {
     const Step& step = i < 0 ? state.step : schedule_.steps[static_cast<std::size_t>(i)];
     points += step.points();

@@ -307,5 +307,32 @@ TEST(BatchSolver, AllocatesNothing) {
 }
 #endif
 
+// The same sequence again replaces the batch: nothing of the first solution is left.
+TEST(BatchSolverRevision, OfTheSamePointsIsTheSameAndTheNextBatchGoesOnFromIt) {
+  const urdf::RobotModel model = make_robot();
+  const WalkingPlan walk;
+  BatchSolver plain(model, SolverChoice::automatic), revising(model, SolverChoice::automatic);
+  const auto expected = std::make_unique<JointPlan>(), solved = std::make_unique<JointPlan>();
+  for (std::uint32_t sequence = 1; sequence < 30; ++sequence) {
+    const auto plan = std::make_unique<MotionPlan>(walk.batch(sequence, kTail));
+    Correction correction{};
+    correction.com_offset[0] = 0.001 * (sequence % 7);
+    ASSERT_TRUE(plain.plan_batch(sequence, *plan, correction, *expected, {}, nullptr));
+    ASSERT_TRUE(revising.plan_batch(sequence, *plan, correction, *solved, {}, nullptr));
+    Correction newer = correction;
+    newer.com_offset[0] += 0.01;  // waits for the next batch
+    auto other = std::make_unique<MotionPlan>(*plan);
+    for (int i = 4; i < kBatchPoints + kTail; ++i) other->com[i][1] += 0.002 * std::min(1.0, (i - 3) / 10.0);
+    ASSERT_TRUE(revising.plan_batch(sequence, *other, newer, *solved, {}, nullptr));
+    ASSERT_TRUE(revising.plan_batch(sequence, *plan, newer, *solved, {}, nullptr));
+    for (int point = 0; point < kBatchPoints + kTail; ++point) {
+      for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
+        ASSERT_EQ(solved->position[point][joint], expected->position[point][joint])
+            << "batch " << sequence << ", point " << point << ", joint " << joint;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gaitway::kinematics

@@ -30,7 +30,8 @@ struct BatchOutcome {
 // Solves every point of the batch with the CoM where it is planned (kBatchTolerance_m). In the tail, the
 // base's offset from the CoM is solved at every fourth point and interpolated between; the legs are solved at
 // each. Joints outside the legs stay at home. Remembers the last batch's offsets as first guess, and the
-// correction.
+// correction. The last batch's sequence again is a revision of it: it is solved from what it was solved from,
+// with its correction, so that points that have not changed come out as they were.
 class BatchSolver {
  public:
   static constexpr double kBatchTolerance_m = 0.05e-3;
@@ -63,7 +64,7 @@ class BatchSolver {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.fade_, self.sequence_, self.last_);
+    archive(self.fade_, self.past_.sequence, self.past_.last);
     if (self.load_compensation_) archive(*self.load_compensation_);
   }
 
@@ -95,8 +96,14 @@ class BatchSolver {
   std::unique_ptr<LoadCompensation> load_compensation_;  // large; none: the references are the planned angles
   std::vector<float> home_rad_;
   CorrectionFade fade_;
-  std::uint32_t sequence_ = 0;                                          // of the last batch that was solved
-  std::array<Knot, 3> last_{};                                          // its last three points
+  struct Past {
+    std::uint32_t sequence = 0;  // of the last batch that was solved
+    std::array<Knot, 3> last{};  // its last three points
+    [[nodiscard]] bool precedes(const MotionPlan& plan) const noexcept {
+      return sequence != 0 && plan.sequence == sequence + 1;
+    }
+  };
+  Past past_, past_before_;  // of the next batch, and of the last one
   std::unique_ptr<MotionPlan> stand_ = std::make_unique<MotionPlan>();  // of a motion; large
 };
 

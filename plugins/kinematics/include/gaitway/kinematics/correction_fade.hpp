@@ -25,6 +25,9 @@ class CorrectionFade {
   void begin(std::uint32_t sequence, std::uint32_t batch_count, std::uint32_t tail_count,
              const BaseOffset& target) noexcept;
 
+  // What the last batch goes to.
+  [[nodiscard]] const BaseOffset& target() const noexcept { return target_; }
+
   // Offset at a point: 0 is the first of the batch; beyond the tail's end as at its end.
   [[nodiscard]] BaseOffset at(std::uint64_t point) const noexcept;
 

@@ -29,12 +29,14 @@ class LoadCompensation {
              JointPlan& joint_plan);
 
   // The next batch is like the first one.
-  void begin_anew() noexcept { started_ = false; }
+  void begin_anew() noexcept { past_.started = false; }
+  // The next batch replaces the last one.
+  void take_back() noexcept { past_ = past_before_; }
 
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.started_, self.share_, self.before_);
+    archive(self.past_.started, self.past_.share, self.past_.rows);
   }
 
  private:
@@ -69,9 +71,13 @@ class LoadCompensation {
   double mass_kg_, com_height_m_;
   std::array<Eigen::Isometry3d, kMaxPoints> base_;
   std::array<Row, kMaxPoints> rows_;
-  std::array<Row, kBefore> before_;
-  bool started_ = false;
-  double share_ = 0.0;  // of the lead that is applied at the end of the last batch
+  // What a batch goes on from.
+  struct Past {
+    std::array<Row, kBefore> rows;
+    bool started = false;
+    double share = 0.0;  // of the lead that is applied at the end of the last batch
+  };
+  Past past_, past_before_;  // of the next batch, and of the last one
 };
 
 }  // namespace gaitway::kinematics

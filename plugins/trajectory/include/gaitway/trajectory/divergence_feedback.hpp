@@ -17,19 +17,27 @@ class DivergenceFeedback {
  public:
   explicit DivergenceFeedback(const GaitParameters& parameters) noexcept;
 
-  // Point i of the batch is reached at the end of its slot i.
+  // Point i of the batch is reached at the end of its slot i. A revision takes the place of its batch.
   void take(const MotionPlan& plan) noexcept;
+  // At its start, at `start_ns`, the plan has taken over so much of the deviation that was seen.
+  void answered(const Eigen::Vector2d& by_m, std::int64_t start_ns) noexcept {
+    answered_m_ = by_m;
+    answered_ns_ = start_ns;
+  }
+  // What was taken is not what the robot plays.
+  void forget() noexcept { points_ = {}; }
 
   // Estimated less planned DCM at `start_ns`, in the plan's frame, m: the deviation at the estimate's
   // instant, both seen from the support foot, led on by ξ̇ = ω (ξ − p) as if the ZMP p stayed as far from the
-  // planned one as it is. Zero without an estimate that is upright, finite, at most 60 ms older than
-  // `start_ns`, and of an instant that was planned.
+  // planned one as it is. What the plan has answered since that instant is off no more. Zero without an
+  // estimate that is upright, finite, at most 60 ms older than `start_ns`, and of an instant that was
+  // planned.
   [[nodiscard]] Eigen::Vector2d deviation_m(const Estimate& estimate, std::int64_t start_ns) const noexcept;
 
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.points_, self.newest_);
+    archive(self.points_, self.newest_, self.answered_m_, self.answered_ns_);
   }
 
  private:
@@ -51,6 +59,8 @@ class DivergenceFeedback {
   std::int64_t lag_ns_;
   std::array<Point, kKept> points_{};
   std::size_t newest_ = 0;
+  Eigen::Vector2d answered_m_ = Eigen::Vector2d::Zero();  // at answered_ns_, last
+  std::int64_t answered_ns_ = -1;
 };
 
 }  // namespace gaitway::trajectory

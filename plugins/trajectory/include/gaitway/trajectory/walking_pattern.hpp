@@ -88,6 +88,18 @@ class WalkingPattern {
             const Correction& correction, MotionPlan& plan,
             const Eigen::Vector2d& dcm_deviation_m = Eigen::Vector2d::Zero()) noexcept;
 
+  // Plans the last batch anew from its point `first` on, which plan() was told by revise_from(), and its
+  // tail; the points before stay as `plan` has them. False, and nothing changes: `plan` is not of the last
+  // batch, or that was revised before. dcm_deviation_m: at the start of that slot.
+  bool revise(const WalkCommand& command, const Correction& correction, MotionPlan& plan,
+              const Eigen::Vector2d& dcm_deviation_m) noexcept;
+  // The point, 1..kBatchPoints - 1, from which batches may be revised from now on.
+  void revise_from(int first) noexcept { first_revised_ = first; }
+  // The last revision is not played: the batch goes on as it was planned first.
+  void take_revision_back() noexcept;
+
+  // By how much the DCM of the last plan, or revision, jumped at its start, towards the body's; plan's frame.
+  [[nodiscard]] const Eigen::Vector2d& answered_m() const noexcept { return answered_m_; }
   // Where the tail of the last plan ends: the middle between the sole origins.
   [[nodiscard]] const Pose2& final_stance() const noexcept { return final_stance_; }
   [[nodiscard]] const PatternState& state() const noexcept { return state_; }
@@ -140,6 +152,11 @@ class WalkingPattern {
   // The steps' reference as it is planned, and with what absorbs their changes.
   void lay_out_reference(const PatternState& state, int points, ZmpReference& reference) const noexcept;
   void fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept;
+  // What absorbs changes of the reference goes on from its row `played`.
+  void pass(PatternState& state, const ZmpReference& reference, int played) const noexcept;
+  void schedule(const WalkCommand& command, const Correction& correction,
+                const Eigen::Vector2d& dcm_deviation_m) noexcept;
+  void write_batch(int first, MotionPlan& plan) noexcept;
   [[nodiscard]] double landing_yaw_correction_rad(const PatternState& state) const noexcept;
   // The hips' way to another height from where they are.
   void aim_hips(PatternState& state, double goal_m) const noexcept;
@@ -151,7 +168,8 @@ class WalkingPattern {
   [[nodiscard]] bool is_open(const PatternState& state) const noexcept;
   [[nodiscard]] static bool must_finish_stop(const PatternState& state) noexcept;
   void write_point(const PatternState& state, std::size_t index, MotionPlan& plan) const noexcept;
-  void write_footsteps(const PatternState& state, MotionPlan& plan) const noexcept;
+  // `state` is at the plan's point `first`.
+  void write_footsteps(const PatternState& state, int first, MotionPlan& plan) const noexcept;
   void write_tail(MotionPlan& plan) noexcept;
   [[nodiscard]] Eigen::RowVector2d stance_zmp(Side side, const Pose2& foot) const noexcept;
   [[nodiscard]] Eigen::RowVector2d stand_com(const std::array<Pose2, 2>& feet) const noexcept;
@@ -162,9 +180,15 @@ class WalkingPattern {
   FootstepPlanner planner_;
   StepAdjustment adjustment_;
   PatternState state_, tail_state_;
+  // Of the last batch: where it may be revised, and, once it is, how it ended as it was planned first.
+  int first_revised_ = 0;  // 0: it may not
+  std::uint32_t revisable_sequence_ = 0;
+  PatternState revisable_state_, unrevised_state_;
+  Pose2 unrevised_final_stance_;
   Schedule schedule_;
   ZmpReference batch_reference_, tail_reference_;
   Pose2 final_stance_;
+  Eigen::Vector2d answered_m_ = Eigen::Vector2d::Zero();
   StepLimit applied_ = StepLimit::none;
 };
 
