@@ -35,6 +35,11 @@ class ServedCalibration(unittest.TestCase):
         self.assertEqual(code, 0, said + complaint)
         return json.loads(said)["ended"]
 
+    def stands_s(self):
+        code, said, complaint = self.ctl("echo", "/joint_states")
+        self.assertEqual(code, 0, said + complaint)
+        return json.loads(said)["header"]["stamp"]["sec"]
+
     def test_finds_the_zeros(self):
         with tempfile.TemporaryDirectory(prefix="gaitway_calibration_") as name:
             folder = Path(name)
@@ -47,6 +52,7 @@ class ServedCalibration(unittest.TestCase):
             (folder / "serve.yaml").write_text(config.replace(library, motions))
             with ServedRobot("--bus-log", "--seed", SEED, "--mismatch", "1", "--config", str(folder / "serve.yaml"),
                              speed=6.0) as self.robot:
+                until(lambda: self.stands_s() >= 5, "the soles to be turned flat by the balance feedback")
                 until(lambda: self.ctl("play", "standing")[0] == 0, "the beginning of the poses")
                 until(lambda: self.motions_ended() == 1, "the end of the poses", timeout_s=150)
                 self.robot.stop()

@@ -72,7 +72,7 @@ TEST_F(Revision, WithoutNewsChangesNothing) {
 
 TEST_F(Revision, AnswersAPushByTheRestOfTheBatchAndTheNextGoesOnFromThere) {
   run(60);
-  int answered = 0;
+  int answered = 0;  // where the step in flight can still be moved
   for (int i = 0; i < 10; ++i) {
     run(1);
     const auto before = std::make_unique<MotionPlan>(*plan);
@@ -83,13 +83,15 @@ TEST_F(Revision, AnswersAPushByTheRestOfTheBatchAndTheNextGoesOnFromThere) {
     for (std::size_t k = kFrom; k < kBatchPoints; ++k) {
       EXPECT_LT((com_of(*plan, k) - com_of(*plan, k - 1)).norm(), 0.01) << "no jump";
     }
-    answered += difference_m(*plan, *before, kBatchPoints - 1) > 0.001 ? 1 : 0;
+    const bool moved = plan->footstep[0][0] != before->footstep[0][0];
+    EXPECT_EQ(difference_m(*plan, *before, kBatchPoints - 1) > 1e-5, moved);
+    answered += moved ? 1 : 0;
     const Eigen::Vector2d last = com_of(*plan, kBatchPoints - 1);
     const Eigen::Vector2d velocity = com_velocity_of(*plan, kBatchPoints - 1);
     run(1);
     EXPECT_LT((com_of(*plan, 0) - last - 0.01 * velocity).norm(), 0.001);
   }
-  EXPECT_GT(answered, 5);
+  EXPECT_GE(answered, 3);
 }
 
 TEST_F(Revision, ThatIsNotPlayedIsForgotten) {
