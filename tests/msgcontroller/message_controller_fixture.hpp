@@ -98,6 +98,16 @@ class JointsOnABus {
 
 class MessageControllerTest : public ::testing::Test {
  protected:
+  // From now on the bus drops one in twenty of the frames that move joints, the same ones in every run.
+  void lose_some_of_the_motion() {
+    bus_.drop = [state = std::uint32_t{1}](const can::Frame& frame) mutable {
+      state = state * 1664525U + 1013904223U;
+      const auto kind = can::kFullProfile.identify(frame.id)->kind;
+      const bool may_be_lost = kind == can::MessageKind::trajectory ||
+                               kind == can::MessageKind::resynchronisation || kind == can::MessageKind::sync;
+      return may_be_lost && (state >> 16U) % 20U == 0;
+    };
+  }
   void run_until(std::int64_t time_ns) {
     for (; now_ns_ < time_ns; now_ns_ += kMillisecond_ns) {
       bus_.millisecond(controller_, now_ns_);

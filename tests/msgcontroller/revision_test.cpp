@@ -168,14 +168,7 @@ TEST_F(Revisions, AStopWhileOneIsOnItsWayEndsInItsTail) {
 }
 
 TEST_F(Revisions, NoJointStaysOnACountThatIsNotKnownWhateverIsLost) {
-  std::uint32_t state = 1;
-  bus_.drop = [&state](const can::Frame& frame) {
-    state = state * 1664525U + 1013904223U;
-    const auto kind = can::kFullProfile.identify(frame.id)->kind;
-    const bool may_be_lost = kind == can::MessageKind::trajectory ||
-                             kind == can::MessageKind::resynchronisation || kind == can::MessageKind::sync;
-    return may_be_lost && (state >> 16U) % 20U == 0;
-  };
+  lose_some_of_the_motion();
   for (std::uint32_t sequence = 2; sequence < 40; ++sequence) {
     ASSERT_EQ(hand_over(sequence).verdict, Verdict::accepted) << sequence;
     // Back to where the next batch begins: the same points again are a revision, too.
