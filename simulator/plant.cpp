@@ -319,7 +319,8 @@ BodyTruth Plant::body_truth() const {
   BodyTruth truth{.encoder_zero_rad = self.zero_error_rad,
                   .trunk_com_offset_m = self.mismatch.trunk_com_offset_m,
                   .link_mass_kg = {},
-                  .cell_gain = self.cell_gain};
+                  .cell_gain = self.cell_gain,
+                  .gyro_bias_rad_per_s = self.gyro_bias_rad_per_s};
   const std::span<const double> masses(self.model->body_mass,
                                        self.robot.links.size() + 1);  // the world first
   truth.link_mass_kg.assign(masses.begin() + 1, masses.end());

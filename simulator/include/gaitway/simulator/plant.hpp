@@ -68,6 +68,7 @@ struct BodyTruth {
   Eigen::Vector3d trunk_com_offset_m = Eigen::Vector3d::Zero();  // from the description's
   std::vector<double> link_mass_kg;
   std::array<std::array<double, 4>, 2> cell_gain{};  // [Side]; 0: a dead one
+  Eigen::Vector3d gyro_bias_rad_per_s = Eigen::Vector3d::Zero();
 };
 
 // A bare replay of recorded torques.

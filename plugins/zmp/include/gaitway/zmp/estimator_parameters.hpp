@@ -19,14 +19,16 @@ struct EstimatorParameters {
   double rate_filter_s = 0.0;  // low-pass of the angular velocity; 0: none
   double bias_deviation_rad_per_s = 0.005;  // of the gyro's bias, each axis
   double bias_lifetime_s = 1e6;             // in which it forgets itself
-  double heading_noise_rad = 0.002;         // how far play lets trunk and feet turn unseen
+  // How far play lets trunk and feet turn unseen, some 0.002 rad. They stay so for tenths of a second, and a
+  // hundred samples in a second know no more than a few of such times do: hence the larger number.
+  double heading_noise_rad = 0.015;
   // How standing feet creep, per square root of a second: always; when they have just been planted; for a
   // load that rattles, times the mean square of its change as a share of the weight; and while the legs are
   // moved, times the fastest joint's rate.
   double creep_rad_rts = 0.0001;
   double settling_creep_rad_rts = 0.003;
   double rattle_creep_rad_rts = 1.5;
-  double moved_creep_rts = 0.1;
+  double moved_creep_rts = 0.01;
   double planted_share = 0.2;  // of the body weight on each foot, for planted_time: the feet stand
   double planted_time_s = 0.2;
 
