@@ -72,6 +72,8 @@ bool TrimFallback::act(const Tick& tick, ManagedPlugin& through) noexcept {
   correction.stamp_ns = tick.now_ns;
   scale(correction.com_offset, share);
   scale(correction.base_attitude_offset, share);
+  scale(correction.bow, share);
+  scale(correction.bow_rate, 0.0);
   scale(correction.step_offset, share);
   correction.turn_rate_offset *= share;
   const bool trimmed = through.publish_in_place("trim", trim, tick.now_ns);

@@ -26,7 +26,8 @@ PlanPoint point_of(const MotionPlan& plan, int point, const BaseOffset& correcti
   PlanPoint result;
   result.hip_height_m = plan.hip_height[point];
   result.base_yaw_rad = plan.base_yaw[point];
-  result.base_attitude_rad = correction.attitude_rad;
+  result.base_attitude_rad =
+      correction.attitude_rad + Eigen::Vector2d(correction.bow[0].angle_rad, correction.bow[1].angle_rad);
   result.com_m = {plan.com[point][0], plan.com[point][1]};
   result.com_offset_m = correction.com_m;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -253,8 +254,10 @@ bool BatchSolver::plan_batch(std::uint32_t sequence, const MotionPlan& plan, con
     joint_plan.tail_count = 0;
     return false;
   }
-  const BaseOffset offset{{correction.com_offset[0], correction.com_offset[1]},
-                          {correction.base_attitude_offset[0], correction.base_attitude_offset[1]}};
+  const BaseOffset offset{
+      {correction.com_offset[0], correction.com_offset[1]},
+      {correction.base_attitude_offset[0], correction.base_attitude_offset[1]},
+      {{{correction.bow[0], correction.bow_rate[0]}, {correction.bow[1], correction.bow_rate[1]}}}};
   const BatchOutcome outcome = solve(plan, offset, joint_plan, reference_rad, posture);
   if (!outcome.solved()) {
     throw std::runtime_error("batch " + std::to_string(sequence) + ": " + describe(outcome));

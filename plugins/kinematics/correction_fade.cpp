@@ -2,6 +2,11 @@
 #include "gaitway/kinematics/correction_fade.hpp"
 
 namespace gaitway::kinematics {
+namespace {
+
+constexpr double kPointPeriod_s = 0.010;
+
+}  // namespace
 
 void CorrectionFade::begin(std::uint32_t sequence, std::uint32_t batch_count, std::uint32_t tail_count,
                            const BaseOffset& target) noexcept {
@@ -16,19 +21,29 @@ void CorrectionFade::begin(std::uint32_t sequence, std::uint32_t batch_count, st
   target_ = target;
 }
 
+std::array<msgclient::Bow, 2> CorrectionFade::bow(std::uint64_t point) const noexcept {
+  const double time_s = kPointPeriod_s * static_cast<double>(point + 1);
+  const double batch_s = kPointPeriod_s * static_cast<double>(batch_count_);
+  return {msgclient::bow_at(start_.bow[0], target_.bow[0], time_s, batch_s),
+          msgclient::bow_at(start_.bow[1], target_.bow[1], time_s, batch_s)};
+}
+
 BaseOffset CorrectionFade::at(std::uint64_t point) const noexcept {
+  if (batch_count_ == 0) return {};
   if (point < batch_count_) {
     const double share = static_cast<double>(point + 1) / static_cast<double>(batch_count_);
     return {start_.com_m + share * (target_.com_m - start_.com_m),
-            start_.attitude_rad + share * (target_.attitude_rad - start_.attitude_rad)};
+            start_.attitude_rad + share * (target_.attitude_rad - start_.attitude_rad), bow(point)};
   }
   const std::uint64_t tail_point = point - batch_count_ + 1;
   const std::uint64_t held = tail_count_ / 2;
-  if (tail_count_ == 0 || tail_point <= held) return target_;
+  if (tail_count_ == 0 || tail_point <= held) return {target_.com_m, target_.attitude_rad, bow(point)};
   if (tail_point >= tail_count_) return {};
   const double phase = static_cast<double>(tail_point - held) / static_cast<double>(tail_count_ - held);
   const double share = 1.0 - phase * phase * (3.0 - 2.0 * phase);
-  return {share * target_.com_m, share * target_.attitude_rad};
+  std::array<msgclient::Bow, 2> fading = bow(point);
+  for (msgclient::Bow& axis : fading) axis.angle_rad *= share;
+  return {share * target_.com_m, share * target_.attitude_rad, fading};
 }
 
 }  // namespace gaitway::kinematics

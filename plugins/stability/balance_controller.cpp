@@ -1,6 +1,8 @@
 // Who stands on what now, and is there anything to balance; then each feedback on its own.
 #include "gaitway/stability/balance_controller.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -46,6 +48,13 @@ msgclient::TrunkMotion motion_of(const Estimate& estimate, const PlanMoment& mea
           estimate.angular_velocity[1] - meant.trunk_rate_rad_per_s[1]};
 }
 
+// A point of the estimate, in its support foot's frame, less the planned CoM; base axes.
+Eigen::Vector2d beyond_plan_m(const Estimate& estimate, const Eigen::Vector2d& point_m,
+                              const PlanMoment& meant) noexcept {
+  const std::size_t foot = std::min<std::size_t>(estimate.support, 1);
+  return Eigen::Rotation2Dd(meant.foot_from_base_rad[foot]) * (point_m - meant.com_in_foot_m[foot]);
+}
+
 }  // namespace
 
 BalanceController::BalanceController(const urdf::RobotModel& model, const BalanceParameters& parameters)
@@ -55,7 +64,9 @@ BalanceController::BalanceController(const urdf::RobotModel& model, const Balanc
       speed_(parameters),
       lean_(parameters, urdf::home_com_height_m(model)),
       fall_reaction_(parameters.fall_softness),
-      soles_(model, parameters) {}
+      soles_(model, parameters),
+      centring_(parameters),
+      hips_(model, parameters) {}
 
 bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& meant,
                                   std::int64_t now_ns) const noexcept {
@@ -99,7 +110,11 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
   // Without an estimate nothing is known of a fall: the softness stays.
   if (inputs.estimate != nullptr)
     trim.softness = fall_reaction_.update(inputs.estimate->fall, moment && moment->on_ground);
-  const PlanMoment meant = moment.value_or(PlanMoment{});
+  PlanMoment meant = moment.value_or(PlanMoment{});
+  const msgclient::Bow bow = hips_.at(meant.sequence, meant.since_start_s);
+  meant.trunk_attitude_rad.y() += bow.angle_rad;
+  meant.trunk_rate_rad_per_s.y() += bow.rate_rad_per_s;
+  bool stands = false;
   if (!is_usable(inputs.estimate, meant, now_ns)) {
     trims_.update(std::nullopt, kBothFeet, trim);
     heading_.pause();
@@ -109,11 +124,17 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
     const Estimate& estimate = *inputs.estimate;
     const std::optional<std::size_t> support = support_of(moment, estimate);
     const bool grounded = !is_airborne(estimate) && support.has_value() && leans_little(meant);
-    trims_.update(grounded ? std::optional(motion_of(estimate, meant)) : std::nullopt,
-                  support.value_or(kBothFeet), trim);
+    stands = grounded && moment && !meant.walking && !meant.motion;
+    msgclient::TrunkMotion trunk = motion_of(estimate, meant);
+    if (hips_.bows()) trunk.pitch_rate *= parameters_.bow_damping;
+    trims_.update(grounded ? std::optional(trunk) : std::nullopt, support.value_or(kBothFeet), trim);
     if (grounded && !meant.motion && (meant.walking || !sways(estimate))) {
-      lean_.update(estimate.attitude[0], estimate.attitude[1], meant.walking);
-      if (moment && !meant.walking && support == kBothFeet) soles_.learn(estimate);
+      lean_.update(estimate.attitude[0], estimate.attitude[1] - bow.angle_rad, meant.walking);
+      if (stands && support == kBothFeet && !hips_.bows()) {
+        soles_.learn(estimate);
+        centring_.learn(beyond_plan_m(estimate, Eigen::Vector2d(estimate.com), meant),
+                        beyond_plan_m(estimate, Eigen::Vector2d(estimate.dcm), meant));
+      }
     } else if (!grounded) {
       lean_.fade();
     }
@@ -129,10 +150,15 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
     }
   }
   soles_.add_to(trim);
-  if (!timeline_.newest_stays_upright()) std::memset(trim.gain, 0, sizeof trim.gain);
+  hips_.follow(stands ? std::optional(inputs.estimate->dcm[0]) : std::nullopt);
+  if (inputs.plan != nullptr) hips_.begin_batch(inputs.plan->sequence, inputs.plan->footstep_count > 0);
+  correction.bow[1] = hips_.target().angle_rad;
+  correction.bow_rate[1] = hips_.target().rate_rad_per_s;
+  if (!timeline_.newest_stays_upright() || hips_.bows()) std::memset(trim.gain, 0, sizeof trim.gain);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     correction.base_attitude_offset[axis] = lean_.offset_rad()[axis];
-    correction.com_offset[axis] = lean_.com_offset_m()[axis];
+    correction.com_offset[axis] =
+        lean_.com_offset_m()[axis] + centring_.offset_m()[static_cast<Eigen::Index>(axis)];
   }
 }
 

@@ -39,8 +39,16 @@ std::vector<BalanceParameters::Number> BalanceParameters::numbers() {
       {lean_gain_per_s, "lean_gain", "1/s", 0.0, 5.0},
       {walking_lean_gain_per_s, "walking_lean_gain", "1/s", 0.0, 5.0},
       {lean_limit_rad, "lean_limit", "rad", 0.0, 0.3},
+      {centring_gain_per_s, "centring_gain", "1/s", 0.0, 5.0},
+      {centring_limit_m, "centring_limit", "m", 0.0, 0.05},
       {sole_gain_rad_per_m_s, "sole_gain", "rad/(m*s)", 0.0, 20.0},
       {sole_limit_rad, "sole_limit", "rad", 0.0, 0.2},
+      {bow_beyond_m, "bow_beyond", "m", 0.0, 1.0},
+      {bow_gain_rad_per_m, "bow_gain", "rad/m", 0.0, 500.0},
+      {bow_limit_rad, "bow_limit", "rad", 0.0, 0.6},
+      {bow_speed_rad_per_s, "bow_speed", "rad/s", 0.1, 6.0},
+      {bow_return_rad_per_s, "bow_return", "rad/s", 0.05, 5.0},
+      {bow_damping, "bow_damping", "1", 0.0, 1.0},
   };
 }
 

@@ -40,6 +40,12 @@ void PlanTimeline::take(const MotionPlan& plan) noexcept {
         to_base * Eigen::Vector2d(plan.com_velocity[i][0], plan.com_velocity[i][1]);
     excerpt.com_velocity_m_per_s[i] = {velocity.x(), velocity.y()};
     excerpt.trunk_attitude_rad[i] = {plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Eigen::Rotation2Dd to_foot(-plan.foot_yaw[i][side]);
+      const Eigen::Vector2d com = to_foot * Eigen::Vector2d(plan.com[i][0] - plan.foot_position[i][side][0],
+                                                            plan.com[i][1] - plan.foot_position[i][side][1]);
+      excerpt.com_in_foot[i][side] = {com.x(), com.y(), plan.foot_yaw[i][side] - plan.base_yaw[i]};
+    }
     upright_ = upright_ && std::hypot(plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]) < kUpright_rad;
   }
 }
@@ -54,12 +60,19 @@ std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
     const std::int64_t slot =
         (now_ns - excerpt.start_ns) / kPoint_ns;  // point i is reached at the end of slot i
     PlanMoment moment;
+    moment.sequence = excerpt.sequence;
+    moment.since_start_s = 1e-9 * static_cast<double>(now_ns - excerpt.start_ns);
     const std::size_t support = excerpt.support[static_cast<std::size_t>(std::min(slot, last))];
     moment.support = std::min(support, kMostSupport + 1);
     moment.on_ground = support > kMostSupport && slot <= last;
     const auto reached = static_cast<std::size_t>(std::clamp<std::int64_t>(slot - 1, 0, last));
     moment.commanded_yaw_rad = excerpt.commanded_yaw_rad[reached];
     moment.com_velocity_m_per_s = Eigen::Vector2d(excerpt.com_velocity_m_per_s[reached].data());
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::array<double, 3>& com = excerpt.com_in_foot[reached][side];
+      moment.com_in_foot_m[side] = {com[0], com[1]};
+      moment.foot_from_base_rad[side] = com[2];
+    }
     moment.walking = excerpt.walking && slot <= last;
     moment.motion = excerpt.motion && slot <= last;
     moment.trunk_attitude_rad = Eigen::Vector2d(excerpt.trunk_attitude_rad[reached].data());

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::int64_t kPointPeriod_ns = 10'000'000;
 constexpr auto kBatch = static_cast<int>(kBatchPoints);
+constexpr int kShortestTail = 6 * kBatch;
 
 }  // namespace
 
@@ -46,7 +47,8 @@ void WalkingPattern::schedule(const WalkCommand& command, const Correction& corr
   applied_ = StepLimit::none;
   const Eigen::RowVector2d before = absorber_.divergence(state_.cart);
   Eigen::Vector2d deviation_m = dcm_deviation_m;
-  if (must_recover(state_, deviation_m)) {
+  const double bow_rad = std::isfinite(correction.bow[1]) ? correction.bow[1] : 0.0;
+  if (must_recover(state_, deviation_m, bow_rad)) {
     begin_recovery(state_, deviation_m);
     deviation_m.setZero();  // it is the plan's now
   }
@@ -86,7 +88,7 @@ void WalkingPattern::write_batch(int first, MotionPlan& plan) noexcept {
   pass(state_, batch_reference_, points);
 }
 
-// Until the stand is reached, in whole batches; one batch at least.
+// Until the stand is reached, in whole batches, and long enough for a bow to end in it.
 void WalkingPattern::write_tail(MotionPlan& plan) noexcept {
   tail_state_ = state_;
   schedule_stop(tail_state_);
@@ -97,7 +99,8 @@ void WalkingPattern::write_tail(MotionPlan& plan) noexcept {
       advance(tail_state_, tail_reference_, count);
       write_point(tail_state_, static_cast<std::size_t>(kBatch) + static_cast<std::size_t>(count), plan);
     }
-  } while (tail_state_.phase != Phase::stand && count + kBatch <= static_cast<int>(kMaxTailPoints));
+  } while ((tail_state_.phase != Phase::stand || count < kShortestTail) &&
+           count + kBatch <= static_cast<int>(kMaxTailPoints));
   plan.tail_count = static_cast<std::uint32_t>(count);
   final_stance_ = middle_of(tail_state_.feet);
 }

@@ -12,17 +12,20 @@ constexpr int kRecoverySteps = 5;
 
 }  // namespace
 
-bool WalkingPattern::must_recover(const PatternState& state,
-                                  const Eigen::Vector2d& dcm_deviation_m) const noexcept {
+bool WalkingPattern::must_recover(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
+                                  double bow_rad) const noexcept {
   if (state.phase == Phase::walking || dcm_deviation_m.isZero()) return false;
   const Pose2 middle = middle_of(state.feet);
   const Eigen::Vector2d dcm = absorber_.divergence(state.cart).transpose() + dcm_deviation_m;
   const Pose2 seen = middle.relative_of({dcm.x(), dcm.y(), 0.0});
   const Sole& sole = parameters_.sole;
   const Pose2 left = middle.relative_of(state.feet[0]);
-  const double ahead = std::abs(seen.x_m - sole.centre_forward_m) - 0.5 * sole.length_m;
+  const double spent_by_bow_m = parameters_.recover_bow_m_per_rad * std::abs(bow_rad);
+  const double from_middle_m = seen.x_m - sole.centre_forward_m;
+  const double beyond_m = from_middle_m > 0.0 ? parameters_.recover_ahead_m : parameters_.recover_behind_m;
+  const double along = std::abs(from_middle_m) - 0.5 * sole.length_m - beyond_m + spent_by_bow_m;
   const double aside = std::abs(seen.y_m) - (std::abs(left.y_m) + 0.5 * sole.width_m);
-  return std::max(ahead, aside) > parameters_.recover_beyond_m;
+  return std::max(along, aside) > 0.0;
 }
 
 // The feet stand side by side: whichever is lifted, the body falls to its side meanwhile, and the step is as

@@ -47,6 +47,8 @@ constexpr std::array kFieldRules{
     FieldRule{"MotionPlan", "footstep", -1e4, 1e4, kAny},
     FieldRule{"Correction", "com_offset", -0.20, 0.20, 0.02},
     FieldRule{"Correction", "base_attitude_offset", -0.35, 0.35, 0.05},
+    FieldRule{"Correction", "bow", -0.70, 0.70, 0.50},
+    FieldRule{"Correction", "bow_rate", -6.0, 6.0, kAny},
     FieldRule{"Correction", "turn_rate_offset", -2.0, 2.0, 0.50},
     FieldRule{"Correction", "step_offset", -0.30, 0.30, 0.10},
     FieldRule{"TrimCommand", "angle", -0.35, 0.35, 0.10},

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace gaitway::kinematics {
 namespace {
 
@@ -64,6 +67,29 @@ TEST(CorrectionFade, GoesOnFromWhereTheTailIsWhenBatchesWereMissed) {
   EXPECT_NEAR(fade.at(0).com_m.x(), played * 7.0 / 8.0, 1e-15);
   fade.begin(500, kBatch, kTail, kFirst);
   EXPECT_NEAR(fade.at(0).com_m.x(), 0.001, 1e-15) << "the tail had ended long before";
+}
+
+// The tail brakes a bow, keeps it, and takes it back: no point of it is far from the ones beside it.
+TEST(CorrectionFade, ABowComesIsBrakedAndGoesWithoutAJump) {
+  constexpr double kPoint_s = 0.010;
+  constexpr std::uint32_t kShortTail = 48;  // of a stand
+  CorrectionFade fade;
+  fade.begin(5, kBatch, kShortTail, {{}, {}, {{{}, {0.12, 3.0}}}});
+  fade.begin(6, kBatch, kShortTail, {{}, {}, {{{}, {0.36, 3.0}}}});
+  double last_rad = 0.12, last_rate_rad_per_s = 3.0, highest_rad = 0.0;
+  for (unsigned point = 0; point < kBatch + kShortTail + 10; ++point) {
+    const double angle_rad = fade.at(point).bow[1].angle_rad;
+    const double rate_rad_per_s = (angle_rad - last_rad) / kPoint_s;
+    EXPECT_LT(std::abs(rate_rad_per_s), 4.0) << point;
+    EXPECT_LT(std::abs(rate_rad_per_s - last_rate_rad_per_s), 0.8) << point;
+    EXPECT_EQ(fade.at(point).bow[0].angle_rad, 0.0);
+    highest_rad = std::max(highest_rad, angle_rad);
+    last_rad = angle_rad;
+    last_rate_rad_per_s = rate_rad_per_s;
+  }
+  EXPECT_NEAR(fade.at(kBatch - 1).bow[1].angle_rad, 0.36, 1e-12);
+  EXPECT_NEAR(highest_rad, 0.48, 1e-3);
+  EXPECT_EQ(last_rad, 0.0);
 }
 
 TEST(CorrectionFade, StartsAfreshWhenSequencesStartAfresh) {

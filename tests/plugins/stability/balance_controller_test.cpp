@@ -154,6 +154,41 @@ TEST_F(BalanceControllerTest, NothingIsLearnedFromAStandingBodyThatIsBeingCaught
   EXPECT_GT(controller_.soles().roll_rad(0), 0.02);
 }
 
+TEST_F(BalanceControllerTest, AStandingRobotBowsWithItsDcmAndIsBalancedAboutTheBow) {
+  estimate_.attitude[1] = 0.0;
+  plan(2);
+  plan_->footstep_count = 0;
+  tick(40);
+  EXPECT_EQ(correction_.bow[1], 0.0);
+  estimate_.dcm[0] = 0.07;
+  tick(7);
+  plan(2);
+  plan_->footstep_count = 0;
+  tick();
+  ASSERT_GT(correction_.bow[1], 0.05);
+  EXPECT_GT(correction_.bow_rate[1], 1.0);
+  EXPECT_EQ(correction_.bow[0], 0.0);
+  EXPECT_EQ(trim_.gain[kBothFeet][kLeftAnklePitch][1], 0.0) << "the message controller knows of no bow";
+  // The trunk is where the batch has it: nothing to correct.
+  tick(4);
+  const double next_s = 1e-9 * static_cast<double>(now_ns_ + kTick_ns - plan_->start_ns);
+  const msgclient::Bow bow = controller_.hips().at(plan_->sequence, next_s);
+  ASSERT_GT(bow.angle_rad, 0.01);
+  estimate_.attitude[1] = bow.angle_rad;
+  estimate_.angular_velocity[1] = bow.rate_rad_per_s;
+  tick();
+  expect_zero_trims();
+}
+
+TEST_F(BalanceControllerTest, AWalkingRobotDoesNotBow) {
+  plan(2);
+  estimate_.dcm[0] = 0.07;
+  tick(8);
+  plan(2);
+  tick(8);
+  EXPECT_EQ(correction_.bow[1], 0.0);
+}
+
 TEST_F(BalanceControllerTest, AShortLossOfContactChangesNothing) {
   plan(2);
   tick(100);

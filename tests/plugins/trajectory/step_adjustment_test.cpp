@@ -25,7 +25,7 @@ class AdjustedWalk : public ::testing::Test {
   void run(int cycles, const Eigen::Vector2d& deviation_m = Eigen::Vector2d::Zero()) {
     for (int i = 0; i < cycles; ++i) {
       ++sequence;
-      pattern.plan(sequence, sequence * kCycle_ns, command, Correction{}, *plan, deviation_m);
+      pattern.plan(sequence, sequence * kCycle_ns, command, correction, *plan, deviation_m);
     }
   }
   // In the middle of the walk, before the next batch begins a swing early enough to be adjusted.
@@ -45,6 +45,7 @@ class AdjustedWalk : public ::testing::Test {
   GaitParameters parameters;
   WalkingPattern pattern{parameters};
   WalkCommand command{};
+  Correction correction{};
   std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
   std::uint32_t sequence = 0;
 };
@@ -125,6 +126,28 @@ TEST_F(AdjustedWalk, LeavesAFootAloneThatIsAboutToLand) {
   EXPECT_EQ(plan->footstep[0][1], before.y_m);
 }
 
+// A trunk that has bowed catches no more: the step comes sooner.
+TEST_F(AdjustedWalk, StepsSoonerWhereTheTrunkHasBowedAlready) {
+  pattern.reset_to_stand({});
+  command = WalkCommand{};
+  run(3);
+  const double edge_m = 0.0775 - parameters.stand_com_forward_m;
+  run(1, {edge_m + 0.01, 0.0});
+  EXPECT_EQ(plan->footstep_count, 0U);
+  correction.bow[1] = 0.5;
+  run(1, {edge_m + 0.01, 0.0});
+  EXPECT_GT(plan->footstep_count, 0U);
+}
+
+TEST_F(AdjustedWalk, ABowThatIsNotANumberIsNone) {
+  pattern.reset_to_stand({});
+  command = WalkCommand{};
+  run(3);
+  correction.bow[1] = std::numeric_limits<double>::quiet_NaN();
+  run(1, {0.2, 0.0});
+  EXPECT_GT(plan->footstep_count, 0U);
+}
+
 // Until it stands again; the deviation is gone once the step is planned.
 TEST_F(AdjustedWalk, StepsAfterABodyThatIsPushedOffItsFeetAndStandsAgain) {
   for (const Eigen::Vector2d& towards : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(-1.0, 0.0),
@@ -132,9 +155,10 @@ TEST_F(AdjustedWalk, StepsAfterABodyThatIsPushedOffItsFeetAndStandsAgain) {
     pattern.reset_to_stand({});
     command = WalkCommand{};
     run(3);
-    const double edge_m = towards.x() > 0.0   ? 0.0775 - parameters.stand_com_forward_m
-                          : towards.x() < 0.0 ? 0.0575 + parameters.stand_com_forward_m
-                                              : 0.0925;
+    const double edge_m =
+        towards.x() > 0.0   ? 0.0775 - parameters.stand_com_forward_m + parameters.recover_ahead_m
+        : towards.x() < 0.0 ? 0.0575 + parameters.stand_com_forward_m + parameters.recover_behind_m
+                            : 0.0925;
     run(1, (edge_m - 0.002) * towards);
     EXPECT_EQ(plan->footstep_count, 0U) << "its feet still hold it";
     run(1, (edge_m + 0.002) * towards);

@@ -278,6 +278,12 @@ TEST_F(Walk, StopCommandWalksExactlyTheTailThatWasPromised) {
   }
 }
 
+// A robot that has bowed straightens up in the second half of its tail: 0.6 rad within the hips' speed.
+TEST_F(Walk, TheTailOfAStandIsLongEnoughToEndABow) {
+  run(3);
+  EXPECT_GE(plan->tail_count, 48U);
+}
+
 TEST_F(Walk, WalksOnWhenTheCommandComesBackWhileStopping) {
   command_walk(0.2, 0.0, 0.0);
   run(50);

@@ -2,22 +2,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+
+#include "gaitway/msgclient/bow_curve.hpp"
 
 namespace gaitway::kinematics {
 
 struct BaseOffset {
   Eigen::Vector2d com_m = Eigen::Vector2d::Zero();         // added to the CoM reference, heading frame
   Eigen::Vector2d attitude_rad = Eigen::Vector2d::Zero();  // added roll, pitch of the base
+  std::array<msgclient::Bow, 2> bow{};                     // added to that
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.com_m, self.attitude_rad);
+    archive(self.com_m, self.attitude_rad, self.bow);
   }
 };
 
 // Over the batch's points the offset goes linearly from what the robot plays just before the batch to the new
-// target. Over the first half of the tail it stays, over the second half it goes smoothly to zero, so that
-// every tail ends in the nominal posture.
+// target, and the bow as bow_at() says. Over the first half of the tail it stays, over the second half it
+// goes smoothly to zero, so that every tail ends in the nominal posture.
 class CorrectionFade {
  public:
   // Starts the batch `sequence`. A successor begins with what the last one has reached by then, in its batch
@@ -38,6 +42,8 @@ class CorrectionFade {
   }
 
  private:
+  [[nodiscard]] std::array<msgclient::Bow, 2> bow(std::uint64_t point) const noexcept;
+
   std::uint32_t sequence_ = 0;  // 0: none yet
   std::uint32_t batch_count_ = 0, tail_count_ = 0;
   BaseOffset start_, target_;

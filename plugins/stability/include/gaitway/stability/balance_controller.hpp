@@ -6,8 +6,10 @@
 
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/stability/balance_parameters.hpp"
+#include "gaitway/stability/com_centring.hpp"
 #include "gaitway/stability/fall_reaction.hpp"
 #include "gaitway/stability/heading_feedback.hpp"
+#include "gaitway/stability/hip_strategy.hpp"
 #include "gaitway/stability/lean_integrator.hpp"
 #include "gaitway/stability/plan_timeline.hpp"
 #include "gaitway/stability/sole_alignment.hpp"
@@ -41,13 +43,14 @@ class BalanceController {
 
   [[nodiscard]] const TrimFeedback& trims() const noexcept { return trims_; }
   [[nodiscard]] const SoleAlignment& soles() const noexcept { return soles_; }
+  [[nodiscard]] const HipStrategy& hips() const noexcept { return hips_; }
   [[nodiscard]] const HeadingFeedback& heading() const noexcept { return heading_; }
 
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.timeline_, self.trims_, self.heading_, self.speed_, self.lean_, self.fall_reaction_,
-            self.soles_, self.without_contact_s_);
+            self.soles_, self.centring_, self.hips_, self.without_contact_s_);
   }
 
  private:
@@ -65,6 +68,8 @@ class BalanceController {
   LeanIntegrator lean_;
   FallReaction fall_reaction_;
   SoleAlignment soles_;
+  ComCentring centring_;
+  HipStrategy hips_;
   double without_contact_s_ = 0.0;
 };
 

@@ -43,9 +43,21 @@ struct BalanceParameters {
   double walking_lean_gain_per_s = 0.15;  // small: walking sways, and the batches answer late
   double lean_limit_rad = 0.17;
 
+  // The standing CoM, through the batches.
+  double centring_gain_per_s = 2.0;  // 0: off
+  double centring_limit_m = 0.02;
+
   // Soles, through constant trims of the ankles.
   double sole_gain_rad_per_m_s = 3.0;  // of what a centre of pressure is beside its place; 0: off
   double sole_limit_rad = 0.04;
+
+  // Bow, of a robot that stands: see HipStrategy.
+  double bow_beyond_m = 0.02;        // of the DCM from the soles' middle, forward or back
+  double bow_gain_rad_per_m = 50.0;  // for what it is further; 0: off
+  double bow_limit_rad = 0.6;
+  double bow_speed_rad_per_s = 3.2;  // the hips turn twice as fast
+  double bow_return_rad_per_s = 0.4;
+  double bow_damping = 0.75;  // share of the trims' rate gains about the pitch axis while it bows
 
   // A number as the configuration has it, and what it may be.
   struct Number {

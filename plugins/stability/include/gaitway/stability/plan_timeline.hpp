@@ -12,11 +12,16 @@
 namespace gaitway::stability {
 
 struct PlanMoment {
-  std::size_t support = 2;  // 0 left, 1 right, 2 both feet, 3 neither: in the time slot that begins now
+  std::uint32_t sequence = 0;  // of the batch that plays, or whose tail does
+  double since_start_s = 0.0;  // of that batch
+  std::size_t support = 2;     // 0 left, 1 right, 2 both feet, 3 neither: in the time slot that begins now
   double commanded_yaw_rad = 0.0;                                  // reached now, in the frame `plan`
   Eigen::Vector2d com_velocity_m_per_s = Eigen::Vector2d::Zero();  // forward and left of the base
-  bool walking = false;                                            // the plan has footsteps to come
-  bool motion = false;                                             // a key-frame motion plays
+  // The planned CoM in each foot's frame [Side], and how that is turned against the base.
+  std::array<Eigen::Vector2d, 2> com_in_foot_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  std::array<double, 2> foot_from_base_rad{};
+  bool walking = false;  // the plan has footsteps to come
+  bool motion = false;   // a key-frame motion plays
   // Of the trunk, roll and pitch, as they are meant to be now; and their rates.
   Eigen::Vector2d trunk_attitude_rad = Eigen::Vector2d::Zero(),
                   trunk_rate_rad_per_s = Eigen::Vector2d::Zero();
@@ -53,6 +58,8 @@ class PlanTimeline {
     std::array<std::uint8_t, kMaxPoints> support{};
     std::array<double, kMaxPoints> commanded_yaw_rad{};
     std::array<std::array<double, 2>, kMaxPoints> com_velocity_m_per_s{}, trunk_attitude_rad{};
+    std::array<std::array<std::array<double, 3>, 2>, kMaxPoints>
+        com_in_foot{};  // m, m; and the foot's turn, rad
   };
   static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
 

@@ -40,9 +40,11 @@ struct GaitParameters {
   double adjust_speed_m_per_s = 0.25;      // at which the landing may move, times what is left of the swing
 
   // A standing robot that is pushed off its feet steps after itself.
-  double recover_beyond_m = 0.0;    // of the DCM, outside of the soles' rectangle
-  double recover_lead_in_s = 0.04;  // from then to the lift
-  double recover_swing_s = 0.20;    // of the first step; the others are those of a walk in place
+  double recover_ahead_m = 0.02;         // of the DCM before the toes, or
+  double recover_behind_m = 0.005;       // behind the heels: what a bow can still catch
+  double recover_bow_m_per_rad = 0.035;  // less than that, for what the trunk has already bowed
+  double recover_lead_in_s = 0.04;       // from then to the lift
+  double recover_swing_s = 0.24;         // of the first step; the others are those of a walk in place
   double recover_step_m =
       0.08;  // longest first step ahead or back: the hips are high, and the swing is short
 

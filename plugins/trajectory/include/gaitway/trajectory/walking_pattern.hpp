@@ -138,9 +138,10 @@ class WalkingPattern {
   void schedule_steps_after(const Step& flying, int elapsed_points, const Wanted& wanted,
                             Eigen::Vector2d offset_m) noexcept;
   void schedule_stop(PatternState& state) noexcept;
-  // A standing robot whose DCM has left its soles steps after it.
-  [[nodiscard]] bool must_recover(const PatternState& state,
-                                  const Eigen::Vector2d& dcm_deviation_m) const noexcept;
+  // A standing robot whose DCM has left its soles steps after it, where a bow that has begun does not catch
+  // it.
+  [[nodiscard]] bool must_recover(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
+                                  double bow_rad) const noexcept;
   void begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
   void adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
   [[nodiscard]] Step step_after(const Step& before, const Wanted& wanted,

@@ -48,7 +48,7 @@ struct EstimatorParameters {
   double acceleration_drift_m_per_s2_rts = 1.5;  // of what it does not explain, per square root of a second
 
   // Offset of the kinematics' CoM over a foot.
-  double com_offset_noise_m_rts = 0.008;       // in the mean over a second
+  double com_offset_noise_m_rts = 0.003;       // in the mean over a second
   double com_offset_drift_m_per_rts = 0.0005;  // as the posture changes
 
   // Slip.

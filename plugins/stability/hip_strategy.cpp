@@ -1,0 +1,72 @@
+// How far to bow, and the batches that bring the trunk there.
+#include "gaitway/stability/hip_strategy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gaitway/msgclient/topics.hpp"
+
+namespace gaitway::stability {
+namespace {
+
+constexpr double kTick_s = 0.010;
+constexpr double kBatch_s = 0.010 * static_cast<double>(kBatchPoints);
+constexpr double kUpright_rad = 0.02;  // less is no bow
+
+}  // namespace
+
+HipStrategy::HipStrategy(const urdf::RobotModel& model, const BalanceParameters& parameters)
+    : middle_m_(0.5 * (model.feet[0].centre_m.x() + model.feet[1].centre_m.x())),
+      beyond_m_(parameters.bow_beyond_m),
+      gain_rad_per_m_(parameters.bow_gain_rad_per_m),
+      limit_rad_(parameters.bow_limit_rad),
+      speed_rad_per_s_(parameters.bow_speed_rad_per_s),
+      return_rad_per_s_(parameters.bow_return_rad_per_s) {}
+
+// The body swings back over its middle before it rests: only a bow that is nearly over gives way to one to the
+// other side.
+void HipStrategy::follow(std::optional<double> dcm_ahead_m) noexcept {
+  const double ahead_m = dcm_ahead_m && std::isfinite(*dcm_ahead_m) ? *dcm_ahead_m - middle_m_ : 0.0;
+  const double beyond_m = std::max(std::abs(ahead_m) - beyond_m_, 0.0);
+  const double asked_rad = std::copysign(std::min(gain_rad_per_m_ * beyond_m, limit_rad_), ahead_m);
+  wanted_rad_ = std::copysign(std::max(std::abs(wanted_rad_) - return_rad_per_s_ * kTick_s, 0.0), wanted_rad_);
+  const bool same_side = asked_rad * wanted_rad_ > 0.0;
+  if (same_side ? std::abs(asked_rad) > std::abs(wanted_rad_) : std::abs(wanted_rad_) < kUpright_rad) {
+    wanted_rad_ = asked_rad;
+  }
+}
+
+// With one acceleration for the batch and its opposite for the next, the bow rests where it is wanted.
+void HipStrategy::begin_batch(std::uint32_t sequence, bool steps) noexcept {
+  const Batch& last = batches_[newest_];
+  if (sequence == 0 || sequence == last.sequence) return;
+  Batch next{.sequence = sequence, .from = {}, .to = {}};
+  if (last.sequence != 0 && sequence > last.sequence) {
+    next.from = msgclient::bow_at(last.from, last.to, kBatch_s * (sequence - last.sequence), kBatch_s);
+  }
+  if (steps) wanted_rad_ = next.from.angle_rad + 0.5 * next.from.rate_rad_per_s * kBatch_s;
+  const double to_go_rad = wanted_rad_ - next.from.angle_rad - 0.5 * next.from.rate_rad_per_s * kBatch_s;
+  next.to.rate_rad_per_s = std::clamp(to_go_rad / kBatch_s, -speed_rad_per_s_, speed_rad_per_s_);
+  // Going back quickly would throw the body to where it came from.
+  const double outwards = next.from.angle_rad + wanted_rad_ >= 0.0 ? 1.0 : -1.0;
+  next.to.rate_rad_per_s = outwards * std::max(outwards * next.to.rate_rad_per_s, -return_rad_per_s_);
+  next.to.angle_rad =
+      next.from.angle_rad + 0.5 * (next.from.rate_rad_per_s + next.to.rate_rad_per_s) * kBatch_s;
+  newest_ = (newest_ + 1) % kKept;
+  batches_[newest_] = next;
+}
+
+msgclient::Bow HipStrategy::at(std::uint32_t sequence, double since_start_s) const noexcept {
+  const auto batch = std::find_if(batches_.begin(), batches_.end(), [&](const Batch& kept) {
+    return kept.sequence != 0 && kept.sequence == sequence;
+  });
+  return batch == batches_.end() ? msgclient::Bow{}
+                                 : msgclient::bow_at(batch->from, batch->to, since_start_s, kBatch_s);
+}
+
+bool HipStrategy::bows() const noexcept {
+  const Batch& batch = batches_[newest_];
+  return std::max(std::abs(batch.from.angle_rad), std::abs(batch.to.angle_rad)) > kUpright_rad;
+}
+
+}  // namespace gaitway::stability

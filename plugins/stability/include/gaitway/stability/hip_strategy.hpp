@@ -1,0 +1,59 @@
+// The hip strategy: a standing robot that is pushed towards its toes or heels bows, and the trunk's angular
+// momentum brings the rest of it back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "gaitway/msgclient/bow_curve.hpp"
+#include "gaitway/stability/balance_parameters.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::stability {
+
+// While the DCM stays over the soles, ankles bring it back (the ankle strategy; Horak and Nashner, Central
+// programming of postural movements, 1986). With the whole load at the toes they can do no more, and a body
+// that does not bend tips over them like a block. A bow by `theta` about a CoM that stays where it is turns
+// the trunk's inertia J, and gives what moves the DCM back by J theta / (m z) (Pratt et al., Capture point,
+// 2006, eq. 15 for a bow that is short against the pendulum's time).
+class HipStrategy {
+ public:
+  HipStrategy(const urdf::RobotModel& model, const BalanceParameters& parameters);
+
+  // To be called every 10 ms. dcm_ahead_m: of the middle of the soles' frames; none while the robot does not
+  // stand, or nothing is known of it.
+  void follow(std::optional<double> dcm_ahead_m) noexcept;
+
+  // Once for each batch, before it is planned with target(). A batch of the same number changes nothing. One
+  // that steps brings the trunk to rest: the legs need their joints' speed for the step.
+  void begin_batch(std::uint32_t sequence, bool steps) noexcept;
+
+  // At the newest batch's end.
+  [[nodiscard]] const msgclient::Bow& target() const noexcept { return batches_[newest_].to; }
+  // What a batch plays; nothing of one that is not remembered.
+  [[nodiscard]] msgclient::Bow at(std::uint32_t sequence, double since_start_s) const noexcept;
+  // Of the newest batch: whether it bows at all.
+  [[nodiscard]] bool bows() const noexcept;
+
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.wanted_rad_, self.batches_, self.newest_);
+  }
+
+ private:
+  struct Batch {
+    std::uint32_t sequence = 0;  // 0: none
+    msgclient::Bow from, to;
+  };
+  static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
+
+  double middle_m_, beyond_m_, gain_rad_per_m_, limit_rad_;
+  double speed_rad_per_s_, return_rad_per_s_;
+  double wanted_rad_ = 0.0;  // forward is positive
+  std::array<Batch, kKept> batches_{};
+  std::size_t newest_ = 0;
+};
+
+}  // namespace gaitway::stability
