@@ -23,13 +23,14 @@ HipStrategy::HipStrategy(const urdf::RobotModel& model, const BalanceParameters&
       speed_rad_per_s_(parameters.bow_speed_rad_per_s),
       return_rad_per_s_(parameters.bow_return_rad_per_s) {}
 
-// The body swings back over its middle before it rests: only a bow that is nearly over gives way to one to the
-// other side.
+// The body swings back over its middle before it rests: only a bow that is nearly over gives way to one to
+// the other side.
 void HipStrategy::follow(std::optional<double> dcm_ahead_m) noexcept {
   const double ahead_m = dcm_ahead_m && std::isfinite(*dcm_ahead_m) ? *dcm_ahead_m - middle_m_ : 0.0;
   const double beyond_m = std::max(std::abs(ahead_m) - beyond_m_, 0.0);
   const double asked_rad = std::copysign(std::min(gain_rad_per_m_ * beyond_m, limit_rad_), ahead_m);
-  wanted_rad_ = std::copysign(std::max(std::abs(wanted_rad_) - return_rad_per_s_ * kTick_s, 0.0), wanted_rad_);
+  wanted_rad_ =
+      std::copysign(std::max(std::abs(wanted_rad_) - return_rad_per_s_ * kTick_s, 0.0), wanted_rad_);
   const bool same_side = asked_rad * wanted_rad_ > 0.0;
   if (same_side ? std::abs(asked_rad) > std::abs(wanted_rad_) : std::abs(wanted_rad_) < kUpright_rad) {
     wanted_rad_ = asked_rad;

@@ -7,10 +7,10 @@
 
 namespace gaitway::stability {
 
-// A trunk that is heavier in front than its description says, and joints whose zeros are wrong, leave the CoM a
-// centimetre off its place: a sixth of the way to the toes. The estimate learns that from the force cells; while
-// the robot stands calmly, the CoM is brought to where the plan has it, and what that takes is added to all
-// batches, also in the walk that follows.
+// A trunk that is heavier in front than its description says, and joints whose zeros are wrong, leave the CoM
+// a centimetre off its place: a sixth of the way to the toes. The estimate learns that from the force cells;
+// while the robot stands calmly, the CoM is brought to where the plan has it, and what that takes is added to
+// all batches, also in the walk that follows.
 class ComCentring {
  public:
   explicit ComCentring(const BalanceParameters& parameters) noexcept
