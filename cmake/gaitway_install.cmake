@@ -45,7 +45,7 @@ file(STRINGS core/include/gaitway/core/plugin.hpp core_includes REGEX "^#include
 list(TRANSFORM core_includes REPLACE "^#include \"(.*)\"$" "core/include/\\1")
 install(FILES core/include/gaitway/core/plugin.hpp ${core_includes} DESTINATION include/gaitway/core)
 install(DIRECTORY core/include/gaitway/core/detail DESTINATION include/gaitway/core)
-install(FILES msgclient/include/gaitway/msgclient/type_descriptor.hpp msgclient/include/gaitway/msgclient/trim_law.hpp
+install(FILES msgclient/include/gaitway/msgclient/type_descriptor.hpp msgclient/include/gaitway/msgclient/bow_curve.hpp msgclient/include/gaitway/msgclient/trim_law.hpp
               "${CMAKE_BINARY_DIR}/msgclient/generated/gaitway/msgclient/topics.h"
               "${CMAKE_BINARY_DIR}/msgclient/generated/gaitway/msgclient/topics.hpp"
         DESTINATION include/gaitway/msgclient)

@@ -12,6 +12,7 @@ namespace {
 constexpr double kTick_s = 0.010;
 constexpr double kBatch_s = 0.010 * static_cast<double>(kBatchPoints);
 constexpr double kUpright_rad = 0.02;  // less is no bow
+constexpr double kSways_m = 0.015;     // what the DCM lies beyond the CoM of a body that is not pushed
 
 }  // namespace
 
@@ -25,9 +26,12 @@ HipStrategy::HipStrategy(const urdf::RobotModel& model, const BalanceParameters&
 
 // The body swings back over its middle before it rests: only a bow that is nearly over gives way to one to
 // the other side.
-void HipStrategy::follow(std::optional<double> dcm_ahead_m) noexcept {
-  const double ahead_m = dcm_ahead_m && std::isfinite(*dcm_ahead_m) ? *dcm_ahead_m - middle_m_ : 0.0;
-  const double beyond_m = std::max(std::abs(ahead_m) - beyond_m_, 0.0);
+void HipStrategy::follow(const std::optional<Standing>& standing) noexcept {
+  const double ahead_m = standing ? standing->dcm_ahead_m - middle_m_ : 0.0;
+  const double falling_m = standing ? standing->dcm_ahead_m - standing->com_ahead_m : 0.0;
+  const bool is_pushed = std::copysign(1.0, ahead_m) * falling_m > kSways_m || wanted_rad_ * ahead_m > 0.0;
+  const double beyond_m =
+      is_pushed && std::isfinite(ahead_m) ? std::max(std::abs(ahead_m) - beyond_m_, 0.0) : 0.0;
   const double asked_rad = std::copysign(std::min(gain_rad_per_m_ * beyond_m, limit_rad_), ahead_m);
   wanted_rad_ =
       std::copysign(std::max(std::abs(wanted_rad_) - return_rad_per_s_ * kTick_s, 0.0), wanted_rad_);

@@ -40,13 +40,15 @@ void PlanTimeline::take(const MotionPlan& plan) noexcept {
         to_base * Eigen::Vector2d(plan.com_velocity[i][0], plan.com_velocity[i][1]);
     excerpt.com_velocity_m_per_s[i] = {velocity.x(), velocity.y()};
     excerpt.trunk_attitude_rad[i] = {plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]};
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Eigen::Rotation2Dd to_foot(-plan.foot_yaw[i][side]);
-      const Eigen::Vector2d com = to_foot * Eigen::Vector2d(plan.com[i][0] - plan.foot_position[i][side][0],
-                                                            plan.com[i][1] - plan.foot_position[i][side][1]);
-      excerpt.com_in_foot[i][side] = {com.x(), com.y(), plan.foot_yaw[i][side] - plan.base_yaw[i]};
-    }
     upright_ = upright_ && std::hypot(plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]) < kUpright_rad;
+  }
+  constexpr std::size_t kEnd = kBatchPoints - 1;
+  for (std::size_t side = 0; side < excerpt.com_in_foot.size(); ++side) {
+    const Eigen::Rotation2Dd to_foot(-plan.foot_yaw[kEnd][side]);
+    const auto& foot = plan.foot_position[kEnd][side];
+    const Eigen::Vector2d com =
+        to_foot * Eigen::Vector2d(plan.com[kEnd][0] - foot[0], plan.com[kEnd][1] - foot[1]);
+    excerpt.com_in_foot[side] = {com.x(), com.y(), plan.foot_yaw[kEnd][side] - plan.base_yaw[kEnd]};
   }
 }
 
@@ -69,7 +71,7 @@ std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
     moment.commanded_yaw_rad = excerpt.commanded_yaw_rad[reached];
     moment.com_velocity_m_per_s = Eigen::Vector2d(excerpt.com_velocity_m_per_s[reached].data());
     for (std::size_t side = 0; side < 2; ++side) {
-      const std::array<double, 3>& com = excerpt.com_in_foot[reached][side];
+      const std::array<double, 3>& com = excerpt.com_in_foot[side];
       moment.com_in_foot_m[side] = {com[0], com[1]};
       moment.foot_from_base_rad[side] = com[2];
     }

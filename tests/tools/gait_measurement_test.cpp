@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -99,6 +100,7 @@ TEST(TrialSeries, ends_when_it_is_told_to) {
 
 TEST(GaitTrial, a_fall_is_told_well_before_the_impact_and_soft_joints_take_the_edge_off_it) {
   Trial trial = pushed_ahead(7.0);
+  trial.push->direction_rad = 0.5 * std::numbers::pi;  // ahead, a bow decides how hard it falls
   trial.watches_fall = true;
   std::array<std::vector<double>, 2> hardest_force_N;  // of soft and of stiff joints, one for each seed
   for (trial.seed = 1; trial.seed <= 9; ++trial.seed) {

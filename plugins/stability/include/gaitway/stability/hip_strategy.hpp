@@ -21,9 +21,13 @@ class HipStrategy {
  public:
   HipStrategy(const urdf::RobotModel& model, const BalanceParameters& parameters);
 
-  // To be called every 10 ms. dcm_ahead_m: of the middle of the soles' frames; none while the robot does not
-  // stand, or nothing is known of it.
-  void follow(std::optional<double> dcm_ahead_m) noexcept;
+  // Ahead of the soles' frames.
+  struct Standing {
+    double dcm_ahead_m = 0.0, com_ahead_m = 0.0;
+  };
+  // To be called every 10 ms; none while the robot does not stand, or nothing is known of it. A body that
+  // only stands askew, as one on a slope that nobody told it of, is not pushed.
+  void follow(const std::optional<Standing>& standing) noexcept;
 
   // Once for each batch, before it is planned with target(). A batch of the same number changes nothing. One
   // that steps brings the trunk to rest: the legs need their joints' speed for the step.

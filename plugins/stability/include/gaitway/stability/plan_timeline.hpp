@@ -17,7 +17,7 @@ struct PlanMoment {
   std::size_t support = 2;     // 0 left, 1 right, 2 both feet, 3 neither: in the time slot that begins now
   double commanded_yaw_rad = 0.0;                                  // reached now, in the frame `plan`
   Eigen::Vector2d com_velocity_m_per_s = Eigen::Vector2d::Zero();  // forward and left of the base
-  // The planned CoM in each foot's frame [Side], and how that is turned against the base.
+  // The planned CoM at the batch's end, in each foot's frame [Side], and how that is turned against the base.
   std::array<Eigen::Vector2d, 2> com_in_foot_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   std::array<double, 2> foot_from_base_rad{};
   bool walking = false;  // the plan has footsteps to come
@@ -58,8 +58,8 @@ class PlanTimeline {
     std::array<std::uint8_t, kMaxPoints> support{};
     std::array<double, kMaxPoints> commanded_yaw_rad{};
     std::array<std::array<double, 2>, kMaxPoints> com_velocity_m_per_s{}, trunk_attitude_rad{};
-    std::array<std::array<std::array<double, 3>, 2>, kMaxPoints>
-        com_in_foot{};  // m, m; and the foot's turn, rad
+    // At the batch's end, by foot: m, m; and the foot's turn, rad.
+    std::array<std::array<double, 3>, 2> com_in_foot{};
   };
   static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
 
