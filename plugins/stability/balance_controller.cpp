@@ -16,6 +16,9 @@ constexpr std::uint32_t kUpright = 0;  // Estimate::fall
 // A trunk that is to lean further is not balanced: near 90° roll and pitch do not say which way it falls.
 constexpr double kMostLean_rad = 1.0;
 constexpr std::int64_t kNetworkLifetime_ns = 50'000'000;
+// A batch and some delay: when no batches come, nothing that is asked of them is done, and none of it is
+// learned.
+constexpr double kFresh_s = 0.12;
 
 const BalanceParameters& checked(const BalanceParameters& parameters) {
   parameters.validate();
@@ -132,8 +135,9 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
       lean_.update(estimate.attitude[0], estimate.attitude[1] - bow.angle_rad, meant.walking);
       if (stands && support == kBothFeet && !hips_.bows()) {
         soles_.learn(estimate);
-        centring_.learn(beyond_plan_m(estimate, Eigen::Vector2d(estimate.com), meant),
-                        beyond_plan_m(estimate, Eigen::Vector2d(estimate.dcm), meant));
+        if (meant.since_start_s < kFresh_s)
+          centring_.learn(beyond_plan_m(estimate, Eigen::Vector2d(estimate.com), meant),
+                          beyond_plan_m(estimate, Eigen::Vector2d(estimate.dcm), meant));
       }
     } else if (!grounded) {
       lean_.fade();

@@ -42,13 +42,13 @@ void PlanTimeline::take(const MotionPlan& plan) noexcept {
     excerpt.trunk_attitude_rad[i] = {plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]};
     upright_ = upright_ && std::hypot(plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]) < kUpright_rad;
   }
-  constexpr std::size_t kEnd = kBatchPoints - 1;
+  const std::uint32_t last = count - 1;
   for (std::size_t side = 0; side < excerpt.com_in_foot.size(); ++side) {
-    const Eigen::Rotation2Dd to_foot(-plan.foot_yaw[kEnd][side]);
-    const auto& foot = plan.foot_position[kEnd][side];
+    const Eigen::Rotation2Dd to_foot(-plan.foot_yaw[last][side]);
+    const auto& foot = plan.foot_position[last][side];
     const Eigen::Vector2d com =
-        to_foot * Eigen::Vector2d(plan.com[kEnd][0] - foot[0], plan.com[kEnd][1] - foot[1]);
-    excerpt.com_in_foot[side] = {com.x(), com.y(), plan.foot_yaw[kEnd][side] - plan.base_yaw[kEnd]};
+        to_foot * Eigen::Vector2d(plan.com[last][0] - foot[0], plan.com[last][1] - foot[1]);
+    excerpt.com_in_foot[side] = {com.x(), com.y(), plan.foot_yaw[last][side] - plan.base_yaw[last]};
   }
 }
 

@@ -154,6 +154,22 @@ TEST_F(BalanceControllerTest, NothingIsLearnedFromAStandingBodyThatIsBeingCaught
   EXPECT_GT(controller_.soles().roll_rad(0), 0.02);
 }
 
+// What is asked of batches that nobody plans would come all at once, with the next one.
+TEST_F(BalanceControllerTest, TheComIsCentredByBatchesThatComeAndNotInATail) {
+  estimate_.attitude[1] = 0.0;
+  estimate_.com[0] = estimate_.dcm[0] = 0.004;
+  for (int batch = 0; batch < 10; ++batch) {
+    plan(2);
+    plan_->footstep_count = 0;
+    tick(8);
+  }
+  const double centred_m = correction_.com_offset[0];
+  EXPECT_LT(centred_m, -0.004);
+  EXPECT_GT(centred_m, -0.0068) << "2 1/s for 0.8 s, of 4 mm";
+  tick(100);
+  EXPECT_NEAR(correction_.com_offset[0], centred_m, 4.1e-4) << "what the last batch learned until it was old";
+}
+
 TEST_F(BalanceControllerTest, AStandingRobotBowsWithItsDcmAndIsBalancedAboutTheBow) {
   estimate_.attitude[1] = 0.0;
   plan(2);

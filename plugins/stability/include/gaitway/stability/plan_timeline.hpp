@@ -17,7 +17,8 @@ struct PlanMoment {
   std::size_t support = 2;     // 0 left, 1 right, 2 both feet, 3 neither: in the time slot that begins now
   double commanded_yaw_rad = 0.0;                                  // reached now, in the frame `plan`
   Eigen::Vector2d com_velocity_m_per_s = Eigen::Vector2d::Zero();  // forward and left of the base
-  // The planned CoM at the batch's end, in each foot's frame [Side], and how that is turned against the base.
+  // The planned CoM at the tail's end, at rest, in each foot's frame [Side], and how that is turned against
+  // the base.
   std::array<Eigen::Vector2d, 2> com_in_foot_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   std::array<double, 2> foot_from_base_rad{};
   bool walking = false;  // the plan has footsteps to come
@@ -58,7 +59,7 @@ class PlanTimeline {
     std::array<std::uint8_t, kMaxPoints> support{};
     std::array<double, kMaxPoints> commanded_yaw_rad{};
     std::array<std::array<double, 2>, kMaxPoints> com_velocity_m_per_s{}, trunk_attitude_rad{};
-    // At the batch's end, by foot: m, m; and the foot's turn, rad.
+    // At the tail's end, by foot: m, m; and the foot's turn, rad.
     std::array<std::array<double, 3>, 2> com_in_foot{};
   };
   static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
