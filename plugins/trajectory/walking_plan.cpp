@@ -83,7 +83,7 @@ void WalkingPattern::write_batch(int first, MotionPlan& plan) noexcept {
       pass(revisable_state_, batch_reference_, i);
     }
     advance(state_, batch_reference_, i);
-    write_point(state_, static_cast<std::size_t>(first + i), plan);
+    write_point(state_, static_cast<std::size_t>(first) + static_cast<std::size_t>(i), plan);
   }
   pass(state_, batch_reference_, points);
 }
