@@ -35,12 +35,7 @@ BaseOffset CorrectionFade::at(std::uint64_t point) const noexcept {
     return {start_.com_m + share * (target_.com_m - start_.com_m),
             start_.attitude_rad + share * (target_.attitude_rad - start_.attitude_rad), bow(point)};
   }
-  const std::uint64_t tail_point = point - batch_count_ + 1;
-  const std::uint64_t held = tail_count_ / 2;
-  if (tail_count_ == 0 || tail_point <= held) return {target_.com_m, target_.attitude_rad, bow(point)};
-  if (tail_point >= tail_count_) return {};
-  const double phase = static_cast<double>(tail_point - held) / static_cast<double>(tail_count_ - held);
-  const double share = 1.0 - phase * phase * (3.0 - 2.0 * phase);
+  const double share = msgclient::tail_share(point - batch_count_ + 1, tail_count_);
   std::array<msgclient::Bow, 2> fading = bow(point);
   for (msgclient::Bow& axis : fading) axis.angle_rad *= share;
   return {share * target_.com_m, share * target_.attitude_rad, fading};

@@ -156,7 +156,8 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
   soles_.add_to(trim);
   hips_.follow(stands ? std::optional(HipStrategy::Standing{inputs.estimate->dcm[0], inputs.estimate->com[0]})
                       : std::nullopt);
-  if (inputs.plan != nullptr) hips_.begin_batch(inputs.plan->sequence, inputs.plan->footstep_count > 0);
+  if (inputs.plan != nullptr)
+    hips_.begin_batch(inputs.plan->sequence, inputs.plan->footstep_count > 0, inputs.plan->tail_count);
   correction.bow[1] = hips_.target().angle_rad;
   correction.bow_rate[1] = hips_.target().rate_rad_per_s;
   if (!timeline_.newest_stays_upright() || hips_.bows()) std::memset(trim.gain, 0, sizeof trim.gain);

@@ -42,12 +42,12 @@ void HipStrategy::follow(const std::optional<Standing>& standing) noexcept {
 }
 
 // With one acceleration for the batch and its opposite for the next, the bow rests where it is wanted.
-void HipStrategy::begin_batch(std::uint32_t sequence, bool steps) noexcept {
+void HipStrategy::begin_batch(std::uint32_t sequence, bool steps, std::uint32_t tail_count) noexcept {
   const Batch& last = batches_[newest_];
   if (sequence == 0 || sequence == last.sequence) return;
-  Batch next{.sequence = sequence, .from = {}, .to = {}};
+  Batch next{.sequence = sequence, .tail_count = tail_count, .from = {}, .to = {}};
   if (last.sequence != 0 && sequence > last.sequence) {
-    next.from = msgclient::bow_at(last.from, last.to, kBatch_s * (sequence - last.sequence), kBatch_s);
+    next.from = at(last.sequence, kBatch_s * (sequence - last.sequence));
   }
   if (steps) wanted_rad_ = next.from.angle_rad + 0.5 * next.from.rate_rad_per_s * kBatch_s;
   const double to_go_rad = wanted_rad_ - next.from.angle_rad - 0.5 * next.from.rate_rad_per_s * kBatch_s;
@@ -65,8 +65,12 @@ msgclient::Bow HipStrategy::at(std::uint32_t sequence, double since_start_s) con
   const auto batch = std::find_if(batches_.begin(), batches_.end(), [&](const Batch& kept) {
     return kept.sequence != 0 && kept.sequence == sequence;
   });
-  return batch == batches_.end() ? msgclient::Bow{}
-                                 : msgclient::bow_at(batch->from, batch->to, since_start_s, kBatch_s);
+  if (batch == batches_.end()) return {};
+  msgclient::Bow bow = msgclient::bow_at(batch->from, batch->to, since_start_s, kBatch_s);
+  const double tail_points = std::max(since_start_s - kBatch_s, 0.0) / kTick_s;
+  bow.angle_rad *=
+      msgclient::tail_share(static_cast<std::uint64_t>(std::lround(tail_points)), batch->tail_count);
+  return bow;
 }
 
 bool HipStrategy::bows() const noexcept {

@@ -14,6 +14,7 @@ namespace {
 constexpr double kMiddle_m = 0.010;  // of the soles
 constexpr int kTicks = 8;            // of a batch
 constexpr double kBatch_s = 0.080;
+constexpr std::uint32_t kTail = 48;
 
 class HipStrategyTest : public ::testing::Test {
  protected:
@@ -24,7 +25,7 @@ class HipStrategyTest : public ::testing::Test {
   }
   msgclient::Bow batch_at(const std::optional<HipStrategy::Standing>& standing, bool steps = false) {
     for (int tick = 0; tick < kTicks; ++tick) hips_.follow(standing);
-    hips_.begin_batch(++sequence_, steps);
+    hips_.begin_batch(++sequence_, steps, kTail);
     return hips_.target();
   }
 
@@ -104,17 +105,31 @@ TEST_F(HipStrategyTest, HoldsItsTrunkStillInABatchThatSteps) {
 TEST_F(HipStrategyTest, TheSameBatchAgainChangesNothing) {
   batch(kMiddle_m + 0.07);
   const msgclient::Bow bow = hips_.target();
-  hips_.begin_batch(sequence_, false);
+  hips_.begin_batch(sequence_, false, kTail);
   EXPECT_EQ(hips_.target().angle_rad, bow.angle_rad);
   EXPECT_EQ(hips_.target().rate_rad_per_s, bow.rate_rad_per_s);
 }
 
 TEST_F(HipStrategyTest, GoesOnFromWhereTheTailIsAfterBatchesThatWereMissed) {
   batch(kMiddle_m + 0.07);
-  const double rests_rad = hips_.at(sequence_, 1.0).angle_rad;
+  const double rests_rad = hips_.at(sequence_, 3.0 * kBatch_s).angle_rad;
   sequence_ += 3;
   batch(kMiddle_m + 0.07);
   EXPECT_NEAR(hips_.at(sequence_, 0.0).angle_rad, rests_rad, 1e-12);
+}
+
+// As the kinematics has it: trims that balanced a trunk about a bow which the tail has ended would fell it.
+TEST_F(HipStrategyTest, TheTailEndsTheBow) {
+  for (int i = 0; i < 4; ++i) batch(kMiddle_m + 0.07);
+  double last_rad = hips_.at(sequence_, kBatch_s + 0.24).angle_rad;
+  EXPECT_GT(last_rad, 0.3) << "held through the first half";
+  for (double time_s = kBatch_s + 0.25; time_s < kBatch_s + 0.485; time_s += 0.01) {
+    const double angle_rad = hips_.at(sequence_, time_s).angle_rad;
+    EXPECT_LT(angle_rad, last_rad) << time_s;
+    last_rad = angle_rad;
+  }
+  EXPECT_EQ(last_rad, 0.0);
+  EXPECT_EQ(hips_.at(sequence_, 100.0).angle_rad, 0.0);
 }
 
 TEST_F(HipStrategyTest, KnowsNothingOfABatchThatIsNotRemembered) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 namespace gaitway::msgclient {
 
@@ -26,6 +27,16 @@ struct Bow {
   }
   const double s = std::min(time_s / batch_s - 1.0, 1.0);
   return {to.angle_rad + to.rate_rad_per_s * batch_s * s * (1.0 - 0.5 * s), to.rate_rad_per_s * (1.0 - s)};
+}
+
+// What is left of all offsets at a point of the safe tail, 1 its first: over the first half they stay, over
+// the second they go smoothly to zero.
+[[nodiscard]] inline double tail_share(std::uint64_t tail_point, std::uint64_t tail_count) noexcept {
+  const std::uint64_t held = tail_count / 2;
+  if (tail_count == 0 || tail_point <= held) return 1.0;
+  if (tail_point >= tail_count) return 0.0;
+  const double phase = static_cast<double>(tail_point - held) / static_cast<double>(tail_count - held);
+  return 1.0 - phase * phase * (3.0 - 2.0 * phase);
 }
 
 }  // namespace gaitway::msgclient

@@ -15,8 +15,8 @@ namespace gaitway::stability {
 // While the DCM stays over the soles, ankles bring it back (the ankle strategy; Horak and Nashner, Central
 // programming of postural movements, 1986). With the whole load at the toes they can do no more, and a body
 // that does not bend tips over them like a block. A bow by `theta` about a CoM that stays where it is turns
-// the trunk's inertia J, and gives what moves the DCM back by J theta / (m z) (Pratt et al., Capture point,
-// 2006, eq. 15 for a bow that is short against the pendulum's time).
+// the trunk's inertia J, and gives what moves the DCM back by J theta / (m z) for a
+// bow that is short against the pendulum's time (the flywheel of Pratt et al., Capture point, 2006).
 class HipStrategy {
  public:
   HipStrategy(const urdf::RobotModel& model, const BalanceParameters& parameters);
@@ -31,11 +31,11 @@ class HipStrategy {
 
   // Once for each batch, before it is planned with target(). A batch of the same number changes nothing. One
   // that steps brings the trunk to rest: the legs need their joints' speed for the step.
-  void begin_batch(std::uint32_t sequence, bool steps) noexcept;
+  void begin_batch(std::uint32_t sequence, bool steps, std::uint32_t tail_count) noexcept;
 
   // At the newest batch's end.
   [[nodiscard]] const msgclient::Bow& target() const noexcept { return batches_[newest_].to; }
-  // What a batch plays; nothing of one that is not remembered.
+  // What a batch or its tail plays; nothing of one that is not remembered.
   [[nodiscard]] msgclient::Bow at(std::uint32_t sequence, double since_start_s) const noexcept;
   // Of the newest batch: whether it bows at all.
   [[nodiscard]] bool bows() const noexcept;
@@ -49,6 +49,7 @@ class HipStrategy {
  private:
   struct Batch {
     std::uint32_t sequence = 0;  // 0: none
+    std::uint32_t tail_count = 0;
     msgclient::Bow from, to;
   };
   static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
