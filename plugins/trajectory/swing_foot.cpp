@@ -12,15 +12,21 @@ SwingFoot::SwingFoot(const Pose2& lift, const Pose2& landing, double swing_s) no
     : x_({lift.x_m}, {landing.x_m}, swing_s),
       y_({lift.y_m}, {landing.y_m}, swing_s),
       yaw_({lift.yaw_rad}, {landing.yaw_rad}, swing_s),
-      swing_s_(swing_s) {}
+      share_({0.0, 1.0 / swing_s}, {1.0, 1.0 / swing_s}, swing_s),
+      swing_s_(swing_s),
+      landing_rate_per_s_(1.0 / swing_s) {}
 
-void SwingFoot::aim(const Pose2& landing, double time_s) noexcept {
+void SwingFoot::aim(const Pose2& landing, double time_s, double swing_s) noexcept {
   const double since = time_s - aimed_s_;
-  const double left = swing_s_ - time_s;
+  const double left = swing_s - time_s;
+  const MotionState share = share_.at(since);
+  if (swing_s != swing_s_) landing_rate_per_s_ = (1.0 - share.position) / left;
+  share_ = Quintic(share, {1.0, landing_rate_per_s_}, left);
   x_ = Quintic(x_.at(since), {landing.x_m}, left);
   y_ = Quintic(y_.at(since), {landing.y_m}, left);
   yaw_ = Quintic(yaw_.at(since), {landing.yaw_rad}, left);
   aimed_s_ = time_s;
+  swing_s_ = swing_s;
 }
 
 Pose2 SwingFoot::at(double time_s) const noexcept {

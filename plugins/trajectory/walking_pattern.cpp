@@ -79,9 +79,14 @@ Eigen::RowVector2d WalkingPattern::stand_com(const std::array<Pose2, 2>& feet) c
   return middle_of(feet).transform(parameters_.stand_com_forward_m, 0.0).transpose();
 }
 
+double WalkingPattern::swing_share(const PatternState& state) noexcept {
+  const int in_swing = state.elapsed_points - state.step.double_support_points;
+  return in_swing > 0 ? state.swing.share(in_swing * kPointPeriod_s) : 0.0;
+}
+
 bool WalkingPattern::is_open(const PatternState& state) const noexcept {
-  return state.elapsed_points <
-         state.step.double_support_points + parameters_.freeze_share * state.step.swing_points;
+  return state.elapsed_points < state.step.double_support_points ||
+         swing_share(state) < parameters_.freeze_share;
 }
 
 // The last step has begun: the CoM is on its way to rest, and to walk on would throw the ZMP off the foot.
@@ -177,39 +182,64 @@ double WalkingPattern::landing_yaw_correction_rad(const PatternState& state) con
 // Of the base, whose yaw is the mean of the feet's.
 double WalkingPattern::yaw_correction_rad(const PatternState& state) const noexcept {
   double sum_rad = state.yaw_correction_rad[0] + state.yaw_correction_rad[1];
-  const int in_swing = state.elapsed_points - state.step.double_support_points;
-  if (state.phase == Phase::walking && in_swing > 0) {
-    const double share = smooth_share(static_cast<double>(in_swing) / state.step.swing_points);
-    sum_rad +=
-        share * (landing_yaw_correction_rad(state) - state.yaw_correction_rad[index_of(state.step.swing)]);
+  if (state.phase == Phase::walking) {
+    sum_rad += smooth_share(swing_share(state)) *
+               (landing_yaw_correction_rad(state) - state.yaw_correction_rad[index_of(state.step.swing)]);
   }
   return 0.5 * sum_rad;
 }
 
+StepInFlight WalkingPattern::step_in_flight(const PatternState& state) const noexcept {
+  const Step& step = state.step;
+  const Eigen::Rotation2Dd to_stance(-step.stance.yaw_rad);
+  StepInFlight flight;
+  const int in_swing = state.elapsed_points - step.double_support_points;
+  flight.points = step.points() - state.elapsed_points;
+  flight.swing_points = step.swing_points - std::max(in_swing, 0);
+  const double swing_left = 1.0 - swing_share(state);
+  const auto points_in = [&](double swing_s) {
+    return flight.points - flight.swing_points +
+           static_cast<int>(std::lround(swing_left * swing_s / kPointPeriod_s));
+  };
+  flight.fewest_points = std::min(flight.points, points_in(parameters_.adjust_shortest_swing_s));
+  flight.most_points = std::max(flight.points, points_in(parameters_.adjust_longest_swing_s));
+  flight.landing_dcm =
+      to_stance * (absorber_.required_divergence(batch_reference_, flight.points) - step.zmp_to).transpose();
+  const auto landing_moved = [&](double by_m) {
+    StepLimit ignored = StepLimit::none;  // who commands the walk has not asked for this
+    const Eigen::Vector2d moved = step.adjustment_m.array() + by_m;
+    const Pose2 landing = planner_.landing(step.stance, step.swing, step.velocity, moved, ignored);
+    return Eigen::Vector2d(step.stance.relative_of(landing).position() -
+                           step.stance.relative_of(step.landing).position());
+  };
+  constexpr double kFar_m = 10.0;
+  flight.lowest_shift = landing_moved(-kFar_m);
+  flight.highest_shift = landing_moved(kFar_m);
+  return flight;
+}
+
 // The plan's DCM moves to the body's by a change of the CoM's velocity: its place stays, and goes over to
 // where the body is within 1/ω.
-void WalkingPattern::adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept {
+bool WalkingPattern::adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  if (state.phase != Phase::walking) return false;
   Step& step = state.step;
   const Eigen::Rotation2Dd to_plan(step.stance.yaw_rad);
   const Eigen::Vector2d excess = adjustment_.excess_m(to_plan.inverse() * dcm_deviation_m);
-  if (excess.isZero()) return;
+  if (excess.isZero() || swing_share(state) >= parameters_.adjust_until_share) return false;
+  lay_out_reference(state, kBatch + parameters_.preview_points(), batch_reference_);
+  const StepAnswer answer = adjustment_.answer(excess, step_in_flight(state));
+  step.swing_points += answer.points - (step.points() - state.elapsed_points);
+  step.adjustment_m += answer.shift;
+  const Pose2 shifted = step.stance.relative_of(step.landing);
+  step.landing =
+      step.stance.compose({shifted.x_m + answer.shift.x(), shifted.y_m + answer.shift.y(), shifted.yaw_rad});
   const int in_swing = state.elapsed_points - step.double_support_points;
-  const double landing_s = (step.points() - state.elapsed_points) * kPointPeriod_s;
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-  if (in_swing < parameters_.adjust_until_share * step.swing_points) {
-    const double swing_left_s = (step.swing_points - std::max(in_swing, 0)) * kPointPeriod_s;
-    shift = adjustment_.shift_m(excess, landing_s, swing_left_s);
-    StepLimit ignored = StepLimit::none;  // who commands the walk has not asked for this
-    const Pose2 before = step.stance.relative_of(step.landing);
-    step.landing =
-        planner_.landing(step.stance, step.swing, step.velocity, step.adjustment_m + shift, ignored);
-    shift = step.stance.relative_of(step.landing).position() - before.position();
-    step.adjustment_m += shift;
-    if (in_swing > 0) state.swing.aim(step.landing, in_swing * kPointPeriod_s);
-  }
-  const Eigen::RowVector2d answered = (to_plan * adjustment_.answered_m(shift, landing_s)).transpose();
+  if (in_swing > 0)
+    state.swing.aim(step.landing, in_swing * kPointPeriod_s, step.swing_points * kPointPeriod_s);
+  const Eigen::RowVector2d answered = (to_plan * answer.answered).transpose();
   state.cart.motion.row(1) += absorber_.omega_per_s() * answered;
   state.divergence += answered;
+  return true;
 }
 
 void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m,
@@ -221,12 +251,14 @@ void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, co
     aim_step(step, wanted, offset_m);
     offset_left.setZero();
     const int in_swing = state.elapsed_points - step.double_support_points;
-    if (in_swing > 0) state.swing.aim(step.landing, in_swing * kPointPeriod_s);
+    if (in_swing > 0)
+      state.swing.aim(step.landing, in_swing * kPointPeriod_s, step.swing_points * kPointPeriod_s);
   }
-  adjust_step(state, dcm_deviation_m);
   aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
                                                        std::abs(wanted.velocity.forward_m_per_s))));
   schedule_steps_after(step, state.elapsed_points, wanted, offset_left);
+  if (adjust_step(state, dcm_deviation_m))
+    schedule_steps_after(step, state.elapsed_points, wanted, offset_left);
 }
 
 void WalkingPattern::schedule_steps_after(const Step& flying, int elapsed_points, const Wanted& wanted,
@@ -245,28 +277,26 @@ void WalkingPattern::schedule_steps_after(const Step& flying, int elapsed_points
 }
 
 // A foot on the ground becomes the closing foot; a foot in the air lands where it was to land, and the other
-// closes. Feet side by side settle at once.
+// closes. Feet side by side settle at once. A step that has been adjusted stays so.
 void WalkingPattern::schedule_stop(PatternState& state) noexcept {
   schedule_.count = schedule_.next = 0;
   schedule_.ends = true;
   if (state.phase != Phase::walking) return;
   aim_hips(state, parameters_.hip_height_m);
   Step& step = state.step;
-  if (state.elapsed_points <= step.double_support_points) {
+  if (state.elapsed_points <= step.double_support_points && step.adjustment_m.isZero()) {
     if (planner_.is_beside(step.stance, step.swing, state.feet[index_of(step.swing)])) {
       begin_settling(state);
       return;
     }
     step.landing = planner_.beside(step.stance, step.swing);
     step.velocity = {};
-    step.last = true;
-  } else if (!planner_.is_beside(step.stance, step.swing, step.landing)) {
-    schedule_.steps[0] = closing_step_after(step);
-    schedule_.steps[0].last = true;
-    schedule_.count = 1;
-  } else {
-    step.last = true;
   }
+  step.last = planner_.is_beside(step.stance, step.swing, step.landing);
+  if (step.last) return;
+  schedule_.steps[0] = closing_step_after(step);
+  schedule_.steps[0].last = true;
+  schedule_.count = 1;
 }
 
 void WalkingPattern::lay_out_reference(const PatternState& state, int points,
@@ -336,8 +366,7 @@ void WalkingPattern::advance_step(PatternState& state) noexcept {
   if (in_swing <= 0) return;
   if (in_swing < step.swing_points) {
     state.feet[foot] = state.swing.at(in_swing * kPointPeriod_s);
-    state.foot_height_m[foot] =
-        swing_height_m(static_cast<double>(in_swing) / step.swing_points, parameters_.lift_m);
+    state.foot_height_m[foot] = swing_height_m(swing_share(state), parameters_.lift_m);
     return;
   }
   if (state.recovery_steps > 0) --state.recovery_steps;

@@ -69,6 +69,7 @@ void WalkingPattern::schedule(const WalkCommand& command, const Correction& corr
     schedule_walk(state_, {}, Eigen::Vector2d::Zero(), deviation_m);
   } else {
     schedule_stop(state_);
+    if (adjust_step(state_, deviation_m)) schedule_stop(state_);
   }
   answered_m_ = (absorber_.divergence(state_.cart) - before).transpose();
 }

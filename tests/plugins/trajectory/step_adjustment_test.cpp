@@ -64,17 +64,71 @@ TEST_F(AdjustedWalk, StepsToWhereTheBodyFalls) {
   run_into_a_swing(Side::left);
   WalkingPattern undisturbed = pattern;
   auto expected = std::make_unique<MotionPlan>();
-  const double left_s = (pattern.state().step.points() - pattern.state().elapsed_points) * kPointPeriod_s;
-  run(1, {0.0, parameters.adjust_side_threshold_m + 0.010});
+  run(1, {0.0, parameters.adjust_side_threshold_m + 0.020});
   undisturbed.plan(sequence, sequence * kCycle_ns, command, Correction{}, *expected);
-  const Eigen::Vector2d moved =
-      next_footstep() - Eigen::Vector2d(expected->footstep[0][0], expected->footstep[0][1]);
-  const double transfer_s = left_s + 0.5 * parameters.double_support_points() * kPointPeriod_s;
-  EXPECT_NEAR(moved.y(), parameters.adjust_share * 0.010 * std::exp(omega_of(parameters) * transfer_s), 1e-9);
-  EXPECT_NEAR(moved.x(), 0.0, 1e-9);
+  EXPECT_GT(plan->footstep[0][1], expected->footstep[0][1] + 0.01);
   // The steps after it follow from where it lands.
   EXPECT_NEAR(plan->footstep[1][1] - plan->footstep[0][1],
               expected->footstep[1][1] - expected->footstep[0][1], 1e-9);
+}
+
+// To the side of the swing foot sooner; to the other, where the DCM comes to the landing place later, later.
+TEST_F(AdjustedWalk, LandsWhenTheBodyGetsThere) {
+  for (const double towards : {1.0, -1.0}) {
+    run_into_a_swing(Side::left);
+    WalkingPattern undisturbed = pattern;
+    auto expected = std::make_unique<MotionPlan>();
+    const int planned = pattern.state().step.points();
+    run(1, {0.0, towards * (parameters.adjust_side_threshold_m + 0.012)});
+    undisturbed.plan(sequence, sequence * kCycle_ns, command, Correction{}, *expected);
+    const std::int64_t change_ns = plan->footstep_landing_ns[0] - expected->footstep_landing_ns[0];
+    EXPECT_LE(towards * static_cast<double>(change_ns), -10e6);
+    const std::int64_t landing = (plan->footstep_landing_ns[0] - plan->start_ns) / kPoint_ns;
+    if (landing <= kBatchPoints) continue;
+    EXPECT_EQ(pattern.state().step.points() - planned, change_ns / kPoint_ns);
+    run(1);
+    const std::int64_t rest = landing - kBatchPoints;
+    EXPECT_EQ(plan->support[rest - 2], 1) << "in the air up to the point before";
+    EXPECT_EQ(plan->support[rest - 1], 2);
+    EXPECT_EQ(plan->foot_position[rest - 1][0][2], 0.0);
+  }
+}
+
+// Its height, too, goes on without a jump when there is more or less time for it.
+TEST_F(AdjustedWalk, MovesTheFootSmoothlyWhateverTheDeviation) {
+  for (const double y : {0.06, -0.06, 0.2, -0.2}) {
+    run_into_a_swing(Side::left);
+    double height_m = pattern.state().foot_height_m[0];
+    Eigen::Vector2d foot = pattern.state().feet[0].position();
+    for (int i = 0; i < 3; ++i) {
+      run(1, {0.01, y});
+      for (std::size_t k = 0; k < kBatchPoints; ++k) {
+        EXPECT_LT(std::abs(plan->foot_position[k][0][2] - height_m), 0.006);
+        EXPECT_LE(plan->foot_position[k][0][2], parameters.lift_m + 1e-9);
+        const Eigen::Vector2d now(plan->foot_position[k][0][0], plan->foot_position[k][0][1]);
+        EXPECT_LT((now - foot).norm(), 0.015);
+        height_m = plan->foot_position[k][0][2];
+        foot = now;
+      }
+    }
+    run(60);
+  }
+}
+
+// The step that brings the robot to a stop is adjusted like any other, and it stands in the end.
+TEST_F(AdjustedWalk, StepsAfterTheBodyWhileItStops) {
+  run_into_a_swing(Side::left);
+  WalkingPattern undisturbed = pattern;
+  auto expected = std::make_unique<MotionPlan>();
+  command.walk = 0;
+  run(1, {0.0, parameters.adjust_side_threshold_m + 0.020});
+  undisturbed.plan(sequence, sequence * kCycle_ns, command, Correction{}, *expected);
+  EXPECT_GT(plan->footstep[0][1], expected->footstep[0][1] + 0.01);
+  EXPECT_EQ(plan->footstep_count, 2U) << "the other foot comes beside it";
+  run(25);
+  EXPECT_EQ(pattern.state().phase, Phase::stand);
+  const Pose2 left = pattern.state().feet[1].relative_of(pattern.state().feet[0]);
+  EXPECT_NEAR(left.y_m, parameters.foot_spacing_m, 1e-9);
 }
 
 // Only the velocity changes, by so much that the plan's DCM goes to the body's as far as the step answers it.
@@ -90,7 +144,7 @@ TEST_F(AdjustedWalk, TakesOverTheDivergenceWithoutAJumpOfTheCentreOfMass) {
   const Eigen::Vector2d faster = com_velocity_of(*plan, 0) - com_velocity_of(*expected, 0);
   const double taken_over = omega_of(parameters) * parameters.adjust_share * kExcess_m;
   EXPECT_NEAR(faster.x(), taken_over, 0.15 * taken_over);
-  EXPECT_NEAR(faster.y(), 0.0, 1e-6);
+  EXPECT_NEAR(faster.y(), 0.0, 0.15 * taken_over);
 }
 
 TEST_F(AdjustedWalk, KeepsTheFootstepsLimitsWhateverTheDeviation) {
@@ -174,6 +228,86 @@ TEST_F(AdjustedWalk, StepsAfterABodyThatIsPushedOffItsFeetAndStandsAgain) {
     run(40);
     EXPECT_EQ(pattern.state().phase, Phase::stand);
     EXPECT_EQ(plan->footstep_count, 0U);
+  }
+}
+
+// A step in the middle of a walk, in the left foot's swing: the DCM goes from 20 mm beside the stance foot's
+// ZMP to where the next foot is to land.
+class AnswerOfAStep : public ::testing::Test {
+ protected:
+  AnswerOfAStep() {
+    step.points = step.swing_points = 20;
+    step.fewest_points = 15;
+    step.most_points = 28;
+    step.landing_dcm = Eigen::Vector2d(0.06, 0.02 * std::exp(omega * 0.20));
+    step.lowest_shift = {-0.25, -0.05};
+    step.highest_shift = {0.08, 0.06};
+  }
+  // What is left of the excess when the next foot takes over, as the DCM runs off the ZMP.
+  [[nodiscard]] Eigen::Vector2d left_at_landing(const Eigen::Vector2d& excess,
+                                                const StepAnswer& answer) const {
+    const double landing_s = answer.points * 0.010;
+    const Eigen::Vector2d planned_now = std::exp(-omega * step.points * 0.010) * step.landing_dcm;
+    const Eigen::Vector2d dcm = std::exp(omega * landing_s) * (planned_now + excess) - step.landing_dcm;
+    return std::exp(0.5 * omega * parameters.double_support_points() * 0.010) * dcm - answer.shift;
+  }
+
+  GaitParameters parameters = [] {
+    GaitParameters all_of_it;
+    all_of_it.adjust_share = 1.0;
+    return all_of_it;
+  }();
+  double omega = omega_of(parameters);
+  StepAdjustment adjustment{parameters, omega};
+  StepInFlight step;
+};
+
+TEST_F(AnswerOfAStep, LeavesNothingOfADeviationThatTheFootCanFollow) {
+  for (const Eigen::Vector2d& excess :
+       {Eigen::Vector2d(0.01, 0.0), Eigen::Vector2d(-0.01, 0.005), Eigen::Vector2d(0.0, 0.02),
+        Eigen::Vector2d(0.005, -0.008), Eigen::Vector2d(0.0, 0.0)}) {
+    const StepAnswer answer = adjustment.answer(excess, step);
+    EXPECT_LT(left_at_landing(excess, answer).norm(), 1e-9);
+    EXPECT_LT((answer.answered - excess).norm(), 1e-12);
+  }
+}
+
+TEST_F(AnswerOfAStep, IsThePlannedOneForABodyOnItsPlan) {
+  const StepAnswer answer = adjustment.answer({0.0, 0.0}, step);
+  EXPECT_EQ(answer.points, step.points);
+  EXPECT_EQ(answer.shift, Eigen::Vector2d::Zero());
+}
+
+TEST_F(AnswerOfAStep, TakesItsTimeFromTheBody) {
+  EXPECT_LT(adjustment.answer({0.0, 0.015}, step).points, step.points);
+  EXPECT_GT(adjustment.answer({0.0, -0.008}, step).points, step.points);
+  EXPECT_EQ(adjustment.answer({0.0, 0.2}, step).points, step.fewest_points);
+}
+
+// The feet cannot cross: what falls over the stance foot is for the next step, which must come soon.
+TEST_F(AnswerOfAStep, LandsAsSoonAsItCanWhereTheBodyFallsOverTheStanceFoot) {
+  const Eigen::Vector2d over(0.0, -0.08);
+  const StepAnswer answer = adjustment.answer(over, step);
+  EXPECT_EQ(answer.points, step.fewest_points);
+  EXPECT_LT(left_at_landing(over, answer).y(), -0.05);
+}
+
+TEST_F(AnswerOfAStep, ChangesThePlaceAloneWhereTimeIsDear) {
+  parameters.adjust_time_cost_m_per_s = 1000.0;
+  const StepAnswer answer = StepAdjustment(parameters, omega).answer({0.0, 0.010}, step);
+  EXPECT_EQ(answer.points, step.points);
+  const double transfer_s = 0.20 + 0.5 * parameters.double_support_points() * 0.010;
+  EXPECT_NEAR(answer.shift.y(), 0.010 * std::exp(omega * transfer_s), 1e-12);
+}
+
+TEST_F(AnswerOfAStep, KeepsTheLimits) {
+  for (const Eigen::Vector2d& excess : {Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(-0.5, -0.5)}) {
+    const StepAnswer answer = adjustment.answer(excess, step);
+    EXPECT_GE(answer.points, step.fewest_points);
+    EXPECT_LE(answer.points, step.most_points);
+    EXPECT_TRUE((answer.shift.array() <= step.highest_shift.array()).all());
+    EXPECT_TRUE((answer.shift.array() >= step.lowest_shift.array()).all());
+    EXPECT_LE(std::abs(answer.shift.x()), parameters.adjust_speed_m_per_s * answer.points * 0.010 + 1e-12);
   }
 }
 

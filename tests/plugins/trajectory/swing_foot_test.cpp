@@ -30,7 +30,7 @@ TEST(SwingFoot, NewTargetChangesNeitherPositionNorVelocityNorAcceleration) {
   SwingFoot swing({}, {0.2, 0.0, 0.0}, 0.34);
   constexpr double t = 0.1, h = 1e-4;
   const SwingFoot before = swing;
-  swing.aim({0.1, 0.05, 0.2}, t);
+  swing.aim({0.1, 0.05, 0.2}, t, 0.34);
   EXPECT_NEAR(swing.at(t).x_m, before.at(t).x_m, 1e-12);
   EXPECT_NEAR(swing.at(t + h).x_m, before.at(t + h).x_m, 1e-8);  // third order in h
   EXPECT_NEAR(swing.at(0.34).x_m, 0.1, 1e-12);
@@ -41,9 +41,26 @@ TEST(SwingFoot, AimingAtTheSameTargetChangesNothing) {
   const Pose2 landing{0.2, 0.01, 0.1};
   SwingFoot swing({}, landing, 0.34);
   const SwingFoot before = swing;
-  swing.aim(landing, 0.08);
+  swing.aim(landing, 0.08, 0.34);
   EXPECT_NEAR(swing.at(0.2).x_m, before.at(0.2).x_m, 1e-12);
   EXPECT_NEAR(swing.at(0.2).yaw_rad, before.at(0.2).yaw_rad, 1e-12);
+}
+
+TEST(SwingFoot, DoesTheRestOfItsWayInTheTimeThatIsGiven) {
+  for (const double swing_s : {0.24, 0.34, 0.50}) {
+    SwingFoot swing({}, {0.2, 0.0, 0.0}, 0.34);
+    constexpr double t = 0.12, h = 1e-5;
+    const double rate_per_s = (swing.share(t) - swing.share(t - h)) / h;
+    swing.aim({0.2, 0.0, 0.0}, t, swing_s);
+    EXPECT_NEAR(swing.share(t), t / 0.34, 1e-12);
+    EXPECT_NEAR((swing.share(t + h) - swing.share(t)) / h, rate_per_s, 1e-2);
+    EXPECT_NEAR(swing.share(swing_s), 1.0, 1e-12);
+    EXPECT_NEAR(swing.at(swing_s).x_m, 0.2, 1e-12);
+    for (double s = t; s < swing_s - 0.01; s += 0.01) EXPECT_LT(swing.share(s), swing.share(s + 0.01));
+    const SwingFoot before = swing;
+    swing.aim({0.2, 0.0, 0.0}, 0.15, swing_s);
+    EXPECT_NEAR(swing.share(0.2), before.share(0.2), 1e-12) << "aiming again changes nothing";
+  }
 }
 
 TEST(Quintic, MeetsBothEndStates) {

@@ -37,7 +37,12 @@ struct GaitParameters {
   double adjust_side_threshold_m = 0.025;  // to either side
   double adjust_share = 0.7;               // of the full adjustment; 0: off
   double adjust_until_share = 0.75;        // of the swing: from here on not even this moves the footstep
-  double adjust_speed_m_per_s = 0.25;      // at which the landing may move, times what is left of the swing
+  double adjust_speed_m_per_s = 0.25;      // at which the landing may move ahead and back, times what is left
+                                           // of the swing
+  double adjust_side_speed_m_per_s = 0.40;  // and to either side
+  double adjust_time_cost_m_per_s = 0.2;    // of landing sooner or later, against moving the landing
+  double adjust_shortest_swing_s = 0.22;  // how fast and how slowly the foot may do what is left of a swing,
+  double adjust_longest_swing_s = 0.40;   // as the time that a whole swing would take so
 
   // A standing robot that is pushed off its feet steps after itself.
   double recover_ahead_m = 0.02;         // of the DCM before the toes, or

@@ -18,17 +18,20 @@ class SwingFoot {
   // At rest on `lift`, heading for `landing` within swing_s.
   SwingFoot(const Pose2& lift, const Pose2& landing, double swing_s) noexcept;
 
-  // Aims at another landing place from time_s of the swing on, without a jump in position, velocity or
-  // acceleration. The time of touch-down stays. time_s < swing_s.
-  void aim(const Pose2& landing, double time_s) noexcept;
+  // Aims at another landing place, and at another time of touch-down, from time_s of the swing on, without a
+  // jump in position, velocity or acceleration. time_s < swing_s.
+  void aim(const Pose2& landing, double time_s, double swing_s) noexcept;
 
   [[nodiscard]] Pose2 at(double time_s) const noexcept;
+  // How much of the swing is done, 0 to 1: in proportion to time unless the time of touch-down has changed.
+  [[nodiscard]] double share(double time_s) const noexcept { return share_.at(time_s - aimed_s_).position; }
   [[nodiscard]] Eigen::RowVector2d acceleration_m_per_s2(double time_s) const noexcept;
 
  private:
-  Quintic x_, y_, yaw_;
+  Quintic x_, y_, yaw_, share_;
   double aimed_s_ = 0.0;  // when the polynomials begin
   double swing_s_ = 1.0;
+  double landing_rate_per_s_ = 1.0;  // of the share
 };
 
 }  // namespace gaitway::trajectory

@@ -143,7 +143,10 @@ class WalkingPattern {
   [[nodiscard]] bool must_recover(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
                                   double bow_rad) const noexcept;
   void begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
-  void adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
+  // Of the schedule as it is: false where there is nothing to adjust.
+  bool adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
+  // By the reference laid out in batch_reference_.
+  [[nodiscard]] StepInFlight step_in_flight(const PatternState& state) const noexcept;
   [[nodiscard]] Step step_after(const Step& before, const Wanted& wanted,
                                 const Eigen::Vector2d& offset_m) noexcept;
   // Velocities and landing place of a step after those of the step before.
@@ -166,6 +169,8 @@ class WalkingPattern {
   void advance(PatternState& state, const ZmpReference& reference, int index) noexcept;
   void advance_step(PatternState& state) noexcept;
   void advance_settling(PatternState& state) const noexcept;
+  // Of the swing, what is done: 0 in the double support.
+  [[nodiscard]] static double swing_share(const PatternState& state) noexcept;
   [[nodiscard]] bool is_open(const PatternState& state) const noexcept;
   [[nodiscard]] static bool must_finish_stop(const PatternState& state) noexcept;
   void write_point(const PatternState& state, std::size_t index, MotionPlan& plan) const noexcept;
