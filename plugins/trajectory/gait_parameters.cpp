@@ -97,6 +97,8 @@ std::vector<GaitParameters::Number> GaitParameters::numbers() {
       {recover_lead_in_s, "recover_lead_in", "s", kPointPeriod_s, 2.0},
       {recover_swing_s, "recover_swing", "s", 0.10, 1.0},
       {recover_step_m, "recover_step", "m", 0.0, 1.0},
+      {recover_crouch, "recover_crouch", "1", 0.0, 1.0},
+      {hips_in_bow_m_per_rad, "hips_in_bow", "m/rad", 0.0, 1.0},
       {response_lag_s, "response_lag", "s", 0.0, 0.1},
       {zmp_forward_m, "zmp_forward", "m", -0.5, 0.5},
       {zmp_inward_m, "zmp_inward", "m", -0.5, 0.5},

@@ -207,7 +207,8 @@ StepInFlight WalkingPattern::step_in_flight(const PatternState& state) const noe
       to_stance * (absorber_.required_divergence(batch_reference_, flight.points) - step.zmp_to).transpose();
   const auto landing_moved = [&](double by_m) {
     StepLimit ignored = StepLimit::none;  // who commands the walk has not asked for this
-    const Eigen::Vector2d moved = step.adjustment_m.array() + by_m;
+    Eigen::Vector2d moved = step.adjustment_m.array() + by_m;
+    if (state.recovery_steps == kRecoverySteps) moved.x() = parameters_.limit_recovery_m(moved.x());
     const Pose2 landing = planner_.landing(step.stance, step.swing, step.velocity, moved, ignored);
     return Eigen::Vector2d(step.stance.relative_of(landing).position() -
                            step.stance.relative_of(step.landing).position());
@@ -254,8 +255,10 @@ void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, co
     if (in_swing > 0)
       state.swing.aim(step.landing, in_swing * kPointPeriod_s, step.swing_points * kPointPeriod_s);
   }
-  aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
-                                                       std::abs(wanted.velocity.forward_m_per_s))));
+  if (state.recovery_steps == 0) {
+    aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
+                                                         std::abs(wanted.velocity.forward_m_per_s))));
+  }
   schedule_steps_after(step, state.elapsed_points, wanted, offset_left);
   if (adjust_step(state, dcm_deviation_m))
     schedule_steps_after(step, state.elapsed_points, wanted, offset_left);
@@ -282,7 +285,7 @@ void WalkingPattern::schedule_stop(PatternState& state) noexcept {
   schedule_.count = schedule_.next = 0;
   schedule_.ends = true;
   if (state.phase != Phase::walking) return;
-  aim_hips(state, parameters_.hip_height_m);
+  if (state.recovery_steps == 0) aim_hips(state, parameters_.hip_height_m);
   Step& step = state.step;
   if (state.elapsed_points <= step.double_support_points && step.adjustment_m.isZero()) {
     if (planner_.is_beside(step.stance, step.swing, state.feet[index_of(step.swing)])) {

@@ -49,7 +49,7 @@ void WalkingPattern::schedule(const WalkCommand& command, const Correction& corr
   Eigen::Vector2d deviation_m = dcm_deviation_m;
   const double bow_rad = std::isfinite(correction.bow[1]) ? correction.bow[1] : 0.0;
   if (must_recover(state_, deviation_m, bow_rad)) {
-    begin_recovery(state_, deviation_m);
+    begin_recovery(state_, deviation_m, bow_rad);
     deviation_m.setZero();  // it is the plan's now
   }
   Velocity2 wanted{command.velocity[0], command.velocity[1], command.turn_rate};

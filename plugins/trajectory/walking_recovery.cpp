@@ -6,11 +6,6 @@
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
-namespace {
-
-constexpr int kRecoverySteps = 5;
-
-}  // namespace
 
 bool WalkingPattern::must_recover(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
                                   double bow_rad) const noexcept {
@@ -30,7 +25,8 @@ bool WalkingPattern::must_recover(const PatternState& state, const Eigen::Vector
 
 // The feet stand side by side: whichever is lifted, the body falls to its side meanwhile, and the step is as
 // wide as that asks for.
-void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept {
+void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
+                                    double bow_rad) noexcept {
   const Pose2 middle = middle_of(state.feet);
   const double to_left = (Eigen::Rotation2Dd(-middle.yaw_rad) * dcm_deviation_m).y();
   begin_walking(state, {0.0, to_left, 0.0});
@@ -48,15 +44,26 @@ void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& 
   const Eigen::Vector2d gap = to_plan.inverse() * (dcm - asked).transpose();
   const double landing_s = step.points() * kPointPeriod_s;
   Eigen::Vector2d shift = adjustment_.full_shift_m(gap, landing_s);
-  shift.x() = std::clamp(shift.x(), -parameters_.recover_step_m, parameters_.recover_step_m);
+  shift.x() = parameters_.limit_recovery_m(shift.x());
   StepLimit ignored = StepLimit::none;  // nobody has commanded it
   step.landing = planner_.landing(step.stance, step.swing, {}, shift, ignored);
   step.adjustment_m = step.stance.relative_of(step.landing).position() -
                       step.stance.relative_of(planner_.beside(step.stance, step.swing)).position();
+  state.hips.aim(recovery_hip_height_m(step, bow_rad), step.points());
   const Eigen::RowVector2d taken =
       asked + (to_plan * adjustment_.answered_m(step.adjustment_m, landing_s)).transpose();
   state.cart.motion.row(1) += absorber_.omega_per_s() * (taken - absorber_.divergence(state.cart));
   state.divergence = taken;
+}
+
+// The CoM gets half way to the landing place meanwhile; a bow to the same side leaves the hips behind it.
+// With one to the other side, the stance leg is as long at the end as the swing leg without.
+double WalkingPattern::recovery_hip_height_m(const Step& step, double bow_rad) const noexcept {
+  const double ahead_m = step.adjustment_m.x();
+  const double hips_behind_m =
+      bow_rad * ahead_m > 0.0 ? parameters_.hips_in_bow_m_per_rad * std::abs(bow_rad) : 0.0;
+  const double reach_m = 0.5 * std::abs(ahead_m) + hips_behind_m;
+  return parameters_.hip_height_m - parameters_.recover_crouch * reach_m;
 }
 
 }  // namespace gaitway::trajectory

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -186,10 +187,10 @@ TEST_F(AdjustedWalk, StepsSoonerWhereTheTrunkHasBowedAlready) {
   command = WalkCommand{};
   run(3);
   const double edge_m = 0.0775 - parameters.stand_com_forward_m;
-  run(1, {edge_m + 0.01, 0.0});
+  run(1, {edge_m + 0.015, 0.0});
   EXPECT_EQ(plan->footstep_count, 0U);
   correction.bow[1] = 0.5;
-  run(1, {edge_m + 0.01, 0.0});
+  run(1, {edge_m + 0.015, 0.0});
   EXPECT_GT(plan->footstep_count, 0U);
 }
 
@@ -223,12 +224,49 @@ TEST_F(AdjustedWalk, StepsAfterABodyThatIsPushedOffItsFeetAndStandsAgain) {
       EXPECT_EQ(plan->footstep_side[0], towards.y() > 0.0 ? 0U : 1U);
       EXPECT_GT(std::abs(next_footstep().y()), 0.5 * parameters.foot_spacing_m + 0.02);
     } else {
-      EXPECT_NEAR(next_footstep().x(), towards.x() * parameters.recover_step_m, 1e-9);
+      const double longest_m = towards.x() > 0.0
+                                   ? parameters.recover_step_m
+                                   : std::min(parameters.recover_step_m, parameters.max_step_backward_m);
+      EXPECT_NEAR(next_footstep().x(), towards.x() * longest_m, 1e-9);
     }
     run(40);
     EXPECT_EQ(pattern.state().phase, Phase::stand);
     EXPECT_EQ(plan->footstep_count, 0U);
   }
+}
+
+// The leg that steps would be all but straight when it lands, and the more so the further the bow has brought
+// the hips back.
+TEST_F(AdjustedWalk, CrouchesForALongStepAfterTheBodyAndMoreSoOutOfABow) {
+  const auto hips_at_landing_m = [this](double bow_rad) {
+    pattern.reset_to_stand({});
+    command = WalkCommand{};
+    run(3);
+    correction.bow[1] = bow_rad;
+    run(1, {0.12, 0.0});
+    const std::int64_t landing_ns = plan->footstep_landing_ns[0] - plan->start_ns;
+    const double hips_m = plan->hip_height[landing_ns / kPoint_ns - 1];
+    run(45);
+    EXPECT_EQ(plan->hip_height[0], parameters.hip_height_m) << "it stands as before";
+    return hips_m;
+  };
+  const double upright_m = hips_at_landing_m(0.0);
+  EXPECT_LT(upright_m, parameters.hip_height_m - 0.01);
+  EXPECT_LT(hips_at_landing_m(0.5), upright_m - 0.01);
+  EXPECT_NEAR(hips_at_landing_m(-0.5), upright_m, 1e-9);
+}
+
+// More than the first step may be asks too much of the joints; what is left is for the steps that follow.
+TEST_F(AdjustedWalk, KeepsTheFirstStepAfterTheBodyShortHoweverFastItGoesOnFalling) {
+  pattern.reset_to_stand({});
+  command = WalkCommand{};
+  run(3);
+  run(1, {0.12, 0.0});
+  run(1, {0.10, 0.0});
+  ASSERT_GT(plan->footstep_count, 1U);
+  EXPECT_NEAR(next_footstep().x(), parameters.recover_step_m, 1e-9);
+  while (next_footstep().x() < parameters.recover_step_m + 1e-6 && sequence < 20) run(1, {0.10, 0.0});
+  EXPECT_GT(next_footstep().x(), parameters.recover_step_m + 0.02) << "the second one goes further";
 }
 
 // A step in the middle of a walk, in the left foot's swing: the DCM goes from 20 mm beside the stance foot's

@@ -1,6 +1,7 @@
 // Every number of the walking pattern, with its unit, and the rules that these numbers must keep.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace gaitway::trajectory {
@@ -47,11 +48,15 @@ struct GaitParameters {
   // A standing robot that is pushed off its feet steps after itself.
   double recover_ahead_m = 0.02;         // of the DCM before the toes, or
   double recover_behind_m = 0.005;       // behind the heels: what a bow can still catch
-  double recover_bow_m_per_rad = 0.035;  // less than that, for what the trunk has already bowed
-  double recover_lead_in_s = 0.04;       // from then to the lift
-  double recover_swing_s = 0.24;         // of the first step; the others are those of a walk in place
-  double recover_step_m =
-      0.08;  // longest first step ahead or back: the hips are high, and the swing is short
+  double recover_bow_m_per_rad = 0.015;  // less than that, for what the trunk has already bowed
+  double recover_lead_in_s = 0.02;       // from then to the lift
+  double recover_swing_s = 0.23;         // of the first step; the others are those of a walk in place
+  double recover_step_m = 0.12;          // longest first step ahead or back
+  // The hips come down by this share of how far the foot is to land from under them: near the straight knee
+  // no joint is quick enough.
+  double recover_crouch = 0.28;
+  // By how far a bow leaves the hips behind the CoM: humanoid22's masses and lengths make it so.
+  double hips_in_bow_m_per_rad = 0.10;
 
   double response_lag_s = 0.020;  // of the body behind its plan: servos and sensors
 
@@ -99,6 +104,10 @@ struct GaitParameters {
   [[nodiscard]] int absorb_points() const noexcept;
   // Of the hip axes above the ground at a speed forward or backward.
   [[nodiscard]] double hip_height_at_m(double forward_m_per_s) const noexcept;
+  // Of how far ahead or back the first step of a recovery is to go, what it may.
+  [[nodiscard]] double limit_recovery_m(double ahead_m) const noexcept {
+    return std::clamp(ahead_m, -recover_step_m, recover_step_m);
+  }
   // Points of the longest safe tail: a swing just begun, the closing step, the settling.
   [[nodiscard]] int longest_tail_points() const noexcept;
 

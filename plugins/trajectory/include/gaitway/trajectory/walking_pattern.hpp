@@ -117,6 +117,7 @@ class WalkingPattern {
 
  private:
   static constexpr int kMaxSteps = 40;
+  static constexpr int kRecoverySteps = 5;
   struct Schedule {
     std::array<Step, kMaxSteps> steps;
     int count = 0, next = 0;  // steps[next] follows the step in flight
@@ -142,7 +143,9 @@ class WalkingPattern {
   // it.
   [[nodiscard]] bool must_recover(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
                                   double bow_rad) const noexcept;
-  void begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
+  void begin_recovery(PatternState& state, const Eigen::Vector2d& dcm_deviation_m, double bow_rad) noexcept;
+  // Where the hips are to be when the first step of a recovery lands.
+  [[nodiscard]] double recovery_hip_height_m(const Step& step, double bow_rad) const noexcept;
   // Of the schedule as it is: false where there is nothing to adjust.
   bool adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept;
   // By the reference laid out in batch_reference_.
