@@ -162,8 +162,10 @@ void StateEstimator::update_com() noexcept {
     support_ = contacts_.support();
     const Eigen::Vector3d com = measured_com_m(support_);
     for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].start(com[static_cast<Eigen::Index>(axis)]);
+    frame_heading_rad_ = kinematics_.world_heading_rad(support_);
     started_ = true;
   }
+  follow_frame();
   const InputFaults& faults = inputs_.faults();
   zmp_m_ = zmp_in(support_);
   zmp_variance_ = zmp_variance_in(support_);
@@ -218,6 +220,21 @@ Eigen::Vector3d StateEstimator::measured_com_m(urdf::Side foot) const noexcept {
   return com;
 }
 
+// The level frame turns with its sole: little while the robot stands on it, anyhow when it lies, and at once
+// by half a turn where the sole's x axis passes the vertical. Turned with it, the states stay those of the
+// body.
+void StateEstimator::follow_frame() noexcept {
+  const double heading_rad = kinematics_.world_heading_rad(support_);
+  const Eigen::Rotation2Dd turn(frame_heading_rad_ - heading_rad);
+  Eigen::Matrix<double, 2, 3> states;  // row: axis; column: position, velocity, unexplained acceleration
+  states << com_[0].state().transpose(), com_[1].state().transpose();
+  states = (turn.toRotationMatrix() * states).eval();
+  com_[0].set_state(states.row(0).transpose());
+  com_[1].set_state(states.row(1).transpose());
+  zmp_m_ = turn * zmp_m_;
+  frame_heading_rad_ = heading_rad;
+}
+
 // The filters' states, seen from the other foot: what they know beyond the kinematics is kept.
 void StateEstimator::change_support() noexcept {
   const urdf::Side to = contacts_.support();
@@ -232,6 +249,7 @@ void StateEstimator::change_support() noexcept {
     com_[axis].set_state(states.row(static_cast<Eigen::Index>(axis)).transpose());
   }
   support_ = to;
+  frame_heading_rad_ = kinematics_.world_heading_rad(to);
   zmp_m_ = zmp_in(to);
   zmp_variance_ = zmp_variance_in(to);
 }

@@ -13,6 +13,7 @@ std::size_t index_of(urdf::Side side) noexcept {
 }  // namespace
 
 void SupportKinematics::update_levels(const Attitude& attitude) noexcept {
+  yaw_rad_ = attitude.yaw_rad;
   const Eigen::Matrix3d upright_from_base = attitude.tilt() * kinematics_.link_rotation(trunk_).transpose();
   for (const urdf::Side side : urdf::kSides) {
     const std::size_t i = index_of(side);

@@ -48,8 +48,8 @@ class StateEstimator {
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.contacts_, self.cells_, self.attitude_, self.com_, self.com_offset_, self.angular_velocity_,
-            self.zmp_m_, self.zmp_variance_, self.support_, self.started_, self.blind_ticks_,
-            self.feet_planted_, self.slip_, self.fall_, self.inputs_);
+            self.zmp_m_, self.zmp_variance_, self.support_, self.frame_heading_rad_, self.started_,
+            self.blind_ticks_, self.feet_planted_, self.slip_, self.fall_, self.inputs_);
   }
 
  private:
@@ -58,6 +58,7 @@ class StateEstimator {
   void update_pressure() noexcept;
   void update_slip() noexcept;
   void update_com() noexcept;
+  void follow_frame() noexcept;
   void change_support() noexcept;
   void update_fall() noexcept;
   [[nodiscard]] Eigen::Vector2d zmp_in(urdf::Side foot) const noexcept;
@@ -88,6 +89,7 @@ class StateEstimator {
   Eigen::Vector2d zmp_m_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d zmp_variance_ = Eigen::Vector2d::Zero();
   urdf::Side support_ = urdf::Side::left;
+  double frame_heading_rad_ = 0.0;  // in the world, of the frame in which the filters' states are
   bool started_ = false;
   int blind_ticks_ = 0;  // without joint states
 };

@@ -36,6 +36,10 @@ class SupportKinematics {
   [[nodiscard]] double heading_rad(urdf::Side foot) const noexcept {
     return heading_rad_[static_cast<std::size_t>(foot)];
   }
+  // The same in the world, since the start: not continuous while the sole's x axis passes the vertical.
+  [[nodiscard]] double world_heading_rad(urdf::Side foot) const noexcept {
+    return yaw_rad_ + heading_rad(foot);
+  }
   // From a sole frame to its level frame.
   [[nodiscard]] Eigen::Matrix3d sole_tilt(urdf::Side foot) const noexcept {
     const auto i = static_cast<std::size_t>(foot);
@@ -52,6 +56,7 @@ class SupportKinematics {
   std::array<Eigen::Isometry3d, 2> base_from_sole_;
   std::array<Eigen::Matrix3d, 2> level_from_base_;
   std::array<double, 2> heading_rad_{};
+  double yaw_rad_ = 0.0;  // of the trunk, with which the headings were computed
 };
 
 }  // namespace gaitway::zmp
