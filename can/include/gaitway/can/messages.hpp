@@ -43,8 +43,8 @@ inline constexpr std::uint8_t kMostSoftness = 7;
 struct Sync {
   std::uint16_t cycle = 0;       // low 16 bits of the cycle number = of the batch's sequence number
   std::uint8_t slot = 0;         // 0..7
-  bool batch_committed = false;  // a batch for this cycle was sent: whoever holds it starts it at slot 0
-  bool toggle = false;           // toggle of the committed batch
+  bool batch_committed = false;  // a batch is played in this cycle: whoever holds it starts it at slot 0
+  bool toggle = false;           // toggle of that batch; from a revision's first slot on, of the revision
   std::uint8_t softness = 0;     // of all joints: 0 the servo's whole torque .. kMostSoftness none
   friend bool operator==(const Sync&, const Sync&) = default;
 };
