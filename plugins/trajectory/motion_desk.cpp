@@ -26,6 +26,12 @@ double tilt_rad(const Estimate* estimate) noexcept {
                              : std::acos(std::cos(estimate->attitude[0]) * std::cos(estimate->attitude[1]));
 }
 
+// One that lies between its front and its back is left to try either: no motion may begin there.
+bool lies_the_other_way(const MotionTable& motion, const Estimate* estimate) noexcept {
+  return motion.lies_on && estimate != nullptr &&
+         lying_side(estimate->attitude[0], estimate->attitude[1]) == opposite(*motion.lies_on);
+}
+
 }  // namespace
 
 MotionDesk::MotionDesk(const std::vector<MotionTable>& motions, const urdf::RobotModel& robot) {
@@ -59,8 +65,14 @@ std::optional<MotionOrder> MotionDesk::answer(const MotionRequest& request, cons
          known_.empty() ? "are" : "is:", known_.empty() ? "none" : known_.c_str());
     return MotionOrder{};
   }
-  if (const std::string_view why = objection(player.motions()[*motion], now, player); !why.empty()) {
+  const MotionTable& table = player.motions()[*motion];
+  if (const std::string_view why = objection(table, now, player); !why.empty()) {
     tell(state.text, "'{}' cannot begin: {}", name, why);
+    return MotionOrder{};
+  }
+  if (lies_the_other_way(table, now.estimate)) {
+    tell(state.text, "'{}' cannot begin: it begins on the {}, and the robot lies on its {}", name,
+         name_of(*table.lies_on), name_of(opposite(*table.lies_on)));
     return MotionOrder{};
   }
   state.refused = 0;

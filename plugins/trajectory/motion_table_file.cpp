@@ -109,6 +109,14 @@ void require_exits(const MotionTable& table, const std::filesystem::path& file) 
   }
 }
 
+// Where a motion begins: in the stand, on the ground, or there on one side, the sides in their order.
+constexpr std::uint64_t kStand = 0, kGround = 1, kFirstSide = 2;
+
+std::uint64_t start_of(const MotionTable& table) noexcept {
+  if (table.lies_on) return kFirstSide + static_cast<std::uint64_t>(*table.lies_on);
+  return table.on_ground ? kGround : kStand;
+}
+
 }  // namespace
 
 void write_motion_table(const MotionTable& table, const std::filesystem::path& file) {
@@ -119,7 +127,7 @@ void write_motion_table(const MotionTable& table, const std::filesystem::path& f
   write.array(table.description);
   write.number(table.robot_digest);
   write.number(std::uint64_t{table.joint_count});
-  write.number(std::uint64_t{table.on_ground ? 1U : 0U});
+  write.number(start_of(table));
   write.way(table.path);
   write.array(table.exits);
   write.number(std::uint64_t{table.ways.size()});
@@ -134,7 +142,7 @@ MotionTable read_motion_table(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse(file, "it cannot be read");
   Reader read({std::istreambuf_iterator<char>(in), {}}, file);
-  std::uint64_t magic = 0, joints = 0, on_ground = 0, ways = 0;
+  std::uint64_t magic = 0, joints = 0, start = 0, ways = 0;
   read.number(magic);
   if (magic != kMagic) refuse(file, "it is no prepared motion of this version");
   MotionTable table;
@@ -142,11 +150,13 @@ MotionTable read_motion_table(const std::filesystem::path& file) {
   read.array(table.description);
   read.number(table.robot_digest);
   read.number(joints);
-  read.number(on_ground);
+  read.number(start);
   if (joints == 0 || joints > static_cast<std::uint64_t>(kMaxJoints))
     refuse(file, "its number of joints is none");
   table.joint_count = joints;
-  table.on_ground = on_ground != 0;
+  if (start >= kFirstSide + kLyingSideNames.size()) refuse(file, "where it begins is not known");
+  table.on_ground = start != kStand;
+  if (start >= kFirstSide) table.lies_on = static_cast<LyingSide>(start - kFirstSide);
   read.way(table.path, joints);
   read.array(table.exits);
   read.number(ways);

@@ -1,4 +1,5 @@
 // The robot plays key-frame motions through the whole chain: one-byte points, batches, trims, safe tails.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -229,7 +230,9 @@ TEST(Motion, GoesOnToTheBitWhenPluginsAreReloaded) {
 
 struct Fall {
   const char* get_up;
-  double direction;  // 1 onto the front, -1 onto the back
+  double direction;   // 1 onto the front, -1 onto the back
+  const char* other;  // gets up from there
+  const char* why_not_other;
 };
 
 class OnTheGround : public ::testing::TestWithParam<Fall> {
@@ -249,14 +252,19 @@ class OnTheGround : public ::testing::TestWithParam<Fall> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Motions, OnTheGround,
-                         ::testing::Values(Fall{"get_up_front", 1.0}, Fall{"get_up_back", -1.0}),
+                         ::testing::Values(Fall{"get_up_front", 1.0, "get_up_back",
+                                                "it begins on the back, and the robot lies on its front"},
+                                           Fall{"get_up_back", -1.0, "get_up_front",
+                                                "it begins on the front, and the robot lies on its back"}),
                          [](const auto& chosen) { return chosen.param.get_up; });
 
 TEST_P(OnTheGround, GetsUpAndWalks) {
   Show& show = fallen(1);
   show.play(4.5, {motion_at(4.0, "wave")});
   EXPECT_EQ(show.text(), "'wave' cannot begin: it begins in the stand, and the robot does not stand");
-  show.play(20.0, {motion_at(4.5, GetParam().get_up), walk_at(16.5, 0.15)});
+  show.play(4.7, {motion_at(4.5, GetParam().other)});
+  EXPECT_EQ(show.text(), fmt::format("'{}' cannot begin: {}", GetParam().other, GetParam().why_not_other));
+  show.play(20.0, {motion_at(4.7, GetParam().get_up), walk_at(16.5, 0.15)});
   EXPECT_EQ(show.state().result, kFinished) << show.text();
   EXPECT_GT(height_m(), 0.34);
   EXPECT_LT(show.run.plant().truth().trunk_tilt_rad, 0.1);
@@ -274,7 +282,7 @@ TEST_P(OnTheGround, LiesStillWhenTheMainControllerFallsSilent) {
   EXPECT_LT((still.translation() - lying.translation()).norm(), 0.02);
   EXPECT_LT(Eigen::AngleAxisd(still.linear().transpose() * lying.linear()).angle(), 0.1);
   EXPECT_EQ(show.run.message_controller().state().refused, 0U);
-  show.play(23.0, {motion_at(10.0, GetParam().get_up)});
+  show.play(23.0, {motion_at(10.0, "get_up_front")});  // from the back, it has rolled over by then
   EXPECT_EQ(show.state().result, kFinished) << show.text();
   show.expect_standing();
 }

@@ -198,12 +198,22 @@ Key read_key(const YamlValue& value, const urdf::RobotModel& robot) {
 }
 
 Motion read(const YamlValue& file, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 4> kKeys{"name", "description", "start", "keys"};
+  constexpr std::array<std::string_view, 5> kKeys{"name", "description", "start", "lies_on", "keys"};
   file.require_map(kKeys);
-  Motion motion{.name = file.at("name").text(), .description = file.at("description").text(), .keys = {}};
+  Motion motion{.name = file.at("name").text(),
+                .description = file.at("description").text(),
+                .lies_on = {},
+                .keys = {}};
   if (const auto start = file.find("start")) {
     constexpr std::array<std::string_view, 2> kStarts{"home", "first_key"};
     motion.starts_at_first_key = choice(*start, kStarts) == 1;
+  }
+  if (const auto side = file.find("lies_on")) {
+    if (!motion.starts_at_first_key) {
+      side->refuse("the motion starts in the standing posture",
+                   "Say start: first_key, too, or leave this out.");
+    }
+    motion.lies_on = static_cast<trajectory::LyingSide>(choice(*side, trajectory::kLyingSideNames));
   }
   const YamlValue keys = file.at("keys");
   for (const YamlValue& key : keys.items()) {

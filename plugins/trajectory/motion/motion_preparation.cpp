@@ -149,6 +149,7 @@ PreparedMotion prepare_motion(const urdf::RobotModel& robot, const Motion& motio
   table.robot_digest = trajectory::robot_digest(robot.directory);
   table.joint_count = plan.joint_count;
   table.on_ground = motion.starts_at_first_key;
+  table.lies_on = motion.lies_on;
   PointWriter writer(robot);
   table.path = writer.way(plan);
   for (const MotionPlan& way : exits.ways) table.ways.push_back(writer.way(way));

@@ -160,11 +160,25 @@ TEST_F(TableFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.name, "count");
   EXPECT_EQ(read.robot_digest, 7U);
   EXPECT_TRUE(read.on_ground);
+  EXPECT_FALSE(read.lies_on.has_value());
   EXPECT_EQ(read.path.offset_rad, table("count").path.offset_rad);
   EXPECT_EQ(read.ways.at(0).offset_rad, table("count").ways[0].offset_rad);
   EXPECT_EQ(read.exits.at(2).go_on_batches, 1U);
   EXPECT_EQ(motion_table_files(folder), std::vector{file});
   EXPECT_TRUE(motion_table_files(folder / "none").empty());
+}
+
+TEST_F(TableFile, HoldsWhereTheMotionBegins) {
+  for (const LyingSide side : {LyingSide::front, LyingSide::back, LyingSide::left, LyingSide::right}) {
+    MotionTable lying = table("count", true);
+    lying.lies_on = side;
+    write_motion_table(lying, file);
+    const MotionTable read = read_motion_table(file);
+    EXPECT_TRUE(read.on_ground);
+    EXPECT_EQ(read.lies_on, side);
+  }
+  write_motion_table(table("count"), file);
+  EXPECT_FALSE(read_motion_table(file).on_ground);
 }
 
 TEST_F(TableFile, IsRefusedWhereverItIsCutOffOrWrong) {
@@ -179,6 +193,10 @@ TEST_F(TableFile, IsRefusedWhereverItIsCutOffOrWrong) {
   wrong.exits[1].way = 1;
   write_motion_table(wrong, file);
   EXPECT_THAT(refusal(), HasSubstr("a way out leads nowhere"));
+  wrong = table("count", true);
+  wrong.lies_on = LyingSide{4};
+  write_motion_table(wrong, file);
+  EXPECT_THAT(refusal(), HasSubstr("where it begins is not known"));
   wrong = table("count");
   wrong.path.offset_rad[5] = std::nanf("");
   write_motion_table(wrong, file);

@@ -63,6 +63,26 @@ TEST(MotionFile, NamesFileLineFieldAndRemedyOfAWrongOne) {
   }
 }
 
+TEST(MotionFile, OneOnTheGroundMaySayTheSide) {
+  const std::string head = "name: test\ndescription: for a test\n";
+  const std::string keys = "keys:\n  - {name: lie, contact: none}\n  - {name: up, contact: none}\n";
+  const auto of = [&](const std::string& start) {
+    return parse_motion(head + start + keys, "test.yaml", humanoid22());
+  };
+  EXPECT_FALSE(of("start: first_key\n").lies_on.has_value());
+  EXPECT_EQ(of("start: first_key\nlies_on: back\n").lies_on, trajectory::LyingSide::back);
+  const auto complaint = [&](const std::string& start) -> std::string {
+    try {
+      static_cast<void>(of(start));
+    } catch (const urdf::RobotError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  EXPECT_THAT(complaint("lies_on: back\n"), AllOf(HasSubstr("test.yaml:3"), HasSubstr("start: first_key")));
+  EXPECT_THAT(complaint("start: first_key\nlies_on: head\n"), HasSubstr("front, back, left, right"));
+}
+
 TEST(MotionFile, AFolderListsItsMotionsByName) {
   std::vector<std::string> names;
   for (const auto& file : motion_files(GAITWAY_MOTIONS)) names.push_back(file.stem());

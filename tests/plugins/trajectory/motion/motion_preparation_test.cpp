@@ -56,6 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, WayOut, ::testing::Values("bow", "squat", "kic
 TEST(WayOutOfTheGround, StaysThereUntilBothFeetStand) {
   const MotionTable table = prepare_motion(humanoid22(), shipped("get_up_front"), {}).table;
   EXPECT_TRUE(table.on_ground);
+  EXPECT_EQ(table.lies_on, trajectory::LyingSide::front);
   EXPECT_EQ(table.ways[static_cast<std::size_t>(table.exits[5].way)].points.back().support,
             trajectory::kNothingStands);
   EXPECT_LE(table.exit_points(5), 32U);

@@ -6,9 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "gaitway/trajectory/lying_side.hpp"
 
 namespace gaitway::trajectory {
 
@@ -49,7 +52,8 @@ struct MotionTable {
   std::string name, description;
   std::uint64_t robot_digest = 0;  // of the description that it was planned for
   std::size_t joint_count = 0;
-  bool on_ground = false;  // begins lying in its first posture, not in the stand
+  bool on_ground = false;            // begins lying in its first posture, not in the stand
+  std::optional<LyingSide> lies_on;  // on which side it begins; of one on the ground, if its file says so
   // Point 0 is where it begins; whole batches follow it.
   MotionWay path;
   std::vector<MotionExit> exits;  // [batches played]

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/trajectory/lying_side.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::motion {
@@ -69,6 +70,7 @@ struct Motion {
   std::string description;
   // A motion starts in the standing posture; with this, in that of the first key (which takes no time then).
   bool starts_at_first_key = false;
+  std::optional<trajectory::LyingSide> lies_on;  // there, on which side; not said: any
   std::vector<Key> keys;
 };
 
