@@ -9,26 +9,19 @@
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 #include "plan_probe.hpp"
+#include "planned_walk.hpp"
 
 namespace gaitway::trajectory {
 namespace {
 
-constexpr std::int64_t kCycle_ns = 80'000'000;
 constexpr int kFrom = 4;
 constexpr double kSame = 1e-5;  // m; the reference is known some points further
 
-class Revision : public ::testing::Test {
+class Revision : public PlannedWalk {
  protected:
   Revision() {
     pattern.revise_from(kFrom);
-    command.walk = 1;
-    command.velocity[0] = 0.2;
-  }
-  void run(int cycles) {
-    for (int i = 0; i < cycles; ++i) {
-      ++sequence;
-      pattern.plan(sequence, sequence * kCycle_ns, command, correction, *plan);
-    }
+    command_walk(0.2, 0.0, 0.0);
   }
   bool revise(const Eigen::Vector2d& deviation_m = Eigen::Vector2d::Zero()) {
     return pattern.revise(command, correction, *plan, deviation_m);
@@ -40,13 +33,6 @@ class Revision : public ::testing::Test {
     }
     return most;
   }
-
-  GaitParameters parameters;
-  WalkingPattern pattern{parameters};
-  WalkCommand command{};
-  Correction correction{};
-  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
-  std::uint32_t sequence = 0;
 };
 
 TEST_F(Revision, WithoutNewsChangesNothing) {

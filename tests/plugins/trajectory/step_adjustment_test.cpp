@@ -11,28 +11,22 @@
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 #include "plan_probe.hpp"
+#include "planned_walk.hpp"
 
 namespace gaitway::trajectory {
 namespace {
 
-constexpr std::int64_t kCycle_ns = 80'000'000, kPoint_ns = 10'000'000;
+constexpr std::int64_t kPoint_ns = 10'000'000;
 
 double omega_of(const GaitParameters& parameters) {
   return std::sqrt(kGravity_m_per_s2 / parameters.com_height_m);
 }
 
-class AdjustedWalk : public ::testing::Test {
+class AdjustedWalk : public PlannedWalk {
  protected:
-  void run(int cycles, const Eigen::Vector2d& deviation_m = Eigen::Vector2d::Zero()) {
-    for (int i = 0; i < cycles; ++i) {
-      ++sequence;
-      pattern.plan(sequence, sequence * kCycle_ns, command, correction, *plan, deviation_m);
-    }
-  }
   // In the middle of the walk, before the next batch begins a swing early enough to be adjusted.
   void run_into_a_swing(Side swing) {
-    command.walk = 1;
-    command.velocity[0] = 0.15;
+    command_walk(0.15, 0.0, 0.0);
     run(40);
     const auto early = [this, swing] {
       const PatternState& now = pattern.state();
@@ -42,13 +36,6 @@ class AdjustedWalk : public ::testing::Test {
     while (!early()) run(1);
   }
   [[nodiscard]] Eigen::Vector2d next_footstep() const { return {plan->footstep[0][0], plan->footstep[0][1]}; }
-
-  GaitParameters parameters;
-  WalkingPattern pattern{parameters};
-  WalkCommand command{};
-  Correction correction{};
-  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
-  std::uint32_t sequence = 0;
 };
 
 TEST_F(AdjustedWalk, StaysAsItIsWithinTheThresholds) {

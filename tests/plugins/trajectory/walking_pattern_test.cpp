@@ -8,35 +8,14 @@
 #include <numbers>
 
 #include "plan_probe.hpp"
+#include "planned_walk.hpp"
 
 namespace gaitway::trajectory {
 namespace {
 
-constexpr std::int64_t kCycle_ns = 80'000'000;
-
-class Walk : public ::testing::Test {
+class Walk : public PlannedWalk {
  protected:
-  // Plans `cycles` batches of 80 ms.
-  void run(int cycles) {
-    for (int i = 0; i < cycles; ++i) {
-      ++sequence;
-      pattern.plan(sequence, sequence * kCycle_ns, command, correction, *plan);
-    }
-  }
-  void command_walk(double forward, double left, double turn) {
-    command.walk = 1;
-    command.velocity[0] = forward;
-    command.velocity[1] = left;
-    command.turn_rate = turn;
-  }
   [[nodiscard]] Pose2 middle() const { return middle_of(pattern.state().feet); }
-
-  GaitParameters parameters;
-  WalkingPattern pattern{parameters};
-  WalkCommand command{};
-  Correction correction{};
-  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
-  std::uint32_t sequence = 0;
 };
 
 TEST_F(Walk, StandingStillGivesEqualPoints) {
