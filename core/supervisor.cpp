@@ -31,7 +31,9 @@ struct Death {
   int signal = 0;  // 0: it ended by itself
   bool hung = false;
   std::int64_t at_ns = 0;
-  std::string plugin;  // that was being stepped; empty: none
+  // That was being stepped; empty: none, or SIGKILL came from outside (no step raises it), at whatever
+  // instant.
+  std::string plugin;
 };
 
 // Ended with this object at the latest.
@@ -71,13 +73,18 @@ class Worker {
     int status = 0;
     waitpid(process_, &status, 0);
     process_ = 0;
-    Death death{.at_ns = process::monotonic_ns(), .plugin = watch_.current()};
+    Death death;
+    death.at_ns = process::monotonic_ns();
     death.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     death.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    if (death.signal != SIGKILL) {
+      death.plugin = watch_.current();
+    }
     return death;
   }
   void send(int signal) const { kill(process_, signal); }
   [[nodiscard]] std::uint64_t ticks() const noexcept { return watch_.ticks(); }
+  [[nodiscard]] std::string current() const { return watch_.current(); }
   [[nodiscard]] bool is_ending() const noexcept { return watch_.is_ending(); }
 
  private:
@@ -152,6 +159,7 @@ class Supervisor {
         worker.send(SIGKILL);
         Death death = worker.take_death();
         death.hung = true;
+        death.plugin = worker.current();
         return death;
       }
     }
@@ -184,8 +192,9 @@ class Supervisor {
     const std::string how =
         death.hung ? fmt::format("made no tick for {} ms and was ended", kHang_ns / 1'000'000)
                    : fmt::format("was ended by signal {} ({})", death.signal, strsignal(death.signal));
-    const std::string where =
-        death.plugin.empty() ? "outside of any plug-in" : fmt::format("in plug-in '{}'", death.plugin);
+    const std::string where = !death.plugin.empty() ? fmt::format("in plug-in '{}'", death.plugin)
+                              : death.signal == SIGKILL && !death.hung ? "from outside"
+                                                                       : "outside of any plug-in";
     fmt::print(stderr, "main_controller: {:.3f} s: {}, the process {}\n",
                static_cast<double>(death.at_ns) * 1e-9, where, how);
     if (deaths_ns_.size() > static_cast<std::size_t>(kMostRestarts)) {

@@ -30,7 +30,7 @@ class Processes:
         until(lambda: (self.folder / "memory").exists(), "the memory block")
         self.main = self.start("main", "GAITWAY_MAIN_CONTROLLER", "--supervised", "--socket", self.folder / "memory", "--config",
                                self.folder / "serve.yaml", "--plugin-path", os.environ["GAITWAY_PLUGIN_DIR"])
-        until(lambda: self.times_served() == 1, "the API:\n" + self.output("main"), 60.0)
+        until(lambda: self.times_served() == 1, lambda: "the API:\n" + self.output("main"), 60.0)
 
     def start(self, name, program, *arguments):
         with open(self.folder / f"{name}.txt", "wb") as output:
@@ -83,7 +83,7 @@ class MainControllerRestart(unittest.TestCase):
                 time.sleep(0.05)  # as a client does: ten times a second and more
             self.assertGreater(seen[-1]["pose"]["pose"]["position"]["x"], 0.05, "it walked")
             processes.kill_main_controller()
-            until(lambda: processes.times_served() == 2, "the API again:\n" + processes.output("main"), 30.0)
+            until(lambda: processes.times_served() == 2, lambda: "the API again:\n" + processes.output("main"), 30.0)
             count = len(seen)
             until(lambda: ros.is_connected and len(seen) > count + 20, "odometry of the new main controller", 30.0)
             self.assertGreater(seen[-1]["pose"]["pose"]["position"]["z"], 0.25, "it stands")

@@ -95,10 +95,10 @@ class ServedRobot:
 
 
 def until(condition, what, timeout_s=20.0):
-    """Waits for something that other threads bring about."""
+    """Waits for something that other threads bring about. `what` is a text, or makes one once the time is up."""
     end = time.monotonic() + timeout_s
     while not condition():
-        assert time.monotonic() < end, f"not within {timeout_s} s: {what}"
+        assert time.monotonic() < end, f"not within {timeout_s} s: {what() if callable(what) else what}"
         time.sleep(0.01)
 
 

@@ -64,9 +64,16 @@ class MainControllerProcess : public testing::Test {
     ASSERT_EQ(posix_spawn(&process, GAITWAY_MAIN_CONTROLLER, &actions, nullptr, argv.data(), environ), 0);
     posix_spawn_file_actions_destroy(&actions);
   }
-  void launch_normally() {
-    launch({"--socket", socket.string(), "--robot", GAITWAY_TEST_ROBOT, "--config",
-            (folder / "test.yaml").string(), "--plugin-path", GAITWAY_TEST_PLUGINS});
+  void launch_normally() { launch(normal_arguments()); }
+  void launch_supervised() {
+    std::vector<std::string> arguments = normal_arguments();
+    arguments.emplace_back("--supervised");
+    launch(std::move(arguments));
+  }
+  [[nodiscard]] std::vector<std::string> normal_arguments() const {
+    return {"--socket",         socket.string(),     "--robot",
+            GAITWAY_TEST_ROBOT, "--config",          (folder / "test.yaml").string(),
+            "--plugin-path",    GAITWAY_TEST_PLUGINS};
   }
   // Plays the message controller, once a millisecond, until `done` or for `at_most_s`. The exit code; -1:
   // still running.
@@ -140,6 +147,27 @@ TEST_F(MainControllerProcess, EndsWhenTheMessageControllerFallsSilent) {
   beating = false;
   EXPECT_EQ(serve(5.0), 3) << output();
   EXPECT_THAT(output(), testing::HasSubstr("no sign of life of the message controller"));
+}
+
+// Whoever sends SIGKILL does so at any instant: that a plug-in is being stepped then is no fault of its.
+TEST_F(MainControllerProcess, KilledFromOutsideItIsStartedAgainWithEveryPlugin) {
+  configure("  - {name: stepped, library: crashes.so, parameters: {after_ticks: 20, signal: 9}}\n");
+  launch_supervised();
+  EXPECT_EQ(serve(30.0), 4) << output();
+  EXPECT_THAT(output(), testing::HasSubstr("from outside, the process was ended by signal 9"));
+  EXPECT_THAT(output(), testing::HasSubstr("started again\n"));
+  EXPECT_THAT(output(), testing::Not(testing::HasSubstr("without 'stepped'")));
+}
+
+TEST_F(MainControllerProcess, AfterACrashItIsStartedAgainWithoutThePluginThatWasBeingStepped) {
+  configure("  - {name: stepped, library: crashes.so, parameters: {after_ticks: 20}}\n");
+  launch_supervised();
+  const auto is_back = [this] { return output().find("back after") != std::string::npos; };
+  ASSERT_EQ(serve(20.0, is_back), -1) << output();
+  EXPECT_THAT(output(), testing::HasSubstr("in plug-in 'stepped', the process was ended by signal 11"));
+  EXPECT_THAT(output(), testing::HasSubstr("started again, without 'stepped'"));
+  kill(process, SIGTERM);
+  EXPECT_EQ(serve(10.0), 0) << output();
 }
 
 TEST_F(MainControllerProcess, BadConfigurationIsNamedAndNothingMoves) {

@@ -1,4 +1,5 @@
 // Writes trims and corrections of zero, and after some ticks takes its whole process down, or hangs it.
+#include <csignal>
 #include <cstdint>
 #include <string>
 
@@ -13,7 +14,8 @@ class Crashes final : public Plugin {
   explicit Crashes(Setup& setup)
       : after_ticks_(setup.parameter("after_ticks", 600)),
         hangs_(setup.parameter("hangs", false)),
-        estimate_(setup.reads<Estimate>("estimate")),
+        signal_(setup.parameter("signal", 0)),
+        estimate_(setup.reads_optional<Estimate>("estimate")),
         trim_(setup.writes<TrimCommand>("trim")),
         correction_(setup.writes<Correction>("correction")) {}
 
@@ -28,6 +30,7 @@ class Crashes final : public Plugin {
     while (hangs_) {
       trim_.publish();
     }
+    if (signal_ != 0) std::raise(static_cast<int>(signal_));
     volatile int* const nowhere = nullptr;
     *nowhere = 1;
   }
@@ -35,6 +38,7 @@ class Crashes final : public Plugin {
  private:
   std::int64_t after_ticks_;
   bool hangs_;
+  std::int64_t signal_;  // what takes the process down; 0: a write to nowhere
   std::int64_t ticks_ = 0;
   Input<Estimate> estimate_;
   Output<TrimCommand> trim_;
