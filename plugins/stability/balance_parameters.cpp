@@ -1,10 +1,6 @@
 // The rules that the parameters of the balance feedback keep.
 #include "gaitway/stability/balance_parameters.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 namespace gaitway::stability {
 namespace {
 
@@ -12,7 +8,7 @@ constexpr double kMostGain = 2.0, kMostRateGain_s = 1.0;
 
 }  // namespace
 
-std::vector<BalanceParameters::Number> BalanceParameters::numbers() {
+std::vector<NumberParameter> BalanceParameters::numbers() {
   return {
       {ankle_pitch.angle_rad_per_rad, "ankle_pitch", "rad/rad", 0.0, kMostGain},
       {ankle_pitch.rate_rad_per_rad_per_s, "ankle_pitch_rate", "s", 0.0, kMostRateGain_s},
@@ -54,13 +50,8 @@ std::vector<BalanceParameters::Number> BalanceParameters::numbers() {
 
 void BalanceParameters::validate() const {
   // A copy, since it gives access to the numbers themselves.
-  for (BalanceParameters copy = *this; const Number& number : copy.numbers()) {
-    if (!(number.value >= number.lowest && number.value <= number.highest)) {
-      throw std::invalid_argument(
-          fmt::format("{} is {} {}, but must be from {} to {}; change it in the plug-in's parameters",
-                      number.name, number.value, number.unit, number.lowest, number.highest));
-    }
-  }
+  BalanceParameters copy = *this;
+  require_in_range(copy.numbers());
 }
 
 }  // namespace gaitway::stability

@@ -9,10 +9,7 @@ namespace {
 
 BalanceParameters parameters_of(Setup& setup) {
   BalanceParameters p;
-  for (const BalanceParameters::Number& number : p.numbers()) {
-    number.value =
-        setup.parameter(number.name, number.value, number.unit, {number.lowest, number.highest, ""});
-  }
+  setup.parameters(p.numbers());
   return p;
 }
 

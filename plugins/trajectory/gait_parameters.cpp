@@ -1,11 +1,9 @@
 // The rules of the gait parameters.
 #include "gaitway/trajectory/gait_parameters.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace gaitway::trajectory {
 namespace {
@@ -15,23 +13,6 @@ constexpr int kMostPreviewPoints = 300;  // room of the reference ZMP
 
 int whole_points(double time_s) noexcept {
   return static_cast<int>(std::lround(time_s / kPointPeriod_s));
-}
-
-void require(bool rule_holds, const char* name, double value, const char* unit, const char* rule) {
-  if (!rule_holds) {
-    throw std::invalid_argument(
-        fmt::format("trajectory: parameter {} = {} {}: must be {}. Change it in the plug-in's configuration.",
-                    name, value, unit, rule));
-  }
-}
-
-void require_within(double value, double low, double high, const char* name, const char* unit) {
-  if (!(value >= low && value <= high)) {
-    throw std::invalid_argument(
-        fmt::format("trajectory: parameter {} = {} {}: must be within [{}, {}] {}. Change it in the "
-                    "plug-in's configuration.",
-                    name, value, unit, low, high, unit));
-  }
 }
 
 }  // namespace
@@ -69,7 +50,7 @@ int GaitParameters::longest_tail_points() const noexcept {
   return swing_points() + step_points() + settle_points();
 }
 
-std::vector<GaitParameters::Number> GaitParameters::numbers() {
+std::vector<NumberParameter> GaitParameters::numbers() {
   return {
       {com_height_m, "com_height", "m", 0.05, 2.0},
       {hip_height_m, "hip_height", "m", 0.05, 2.0},
@@ -122,26 +103,27 @@ std::vector<GaitParameters::Number> GaitParameters::numbers() {
 
 void GaitParameters::validate() const {
   // A copy, since it gives access to the numbers themselves.
-  for (GaitParameters copy = *this; const Number& number : copy.numbers()) {
-    require_within(number.value, number.lowest, number.highest, number.name, number.unit);
-  }
-  require_within(sole.length_m, 0.01, 1.0, "sole_length", "m");
-  require_within(sole.width_m, 0.01, 1.0, "sole_width", "m");
-  require(fast_hip_height_m <= hip_height_m, "fast_hip_height", fast_hip_height_m, "m", "at most hip_height");
-  require(fast_speed_m_per_s >= slow_speed_m_per_s + 0.01, "fast_speed", fast_speed_m_per_s, "m/s",
-          "at least 0.01 m/s above slow_speed");
-  require(foot_spacing_m >= sole.width_m + min_sole_gap_m, "foot_spacing", foot_spacing_m, "m",
-          "at least sole_width + min_sole_gap");
-  require(max_foot_spacing_m >= foot_spacing_m, "max_foot_spacing", max_foot_spacing_m, "m",
-          "at least foot_spacing");
+  GaitParameters copy = *this;
+  require_in_range(copy.numbers());
+  require_in_range(std::array{NumberParameter{copy.sole.length_m, "sole_length", "m", 0.01, 1.0},
+                              NumberParameter{copy.sole.width_m, "sole_width", "m", 0.01, 1.0}});
+  require_number(fast_hip_height_m <= hip_height_m, "fast_hip_height", fast_hip_height_m, "m",
+                 "at most hip_height");
+  require_number(fast_speed_m_per_s >= slow_speed_m_per_s + 0.01, "fast_speed", fast_speed_m_per_s, "m/s",
+                 "at least 0.01 m/s above slow_speed");
+  require_number(foot_spacing_m >= sole.width_m + min_sole_gap_m, "foot_spacing", foot_spacing_m, "m",
+                 "at least sole_width + min_sole_gap");
+  require_number(max_foot_spacing_m >= foot_spacing_m, "max_foot_spacing", max_foot_spacing_m, "m",
+                 "at least foot_spacing");
   const double ahead = sole.centre_forward_m + 0.5 * sole.length_m;
   const double behind = sole.centre_forward_m - 0.5 * sole.length_m;
-  require(zmp_forward_m < ahead && zmp_forward_m > behind, "zmp_forward", zmp_forward_m, "m", "on the sole");
-  require(stand_com_forward_m < ahead && stand_com_forward_m > behind, "stand_com_forward",
-          stand_com_forward_m, "m", "above the soles");
-  require(std::abs(zmp_inward_m) < 0.5 * sole.width_m, "zmp_inward", zmp_inward_m, "m", "on the sole");
-  require(longest_tail_points() <= kMostTailPoints, "settle", settle_s, "s",
-          "so short that a swing, a step and the settling take 1.92 s at most");
+  require_number(zmp_forward_m < ahead && zmp_forward_m > behind, "zmp_forward", zmp_forward_m, "m",
+                 "on the sole");
+  require_number(stand_com_forward_m < ahead && stand_com_forward_m > behind, "stand_com_forward",
+                 stand_com_forward_m, "m", "above the soles");
+  require_number(std::abs(zmp_inward_m) < 0.5 * sole.width_m, "zmp_inward", zmp_inward_m, "m", "on the sole");
+  require_number(longest_tail_points() <= kMostTailPoints, "settle", settle_s, "s",
+                 "so short that a swing, a step and the settling take 1.92 s at most");
 }
 
 }  // namespace gaitway::trajectory

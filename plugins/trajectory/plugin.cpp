@@ -27,10 +27,7 @@ namespace {
 GaitParameters configured(Setup& setup) {
   const urdf::RobotModel robot = urdf::load_robot(setup.robot_directory());
   GaitParameters p = with_standing_posture({}, robot);
-  for (const GaitParameters::Number& number : p.numbers()) {
-    number.value =
-        setup.parameter(number.name, number.value, number.unit, {number.lowest, number.highest, ""});
-  }
+  setup.parameters(p.numbers());
   p.validate();
   require_reachable(p, robot);
   return p;

@@ -1,12 +1,9 @@
 // The states of a fall.
 #include "gaitway/zmp/fall_recognition.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace gaitway::zmp {
 namespace {
@@ -22,14 +19,6 @@ constexpr double kLying_rad = 1.0;
 constexpr int kLiesAfterTicks = 50;
 constexpr int kImpactPastTicks = 20;  // after the predicted impact
 
-void require_between(const char* name, double value, double least, double most) {
-  if (!(value >= least && value <= most)) {
-    throw std::invalid_argument(
-        fmt::format("{} is {}, but must be between {} and {}; change it in the plug-in's parameters", name,
-                    value, least, most));
-  }
-}
-
 const FallParameters& checked(const FallParameters& parameters) {
   parameters.validate();
   return parameters;
@@ -41,11 +30,16 @@ void count(int& ticks, bool holds) noexcept {
 
 }  // namespace
 
+std::array<NumberParameter, 4> FallParameters::numbers() {
+  return {{{margin, "fall_margin", "1", 0.0, 2.0},
+           {confirm_s, "fall_confirm", "s", 0.0, 0.2},
+           {model.impact_tilt_rad, "fall_impact_tilt", "rad", 0.3, 1.5},
+           {model.inertia_factor, "fall_inertia", "1", 1.0, 3.0}}};
+}
+
 void FallParameters::validate() const {
-  require_between("fall_margin", margin, 0.0, 2.0);
-  require_between("fall_confirm", confirm_s, 0.0, 0.2);
-  require_between("fall_impact_tilt", model.impact_tilt_rad, 0.3, 1.5);
-  require_between("fall_inertia", model.inertia_factor, 1.0, 3.0);
+  FallParameters copy = *this;
+  require_in_range(copy.numbers());
 }
 
 FallRecognition::FallRecognition(const FallParameters& parameters)

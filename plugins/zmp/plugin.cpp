@@ -14,43 +14,7 @@ namespace {
 
 EstimatorParameters parameters_of(Setup& setup) {
   EstimatorParameters p;
-  p.contact_on_share = setup.parameter("contact_on_share", p.contact_on_share, "1");
-  p.contact_off_share = setup.parameter("contact_off_share", p.contact_off_share, "1");
-  p.support_margin = setup.parameter("support_margin", p.support_margin, "1");
-  p.gyro_noise_rad_per_s = setup.parameter("gyro_noise", p.gyro_noise_rad_per_s, "rad/s");
-  p.tilt_noise_rad = setup.parameter("tilt_noise", p.tilt_noise_rad, "rad");
-  p.accelerometer_band_m_per_s2 =
-      setup.parameter("accelerometer_band", p.accelerometer_band_m_per_s2, "m/s^2");
-  p.rate_filter_s = setup.parameter("rate_filter", p.rate_filter_s, "s");
-  p.bias_deviation_rad_per_s = setup.parameter("bias_deviation", p.bias_deviation_rad_per_s, "rad/s");
-  p.bias_lifetime_s = setup.parameter("bias_lifetime", p.bias_lifetime_s, "s");
-  p.heading_noise_rad = setup.parameter("heading_noise", p.heading_noise_rad, "rad");
-  p.creep_rad_rts = setup.parameter("creep", p.creep_rad_rts, "rad/s^0.5");
-  p.settling_creep_rad_rts = setup.parameter("settling_creep", p.settling_creep_rad_rts, "rad/s^0.5");
-  p.rattle_creep_rad_rts = setup.parameter("rattle_creep", p.rattle_creep_rad_rts, "rad/s^0.5");
-  p.planted_share = setup.parameter("planted_share", p.planted_share, "1");
-  p.planted_time_s = setup.parameter("planted_time", p.planted_time_s, "s");
-  p.moved_creep_rts = setup.parameter("moved_creep", p.moved_creep_rts, "s^0.5");
-  p.cell_noise_N = setup.parameter("cell_noise", p.cell_noise_N, "N");
-  p.cell_gain_deviation = setup.parameter("cell_gain_deviation", p.cell_gain_deviation, "1");
-  p.cell_gain_lifetime_s = setup.parameter("cell_gain_lifetime", p.cell_gain_lifetime_s, "s");
-  p.link_mass_deviation = setup.parameter("link_mass_deviation", p.link_mass_deviation, "1");
-  p.trunk_com_deviation_m = setup.parameter("trunk_com_deviation", p.trunk_com_deviation_m, "m");
-  p.joint_zero_deviation_rad = setup.parameter("joint_zero_deviation", p.joint_zero_deviation_rad, "rad");
-  p.com_noise_m = setup.parameter("com_noise", p.com_noise_m, "m");
-  p.acceleration_noise_m_per_s2 =
-      setup.parameter("acceleration_noise", p.acceleration_noise_m_per_s2, "m/s^2");
-  p.acceleration_drift_m_per_s2_rts =
-      setup.parameter("acceleration_drift", p.acceleration_drift_m_per_s2_rts, "m/s^2/s^0.5");
-  p.com_offset_noise_m_rts = setup.parameter("com_offset_noise", p.com_offset_noise_m_rts, "m*s^0.5");
-  p.com_offset_drift_m_per_rts = setup.parameter("com_offset_drift", p.com_offset_drift_m_per_rts, "m/s^0.5");
-  p.slip_leak_s = setup.parameter("slip_leak", p.slip_leak_s, "s");
-  p.slip_offset_time_s = setup.parameter("slip_offset_time", p.slip_offset_time_s, "s");
-  p.fall.margin = setup.parameter("fall_margin", p.fall.margin, "1");
-  p.fall.confirm_s = setup.parameter("fall_confirm", p.fall.confirm_s, "s");
-  p.fall.model.impact_tilt_rad = setup.parameter("fall_impact_tilt", p.fall.model.impact_tilt_rad, "rad");
-  p.fall.model.inertia_factor = setup.parameter("fall_inertia", p.fall.model.inertia_factor, "1");
-  p.stale_after_s = setup.parameter("stale_after", p.stale_after_s, "s");
+  setup.parameters(p.numbers());
   return p;
 }
 

@@ -26,8 +26,8 @@ TEST(GaitParameters, RefusalNamesParameterValueRuleAndRemedy) {
   GaitParameters p;
   p.step_time_s = 0.05;
   EXPECT_THAT([&] { p.validate(); },
-              ThrowsMessage<std::invalid_argument>(
-                  AllOf(HasSubstr("step_time = 0.05 s"), HasSubstr("[0.2, 1]"), HasSubstr("configuration"))));
+              ThrowsMessage<std::invalid_argument>(AllOf(
+                  HasSubstr("step_time is 0.05 s"), HasSubstr("from 0.2 to 1 s"), HasSubstr("parameters"))));
 }
 
 TEST(GaitParameters, RefusesNotANumber) {

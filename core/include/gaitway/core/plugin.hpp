@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@
 
 #include "gaitway/core/detail/live_parameters.hpp"
 #include "gaitway/core/detail/plugin_border.hpp"
+#include "gaitway/core/number_parameter.hpp"
 #include "gaitway/core/plugin_abi.h"
 #include "gaitway/core/state_archive.hpp"
 #include "gaitway/core/tick.hpp"
@@ -180,6 +182,12 @@ class Setup {
   [[nodiscard]] std::string parameter(std::string_view name, const char* fallback,
                                       std::string_view doc = "") {
     return parameter(name, std::string(fallback), doc);
+  }
+  // Each as parameter() has it, the number itself being the fallback.
+  void parameters(std::span<const NumberParameter> numbers) {
+    for (const NumberParameter& number : numbers) {
+      number.value = parameter(number.name, number.value, number.unit, {number.lowest, number.highest, ""});
+    }
   }
   // A parameter that may be changed while the robot walks, between two steps.
   [[nodiscard]] Live<double> live_parameter(std::string_view name, double fallback,

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "gaitway/core/number_parameter.hpp"
+
 namespace gaitway::stability {
 
 // How far a joint turns for an error of the trunk's roll or pitch (whichever its axis can change). Positive:
@@ -59,14 +61,8 @@ struct BalanceParameters {
   double bow_return_rad_per_s = 0.4;
   double bow_damping = 0.75;  // share of the trims' rate gains about the pitch axis while it bows
 
-  // A number as the configuration has it, and what it may be.
-  struct Number {
-    double& value;
-    const char* name;
-    const char* unit;
-    double lowest, highest;
-  };
-  [[nodiscard]] std::vector<Number> numbers();
+  // As the configuration has them.
+  [[nodiscard]] std::vector<NumberParameter> numbers();
 
   // Throws std::invalid_argument naming parameter, value, rule and remedy.
   void validate() const;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "gaitway/core/number_parameter.hpp"
+
 namespace gaitway::trajectory {
 
 inline constexpr double kPointPeriod_s = 0.010;  // time between two points of a plan
@@ -111,15 +113,8 @@ struct GaitParameters {
   // Points of the longest safe tail: a swing just begun, the closing step, the settling.
   [[nodiscard]] int longest_tail_points() const noexcept;
 
-  // A number as the configuration has it, and what it may be whatever the others are.
-  struct Number {
-    double& value;
-    const char* name;
-    const char* unit;
-    double lowest, highest;
-  };
-  // All but the sole, which is the robot's.
-  [[nodiscard]] std::vector<Number> numbers();
+  // As the configuration has them; all but the sole, which is the robot's.
+  [[nodiscard]] std::vector<NumberParameter> numbers();
 
   // Throws std::invalid_argument naming the parameter, its value, the rule and the remedy.
   void validate() const;

@@ -1,6 +1,9 @@
 // Every number of the state estimate, with its unit, and the rules that these numbers must keep.
 #pragma once
 
+#include <vector>
+
+#include "gaitway/core/number_parameter.hpp"
 #include "gaitway/zmp/fall_recognition.hpp"
 
 namespace gaitway::zmp {
@@ -60,6 +63,9 @@ struct EstimatorParameters {
 
   // Inputs.
   double stale_after_s = 0.035;  // age from which a sensor's last value is only kept
+
+  // As the configuration has them.
+  [[nodiscard]] std::vector<NumberParameter> numbers();
 
   // Throws std::invalid_argument naming parameter, value, rule and remedy.
   void validate() const;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 
+#include "gaitway/core/number_parameter.hpp"
 #include "gaitway/zmp/tipping.hpp"
 
 namespace gaitway::zmp {
@@ -14,6 +16,9 @@ struct FallParameters {
   double margin = 0.30;     // of the tipping state: beyond it no foot can be put down in time
   double confirm_s = 0.02;  // for so long, without a break
   TippingModel model;
+
+  // As the configuration has them.
+  [[nodiscard]] std::array<NumberParameter, 4> numbers();
 
   // Throws std::invalid_argument naming parameter, value, rule and remedy.
   void validate() const;

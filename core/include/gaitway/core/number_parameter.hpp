@@ -1,0 +1,55 @@
+// The numbers of a plug-in's parameters in one list: what the configuration calls each, its unit and its range.
+// Plain C++: a plug-in's algorithm may have such a list without knowing of plug-ins.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace gaitway {
+
+// One number, where it is kept, and what it may be whatever the others are.
+struct NumberParameter {
+  double& value;
+  const char* name;
+  const char* unit;  // "1": none
+  double lowest, highest;
+};
+
+namespace detail {
+
+// With its unit; the shortest digits that are this number and no other.
+inline std::string text_of(double value, std::string_view unit) {
+  std::array<char, 32> digits{};
+  std::string text(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+  if (unit != "1") text.append(" ").append(unit);
+  return text;
+}
+
+}  // namespace detail
+
+// Throws std::invalid_argument with name, value, rule and remedy, unless the rule holds. rule: what the number
+// must be, "at least step_time".
+inline void require_number(bool holds, std::string_view name, double value, std::string_view unit,
+                    std::string_view rule) {
+  if (holds) return;
+  std::string text(name);
+  text.append(" is ").append(detail::text_of(value, unit)).append(", but must be ").append(rule);
+  throw std::invalid_argument(text.append("; change it in the plug-in's parameters"));
+}
+
+// The same for the range of each.
+inline void require_in_range(std::span<const NumberParameter> numbers) {
+  for (const NumberParameter& number : numbers) {
+    if (number.value >= number.lowest && number.value <= number.highest) continue;  // not so of NaN
+    std::string rule("from ");
+    rule.append(detail::text_of(number.lowest, "1")).append(" to ");
+    rule.append(detail::text_of(number.highest, number.unit));
+    require_number(false, number.name, number.value, number.unit, rule);
+  }
+}
+
+}  // namespace gaitway
