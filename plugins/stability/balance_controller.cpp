@@ -66,7 +66,7 @@ BalanceController::BalanceController(const urdf::RobotModel& model, const Balanc
       heading_(parameters),
       speed_(parameters),
       lean_(parameters, urdf::home_com_height_m(model)),
-      fall_reaction_(parameters.fall_softness),
+      fall_reaction_(parameters.fall),
       soles_(model, parameters),
       centring_(parameters),
       hips_(model, parameters) {}
@@ -112,7 +112,8 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
   trim.stamp_ns = now_ns;
   // Without an estimate nothing is known of a fall: the softness stays.
   if (inputs.estimate != nullptr)
-    trim.softness = fall_reaction_.update(inputs.estimate->fall, moment && moment->on_ground);
+    trim.softness = fall_reaction_.update(inputs.estimate->fall,
+                                          {moment && moment->on_ground, moment && moment->fall_posture});
   PlanMoment meant = moment.value_or(PlanMoment{});
   const msgclient::Bow bow = hips_.at(meant.sequence, meant.since_start_s);
   meant.trunk_attitude_rad.y() += bow.angle_rad;

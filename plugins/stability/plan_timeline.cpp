@@ -12,6 +12,7 @@ constexpr std::int64_t kPoint_ns = 10'000'000;
 constexpr double kPoint_s = 0.010;
 // A trunk that leans less may be balanced as if it were upright: the trims for it are small.
 constexpr double kUpright_rad = 0.05;
+constexpr std::uint32_t kKeyFrameMotion = 1, kFallPosture = 2;  // MotionPlan::motion
 constexpr std::size_t kMostSupport = 2;  // both feet; beyond it neither is meant to carry
 
 }  // namespace
@@ -30,8 +31,9 @@ void PlanTimeline::take(const MotionPlan& plan) noexcept {
   excerpt.count = count;
   excerpt.start_ns = plan.start_ns;
   excerpt.walking = plan.footstep_count > 0;
-  excerpt.motion = plan.motion != 0;
-  upright_ = true;
+  excerpt.motion = plan.motion == kKeyFrameMotion;
+  excerpt.fall_posture = plan.motion == kFallPosture;
+  upright_ = !excerpt.fall_posture;
   std::copy_n(plan.support, count, excerpt.support.begin());
   std::copy_n(plan.commanded_yaw, count, excerpt.commanded_yaw_rad.begin());
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -66,7 +68,8 @@ std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
     moment.since_start_s = 1e-9 * static_cast<double>(now_ns - excerpt.start_ns);
     const std::size_t support = excerpt.support[static_cast<std::size_t>(std::min(slot, last))];
     moment.support = std::min(support, kMostSupport + 1);
-    moment.on_ground = support > kMostSupport && slot <= last;
+    moment.fall_posture = excerpt.fall_posture;
+    moment.on_ground = !excerpt.fall_posture && support > kMostSupport && slot <= last;
     const auto reached = static_cast<std::size_t>(std::clamp<std::int64_t>(slot - 1, 0, last));
     moment.commanded_yaw_rad = excerpt.commanded_yaw_rad[reached];
     moment.com_velocity_m_per_s = Eigen::Vector2d(excerpt.com_velocity_m_per_s[reached].data());

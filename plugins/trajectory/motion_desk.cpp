@@ -84,6 +84,7 @@ std::string_view MotionDesk::objection(const MotionTable& motion, const MotionCi
                                        const MotionPlayer& player) const noexcept {
   if (player.plays()) return "another motion plays. Wait for its end, or have it left";
   if (!now.follows) return "the robot plays its safe tail or is stopped. Wait until it stands";
+  if (now.falls) return "the robot falls. Wait until it lies";
   if (!now.stands) return "the robot walks. Let it stand first";
   const double tilt = tilt_rad(now.estimate);
   if (motion.on_ground && !(tilt >= kLiesBeyond_rad))

@@ -1,6 +1,8 @@
 // The plug-in `trajectory`: connects the walking pattern and the player of motions to their topics.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/trajectory/divergence_feedback.hpp"
+#include "gaitway/trajectory/fall_posture.hpp"
 #include "gaitway/trajectory/limit_report.hpp"
 #include "gaitway/trajectory/motion_desk.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
@@ -21,6 +24,8 @@
 
 namespace gaitway::trajectory {
 namespace {
+
+constexpr std::uint32_t kFalls = 1;  // Estimate::fall
 
 // The configuration's numbers; what it leaves out comes from the robot and from GaitParameters. Throws
 // std::invalid_argument if they break a rule or a leg cannot reach the footsteps.
@@ -81,11 +86,16 @@ class Trajectory final : public Plugin {
     if (decision == PlanDecision::begin_anew) pattern_.reset_to_stand(continuity_.restart_stance());
     const WalkCommand walk = commanded(tick.now_ns);
     heed_requests(tick, walk, decision);
-    if (decision == PlanDecision::wait || player_.lies()) {
+    heed_fall(tick, decision);
+    if (decision == PlanDecision::wait || (player_.lies() && !fall_.plays())) {
       plan.sequence = 0;
       plan.tail_count = 0;
       plan.footstep_count = 0;
       plan.motion = 0;
+    } else if (fall_.plays()) {
+      fall_.plan(tick.batch_sequence, tick.batch_start_ns, stand_, plan, posture_.value());
+      continuity_.published(tick.batch_sequence, pattern_.final_stance());
+      posture_.publish();
     } else if (player_.plays()) {
       player_.plan(tick.batch_sequence, tick.batch_start_ns, plan, posture_.value());
       continuity_.published(tick.batch_sequence, pattern_.final_stance());
@@ -99,12 +109,12 @@ class Trajectory final : public Plugin {
     state_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 5; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 6; }
   void save_state(StateWriter& state) const override {
-    state(pattern_, divergence_, continuity_, player_, desk_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, desk_, fall_, void_until_ns_);
   }
   void restore_state(StateReader& state) override {
-    state(pattern_, divergence_, continuity_, player_, desk_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, desk_, fall_, void_until_ns_);
   }
 
  private:
@@ -114,6 +124,8 @@ class Trajectory final : public Plugin {
         divergence_(parameters),
         player_(motions_of(setup, parameters)),
         desk_(player_.motions(), urdf::load_robot(setup.robot_directory())),
+        fall_(urdf::load_robot(setup.robot_directory())),
+        takes_fall_posture_(setup.parameter("fall_posture", true) && fall_.exists()),
         stand_{{}, parameters.stand_com_forward_m, parameters.hip_height_m, parameters.foot_spacing_m},
         limits_(parameters),
         report_(setup.reporter()),
@@ -123,6 +135,7 @@ class Trajectory final : public Plugin {
         joints_(setup.reads_optional<JointStates>("joint_states")),
         network_(setup.reads_optional<NetworkState>("network_state")),
         correction_(setup.reads_previous<Correction>("correction")),
+        joint_plan_(setup.reads_previous<JointPlan>("joint_plan")),
         plan_(setup.writes<MotionPlan>("motion_plan")),
         posture_(setup.writes<PosturePlan>("posture_plan")),
         state_(setup.writes<gaitway::MotionState>("motion_state")) {
@@ -187,6 +200,7 @@ class Trajectory final : public Plugin {
     if (!request_.has_value()) return;
     const MotionCircumstances now{.now_ns = tick.now_ns,
                                   .follows = decision != PlanDecision::wait,
+                                  .falls = fall_.falls(),
                                   .stands = pattern_.state().phase == Phase::stand && walk.walk == 0,
                                   .estimate = estimate_.has_value() ? &estimate_.read() : nullptr,
                                   .joints = joints_.has_value() ? &joints_.read() : nullptr};
@@ -196,8 +210,44 @@ class Trajectory final : public Plugin {
             reinterpret_cast<const char*>(state_.value().text));
     if (order->kind == MotionOrder::Kind::leave) player_.leave();
     if (order->kind != MotionOrder::Kind::play) return;
+    fall_.end();
     stand_.middle = middle_of(pattern_.state().feet);
     player_.start(order->motion, stand_, desk_.offsets(now));
+  }
+
+  // A robot that falls goes into a posture for it. As soon as it lies, or does not fall after all, its
+  // references go back to the home angles, where a stand or a motion goes on; so they do after a safe tail.
+  void heed_fall(const Tick& tick, PlanDecision decision) {
+    if (!estimate_.has_value() || decision == PlanDecision::wait) return;
+    const Estimate& estimate = estimate_.read();
+    const bool falls = takes_fall_posture_ && estimate.fall == kFalls;
+    const bool anew = decision == PlanDecision::begin_anew;
+    if (anew ? !fall_.plays() : falls == fall_.falls()) return;
+    const bool known = anew ? at_rest() : at_end_of_batch(tick.batch_sequence - 1);
+    if (!known) return;
+    const FallPosture::References references{before_rad_, at_rad_};
+    if (anew || !falls) return fall_.go_home(references);
+    fall_.fall(estimate.fall_direction, references);
+    if (!fall_.falls()) return;
+    player_.break_off();
+    pattern_.reset_to_stand(pattern_.final_stance());
+    stand_.middle = pattern_.final_stance();
+  }
+
+  // Where the references are when the batch that plays ends; false if that is not known.
+  bool at_end_of_batch(std::uint32_t sequence) {
+    const JointPlan& joints = joint_plan_.read();
+    if (!joint_plan_.has_value() || joints.sequence != sequence) return false;
+    std::copy_n(joints.position[kBatchPoints - 2], before_rad_.size(), before_rad_.begin());
+    std::copy_n(joints.position[kBatchPoints - 1], at_rad_.size(), at_rad_.begin());
+    return true;
+  }
+
+  bool at_rest() {
+    if (!joints_.has_value()) return false;
+    std::copy_n(joints_.read().reference_position, at_rad_.size(), at_rad_.begin());
+    before_rad_ = at_rad_;
+    return true;
   }
 
   // Who commands a walk for a while only must go on commanding it: if it cannot any more, the robot stands. A
@@ -237,6 +287,8 @@ class Trajectory final : public Plugin {
   DivergenceFeedback divergence_;
   MotionPlayer player_;
   MotionDesk desk_;
+  FallPosture fall_;
+  bool takes_fall_posture_;
   Stand stand_;
   LimitReport limits_;
   Reporter report_;
@@ -247,6 +299,8 @@ class Trajectory final : public Plugin {
   Input<JointStates> joints_;
   Input<NetworkState> network_;
   Input<Correction> correction_;
+  Input<JointPlan> joint_plan_;
+  std::array<double, kMaxJoints> before_rad_{}, at_rad_{};  // references before the next batch
   std::int64_t void_until_ns_ = -1;  // walk commands up to this stamp were given before a fall
   Output<MotionPlan> plan_;
   Output<PosturePlan> posture_;

@@ -1,13 +1,14 @@
-// A fall through the whole chain: told, soft on every joint at once, and lying still until somebody asks for
-// more.
+// A fall through the whole chain: told, into a posture, soft on every joint once it lies, and lying still
+// until somebody asks for more.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <filesystem>
 #include <string>
 
+#include "gaitway/core/configuration.hpp"
 #include "gaitway/core/event_log.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "simulated_run.hpp"
@@ -20,8 +21,10 @@ using testing::HasSubstr;
 constexpr std::uint32_t kFalls = 1, kLies = 2;  // Estimate::fall
 
 // The robot walks at 0.2 m/s and is pushed so hard to the left that no step could save it.
-class FallTest : public ::testing::Test {
- protected:
+struct Fall {
+  explicit Fall(const core::Configuration& plugins) : run_(3, plugins) {}
+  Fall() = default;
+
   void fell_the_robot() {
     run_.apply(walk_at(0.0, 0.2));
     advance_to(3.0);
@@ -39,6 +42,21 @@ class FallTest : public ::testing::Test {
     estimate_.read(estimate);
     return estimate.fall;
   }
+  double reference_rad(const std::string& name) {
+    JointStates states{};
+    joints_.read(states);
+    const auto& joints = humanoid22().joints;
+    const auto joint = std::find_if(joints.begin(), joints.end(),
+                                    [&name](const urdf::Joint& candidate) { return candidate.name == name; });
+    return states.reference_position[joint - joints.begin()];
+  }
+  void expect_soft(double from_s, double to_s) {
+    advance_to(from_s);
+    while (run_.time_s() < to_s) {
+      ASSERT_EQ(largest_torque_Nm(), 0.0) << run_.time_s() - told_s_ << " s after it was told";
+      run_.cosimulation.advance_millisecond();
+    }
+  }
   double largest_torque_Nm() {
     double largest = 0.0;
     for (const double torque : run_.cosimulation.plant().sensors().motor_torque_Nm) {
@@ -55,24 +73,45 @@ class FallTest : public ::testing::Test {
 
   SimulatedRun run_{3};
   msgclient::Reader<Estimate> estimate_ = run_.cosimulation.client().read<Estimate>("estimate");
+  msgclient::Reader<JointStates> joints_ = run_.cosimulation.client().read<JointStates>("joint_states");
   double told_s_ = 0.0;
 };
 
-TEST_F(FallTest, EveryJointIsSoftWithinTwoTimeSlotsAndStaysSo) {
+class FallTest : public ::testing::Test, protected Fall {};
+
+TEST_F(FallTest, MeetsTheGroundInAPostureAndIsSoftOnceItLies) {
   fell_the_robot();
   ASSERT_EQ(fall(), kFalls);
   EXPECT_LT(told_s_, 3.5);
   EXPECT_FALSE(run_.cosimulation.plant().fallen()) << "told before";
-  EXPECT_GT(largest_torque_Nm(), 1.0);
+  const double waist_rad = reference_rad("waist_yaw");
   advance_to(told_s_ + 0.02);
-  while (run_.time_s() < told_s_ + 3.0) {
-    ASSERT_EQ(largest_torque_Nm(), 0.0) << run_.time_s() - told_s_ << " s after it was told";
+  while (fall() == kFalls && run_.time_s() < told_s_ + 2.0) {
+    ASSERT_LE(largest_torque_Nm(), 0.72 * 8.0) << "5/7 of the motors' torque, within two time slots";
     run_.cosimulation.advance_millisecond();
   }
-  EXPECT_EQ(fall(), kLies);
+  ASSERT_EQ(fall(), kLies);
+  EXPECT_GT(reference_rad("waist_yaw") - waist_rad, 0.8) << "the chest turns to the ground";
+  expect_soft(run_.time_s() + 0.02, told_s_ + 4.0);
   EXPECT_TRUE(run_.cosimulation.plant().fallen());
+  EXPECT_NEAR(reference_rad("waist_yaw"), 0.0, 0.01) << "back in the stand's angles, for who gets up next";
   EXPECT_THAT(events(), HasSubstr("the robot falls to the left"));
   EXPECT_THAT(events(), HasSubstr("the robot lies"));
+  EXPECT_EQ(run_.cosimulation.main_controller().statistics().refused_locally, 0U) << events();
+}
+
+TEST(FallWithoutPosture, EveryJointIsSoftWithinTwoTimeSlotsAndStaysSo) {
+  core::Configuration plugins =
+      core::read_configuration(std::filesystem::path(GAITWAY_SOURCE_DIR) / "core/config/walk.yaml");
+  for (core::PluginEntry& plugin : plugins.plugins) {
+    if (plugin.name == "trajectory") plugin.parameters.push_back({.name = "fall_posture", .text = "false"});
+    if (plugin.name == "stability") plugin.parameters.push_back({.name = "fall_posture_wait", .text = "0 s"});
+  }
+  Fall fall(plugins);
+  fall.fell_the_robot();
+  ASSERT_EQ(fall.fall(), kFalls);
+  EXPECT_GT(fall.largest_torque_Nm(), 1.0);
+  fall.expect_soft(fall.told_s_ + 0.02, fall.told_s_ + 3.0);
 }
 
 TEST_F(FallTest, NobodyWalksOnWhileTheRobotLies) {
@@ -90,11 +129,9 @@ TEST_F(FallTest, LostFramesDoNotKeepAJointStiff) {
                 .corruption = 0.02, .omission = 0.02, .duplicate = 0.0, .duration_s = 60.0}});
   fell_the_robot();
   ASSERT_EQ(fall(), kFalls);
-  advance_to(told_s_ + 0.06);
-  while (run_.time_s() < told_s_ + 1.0) {
-    ASSERT_EQ(largest_torque_Nm(), 0.0) << run_.time_s() - told_s_ << " s after it was told";
-    run_.cosimulation.advance_millisecond();
-  }
+  while (fall() == kFalls && run_.time_s() < told_s_ + 2.0) run_.cosimulation.advance_millisecond();
+  ASSERT_EQ(fall(), kLies);
+  expect_soft(run_.time_s() + 0.06, told_s_ + 2.0);
 }
 
 }  // namespace

@@ -17,12 +17,15 @@ std::int64_t thread_time_ns() noexcept {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
-void leave_stiff(core::Configuration& plugins) {
+// The joints stay stiff, and play on what they played.
+void ignore_falls(core::Configuration& plugins) {
+  const auto set = [](core::PluginEntry& plugin, const char* name, const char* text) {
+    std::erase_if(plugin.parameters, [name](const auto& given) { return given.name == name; });
+    plugin.parameters.push_back({.name = name, .text = text});
+  };
   for (core::PluginEntry& plugin : plugins.plugins) {
-    if (plugin.library == "libgaitway_plugin_stability.so") {
-      std::erase_if(plugin.parameters, [](const auto& given) { return given.name == "fall_softness"; });
-      plugin.parameters.push_back({.name = "fall_softness", .text = "0"});
-    }
+    if (plugin.library == "libgaitway_plugin_stability.so") set(plugin, "fall_softness", "0");
+    if (plugin.library == "libgaitway_plugin_trajectory.so") set(plugin, "fall_posture", "false");
   }
 }
 
@@ -33,7 +36,7 @@ simulator::CosimulationOptions options_of(const TrialRobot& robot, const Trial& 
   options.main_controller.configuration = robot.plugins.file;
   options.main_controller.plugins = robot.plugins;
   if (trial.stiff_in_fall) {
-    leave_stiff(*options.main_controller.plugins);
+    ignore_falls(*options.main_controller.plugins);
   }
   options.main_controller.plugin_path = robot.plugin_path;
   options.main_controller.wall_clock = trial.times_compute ? &thread_time_ns : nullptr;

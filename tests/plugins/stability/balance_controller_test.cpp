@@ -241,12 +241,25 @@ TEST_F(BalanceControllerTest, AFallSoftensTheJointsAndEndsTheTrims) {
   EXPECT_NE(trim_.angle[kLeftAnklePitch], 0.0);
   estimate_.fall = 1;
   tick();
-  EXPECT_EQ(trim_.softness, 1.0);
+  EXPECT_EQ(trim_.softness, BalanceParameters{}.fall.posture) << "a posture may come";
   tick(15);
+  EXPECT_EQ(trim_.softness, 1.0) << "none came";
   expect_zero_trims();
   estimate_is_fresh_ = false;
   tick(100);
   EXPECT_EQ(trim_.softness, 1.0) << "a robot that is not heard stays as it is";
+}
+
+TEST_F(BalanceControllerTest, ThePostureOfAFallKeepsTheJointsStiffUntilTheRobotLies) {
+  plan(3);
+  plan_->motion = 2;
+  estimate_.fall = 1;
+  tick(40);
+  EXPECT_EQ(trim_.softness, BalanceParameters{}.fall.posture);
+  expect_zero_trims();
+  estimate_.fall = 2;
+  tick();
+  EXPECT_EQ(trim_.softness, 1.0);
 }
 
 TEST_F(BalanceControllerTest, AMotionOnTheGroundMakesTheJointsStiffAgain) {

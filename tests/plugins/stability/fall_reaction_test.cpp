@@ -7,34 +7,58 @@ namespace gaitway::stability {
 namespace {
 
 constexpr std::uint32_t kUpright = 0, kFalls = 1, kLies = 2;
+constexpr FallReaction::Plays kNothing{}, kMotionOnGround{.on_ground = true}, kPosture{.fall_posture = true};
 
 TEST(FallReaction, IsSoftFromTheRecognitionOnAndWhileTheRobotLies) {
-  FallReaction reaction(0.8);
-  EXPECT_EQ(reaction.update(kUpright, false), 0.0);
-  EXPECT_EQ(reaction.update(kFalls, false), 0.8);
-  for (int i = 0; i < 1000; ++i) ASSERT_EQ(reaction.update(kLies, false), 0.8);
-  EXPECT_EQ(reaction.update(kUpright, false), 0.0);
+  FallReaction reaction({.lying = 0.8, .posture = 0.3, .wait_s = 0.0});
+  EXPECT_EQ(reaction.update(kUpright, kNothing), 0.0);
+  EXPECT_EQ(reaction.update(kFalls, kNothing), 0.8);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(reaction.update(kLies, kNothing), 0.8);
+  EXPECT_EQ(reaction.update(kUpright, kNothing), 0.0);
+}
+
+TEST(FallReaction, StaysStiffEnoughForThePostureUntilTheRobotLies) {
+  FallReaction reaction({.lying = 1.0, .posture = 0.3, .wait_s = 0.1});
+  for (int i = 0; i < 8; ++i) ASSERT_EQ(reaction.update(kFalls, kNothing), 0.3) << "it may still come";
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(reaction.update(kFalls, kPosture), 0.3);
+  EXPECT_EQ(reaction.update(kLies, kPosture), 1.0);
+  EXPECT_EQ(reaction.update(kUpright, kPosture), 0.0);
+}
+
+TEST(FallReaction, WaitsForNoPostureInVain) {
+  FallReaction reaction({.lying = 1.0, .posture = 0.3, .wait_s = 0.1});
+  for (int fall = 0; fall < 2; ++fall) {
+    for (int i = 0; i < 10; ++i) ASSERT_EQ(reaction.update(kFalls, kNothing), 0.3);
+    ASSERT_EQ(reaction.update(kFalls, kNothing), 1.0);
+    ASSERT_EQ(reaction.update(kUpright, kNothing), 0.0);
+  }
+}
+
+TEST(FallReaction, JointsThatAreToStayStiffStaySo) {
+  FallReaction reaction({.lying = 0.0, .posture = 0.3, .wait_s = 0.1});
+  EXPECT_EQ(reaction.update(kFalls, kNothing), 0.0);
+  EXPECT_EQ(reaction.update(kFalls, kPosture), 0.0);
 }
 
 TEST(FallReaction, AMotionThatPlaysDuringTheFallDoesNotStiffen) {
-  FallReaction reaction(1.0);
-  EXPECT_EQ(reaction.update(kFalls, true), 1.0);
+  FallReaction reaction({.lying = 1.0, .posture = 0.3, .wait_s = 0.0});
+  EXPECT_EQ(reaction.update(kFalls, kMotionOnGround), 1.0);
 }
 
 TEST(FallReaction, AMotionOnTheGroundStiffensUntilTheRobotStands) {
-  FallReaction reaction(1.0);
-  reaction.update(kLies, false);
-  EXPECT_EQ(reaction.update(kLies, true), 0.0);
-  for (int i = 0; i < 250; ++i) ASSERT_EQ(reaction.update(kLies, false), 0.0) << "it rises on its feet";
-  EXPECT_EQ(reaction.update(kUpright, false), 0.0);
-  EXPECT_EQ(reaction.update(kFalls, false), 1.0) << "the next fall";
+  FallReaction reaction({.lying = 1.0, .posture = 0.3, .wait_s = 0.0});
+  reaction.update(kLies, kNothing);
+  EXPECT_EQ(reaction.update(kLies, kMotionOnGround), 0.0);
+  for (int i = 0; i < 250; ++i) ASSERT_EQ(reaction.update(kLies, kNothing), 0.0) << "it rises on its feet";
+  EXPECT_EQ(reaction.update(kUpright, kNothing), 0.0);
+  EXPECT_EQ(reaction.update(kFalls, kNothing), 1.0) << "the next fall";
 }
 
 TEST(FallReaction, GettingUpThatFailsEndsSoft) {
-  FallReaction reaction(1.0);
-  reaction.update(kLies, true);
-  for (int i = 0; i < 299; ++i) ASSERT_EQ(reaction.update(kLies, false), 0.0);
-  EXPECT_EQ(reaction.update(kLies, false), 1.0);
+  FallReaction reaction({});
+  reaction.update(kLies, kMotionOnGround);
+  for (int i = 0; i < 299; ++i) ASSERT_EQ(reaction.update(kLies, kNothing), 0.0);
+  EXPECT_EQ(reaction.update(kLies, kNothing), 1.0);
 }
 
 }  // namespace

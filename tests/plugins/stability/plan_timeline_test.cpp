@@ -85,5 +85,20 @@ TEST(PlanTimeline, PlansWithoutSequenceOrNumberAreNotTaken) {
   EXPECT_FALSE(timeline.at(kSlot_ns, std::nullopt));
 }
 
+TEST(PlanTimeline, TellsThePostureOfAFallFromAMotionOnTheGround) {
+  PlanTimeline timeline;
+  const auto plan = plan_of(1, 0, 3);
+  plan->motion = 1;
+  timeline.take(*plan);
+  EXPECT_TRUE(timeline.at(0, std::nullopt)->on_ground);
+  EXPECT_FALSE(timeline.at(0, std::nullopt)->fall_posture);
+  plan->motion = 2;
+  timeline.take(*plan);
+  EXPECT_FALSE(timeline.at(0, std::nullopt)->on_ground) << "nobody has asked for it";
+  EXPECT_TRUE(timeline.at(0, std::nullopt)->fall_posture);
+  EXPECT_FALSE(timeline.at(0, std::nullopt)->motion) << "nothing to balance";
+  EXPECT_FALSE(timeline.newest_stays_upright()) << "nor for the message controller";
+}
+
 }  // namespace
 }  // namespace gaitway::stability

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gaitway/core/number_parameter.hpp"
+#include "gaitway/stability/fall_reaction.hpp"
 
 namespace gaitway::stability {
 
@@ -29,7 +30,7 @@ struct BalanceParameters {
   double airborne_after_s = 0.05;  // without contact of any foot
   double estimate_lifetime_s = 0.05;
 
-  double fall_softness = 1.0;  // of all joints from the recognition of a fall on: 0 none, 1 no torque
+  FallSoftness fall;
 
   // Heading, through the commanded turn rate.
   double heading_gain_per_s = 1.0;

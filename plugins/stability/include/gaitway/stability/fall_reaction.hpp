@@ -5,26 +5,39 @@
 
 namespace gaitway::stability {
 
+struct FallSoftness {
+  double lying = 1.0;     // 0: the joints stay as stiff as ever, to 1: no torque
+  double posture = 0.29;  // while they go into the posture of a fall, and hold it
+  double wait_s = 0.1;    // from the recognition on, for such a posture to begin: a cycle and its hand-over
+};
+
 class FallReaction {
  public:
-  // softness: 0 (the joints stay as stiff as ever) to 1 (no torque).
-  explicit FallReaction(double softness) noexcept : softness_(softness) {}
+  explicit FallReaction(const FallSoftness& softness) noexcept : softness_(softness) {}
 
-  // One tick of 10 ms. fall: as in the estimate. on_ground: the plan that plays is a motion on the ground,
-  // which was asked for. Returns the joints' softness: none while the robot is upright; from the recognition
-  // of a fall on the full one, whatever plays; none again once a robot that lies is moved on purpose, until
-  // it stands or that has failed: three seconds after the motion's last point on the ground it lies still.
-  double update(std::uint32_t fall, bool on_ground) noexcept;
+  // What plays, as the plan has it.
+  struct Plays {
+    bool on_ground = false;  // a motion on the ground, which was asked for
+    bool fall_posture = false;
+  };
+
+  // One tick of 10 ms. fall: as in the estimate. Returns the joints' softness: none while the robot is
+  // upright. While it falls, that of the posture if one plays or may still come, and else, whatever plays,
+  // that of a robot that lies; so it is from the impact on. None again once a robot that lies is moved on
+  // purpose, until it stands or that has failed: three seconds after the motion's last point on the ground it
+  // lies still.
+  double update(std::uint32_t fall, const Plays& plays) noexcept;
 
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.rising_ticks_);
+    archive(self.rising_ticks_, self.falling_ticks_);
   }
 
  private:
-  double softness_;
-  int rising_ticks_ = 0;  // left to stand up
+  FallSoftness softness_;
+  int rising_ticks_ = 0;   // left to stand up
+  int falling_ticks_ = 0;  // since the recognition, up to the longest wait
 };
 
 }  // namespace gaitway::stability

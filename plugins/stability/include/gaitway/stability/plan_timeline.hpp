@@ -26,7 +26,8 @@ struct PlanMoment {
   // Of the trunk, roll and pitch, as they are meant to be now; and their rates.
   Eigen::Vector2d trunk_attitude_rad = Eigen::Vector2d::Zero(),
                   trunk_rate_rad_per_s = Eigen::Vector2d::Zero();
-  bool on_ground = false;  // neither foot is meant to carry: a motion of a robot that lies
+  bool fall_posture = false;  // the joints go into the posture in which a falling robot meets the ground
+  bool on_ground = false;     // neither foot is meant to carry: a motion of a robot that lies
 };
 
 class PlanTimeline {
@@ -55,7 +56,7 @@ class PlanTimeline {
     std::uint32_t sequence = 0;  // 0: none
     std::uint32_t count = 0;
     std::int64_t start_ns = 0;
-    bool walking = false, motion = false;
+    bool walking = false, motion = false, fall_posture = false;
     std::array<std::uint8_t, kMaxPoints> support{};
     std::array<double, kMaxPoints> commanded_yaw_rad{};
     std::array<std::array<double, 2>, kMaxPoints> com_velocity_m_per_s{}, trunk_attitude_rad{};

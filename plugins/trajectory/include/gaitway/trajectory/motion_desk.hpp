@@ -19,6 +19,7 @@ namespace gaitway::trajectory {
 struct MotionCircumstances {
   std::int64_t now_ns = 0;
   bool follows = true;                 // batches are played; not a safe tail, nor an emergency stop
+  bool falls = false;                  // and its joints are busy with it
   bool stands = true;                  // at rest, and is not told to walk
   const Estimate* estimate = nullptr;  // nullptr: not known
   const JointStates* joints = nullptr;

@@ -1,0 +1,211 @@
+// The postures, and a polynomial of fifth degree for each joint.
+#include "gaitway/trajectory/fall_posture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace gaitway::trajectory {
+namespace {
+
+constexpr double kPoint_s = 0.010, kDeg = std::numbers::pi / 180.0;
+constexpr double kKeep = std::numeric_limits<double>::quiet_NaN();
+// Of what a joint may do: a polynomial's points lie closer than its ends say, and wire counts are rounded.
+constexpr double kSpeedShare = 0.94;
+constexpr double kHomeSpeed_rad_per_s = 2.0;
+constexpr double kShortest_s = 0.05, kLongest_s = 1.9;  // the tail must hold the rest of it
+constexpr double kFromLimit_rad = 0.01;
+
+// Angles of the side that it falls to (ahead and back: of both) and of the other one, as the left side counts
+// them; of a joint in the middle as in a fall to the left.
+struct PostureAngle {
+  std::string_view joint;
+  double near_deg, far_deg;
+};
+
+// Found by a random search over these angles for the least force of the hardest hit link: docs/gait.md.
+constexpr std::array<PostureAngle, 8> kAhead{{{"hip_pitch", -20, -20},
+                                              {"hip_roll", 0, 0},
+                                              {"knee", 60, 60},
+                                              {"ankle_pitch", -20, -20},
+                                              {"waist_pitch", 0, 0},
+                                              {"shoulder_pitch", -90, -90},
+                                              {"shoulder_roll", 53, 53},
+                                              {"elbow", -32, -32}}};
+
+constexpr std::array<PostureAngle, 8> kBack{{{"hip_pitch", -26, -26},
+                                             {"hip_roll", 0, 0},
+                                             {"knee", 93, 93},
+                                             {"ankle_pitch", -10, -10},
+                                             {"waist_pitch", 30, 30},
+                                             {"shoulder_pitch", 60, 60},
+                                             {"shoulder_roll", 29, 29},
+                                             {"elbow", -58, -58}}};
+constexpr std::array<PostureAngle, 9> kSide{{{"hip_pitch", -20, -50},
+                                             {"hip_roll", 0, 50},
+                                             {"knee", 60, 60},
+                                             {"ankle_pitch", -22, -29},
+                                             {"waist_yaw", 59, 59},
+                                             {"waist_pitch", 12, 12},
+                                             {"shoulder_pitch", -91, -101},
+                                             {"shoulder_roll", 13, -8},
+                                             {"elbow", -33, -114}}};
+
+bool is_mirrored(std::string_view joint) noexcept {
+  return joint.ends_with("_roll") || joint.ends_with("_yaw");
+}
+
+std::size_t index_of(const urdf::RobotModel& robot, const std::string& name) noexcept {
+  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&name](const urdf::Joint& joint) { return joint.name == name; });
+  return static_cast<std::size_t>(found - robot.joints.begin());
+}
+
+// Empty if the robot has not all of its joints.
+std::vector<double> angles_of(const urdf::RobotModel& robot, std::span<const PostureAngle> posture,
+                              bool left_is_near) {
+  std::vector<double> angles(robot.joints.size(), kKeep);
+  bool complete = true;
+  const auto set = [&](const std::string& name, double angle_rad) {
+    const std::size_t joint = index_of(robot, name);
+    if (joint == robot.joints.size()) {
+      complete = false;
+      return;
+    }
+    const urdf::Joint& limits = robot.joints[joint];
+    angles[joint] =
+        std::max(limits.lower_rad + kFromLimit_rad, std::min(limits.upper_rad - kFromLimit_rad, angle_rad));
+  };
+  for (const PostureAngle& angle : posture) {
+    const std::string name(angle.joint);
+    const double mirror = is_mirrored(angle.joint) ? -1.0 : 1.0;
+    if (name.starts_with("waist_")) {
+      set(name, (left_is_near ? 1.0 : mirror) * angle.near_deg * kDeg);
+      continue;
+    }
+    set("left_" + name, (left_is_near ? angle.near_deg : angle.far_deg) * kDeg);
+    set("right_" + name, mirror * (left_is_near ? angle.far_deg : angle.near_deg) * kDeg);
+  }
+  return complete ? angles : std::vector<double>{};
+}
+
+// The stand that the fall began in: nothing is planned for the body as a whole.
+void write_stand(const Stand& stand, std::size_t i, MotionPlan& plan) noexcept {
+  const Eigen::Vector2d com = stand.middle.transform(stand.com_forward_m, 0.0);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    plan.com[i][axis] = plan.zmp[i][axis] = com[static_cast<Eigen::Index>(axis)];
+    plan.com_velocity[i][axis] = plan.trunk_attitude[i][axis] = 0.0;
+  }
+  plan.hip_height[i] = stand.hip_height_m;
+  plan.base_yaw[i] = plan.commanded_yaw[i] = stand.middle.yaw_rad;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double left_m = (side == 0 ? 0.5 : -0.5) * stand.foot_spacing_m;
+    const Eigen::Vector2d foot = stand.middle.transform(0.0, left_m);
+    plan.foot_position[i][side][0] = foot.x();
+    plan.foot_position[i][side][1] = foot.y();
+    plan.foot_position[i][side][2] = 0.0;
+    plan.foot_yaw[i][side] = stand.middle.yaw_rad;
+  }
+  plan.support[i] = kNothingStands;
+}
+
+}  // namespace
+
+// From speed to rest, from no acceleration to none.
+double FallPosture::Way::at(double since_start_s) const noexcept {
+  if (since_start_s >= time_s) return to_rad;
+  const double s = since_start_s / time_s, v = speed_rad_per_s * time_s, d = to_rad - from_rad;
+  return from_rad + v * s +
+         s * s * s * (10.0 * d - 6.0 * v + s * (8.0 * v - 15.0 * d + s * (6.0 * d - 3.0 * v)));
+}
+
+double FallPosture::Way::fastest_rad_per_s() const noexcept {
+  constexpr int kPlaces = 16;
+  const double v = speed_rad_per_s * time_s, d = to_rad - from_rad;
+  double fastest = 0.0;
+  for (int place = 0; place < kPlaces; ++place) {
+    const double s = static_cast<double>(place) / kPlaces;
+    const double rate = v + s * s *
+                                (3.0 * (10.0 * d - 6.0 * v) +
+                                 s * (4.0 * (8.0 * v - 15.0 * d) + s * 5.0 * (6.0 * d - 3.0 * v)));
+    fastest = std::max(fastest, std::abs(rate));
+  }
+  return fastest / time_s;
+}
+
+FallPosture::FallPosture(const urdf::RobotModel& robot)
+    : postures_rad_{angles_of(robot, kAhead, true), angles_of(robot, kSide, true),
+                    angles_of(robot, kBack, true), angles_of(robot, kSide, false)} {
+  for (const urdf::Joint& joint : robot.joints) {
+    joints_.push_back({joint.lower_rad, joint.upper_rad, joint.velocity_limit_rad_per_s, joint.home_rad});
+    home_rad_.push_back(joint.home_rad);
+  }
+  exists_ = std::none_of(postures_rad_.begin(), postures_rad_.end(),
+                         [](const Angles& angles) { return angles.empty(); });
+}
+
+void FallPosture::fall(double direction_rad, const References& references) noexcept {
+  constexpr double kQuarter = std::numbers::pi / 2.0;
+  if (!exists_ || !std::isfinite(direction_rad)) return;
+  const auto quarter = static_cast<std::size_t>(std::lround(direction_rad / kQuarter) + 8) % 4;
+  begin(Stage::falls, references, postures_rad_[quarter], std::numeric_limits<double>::infinity());
+}
+
+void FallPosture::go_home(const References& references) noexcept {
+  begin(Stage::goes_home, references, home_rad_, kHomeSpeed_rad_per_s);
+}
+
+void FallPosture::begin(Stage stage, const References& references, std::span<const double> to_rad,
+                        double most_rad_per_s) noexcept {
+  state_ = State{};
+  const std::size_t count = joints_.size();
+  if (references.at_rad.size() < count || references.before_rad.size() < count || to_rad.size() < count)
+    return;
+  for (std::size_t j = 0; j < count; ++j) {
+    Way& way = state_.ways[j];
+    way.from_rad = references.at_rad[j];
+    way.speed_rad_per_s = (references.at_rad[j] - references.before_rad[j]) / kPoint_s;
+    way.to_rad = std::isfinite(to_rad[j]) ? to_rad[j] : way.from_rad;
+    if (!std::isfinite(way.from_rad) || !std::isfinite(way.speed_rad_per_s)) return;
+    // A reference that turns faster already slows down.
+    const double most = std::max(std::min(most_rad_per_s, kSpeedShare * joints_[j].speed_rad_per_s),
+                                 std::abs(way.speed_rad_per_s));
+    for (way.time_s = kShortest_s; way.time_s < kLongest_s && way.fastest_rad_per_s() > most;) {
+      way.time_s += kPoint_s;
+    }
+  }
+  state_.stage = stage;
+}
+
+void FallPosture::plan(std::uint32_t sequence, std::int64_t start_ns, const Stand& stand, MotionPlan& plan,
+                       PosturePlan& posture) noexcept {
+  const std::size_t count = joints_.size();
+  double time_s = 0.0;
+  for (std::size_t j = 0; j < count; ++j) time_s = std::max(time_s, state_.ways[j].time_s);
+  const auto all = static_cast<std::uint32_t>(std::ceil(time_s / kPoint_s));
+  const std::uint32_t played = state_.points + kBatchPoints;
+  plan.sequence = posture.sequence = sequence;
+  plan.start_ns = start_ns;
+  plan.tail_count = posture.tail_count =
+      std::clamp<std::uint32_t>(all - std::min(all, played), kBatchPoints, kMaxTailPoints);
+  plan.motion = kFallPostureMotion;
+  plan.footstep_count = 0;
+  posture.joint_count = static_cast<std::uint32_t>(count);
+  posture.from_home = 1;
+  for (std::size_t i = 0; i < kBatchPoints + plan.tail_count; ++i) {
+    write_stand(stand, i, plan);
+    const double since_s = static_cast<double>(state_.points + i + 1) * kPoint_s;
+    for (std::size_t j = 0; j < count; ++j) {
+      const Limits& joint = joints_[j];
+      const double angle_rad = std::clamp(state_.ways[j].at(since_s), joint.lower_rad, joint.upper_rad);
+      posture.offset[i][j] = static_cast<float>(angle_rad - joint.home_rad);
+    }
+  }
+  state_.points = played;
+  if (state_.stage == Stage::goes_home && played >= all) state_.stage = Stage::none;
+}
+
+}  // namespace gaitway::trajectory

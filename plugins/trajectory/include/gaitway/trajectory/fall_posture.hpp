@@ -1,0 +1,83 @@
+// The posture in which a falling robot meets the ground, and the way back from it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/trajectory/motion_player.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::trajectory {
+
+// Value of MotionPlan::motion while it plays.
+inline constexpr std::uint32_t kFallPostureMotion = 2;
+
+// Each joint goes on from the angle and speed of its reference by a polynomial of its own, as fast as it may.
+// No allocation, no exception after construction.
+class FallPosture {
+ public:
+  // The references at the last two points before the next batch, in the joints' order.
+  struct References {
+    std::span<const double> before_rad, at_rad;
+  };
+
+  // A robot that lacks one of the joints that the postures name has none: see exists().
+  explicit FallPosture(const urdf::RobotModel& robot);
+  [[nodiscard]] bool exists() const noexcept { return exists_; }
+
+  // The next batch begins the way into the posture. direction_rad: as Estimate::fall_direction. 30 us.
+  void fall(double direction_rad, const References& references) noexcept;
+  // The next batch begins the way to the home angles, where plans of a stand go on.
+  void go_home(const References& references) noexcept;
+
+  // It is over: somebody else moves the joints.
+  void end() noexcept { state_.stage = Stage::none; }
+
+  [[nodiscard]] bool plays() const noexcept { return state_.stage != Stage::none; }
+  [[nodiscard]] bool falls() const noexcept { return state_.stage == Stage::falls; }
+
+  // The next batch and its tail, which ends the way and stays there. Only while it plays; a way home ends by
+  // itself. stand: where the feet were meant to be when the fall began.
+  void plan(std::uint32_t sequence, std::int64_t start_ns, const Stand& stand, MotionPlan& plan,
+            PosturePlan& posture) noexcept;
+
+  // What a successor goes on from.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.state_);
+  }
+
+ private:
+  enum class Stage : std::uint32_t { none = 0, falls = 1, goes_home = 2 };
+  struct Way {
+    double from_rad = 0.0, speed_rad_per_s = 0.0, to_rad = 0.0, time_s = 0.0;
+
+    [[nodiscard]] double at(double since_start_s) const noexcept;
+    [[nodiscard]] double fastest_rad_per_s() const noexcept;
+  };
+  struct State {
+    Stage stage = Stage::none;
+    std::uint32_t points = 0;  // that are played
+    std::array<Way, kMaxJoints> ways{};
+  };
+  struct Limits {
+    double lower_rad, upper_rad, speed_rad_per_s, home_rad;
+  };
+  // Of each joint; not a number: it stays where it is.
+  using Angles = std::vector<double>;
+
+  void begin(Stage stage, const References& references, std::span<const double> to_rad,
+             double most_rad_per_s) noexcept;
+
+  std::vector<Limits> joints_;
+  Angles home_rad_;
+  std::array<Angles, 4> postures_rad_;  // ahead, to the left, back, to the right
+  bool exists_ = true;
+  State state_;
+};
+
+}  // namespace gaitway::trajectory
