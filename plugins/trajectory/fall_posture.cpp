@@ -49,7 +49,7 @@ constexpr std::array<PostureAngle, 9> kSide{{{"hip_pitch", -20, -50},
                                              {"knee", 60, 60},
                                              {"ankle_pitch", -22, -29},
                                              {"waist_yaw", 59, 59},
-                                             {"waist_pitch", 12, 12},
+                                             {"waist_pitch", 0, 0},
                                              {"shoulder_pitch", -91, -101},
                                              {"shoulder_roll", 13, -8},
                                              {"elbow", -33, -114}}};

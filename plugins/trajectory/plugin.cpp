@@ -81,12 +81,12 @@ class Trajectory final : public Plugin {
     }
     see_revision_through(tick);
     MotionPlan& plan = plan_.value();
-    const PlanDecision decision = decide(tick);
+    PlanDecision decision = decide(tick);
     if (decision != PlanDecision::resume) player_.break_off();
     if (decision == PlanDecision::begin_anew) pattern_.reset_to_stand(continuity_.restart_stance());
     const WalkCommand walk = commanded(tick.now_ns);
     heed_requests(tick, walk, decision);
-    heed_fall(tick, decision);
+    if (heed_fall(tick, decision)) decision = PlanDecision::resume;
     if (decision == PlanDecision::wait || (player_.lies() && !fall_.plays())) {
       plan.sequence = 0;
       plan.tail_count = 0;
@@ -215,23 +215,34 @@ class Trajectory final : public Plugin {
     player_.start(order->motion, stand_, desk_.offsets(now));
   }
 
-  // A robot that falls goes into a posture for it. As soon as it lies, or does not fall after all, its
-  // references go back to the home angles, where a stand or a motion goes on; so they do after a safe tail.
-  void heed_fall(const Tick& tick, PlanDecision decision) {
-    if (!estimate_.has_value() || decision == PlanDecision::wait) return;
+  // A robot that falls goes into a posture for it, be it from a safe tail. As soon as it lies, or does not
+  // fall after all, its references go back to the home angles, where a stand or a motion goes on; so they do
+  // after a safe tail. Whether a way begins.
+  bool heed_fall(const Tick& tick, PlanDecision decision) {
+    if (!estimate_.has_value()) return false;
     const Estimate& estimate = estimate_.read();
     const bool falls = takes_fall_posture_ && estimate.fall == kFalls;
     const bool anew = decision == PlanDecision::begin_anew;
-    if (anew ? !fall_.plays() : falls == fall_.falls()) return;
-    const bool known = anew ? at_rest() : at_end_of_batch(tick.batch_sequence - 1);
-    if (!known) return;
+    if (decision == PlanDecision::wait && (!falls || !plays_tail())) return false;
+    if (anew ? !fall_.plays() : falls == fall_.falls()) return false;
+    const bool known =
+        decision == PlanDecision::resume ? at_end_of_batch(tick.batch_sequence - 1) : at_rest();
+    if (!known) return false;
     const FallPosture::References references{before_rad_, at_rad_};
-    if (anew || !falls) return fall_.go_home(references);
+    if (anew || !falls) {
+      fall_.go_home(references);
+      return fall_.plays();
+    }
     fall_.fall(estimate.fall_direction, references);
-    if (!fall_.falls()) return;
+    if (!fall_.falls()) return false;
     player_.break_off();
     pattern_.reset_to_stand(pattern_.final_stance());
     stand_.middle = pattern_.final_stance();
+    return true;
+  }
+
+  bool plays_tail() {
+    return network_.has_value() && static_cast<NetworkMode>(network_.read().mode) == NetworkMode::safe_tail;
   }
 
   // Where the references are when the batch that plays ends; false if that is not known.
@@ -243,6 +254,7 @@ class Trajectory final : public Plugin {
     return true;
   }
 
+  // A safe tail moves slowly: what it does in the last time slot may be left out.
   bool at_rest() {
     if (!joints_.has_value()) return false;
     std::copy_n(joints_.read().reference_position, at_rad_.size(), at_rad_.begin());

@@ -7,7 +7,7 @@ namespace gaitway::stability {
 
 struct FallSoftness {
   double lying = 1.0;     // 0: the joints stay as stiff as ever, to 1: no torque
-  double posture = 0.29;  // while they go into the posture of a fall, and hold it
+  double posture = 0.43;  // while they go into the posture of a fall, and hold it
   double wait_s = 0.1;    // from the recognition on, for such a posture to begin: a cycle and its hand-over
 };
 
