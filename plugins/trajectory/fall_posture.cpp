@@ -26,7 +26,8 @@ struct PostureAngle {
   double near_deg, far_deg;
 };
 
-// Found by a random search over these angles for the least force of the hardest hit link: docs/gait.md.
+// Found by a random search over these angles for the least force on the link that is hit hardest:
+// docs/gait.md.
 constexpr std::array<PostureAngle, 8> kAhead{{{"hip_pitch", -20, -20},
                                               {"hip_roll", 0, 0},
                                               {"knee", 60, 60},

@@ -100,6 +100,21 @@ TEST_F(FallTest, MeetsTheGroundInAPostureAndIsSoftOnceItLies) {
   EXPECT_EQ(run_.cosimulation.main_controller().statistics().refused_locally, 0U) << events();
 }
 
+TEST_F(FallTest, MeetsTheGroundInThePostureOutOfASafeTail) {
+  run_.apply(walk_at(0.0, 0.2));
+  advance_to(2.9);
+  run_.cosimulation.apply({0.0, simulator::MainControllerSilentFault{0.15}});
+  fell_the_robot();
+  ASSERT_EQ(fall(), kFalls);
+  NetworkState network{};
+  run_.cosimulation.client().read<NetworkState>("network_state").read(network);
+  ASSERT_EQ(network.mode, 1U) << "the tail of 1.4 s plays";
+  while (fall() == kFalls && run_.time_s() < told_s_ + 2.0) run_.cosimulation.advance_millisecond();
+  EXPECT_LT(reference_rad("left_shoulder_pitch"), -1.2)
+      << "whatever way it falls in mid-step, the arm is ahead";
+  EXPECT_EQ(run_.cosimulation.main_controller().statistics().refused_locally, 0U) << events();
+}
+
 TEST(FallWithoutPosture, EveryJointIsSoftWithinTwoTimeSlotsAndStaysSo) {
   core::Configuration plugins =
       core::read_configuration(std::filesystem::path(GAITWAY_SOURCE_DIR) / "core/config/walk.yaml");
