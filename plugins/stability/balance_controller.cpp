@@ -130,7 +130,11 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
     const bool grounded = !is_airborne(estimate) && support.has_value() && leans_little(meant);
     stands = grounded && moment && !meant.walking && !meant.motion;
     msgclient::TrunkMotion trunk = motion_of(estimate, meant);
-    if (hips_.bows()) trunk.pitch_rate *= parameters_.bow_damping;
+    if (hips_.bows()) {
+      trunk.pitch_rate *= parameters_.bow_damping;
+    } else if (stands && !sways(estimate)) {
+      trunk.pitch_rate *= parameters_.calm_damping;
+    }
     trims_.update(grounded ? std::optional(trunk) : std::nullopt, support.value_or(kBothFeet), trim);
     if (grounded && !meant.motion && (meant.walking || !sways(estimate))) {
       lean_.update(estimate.attitude[0], estimate.attitude[1] - bow.angle_rad, meant.walking);

@@ -41,6 +41,7 @@ std::vector<NumberParameter> BalanceParameters::numbers() {
       {centring_limit_m, "centring_limit", "m", 0.0, 0.05},
       {sole_gain_rad_per_m_s, "sole_gain", "rad/(m*s)", 0.0, 20.0},
       {sole_limit_rad, "sole_limit", "rad", 0.0, 0.2},
+      {calm_damping, "calm_damping", "1", 0.0, 1.0},
       {bow_beyond_m, "bow_beyond", "m", 0.0, 1.0},
       {bow_gain_rad_per_m, "bow_gain", "rad/m", 0.0, 500.0},
       {bow_limit_rad, "bow_limit", "rad", 0.0, 0.6},

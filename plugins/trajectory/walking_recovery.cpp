@@ -15,10 +15,13 @@ bool WalkingPattern::must_recover(const PatternState& state, const Eigen::Vector
   const Pose2 seen = middle.relative_of({dcm.x(), dcm.y(), 0.0});
   const Sole& sole = parameters_.sole;
   const Pose2 left = middle.relative_of(state.feet[0]);
-  const double spent_by_bow_m = parameters_.recover_bow_m_per_rad * std::abs(bow_rad);
   const double from_middle_m = seen.x_m - sole.centre_forward_m;
-  const double beyond_m = from_middle_m > 0.0 ? parameters_.recover_ahead_m : parameters_.recover_behind_m;
-  const double along = std::abs(from_middle_m) - 0.5 * sole.length_m - beyond_m + spent_by_bow_m;
+  const bool ahead = from_middle_m > 0.0;
+  const double caught_m =
+      (ahead ? parameters_.recover_ahead_m : parameters_.recover_behind_m) -
+      (ahead ? parameters_.recover_bow_ahead_m_per_rad : parameters_.recover_bow_behind_m_per_rad) *
+          std::abs(bow_rad);
+  const double along = std::abs(from_middle_m) - 0.5 * sole.length_m - caught_m;
   const double aside = std::abs(seen.y_m) - (std::abs(left.y_m) + 0.5 * sole.width_m);
   return std::max(along, aside) > 0.0;
 }

@@ -40,11 +40,12 @@ TEST(BusMeasurement, TwelveTrajectoriesTakeWhatWasPublished) {
   EXPECT_EQ(trajectories.back_to_back_ms().count, trajectories.bus_time_ms().count);
   EXPECT_EQ(trajectories.incomplete(), 0U);
   // Whether the published times count the three bits between two frames is not known: our twelve trajectories
-  // take 0.2 % less without them and 2.3 % more with them.
+  // take as long without them and 2 to 3 % more with them: how many bits are stuffed depends on the motion.
   const double spaces_ms = 12 * 0.003;
   EXPECT_NEAR(trajectories.back_to_back_ms().mean() - spaces_ms, PublishedTimes::kTrajectories_ms,
               kTwoPercent * PublishedTimes::kTrajectories_ms);
-  EXPECT_NEAR(trajectories.back_to_back_ms().mean(), 1.445, 0.005);
+  EXPECT_NEAR(trajectories.back_to_back_ms().mean(), 1.025 * PublishedTimes::kTrajectories_ms,
+              0.01 * PublishedTimes::kTrajectories_ms);
   EXPECT_LE(trajectories.back_to_back_ms().max, 12 * 0.135) << "no set is longer than twelve longest frames";
   EXPECT_GE(trajectories.back_to_back_ms().min, 12 * 0.111);
 

@@ -196,6 +196,28 @@ TEST_F(BalanceControllerTest, AStandingRobotBowsWithItsDcmAndIsBalancedAboutTheB
   expect_zero_trims();
 }
 
+// All of the rate gain would have a standing robot tremble in the play of its joints.
+TEST_F(BalanceControllerTest, ACalmStandTakesLessOfTheRateThanAPushedOneOrAWalk) {
+  const auto trim_of_rate = [this](double pitch_rate_rad_per_s, std::uint32_t footsteps) {
+    estimate_.attitude[1] = 0.0;
+    estimate_.angular_velocity[1] = pitch_rate_rad_per_s;
+    plan(2);
+    plan_->footstep_count = footsteps;
+    for (std::size_t i = 0; i < kMaxPoints; ++i) plan_->com_velocity[i][0] = footsteps > 0 ? 0.1 : 0.0;
+    tick(8);
+    plan(2);
+    plan_->footstep_count = footsteps;
+    tick(8);
+    return trim_.angle[kLeftAnklePitch] / pitch_rate_rad_per_s;
+  };
+  tick(20);
+  const BalanceParameters parameters;
+  const double full_s = parameters.ankle_pitch.rate_rad_per_rad_per_s;
+  EXPECT_NEAR(trim_of_rate(0.1, 0), parameters.calm_damping * full_s, 1e-7);
+  EXPECT_NEAR(trim_of_rate(0.3, 0), full_s, 1e-7);
+  EXPECT_NEAR(trim_of_rate(0.1, 2), full_s, 1e-7);
+}
+
 TEST_F(BalanceControllerTest, AWalkingRobotDoesNotBow) {
   plan(2);
   estimate_.dcm[0] = 0.07;

@@ -45,7 +45,7 @@ TEST(TrimFeedback, StanceAnkleFollowsTheWrittenLaw) {
   TrimFeedback feedback = in_full(kLeftFoot, command);
   feedback.update(TrunkMotion{0.02, 0.04, -0.1, 0.2}, kLeftFoot, command);
   EXPECT_NEAR(command.angle[kLeftAnklePitch], 0.25 * 0.04 + 0.03 * 0.2, 1e-8);
-  EXPECT_NEAR(command.angle[channel_of(humanoid(), 0, 5)], 0.25 * 0.02 - 0.03 * 0.1, 1e-8);
+  EXPECT_NEAR(command.angle[channel_of(humanoid(), 0, 5)], 0.25 * 0.02 - 0.06 * 0.1, 1e-8);
   EXPECT_EQ(command.angle[channel_of(humanoid(), 1, 4)], 0.0);
 }
 

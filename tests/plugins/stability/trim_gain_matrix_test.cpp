@@ -67,8 +67,8 @@ TEST_P(TrimSigns, RatesActLikeAngles) {
   const auto gains = make_trim_gain_matrix(model_, BalanceParameters{}).gains;
   const auto angle = msgclient::trim_angles(gains, 0, {0.0, 0.0, 0.5, -0.7}, 0.1);
   const Eigen::Vector2d turn = trunk_turn(model_, angle, urdf::Side::left);
-  EXPECT_NEAR(turn.x(), -0.03 * 0.5, 5e-4);  // the two turns do not quite commute
-  EXPECT_NEAR(turn.y(), 0.03 * 0.7, 5e-4);
+  EXPECT_NEAR(turn.x(), -0.06 * 0.5, 1e-3);  // the two turns do not quite commute
+  EXPECT_NEAR(turn.y(), 0.03 * 0.7, 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, TrimSigns, ::testing::Values(false, true),

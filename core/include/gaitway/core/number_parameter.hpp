@@ -1,5 +1,5 @@
-// The numbers of a plug-in's parameters in one list: what the configuration calls each, its unit and its range.
-// Plain C++: a plug-in's algorithm may have such a list without knowing of plug-ins.
+// The numbers of a plug-in's parameters in one list: what the configuration calls each, its unit and its
+// range. Plain C++: a plug-in's algorithm may have such a list without knowing of plug-ins.
 #pragma once
 
 #include <array>
@@ -31,10 +31,10 @@ inline std::string text_of(double value, std::string_view unit) {
 
 }  // namespace detail
 
-// Throws std::invalid_argument with name, value, rule and remedy, unless the rule holds. rule: what the number
-// must be, "at least step_time".
+// Throws std::invalid_argument with name, value, rule and remedy, unless the rule holds. rule: what the
+// number must be, "at least step_time".
 inline void require_number(bool holds, std::string_view name, double value, std::string_view unit,
-                    std::string_view rule) {
+                           std::string_view rule) {
   if (holds) return;
   std::string text(name);
   text.append(" is ").append(detail::text_of(value, unit)).append(", but must be ").append(rule);

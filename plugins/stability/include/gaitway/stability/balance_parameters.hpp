@@ -19,7 +19,7 @@ struct JointGain {
 struct BalanceParameters {
   // Trims.
   JointGain ankle_pitch{0.25, 0.03};  // of the stance leg; with both feet on the ground, of both legs
-  JointGain ankle_roll{0.25, 0.03};
+  JointGain ankle_roll{0.25, 0.06};
   JointGain hip_pitch{0.15, 0.015};  // of both legs, while standing
   JointGain hip_roll{0.0, 0.0};
   std::array<double, 2> attitude_reference_rad{};  // trunk roll, pitch
@@ -40,6 +40,10 @@ struct BalanceParameters {
   // Speed, through the commanded velocity.
   double speed_filter_s = 2.0;  // several steps; 0: no feedback of the speed
   double speed_limit_m_per_s = 0.06;
+
+  // Share of the trims' rate gains about the pitch axis while it stands calmly: all of them would have it
+  // tremble in the play of its joints.
+  double calm_damping = 0.67;
 
   // Lean, through the batches' base attitude and CoM.
   double lean_gain_per_s = 1.5;           // while standing; 0: off

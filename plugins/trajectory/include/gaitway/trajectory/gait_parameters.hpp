@@ -48,12 +48,13 @@ struct GaitParameters {
   double adjust_longest_swing_s = 0.40;   // as the time that a whole swing would take so
 
   // A standing robot that is pushed off its feet steps after itself.
-  double recover_ahead_m = 0.02;         // of the DCM before the toes, or
-  double recover_behind_m = 0.005;       // behind the heels: what a bow can still catch
-  double recover_bow_m_per_rad = 0.015;  // less than that, for what the trunk has already bowed
-  double recover_lead_in_s = 0.02;       // from then to the lift
-  double recover_swing_s = 0.23;         // of the first step; the others are those of a walk in place
-  double recover_step_m = 0.12;          // longest first step ahead or back
+  double recover_ahead_m = 0.02;               // of the DCM before the toes, or
+  double recover_behind_m = 0.008;             // behind the heels: what a bow can still catch
+  double recover_bow_ahead_m_per_rad = 0.015;  // less than that, for what the trunk has already bowed
+  double recover_bow_behind_m_per_rad = 0.035;
+  double recover_lead_in_s = 0.02;  // from then to the lift
+  double recover_swing_s = 0.23;    // of the first step; the others are those of a walk in place
+  double recover_step_m = 0.12;     // longest first step ahead or back
   // The hips come down by this share of how far the foot is to land from under them: near the straight knee
   // no joint is quick enough.
   double recover_crouch = 0.28;
