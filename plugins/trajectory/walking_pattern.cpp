@@ -1,7 +1,6 @@
 // The walking pattern's state machine: stand, steps, settling.
 #include "gaitway/trajectory/walking_pattern.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -187,60 +186,6 @@ double WalkingPattern::yaw_correction_rad(const PatternState& state) const noexc
                (landing_yaw_correction_rad(state) - state.yaw_correction_rad[index_of(state.step.swing)]);
   }
   return 0.5 * sum_rad;
-}
-
-StepInFlight WalkingPattern::step_in_flight(const PatternState& state) const noexcept {
-  const Step& step = state.step;
-  const Eigen::Rotation2Dd to_stance(-step.stance.yaw_rad);
-  StepInFlight flight;
-  const int in_swing = state.elapsed_points - step.double_support_points;
-  flight.points = step.points() - state.elapsed_points;
-  flight.swing_points = step.swing_points - std::max(in_swing, 0);
-  const double swing_left = 1.0 - swing_share(state);
-  const auto points_in = [&](double swing_s) {
-    return flight.points - flight.swing_points +
-           static_cast<int>(std::lround(swing_left * swing_s / kPointPeriod_s));
-  };
-  flight.fewest_points = std::min(flight.points, points_in(parameters_.adjust_shortest_swing_s));
-  flight.most_points = std::max(flight.points, points_in(parameters_.adjust_longest_swing_s));
-  flight.landing_dcm =
-      to_stance * (absorber_.required_divergence(batch_reference_, flight.points) - step.zmp_to).transpose();
-  const auto landing_moved = [&](double by_m) {
-    StepLimit ignored = StepLimit::none;  // who commands the walk has not asked for this
-    Eigen::Vector2d moved = step.adjustment_m.array() + by_m;
-    if (state.recovery_steps == kRecoverySteps) moved.x() = parameters_.limit_recovery_m(moved.x());
-    const Pose2 landing = planner_.landing(step.stance, step.swing, step.velocity, moved, ignored);
-    return Eigen::Vector2d(step.stance.relative_of(landing).position() -
-                           step.stance.relative_of(step.landing).position());
-  };
-  constexpr double kFar_m = 10.0;
-  flight.lowest_shift = landing_moved(-kFar_m);
-  flight.highest_shift = landing_moved(kFar_m);
-  return flight;
-}
-
-// The plan's DCM moves to the body's by a change of the CoM's velocity: its place stays, and goes over to
-// where the body is within 1/ω.
-bool WalkingPattern::adjust_step(PatternState& state, const Eigen::Vector2d& dcm_deviation_m) noexcept {
-  if (state.phase != Phase::walking) return false;
-  Step& step = state.step;
-  const Eigen::Rotation2Dd to_plan(step.stance.yaw_rad);
-  const Eigen::Vector2d excess = adjustment_.excess_m(to_plan.inverse() * dcm_deviation_m);
-  if (excess.isZero() || swing_share(state) >= parameters_.adjust_until_share) return false;
-  lay_out_reference(state, kBatch + parameters_.preview_points(), batch_reference_);
-  const StepAnswer answer = adjustment_.answer(excess, step_in_flight(state));
-  step.swing_points += answer.points - (step.points() - state.elapsed_points);
-  step.adjustment_m += answer.shift;
-  const Pose2 shifted = step.stance.relative_of(step.landing);
-  step.landing =
-      step.stance.compose({shifted.x_m + answer.shift.x(), shifted.y_m + answer.shift.y(), shifted.yaw_rad});
-  const int in_swing = state.elapsed_points - step.double_support_points;
-  if (in_swing > 0)
-    state.swing.aim(step.landing, in_swing * kPointPeriod_s, step.swing_points * kPointPeriod_s);
-  const Eigen::RowVector2d answered = (to_plan * answer.answered).transpose();
-  state.cart.motion.row(1) += absorber_.omega_per_s() * answered;
-  state.divergence += answered;
-  return true;
 }
 
 void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m,
