@@ -36,7 +36,11 @@ StepAnswer StepAdjustment::answer(const Eigen::Vector2d& excess_m, const StepInF
   const double planned_decay = std::exp(-omega_per_s_ * step.points * kPointPeriod_s);
   StepAnswer best;
   double least = std::numeric_limits<double>::infinity();
-  for (int points = step.fewest_points; points <= step.most_points; ++points) {
+  // Ahead and back the place alone does better: nothing keeps the feet from where the body falls to.
+  const bool place_alone = wanted.y() == 0.0;
+  const int fewest = place_alone ? step.points : step.fewest_points;
+  const int most = place_alone ? step.points : step.most_points;
+  for (int points = fewest; points <= most; ++points) {
     const double landing_s = points * kPointPeriod_s;
     const double change_s = landing_s - step.points * kPointPeriod_s;
     const Eigen::Vector2d by_time = (std::exp(-omega_per_s_ * landing_s) - planned_decay) * step.landing_dcm;

@@ -309,6 +309,11 @@ TEST_F(AnswerOfAStep, TakesItsTimeFromTheBody) {
   EXPECT_EQ(adjustment.answer({0.0, 0.2}, step).points, step.fewest_points);
 }
 
+TEST_F(AnswerOfAStep, KeepsItsTimeWhereTheBodyFallsAheadAlone) {
+  EXPECT_EQ(adjustment.answer({0.05, 0.0}, step).points, step.points);
+  EXPECT_EQ(adjustment.answer({-0.05, 0.0}, step).points, step.points);
+}
+
 // The feet cannot cross: what falls over the stance foot is for the next step, which must come soon.
 TEST_F(AnswerOfAStep, LandsAsSoonAsItCanWhereTheBodyFallsOverTheStanceFoot) {
   const Eigen::Vector2d over(0.0, -0.08);
