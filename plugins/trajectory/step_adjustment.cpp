@@ -34,7 +34,7 @@ Eigen::Vector2d StepAdjustment::excess_m(const Eigen::Vector2d& deviation_m) con
 StepAnswer StepAdjustment::answer(const Eigen::Vector2d& excess_m, const StepInFlight& step) const noexcept {
   const Eigen::Vector2d wanted = share_ * excess_m;
   const double planned_decay = std::exp(-omega_per_s_ * step.points * kPointPeriod_s);
-  StepAnswer best;
+  StepAnswer best{.points = step.points};
   double least = std::numeric_limits<double>::infinity();
   // Ahead and back the place alone does better: nothing keeps the feet from where the body falls to.
   const bool place_alone = wanted.y() == 0.0;
