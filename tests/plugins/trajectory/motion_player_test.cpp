@@ -3,12 +3,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "gaitway/trajectory/motion_table_file.hpp"
 
@@ -150,7 +152,8 @@ class TableFile : public ::testing::Test {
     }
     return "read";
   }
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "motion_tables";
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("gaitway_motion_tables_" + std::to_string(getpid()));
   const std::filesystem::path file = folder / "count.motion";
 };
 
