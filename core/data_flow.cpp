@@ -87,8 +87,8 @@ class Sorter {
   void check_inputs() const {
     for (const DataFlowNode& node : nodes_) {
       for (const TopicUse& use : node.uses) {
-        const bool needed = use.access == Access::read || use.access == Access::read_previous;
-        if (needed && !writer_.contains(use.topic) && written_elsewhere(use.topic) == nullptr) {
+        if (needs_writer(use.access) && !writer_.contains(use.topic) &&
+            written_elsewhere(use.topic) == nullptr) {
           throw PluginError(
               fmt::format("plug-in '{}' reads topic '{}', but nobody writes it: no plug-in of this "
                           "configuration, and nobody in the memory block. {}",
@@ -115,7 +115,7 @@ class Sorter {
     for (std::size_t node = 0; node < nodes_.size(); ++node) {
       for (const TopicUse& use : nodes_[node].uses) {
         const auto writer = writer_.find(use.topic);
-        const bool same_tick = use.access == Access::read || use.access == Access::read_optional;
+        const bool same_tick = use.access != Access::write && !is_of_tick_before(use.access);
         if (same_tick && writer != writer_.end()) {
           readers_[writer->second].push_back({node, use.topic});
         }

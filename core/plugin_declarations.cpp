@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "gaitway/core/data_flow.hpp"
 #include "gaitway/core/plugin_error.hpp"
 
 namespace gaitway::core {
@@ -11,7 +12,7 @@ void check_topic(const gaitway_topic* topic, gaitway_access access) {
   if (topic == nullptr || topic->name == nullptr || topic->type_name == nullptr || topic->size == 0) {
     throw PluginError("opens a topic without name, type or size");
   }
-  if (access > GAITWAY_WRITE) {
+  if (access >= kAccesses.size()) {
     throw PluginError(fmt::format("opens topic '{}' with the unknown access {}", topic->name, access));
   }
   if (topic->float_field_count > 0 && topic->float_fields == nullptr) {

@@ -233,7 +233,6 @@ const PluginSlot* PluginManager::slot_behind(std::string_view topic) const noexc
 }
 
 bool PluginManager::uses(std::string_view topic) const noexcept {
-  constexpr std::array kAccesses{Access::read, Access::read_previous, Access::read_optional, Access::write};
   const auto reads = [topic](FallbackKind kind) {
     const auto topics = topics_read_by(kind);
     return std::find(topics.begin(), topics.end(), topic) != topics.end();

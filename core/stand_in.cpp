@@ -24,9 +24,7 @@ bool is_written(std::string_view topic, const Nodes& loaded, const std::vector<E
 }
 
 bool is_needed(std::string_view topic, const Nodes& loaded) {
-  const auto needs = [topic](const TopicUse& use) {
-    return use.topic == topic && (use.access == Access::read || use.access == Access::read_previous);
-  };
+  const auto needs = [topic](const TopicUse& use) { return use.topic == topic && needs_writer(use.access); };
   return std::any_of(loaded.begin(), loaded.end(), [&](const DataFlowNode& node) {
     return std::any_of(node.uses.begin(), node.uses.end(), needs);
   });

@@ -117,7 +117,7 @@ gaitway_status TopicPort::read(void* value, gaitway_sample& sample) noexcept {
   if (!reader_) {
     return GAITWAY_FAILED;
   }
-  if (use_.access == Access::read_previous) {
+  if (is_of_tick_before(use_.access)) {
     if (snapshot_.sequence != sample.sequence) {
       std::memcpy(value, copy_.data(), copy_.size());
       sample = snapshot_;
@@ -140,7 +140,7 @@ std::int64_t TopicPort::take_read_age_ns(std::int64_t now_ns) noexcept {
 }
 
 void TopicPort::take_snapshot() noexcept {
-  if (use_.access != Access::read_previous || !reader_ || reader_->newest_sequence() == snapshot_.sequence) {
+  if (!is_of_tick_before(use_.access) || !reader_ || reader_->newest_sequence() == snapshot_.sequence) {
     return;
   }
   if (const msgclient::ReadResult result = reader_->read(copy_.data())) {

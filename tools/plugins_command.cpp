@@ -20,7 +20,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 4> kAccessNames{"read", "read_previous", "read_optional", "write"};
+constexpr std::array<std::string_view, core::kAccesses.size()> kAccessNames{
+    "read", "read_previous", "read_optional", "write", "read_previous_optional"};
 
 std::string_view access_name(core::Access access) {
   return kAccessNames[static_cast<std::size_t>(access)];
@@ -88,9 +89,8 @@ std::string topics_of(const core::PluginDescription& plugin, bool written) {
   for (const core::DescribedTopic& topic : plugin.topics) {
     if ((topic.access == core::Access::write) == written) {
       text += (text.empty() ? "" : ", ") + topic.name;
-      text += topic.access == core::Access::read_previous   ? " (of the tick before)"
-              : topic.access == core::Access::read_optional ? " (optional)"
-                                                            : "";
+      text += core::is_of_tick_before(topic.access) ? " (of the tick before)" : "";
+      text += written || core::needs_writer(topic.access) ? "" : " (optional)";
     }
   }
   return text.empty() ? "nothing" : text;

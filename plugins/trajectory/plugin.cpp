@@ -135,7 +135,7 @@ class Trajectory final : public Plugin {
         joints_(setup.reads_optional<JointStates>("joint_states")),
         network_(setup.reads_optional<NetworkState>("network_state")),
         correction_(setup.reads_previous<Correction>("correction")),
-        joint_plan_(setup.reads_previous<JointPlan>("joint_plan")),
+        joint_plan_(setup.reads_previous_optional<JointPlan>("joint_plan")),
         plan_(setup.writes<MotionPlan>("motion_plan")),
         posture_(setup.writes<PosturePlan>("posture_plan")),
         state_(setup.writes<gaitway::MotionState>("motion_state")) {

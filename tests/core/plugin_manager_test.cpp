@@ -64,6 +64,18 @@ TEST_F(PluginManagerTest, ReadsPreviousBreaksACycle) {
   EXPECT_EQ(value("y"), 21.0);
 }
 
+TEST_F(PluginManagerTest, OptionalInputOfTheTickBeforeMayBeMissingAndOrdersNothing) {
+  EXPECT_EQ(refusal(relay("reader", "from: a, access: reads_previous_optional, to: b")), "");
+  const auto manager =
+      load(relay("reader", "from: a, access: reads_previous_optional, to: b") + relay("source", "to: a"));
+  EXPECT_THAT(names(*manager), ElementsAre("reader", "source"));
+  manager->step(tick(1));
+  EXPECT_EQ(value("b"), -1.0);
+  manager->step(tick(2));
+  EXPECT_EQ(value("b"), 1.0);
+  EXPECT_NO_THROW(static_cast<void>(manager->prepare_removal("source")));
+}
+
 TEST_F(PluginManagerTest, OptionalInputMayBeMissingAndOrdersWhenItIsThere) {
   EXPECT_EQ(refusal(relay("reader", "from: a, access: reads_optional, to: b")), "");
   const auto manager =

@@ -84,7 +84,7 @@ TEST_F(PluginRefusal, MissingEntrySymbol) {
 
 TEST_F(PluginRefusal, OtherAbi) {
   EXPECT_THAT(refusal("  - {name: a, library: other_abi.so}\n"),
-              AllOf(HasSubstr("built for plug-in ABI 4"), HasSubstr("speaks ABI 3")));
+              AllOf(HasSubstr("built for plug-in ABI 5"), HasSubstr("speaks ABI 4")));
 }
 
 TEST_F(PluginRefusal, OtherStructSize) {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 
+#include "gaitway/core/data_flow.hpp"
 #include "gaitway/core/detail/plugin_border.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
@@ -82,7 +83,7 @@ gaitway_status ReplayHost::open_topic(void* context, const gaitway_topic* topic,
                                       gaitway_port** port, const gaitway_text* error) noexcept {
   return set_up(context, error, [&](ReplayHost& host) {
     if (topic == nullptr || topic->name == nullptr || topic->type_name == nullptr || topic->size == 0 ||
-        access > GAITWAY_WRITE) {
+        access >= core::kAccesses.size()) {
       throw std::invalid_argument("a topic needs a name, a type, a size and a known access");
     }
     host.add_port(*topic, access);
@@ -206,7 +207,7 @@ void ReplayHost::feed(Port& port, const RecordPosition& position, const InputFau
   }
   const RecordedTopic& topic = *port.recorded;
   // The value of the tick before is that of the pass before at a pass's first tick: there is none, then.
-  const bool previous = port.access == GAITWAY_READ_PREVIOUS;
+  const bool previous = core::is_of_tick_before(core::Access{port.access});
   const std::uint32_t tick = previous && position.tick > 0 ? position.tick - 1 : position.tick;
   const std::uint32_t newest = previous && position.tick == 0 ? 0 : topic.newest_at[tick];
   if (newest == 0) {

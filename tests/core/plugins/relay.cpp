@@ -37,6 +37,9 @@ class Relay final : public gaitway::Plugin {
     if (access_ == "reads_previous") {
       return setup.reads_previous<Correction>(from_);
     }
+    if (access_ == "reads_previous_optional") {
+      return setup.reads_previous_optional<Correction>(from_);
+    }
     return access_ == "reads_optional" ? setup.reads_optional<Correction>(from_)
                                        : setup.reads<Correction>(from_);
   }

@@ -1,6 +1,7 @@
 // Who reads what from whom: the order of the steps, and everything that is wrong with it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -17,8 +18,19 @@ enum class Access : std::uint32_t {
   read = GAITWAY_READ,
   read_previous = GAITWAY_READ_PREVIOUS,
   read_optional = GAITWAY_READ_OPTIONAL,
-  write = GAITWAY_WRITE
+  write = GAITWAY_WRITE,
+  read_previous_optional = GAITWAY_READ_PREVIOUS_OPTIONAL
 };
+inline constexpr std::array kAccesses{Access::read, Access::read_previous, Access::read_optional,
+                                      Access::write, Access::read_previous_optional};
+
+// Of the tick before: such a use orders nothing.
+constexpr bool is_of_tick_before(Access access) noexcept {
+  return access == Access::read_previous || access == Access::read_previous_optional;
+}
+constexpr bool needs_writer(Access access) noexcept {
+  return access == Access::read || access == Access::read_previous;
+}
 
 struct TopicUse {
   Access access = Access::read;

@@ -133,7 +133,8 @@ class Reporter {
 struct ParameterLimits {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
-  std::string_view doc = "";  // one line for people
+  // One line for people. Its initialiser lets {.lowest = 0} lack nothing.
+  std::string_view doc = "";  // NOLINT(readability-redundant-member-init)
 };
 
 // The value of a parameter that may change between two steps.
@@ -222,6 +223,11 @@ class Setup {
   template <class T>
   [[nodiscard]] Input<T> reads_previous(std::string_view topic) {
     return Input<T>(host_, open<T>(topic, GAITWAY_READ_PREVIOUS), step_);
+  }
+  // Like reads_previous; a missing writer is no error.
+  template <class T>
+  [[nodiscard]] Input<T> reads_previous_optional(std::string_view topic) {
+    return Input<T>(host_, open<T>(topic, GAITWAY_READ_PREVIOUS_OPTIONAL), step_);
   }
   // Like reads; a missing writer is no error.
   template <class T>

@@ -22,7 +22,7 @@ extern "C" {
 #endif
 
 #define GAITWAY_PLUGIN_MAGIC 0x4757504cu /* "GWPL" */
-#define GAITWAY_PLUGIN_ABI 3u            /* grows whenever anything below changes */
+#define GAITWAY_PLUGIN_ABI 4u            /* grows whenever anything below changes */
 
 /* What every callback answers. Negative: it failed, and the error text says why. */
 typedef int32_t gaitway_status;
@@ -52,7 +52,8 @@ enum {
       0, /* value of this tick: the plug-in is stepped after the topic's writer, which must exist */
   GAITWAY_READ_PREVIOUS = 1, /* value of the tick before: no order, breaks a cycle; the writer must exist */
   GAITWAY_READ_OPTIONAL = 2, /* like GAITWAY_READ; a missing writer is no error */
-  GAITWAY_WRITE = 3          /* the topic's only writer */
+  GAITWAY_WRITE = 3,         /* the topic's only writer */
+  GAITWAY_READ_PREVIOUS_OPTIONAL = 4 /* like GAITWAY_READ_PREVIOUS; a missing writer is no error */
 };
 
 /* A run of floating-point numbers in a topic's value; the host refuses to publish one that is not finite or

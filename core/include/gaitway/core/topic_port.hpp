@@ -43,9 +43,9 @@ class TopicPort {
   // If both write the same topic and `from` has it open: takes it over. For the cycle.
   void take_output(TopicPort& from) noexcept;
 
-  // What the ABI's read says. Of read_previous: the value that take_snapshot() took.
+  // What the ABI's read says. Of the tick before: the value that take_snapshot() took.
   gaitway_status read(void* value, gaitway_sample& sample) noexcept;
-  // Before any plug-in of a tick is stepped; for read_previous only.
+  // Before any plug-in of a tick is stepped; for what is read of the tick before.
   void take_snapshot() noexcept;
 
   // Keeps a copy of `value` for commit().

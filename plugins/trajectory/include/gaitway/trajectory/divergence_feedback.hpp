@@ -51,7 +51,7 @@ class DivergenceFeedback {
       archive(self.time_ns, self.dcm_m, self.zmp_m, self.foot_m, self.foot_yaw_rad);
     }
   };
-  static constexpr std::size_t kKept = 2 * kBatchPoints;
+  static constexpr std::size_t kKept = 2UL * kBatchPoints;
 
   [[nodiscard]] const Point* planned_for(std::int64_t time_ns) const noexcept;
 
