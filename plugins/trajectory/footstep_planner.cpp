@@ -122,6 +122,20 @@ Pose2 FootstepPlanner::landing(const Pose2& stance, Side swing, const Velocity2&
   return stance.compose(foot);
 }
 
+Pose2 FootstepPlanner::adjusted_landing(const Pose2& stance, Side swing, const Velocity2& velocity,
+                                        const Eigen::Vector2d& offset_m) const noexcept {
+  StepLimit ignored = StepLimit::none;
+  const auto in_stance = [&](const Eigen::Vector2d& offset) {
+    return stance.relative_of(landing(stance, swing, velocity, offset, ignored));
+  };
+  const double side = sign_of(swing);
+  const double widest_m =
+      std::max(parameters_.adjust_spacing_m, side * in_stance(Eigen::Vector2d::Zero()).y_m);
+  Pose2 foot = in_stance(offset_m);
+  foot.y_m = side * std::min(side * foot.y_m, widest_m);
+  return stance.compose(foot);
+}
+
 Pose2 FootstepPlanner::beside(const Pose2& stance, Side swing) const noexcept {
   return stance.compose({0.0, sign_of(swing) * parameters_.foot_spacing_m, 0.0});
 }

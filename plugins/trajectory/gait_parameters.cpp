@@ -69,6 +69,7 @@ std::vector<NumberParameter> GaitParameters::numbers() {
       {adjust_until_share, "adjust_until_share", "1", 0.0, 0.9},
       {adjust_speed_m_per_s, "adjust_speed", "m/s", 0.0, 2.0},
       {adjust_side_speed_m_per_s, "adjust_side_speed", "m/s", 0.0, 2.0},
+      {adjust_spacing_m, "adjust_spacing", "m", 0.01, 1.0},
       {adjust_time_cost_m_per_s, "adjust_time_cost", "m/s", 0.0, 1000.0},
       {adjust_shortest_swing_s, "adjust_shortest_swing", "s", 0.10, 1.0},
       {adjust_longest_swing_s, "adjust_longest_swing", "s", 0.10, 1.0},

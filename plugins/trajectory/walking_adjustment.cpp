@@ -24,10 +24,9 @@ StepInFlight WalkingPattern::step_in_flight(const PatternState& state) const noe
   flight.landing_dcm =
       to_stance * (absorber_.required_divergence(batch_reference_, flight.points) - step.zmp_to).transpose();
   const auto landing_moved = [&](double by_m) {
-    StepLimit ignored = StepLimit::none;  // who commands the walk has not asked for this
     Eigen::Vector2d moved = step.adjustment_m.array() + by_m;
     if (state.recovery_steps == kRecoverySteps) moved.x() = parameters_.limit_recovery_m(moved.x());
-    const Pose2 landing = planner_.landing(step.stance, step.swing, step.velocity, moved, ignored);
+    const Pose2 landing = planner_.adjusted_landing(step.stance, step.swing, step.velocity, moved);
     return Eigen::Vector2d(step.stance.relative_of(landing).position() -
                            step.stance.relative_of(step.landing).position());
   };

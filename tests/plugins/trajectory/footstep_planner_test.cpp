@@ -46,9 +46,22 @@ TEST_F(Footsteps, LimitIsNamed) {
   EXPECT_TRUE(has(applied, StepLimit::turn));
 }
 
+TEST_F(Footsteps, APushBringsTheFeetNoFurtherApartThanItMayOrThanTheyWouldBeAnyway) {
+  const auto spacing = [&](const Velocity2& velocity, double to_the_side_m) {
+    return planner.adjusted_landing({}, Side::left, velocity, {0.0, to_the_side_m}).y_m;
+  };
+  const Velocity2 in_place{}, side_step{0.0, 0.15, 0.0};
+  EXPECT_NEAR(spacing(in_place, 0.01), parameters.foot_spacing_m + 0.01, 1e-12);
+  EXPECT_NEAR(spacing(in_place, 0.5), parameters.adjust_spacing_m, 1e-12);
+  const double wide = parameters.foot_spacing_m + 2.0 * 0.15 * parameters.step_time_s;
+  ASSERT_GT(wide, parameters.adjust_spacing_m);
+  EXPECT_NEAR(spacing(side_step, 0.5), wide, 1e-12);
+  EXPECT_NEAR(spacing(side_step, -0.01), wide - 0.01, 1e-12);
+}
+
 TEST_F(Footsteps, TurnedFootStaysClearOfTheStanceFoot) {
   for (const Side swing : {Side::left, Side::right}) {
-    for (int percent = -24; percent <= 24; percent += 4) {
+    for (int percent = -50; percent <= 50; percent += 5) {
       const double turn = percent * 0.01;
       const double side = sign_of(swing);
       const double y = side * planner.least_spacing_m(swing, turn);

@@ -44,8 +44,8 @@ TEST(LimitReport, NamesCommandRuleAndValue) {
                     HasSubstr("at most 0.469 forward, 0.312 backward")));
   EXPECT_THAT(report.text(StepLimit::length),
               AllOf(HasSubstr("rule length"), HasSubstr("max_step_forward 0.15 m")));
-  EXPECT_THAT(report.text(StepLimit::spacing), HasSubstr("max_foot_spacing 0.16 m"));
-  EXPECT_THAT(report.text(StepLimit::turn), HasSubstr("max_step_turn 0.24 rad"));
+  EXPECT_THAT(report.text(StepLimit::spacing), HasSubstr("max_foot_spacing 0.2 m"));
+  EXPECT_THAT(report.text(StepLimit::turn), HasSubstr("max_step_turn 0.5 rad"));
   EXPECT_THAT(report.text(StepLimit::sole_gap), HasSubstr("min_sole_gap 0.008 m"));
   EXPECT_THAT(report.text(StepLimit::acceleration), HasSubstr("at most 0.25, 0.1 m/s^2, 1 rad/s^2"));
 }

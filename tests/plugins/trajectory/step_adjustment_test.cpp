@@ -147,7 +147,7 @@ TEST_F(AdjustedWalk, KeepsTheFootstepsLimitsWhateverTheDeviation) {
           ASSERT_TRUE(com_of(*plan, k).allFinite());
         }
         const Pose2 foot = pattern.state().step.stance.relative_of(pattern.state().step.landing);
-        EXPECT_LE(std::abs(foot.y_m), parameters.max_foot_spacing_m + 1e-9);
+        EXPECT_LE(std::abs(foot.y_m), parameters.adjust_spacing_m + 1e-9);
         EXPECT_LE(foot.x_m, parameters.max_step_forward_m + 1e-9);
         EXPECT_GE(foot.x_m, -parameters.max_step_backward_m - 1e-9);
       }

@@ -64,6 +64,11 @@ class FootstepPlanner {
   [[nodiscard]] Pose2 landing(const Pose2& stance, Side swing, const Velocity2& velocity,
                               const Eigen::Vector2d& offset_m, StepLimit& applied) const noexcept;
 
+  // The same of a step that is moved after the body: nobody has commanded that, so no limit is told of, and
+  // the feet come no further apart than adjust_spacing, or than they would anyway.
+  [[nodiscard]] Pose2 adjusted_landing(const Pose2& stance, Side swing, const Velocity2& velocity,
+                                       const Eigen::Vector2d& offset_m) const noexcept;
+
   // Landing place beside the stance foot.
   [[nodiscard]] Pose2 beside(const Pose2& stance, Side swing) const noexcept;
   [[nodiscard]] bool is_beside(const Pose2& stance, Side swing, const Pose2& foot) const noexcept;

@@ -43,7 +43,9 @@ struct GaitParameters {
   double adjust_speed_m_per_s = 0.25;      // at which the landing may move ahead and back, times what is left
                                            // of the swing
   double adjust_side_speed_m_per_s = 0.40;  // and to either side
-  double adjust_time_cost_m_per_s = 0.2;    // of landing sooner or later, against moving the landing
+  double adjust_spacing_m = 0.160;  // no further apart than this does a push bring the feet: else the knees
+                                    // would have to be too fast
+  double adjust_time_cost_m_per_s = 0.2;  // of landing sooner or later, against moving the landing
   double adjust_shortest_swing_s = 0.22;  // how fast and how slowly the foot may do what is left of a swing,
   double adjust_longest_swing_s = 0.40;   // as the time that a whole swing would take so
 
@@ -82,9 +84,9 @@ struct GaitParameters {
   // Limits of a footstep against its stance foot.
   double max_step_forward_m = 0.150;  // 0.47 m/s at 0.32 s a step: the joints' speed allows little more
   double max_step_backward_m = 0.100;
-  double max_foot_spacing_m = 0.160;
+  double max_foot_spacing_m = 0.200;
   double min_sole_gap_m = 0.008;  // clear distance between the soles' rectangles when a foot lands
-  double max_step_turn_rad = 0.24;
+  double max_step_turn_rad = 0.50;
 
   // Change of the walking velocity from step to step.
   double forward_acceleration_m_per_s2 = 0.25;
