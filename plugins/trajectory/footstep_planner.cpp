@@ -100,17 +100,30 @@ double FootstepPlanner::least_spacing_m(Side swing, double turn_rad) const noexc
   return half_width * (1.0 + std::cos(turn_rad)) + encroachment + parameters_.min_sole_gap_m;
 }
 
-Pose2 FootstepPlanner::landing(const Pose2& stance, Side swing, const Velocity2& velocity,
-                               const Eigen::Vector2d& offset_m, StepLimit& applied) const noexcept {
+// Of the sole origins, across the middle between the feet. Where only the foot that would come too near
+// stepped further out, the walk would drift to that side with each of its steps.
+double FootstepPlanner::walking_spacing_m(const Velocity2& velocity) const noexcept {
+  const double turn_rad = velocity.turn_rad_per_s * parameters_.step_time_s;
+  const double way_left_m = moved(velocity.forward_m_per_s * parameters_.step_time_s, 0.0, turn_rad).y_m;
+  double spacing_m = parameters_.foot_spacing_m;
+  for (const Side swing : {Side::left, Side::right}) {
+    const double wanted_m = least_spacing_m(swing, turn_rad) - sign_of(swing) * way_left_m;
+    spacing_m = std::max(spacing_m, 2.0 * wanted_m / (1.0 + std::cos(turn_rad)));
+  }
+  return spacing_m;
+}
+
+Pose2 FootstepPlanner::landing(const Pose2& stance, Side swing, const Velocity2& before,
+                               const Velocity2& velocity, const Eigen::Vector2d& offset_m,
+                               StepLimit& applied) const noexcept {
   const double T = parameters_.step_time_s;
   const double side = sign_of(swing);
-  const double spacing = parameters_.foot_spacing_m;
   // Sideways, the outer foot makes the whole way of two steps and the inner one closes.
   const bool outer = side * velocity.left_m_per_s > 0.0;
   const Pose2 way = moved(velocity.forward_m_per_s * T, outer ? 2.0 * velocity.left_m_per_s * T : 0.0,
                           velocity.turn_rad_per_s * T);
-  const Pose2 middle = Pose2{0.0, 0.5 * side * spacing, 0.0}.compose(way);
-  Pose2 foot = middle.compose({0.0, 0.5 * side * spacing, 0.0});
+  const Pose2 middle = Pose2{0.0, 0.5 * side * walking_spacing_m(before), 0.0}.compose(way);
+  Pose2 foot = middle.compose({0.0, 0.5 * side * walking_spacing_m(velocity), 0.0});
   foot.yaw_rad = clamp_counting(foot.yaw_rad, -parameters_.max_step_turn_rad, parameters_.max_step_turn_rad,
                                 StepLimit::turn, applied);
   foot.x_m = clamp_counting(foot.x_m + offset_m.x(), -parameters_.max_step_backward_m,
@@ -122,11 +135,12 @@ Pose2 FootstepPlanner::landing(const Pose2& stance, Side swing, const Velocity2&
   return stance.compose(foot);
 }
 
-Pose2 FootstepPlanner::adjusted_landing(const Pose2& stance, Side swing, const Velocity2& velocity,
+Pose2 FootstepPlanner::adjusted_landing(const Pose2& stance, Side swing, const Velocity2& before,
+                                        const Velocity2& velocity,
                                         const Eigen::Vector2d& offset_m) const noexcept {
   StepLimit ignored = StepLimit::none;
   const auto in_stance = [&](const Eigen::Vector2d& offset) {
-    return stance.relative_of(landing(stance, swing, velocity, offset, ignored));
+    return stance.relative_of(landing(stance, swing, before, velocity, offset, ignored));
   };
   const double side = sign_of(swing);
   const double widest_m =

@@ -26,7 +26,8 @@ StepInFlight WalkingPattern::step_in_flight(const PatternState& state) const noe
   const auto landing_moved = [&](double by_m) {
     Eigen::Vector2d moved = step.adjustment_m.array() + by_m;
     if (state.recovery_steps == kRecoverySteps) moved.x() = parameters_.limit_recovery_m(moved.x());
-    const Pose2 landing = planner_.adjusted_landing(step.stance, step.swing, step.velocity, moved);
+    const Pose2 landing =
+        planner_.adjusted_landing(step.stance, step.swing, step.velocity_before, step.velocity, moved);
     return Eigen::Vector2d(step.stance.relative_of(landing).position() -
                            step.stance.relative_of(step.landing).position());
   };

@@ -159,8 +159,8 @@ void WalkingPattern::aim_step(Step& step, const Wanted& wanted, const Eigen::Vec
   before.turn_rad_per_s = step.commanded_turn_before_rad_per_s;
   StepLimit ignored = StepLimit::none;  // what limits the commands is told of the velocity
   step.commanded_turn_rad_per_s = planner_.next_velocity(before, commanded, ignored).turn_rad_per_s;
-  step.landing =
-      planner_.landing(step.stance, step.swing, step.velocity, offset_m + step.adjustment_m, applied_);
+  step.landing = planner_.landing(step.stance, step.swing, step.velocity_before, step.velocity,
+                                  offset_m + step.adjustment_m, applied_);
 }
 
 Step WalkingPattern::step_after(const Step& before, const Wanted& wanted,

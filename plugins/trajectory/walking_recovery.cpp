@@ -48,7 +48,7 @@ void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& 
   const double landing_s = step.points() * kPointPeriod_s;
   Eigen::Vector2d shift = adjustment_.full_shift_m(gap, landing_s);
   shift.x() = parameters_.limit_recovery_m(shift.x());
-  step.landing = planner_.adjusted_landing(step.stance, step.swing, {}, shift);
+  step.landing = planner_.adjusted_landing(step.stance, step.swing, {}, {}, shift);
   step.adjustment_m = step.stance.relative_of(step.landing).position() -
                       step.stance.relative_of(planner_.beside(step.stance, step.swing)).position();
   state.hips.aim(recovery_hip_height_m(step, bow_rad), step.points());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace gaitway::trajectory {
 namespace {
@@ -16,7 +17,7 @@ class Footsteps : public ::testing::Test {
 };
 
 TEST_F(Footsteps, ForwardStepLandsAheadAtNominalSpacing) {
-  const Pose2 foot = planner.landing({}, Side::left, {0.2, 0.0, 0.0}, {0.0, 0.0}, applied);
+  const Pose2 foot = planner.landing({}, Side::left, {0.2, 0.0, 0.0}, {0.2, 0.0, 0.0}, {0.0, 0.0}, applied);
   EXPECT_NEAR(foot.x_m, 0.2 * parameters.step_time_s, 1e-12);
   EXPECT_NEAR(foot.y_m, 0.10, 1e-12);
   EXPECT_EQ(applied, StepLimit::none);
@@ -24,31 +25,58 @@ TEST_F(Footsteps, ForwardStepLandsAheadAtNominalSpacing) {
 
 TEST_F(Footsteps, OnlyTheOuterFootMovesSideways) {
   const Velocity2 left{0.0, 0.05, 0.0};
-  EXPECT_NEAR(planner.landing({}, Side::left, left, {0.0, 0.0}, applied).y_m,
+  EXPECT_NEAR(planner.landing({}, Side::left, left, left, {0.0, 0.0}, applied).y_m,
               0.10 + 2.0 * 0.05 * parameters.step_time_s, 1e-12);
-  EXPECT_NEAR(planner.landing({}, Side::right, left, {0.0, 0.0}, applied).y_m, -0.10, 1e-12);
+  EXPECT_NEAR(planner.landing({}, Side::right, left, left, {0.0, 0.0}, applied).y_m, -0.10, 1e-12);
 }
 
 TEST_F(Footsteps, LimitIsNamed) {
-  const Pose2 far = planner.landing({}, Side::right, {}, {0.5, 0.0}, applied);
+  const Pose2 far = planner.landing({}, Side::right, {}, {}, {0.5, 0.0}, applied);
   EXPECT_NEAR(far.x_m, parameters.max_step_forward_m, 1e-12);
   EXPECT_EQ(applied, StepLimit::length);
   applied = StepLimit::none;
-  EXPECT_NEAR(planner.landing({}, Side::right, {}, {0.0, -0.5}, applied).y_m, -parameters.max_foot_spacing_m,
-              1e-12);
+  EXPECT_NEAR(planner.landing({}, Side::right, {}, {}, {0.0, -0.5}, applied).y_m,
+              -parameters.max_foot_spacing_m, 1e-12);
   EXPECT_EQ(applied, StepLimit::spacing);
   applied = StepLimit::none;
-  EXPECT_NEAR(planner.landing({}, Side::right, {}, {0.0, 0.5}, applied).y_m, -0.093, 1e-12);
+  EXPECT_NEAR(planner.landing({}, Side::right, {}, {}, {0.0, 0.5}, applied).y_m, -0.093, 1e-12);
   EXPECT_EQ(applied, StepLimit::sole_gap);
   applied = StepLimit::none;
-  EXPECT_NEAR(planner.landing({}, Side::left, {0.0, 0.0, 2.0}, {0.0, 0.0}, applied).yaw_rad,
+  EXPECT_NEAR(planner.landing({}, Side::left, {0.0, 0.0, 2.0}, {0.0, 0.0, 2.0}, {0.0, 0.0}, applied).yaw_rad,
               parameters.max_step_turn_rad, 1e-12);
   EXPECT_TRUE(has(applied, StepLimit::turn));
 }
 
+// Where the toes turn in, that foot steps further out, and the other one as much: else it would drift
+// outwards.
+TEST_F(Footsteps, AWalkThatTurnsKeepsToItsArc) {
+  constexpr int kSteps = 60;
+  for (const double turn_rad_per_s : {-1.5, -0.6, 0.6, 1.5}) {
+    const Velocity2 velocity{0.25, 0.0, turn_rad_per_s};
+    Pose2 stance;
+    std::vector<Pose2> middles;
+    for (int step = 1; step <= kSteps; ++step) {
+      const Side swing = step % 2 == 0 ? Side::left : Side::right;
+      const Pose2 foot = planner.landing(stance, swing, velocity, velocity, {0.0, 0.0}, applied);
+      middles.push_back({0.5 * (stance.x_m + foot.x_m), 0.5 * (stance.y_m + foot.y_m),
+                         0.5 * (stance.yaw_rad + foot.yaw_rad)});
+      stance = foot;
+    }
+    Eigen::Vector2d way = Eigen::Vector2d::Zero();  // of two steps, along the heading between them
+    for (std::size_t i = 2; i < kSteps; ++i)
+      way += Pose2{middles[i - 2].x_m, middles[i - 2].y_m, middles[i - 1].yaw_rad}
+                 .relative_of(middles[i])
+                 .position() /
+             (kSteps - 2);
+    EXPECT_NEAR(way.x(), 2.0 * parameters.step_time_s * 0.25, 0.012) << turn_rad_per_s;
+    EXPECT_NEAR(way.y(), 0.0, 1e-6) << turn_rad_per_s;
+    EXPECT_FALSE(has(applied, StepLimit::sole_gap)) << turn_rad_per_s;
+  }
+}
+
 TEST_F(Footsteps, APushBringsTheFeetNoFurtherApartThanItMayOrThanTheyWouldBeAnyway) {
   const auto spacing = [&](const Velocity2& velocity, double to_the_side_m) {
-    return planner.adjusted_landing({}, Side::left, velocity, {0.0, to_the_side_m}).y_m;
+    return planner.adjusted_landing({}, Side::left, velocity, velocity, {0.0, to_the_side_m}).y_m;
   };
   const Velocity2 in_place{}, side_step{0.0, 0.15, 0.0};
   EXPECT_NEAR(spacing(in_place, 0.01), parameters.foot_spacing_m + 0.01, 1e-12);

@@ -14,11 +14,12 @@ namespace {
 // Bounds of motion over one point of 10 ms.
 constexpr double kMostFootSpeed_m_per_s = 2.6;
 constexpr double kMostComAcceleration_m_per_s2 = 4.0;
-constexpr double kMostTurnRate_rad_per_s = 3.5;
+constexpr double kMostTurnRate_rad_per_s = 7.0;
 constexpr double kMostHipSpeed_m_per_s = 0.12;
 // The preview follows the leg in the air, which moves the reference ZMP up and down by 40 mm in a step, so
-// well.
-constexpr double kZmpTracking_m = 0.001;
+// well. The worst of 60,000 batches: ahead, aside and around at once, commands that change in the middle of a
+// step.
+constexpr double kZmpTracking_m = 0.005;
 constexpr double kHipOvershoot_m = 0.002;  // of a way that is aimed anew
 
 struct Extremes {
@@ -121,8 +122,8 @@ TEST_P(RandomCommands, KeepEveryInvariantOfPlanAndTail) {
     if (uniform(0.0, 1.0) < 0.10) {
       command.walk = uniform(0.0, 1.0) < 0.75 ? 1 : 0;
       command.velocity[0] = uniform(-0.4, 0.5);
-      command.velocity[1] = uniform(-0.1, 0.1);
-      command.turn_rate = uniform(-0.8, 0.8);
+      command.velocity[1] = uniform(-0.17, 0.17);
+      command.turn_rate = uniform(-1.6, 1.6);
       correction.turn_rate_offset = uniform(-0.1, 0.1);
       correction.step_offset[0] = uniform(-0.01, 0.01);
       correction.step_offset[1] = uniform(-0.005, 0.005);

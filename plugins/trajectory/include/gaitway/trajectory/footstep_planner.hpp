@@ -59,14 +59,16 @@ class FootstepPlanner {
   [[nodiscard]] Velocity2 next_velocity(const Velocity2& present, const Velocity2& wanted,
                                         StepLimit& applied) const noexcept;
 
-  // Landing place of the swing foot, given the stance foot. `offset_m` (stance frame) is added before the
-  // limits.
-  [[nodiscard]] Pose2 landing(const Pose2& stance, Side swing, const Velocity2& velocity,
-                              const Eigen::Vector2d& offset_m, StepLimit& applied) const noexcept;
+  // Landing place of the swing foot, given the stance foot and with which velocities it and this one step.
+  // `offset_m` (stance frame) is added before the limits.
+  [[nodiscard]] Pose2 landing(const Pose2& stance, Side swing, const Velocity2& before,
+                              const Velocity2& velocity, const Eigen::Vector2d& offset_m,
+                              StepLimit& applied) const noexcept;
 
   // The same of a step that is moved after the body: nobody has commanded that, so no limit is told of, and
   // the feet come no further apart than adjust_spacing, or than they would anyway.
-  [[nodiscard]] Pose2 adjusted_landing(const Pose2& stance, Side swing, const Velocity2& velocity,
+  [[nodiscard]] Pose2 adjusted_landing(const Pose2& stance, Side swing, const Velocity2& before,
+                                       const Velocity2& velocity,
                                        const Eigen::Vector2d& offset_m) const noexcept;
 
   // Landing place beside the stance foot.
@@ -83,6 +85,7 @@ class FootstepPlanner {
   [[nodiscard]] double max_turn_rad_per_s() const noexcept;
 
  private:
+  [[nodiscard]] double walking_spacing_m(const Velocity2& velocity) const noexcept;
   [[nodiscard]] Velocity2 limit_speed(const Velocity2& wanted, StepLimit& applied) const noexcept;
 
   GaitParameters parameters_;
