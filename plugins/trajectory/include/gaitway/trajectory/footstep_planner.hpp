@@ -59,7 +59,7 @@ class FootstepPlanner {
   [[nodiscard]] Velocity2 next_velocity(const Velocity2& present, const Velocity2& wanted,
                                         StepLimit& applied) const noexcept;
 
-  // Landing place of the swing foot, given the stance foot and with which velocities it and this one step.
+  // Landing place of the swing foot, given the stance foot, which stepped with the velocity `before`.
   // `offset_m` (stance frame) is added before the limits.
   [[nodiscard]] Pose2 landing(const Pose2& stance, Side swing, const Velocity2& before,
                               const Velocity2& velocity, const Eigen::Vector2d& offset_m,
