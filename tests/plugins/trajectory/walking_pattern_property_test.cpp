@@ -17,13 +17,17 @@ constexpr double kMostComAcceleration_m_per_s2 = 4.0;
 constexpr double kMostTurnRate_rad_per_s = 7.0;
 constexpr double kMostHipSpeed_m_per_s = 0.12;
 // The preview follows the leg in the air, which moves the reference ZMP up and down by 40 mm in a step, so
-// well. The worst of 60,000 batches: ahead, aside and around at once, commands that change in the middle of a
-// step.
-constexpr double kZmpTracking_m = 0.005;
+// well. With steps of 0.32 s a command that changes in the middle of one, ahead, aside and around at once,
+// leaves single points further outside (the worst of 60,000 batches: 4.3 mm): no more than one of ten
+// thousand.
+constexpr double kZmpTracking_m = 0.001;
+constexpr double kZmpTrackingOfShortSteps_m = 0.005;
+constexpr double kShortStep_s = 0.35;
 constexpr double kHipOvershoot_m = 0.002;  // of a way that is aimed anew
 
 struct Extremes {
   double least_zmp_depth_m = 1.0, least_gap_m = 1.0;
+  int points = 0, points_outside = 0;  // with the ZMP more than kZmpTracking_m outside of the support polygon
 };
 
 void check_point(const MotionPlan& plan, std::size_t i, const GaitParameters& p, Extremes& seen) {
@@ -31,7 +35,10 @@ void check_point(const MotionPlan& plan, std::size_t i, const GaitParameters& p,
   const double gap = sole_gap_m(plan, i, p.sole);
   seen.least_zmp_depth_m = std::min(seen.least_zmp_depth_m, depth);
   seen.least_gap_m = std::min(seen.least_gap_m, gap);
-  ASSERT_GT(depth, -kZmpTracking_m) << "ZMP outside the support polygon at point " << i;
+  ++seen.points;
+  seen.points_outside += depth < -kZmpTracking_m ? 1 : 0;
+  ASSERT_GT(depth, p.step_time_s < kShortStep_s ? -kZmpTrackingOfShortSteps_m : -kZmpTracking_m)
+      << "ZMP outside the support polygon at point " << i;
   ASSERT_GT(gap, 0.0) << "soles collide at point " << i;
   for (std::size_t side = 0; side < 2; ++side) {
     const double z = plan.foot_position[i][side][2];
@@ -131,6 +138,7 @@ TEST_P(RandomCommands, KeepEveryInvariantOfPlanAndTail) {
     pattern.plan(n, std::int64_t{n} * 80'000'000, command, correction, *plan);
     ASSERT_NO_FATAL_FAILURE(check_plan(*plan, p, *scratch, n > 1, seen)) << "batch " << n;
   }
+  EXPECT_LE(10'000 * seen.points_outside, seen.points);
   RecordProperty("least_zmp_depth_mm", std::to_string(1e3 * seen.least_zmp_depth_m));
   std::cout << "least depth of the ZMP " << 1e3 * seen.least_zmp_depth_m << " mm, least gap of the soles "
             << 1e3 * seen.least_gap_m << " mm\n";
