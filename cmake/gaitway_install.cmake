@@ -40,11 +40,8 @@ set_target_properties(gaitway_simulated_robot PROPERTIES INSTALL_RPATH "$ORIGIN"
 install(TARGETS gaitway_simulated_robot LIBRARY DESTINATION lib/gaitway)
 install(FILES "${gaitway_mujoco_library}" DESTINATION lib/gaitway)
 
-# Headers: of core and msgclient only what a plug-in's author includes, which plugin.hpp says itself.
-file(STRINGS core/include/gaitway/core/plugin.hpp core_includes REGEX "^#include \"gaitway/core/[a-z_]+\\.hp*\"")
-list(TRANSFORM core_includes REPLACE "^#include \"(.*)\"$" "core/include/\\1")
-install(FILES core/include/gaitway/core/plugin.hpp ${core_includes} DESTINATION include/gaitway/core)
-install(DIRECTORY core/include/gaitway/core/detail DESTINATION include/gaitway/core)
+# Headers: the plug-in interface, and of msgclient what it includes.
+install(DIRECTORY core/plugin/include/ DESTINATION include)
 install(FILES msgclient/include/gaitway/msgclient/type_descriptor.hpp msgclient/include/gaitway/msgclient/bow_curve.hpp msgclient/include/gaitway/msgclient/trim_law.hpp
               "${CMAKE_BINARY_DIR}/msgclient/generated/gaitway/msgclient/topics.h"
               "${CMAKE_BINARY_DIR}/msgclient/generated/gaitway/msgclient/topics.hpp"

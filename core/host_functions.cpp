@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "gaitway/core/detail/plugin_border.hpp"
+#include "gaitway/plugin/detail/plugin_border.hpp"
 #include "plugin_declarations.hpp"
 
 namespace gaitway::core {

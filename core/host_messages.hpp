@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/core/plugin_error.hpp"
+#include "gaitway/plugin/abi.h"
 #include "gaitway/process/file_descriptor.hpp"
 
 namespace gaitway::core {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gaitway/core/managed_plugin.hpp"
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {
 

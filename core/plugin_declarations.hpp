@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {
 

@@ -12,7 +12,7 @@
 #include <cstring>
 
 #include "dying_host.hpp"
-#include "gaitway/core/detail/plugin_border.hpp"
+#include "gaitway/plugin/detail/plugin_border.hpp"
 #include "host_bounds.hpp"
 #include "host_messages.hpp"
 #include "network_bounds.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "gaitway/core/detail/plugin_border.hpp"
+#include "gaitway/plugin/detail/plugin_border.hpp"
 #include "plugin_declarations.hpp"
 
 namespace gaitway::core {

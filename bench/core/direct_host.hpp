@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {
 

@@ -1,5 +1,5 @@
 // The smallest plug-in: the same class as the one that class_loader loads.
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace gaitway::bench {
 

@@ -1,4 +1,4 @@
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 // Balance in a few lines: the ankles press against the trunk's lean.
 class AnkleTrim final : public gaitway::Plugin {

@@ -2,7 +2,7 @@
 // docs/first-plugin.md. pattern.
 #include <cmath>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
 #include "gaitway/trajectory/reach_check.hpp"
 #include "gaitway/trajectory/standing_posture.hpp"

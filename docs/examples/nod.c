@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/msgclient/topics.h"
+#include "gaitway/plugin/abi.h"
 
 static const double kNod_rad = 0.03, kPeriod_s = 2.0, kGain = 0.25;
 

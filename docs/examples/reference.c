@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/msgclient/topics.h"
+#include "gaitway/plugin/abi.h"
 #include "reference/topics.h"
 
 struct pace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "reference/topics.hpp"
 
 namespace {

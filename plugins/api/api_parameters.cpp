@@ -7,7 +7,7 @@
 
 #include "gaitway/api/limit_table.hpp"
 #include "gaitway/api/recorder.hpp"
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace gaitway::api {
 namespace {

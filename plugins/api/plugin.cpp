@@ -1,6 +1,6 @@
 // The plug-in `api`: opens all that it needs while it is constructed, then serves from a thread of its own.
 // Its steps only pass on what that thread has to report.
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 #include <string>
 
 #include "gaitway/core/cycle.hpp"
-#include "gaitway/core/plugin.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::kinematics {

@@ -1,5 +1,5 @@
 // Connects the balance controller to its topics: estimate and motion plan in, trims and correction out.
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/stability/balance_controller.hpp"
 #include "gaitway/urdf/robot_model.hpp"

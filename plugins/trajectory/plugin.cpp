@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "gaitway/core/cycle.hpp"
-#include "gaitway/core/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/fall_posture.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "gaitway/core/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/zmp/state_estimator.hpp"
 

@@ -3,7 +3,7 @@
 #ifdef GAITWAY_TEST_GROWN
 #define reserved reserved, grown /* every struct with room for later grows without a new ABI number */
 #endif
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 
 static gaitway_status create(const gaitway_host* host, gaitway_instance* instance,
                              const gaitway_text* error) {

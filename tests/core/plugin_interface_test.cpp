@@ -171,7 +171,7 @@ TEST(PluginInterfaceDocument, NamesEverythingPublic) {
     }
   }
   EXPECT_GE(count, 50U);
-  const Words names = public_names("core/include/gaitway/core/plugin.hpp");
+  const Words names = public_names("core/plugin/include/gaitway/plugin/plugin.hpp");
   for (const char* const expected : {"Setup", "reads_previous", "live_parameter", "age_ns", "highest",
                                      "warning", "state_version", "GAITWAY_PLUGIN"}) {
     EXPECT_TRUE(names.contains(expected)) << expected;  // the search above finds what it should
@@ -179,7 +179,7 @@ TEST(PluginInterfaceDocument, NamesEverythingPublic) {
 }
 
 TEST(PluginInterfaceDocument, HasASectionForEachStructOfTheAbiWithAllItsFields) {
-  const std::string header = without_comments(text_of("core/include/gaitway/core/plugin_abi.h"));
+  const std::string header = without_comments(text_of("core/plugin/include/gaitway/plugin/abi.h"));
   const std::regex wanted(R"(typedef struct (\w+) \{([^}]*)\})");
   int structs = 0;
   for (std::sregex_iterator at(header.begin(), header.end(), wanted), end; at != end; ++at, ++structs) {

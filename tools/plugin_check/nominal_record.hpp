@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/tick.hpp"
 #include "gaitway/msgclient/type_descriptor.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::plugin_check {
 

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "gaitway/core/data_flow.hpp"
-#include "gaitway/core/detail/plugin_border.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/detail/plugin_border.hpp"
 
 namespace gaitway::plugin_check {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "gaitway/core/parameter_set.hpp"
-#include "gaitway/core/plugin_abi.h"
-#include "gaitway/core/tick.hpp"
+#include "gaitway/plugin/abi.h"
+#include "gaitway/plugin/tick.hpp"
 #include "job.hpp"
 #include "nominal_record.hpp"
 

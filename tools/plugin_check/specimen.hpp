@@ -8,7 +8,7 @@
 
 #include "board.hpp"
 #include "gaitway/core/managed_plugin.hpp"
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 #include "replay_host.hpp"
 
 namespace gaitway::plugin_check {

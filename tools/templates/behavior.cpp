@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 class PluginName final : public gaitway::Plugin {
  public:

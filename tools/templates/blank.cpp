@@ -1,7 +1,7 @@
 // The plug-in plugin_name: counts the robot's steps and reports every tenth. Writes no topic yet: begin here.
 #include <cstdio>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 class PluginName final : public gaitway::Plugin {
  public:

@@ -1,8 +1,8 @@
 // The plug-in plugin_name: the shipped leg kinematics, and arms that swing against the legs.
 #include <cmath>
 
-#include "gaitway/core/plugin.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 class PluginName final : public gaitway::Plugin {
  public:

@@ -1,6 +1,6 @@
 // The plug-in plugin_name: balance in the place of the shipped feedback; the ankles press against the trunk's
 // lean.
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 class PluginName final : public gaitway::Plugin {
  public:

@@ -1,6 +1,6 @@
 // The plug-in plugin_name: a gait of its own, slow and with high steps, made with the shipped walking
 // pattern.
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
 #include "gaitway/trajectory/reach_check.hpp"
 #include "gaitway/trajectory/standing_posture.hpp"

@@ -1,8 +1,8 @@
 // The plug-in plugin_name: turns the head to where the robot will walk; the legs are the shipped kinematics'.
 #include <algorithm>
 
-#include "gaitway/core/plugin.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 class PluginName final : public gaitway::Plugin {
  public:

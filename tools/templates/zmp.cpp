@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "gaitway/zmp/state_estimator.hpp"
 
 class PluginName final : public gaitway::Plugin {

@@ -1,7 +1,7 @@
 // Counts its steps in the topic `to` and hands the count on: the brick of tests that replace plug-ins.
 #include <stdexcept>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // A plug-in whose constructor ends the process.
 #include <cstdlib>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 class CrashesInConstructor final : public gaitway::Plugin {
  public:

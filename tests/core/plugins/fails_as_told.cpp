@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // A plug-in whose constructor never returns.
 #include <unistd.h>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 class HangsInConstructor final : public gaitway::Plugin {
  public:

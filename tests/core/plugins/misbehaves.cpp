@@ -2,7 +2,7 @@
 // parameter `how` says ("always": aborts in each from the third on). Only for a process of its own.
 #include <string>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "misbehaviour.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 
 static gaitway_status never_created(const gaitway_host* host, gaitway_instance* instance,
                                     const gaitway_text* error) {

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Declares one parameter of each kind and publishes what it got.
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

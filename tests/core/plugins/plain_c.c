@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/msgclient/topics.h"
+#include "gaitway/plugin/abi.h"
 
 struct counter {
   const gaitway_host* host;

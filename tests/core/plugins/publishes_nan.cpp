@@ -1,7 +1,7 @@
 // From tick 2 on one element of its output is not a number.
 #include <limits>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // tests. Without `from` it writes the tick's number.
 #include <string>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -16,8 +16,8 @@
 #include <string_view>
 
 #include "forbidden_attempts.hpp"
-#include "gaitway/core/plugin.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Constructs, but cannot be activated.
 #include <stdexcept>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Its constructor throws.
 #include <stdexcept>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Publishes first and throws then, at every third tick; at tick 4 it throws what is no std::exception.
 #include <stdexcept>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "fault_flags.hpp"
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 
 namespace {
 

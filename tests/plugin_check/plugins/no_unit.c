@@ -1,8 +1,8 @@
 /* A parameter without a unit: the C++ class would not let it pass. */
 #include <stddef.h>
 
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/msgclient/topics.h"
+#include "gaitway/plugin/abi.h"
 
 static gaitway_status done(void* context, const gaitway_text* error) {
   (void)context;

@@ -2,7 +2,7 @@
 // it does what `sabotage` names before it steps.
 #include <cmath>
 
-#include "gaitway/core/plugin.hpp"
+#include "gaitway/plugin/plugin.hpp"
 #include "misbehaviour.hpp"
 
 #pragma push_macro("GAITWAY_PLUGIN")

@@ -8,7 +8,7 @@
 #include "gaitway/core/containment_settings.hpp"
 #include "gaitway/core/fallback.hpp"
 #include "gaitway/core/managed_plugin.hpp"
-#include "gaitway/core/tick.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::core {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "gaitway/core/tick.hpp"
 #include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::core {
 

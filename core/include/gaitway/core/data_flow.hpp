@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/core/plugin_error.hpp"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {
 

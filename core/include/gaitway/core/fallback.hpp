@@ -10,8 +10,8 @@
 
 #include "gaitway/core/containment_settings.hpp"
 #include "gaitway/core/managed_plugin.hpp"
-#include "gaitway/core/tick.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::core {
 

@@ -13,10 +13,10 @@
 #include "gaitway/core/data_flow.hpp"
 #include "gaitway/core/event_log.hpp"
 #include "gaitway/core/parameter_set.hpp"
-#include "gaitway/core/tick.hpp"
 #include "gaitway/core/topic_port.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::core {
 

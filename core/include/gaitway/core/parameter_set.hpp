@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gaitway/core/configuration.hpp"
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/core/plugin_error.hpp"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {
 

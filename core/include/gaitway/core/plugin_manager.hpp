@@ -21,10 +21,10 @@
 #include "gaitway/core/plugin_fault_table.hpp"
 #include "gaitway/core/plugin_library.hpp"
 #include "gaitway/core/step_watch.hpp"
-#include "gaitway/core/tick.hpp"
 #include "gaitway/core/wall_clock.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::core {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gaitway/core/data_flow.hpp"
-#include "gaitway/core/plugin_abi.h"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "gaitway/core/number_parameter.hpp"
+#include "gaitway/plugin/number_parameter.hpp"
 #include "gaitway/stability/fall_reaction.hpp"
 
 namespace gaitway::stability {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "gaitway/core/number_parameter.hpp"
+#include "gaitway/plugin/number_parameter.hpp"
 
 namespace gaitway::trajectory {
 

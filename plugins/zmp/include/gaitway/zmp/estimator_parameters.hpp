@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "gaitway/core/number_parameter.hpp"
+#include "gaitway/plugin/number_parameter.hpp"
 #include "gaitway/zmp/fall_recognition.hpp"
 
 namespace gaitway::zmp {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "gaitway/core/number_parameter.hpp"
+#include "gaitway/plugin/number_parameter.hpp"
 #include "gaitway/zmp/tipping.hpp"
 
 namespace gaitway::zmp {

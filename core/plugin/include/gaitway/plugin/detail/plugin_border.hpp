@@ -11,11 +11,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "gaitway/core/detail/live_parameters.hpp"
-#include "gaitway/core/plugin_abi.h"
-#include "gaitway/core/state_archive.hpp"
-#include "gaitway/core/tick.hpp"
 #include "gaitway/msgclient/type_descriptor.hpp"
+#include "gaitway/plugin/abi.h"
+#include "gaitway/plugin/detail/live_parameters.hpp"
+#include "gaitway/plugin/state_archive.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::detail {
 

@@ -12,8 +12,8 @@
  * set_parameter.
  * A function marked [set-up] may allocate, read files and take its time; one marked [cycle] may not allocate,
  * lock or make system calls. */
-#ifndef GAITWAY_CORE_PLUGIN_ABI_H
-#define GAITWAY_CORE_PLUGIN_ABI_H
+#ifndef GAITWAY_PLUGIN_ABI_H
+#define GAITWAY_PLUGIN_ABI_H
 
 #include <stdint.h>
 

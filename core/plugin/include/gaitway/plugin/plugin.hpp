@@ -24,13 +24,13 @@
 #include <string_view>
 #include <type_traits>
 
-#include "gaitway/core/detail/live_parameters.hpp"
-#include "gaitway/core/detail/plugin_border.hpp"
-#include "gaitway/core/number_parameter.hpp"
-#include "gaitway/core/plugin_abi.h"
-#include "gaitway/core/state_archive.hpp"
-#include "gaitway/core/tick.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/abi.h"
+#include "gaitway/plugin/detail/live_parameters.hpp"
+#include "gaitway/plugin/detail/plugin_border.hpp"
+#include "gaitway/plugin/number_parameter.hpp"
+#include "gaitway/plugin/state_archive.hpp"
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway {
 

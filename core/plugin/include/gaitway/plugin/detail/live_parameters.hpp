@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "gaitway/core/plugin_abi.h"
+#include "gaitway/plugin/abi.h"
 
 namespace gaitway::detail {
 
