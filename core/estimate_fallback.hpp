@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "gaitway/core/fallback.hpp"
+#include "gaitway/manager/fallback.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/robot_model.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/plugin_error.hpp"
+#include "gaitway/manager/plugin_error.hpp"
 #include "gaitway/plugin/abi.h"
 #include "gaitway/process/file_descriptor.hpp"
 

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/plugin_error.hpp"
+#include "gaitway/manager/plugin_error.hpp"
 #include "gaitway/process/installation.hpp"
 #include "plugin_host.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gaitway/core/managed_plugin.hpp"
+#include "gaitway/manager/managed_plugin.hpp"
 #include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {

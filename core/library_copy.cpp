@@ -14,7 +14,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "gaitway/core/plugin_error.hpp"
+#include "gaitway/manager/plugin_error.hpp"
 
 namespace gaitway::core {
 namespace {

@@ -15,9 +15,9 @@
 
 #include "gaitway/core/event_printer.hpp"
 #include "gaitway/core/main_controller.hpp"
-#include "gaitway/core/plugin_workshop.hpp"
-#include "gaitway/core/step_watch.hpp"
 #include "gaitway/core/supervisor.hpp"
+#include "gaitway/manager/plugin_workshop.hpp"
+#include "gaitway/manager/step_watch.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/process/real_time.hpp"
 

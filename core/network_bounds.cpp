@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <cstdint>
 
-#include "gaitway/core/plugin_error.hpp"
+#include "gaitway/manager/plugin_error.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "host_bounds.hpp"
 #include "seccomp_filter.hpp"

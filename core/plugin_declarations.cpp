@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "gaitway/core/data_flow.hpp"
-#include "gaitway/core/plugin_error.hpp"
+#include "gaitway/manager/data_flow.hpp"
+#include "gaitway/manager/plugin_error.hpp"
 
 namespace gaitway::core {
 

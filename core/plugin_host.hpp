@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/data_flow.hpp"
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/data_flow.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 #include "gaitway/msgclient/segment.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "isolation_exchange.hpp"

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "gaitway/core/loaded_plugin.hpp"
+#include "gaitway/manager/loaded_plugin.hpp"
 
 namespace gaitway::core {
 namespace {

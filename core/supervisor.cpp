@@ -15,7 +15,7 @@
 #include <span>
 #include <system_error>
 
-#include "gaitway/core/step_watch.hpp"
+#include "gaitway/manager/step_watch.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "gaitway/process/real_time.hpp"
 

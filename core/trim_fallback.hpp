@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "gaitway/core/fallback.hpp"
+#include "gaitway/manager/fallback.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/msgclient/trim_law.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gaitway/core/plugin_exchange.hpp"
+#include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/urdf/nearest_name.hpp"

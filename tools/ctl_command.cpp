@@ -15,7 +15,7 @@
 #include <string_view>
 #include <thread>
 
-#include "gaitway/core/plugin_requests.hpp"
+#include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/real_time.hpp"

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/core/plugin_exchange.hpp"
+#include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/cosimulation.hpp"

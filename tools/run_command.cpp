@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "gaitway/core/plugin_exchange.hpp"
+#include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"

@@ -17,7 +17,7 @@
 #include <thread>
 
 #include "gaitway/core/event_printer.hpp"
-#include "gaitway/core/plugin_workshop.hpp"
+#include "gaitway/manager/plugin_workshop.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"

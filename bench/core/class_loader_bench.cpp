@@ -10,7 +10,7 @@
 #include <string>
 
 #include "direct_host.hpp"
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 #include "library_copy.hpp"
 #include "loading_peer.hpp"
 #include "rivals.hpp"

@@ -7,7 +7,7 @@
 
 #include "gaitway/core/cycle.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
-#include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 
 namespace gaitway::core {

@@ -8,7 +8,7 @@
 
 #include "echo_process.hpp"
 #include "gaitway/core/cycle.hpp"
-#include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "rivals.hpp"
 

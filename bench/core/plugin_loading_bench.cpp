@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 #include "library_copy.hpp"
 #include "rivals.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/wall_clock.hpp"
+#include "gaitway/manager/wall_clock.hpp"
 
 namespace gaitway::core {
 

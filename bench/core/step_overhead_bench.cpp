@@ -12,7 +12,7 @@
 
 #include "direct_host.hpp"
 #include "gaitway/core/cycle.hpp"
-#include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "rivals.hpp"
 

@@ -1,5 +1,5 @@
 // What a configuration may look like, and how precisely it is refused.
-#include "gaitway/core/configuration.hpp"
+#include "gaitway/manager/configuration.hpp"
 
 #include <gmock/gmock.h>
 

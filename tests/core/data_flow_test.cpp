@@ -1,5 +1,5 @@
 // Order and dependencies of larger graphs than the test plug-ins make.
-#include "gaitway/core/data_flow.hpp"
+#include "gaitway/manager/data_flow.hpp"
 
 #include <gmock/gmock.h>
 

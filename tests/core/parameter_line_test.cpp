@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gaitway/core/plugin_error.hpp"
+#include "gaitway/manager/plugin_error.hpp"
 
 namespace gaitway::core {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "gaitway/core/cycle.hpp"
-#include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 
 namespace gaitway::core {

@@ -1,5 +1,5 @@
 // Order, values of this tick and of the one before, faults, statistics.
-#include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/manager/plugin_manager.hpp"
 
 #include <gmock/gmock.h>
 

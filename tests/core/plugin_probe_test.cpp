@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "gaitway/core/plugin_exchange.hpp"
+#include "gaitway/manager/plugin_exchange.hpp"
 
 namespace gaitway::core {
 namespace {

@@ -1,6 +1,6 @@
 // Requests over the memory block: taken, carried out, answered, also with a second thread for what takes
 // time.
-#include "gaitway/core/plugin_requests.hpp"
+#include "gaitway/manager/plugin_requests.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // What one side notes, the other side of the shared memory sees.
-#include "gaitway/core/step_watch.hpp"
+#include "gaitway/manager/step_watch.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

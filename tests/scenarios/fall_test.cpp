@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 
-#include "gaitway/core/configuration.hpp"
-#include "gaitway/core/event_log.hpp"
+#include "gaitway/manager/configuration.hpp"
+#include "gaitway/manager/event_log.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "simulated_run.hpp"
 

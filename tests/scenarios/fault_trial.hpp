@@ -5,7 +5,7 @@
 #include <random>
 #include <string_view>
 
-#include "gaitway/core/event_log.hpp"
+#include "gaitway/manager/event_log.hpp"
 
 namespace gaitway::scenarios {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "content_hash.hpp"
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 #include "gaitway/tools/trial_store.hpp"
 
 namespace gaitway::tools {

@@ -6,7 +6,7 @@
 
 #include "check_run.hpp"
 #include "elf_symbols.hpp"
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 
 namespace gaitway::plugin_check {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/configuration.hpp"
+#include "gaitway/manager/configuration.hpp"
 
 namespace gaitway::plugin_check {
 

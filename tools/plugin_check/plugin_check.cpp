@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "board.hpp"
-#include "gaitway/core/configuration.hpp"
+#include "gaitway/manager/configuration.hpp"
 #include "job.hpp"
 #include "nominal_walk.hpp"
 #include "worker_process.hpp"

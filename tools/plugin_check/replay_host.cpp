@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "gaitway/core/data_flow.hpp"
+#include "gaitway/manager/data_flow.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/plugin/detail/plugin_border.hpp"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/parameter_set.hpp"
+#include "gaitway/manager/parameter_set.hpp"
 #include "gaitway/plugin/abi.h"
 #include "gaitway/plugin/tick.hpp"
 #include "job.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "board.hpp"
-#include "gaitway/core/managed_plugin.hpp"
+#include "gaitway/manager/managed_plugin.hpp"
 #include "gaitway/plugin/abi.h"
 #include "replay_host.hpp"
 

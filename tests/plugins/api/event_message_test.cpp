@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "gaitway/core/event_log.hpp"
+#include "gaitway/manager/event_log.hpp"
 
 namespace gaitway::api {
 namespace {

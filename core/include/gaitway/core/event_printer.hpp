@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "gaitway/core/event_log.hpp"
+#include "gaitway/manager/event_log.hpp"
 
 namespace gaitway::core {
 

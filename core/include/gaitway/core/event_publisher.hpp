@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "gaitway/core/event_log.hpp"
+#include "gaitway/manager/event_log.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
 

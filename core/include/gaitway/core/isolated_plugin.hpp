@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "gaitway/core/isolation_options.hpp"
-#include "gaitway/core/loaded_plugin.hpp"
-#include "gaitway/core/managed_plugin.hpp"
+#include "gaitway/manager/loaded_plugin.hpp"
+#include "gaitway/manager/managed_plugin.hpp"
 
 namespace gaitway::core {
 

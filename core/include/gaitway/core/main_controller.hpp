@@ -15,7 +15,7 @@
 #include "gaitway/core/event_publisher.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
 #include "gaitway/core/network_events.hpp"
-#include "gaitway/core/plugin_manager.hpp"
+#include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/urdf/robot_model.hpp"

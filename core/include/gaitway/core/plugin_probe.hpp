@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/configuration.hpp"
-#include "gaitway/core/data_flow.hpp"
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/configuration.hpp"
+#include "gaitway/manager/data_flow.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 
 namespace gaitway::core {
 

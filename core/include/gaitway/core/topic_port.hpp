@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/data_flow.hpp"
+#include "gaitway/manager/data_flow.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/plugin/abi.h"
 

@@ -28,7 +28,7 @@
 #include <vector>
 
 #include "gaitway/can/frame.hpp"
-#include "gaitway/core/plugin_fault_table.hpp"
+#include "gaitway/manager/plugin_fault_table.hpp"
 #include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/configuration.hpp"
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/configuration.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 #include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 

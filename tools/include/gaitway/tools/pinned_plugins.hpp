@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "gaitway/core/configuration.hpp"
-#include "gaitway/core/plugin_library.hpp"
+#include "gaitway/manager/configuration.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 
 namespace gaitway::tools {
 

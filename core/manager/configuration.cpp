@@ -1,0 +1,135 @@
+// Reads the plug-in list; every complaint says where.
+#include "gaitway/manager/configuration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "configured_time.hpp"
+#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/urdf/yaml_value.hpp"
+
+namespace gaitway::core {
+namespace {
+
+using urdf::YamlValue;
+
+std::string name_of(const YamlValue& value, const std::vector<PluginEntry>& others) {
+  constexpr std::size_t kLongest = 40;
+  const std::string name = value.text();
+  const bool printable = std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c < 0x7f; });
+  if (name.empty() || name.size() > kLongest || !printable) {
+    value.refuse(fmt::format("must have 1 to {} printable characters without spaces", kLongest),
+                 "Choose another name");
+  }
+  const auto first = std::find_if(others.begin(), others.end(),
+                                  [&name](const PluginEntry& other) { return other.name == name; });
+  if (first != others.end()) {
+    value.refuse(fmt::format("is already the plug-in of line {}; names must be unique", first->line),
+                 "Give one of them another name");
+  }
+  return name;
+}
+
+std::string library_of(const YamlValue& value) {
+  std::string library = value.text();
+  if (library.empty()) {
+    value.refuse("must not be empty", "Name the shared library, or leave the key out");
+  }
+  return library;
+}
+
+Isolation isolation_of(const YamlValue& value) {
+  const std::string text = value.text();
+  if (text != "process" && text != "none") {
+    value.refuse("must be 'process' or 'none'",
+                 "'process' runs the plug-in in a process of its own, 'none' in the main controller's");
+  }
+  return text == "process" ? Isolation::process : Isolation::none;
+}
+
+std::uint32_t ticks_of(const YamlValue& value, std::int64_t lowest_ns, std::int64_t highest_ns,
+                       const char* range) {
+  const std::int64_t time_ns = read_time_ns(value, lowest_ns, highest_ns, range);
+  if (time_ns % msgclient::kSlot_ns != 0) {
+    value.refuse("must be a multiple of the tick of 10 ms", "Round it");
+  }
+  return static_cast<std::uint32_t>(time_ns / msgclient::kSlot_ns);
+}
+
+StepSchedule schedule_of(const YamlValue& plugin) {
+  constexpr std::int64_t kLongest_ns = 1'000'000'000;
+  StepSchedule schedule;
+  if (const auto period = plugin.find("period")) {
+    schedule.every_ticks = ticks_of(*period, msgclient::kSlot_ns, kLongest_ns, "10 ms and 1 s");
+  }
+  if (const auto phase = plugin.find("phase")) {
+    schedule.phase_ticks = ticks_of(*phase, 0, kLongest_ns, "0 ms and 1 s");
+    if (schedule.phase_ticks >= schedule.every_ticks) {
+      phase->refuse("must be less than the period", "Give a longer period, or an earlier phase");
+    }
+  }
+  return schedule;
+}
+
+PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
+  constexpr std::array<std::string_view, 13> kKeys{
+      "name",   "library",       "isolation", "parameters", "period",      "phase", "fallback",
+      "budget", "give_up_after", "network",   "writes",     "descriptors", "memory"};
+  map.require_map(kKeys);
+  PluginEntry entry;
+  entry.line = map.line();
+  entry.name = name_of(map.at("name"), others);
+  const auto library = map.find("library");
+  entry.library = library ? library_of(*library) : fmt::format("libgaitway_plugin_{}.so", entry.name);
+  if (const auto isolation = map.find("isolation")) {
+    entry.isolation = isolation_of(*isolation);
+  }
+  const auto parameters = map.find("parameters");
+  if (parameters && !parameters->is_empty()) {
+    for (const auto& [name, value] : parameters->entries()) {
+      entry.parameters.push_back({name, value.text(), value.line()});
+    }
+  }
+  entry.schedule = schedule_of(map);
+  entry.containment = read_containment(map);
+  entry.host = read_host_settings(map, entry.isolation == Isolation::process);
+  // Whoever reaches it over the network must not be able to put it out of service by keeping it busy.
+  entry.containment.give_up.never = entry.host.serves_network && !map.find("give_up_after");
+  return entry;
+}
+
+Configuration read_root(const YamlValue& root) {
+  constexpr std::array<std::string_view, 1> kKeys{"plugins"};
+  root.require_map(kKeys);
+  Configuration configuration{root.file(), {}};
+  const YamlValue plugins = root.at("plugins");
+  for (const YamlValue& plugin : plugins.items()) {
+    configuration.plugins.push_back(read_plugin(plugin, configuration.plugins));
+  }
+  if (configuration.plugins.empty()) {
+    plugins.refuse("must be a list with at least one plug-in", "Add entries like '- name: zmp'");
+  }
+  return configuration;
+}
+
+}  // namespace
+
+Configuration parse_configuration(const std::string& text, const std::filesystem::path& file) {
+  try {
+    return read_root(YamlValue::parse(text, file));
+  } catch (const urdf::RobotError& error) {
+    throw ConfigurationError(error.what());
+  }
+}
+
+Configuration read_configuration(const std::filesystem::path& file) {
+  try {
+    return read_root(YamlValue::read(file));
+  } catch (const urdf::RobotError& error) {
+    throw ConfigurationError(error.what());
+  }
+}
+
+}  // namespace gaitway::core

@@ -1,0 +1,46 @@
+// A plug-in's shared library: found on the search path, opened, and checked before anything in it is called.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gaitway/manager/plugin_error.hpp"
+#include "gaitway/plugin/abi.h"
+
+namespace gaitway::core {
+
+using SearchPath = std::vector<std::filesystem::path>;
+
+// `given`, then the folders of the environment variable GAITWAY_PLUGIN_PATH (colons between them), then the
+// folder of the shipped plug-ins; each once.
+[[nodiscard]] SearchPath plugin_search_path(const SearchPath& given);
+
+class LibraryCopy;
+
+// Keeps the library open for its life. Movable. What is loaded is a private copy in memory, so that the file
+// may be overwritten or truncated meanwhile; a library that looks for others relative to itself ($ORIGIN)
+// does not find them.
+class PluginLibrary {
+ public:
+  // `library`: a file name that is looked for on `path`, or a path (with a slash), relative to `base`. Throws
+  // PluginError: no such file (with all places tried), no shared library for this
+  // machine, a symbol that is missing, no entry symbol, another ABI or struct
+  // size.
+  PluginLibrary(const std::string& library, const std::filesystem::path& base, const SearchPath& path);
+  ~PluginLibrary();
+  PluginLibrary(PluginLibrary&& other) noexcept;
+  PluginLibrary& operator=(PluginLibrary&&) = delete;
+
+  [[nodiscard]] const gaitway_plugin& entry() const noexcept { return *entry_; }
+  [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
+
+ private:
+  std::filesystem::path file_;
+  std::unique_ptr<LibraryCopy> copy_;
+  void* handle_ = nullptr;
+  const gaitway_plugin* entry_ = nullptr;
+};
+
+}  // namespace gaitway::core

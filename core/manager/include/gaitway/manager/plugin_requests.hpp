@@ -1,0 +1,76 @@
+// Requests to change the plug-ins while the robot walks: taken from the queues `plugin_request` and
+// `api_plugin_request` by turns, answered in the stream `plugin_answer`. What takes its time is done by a
+// second thread, which the binary owns. What comes over the network (`api_plugin_request`) names libraries of
+// the search path and no other files: who can write a file somewhere must not have it run here.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "gaitway/manager/plugin_manager.hpp"
+#include "gaitway/msgclient/client.hpp"
+#include "gaitway/msgclient/topics.hpp"
+
+namespace gaitway::core {
+
+enum class PluginVerb : std::uint32_t {
+  reload = 0,
+  load = 1,
+  unload = 2,
+  set = 3,
+  stop = 4,
+  start = 5,
+  describe_parameter = 6  // answered with a line of JSON, see parameter_line.hpp
+};
+
+class PluginRequests {
+ public:
+  // Opens the three topics. Throws msgclient::TopicError. Both outlive this object.
+  PluginRequests(msgclient::Client& client, PluginManager& manager);
+
+  // The thread of the ticks, after each: takes a request, hands what was prepared to the manager, answers.
+  void step(std::int64_t now_ns);
+
+  // The other thread: loads, constructs and destroys. work() returns at once when there is nothing to do.
+  void work();
+  // Sleeps until there is something to do, or end_work() was called; then false, for ever.
+  [[nodiscard]] bool wait_for_work() const noexcept;
+  void end_work() noexcept;  // from any thread
+
+ private:
+  // Whose turn it is: step()'s, but for preparing and clearing.
+  enum class Stage : std::uint32_t {
+    idle,
+    preparing,
+    prepared,
+    refused,
+    scheduled,
+    clearing,
+    cleared,
+    ended
+  };
+
+  bool take_request();
+  void begin(std::int64_t now_ns);
+  void set_parameter();
+  void describe_parameter();
+  void prepare();
+  void answer(std::int64_t now_ns);
+  void go_to(Stage stage) noexcept;
+
+  PluginManager& manager_;
+  std::array<msgclient::QueueReader<PluginRequest>, 2> requests_;  // of this machine, and of the network
+  msgclient::Writer<PluginAnswer> answers_;
+  std::atomic<Stage> stage_{Stage::idle};
+  std::size_t next_queue_ = 0;
+  bool from_network_ = false;
+  PluginRequest request_{};
+  bool done_ = false;
+  std::string text_;
+  std::unique_ptr<PluginChange> change_;  // prepared, or no longer needed
+};
+
+}  // namespace gaitway::core

@@ -1,0 +1,198 @@
+// One plug-in's step, contained: what it costs, what it published, and who stands in for it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include "gaitway/manager/plugin_manager.hpp"
+#include "gaitway/urdf/nearest_name.hpp"
+#include "stand_in.hpp"
+
+namespace gaitway::core {
+namespace {
+
+constexpr double kJump = 1000.0;
+
+// Onto a number of each output's field.
+double offset_of(PluginFaultKind kind) noexcept {
+  return kind == PluginFaultKind::not_a_number ? std::numeric_limits<double>::quiet_NaN()
+         : kind == PluginFaultKind::jumps      ? kJump
+                                               : 0.0;
+}
+
+}  // namespace
+
+void PluginManager::add_stand_ins(const Configuration& configuration) {
+  std::vector<DataFlowNode> loaded;
+  for (const auto& slot : slots_) {
+    loaded.push_back(slot->plugin->node());
+  }
+  std::vector<ExternalTopic> external;
+  for (const msgclient::TopicInfo& topic : client_.directory()) {
+    external.push_back({topic.descriptor.name, topic.writer});
+  }
+  for (const std::string& name : options_.left_out) {
+    const auto entry = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
+                                    [&name](const PluginEntry& other) { return other.name == name; });
+    if (entry == configuration.plugins.end()) {
+      std::vector<std::string> names;
+      for (const PluginEntry& other : configuration.plugins) {
+        names.push_back(other.name);
+      }
+      throw PluginError(fmt::format("{}: there is no plug-in '{}' to leave out. {}",
+                                    configuration.file.string(), name, urdf::suggest(name, names)));
+    }
+    const std::vector<std::string> topics = StandIn::topics_for(*entry, loaded, external);
+    events_.add(
+        0, 0, EventKind::warning, name,
+        topics.empty() ? "left out" : fmt::format("left out; fallbacks write {}", fmt::join(topics, ", ")));
+    auto slot = std::make_unique<PluginSlot>();
+    slot->plugin = std::make_unique<StandIn>(*entry, topics, configuration.file, events_);
+    slot->entry = *entry;
+    slot->configured = slots_.size();
+    loaded.push_back(slot->plugin->node());
+    slots_.push_back(std::move(slot));
+  }
+}
+
+void PluginManager::contain(PluginSlot& slot) {
+  ContainmentSettings settings = slot.entry.containment;
+  if (slot.plugin->node().uses.empty()) {
+    settings.fallback = FallbackKind::by_topics;  // of a stand-in that has nothing to write
+  }
+  const FallbackSource source{client_, options_.robot_directory};
+  slot.containment =
+      Containment(settings, slot.plugin->period(), FallbackSet(*slot.plugin, settings.fallback, source));
+  if (dynamic_cast<const StandIn*>(slot.plugin.get()) != nullptr) {
+    slot.containment.leave_out();
+  } else if (options_.step_watch != nullptr) {
+    slot.watch_id = options_.step_watch->add(slot.plugin->name());
+  }
+}
+
+void PluginManager::step(PluginSlot& slot, const Tick& tick) noexcept {
+  slot.stepped = true;
+  if (!slot.containment.is_stepped()) {
+    slot.covered = slot.containment.fallbacks().act(tick, *slot.plugin);
+    slot.failed = !slot.covered || slot.containment.state() == ServiceState::out_of_service;
+    return;
+  }
+  const std::int64_t begin_ns = wall_ns();
+  const bool fine = run_step(slot, tick);
+  slot.last_step_ns = wall_ns() - begin_ns;
+  slot.step_wall.add(slot.last_step_ns);
+  slot.worst_input_age_ns = std::max(slot.worst_input_age_ns, slot.plugin->take_input_age_ns());
+  ++slot.steps;
+  const PluginFault injected = options_.injected_faults == nullptr
+                                   ? PluginFault{}
+                                   : options_.injected_faults->at(slot.plugin->name(), tick.now_ns);
+  declared_cost_ns_ += injected.cost_ns;
+  const std::int64_t cost_ns = injected.cost_ns + (options_.wall_time_decides ? slot.last_step_ns : 0);
+  const bool overrun = fine && slot.containment.is_over_budget(cost_ns);
+  if (overrun) {
+    std::array<char, 80> text{};
+    const auto end = fmt::format_to_n(text.data(), text.size(), "took {} us; its budget is {} us",
+                                      cost_ns / 1000, slot.containment.budget_ns() / 1000);
+    slot.plugin->set_fault({text.data(), std::min(end.size, text.size())});
+  }
+  slot.failed = !fine || overrun;
+  slot.failed ? note_fault(slot, tick, overrun) : note_success(slot, tick);
+}
+
+bool PluginManager::run_step(PluginSlot& slot, const Tick& tick) noexcept {
+  const PluginFaultKind injected = options_.injected_faults == nullptr
+                                       ? PluginFaultKind::none
+                                       : options_.injected_faults->at(slot.plugin->name(), tick.now_ns).kind;
+  if (injected == PluginFaultKind::throws) {
+    slot.plugin->set_fault("a fault that was injected: step() threw");
+    return false;
+  }
+  if (options_.step_watch == nullptr) {
+    return slot.plugin->prepare(tick, offset_of(injected));
+  }
+  options_.step_watch->enter(slot.watch_id);
+  const bool fine = slot.plugin->prepare(tick, offset_of(injected));
+  options_.step_watch->leave();
+  return fine;
+}
+
+void PluginManager::note_success(PluginSlot& slot, const Tick& tick) noexcept {
+  slot.plugin->commit();
+  const std::int64_t since_ns = slot.containment.failing_since_ns();
+  const std::uint64_t faults = slot.containment.note_success(tick);
+  if (faults == 0 || slot.containment.fallbacks().is_none()) {
+    return;
+  }
+  std::array<char, 100> text{};
+  const auto end = fmt::format_to_n(text.data(), text.size(), "works again, after {} faults since {:.3f} s",
+                                    faults, static_cast<double>(since_ns) * 1e-9);
+  events_.add(tick.now_ns, tick.tick, EventKind::info, slot.plugin->name(),
+              {text.data(), std::min(end.size, text.size())});
+}
+
+// A new plug-in on trial has no fallback: the old one takes its turn.
+void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun) noexcept {
+  slot.plugin->discard();
+  ++slot.faults;
+  const std::string& name = slot.plugin->name();
+  Containment& containment = slot.containment;
+  const Recovery recovery = slot.plugin->recovery();
+  if (containment.is_news(tick, recovery)) {
+    events_.add(tick.now_ns, tick.tick, EventKind::fault, name, slot.plugin->fault());
+  }
+  if (&slot == trial_) {
+    return;
+  }
+  FallbackSet& fallbacks = containment.fallbacks();
+  const bool given_up = containment.note_fault(tick, overrun, recovery);
+  const bool first = containment.faults_in_a_row() == 1;
+  slot.covered = fallbacks.act(tick, *slot.plugin);
+  std::array<char, 250> text{};
+  if (given_up) {
+    fmt::format_to_n(text.data(), text.size() - 1,
+                     "out of service after {} faults since {:.3f} s ({} since start); fallback: {}; "
+                     "the last fault: {}",
+                     containment.reason().faults, static_cast<double>(containment.reason().since_ns) * 1e-9,
+                     slot.faults, fallbacks.name(), slot.plugin->fault());
+    events_.add(tick.now_ns, tick.tick, EventKind::error, name, text.data());
+  } else if (first && !fallbacks.is_none()) {
+    fmt::format_to_n(text.data(), text.size() - 1, "fallback '{}' stands in", fallbacks.name());
+    events_.add(tick.now_ns, tick.tick, EventKind::warning, name, text.data());
+  }
+}
+
+// Percentiles cost some microseconds each: one plug-in a batch.
+void PluginManager::fill_statistics(const Tick& tick) noexcept {
+  const std::size_t count = std::min<std::size_t>(slots_.size(), kReportedPlugins);
+  statistics_.stamp_ns = tick.now_ns;
+  statistics_.plugin_count = static_cast<std::uint32_t>(count);
+  if (count > 0) {
+    PluginSlot& slot = *slots_[tick.batch_sequence % count];
+    slot.p50_step_ns = static_cast<std::int64_t>(slot.step_wall.percentile_ns(0.5));
+    slot.p99_step_ns = static_cast<std::int64_t>(slot.step_wall.percentile_ns(0.99));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const PluginSlot& slot = *slots_[i];
+    const std::string& name = slot.plugin->name();
+    std::fill(std::begin(statistics_.name[i]), std::end(statistics_.name[i]), std::uint8_t{0});
+    std::copy_n(name.begin(), std::min(name.size(), std::size(statistics_.name[i]) - 1), statistics_.name[i]);
+    statistics_.steps[i] = slot.steps;
+    statistics_.faults[i] = slot.faults;
+    statistics_.overruns[i] = slot.containment.overruns();
+    statistics_.state[i] = static_cast<std::uint32_t>(slot.containment.state());
+    statistics_.budget_ns[i] = slot.containment.budget_ns();
+    statistics_.last_step_ns[i] = slot.last_step_ns;
+    statistics_.p50_step_ns[i] = slot.p50_step_ns;
+    statistics_.p99_step_ns[i] = slot.p99_step_ns;
+    statistics_.worst_step_ns[i] = slot.step_wall.max_ns();
+    statistics_.worst_input_age_ns[i] = slot.worst_input_age_ns;
+  }
+}
+
+void PluginManager::publish_statistics(const Tick& tick) noexcept {
+  fill_statistics(tick);
+  statistics_writer_->publish(statistics_, tick.now_ns);
+}
+
+}  // namespace gaitway::core
