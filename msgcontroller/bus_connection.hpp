@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "gaitway/can/bus_client.hpp"
 #include "gaitway/can/candump_log.hpp"
+#include "gaitway/can/simulated/bus_client.hpp"
 #include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/can/socketcan_report.hpp"
 

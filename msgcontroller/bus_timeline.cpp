@@ -1,7 +1,6 @@
 // Frames in, millisecond, frames out.
 #include "gaitway/msgcontroller/bus_timeline.hpp"
 
-#include "gaitway/can/bus_client.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 
 namespace gaitway::msgcontroller {

@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "gaitway/can/bus_client.hpp"
-#include "gaitway/can/bus_server.hpp"
-#include "gaitway/can/socketcand_server.hpp"
+#include "gaitway/can/simulated/bus_client.hpp"
+#include "gaitway/can/simulated/bus_server.hpp"
+#include "gaitway/can/simulated/socketcand_server.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"

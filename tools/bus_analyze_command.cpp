@@ -10,10 +10,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "gaitway/can/breakdown_load.hpp"
+#include "gaitway/can/analysis/breakdown_load.hpp"
+#include "gaitway/can/analysis/network_messages.hpp"
+#include "gaitway/can/analysis/priority_assignment.hpp"
 #include "gaitway/can/frame.hpp"
-#include "gaitway/can/network_messages.hpp"
-#include "gaitway/can/priority_assignment.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"

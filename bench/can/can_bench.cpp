@@ -8,7 +8,7 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/frame_length.hpp"
 #include "gaitway/can/profile.hpp"
-#include "gaitway/can/simulated_bus.hpp"
+#include "gaitway/can/simulated/simulated_bus.hpp"
 
 namespace gaitway::can {
 namespace {

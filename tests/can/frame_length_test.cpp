@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/can/wire_frame.hpp"
+#include "gaitway/can/simulated/wire_frame.hpp"
 #include "reference_wire.hpp"
 
 namespace gaitway::can {

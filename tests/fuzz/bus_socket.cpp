@@ -1,6 +1,7 @@
-// The bus socket (can/bus_protocol.hpp) as BusServer reads it, through a real socket: clients that send any
-// packets beside one that keeps to the protocol. Whatever they send: the server goes on, what it delivers are
-// valid frames in the order of time, and once they have gone, the decent client's frame is sent at once.
+// The bus socket (can/simulated/bus_protocol.hpp) as BusServer reads it, through a real socket: clients that
+// send any packets beside one that keeps to the protocol. Whatever they send: the server goes on, what it
+// delivers are valid frames in the order of time, and once they have gone, the decent client's frame is sent
+// at once.
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -8,10 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "can/bus_protocol.hpp"
+#include "can/simulated/bus_protocol.hpp"
 #include "fuzz_frame.hpp"
-#include "gaitway/can/bus_client.hpp"
-#include "gaitway/can/bus_server.hpp"
+#include "gaitway/can/simulated/bus_client.hpp"
+#include "gaitway/can/simulated/bus_server.hpp"
 #include "socket_place.hpp"
 
 namespace gaitway::fuzz {

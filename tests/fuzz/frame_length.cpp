@@ -6,7 +6,7 @@
 #include <span>
 
 #include "fuzz_frame.hpp"
-#include "gaitway/can/wire_frame.hpp"
+#include "gaitway/can/simulated/wire_frame.hpp"
 #include "slow_frame.hpp"
 
 namespace gaitway::fuzz {

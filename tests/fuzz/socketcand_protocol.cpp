@@ -1,8 +1,8 @@
-// The socketcand protocol as clients of the served bus speak it (can/socketcand_protocol.hpp). Whatever they
+// The socketcand protocol as clients of the served bus speak it (can/simulated). Whatever they
 // send, in pieces of any size: elements are found the same however the text is cut, none is longer than
 // allowed; each is a command with a valid frame and times in range, or a rejection that holds no bracket; and
 // what is told to clients is one element each.
-#include "gaitway/can/socketcand_protocol.hpp"
+#include "gaitway/can/simulated/socketcand_protocol.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -8,7 +8,6 @@
 #include <limits>
 #include <vector>
 
-#include "gaitway/can/bus_client.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 

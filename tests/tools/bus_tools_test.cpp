@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
-#include "gaitway/can/bus_server.hpp"
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/profile.hpp"
+#include "gaitway/can/simulated/bus_server.hpp"
 #include "gaitway/process/real_time.hpp"
 
 namespace gaitway::tools {

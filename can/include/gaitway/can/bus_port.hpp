@@ -29,6 +29,10 @@ struct ErrorCounters {
   friend bool operator==(const ErrorCounters&, const ErrorCounters&) = default;
 };
 
+// A bus waits at most so long for a station whose pace it keeps; what such a station has to say about times
+// further back is stale.
+inline constexpr std::int64_t kLongestWait_ns = 50'000'000;
+
 // Nothing here blocks. All times are of the clock that the processes of one robot share.
 class BusPort {
  public:

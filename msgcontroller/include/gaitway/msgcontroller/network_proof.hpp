@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "gaitway/can/network_messages.hpp"
+#include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::msgcontroller {

@@ -11,8 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "gaitway/can/simulated_bus.hpp"
-#include "gaitway/can/station_transmitter.hpp"
+#include "gaitway/can/simulated/simulated_bus.hpp"
+#include "gaitway/can/simulated/station_transmitter.hpp"
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gaitway/can/frame.hpp"
-#include "gaitway/can/station_transmitter.hpp"
+#include "gaitway/can/simulated/station_transmitter.hpp"
 #include "gaitway/localcontroller/joint_controller.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/urdf/robot_model.hpp"

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "gaitway/can/bus_client.hpp"
 #include "gaitway/can/bus_port.hpp"
+#include "gaitway/can/simulated/bus_client.hpp"
 #include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/tools/bus_watch_text.hpp"
 

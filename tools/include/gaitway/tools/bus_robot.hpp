@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/can/network_messages.hpp"
+#include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 

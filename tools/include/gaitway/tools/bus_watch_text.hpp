@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/bus_port.hpp"
-#include "gaitway/can/network_messages.hpp"
 #include "gaitway/tools/bus_watch.hpp"
 
 namespace gaitway::tools {

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "gaitway/can/error_model.hpp"
+#include "gaitway/can/analysis/error_model.hpp"
 
 namespace gaitway::tools {
 

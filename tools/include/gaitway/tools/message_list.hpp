@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "gaitway/can/response_time.hpp"
+#include "gaitway/can/analysis/response_time.hpp"
 
 namespace gaitway::tools {
 
