@@ -31,7 +31,7 @@ install(FILES docs/first-plugin.md docs/plugin-interface.md docs/plugin-check.md
 install(DIRECTORY docs/examples DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
 
 # Programs and what they load.
-foreach(program IN ITEMS gaitway main_controller gaitway_plugin_host message_controller virtual_robot)
+foreach(program IN ITEMS gaitway main_controller gaitway_plugin_child message_controller virtual_robot)
   set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/gaitway")
   install(TARGETS ${program} RUNTIME DESTINATION bin)
 endforeach()

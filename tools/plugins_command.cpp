@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/core/plugin_probe.hpp"
+#include "gaitway/isolation/plugin_probe.hpp"
 #include "gaitway/process/installation.hpp"
 
 namespace gaitway::tools {

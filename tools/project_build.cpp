@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gaitway/core/plugin_probe.hpp"
+#include "gaitway/isolation/plugin_probe.hpp"
 #include "gaitway/process/installation.hpp"
 
 namespace gaitway::tools {

@@ -103,7 +103,7 @@ class ServeObserver final : public simulator::CosimulationObserver {
 
 core::PluginEntry& api_of(core::Configuration& configuration) {
   const auto api = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
-                                [](const core::PluginEntry& entry) { return entry.host.serves_network; });
+                                [](const core::PluginEntry& entry) { return entry.child.serves_network; });
   if (api == configuration.plugins.end()) {
     throw std::invalid_argument(fmt::format(
         "--config {}: has no plug-in that serves the network. Add one with `isolation: process` and "
@@ -134,7 +134,7 @@ core::Configuration configuration_of(const ServeOptions& options) {
   set_path("token_file", options.token_file);
   set_path("certificate_file", options.certificate_file);
   set_path("key_file", options.key_file);
-  api.host.writes = std::filesystem::absolute(options.out) / "recordings";
+  api.child.writes = std::filesystem::absolute(options.out) / "recordings";
   return configuration;
 }
 

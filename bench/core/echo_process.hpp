@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "gaitway/msgclient/segment.hpp"
-#include "isolation_exchange.hpp"
+#include "isolation/exchange.hpp"
 
 namespace gaitway::core {
 

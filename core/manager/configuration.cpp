@@ -94,9 +94,9 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
   }
   entry.schedule = schedule_of(map);
   entry.containment = read_containment(map);
-  entry.host = read_host_settings(map, entry.isolation == Isolation::process);
+  entry.child = read_child_settings(map, entry.isolation == Isolation::process);
   // Whoever reaches it over the network must not be able to put it out of service by keeping it busy.
-  entry.containment.give_up.never = entry.host.serves_network && !map.find("give_up_after");
+  entry.containment.give_up.never = entry.child.serves_network && !map.find("give_up_after");
   return entry;
 }
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gaitway/core/isolated_plugin.hpp"
+#include "gaitway/isolation/isolated_plugin.hpp"
 #include "plugin_trial.hpp"
 
 namespace gaitway::core {
@@ -22,16 +22,16 @@ void require_apart(const PluginEntry& server, const Configuration& configuration
   const auto refuse = [&](const std::filesystem::path& place) {
     throw ConfigurationError(fmt::format(
         "{}:{}: writes = '{}': '{}' lies there, from which plug-ins are loaded. Choose a folder of its own",
-        configuration.file.string(), server.line, server.host.writes.string(), place.string()));
+        configuration.file.string(), server.line, server.child.writes.string(), place.string()));
   };
   for (const std::filesystem::path& folder : path) {
-    if (lies_in(folder, server.host.writes)) {
+    if (lies_in(folder, server.child.writes)) {
       refuse(folder);
     }
   }
   for (const PluginEntry& entry : configuration.plugins) {
     const std::filesystem::path file = configuration.file.parent_path() / entry.library;
-    if (entry.library.find('/') != std::string::npos && lies_in(file, server.host.writes)) {
+    if (entry.library.find('/') != std::string::npos && lies_in(file, server.child.writes)) {
       refuse(file);
     }
   }
@@ -105,7 +105,7 @@ void PluginManager::load_all(const Configuration& configuration) {
                       "another name",
                       configuration.file.string(), entry.line, entry.name));
     }
-    if (!entry.host.writes.empty()) {
+    if (!entry.child.writes.empty()) {
       require_apart(entry, configuration, search_path_);
     }
     if (std::find(options_.left_out.begin(), options_.left_out.end(), entry.name) !=

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "gaitway/core/isolated_plugin.hpp"
+#include "gaitway/isolation/isolated_plugin.hpp"
 #include "gaitway/manager/loaded_plugin.hpp"
 #include "gaitway/msgclient/client.hpp"
 

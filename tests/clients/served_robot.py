@@ -67,7 +67,7 @@ class ServedRobot:
         """Process id of the plug-in host that serves: a child of `gaitway serve`."""
         children = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text().split()
         hosts = [int(child) for child in children
-                 if "gaitway_plugin_host" in Path(f"/proc/{child}/cmdline").read_text()]
+                 if "gaitway_plugin_child" in Path(f"/proc/{child}/cmdline").read_text()]
         assert len(hosts) == 1, hosts
         return hosts[0]
 

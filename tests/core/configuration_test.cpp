@@ -84,20 +84,20 @@ PluginEntry entry_with(const std::string& keys) {
 
 TEST(Configuration, ReadsWhatAProcessMay) {
   const PluginEntry plain = entry_with("isolation: process");
-  EXPECT_FALSE(plain.host.serves_network);
-  EXPECT_EQ(options_for(plain.host, {}).descriptor_limit, 64U);
-  EXPECT_EQ(options_for(plain.host, {}).memory_limit_bytes, 512U << 20U);
+  EXPECT_FALSE(plain.child.serves_network);
+  EXPECT_EQ(options_for(plain.child, {}).descriptor_limit, 64U);
+  EXPECT_EQ(options_for(plain.child, {}).memory_limit_bytes, 512U << 20U);
   const PluginEntry server =
       entry_with("isolation: process, network: serve, writes: recordings, descriptors: 4096, memory: 1 GiB");
-  EXPECT_TRUE(server.host.serves_network);
-  EXPECT_EQ(server.host.writes, "/robot/recordings");
-  EXPECT_EQ(options_for(server.host, {}).descriptor_limit, 4096U);
-  EXPECT_EQ(options_for(server.host, {}).memory_limit_bytes, 1024U << 20U);
+  EXPECT_TRUE(server.child.serves_network);
+  EXPECT_EQ(server.child.writes, "/robot/recordings");
+  EXPECT_EQ(options_for(server.child, {}).descriptor_limit, 4096U);
+  EXPECT_EQ(options_for(server.child, {}).memory_limit_bytes, 1024U << 20U);
   EXPECT_TRUE(server.containment.give_up.never);
   EXPECT_FALSE(plain.containment.give_up.never);
   EXPECT_FALSE(
       entry_with("isolation: process, network: serve, give_up_after: {faults: 3}").containment.give_up.never);
-  EXPECT_EQ(entry_with("isolation: process, network: serve, writes: /var/rec").host.writes, "/var/rec");
+  EXPECT_EQ(entry_with("isolation: process, network: serve, writes: /var/rec").child.writes, "/var/rec");
 }
 
 TEST(Configuration, RefusesWhatNoProcessMay) {

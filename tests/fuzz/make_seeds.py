@@ -107,7 +107,7 @@ def block_seeds():
     write("block_answers", "announced_only", bytes([2, 7, 1]) + bytes(8) + bytes([1, 1, 0]))
     row = bytes([4]) + bytes(8) + bytes(4) + b"\1" + bytes(4) + b"\5\6" + bytes(12) + b"\3"
     write("topic_directory", "two_rows", bytes([0, 0, 16, 0, 2]) + row + row + struct.pack("<HQ", 5, 96))
-    write("host_messages", "parameter", words(7) + words(3) + bytes(8) + b"gain of the ankle".ljust(200) +
+    write("child_messages", "parameter", words(7) + words(3) + bytes(8) + b"gain of the ankle".ljust(200) +
           bytes([0, 2, 3, 1]) * 4 + words(6, 4) + b"gain" + words(3) + bytes(16) + words(2) + b"up")
 
 

@@ -289,7 +289,7 @@ TEST_F(RealTime, ACrashInAnIsolatedPluginIsAFaultOfItsStepAndItIsReplaced) {
 
 TEST_F(RealTime, AnIsolatedPluginThatHangsIsEndedAndReplaced) {
   EXPECT_THAT(walk_with_sabotage("loop"),
-              testing::AllOf(HasSubstr("did not answer within 2 ms"), HasSubstr("its host was ended"),
+              testing::AllOf(HasSubstr("did not answer within 2 ms"), HasSubstr("its process was ended"),
                              HasSubstr("runs in a new process"), HasSubstr("works again")));
 }
 

@@ -27,7 +27,7 @@ def free_port():
 
 def api_process(served):
     children = Path(f"/proc/{served}/task/{served}/children").read_text().split()
-    return next(int(child) for child in children if "gaitway_plugin_host" in Path(f"/proc/{child}/cmdline").read_text())
+    return next(int(child) for child in children if "gaitway_plugin_child" in Path(f"/proc/{child}/cmdline").read_text())
 
 
 def memory_kb(process):

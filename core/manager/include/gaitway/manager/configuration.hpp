@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/host_settings.hpp"
+#include "gaitway/isolation/settings.hpp"
 #include "gaitway/manager/containment_settings.hpp"
 
 namespace gaitway::core {
@@ -48,7 +48,7 @@ struct PluginEntry {
   Isolation isolation = Isolation::none;
   StepSchedule schedule = {};
   ContainmentSettings containment = {};
-  HostSettings host = {};  // with Isolation::process
+  ChildSettings child = {};  // with Isolation::process
 };
 
 struct Configuration {

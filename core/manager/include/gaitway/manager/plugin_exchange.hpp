@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/plugin_probe.hpp"
+#include "gaitway/isolation/plugin_probe.hpp"
 #include "gaitway/manager/configuration.hpp"
 
 namespace gaitway::core {

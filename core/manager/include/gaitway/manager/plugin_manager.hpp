@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/core/isolation_options.hpp"
+#include "gaitway/isolation/settings.hpp"
 #include "gaitway/manager/configuration.hpp"
 #include "gaitway/manager/data_flow.hpp"
 #include "gaitway/manager/event_log.hpp"

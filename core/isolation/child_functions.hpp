@@ -1,0 +1,33 @@
+// What a plug-in in a process of its own is offered: the C functions of gaitway_host, declarations by asking
+// the manager, values from the segment. No exception leaves them.
+#pragma once
+
+#include "child_program.hpp"
+#include "messages.hpp"
+
+namespace gaitway::core {
+
+struct ChildProgram::Functions {
+  [[nodiscard]] static gaitway_host table(ChildProgram& child) noexcept;
+
+  static gaitway_status open_topic(void* context, const gaitway_topic* topic, gaitway_access access,
+                                   gaitway_port** port, const gaitway_text* error) noexcept;
+  static gaitway_status parameter(void* context, const gaitway_parameter* parameter, gaitway_value* value,
+                                  const gaitway_text* error) noexcept;
+  static gaitway_status set_period(void* context, gaitway_period period, const gaitway_text* error) noexcept;
+  static const char* robot_directory(void* context) noexcept;
+  static const char* memory_socket(void* context) noexcept;
+  static const char* write_folder(void* context) noexcept;
+  static gaitway_status read(void* context, gaitway_port* port, void* value, gaitway_sample* sample) noexcept;
+  static gaitway_status publish(void* context, gaitway_port* port, const void* value) noexcept;
+  static void report(void* context, gaitway_severity severity, const char* text) noexcept;
+
+ private:
+  template <class Function>
+  static gaitway_status in_create(void* context, const gaitway_text* error,
+                                  const Function& function) noexcept;
+  // Throws PluginError with what the manager refuses it with.
+  static std::vector<std::byte> ask(ChildProgram& child, const PacketWriter& question);
+};
+
+}  // namespace gaitway::core

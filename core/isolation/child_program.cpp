@@ -1,0 +1,251 @@
+// The plug-in's life in its own process: creation over the socket, everything after it over the segment.
+#include "child_program.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "bounds.hpp"
+#include "child_functions.hpp"
+#include "gaitway/plugin/detail/plugin_border.hpp"
+#include "last_words.hpp"
+#include "messages.hpp"
+#include "network_bounds.hpp"
+
+namespace gaitway::core {
+namespace {
+
+constexpr std::size_t kErrorBytes = sizeof ChildReply::text;
+
+// From now on the kernel ends this process when the manager's end of the socket closes. Until here it was the
+// end of the thread that started us; a thread may come and go while its process lives.
+void end_with_manager(int socket) noexcept {
+  fcntl(socket, F_SETSIG, SIGKILL);
+  fcntl(socket, F_SETOWN, getpid());
+  fcntl(socket, F_SETFL, fcntl(socket, F_GETFL) | O_ASYNC);
+  prctl(PR_SET_PDEATHSIG, 0, 0, 0, 0);
+  char byte = 0;
+  if (recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0) {
+    _exit(0);  // it went before we listened
+  }
+}
+
+}  // namespace
+
+int ChildProgram::run() {
+  if (!create() || !attach()) {
+    return 0;  // the manager knows why, or is gone
+  }
+  serve();
+  return 0;
+}
+
+bool ChildProgram::create() {
+  std::vector<std::byte> bytes;
+  process::FileDescriptor none;
+  if (receive_packet(socket_, bytes, true, none) != Receipt::packet) {
+    return false;
+  }
+  PacketReader packet(bytes);
+  packet.number<ChildMessage>();
+  const std::string file = packet.text();
+  const std::filesystem::path base = packet.text();
+  robot_directory_ = packet.text();
+  memory_socket_ = packet.text();
+  write_folder_ = packet.text();
+  SearchPath path;
+  for (auto left = packet.number<std::uint32_t>(); left > 0; --left) {
+    path.emplace_back(packet.text());
+  }
+  return load(file, base, path) && construct();
+}
+
+bool ChildProgram::load(const std::string& file, const std::filesystem::path& base, const SearchPath& path) {
+  try {
+    if (serves_network_) {
+      may_write_ = confine_writes(write_folder_) && !write_folder_.empty();
+    }
+    library_ = std::make_unique<PluginLibrary>(file, base, path);
+  } catch (const PluginError& error) {
+    send_packet(socket_, PacketWriter(ChildMessage::library_failed).text(error.what()).bytes());
+    return false;
+  }
+  describe_deaths_in(library_->entry());
+  return true;
+}
+
+bool ChildProgram::construct() {
+  host_ = Functions::table(*this);
+  std::array<char, kErrorBytes> text{};
+  const gaitway_text error{text.data(), kErrorBytes, 0};
+  const gaitway_status status = library_->entry().create(&host_, &instance_, &error);
+  phase_ = Phase::idle;
+  static_cast<void>(take_refused_call());
+  if (status != GAITWAY_OK) {
+    text.back() = '\0';
+    send_packet(socket_, PacketWriter(ChildMessage::constructor_failed).text(text.data()).bytes());
+    return false;
+  }
+  if (instance_.activate == nullptr || instance_.step == nullptr || instance_.deactivate == nullptr ||
+      instance_.destroy == nullptr) {
+    send_packet(socket_,
+                PacketWriter(ChildMessage::library_failed)
+                    .text("create left out one of activate, step, deactivate and destroy. Fill in all four")
+                    .bytes());
+    return false;
+  }
+  return send_packet(socket_, PacketWriter(ChildMessage::created).text(library_->entry().version).bytes());
+}
+
+bool ChildProgram::attach() {
+  std::vector<std::byte> bytes;
+  process::FileDescriptor memory;
+  if (receive_packet(socket_, bytes, true, memory) != Receipt::packet || !memory) {
+    return false;
+  }
+  std::vector<std::uint32_t> sizes;
+  for (const Port& port : ports_) {
+    sizes.push_back(port.size);
+  }
+  const ExchangeLayout layout(sizes);
+  segment_ = std::make_unique<msgclient::Segment>(
+      msgclient::Segment::map(std::move(memory), layout.bytes, msgclient::Access::read_write));
+  auto* const begin = static_cast<std::byte*>(segment_->data());
+  exchange_ = reinterpret_cast<ExchangeHeader*>(begin);
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    ports_[i].area = reinterpret_cast<PortArea*>(begin + layout.port_offset[i]);
+  }
+  leave_last_words_in(exchange_->last_words);
+  if (serves_network_) {
+    try {
+      end_set_up(may_write_);
+    } catch (const PluginError& error) {
+      send_packet(socket_, PacketWriter(ChildMessage::library_failed).text(error.what()).bytes());
+      return false;
+    }
+  }
+  if (!send_packet(socket_, PacketWriter(ChildMessage::attached).bytes())) {
+    return false;
+  }
+  end_with_manager(socket_.get());
+  return true;
+}
+
+void ChildProgram::serve() {
+  Spin spin;
+  ChildRequest request;
+  std::uint32_t answered = 0;
+  for (;;) {
+    while (exchange_->call.number.load() == answered) {
+      if (!spin.sees_change(exchange_->call, answered)) {
+        sleep_on(exchange_->call, answered, -1);
+      }
+    }
+    answered = exchange_->call.number.load();
+    request = exchange_->request;
+    if (request.call == ChildCall::end) {
+      instance_.destroy(instance_.context);
+      return;
+    }
+    answer(request, exchange_->reply);
+    ring(exchange_->answer, answered);
+  }
+}
+
+void ChildProgram::answer(const ChildRequest& request, ChildReply& reply) noexcept {
+  reply.exhausted = 0;
+  reply.state_size = reply.state_version = 0;
+  reply.reports = 0;
+  reply.text[0] = '\0';
+  const gaitway_text error{reply.text, kErrorBytes, 0};
+  reply.status = call(request, reply, error);
+  if (reply.status != GAITWAY_OK && request.call == ChildCall::step) {
+    reply.exhausted = static_cast<std::uint32_t>(exhausted_resource());
+  }
+}
+
+gaitway_status ChildProgram::call(const ChildRequest& request, ChildReply& reply,
+                                  const gaitway_text& error) noexcept {
+  switch (request.call) {
+    case ChildCall::step:
+      return step(request, reply, error);
+    case ChildCall::activate:
+      return instance_.activate(instance_.context, &error);
+    case ChildCall::deactivate:
+      return instance_.deactivate(instance_.context, &error);
+    case ChildCall::save_state:
+      return save_state(reply, error);
+    case ChildCall::restore_state:
+      return restore_state(request, error);
+    case ChildCall::set_parameter:
+      return set_parameter(request, error);
+    case ChildCall::end:
+      break;
+  }
+  return GAITWAY_FAILED;
+}
+
+gaitway_status ChildProgram::step(const ChildRequest& request, ChildReply& reply,
+                                  const gaitway_text& error) noexcept {
+  for (const Port& port : ports_) {
+    port.area->staged = 0;
+  }
+  phase_ = Phase::stepping;
+  gaitway_status status = instance_.step(instance_.context, &request.tick, &error);
+  phase_ = Phase::idle;
+  const std::string refused = take_refused_call();
+  if (!refused.empty()) {
+    detail::write_text(&error, ("called " + refused +
+                                ", which a plug-in in a process of its own may not: it starts no processes, "
+                                "signals nobody and opens no connections")
+                                   .c_str());
+    status = GAITWAY_FAILED;
+  }
+  if (status == GAITWAY_OK && request.keep_state != 0 && hands_state_on_) {
+    std::array<char, kErrorBytes> ignored{};
+    hands_state_on_ =
+        save_state(reply, {ignored.data(), kErrorBytes, 0}) == GAITWAY_OK && reply.state_version != 0;
+  }
+  return status;
+}
+
+gaitway_status ChildProgram::save_state(ChildReply& reply, const gaitway_text& error) noexcept {
+  if (instance_.save_state == nullptr) {
+    return GAITWAY_OK;
+  }
+  gaitway_state state{exchange_->state, PluginState::kCapacity, 0, 0, 0};
+  const gaitway_status status = instance_.save_state(instance_.context, &state, &error);
+  reply.state_size = state.size;
+  reply.state_version = status == GAITWAY_OK ? state.version : 0;
+  return status;
+}
+
+gaitway_status ChildProgram::restore_state(const ChildRequest& request, const gaitway_text& error) noexcept {
+  if (instance_.restore_state == nullptr) {
+    detail::write_text(&error, "takes no state over, but its predecessor hands some on");
+    return GAITWAY_FAILED;
+  }
+  const gaitway_state state{exchange_->state, PluginState::kCapacity, request.state_size,
+                            request.state_version, 0};
+  return instance_.restore_state(instance_.context, &state, &error);
+}
+
+gaitway_status ChildProgram::set_parameter(const ChildRequest& request, const gaitway_text& error) noexcept {
+  if (instance_.set_parameter == nullptr) {
+    detail::write_text(&error, "changes no parameter while it runs");
+    return GAITWAY_FAILED;
+  }
+  gaitway_value value = request.parameter;
+  if (value.kind == GAITWAY_TEXT) {
+    value.text = texts_.emplace_back(request.parameter_text).c_str();
+  }
+  return instance_.set_parameter(instance_.context, request.parameter_name, &value, &error);
+}
+
+}  // namespace gaitway::core
