@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
@@ -47,7 +47,7 @@ MessageKind kind_of(const urdf::RobotModel& robot, const Profile& profile,
   }
   refuse(robot, setting.line, "network.messages." + setting.message,
          fmt::format("the profile '{}' has no such message", profile.name),
-         urdf::suggest(setting.message, known));
+         input::suggest(setting.message, known));
 }
 
 void apply(const urdf::RobotModel& robot, const urdf::MessageSetting& setting, Profile& profile) {
@@ -128,7 +128,7 @@ Profile network_profile(const urdf::RobotModel& robot) {
   const bool full = name == can::kFullProfile.name;
   if (!full && name != can::kPaperProfile.name) {
     refuse(robot, robot.network.line, "network.profile", fmt::format("there is no profile '{}'", name),
-           urdf::suggest(name, std::vector<std::string>{"full", "paper"}));
+           input::suggest(name, std::vector<std::string>{"full", "paper"}));
   }
   Profile profile = full ? can::kFullProfile : can::kPaperProfile;
   for (const urdf::MessageSetting& setting : robot.network.messages) {

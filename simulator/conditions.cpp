@@ -8,12 +8,12 @@
 namespace gaitway::simulator {
 namespace {
 
-using urdf::YamlValue;
+using input::YamlValue;
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kSteepest_deg = 30.0;
 
-void read_number(const YamlValue& map, std::string_view key, const urdf::Range& range, double& target,
+void read_number(const YamlValue& map, std::string_view key, const input::Range& range, double& target,
                  double unit = 1.0) {
   if (const auto value = map.find(key)) target = unit * value->number(range);
 }

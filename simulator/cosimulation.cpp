@@ -9,8 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/msgclient/cycle.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::simulator {
 namespace {
@@ -215,7 +215,7 @@ void Cosimulation::inject(const PluginFault& fault) {
   }
   if (std::find(known.begin(), known.end(), fault.plugin) == known.end()) {
     throw urdf::RobotError(fmt::format("fault of plug-in '{}': the main controller has none of this name. {}",
-                                       fault.plugin, urdf::suggest(fault.plugin, known)));
+                                       fault.plugin, input::suggest(fault.plugin, known)));
   }
   const bool overruns = fault.how == core::PluginFaultKind::overruns;
   plugin_faults_.inject(

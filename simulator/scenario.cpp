@@ -10,20 +10,20 @@
 #include <utility>
 
 #include "conditions_yaml.hpp"
+#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
-using urdf::YamlValue;
+using input::YamlValue;
 
 constexpr double kLargestImpulse_Ns = 50.0;
 constexpr double kLongestRun_s = 86400.0;
-constexpr urdf::Range kDuration{0.001, kLongestRun_s, "s"};
+constexpr input::Range kDuration{0.001, kLongestRun_s, "s"};
 
-Eigen::Vector3d three(const YamlValue& value, const urdf::Range& range) {
+Eigen::Vector3d three(const YamlValue& value, const input::Range& range) {
   const std::array<double, 3> numbers = value.numbers<3>(range);
   return {numbers[0], numbers[1], numbers[2]};
 }
@@ -44,7 +44,7 @@ std::string read_body(const YamlValue& value, const urdf::RobotModel& robot) {
                  [](const urdf::Link& link) { return link.name; });
   const std::string body = value.text();
   if (std::find(known.begin(), known.end(), body) == known.end()) {
-    value.refuse(fmt::format("the robot '{}' has no such link", robot.name), urdf::suggest(body, known));
+    value.refuse(fmt::format("the robot '{}' has no such link", robot.name), input::suggest(body, known));
   }
   return body;
 }
@@ -136,7 +136,7 @@ std::string read_node(const YamlValue& value, const urdf::RobotModel& robot, boo
   }
   const std::string node = value.text();
   if (std::find(known.begin(), known.end(), node) == known.end()) {
-    value.refuse(fmt::format("the robot '{}' has no such node", robot.name), urdf::suggest(node, known));
+    value.refuse(fmt::format("the robot '{}' has no such node", robot.name), input::suggest(node, known));
   }
   return node;
 }

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway {
 namespace {
@@ -63,7 +63,7 @@ struct SimulatedRobot::Implementation {
       known.push_back(robot.joints[i].name);
     }
     throw std::invalid_argument(
-        fmt::format("no joint '{}'. {}", name, urdf::suggest(std::string(name), known)));
+        fmt::format("no joint '{}'. {}", name, input::suggest(std::string(name), known)));
   }
 
   urdf::RobotModel robot;

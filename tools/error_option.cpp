@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -76,7 +76,7 @@ can::ErrorSource parse_errors(const std::string& text) {
     } else if (key == "jam") {
       source.duration_ns = time_ns(text, key, value);
     } else {
-      refuse(text, fmt::format("'{}': there is no such part. {}", key, urdf::suggest(key, kKeys)));
+      refuse(text, fmt::format("'{}': there is no such part. {}", key, input::suggest(key, kKeys)));
     }
   }
   if (seen.empty()) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gaitway/calibration/calibrate_command.hpp"
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/tools/api_command.hpp"
 #include "gaitway/tools/bus_command.hpp"
 #include "gaitway/tools/ctl_command.hpp"
@@ -22,7 +23,6 @@
 #include "gaitway/tools/plugins_command.hpp"
 #include "gaitway/tools/run_command.hpp"
 #include "gaitway/tools/serve_command.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 
 namespace {
 
@@ -47,7 +47,7 @@ void explain_rest(const CLI::App& app) {
   std::vector<std::string> known;
   add_names(app, known);
   fmt::print(stderr, "gaitway: '{}': there is no such command or option. {}\n", rest.front(),
-             gaitway::urdf::suggest(rest.front(), known));
+             gaitway::input::suggest(rest.front(), known));
 }
 
 int run_gaitway(int argc, char** argv) {

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "gaitway/can/frame.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -80,7 +80,7 @@ class Entry {
     known.insert(known.end(), {"extended", "fifo"});
     for (const auto& [key, unused] : value_.items()) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
-        refuse("", fmt::format("key '{}': there is no such key. {}", key, urdf::suggest(key, known)));
+        refuse("", fmt::format("key '{}': there is no such key. {}", key, input::suggest(key, known)));
       }
     }
     for (const std::string& key : kRequired) {

@@ -12,13 +12,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/motion/motion_preparation.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/tools/motion_picture.hpp"
 #include "gaitway/trajectory/motion_table_file.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -35,7 +35,7 @@ std::filesystem::path file_of(const MotionOptions& options) {
     known.push_back(file.stem().string());
   }
   throw std::invalid_argument(fmt::format("'{}': there is no such motion in {}. {}", options.motion,
-                                          options.folder.string(), urdf::suggest(options.motion, known)));
+                                          options.folder.string(), input::suggest(options.motion, known)));
 }
 
 struct Loaded {

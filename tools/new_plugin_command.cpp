@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -100,7 +100,7 @@ const Kind& kind_of(const std::string& name) {
     known.emplace_back(kind.name);
   }
   throw std::invalid_argument(
-      fmt::format("--kind {}: there is no such kind. {}", name, urdf::suggest(name, known)));
+      fmt::format("--kind {}: there is no such kind. {}", name, input::suggest(name, known)));
 }
 
 // ankle_feedback: AnkleFeedback.

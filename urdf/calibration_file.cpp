@@ -7,8 +7,8 @@
 #include <iterator>
 #include <numbers>
 
-#include "gaitway/urdf/nearest_name.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
+#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -16,28 +16,29 @@ namespace {
 using Keys = std::vector<std::string_view>;
 
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
-constexpr Range kZero_deg{-20.0, 20.0, "deg"};
-constexpr Range kComOffset_m{-0.1, 0.1, "m"};
-constexpr Range kGain{0.5, 2.0, ""};
-constexpr Range kDeviation{0.0, 1000.0, ""};
+constexpr input::Range kZero_deg{-20.0, 20.0, "deg"};
+constexpr input::Range kComOffset_m{-0.1, 0.1, "m"};
+constexpr input::Range kGain{0.5, 2.0, ""};
+constexpr input::Range kDeviation{0.0, 1000.0, ""};
 constexpr std::size_t kCells = 4;
 
 // Deviations are for people: read, so that a slip of the pen is found, and not used.
 template <std::size_t count>
-std::array<double, count> values_with_deviation(const YamlValue& map, const Range& range) {
+std::array<double, count> values_with_deviation(const input::YamlValue& map, const input::Range& range) {
   map.require_map(Keys{"value", "deviation"});
   if (const auto deviation = map.find("deviation")) (void)deviation->numbers<count>(kDeviation);
   return map.at("value").numbers<count>(range);
 }
 
-void read_joint_zeros(const YamlValue& map, RobotModel& model) {
+void read_joint_zeros(const input::YamlValue& map, RobotModel& model) {
   std::vector<std::string> known;
   std::transform(model.joints.begin(), model.joints.end(), std::back_inserter(known),
                  [](const Joint& joint) { return joint.name; });
   for (const auto& [name, value] : map.entries()) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end()) {
-      value.refuse(fmt::format("the robot '{}' has no joint '{}'", model.name, name), suggest(name, known));
+      value.refuse(fmt::format("the robot '{}' has no joint '{}'", model.name, name),
+                   input::suggest(name, known));
     }
     value.require_map(Keys{"value", "deviation"});
     if (const auto deviation = value.find("deviation")) (void)deviation->number(kDeviation);
@@ -59,9 +60,9 @@ void set_gains(Side side, const std::array<double, kCells>& gains, RobotModel& m
 }  // namespace
 
 void apply_calibration_file(const std::filesystem::path& file, RobotModel& model) {
-  const YamlValue top = YamlValue::read(file);
+  const input::YamlValue top = input::YamlValue::read(file);
   top.require_map(Keys{"robot", "joint_zeros_deg", "trunk_com_offset_m", "force_cell_gains"});
-  const YamlValue robot = top.at("robot");
+  const input::YamlValue robot = top.at("robot");
   if (robot.text() != model.name) {
     robot.refuse(fmt::format("the robot in this folder is '{}'", model.name),
                  "Calibrate this robot (gaitway calibrate), or remove the file.");

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "description_error.hpp"
+#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -25,8 +25,8 @@ void check_geometry(const UrdfFile& urdf, const UrdfJoint& source) {
   const Joint& joint = source.joint;
   const auto complain = [&](const std::string& field, double value, const std::string& rule,
                             const std::string& remedy) {
-    refuse({urdf.file, source.line, fmt::format("joint '{}' {}", joint.name, field),
-            fmt::format("{:g}", value), rule, remedy});
+    input::refuse({urdf.file, source.line, fmt::format("joint '{}' {}", joint.name, field),
+                   fmt::format("{:g}", value), rule, remedy});
   };
   if (joint.origin.translation().norm() > kLargestOffset_m) {
     complain("origin", joint.origin.translation().norm(),
@@ -60,26 +60,26 @@ void check_drive(const UrdfFile& urdf, const UrdfJoint& geometry, const NetworkF
   const Joint& joint = drive.joint;
   const auto field = [&joint](const char* name) { return fmt::format("joint '{}' {}", joint.name, name); };
   if (joint.home_rad < geometry.joint.lower_rad || joint.home_rad > geometry.joint.upper_rad) {
-    refuse({network.file, drive.line, field("home_deg"), fmt::format("{:g}", degrees(joint.home_rad)),
-            fmt::format("must lie within the URDF's limits {:g}..{:g} deg", degrees(geometry.joint.lower_rad),
-                        degrees(geometry.joint.upper_rad)),
-            "Change the posture or widen the limits"});
+    input::refuse({network.file, drive.line, field("home_deg"), fmt::format("{:g}", degrees(joint.home_rad)),
+                   fmt::format("must lie within the URDF's limits {:g}..{:g} deg",
+                               degrees(geometry.joint.lower_rad), degrees(geometry.joint.upper_rad)),
+                   "Change the posture or widen the limits"});
   }
   const double velocity = geometry.joint.velocity_limit_rad_per_s;
   const double wire_limit = kLargestCountStep * joint.count_rad / kSlot_s;
   if (velocity > wire_limit * (1.0 + 1e-9)) {
-    refuse({urdf.file, geometry.line, field("limit velocity"), fmt::format("{:g} rad/s", velocity),
-            fmt::format("a signed byte of {:g} deg a count in 10 ms holds {:.4g} rad/s only",
-                        degrees(joint.count_rad), wire_limit),
-            "Lower the limit, or raise count_deg in the network file"});
+    input::refuse({urdf.file, geometry.line, field("limit velocity"), fmt::format("{:g} rad/s", velocity),
+                   fmt::format("a signed byte of {:g} deg a count in 10 ms holds {:.4g} rad/s only",
+                               degrees(joint.count_rad), wire_limit),
+                   "Lower the limit, or raise count_deg in the network file"});
   }
   if (velocity > joint.motor.speed_limit_rad_per_s) {
-    refuse({urdf.file, geometry.line, field("limit velocity"), fmt::format("{:g} rad/s", velocity),
-            fmt::format("the motor reaches {:g} rad/s", joint.motor.speed_limit_rad_per_s),
-            "Lower the limit, or raise speed_limit_rad_per_s in the network file"});
+    input::refuse({urdf.file, geometry.line, field("limit velocity"), fmt::format("{:g} rad/s", velocity),
+                   fmt::format("the motor reaches {:g} rad/s", joint.motor.speed_limit_rad_per_s),
+                   "Lower the limit, or raise speed_limit_rad_per_s in the network file"});
   }
   if (joint.motor.torque_limit_Nm > geometry.effort_limit_Nm) {
-    refuse(
+    input::refuse(
         {network.file, drive.line, field("torque_limit_Nm"), fmt::format("{:g}", joint.motor.torque_limit_Nm),
          fmt::format("the URDF's effort limit is {:g} N·m", geometry.effort_limit_Nm), "Make the two agree"});
   }

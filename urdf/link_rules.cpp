@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "description_error.hpp"
+#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -20,8 +20,8 @@ constexpr double kLargestGyrationRadius_m = 1.0;
 void check_link(const UrdfFile& urdf, const Link& link) {
   const auto complain = [&](const std::string& field, const std::string& value, const std::string& rule,
                             const std::string& remedy) {
-    refuse({urdf.file, urdf.lines.link.at(link.name), fmt::format("link '{}' {}", link.name, field), value,
-            rule, remedy});
+    input::refuse({urdf.file, urdf.lines.link.at(link.name), fmt::format("link '{}' {}", link.name, field),
+                   value, rule, remedy});
   };
   if (!(link.mass_kg > 0.0 && link.mass_kg <= kLargestMass_kg)) {
     complain("mass", fmt::format("{:g} kg", link.mass_kg),

@@ -7,9 +7,9 @@
 #include <map>
 #include <numbers>
 
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/yaml_value.hpp"
 #include "gaitway/urdf/sensor_channels.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -18,10 +18,10 @@ using Keys = std::vector<std::string_view>;
 
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 constexpr int kTrimChannels = 8;  // places in the trim frame
-constexpr Range kCount_deg{0.001, 0.5, "deg"};
-constexpr Range kHalfTurn_deg{-180.0, 180.0, "deg"};
-constexpr Range kPosition_m{-2.0, 2.0, "m"};
-constexpr Range kLength_m{0.001, 1.0, "m"};
+constexpr input::Range kCount_deg{0.001, 0.5, "deg"};
+constexpr input::Range kHalfTurn_deg{-180.0, 180.0, "deg"};
+constexpr input::Range kPosition_m{-2.0, 2.0, "m"};
+constexpr input::Range kLength_m{0.001, 1.0, "m"};
 
 Eigen::Isometry3d pose_of(const std::array<double, 3>& position_m, const std::array<double, 3>& rpy_deg) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -33,26 +33,26 @@ Eigen::Isometry3d pose_of(const std::array<double, 3>& position_m, const std::ar
   return pose;
 }
 
-std::array<double, 3> rotation_or_zero(const YamlValue& value, std::string_view key) {
+std::array<double, 3> rotation_or_zero(const input::YamlValue& value, std::string_view key) {
   const auto rotation = value.find(key);
   return rotation ? rotation->numbers<3>(kHalfTurn_deg) : std::array<double, 3>{};
 }
 
 // A number that may be left out where an earlier layer has set it already.
-void read_number(const YamlValue& map, std::string_view key, const Range& range, bool required,
+void read_number(const input::YamlValue& map, std::string_view key, const input::Range& range, bool required,
                  double& target, double factor = 1.0) {
   if (const auto value = required ? map.at(key) : map.find(key)) {
     target = value->number(range) * factor;
   }
 }
 
-void read_servo(const YamlValue& map, bool required, Servo& servo) {
+void read_servo(const input::YamlValue& map, bool required, Servo& servo) {
   map.require_map(Keys{"stiffness_Nm_per_rad", "damping_Nms_per_rad"});
   read_number(map, "stiffness_Nm_per_rad", {0.1, 1e5, "N·m/rad"}, required, servo.stiffness_Nm_per_rad);
   read_number(map, "damping_Nms_per_rad", {0.0, 1e4, "N·m·s/rad"}, required, servo.damping_Nms_per_rad);
 }
 
-void read_motor(const YamlValue& map, bool required, Motor& motor) {
+void read_motor(const input::YamlValue& map, bool required, Motor& motor) {
   map.require_map(Keys{"torque_limit_Nm", "speed_limit_rad_per_s", "armature_kg_m2", "damping_Nms_per_rad",
                        "friction_Nm"});
   read_number(map, "torque_limit_Nm", {0.01, 1000.0, "N·m"}, required, motor.torque_limit_Nm);
@@ -63,7 +63,7 @@ void read_motor(const YamlValue& map, bool required, Motor& motor) {
 }
 
 // What defaults and single joints have in common; `required` for the defaults.
-void read_drive(const YamlValue& map, bool required, Joint& joint) {
+void read_drive(const input::YamlValue& map, bool required, Joint& joint) {
   read_number(map, "count_deg", kCount_deg, required, joint.count_rad, kDegree_rad);
   read_number(map, "home_deg", kHalfTurn_deg, required, joint.home_rad, kDegree_rad);
   if (const auto counts =
@@ -85,10 +85,10 @@ void read_drive(const YamlValue& map, bool required, Joint& joint) {
 
 using Scales = std::map<SensorKind, double>;
 
-Scales read_scales(const YamlValue& map) {
+Scales read_scales(const input::YamlValue& map) {
   map.require_map(Keys{"force_N", "foot_acceleration_m_per_s2", "angular_velocity_rad_per_s",
                        "acceleration_m_per_s2", "inclination_rad"});
-  const Range range{1e-6, 10.0, "a count"};
+  const input::Range range{1e-6, 10.0, "a count"};
   return {{SensorKind::none, 1.0},
           {SensorKind::force_cell, map.at("force_N").number(range)},
           {SensorKind::foot_acceleration, map.at("foot_acceleration_m_per_s2").number(range)},
@@ -97,7 +97,7 @@ Scales read_scales(const YamlValue& map) {
           {SensorKind::inclination, map.at("inclination_rad").number(range)}};
 }
 
-SensorChannel read_channel(const YamlValue& value, const Scales& scales) {
+SensorChannel read_channel(const input::YamlValue& value, const Scales& scales) {
   const std::string name = value.text();
   std::vector<std::string> known{"none"};
   if (name == "none") {
@@ -111,10 +111,10 @@ SensorChannel read_channel(const YamlValue& value, const Scales& scales) {
     }
     known.push_back(candidate.name);
   }
-  value.refuse("there is no such sensor channel", suggest(name, known));
+  value.refuse("there is no such sensor channel", input::suggest(name, known));
 }
 
-NetworkJoint read_joint(const YamlValue& map, const Joint& defaults, const Scales& scales) {
+NetworkJoint read_joint(const input::YamlValue& map, const Joint& defaults, const Scales& scales) {
   map.require_map(Keys{"name", "node", "channels", "trim_channel", "count_deg", "encoder_counts_per_turn",
                        "servo", "motor", "home_deg"});
   NetworkJoint result{defaults, {}, map.line()};
@@ -125,9 +125,9 @@ NetworkJoint read_joint(const YamlValue& map, const Joint& defaults, const Scale
     result.joint.trim_channel = trim->integer(0, kTrimChannels - 1);
   }
   if (const auto channels = map.find("channels")) {
-    const std::vector<YamlValue> pair = channels->items(result.channels.size());
+    const std::vector<input::YamlValue> pair = channels->items(result.channels.size());
     std::transform(pair.begin(), pair.end(), result.channels.begin(),
-                   [&scales](const YamlValue& value) { return read_channel(value, scales); });
+                   [&scales](const input::YamlValue& value) { return read_channel(value, scales); });
   }
   return result;
 }
@@ -135,7 +135,7 @@ NetworkJoint read_joint(const YamlValue& map, const Joint& defaults, const Scale
 // Complains where two joints share a name, a controller, a place in the trim frame or a sensor channel.
 class Claims {
  public:
-  void add(const YamlValue& map, const NetworkJoint& joint) {
+  void add(const input::YamlValue& map, const NetworkJoint& joint) {
     const std::string& owner = joint.joint.name;
     claim(map.at("name"), "name '" + owner + "'", owner, "List each joint once: it has one local controller");
     claim(map.at("node"), fmt::format("controller {}", joint.joint.node), owner,
@@ -152,7 +152,7 @@ class Claims {
     }
   }
 
-  void require_all_channels(const YamlValue& joints) const {
+  void require_all_channels(const input::YamlValue& joints) const {
     for (const NamedChannel& channel : all_channels()) {
       if (!owners_.contains("sensor channel '" + channel.name + "'")) {
         joints.refuse(fmt::format("the sensor channel '{}' is carried by no joint", channel.name),
@@ -162,7 +162,7 @@ class Claims {
   }
 
  private:
-  void claim(const YamlValue& value, const std::string& what, const std::string& owner,
+  void claim(const input::YamlValue& value, const std::string& what, const std::string& owner,
              const std::string& remedy) {
     const auto [place, is_new] = owners_.emplace(what, owner);
     if (!is_new) {
@@ -175,21 +175,21 @@ class Claims {
   std::map<std::string, std::string> owners_;
 };
 
-void read_joints(const YamlValue& top, NetworkFile& network) {
-  const YamlValue defaults_map = top.at("defaults");
+void read_joints(const input::YamlValue& top, NetworkFile& network) {
+  const input::YamlValue defaults_map = top.at("defaults");
   defaults_map.require_map(Keys{"count_deg", "encoder_counts_per_turn", "servo", "motor", "home_deg"});
   Joint defaults;
   read_drive(defaults_map, true, defaults);
   const Scales scales = read_scales(top.at("channel_scale"));
   Claims claims;
-  for (const YamlValue& map : top.at("joints").items()) {
+  for (const input::YamlValue& map : top.at("joints").items()) {
     network.joints.push_back(read_joint(map, defaults, scales));
     claims.add(map, network.joints.back());
   }
   claims.require_all_channels(top.at("joints"));
 }
 
-void read_foot(const YamlValue& map, std::size_t side, NetworkFile& network) {
+void read_foot(const input::YamlValue& map, std::size_t side, NetworkFile& network) {
   map.require_map(
       Keys{"link", "sole_position_m", "sole_rotation_rpy_deg", "size_m", "centre_m", "cell_inset_m"});
   network.foot_link[side] = map.at("link").text();
@@ -208,20 +208,20 @@ void read_foot(const YamlValue& map, std::size_t side, NetworkFile& network) {
                  foot.centre_m + Eigen::Vector2d(-half_m.x(), -half_m.y())};
 }
 
-void read_legs_and_feet(const YamlValue& top, NetworkFile& network) {
+void read_legs_and_feet(const input::YamlValue& top, NetworkFile& network) {
   const Keys sides{"left", "right"};
-  const YamlValue legs = top.at("legs");
-  const YamlValue feet = top.at("feet");
+  const input::YamlValue legs = top.at("legs");
+  const input::YamlValue feet = top.at("feet");
   legs.require_map(sides);
   feet.require_map(sides);
   for (std::size_t side = 0; side < sides.size(); ++side) {
-    const YamlValue leg = legs.at(sides[side]);
-    const std::vector<YamlValue> names = leg.items();
+    const input::YamlValue leg = legs.at(sides[side]);
+    const std::vector<input::YamlValue> names = leg.items();
     if (names.size() != 6) {
       leg.refuse("a leg has six joints: hip yaw, hip roll, hip pitch, knee, ankle pitch, ankle roll",
                  "List exactly these, from the base to the foot");
     }
-    for (const YamlValue& name : names) {
+    for (const input::YamlValue& name : names) {
       network.leg_joints[side].push_back(name.text());
     }
     network.leg_line[side] = leg.line();
@@ -229,7 +229,7 @@ void read_legs_and_feet(const YamlValue& top, NetworkFile& network) {
   }
 }
 
-void read_imu(const YamlValue& map, NetworkFile& network) {
+void read_imu(const input::YamlValue& map, NetworkFile& network) {
   map.require_map(Keys{"link", "position_m", "rotation_rpy_deg"});
   network.imu_link = map.at("link").text();
   network.imu_line = map.at("link").line();
@@ -237,12 +237,12 @@ void read_imu(const YamlValue& map, NetworkFile& network) {
       pose_of(map.at("position_m").numbers<3>(kPosition_m), rotation_or_zero(map, "rotation_rpy_deg"));
 }
 
-void read_trim(const YamlValue& map, TrimSettings& trim) {
+void read_trim(const input::YamlValue& map, TrimSettings& trim) {
   map.require_map(Keys{"count_deg", "slew_deg_per_s", "limit_deg"});
   const double count_deg = map.at("count_deg").number(kCount_deg);
   trim.count_rad = count_deg * kDegree_rad;
   trim.slew_rad_per_s = map.at("slew_deg_per_s").number({1.0, 2000.0, "deg/s"}) * kDegree_rad;
-  const YamlValue limit = map.at("limit_deg");
+  const input::YamlValue limit = map.at("limit_deg");
   trim.limit_rad = limit.number({count_deg, 45.0, "deg"}) * kDegree_rad;
   if (trim.limit_rad > 127.0001 * trim.count_rad) {
     limit.refuse(
@@ -251,9 +251,9 @@ void read_trim(const YamlValue& map, TrimSettings& trim) {
   }
 }
 
-void read_network(const YamlValue& map, NetworkSettings& network) {
+void read_network(const input::YamlValue& map, NetworkSettings& network) {
   constexpr int kLargestId = 0x7FF;
-  constexpr Range kMessage_ms{0.1, 10000.0, "ms"};
+  constexpr input::Range kMessage_ms{0.1, 10000.0, "ms"};
   constexpr int kFirstRevision = 2,
                 kLastRevision = 6;  // before: not planned in time; after: the next batch's
   map.require_map(Keys{"profile", "messages", "revision_slot"});
@@ -284,9 +284,9 @@ void read_network(const YamlValue& map, NetworkSettings& network) {
   }
 }
 
-void read_simulation(const YamlValue& map, NetworkFile& network) {
+void read_simulation(const input::YamlValue& map, NetworkFile& network) {
   map.require_map(Keys{"noise", "contact", "physics_step_s"});
-  const YamlValue noise = map.at("noise");
+  const input::YamlValue noise = map.at("noise");
   noise.require_map(
       Keys{"angular_velocity_rad_per_s", "acceleration_m_per_s2", "inclination_rad", "force_N"});
   network.noise.angular_velocity_rad_per_s =
@@ -294,7 +294,7 @@ void read_simulation(const YamlValue& map, NetworkFile& network) {
   network.noise.acceleration_m_per_s2 = noise.at("acceleration_m_per_s2").number({0.0, 10.0, "m/s²"});
   network.noise.inclination_rad = noise.at("inclination_rad").number({0.0, 0.2, "rad"});
   network.noise.force_N = noise.at("force_N").number({0.0, 50.0, "N"});
-  const YamlValue contact = map.at("contact");
+  const input::YamlValue contact = map.at("contact");
   contact.require_map(Keys{"friction"});
   network.contact.friction = contact.at("friction").number({0.01, 3.0, ""});
   network.physics_step_s = map.at("physics_step_s").number({1e-5, 0.001, "s"});
@@ -303,7 +303,7 @@ void read_simulation(const YamlValue& map, NetworkFile& network) {
 }  // namespace
 
 NetworkFile read_network_file(const std::filesystem::path& file) {
-  const YamlValue top = YamlValue::read(file);
+  const input::YamlValue top = input::YamlValue::read(file);
   top.require_map(Keys{"defaults", "joints", "legs", "feet", "imu", "channel_scale", "trim", "standing",
                        "simulation", "network"});
   NetworkFile network;
@@ -312,7 +312,7 @@ NetworkFile read_network_file(const std::filesystem::path& file) {
   read_legs_and_feet(top, network);
   read_imu(top.at("imu"), network);
   read_trim(top.at("trim"), network.trim);
-  const YamlValue standing = top.at("standing");
+  const input::YamlValue standing = top.at("standing");
   standing.require_map(Keys{"hip_height_m"});
   network.hip_height_m = standing.at("hip_height_m").number({0.02, 2.0, "m"});
   network.hip_height_line = standing.at("hip_height_m").line();

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "calibration_file.hpp"
-#include "description_error.hpp"
+#include "gaitway/input/complaint.hpp"
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 #include "joint_rules.hpp"
 #include "kdl_tree.hpp"
 #include "network_file.hpp"
@@ -55,7 +55,7 @@ class Assembly {
  private:
   [[noreturn]] void refuse_network(int line, const std::string& field, const std::string& value,
                                    const std::string& rule, const std::string& remedy) const {
-    refuse({network_.file, line, field, value, rule, remedy});
+    input::refuse({network_.file, line, field, value, rule, remedy});
   }
 
   void add_link(const std::string& name, int parent_joint) {
@@ -77,7 +77,7 @@ class Assembly {
     }
     refuse_network(drive.line, "joint name", "'" + drive.joint.name + "'",
                    "there is no such joint in " + urdf_.file.filename().string(),
-                   suggest(drive.joint.name, names));
+                   input::suggest(drive.joint.name, names));
   }
 
   void add_joint(const NetworkJoint& drive) {
@@ -112,10 +112,10 @@ class Assembly {
     for (const UrdfJoint& candidate : urdf_.joints) {
       const std::string& name = candidate.joint.name;
       if (std::find(listed.begin(), listed.end(), name) == listed.end()) {
-        refuse({urdf_.file, candidate.line, "joint", "'" + name + "'",
-                "the joint has no local controller in " + network_.file.filename().string(),
-                "Add it to 'joints' there. Nearest name there: '" +
-                    nearest_name(name, listed).value_or("none") + "'"});
+        input::refuse({urdf_.file, candidate.line, "joint", "'" + name + "'",
+                       "the joint has no local controller in " + network_.file.filename().string(),
+                       "Add it to 'joints' there. Nearest name there: '" +
+                           input::nearest_name(name, listed).value_or("none") + "'"});
       }
     }
   }
@@ -129,7 +129,7 @@ class Assembly {
       names.push_back(link.name);
     }
     refuse_network(line, field, "'" + name + "'",
-                   "there is no such link in " + urdf_.file.filename().string(), suggest(name, names));
+                   "there is no such link in " + urdf_.file.filename().string(), input::suggest(name, names));
   }
 
   // Six joints, each hanging on the one before, the first on the base, the last carrying the foot.
@@ -149,7 +149,7 @@ class Assembly {
       const std::string field = fmt::format("legs.{}[{}]", prefix, i);
       if (found == names.end()) {
         refuse_network(network_.leg_line[side], field, "'" + chain[i] + "'", "there is no such joint",
-                       suggest(chain[i], names));
+                       input::suggest(chain[i], names));
       }
       const auto index = static_cast<std::size_t>(found - names.begin());
       const Joint& joint = model_.joints[index];

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -23,7 +23,8 @@ int index_of(const std::vector<Entry>& entries, std::string_view name, const std
   for (const Entry& entry : entries) {
     names.push_back(entry.name);
   }
-  throw RobotError(fmt::format("robot '{}' has no {} '{}'. {}", robot, what, name, suggest(name, names)));
+  throw RobotError(
+      fmt::format("robot '{}' has no {} '{}'. {}", robot, what, name, input::suggest(name, names)));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <sstream>
 
-#include "description_error.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "joint_rules.hpp"
 #include "link_rules.hpp"
 
@@ -97,8 +97,9 @@ Link read_link(const ::urdf::Link& source, const UrdfFile& urdf) {
   for (const auto& collision : source.collision_array) {
     const auto* box = dynamic_cast<const ::urdf::Box*>(collision->geometry.get());
     if (!box) {
-      refuse({urdf.file, urdf.lines.link.at(link.name), fmt::format("link '{}' collision", link.name), "",
-              "must be a box", "Put a box around the shape; visual elements may be of other shapes"});
+      input::refuse({urdf.file, urdf.lines.link.at(link.name), fmt::format("link '{}' collision", link.name),
+                     "", "must be a box",
+                     "Put a box around the shape; visual elements may be of other shapes"});
     }
     link.collision.push_back({pose_of(collision->origin), vector_of(box->dim)});
   }
@@ -109,8 +110,9 @@ UrdfJoint read_joint(const ::urdf::Joint& source, const UrdfFile& urdf) {
   UrdfJoint result;
   result.line = urdf.lines.joint.at(source.name);
   if (source.type != ::urdf::Joint::REVOLUTE) {
-    refuse({urdf.file, result.line, fmt::format("joint '{}' type", source.name), "", "must be 'revolute'",
-            "Every joint has a motor and limits; merge the link of a fixed joint into its parent"});
+    input::refuse({urdf.file, result.line, fmt::format("joint '{}' type", source.name), "",
+                   "must be 'revolute'",
+                   "Every joint has a motor and limits; merge the link of a fixed joint into its parent"});
   }
   result.joint.name = source.name;
   result.joint.origin = pose_of(source.parent_to_joint_origin_transform);
@@ -128,8 +130,9 @@ UrdfJoint read_joint(const ::urdf::Joint& source, const UrdfFile& urdf) {
   const CapturedLog log;
   ::urdf::ModelInterfaceSharedPtr model = ::urdf::parseURDF(text);
   if (!model || !log.text().empty()) {
-    refuse({file, 0, "", "", "not a valid URDF: " + (log.text().empty() ? "unknown reason" : log.text()),
-            "Correct what is named there"});
+    input::refuse({file, 0, "", "",
+                   "not a valid URDF: " + (log.text().empty() ? "unknown reason" : log.text()),
+                   "Correct what is named there"});
   }
   return model;
 }
@@ -139,8 +142,8 @@ UrdfJoint read_joint(const ::urdf::Joint& source, const UrdfFile& urdf) {
 UrdfFile read_urdf_file(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) {
-    refuse({file, 0, "", "", "the file is missing or cannot be read",
-            "A robot's folder holds robot.urdf and robot.yaml"});
+    input::refuse({file, 0, "", "", "the file is missing or cannot be read",
+                   "A robot's folder holds robot.urdf and robot.yaml"});
   }
   std::ostringstream text;
   text << stream.rdbuf();

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "description_error.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -97,7 +97,7 @@ class SyntaxCheck {
 
   [[noreturn]] void refuse(int line, const std::string& field, const std::string& value,
                            const std::string& what, const std::string& remedy) const {
-    urdf::refuse({file_, line, field, value, what, remedy});
+    input::refuse({file_, line, field, value, what, remedy});
   }
 
   void check_attributes(const TiXmlElement& element, const Element& rule, const std::string& path) const {
@@ -110,7 +110,7 @@ class SyntaxCheck {
         std::vector<std::string> names;
         for (const Attribute& attribute : rule.attributes) names.emplace_back(attribute.name);
         refuse(a->Row(), where + " " + a->Name(), value, "there is no such attribute",
-               suggest(a->Name(), names));
+               input::suggest(a->Name(), names));
       }
       if (known->numbers > 0 && count_numbers(a->ValueStr()) != known->numbers) {
         refuse(a->Row(), where + " " + a->Name(), value,
@@ -134,7 +134,7 @@ class SyntaxCheck {
          child = child->NextSiblingElement()) {
       if (std::find(names.begin(), names.end(), child->ValueStr()) == names.end()) {
         refuse(child->Row(), where, fmt::format("<{}>", child->Value()), "there is no such element here",
-               suggest(child->ValueStr(), names));
+               input::suggest(child->ValueStr(), names));
       }
       check(*child, element.ValueStr() == "robot" ? "" : where);
       if (element.ValueStr() == "robot") {
@@ -170,13 +170,14 @@ UrdfLines check_urdf_syntax(const std::filesystem::path& file, const std::string
   TiXmlDocument document;
   document.Parse(text.c_str());
   if (document.Error()) {
-    refuse({file, document.ErrorRow(), fmt::format("column {}", document.ErrorCol()), "",
-            fmt::format("malformed XML: {}", document.ErrorDesc()), "Check tags and quotes there and above"});
+    input::refuse({file, document.ErrorRow(), fmt::format("column {}", document.ErrorCol()), "",
+                   fmt::format("malformed XML: {}", document.ErrorDesc()),
+                   "Check tags and quotes there and above"});
   }
   const TiXmlElement* robot = document.RootElement();
   if (!robot || robot->ValueStr() != "robot") {
-    refuse({file, robot ? robot->Row() : 0, "", "", "the outermost element must be <robot>",
-            "A URDF reads <robot name=\"...\"> ... </robot>"});
+    input::refuse({file, robot ? robot->Row() : 0, "", "", "the outermost element must be <robot>",
+                   "A URDF reads <robot name=\"...\"> ... </robot>"});
   }
   SyntaxCheck syntax(file);
   syntax.check(*robot, "");

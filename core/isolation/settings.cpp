@@ -8,12 +8,12 @@
 #include <string_view>
 #include <utility>
 
-#include "gaitway/urdf/yaml_value.hpp"
+#include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::core {
 namespace {
 
-using urdf::YamlValue;
+using input::YamlValue;
 
 constexpr std::int64_t kNetworkHang_ns = 500'000'000;
 

@@ -7,13 +7,13 @@
 #include <array>
 
 #include "configured_time.hpp"
+#include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/cycle.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
 
 namespace gaitway::core {
 namespace {
 
-using urdf::YamlValue;
+using input::YamlValue;
 
 std::string name_of(const YamlValue& value, const std::vector<PluginEntry>& others) {
   constexpr std::size_t kLongest = 40;
@@ -119,7 +119,7 @@ Configuration read_root(const YamlValue& root) {
 Configuration parse_configuration(const std::string& text, const std::filesystem::path& file) {
   try {
     return read_root(YamlValue::parse(text, file));
-  } catch (const urdf::RobotError& error) {
+  } catch (const input::InputError& error) {
     throw ConfigurationError(error.what());
   }
 }
@@ -127,7 +127,7 @@ Configuration parse_configuration(const std::string& text, const std::filesystem
 Configuration read_configuration(const std::filesystem::path& file) {
   try {
     return read_root(YamlValue::read(file));
-  } catch (const urdf::RobotError& error) {
+  } catch (const input::InputError& error) {
     throw ConfigurationError(error.what());
   }
 }

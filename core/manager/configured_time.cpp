@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "gaitway/urdf/yaml_value.hpp"
+#include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::array<std::pair<std::string_view, double>, 4> kTimeUnits{
 
 }  // namespace
 
-std::int64_t read_time_ns(const urdf::YamlValue& value, std::int64_t lowest_ns, std::int64_t highest_ns,
+std::int64_t read_time_ns(const input::YamlValue& value, std::int64_t lowest_ns, std::int64_t highest_ns,
                           const char* range) {
   const std::string text = value.text();
   double number = 0.0;

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "configured_time.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
+#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::core {
 namespace {
 
-using urdf::YamlValue;
+using input::YamlValue;
 
 constexpr std::array<std::string_view, 7> kKindNames{"by_topics",     "none", "estimate", "trims_from_gains",
                                                      "trims_to_zero", "stop", "safe_tail"};
@@ -27,7 +27,7 @@ FallbackKind read_kind(const YamlValue& value) {
     known.emplace_back(kKindNames[kind]);
   }
   value.refuse("must be estimate, trims_from_gains, trims_to_zero, stop, safe_tail or none",
-               urdf::suggest(text, known));
+               input::suggest(text, known));
 }
 
 GiveUpRule read_give_up(const YamlValue& map) {

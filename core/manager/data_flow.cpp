@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -92,7 +92,7 @@ class Sorter {
           throw PluginError(
               fmt::format("plug-in '{}' reads topic '{}', but nobody writes it: no plug-in of this "
                           "configuration, and nobody in the memory block. {}",
-                          node.name, use.topic, urdf::suggest(use.topic, written_topics())));
+                          node.name, use.topic, input::suggest(use.topic, written_topics())));
         }
       }
     }

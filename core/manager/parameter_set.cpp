@@ -9,7 +9,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -191,7 +191,7 @@ gaitway_value ParameterSet::read_change(std::string_view name, const std::string
   if (found == declared_.end()) {
     throw ConfigurationError(fmt::format("plug-in '{}' has no parameter '{}'. {}", plugin_, name,
                                          live.empty() ? "None of its parameters may change while it runs"
-                                                      : urdf::suggest(std::string(name), live)));
+                                                      : input::suggest(std::string(name), live)));
   }
   if (!found->live) {
     throw ConfigurationError(fmt::format(
@@ -220,7 +220,7 @@ void ParameterSet::require_all_declared() const {
     if (std::find(known.begin(), known.end(), entry.name) == known.end()) {
       throw ConfigurationError(fmt::format("{}:{}: plug-in '{}' has no parameter '{}'. {}", file_.string(),
                                            entry.line, plugin_, entry.name,
-                                           urdf::suggest(entry.name, known)));
+                                           input::suggest(entry.name, known)));
     }
   }
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 #include "plugin_trial.hpp"
 #include "stand_in.hpp"
 
@@ -41,7 +41,7 @@ std::size_t PluginManager::require(std::string_view name) const {
       names.push_back(slot->plugin->name());
     }
     throw PluginError(
-        fmt::format("there is no plug-in '{}'. {}", name, urdf::suggest(std::string(name), names)));
+        fmt::format("there is no plug-in '{}'. {}", name, input::suggest(std::string(name), names)));
   }
   return index;
 }

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <limits>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 #include "stand_in.hpp"
 
 namespace gaitway::core {
@@ -41,7 +41,7 @@ void PluginManager::add_stand_ins(const Configuration& configuration) {
         names.push_back(other.name);
       }
       throw PluginError(fmt::format("{}: there is no plug-in '{}' to leave out. {}",
-                                    configuration.file.string(), name, urdf::suggest(name, names)));
+                                    configuration.file.string(), name, input::suggest(name, names)));
     }
     const std::vector<std::string> topics = StandIn::topics_for(*entry, loaded, external);
     events_.add(

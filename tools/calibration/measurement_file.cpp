@@ -5,20 +5,20 @@
 
 #include <algorithm>
 
-#include "gaitway/urdf/nearest_name.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
+#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::calibration {
 namespace {
 
 using Keys = std::vector<std::string_view>;
-using urdf::YamlValue;
+using input::YamlValue;
 
-constexpr urdf::Range kAngle{-180.0, 180.0, "deg"};
-constexpr urdf::Range kSpecificForce{-20.0, 20.0, "m/s²"};
-constexpr urdf::Range kForce{-1000.0, 1000.0, "N"};
-constexpr urdf::Range kMass{0.1, 1000.0, "kg"};
-constexpr urdf::Range kMassDeviation{1e-6, 100.0, "kg"};
+constexpr input::Range kAngle{-180.0, 180.0, "deg"};
+constexpr input::Range kSpecificForce{-20.0, 20.0, "m/s²"};
+constexpr input::Range kForce{-1000.0, 1000.0, "N"};
+constexpr input::Range kMass{0.1, 1000.0, "kg"};
+constexpr input::Range kMassDeviation{1e-6, 100.0, "kg"};
 constexpr double kSmallest = 1e-9, kLargest = 100.0;
 
 template <std::size_t count>
@@ -27,7 +27,7 @@ struct WithDeviation {
 };
 
 template <std::size_t count>
-WithDeviation<count> read_pair(const YamlValue& map, const urdf::Range& range) {
+WithDeviation<count> read_pair(const YamlValue& map, const input::Range& range) {
   map.require_map(Keys{"value", "deviation"});
   return {map.at("value").numbers<count>(range),
           map.at("deviation").numbers<count>({kSmallest, kLargest, range.unit})};
@@ -41,7 +41,7 @@ std::vector<double> read_joints(const YamlValue& map, const urdf::RobotModel& ro
     const auto found = std::find(missing.begin(), missing.end(), name);
     if (found == missing.end()) {
       value.refuse(fmt::format("the robot '{}' has no joint '{}'", robot.name, name),
-                   urdf::suggest(name, missing));
+                   input::suggest(name, missing));
     }
     missing.erase(found);
     joint_rad[static_cast<std::size_t>(robot.joint_index(name))] = value.number(kAngle) * kDegree_rad;

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
 #include "trial_lists.hpp"
 
 namespace gaitway::tools {
@@ -370,7 +370,7 @@ std::vector<GaitRow> chosen_rows(std::vector<GaitRow> table, std::span<const std
     for (const std::string& name : wanted) {
       if (std::ranges::find(known, name) == known.end()) {
         throw std::invalid_argument(
-            fmt::format("{}: the table has no row '{}'. {}", option, name, urdf::suggest(name, known)));
+            fmt::format("{}: the table has no row '{}'. {}", option, name, input::suggest(name, known)));
       }
     }
   };

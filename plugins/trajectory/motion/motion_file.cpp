@@ -8,20 +8,20 @@
 #include <iterator>
 #include <numbers>
 
-#include "gaitway/urdf/nearest_name.hpp"
-#include "gaitway/urdf/yaml_value.hpp"
+#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::motion {
 namespace {
 
-using urdf::YamlValue;
+using input::YamlValue;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr urdf::Range kAngle{-180.0, 180.0, "deg"};
-constexpr urdf::Range kTilt{-60.0, 60.0, "deg"};
-constexpr urdf::Range kShift{-0.5, 0.5, "m"};
-constexpr urdf::Range kHipHeight{0.05, 1.0, "m"};
-constexpr urdf::Range kTime{0.0, 60.0, "s"};
+constexpr input::Range kAngle{-180.0, 180.0, "deg"};
+constexpr input::Range kTilt{-60.0, 60.0, "deg"};
+constexpr input::Range kShift{-0.5, 0.5, "m"};
+constexpr input::Range kHipHeight{0.05, 1.0, "m"};
+constexpr input::Range kTime{0.0, 60.0, "s"};
 
 // The place of the value's text among the names.
 std::size_t choice(const YamlValue& value, std::span<const std::string_view> names) {
@@ -40,7 +40,7 @@ int joint_named(const YamlValue& value, const std::string& name, const urdf::Rob
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end()) {
     value.refuse(fmt::format("the robot '{}' has no joint '{}'", robot.name, name),
-                 urdf::suggest(name, known));
+                 input::suggest(name, known));
   }
   return static_cast<int>(found - known.begin());
 }

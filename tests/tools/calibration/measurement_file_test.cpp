@@ -38,7 +38,7 @@ class MeasurementFileTest : public ::testing::Test {
     write(text.replace(place, before.size(), after));
     try {
       (void)read_measurements(file_, robot_);
-    } catch (const urdf::RobotError& error) {
+    } catch (const input::InputError& error) {
       return error.what();
     }
     return "(read without complaint)";

@@ -121,7 +121,7 @@ struct Scenario {
 inline constexpr double kLargestSpeed_m_per_s = 1.0;
 inline constexpr double kLargestTurnRate_rad_per_s = 2.0;
 
-// Throws urdf::RobotError with file, line, field, value and rule. Pushes must name a link of `robot`.
+// Throws input::InputError with file, line, field, value and rule. Pushes must name a link of `robot`.
 Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel& robot);
 
 // Stands for one second, then walks.

@@ -8,17 +8,16 @@
 #include <filesystem>
 #include <kdl/tree.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "gaitway/input/complaint.hpp"
+
 namespace gaitway::urdf {
 
 // What is wrong with a robot description: names file, line or field, value and rule.
-class RobotError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using RobotError = input::InputError;
 
 enum class Side : std::uint8_t { left = 0, right = 1 };
 inline constexpr std::array kSides{Side::left, Side::right};

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace gaitway::urdf {
+namespace gaitway::input {
 class YamlValue;
 }
 
@@ -44,7 +44,7 @@ struct ChildSettings {
 // The manager's options as these settings have them.
 [[nodiscard]] IsolationOptions options_for(const ChildSettings& settings, IsolationOptions options) noexcept;
 
-// Reads these keys of a plug-in's entry. Throws urdf::RobotError.
-ChildSettings read_child_settings(const urdf::YamlValue& plugin, bool isolated);
+// Reads these keys of a plug-in's entry. Throws input::InputError.
+ChildSettings read_child_settings(const input::YamlValue& plugin, bool isolated);
 
 }  // namespace gaitway::core

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace gaitway::urdf {
+namespace gaitway::input {
 class YamlValue;
 }
 
@@ -52,7 +52,7 @@ inline constexpr std::int64_t kBatchBudget_ns = 5'000'000;
   return settings.budget_ns > 0 ? settings.budget_ns : every_batch ? kBatchBudget_ns : kTickBudget_ns;
 }
 
-// Reads these three keys of a plug-in's entry. Throws urdf::RobotError.
-ContainmentSettings read_containment(const urdf::YamlValue& plugin);
+// Reads these three keys of a plug-in's entry. Throws input::InputError.
+ContainmentSettings read_containment(const input::YamlValue& plugin);
 
 }  // namespace gaitway::core

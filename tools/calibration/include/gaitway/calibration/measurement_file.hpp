@@ -16,7 +16,7 @@ struct MeasurementFile {
   std::vector<StandingMeasurement> poses;
 };
 
-// Throws urdf::RobotError with file, line, field, value, rule and remedy.
+// Throws input::InputError with file, line, field, value, rule and remedy.
 [[nodiscard]] MeasurementFile read_measurements(const std::filesystem::path& file,
                                                 const urdf::RobotModel& robot);
 

@@ -1,5 +1,5 @@
 // Checked access to YAML.
-#include "gaitway/urdf/yaml_value.hpp"
+#include "gaitway/input/yaml_value.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "description_error.hpp"
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
-namespace gaitway::urdf {
+namespace gaitway::input {
 namespace {
 
 std::string kind_of(const YAML::Node& node) {
@@ -33,8 +32,8 @@ YamlValue YamlValue::read(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::error_code unknown;
   if (!stream || std::filesystem::is_directory(file, unknown)) {
-    urdf::refuse({file, 0, "", "", "the file is missing or cannot be read",
-                  "Check the path and the file's permissions"});
+    input::refuse({file, 0, "", "", "the file is missing or cannot be read",
+                   "Check the path and the file's permissions"});
   }
   std::ostringstream text;
   text << stream.rdbuf();
@@ -45,8 +44,8 @@ YamlValue YamlValue::parse(const std::string& text, const std::filesystem::path&
   try {
     return YamlValue(YAML::Load(text), file, "");
   } catch (const YAML::Exception& error) {
-    urdf::refuse({file, error.mark.line + 1, fmt::format("column {}", error.mark.column + 1), "",
-                  "malformed YAML: " + error.msg, "Check indentation, brackets and quotes there and above"});
+    input::refuse({file, error.mark.line + 1, fmt::format("column {}", error.mark.column + 1), "",
+                   "malformed YAML: " + error.msg, "Check indentation, brackets and quotes there and above"});
   }
 }
 
@@ -158,7 +157,7 @@ std::string YamlValue::text() const {
 }
 
 void YamlValue::refuse(const std::string& rule, const std::string& remedy) const {
-  urdf::refuse({file_, line(), path_.empty() ? "the file" : path_, kind_of(node_), rule, remedy});
+  input::refuse({file_, line(), path_.empty() ? "the file" : path_, kind_of(node_), rule, remedy});
 }
 
 int YamlValue::line() const {
@@ -166,4 +165,4 @@ int YamlValue::line() const {
   return mark.is_null() ? 0 : mark.line + 1;
 }
 
-}  // namespace gaitway::urdf
+}  // namespace gaitway::input

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/input/complaint.hpp"
 
-namespace gaitway::urdf {
+namespace gaitway::input {
 
 // Inclusive bounds of a number and why they are there.
 struct Range {
@@ -23,7 +23,7 @@ struct Range {
   std::string_view unit;
 };
 
-// All members throw RobotError with file, line, field, value, rule and remedy.
+// All members throw InputError with file, line, field, value, rule and remedy.
 class YamlValue {
  public:
   // Reads a whole file; complains about a missing file and, with line and column, about malformed YAML.
@@ -71,4 +71,4 @@ class YamlValue {
   std::string path_;  // e.g. "joints[3].node"; empty at the top
 };
 
-}  // namespace gaitway::urdf
+}  // namespace gaitway::input

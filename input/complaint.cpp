@@ -1,11 +1,9 @@
 // Puts a complaint into words.
-#include "description_error.hpp"
+#include "gaitway/input/complaint.hpp"
 
 #include <fmt/format.h>
 
-#include "gaitway/urdf/robot_model.hpp"
-
-namespace gaitway::urdf {
+namespace gaitway::input {
 namespace {
 
 std::string as_sentence(const std::string& text) {
@@ -29,7 +27,7 @@ void refuse(const Complaint& complaint) {
     text += ' ';
     text += as_sentence(complaint.remedy);
   }
-  throw RobotError(text);
+  throw InputError(text);
 }
 
-}  // namespace gaitway::urdf
+}  // namespace gaitway::input

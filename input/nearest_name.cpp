@@ -1,5 +1,5 @@
 // Edit distance, one row of the table at a time.
-#include "gaitway/urdf/nearest_name.hpp"
+#include "gaitway/input/nearest_name.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace gaitway::urdf {
+namespace gaitway::input {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -43,4 +43,4 @@ std::string suggest(std::string_view name, std::span<const std::string> candidat
   return candidates.empty() ? "There is none." : fmt::format("Known here: {}.", fmt::join(candidates, ", "));
 }
 
-}  // namespace gaitway::urdf
+}  // namespace gaitway::input

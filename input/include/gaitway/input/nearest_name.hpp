@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace gaitway::urdf {
+namespace gaitway::input {
 
 // Edits (insert, remove, replace one character) between two names: the Levenshtein distance.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
@@ -20,4 +20,4 @@ namespace gaitway::urdf {
 // candidates.
 [[nodiscard]] std::string suggest(std::string_view name, std::span<const std::string> candidates);
 
-}  // namespace gaitway::urdf
+}  // namespace gaitway::input

@@ -1,10 +1,16 @@
-// One shape for every complaint about a robot description: file, line, field, value, rule, remedy.
+// One shape for every complaint about what people write: file, line, field, value, rule, remedy.
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
-namespace gaitway::urdf {
+namespace gaitway::input {
+
+// What is wrong with a file or a value that somebody wrote.
+class InputError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct Complaint {
   std::filesystem::path file;
@@ -15,7 +21,7 @@ struct Complaint {
   std::string remedy;  // what to do about it
 };
 
-// Throws RobotError with the text "file:line: field = value: rule. remedy".
+// Throws InputError with the text "file:line: field = value: rule. remedy".
 [[noreturn]] void refuse(const Complaint& complaint);
 
-}  // namespace gaitway::urdf
+}  // namespace gaitway::input
