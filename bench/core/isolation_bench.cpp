@@ -7,7 +7,7 @@
 #include <string>
 
 #include "echo_process.hpp"
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "rivals.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "direct_host.hpp"
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "rivals.hpp"

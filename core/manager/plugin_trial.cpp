@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::core {
 namespace {

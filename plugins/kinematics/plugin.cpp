@@ -1,7 +1,7 @@
 // Connects the batch solver to its topics: motion plan and correction in, joint plan out.
 #include <string>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/plugin/plugin.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/plugin/plugin.hpp"
 #include "gaitway/process/installation.hpp"

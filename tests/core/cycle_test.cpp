@@ -1,5 +1,5 @@
 // Ticks and the batches that they prepare.
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/urdf/robot_model.hpp"

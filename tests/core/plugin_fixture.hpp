@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 

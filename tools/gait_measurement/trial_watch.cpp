@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/msgclient/cycle.hpp"
 
 namespace gaitway::tools {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
 namespace gaitway::plugin_check {

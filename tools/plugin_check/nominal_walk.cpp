@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 

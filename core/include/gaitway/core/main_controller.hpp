@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/cycle.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/core/event_publisher.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
 #include "gaitway/core/network_events.hpp"
