@@ -6,14 +6,14 @@
 #include <limits>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_error.hpp"
 
 namespace gaitway::core {
 namespace {
 
-constexpr std::int64_t kTick_ns = 10'000'000;
 constexpr double kShortestTurn_s = 0.010, kLongestTurn_s = 0.100;
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 constexpr double kTiltTime_s = 0.5;  // gyro in less, inclinometer in more
 constexpr double kBiasTime_s = 1.0;  // in which the estimator's gyro bias is learned from it
 constexpr double kLargestBias_rad_per_s = 0.05;
@@ -203,7 +203,7 @@ void EstimateFallback::contacts_of_plan(const Tick& tick) noexcept {
   if (plan_->sequence != 0 && since_ns >= 0) {
     const auto last = static_cast<std::int64_t>(
         kBatchPoints + std::min<std::uint32_t>(plan_->tail_count, kMaxTailPoints) - 1);
-    const auto support = static_cast<Support>(plan_->support[std::min(since_ns / kTick_ns, last)]);
+    const auto support = static_cast<Support>(plan_->support[std::min(since_ns / facts::kSlot_ns, last)]);
     contact_ = {support != Support::right, support != Support::left};
   } else if (plan_->sequence == 0) {
     contact_ = {true, true};

@@ -6,13 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::core {
 namespace {
 
-constexpr double kSlot_s = static_cast<double>(msgclient::kSlot_ns) * 1e-9;
-constexpr double kLargestDelta = 127.0;      // counts that a trajectory frame's signed byte holds
+using facts::kSlot_s;
 constexpr double kFloatRounding_rad = 1e-6;  // positions travel as 32-bit floats
 
 std::string_view unit_of(JointPlanRule rule) noexcept {
@@ -111,8 +110,9 @@ JointPlanVerdict JointPlanCheck::check_step(std::size_t joint, int point, double
                   -limits.velocity_rad_per_s, limits.velocity_rad_per_s);
   }
   const double counts = std::round(to_rad / limits.count_rad) - std::round(from_rad / limits.count_rad);
-  if (std::abs(counts) > kLargestDelta) {
-    return refuse(JointPlanRule::count_range, counts, -kLargestDelta, kLargestDelta);
+  if (std::abs(counts) > facts::kLargestByte_counts) {
+    return refuse(JointPlanRule::count_range, counts, -facts::kLargestByte_counts,
+                  facts::kLargestByte_counts);
   }
   return {};
 }

@@ -225,8 +225,7 @@ std::span<const double> MainController::start_reference(const Tick& tick) noexce
     return {};
   }
   // The accepted batch plays from its cycle on, then its safe tail, then the tail's last point.
-  const std::int64_t played =
-      std::int64_t{tick.batch_sequence - accepted_->sequence} * msgclient::kSlotsPerCycle;
+  const std::int64_t played = std::int64_t{tick.batch_sequence - accepted_->sequence} * facts::kSlotsPerCycle;
   return reference_before(static_cast<int>(std::min<std::int64_t>(played, accepted_->point_count)));
 }
 

@@ -79,7 +79,7 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
       fmt::print(stderr,
                  "main_controller: no sign of life of the message controller on {} for {} ms. Is it still "
                  "running?\n",
-                 options.socket.string(), (now_ns - client.heartbeat_ns()) / msgclient::kMillisecond_ns);
+                 options.socket.string(), (now_ns - client.heartbeat_ns()) / facts::kMillisecond_ns);
       result.exit_code = kExitLost;
       break;
     }
@@ -88,7 +88,7 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
       printer.print(controller.events());
     }
     const std::int64_t next_ns = core::next_tick_ns(std::max(process::monotonic_ns(), deadline_ns));
-    result.missed_ticks += static_cast<std::uint64_t>((next_ns - deadline_ns) / msgclient::kSlot_ns - 1);
+    result.missed_ticks += static_cast<std::uint64_t>((next_ns - deadline_ns) / facts::kSlot_ns - 1);
     deadline_ns = next_ns;
   }
   printer.print(controller.events());

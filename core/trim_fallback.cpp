@@ -5,10 +5,11 @@
 #include <cmath>
 #include <iterator>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::core {
 namespace {
 
-constexpr std::int64_t kTick_ns = 10'000'000;
 constexpr double kTrimLimit_rad = 0.11;  // the message controller limits further, to the robot's own
 constexpr std::int64_t kEstimateLifetime_ns = 50'000'000;
 constexpr double kFallen_rad = 0.8;
@@ -28,7 +29,7 @@ void scale(double (&values)[size], double share) noexcept {
 // The topics still hold the plug-in's last good values.
 void TrimFallback::begin(const Tick& tick) noexcept {
   acting_ = true;
-  begin_ns_ = tick.now_ns - kTick_ns;
+  begin_ns_ = tick.now_ns - facts::kSlot_ns;
   last_trim_ = TrimCommand{};
   last_correction_ = Correction{};
   trim_reader_.read(last_trim_);

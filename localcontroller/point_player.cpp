@@ -25,14 +25,14 @@ void PointPlayer::on_trajectory(const can::Trajectory& batch) noexcept {
 bool PointPlayer::start(const can::Trajectory& batch, std::int64_t now_ns) noexcept {
   // CAN may deliver a frame twice, at once after each other; no toggle tells in a profile without SYNC.
   const bool repetition =
-      running_ && slot_ == 0 && now_ns - slot_start_ns_ < kSlot_ns / 2 && batch.delta == executing_;
+      running_ && slot_ == 0 && now_ns - slot_start_ns_ < facts::kSlot_ns / 2 && batch.delta == executing_;
   if (frozen_ || repetition) {
     return false;
   }
   if (running_) {
     make_up_until(can::kBatchPoints);
   }
-  const bool answered = synchronised_ && now_ns - slot_start_ns_ < kSlot_ns / 2;
+  const bool answered = synchronised_ && now_ns - slot_start_ns_ < facts::kSlot_ns / 2;
   executing_ = batch.delta;
   running_ = true;
   synchronised_ = true;
@@ -72,7 +72,7 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
     revised = revise(sync);
     if (sync.slot <= slot_) {  // taken already, when the SYNC was overdue
       if (revised != 0) {
-        const std::int64_t left_ns = slot_start_ns_ + kSlot_ns - now_ns;
+        const std::int64_t left_ns = slot_start_ns_ + facts::kSlot_ns - now_ns;
         begin_segment(count_ + revised, now_ns,
                       left_ns > kShortestSegment_ns ? left_ns : kShortestSegment_ns);
       }
@@ -133,7 +133,7 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
     executing_[slot] = repair_.delta[k];
   }
   enter_slot(sync.slot, now_ns);
-  begin_segment(repair_.count, now_ns, kSlot_ns);
+  begin_segment(repair_.count, now_ns, facts::kSlot_ns);
   return true;
 }
 
@@ -169,7 +169,7 @@ void PointPlayer::begin_slot(int slot, std::int64_t start_ns, std::int64_t now_n
   if (arrives_by_hand || frozen_) {
     return;
   }
-  const std::int64_t left_ns = start_ns + kSlot_ns - now_ns;
+  const std::int64_t left_ns = start_ns + facts::kSlot_ns - now_ns;
   begin_segment(running_ ? count_ + made_up + executing_[static_cast<std::size_t>(slot)] : count_, now_ns,
                 left_ns > kShortestSegment_ns ? left_ns : kShortestSegment_ns);
 }
@@ -203,7 +203,7 @@ bool PointPlayer::move_to(std::int32_t count, int duration_slots, std::int64_t n
     return false;
   }
   running_ = false;
-  begin_segment(count, now_ns, duration_slots * kSlot_ns);
+  begin_segment(count, now_ns, duration_slots * facts::kSlot_ns);
   moves_by_hand_ = true;
   return true;
 }
@@ -213,7 +213,7 @@ void PointPlayer::freeze(std::int64_t now_ns) noexcept {
     return;
   }
   const double here = reference(now_ns).count;
-  begin_segment(static_cast<std::int32_t>(here < 0.0 ? here - 0.5 : here + 0.5), now_ns, kSlot_ns);
+  begin_segment(static_cast<std::int32_t>(here < 0.0 ? here - 0.5 : here + 0.5), now_ns, facts::kSlot_ns);
   running_ = false;
   has_pending_ = false;
   has_repair_ = false;
@@ -237,17 +237,17 @@ bool PointPlayer::advance_without_sync(std::int64_t now_ns) noexcept {
   // Alone, only the end of a batch waits for what may come: the next batch, a little later than its own clock
   // says.
   const bool waits = !alone || (running_ && slot_ == kLastSlot);
-  if (now_ns - slot_start_ns_ < kSlot_ns + (waits ? kSyncGrace_ns : 0)) {
+  if (now_ns - slot_start_ns_ < facts::kSlot_ns + (waits ? kSyncGrace_ns : 0)) {
     return false;
   }
   // A batch is played point by point; while holding, slots that nobody asked for are skipped.
-  const std::int64_t slots = running_ ? 1 : (now_ns - slot_start_ns_) / kSlot_ns;
+  const std::int64_t slots = running_ ? 1 : (now_ns - slot_start_ns_) / facts::kSlot_ns;
   const std::int64_t next = slot_ + slots;
   if (next > kLastSlot) {
     running_ = false;  // played out: holds
     has_repair_ = false;
   }
-  begin_slot(static_cast<int>(next % can::kBatchPoints), slot_start_ns_ + slots * kSlot_ns, now_ns);
+  begin_slot(static_cast<int>(next % can::kBatchPoints), slot_start_ns_ + slots * facts::kSlot_ns, now_ns);
   return true;
 }
 
@@ -270,7 +270,7 @@ PointPlayer::Reference PointPlayer::reference(std::int64_t now_ns) const noexcep
 
 double PointPlayer::coasting_rate_per_s() const noexcept {
   const int next = slot_ < kLastSlot ? slot_ + 1 : kLastSlot;
-  return executing_[static_cast<std::size_t>(next)] / (static_cast<double>(kSlot_ns) * 1e-9);
+  return executing_[static_cast<std::size_t>(next)] / (static_cast<double>(facts::kSlot_ns) * 1e-9);
 }
 
 }  // namespace gaitway::localcontroller

@@ -1,12 +1,12 @@
 // Frames in, millisecond, frames out.
 #include "gaitway/msgcontroller/bus_timeline.hpp"
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 constexpr std::uint16_t kLargestId = 0x7FF;
 

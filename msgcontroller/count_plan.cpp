@@ -3,12 +3,9 @@
 
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::msgcontroller {
-namespace {
-
-constexpr std::int32_t kLargestDelta = 127;
-
-}  // namespace
 
 CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const double> count_rad,
                            std::span<const std::int32_t> start_count, CountPlan& plan) noexcept {
@@ -31,7 +28,7 @@ CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const
       const std::int32_t before =
           point == first ? start_count[j] : plan.count[static_cast<std::size_t>(point - 1)][j];
       const std::int32_t delta = row[j] - before;
-      if (delta > kLargestDelta || delta < -kLargestDelta) {
+      if (delta > facts::kLargestByte_counts || delta < -facts::kLargestByte_counts) {
         return {point == first ? Reason::jump : Reason::too_fast, joint, point, static_cast<double>(delta)};
       }
     }

@@ -3,12 +3,14 @@
 
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::msgcontroller {
 namespace {
 
 constexpr double kPositionCount_rad = 2.0 * std::numbers::pi / 65536.0;
 constexpr double kCurrentCount_Nm = 0.125;
-constexpr double kSlot_s = 0.010;
+using facts::kSlot_s;
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/trim_law.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
@@ -12,9 +12,9 @@
 namespace gaitway::msgcontroller {
 namespace {
 
-using msgclient::kMillisecond_ns;
-using msgclient::kSlot_ns;
-using msgclient::kSlotsPerCycle;
+using facts::kMillisecond_ns;
+using facts::kSlot_ns;
+using facts::kSlotsPerCycle;
 
 constexpr int kLastSlot = kSlotsPerCycle - 1;
 // Feedback that has not come by then is taken as missing for this slot; the main controller's tick follows.
@@ -90,7 +90,7 @@ void MessageController::step(std::int64_t now_ns) noexcept {
     enter_slot(now_ns);
   }
   take_mails(now_ns);
-  if (now_ns % msgclient::kCycle_ns == msgclient::kCycle_ns - hand_over_lead_ns_) {
+  if (now_ns % facts::kCycle_ns == facts::kCycle_ns - hand_over_lead_ns_) {
     prepare_tail();
   }
   if (!feedback_published_ && in_slot_ns >= kPublishInSlot_ns) {

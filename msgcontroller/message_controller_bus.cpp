@@ -3,17 +3,17 @@
 
 #include <algorithm>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
 
-using msgclient::kSlot_ns;
-using msgclient::kSlotsPerCycle;
+using facts::kSlot_ns;
+using facts::kSlotsPerCycle;
 
 constexpr int kLastSlot = kSlotsPerCycle - 1;
 // Feedback that has not come by then, its deadline, does not come any more in this slot.
-constexpr std::int64_t kFeedbackInSlot_ns = 7 * msgclient::kMillisecond_ns;
+constexpr std::int64_t kFeedbackInSlot_ns = 7 * facts::kMillisecond_ns;
 // Longer than the longest frame with a station's time to react: nobody had anything more urgent to send.
 constexpr std::int64_t kQuietBus_ns = 200'000;
 
@@ -62,7 +62,7 @@ void MessageController::send_sync(std::int64_t now_ns) noexcept {
   if (state_.slot == 0 && profile_.has(can::MessageKind::heartbeat)) {
     send(can::encode(profile_,
                      can::Heartbeat{.mode = static_cast<std::uint8_t>(state_.mode), .cycle = state_.cycle}),
-         now_ns + msgclient::kCycle_ns);
+         now_ns + facts::kCycle_ns);
   }
 }
 
@@ -257,7 +257,6 @@ void MessageController::resynchronise(int joint) noexcept {
 // Repair in a profile without absolute frames: a joint that did not get its batch stands where the batch
 // began, so the rest of it is sent as a batch of its own, with what was missed spread over its points.
 void MessageController::restart_points(int joint) noexcept {
-  constexpr std::int32_t kLargestDelta = 127;
   const auto j = static_cast<std::size_t>(joint);
   if (!playback_.running_segment().active || playback_.slot() == kLastSlot) {
     return;
@@ -266,8 +265,8 @@ void MessageController::restart_points(int joint) noexcept {
   std::int32_t count = playback_.expected_count(joint, 0) - playback_.running_delta(joint, 0);
   for (int point = 0; point < kBatchPoints; ++point) {
     const int slot = std::min(playback_.slot() + 1 + point, kLastSlot);
-    const std::int32_t change =
-        std::clamp(playback_.expected_count(joint, slot) - count, -kLargestDelta, kLargestDelta);
+    const std::int32_t change = std::clamp(playback_.expected_count(joint, slot) - count,
+                                           -facts::kLargestByte_counts, facts::kLargestByte_counts);
     frame.delta[static_cast<std::size_t>(point)] = static_cast<std::int8_t>(change);
     count += change;
   }

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <span>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
 
-using msgclient::kSlotsPerCycle;
+using facts::kSlotsPerCycle;
 
 constexpr int kCommandsAMillisecond = 32;  // more than the queue holds: bounds the work, loses nothing
 
@@ -99,7 +99,7 @@ msgclient::Reason MessageController::untimely(const msgclient::HandOver& hand_ov
   const std::uint32_t slot = state_.slot;
   const std::uint32_t slots_to_start = (revises ? hand_over.first_slot : kSlotsPerCycle) - slot;
   const std::int64_t start_ns =
-      (std::int64_t{cycle} * kSlotsPerCycle + hand_over.first_slot) * msgclient::kSlot_ns;
+      (std::int64_t{cycle} * kSlotsPerCycle + hand_over.first_slot) * facts::kSlot_ns;
   if (revises && (hand_over.first_slot != revision_slot_ || hand_over.sequence > cycle)) {
     return Reason::nothing_to_revise;
   }
@@ -222,7 +222,7 @@ void MessageController::drop_waiting_trajectories() noexcept {
 void MessageController::stop_early(std::int64_t now_ns) noexcept {
   constexpr std::int64_t kSend_ns = 3'500'000;  // a batch to 22 joints while nobody else speaks takes 3 ms
   stop_safely();
-  const std::int64_t left_ns = msgclient::kCycle_ns - now_ns % msgclient::kCycle_ns;
+  const std::int64_t left_ns = facts::kCycle_ns - now_ns % facts::kCycle_ns;
   if (!stop_requested_ || left_ns < kSend_ns || !profile_.has(can::MessageKind::sync)) {
     return;
   }
@@ -276,8 +276,7 @@ msgclient::Reason MessageController::move_joint(const msgclient::UserCommandMail
   const std::uint32_t duration = std::clamp<std::uint32_t>(mail.duration_slots, 1, kLongestMove_slots);
   const std::int32_t count = static_cast<std::int32_t>(std::lround(position / count_rad_[j]));
   const std::int32_t from = playback_.next_start()[j];
-  constexpr std::int32_t kLargestDelta = 127;
-  if (std::abs(count - from) > kLargestDelta * static_cast<std::int32_t>(duration)) {
+  if (std::abs(count - from) > facts::kLargestByte_counts * static_cast<std::int32_t>(duration)) {
     return Reason::too_fast;
   }
   send(can::encode(profile_, can::UserCommand{.node = node_[j],

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "bus_connection.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/bus_timeline.hpp"
@@ -31,7 +31,7 @@ constexpr int kExitFine = 0;
 constexpr int kExitBadInput = 1;
 constexpr int kExitLost = 3;
 constexpr int kPriority = 70;
-constexpr std::int64_t kBetweenTries_ns = 50 * msgclient::kMillisecond_ns;
+constexpr std::int64_t kBetweenTries_ns = 50 * facts::kMillisecond_ns;
 
 struct Options {
   std::filesystem::path robot;

@@ -87,7 +87,7 @@ void allow_revisions(const urdf::RobotModel& robot, Profile& profile) {
            fmt::format("the profile '{}' plays each batch as it was handed over", profile.name),
            "Leave revision_slot out, or choose the profile full.");
   }
-  trajectory.period_ns = std::min(slot, can::kBatchPoints - slot) * can::kSlotPeriod_ns;
+  trajectory.period_ns = std::min(slot, can::kBatchPoints - slot) * facts::kSlot_ns;
 }
 
 void check_identifiers(const urdf::RobotModel& robot, const Profile& profile) {

@@ -5,12 +5,13 @@
 
 #include <algorithm>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 
 can::Proof prove(const urdf::RobotModel& robot, const can::ErrorModel& errors) {
   const can::Profile profile = network_profile(robot);
@@ -51,9 +52,9 @@ void require_proven_network(const urdf::RobotModel& robot, bool accept_unproven)
 std::int64_t hand_over_lead_ns(const urdf::RobotModel& robot) {
   const auto response_ns = prove(robot, {}).worst_response_ns(can::MessageKind::trajectory);
   // The response counts from the earliest instant of release, but the frames are released at the hand-over.
-  const std::int64_t under_way_ns = response_ns ? *response_ns - kReleaseJitter_ns : can::kCyclePeriod_ns;
+  const std::int64_t under_way_ns = response_ns ? *response_ns - kReleaseJitter_ns : facts::kCycle_ns;
   const std::int64_t lead_ns = (under_way_ns + kMillisecond_ns - 1) / kMillisecond_ns * kMillisecond_ns;
-  return std::clamp(lead_ns, kMillisecond_ns, can::kCyclePeriod_ns - can::kSlotPeriod_ns);
+  return std::clamp(lead_ns, kMillisecond_ns, facts::kCycle_ns - facts::kSlot_ns);
 }
 
 }  // namespace gaitway::msgcontroller

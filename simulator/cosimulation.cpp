@@ -9,13 +9,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 std::int64_t to_ns(double seconds) {
   return static_cast<std::int64_t>(std::llround(seconds * 1e9));

@@ -3,11 +3,11 @@
 
 #include <limits>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::simulator {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 namespace {
 
 constexpr std::int64_t kEverything = std::numeric_limits<std::int64_t>::max();

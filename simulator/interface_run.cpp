@@ -10,7 +10,7 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/finish_sending.hpp"
 #include "gaitway/can/socketcan_report.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -19,7 +19,7 @@
 namespace gaitway::simulator {
 namespace {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 struct LoopResult {
   double wall_s = 0.0;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "gaitway/facts/facts.hpp"
 #include "ground.hpp"
 
 namespace gaitway::simulator {
@@ -157,7 +158,7 @@ void set_options(mjSpec& spec, const urdf::RobotModel& robot) {
   spec.compiler.degree = 0;
   spec.option.timestep = robot.physics_step_s;
   spec.option.gravity[0] = spec.option.gravity[1] = 0.0;
-  spec.option.gravity[2] = -kGravity_m_per_s2;
+  spec.option.gravity[2] = -facts::kGravity_m_per_s2;
   spec.option.integrator = mjINT_IMPLICITFAST;
   spec.option.solver = mjSOL_NEWTON;
   spec.option.cone = mjCONE_PYRAMIDAL;

@@ -9,12 +9,12 @@
 #include <memory>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
 
-inline constexpr double kGravity_m_per_s2 = 9.81;
 inline constexpr int kLargestPictureWidth_px = 1920, kLargestPictureHeight_px = 1080;
 inline constexpr std::array<double, 3> kSunDirection{-0.35, -0.45,
                                                      -1.0};  // the way its light goes, in the world

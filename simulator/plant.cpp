@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "plant_implementation.hpp"
 
@@ -195,7 +196,7 @@ void Plant::Implementation::read_contacts() {
 void Plant::Implementation::read_sensors(bool first) {
   const auto normal = [this] { return noise ? noise_random.quick_normal() : 0.0; };
   const urdf::SensorNoise& sigma = robot.noise;
-  const Eigen::Vector3d gravity(0.0, 0.0, -kGravity_m_per_s2);
+  const Eigen::Vector3d gravity(0.0, 0.0, -facts::kGravity_m_per_s2);
   const Eigen::Isometry3d imu = body_pose(*data, trunk_body) * robot.imu.pose;
   const PointVelocity motion = point_velocity(*model, *data, trunk_body, imu.translation());
   const auto specific_force = [&](std::size_t which, const Eigen::Vector3d& velocity,

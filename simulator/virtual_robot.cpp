@@ -14,7 +14,7 @@
 #include "gaitway/can/simulated/bus_client.hpp"
 #include "gaitway/can/simulated/bus_server.hpp"
 #include "gaitway/can/simulated/socketcand_server.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -28,7 +28,7 @@
 namespace {
 
 using namespace gaitway;
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 constexpr int kExitFine = 0;
 constexpr int kExitBadInput = 1;

@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <string>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/text_file.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
-constexpr std::int64_t kLogPeriod_ns = 10 * msgclient::kMillisecond_ns;
+constexpr std::int64_t kLogPeriod_ns = 10 * facts::kMillisecond_ns;
 
 }  // namespace
 

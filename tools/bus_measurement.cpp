@@ -7,15 +7,15 @@
 #include <stdexcept>
 
 #include "gaitway/can/frame_length.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 using can::MessageKind;
-using msgclient::kCycle_ns;
-using msgclient::kMillisecond_ns;
+using facts::kCycle_ns;
+using facts::kMillisecond_ns;
 
 // Manual movements: each joint a little forth and back, at instants that fall on every millisecond of a slot.
 constexpr double kMovement_rad = 0.02;
@@ -25,7 +25,7 @@ constexpr std::int64_t kStandStill_ns = 500 * kMillisecond_ns;
 constexpr int kRounds = 2;  // forth and back
 
 double length_us(const can::Frame& frame) {
-  return static_cast<double>((can::frame_bits(frame) + can::kInterframeBits) * kBitTime_ns) * 1e-3;
+  return static_cast<double>((can::frame_bits(frame) + can::kInterframeBits) * facts::kBitTime_ns) * 1e-3;
 }
 
 simulator::CosimulationOptions cosimulation_options(const BusExperiment& experiment) {
@@ -128,7 +128,7 @@ void BusMeasurement::take(const can::TimedFrame& frame) {
   if (!message || frame.frame.extended || frame.frame.remote) {
     return;
   }
-  const std::int64_t length_ns = (can::frame_bits(frame.frame) + can::kInterframeBits) * kBitTime_ns;
+  const std::int64_t length_ns = (can::frame_bits(frame.frame) + can::kInterframeBits) * facts::kBitTime_ns;
   if (message->kind == MessageKind::trajectory) {
     trajectories_.take(message->node, frame.start_ns, length_ns);
   } else if (message->kind == MessageKind::feedback) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/tools/bus_watch_text.hpp"
 
 namespace gaitway::tools {
@@ -30,7 +31,7 @@ constexpr std::array<std::string_view, can::kMessageKinds> kContents{"hold or go
                                                                      "absolute count, 5 points",
                                                                      "mode, cycle"};
 
-constexpr double kInterframe_ms = can::kInterframeBits * 1e-6 * static_cast<double>(kBitTime_ns);
+constexpr double kInterframe_ms = can::kInterframeBits * 1e-6 * static_cast<double>(facts::kBitTime_ns);
 
 std::string number(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : std::string("-");

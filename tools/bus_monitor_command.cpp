@@ -12,6 +12,7 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/error_frame.hpp"
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/tools/bus_listener.hpp"
 #include "gaitway/tools/bus_robot_options.hpp"
@@ -49,7 +50,7 @@ int monitor_log(const BusMonitorOptions& options, const BusRobot& robot) {
       continue;
     }
     watch.take({.frame = logged.frame,
-                .start_ns = logged.time_ns - can::frame_bits(logged.frame) * kBitTime_ns,
+                .start_ns = logged.time_ns - can::frame_bits(logged.frame) * facts::kBitTime_ns,
                 .end_ns = logged.time_ns});
   }
   const BusWindow whole = watch.close_window(watch.last_ns());

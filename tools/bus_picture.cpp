@@ -62,7 +62,7 @@ Frames slot_frames(const BusMeasurement& measurement, std::int64_t slot_start_ns
   Frames frames;
   std::copy_if(measurement.cycle().begin(), measurement.cycle().end(), std::back_inserter(frames),
                [&](const can::TimedFrame& frame) {
-                 return frame.end_ns > slot_start_ns && frame.start_ns < slot_start_ns + can::kSlotPeriod_ns;
+                 return frame.end_ns > slot_start_ns && frame.start_ns < slot_start_ns + facts::kSlot_ns;
                });
   return frames;
 }
@@ -70,8 +70,8 @@ Frames slot_frames(const BusMeasurement& measurement, std::int64_t slot_start_ns
 std::int64_t fullest_slot_ns(const BusMeasurement& measurement) {
   std::int64_t fullest_ns = measurement.cycle_start_ns();
   std::size_t most = 0;
-  for (std::int64_t slot_ns = fullest_ns; slot_ns < measurement.cycle_start_ns() + can::kCyclePeriod_ns;
-       slot_ns += can::kSlotPeriod_ns) {
+  for (std::int64_t slot_ns = fullest_ns; slot_ns < measurement.cycle_start_ns() + facts::kCycle_ns;
+       slot_ns += facts::kSlot_ns) {
     const std::size_t frames = slot_frames(measurement, slot_ns).size();
     if (frames > most) {
       most = frames;
@@ -96,7 +96,7 @@ class Releases {
     if (message.kind == MessageKind::trajectory) {
       if (!synchronised) {
         trajectory_end_ns_[message.node] = frame.end_ns;
-        return slot_start_ns_ % can::kCyclePeriod_ns == 0 ? std::optional(slot_start_ns_) : std::nullopt;
+        return slot_start_ns_ % facts::kCycle_ns == 0 ? std::optional(slot_start_ns_) : std::nullopt;
       }
       batch_start_ns_ = batch_start_ns_.value_or(frame.start_ns);
       return batch_start_ns_;

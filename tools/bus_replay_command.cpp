@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gaitway/can/candump_log.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/tools/bus_robot_options.hpp"
 #include "gaitway/tools/log_replay.hpp"
@@ -19,7 +20,7 @@
 namespace gaitway::tools {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 // A log that begins later than this after time zero was not taken from the robot's own clock.
 constexpr std::int64_t kLatestStart_ns = 1'000'000'000;
 

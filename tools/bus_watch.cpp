@@ -4,15 +4,16 @@
 #include <numeric>
 
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 using can::MessageKind;
 
-constexpr std::int64_t kSilent_ns = 2 * can::kSlotPeriod_ns;
+constexpr std::int64_t kSilent_ns = 2 * facts::kSlot_ns;
 // Frames of one batch follow each other within this time: it is sent as one.
-constexpr std::int64_t kLongestBatch_ns = 2 * can::kSlotPeriod_ns;
+constexpr std::int64_t kLongestBatch_ns = 2 * facts::kSlot_ns;
 
 double milliseconds(std::int64_t time_ns) {
   return static_cast<double>(time_ns) * 1e-6;
@@ -28,7 +29,7 @@ BusWatch::BusWatch(const can::Profile& profile, std::span<const can::NodeId> nod
 }
 
 void BusWatch::take(const can::TimedFrame& frame) {
-  const std::int64_t busy_ns = (can::frame_bits(frame.frame) + can::kInterframeBits) * kBitTime_ns;
+  const std::int64_t busy_ns = (can::frame_bits(frame.frame) + can::kInterframeBits) * facts::kBitTime_ns;
   if (frames_++ == 0) {
     first_ns_ = frame.start_ns;
   }
@@ -117,7 +118,7 @@ std::optional<std::int64_t> BusWatch::released_ns(const can::TimedFrame& frame,
     return feedback_released_ns(frame, message.node);
   }
   if (message.kind == MessageKind::sync && clock_ == BusClock::robot) {
-    return frame.start_ns / can::kSlotPeriod_ns * can::kSlotPeriod_ns;
+    return frame.start_ns / facts::kSlot_ns * facts::kSlot_ns;
   }
   if (message.kind != MessageKind::trajectory) {
     return std::nullopt;
@@ -125,9 +126,9 @@ std::optional<std::int64_t> BusWatch::released_ns(const can::TimedFrame& frame,
   if (synchronised) {
     return batch_began_ns(frame, message);
   }
-  const std::int64_t edge_ns = frame.start_ns / can::kCyclePeriod_ns * can::kCyclePeriod_ns;
+  const std::int64_t edge_ns = frame.start_ns / facts::kCycle_ns * facts::kCycle_ns;
   // What comes later in the cycle is a repair.
-  const bool in_first_slot = frame.start_ns < edge_ns + can::kSlotPeriod_ns;
+  const bool in_first_slot = frame.start_ns < edge_ns + facts::kSlot_ns;
   return clock_ == BusClock::robot && in_first_slot ? std::optional(edge_ns) : std::nullopt;
 }
 
@@ -139,7 +140,7 @@ std::optional<std::int64_t> BusWatch::feedback_released_ns(const can::TimedFrame
   const std::int64_t released_ns = since->second;
   unanswered_since_ns_.erase(since);
   // One that was on the wire or waited already answers something earlier.
-  const bool answers = frame.start_ns >= released_ns && frame.end_ns < released_ns + can::kSlotPeriod_ns;
+  const bool answers = frame.start_ns >= released_ns && frame.end_ns < released_ns + facts::kSlot_ns;
   return answers ? std::optional(released_ns) : std::nullopt;
 }
 
@@ -184,7 +185,7 @@ double BusWatch::seconds() const noexcept {
 
 double BusWatch::load() const noexcept {
   // The interframe space after the last frame has passed, too.
-  const std::int64_t elapsed_ns = last_ns_ - first_ns_ + can::kInterframeBits * kBitTime_ns;
+  const std::int64_t elapsed_ns = last_ns_ - first_ns_ + can::kInterframeBits * facts::kBitTime_ns;
   return frames_ == 0 ? 0.0 : static_cast<double>(busy_ns_) / static_cast<double>(elapsed_ns);
 }
 

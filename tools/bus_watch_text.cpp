@@ -8,13 +8,14 @@
 #include <array>
 
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 using can::MessageKind;
 
-constexpr double kInterframe_ms = can::kInterframeBits * 1e-6 * static_cast<double>(kBitTime_ns);
+constexpr double kInterframe_ms = can::kInterframeBits * 1e-6 * static_cast<double>(facts::kBitTime_ns);
 
 std::string range(const Spread& spread, int decimals) {
   return spread.count == 0 ? std::string("-")

@@ -9,12 +9,14 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::tools {
 namespace {
 
 constexpr std::size_t kLongestName = 32;
 constexpr std::int64_t kMicrosecond_ns = 1'000;
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 
 class DbcWriter {
  public:

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
@@ -24,7 +25,7 @@
 namespace gaitway::tools {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr double kStand_s = 1.0;         // before it walks
 constexpr double kVerdictAfter_s = 3.0;  // of walking with a new version
 

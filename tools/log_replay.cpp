@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "gaitway/can/frame_length.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/tools/bus_watch.hpp"
 
@@ -17,16 +17,16 @@ namespace gaitway::tools {
 namespace {
 
 using can::MessageKind;
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 // An answer that is not in the log by the time the next one is due was lost.
-constexpr std::int64_t kOverdue_ns = can::kSlotPeriod_ns - kMillisecond_ns;
+constexpr std::int64_t kOverdue_ns = facts::kSlot_ns - kMillisecond_ns;
 
 // A station that is switched on takes part after so many recessive bits.
 constexpr std::int64_t kBitsUntilInStep = 11;
 
 std::int64_t start_ns(const can::LoggedFrame& logged) noexcept {
-  return logged.time_ns - can::frame_bits(logged.frame) * kBitTime_ns;
+  return logged.time_ns - can::frame_bits(logged.frame) * facts::kBitTime_ns;
 }
 
 std::int64_t field_value(const can::Frame& frame, const can::FieldSpec& field) noexcept {
@@ -79,7 +79,7 @@ ReplayResult LogReplay::run(std::span<const can::LoggedFrame> log) {
     plant_.step(joints_.torque_Nm());
     result_.fell = result_.fell || plant_.fallen();
     result_.end_ns = now_ns + kMillisecond_ns;
-    if (observer_ && result_.end_ns % msgclient::kSlot_ns == 0) {
+    if (observer_ && result_.end_ns % facts::kSlot_ns == 0) {
       observer_(result_.end_ns, joints_, plant_);
     }
   }
@@ -97,7 +97,7 @@ void LogReplay::apply_events(std::int64_t now_ns) {
     if (power_on_ns && *power_on_ns <= now_ns) {
       joints_.power_on(joint, plant_.sensors());
       power_on_ns.reset();
-      in_step_ns_[static_cast<std::size_t>(joint)] = now_ns + kBitsUntilInStep * kBitTime_ns;
+      in_step_ns_[static_cast<std::size_t>(joint)] = now_ns + kBitsUntilInStep * facts::kBitTime_ns;
     }
   }
 }

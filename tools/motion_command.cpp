@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
@@ -95,8 +96,7 @@ void write_points(const urdf::RobotModel& robot, const motion::MotionPlan& plan,
   for (const urdf::Joint& joint : robot.joints) fmt::print(out, ",{}_reference_rad", joint.name);
   fmt::print(out, "\n");
   for (std::size_t i = 0; i < plan.point_count(); ++i) {
-    fmt::print(out, "{:.2f},{}", static_cast<double>(i) * motion::kPointTime_s,
-               motion::name_of(plan.contact[i]));
+    fmt::print(out, "{:.2f},{}", static_cast<double>(i) * facts::kSlot_s, motion::name_of(plan.contact[i]));
     for (const double angle : plan.point(i)) fmt::print(out, ",{:.6f}", angle);
     for (const double angle : plan.reference(i)) fmt::print(out, ",{:.6f}", angle);
     fmt::print(out, "\n");
@@ -129,7 +129,7 @@ int check(const MotionOptions& options) {
       loaded.motion.name, planned.plan.duration_s(), planned.plan.point_count(), planned.first_duration_s,
       result.planning_s, 100.0 * (planned.stretch - 1.0));
   for (const motion::KeyTime& key : planned.plan.keys) {
-    fmt::print("  {:<16} {:6.2f} s\n", key.name, static_cast<double>(key.reached) * motion::kPointTime_s);
+    fmt::print("  {:<16} {:6.2f} s\n", key.name, static_cast<double>(key.reached) * facts::kSlot_s);
   }
   fmt::print("Nearest to each limit:\n");
   for (const motion::LimitUse& use : planned.report.uses) fmt::print("  {}\n", motion::describe(use));
@@ -145,8 +145,8 @@ int prepare(const MotionOptions& options) {
   trajectory::write_motion_table(prepared.table, file);
   fmt::print("{}: {:.2f} s, left within {:.2f} s from any of its {} batches, in {}\n", loaded.motion.name,
              prepared.planned.plan.duration_s(),
-             static_cast<double>(prepared.longest_exit_points) * motion::kPointTime_s,
-             prepared.table.batch_count(), file.string());
+             static_cast<double>(prepared.longest_exit_points) * facts::kSlot_s, prepared.table.batch_count(),
+             file.string());
   return 0;
 }
 

@@ -6,17 +6,17 @@
 #include <limits>
 #include <numbers>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/tools/support_polygon.hpp"
 
 namespace gaitway::tools {
 namespace {
 
-using msgclient::kCycle_ns;
-using msgclient::kSlot_ns;
-using msgclient::kSlotsPerCycle;
+using facts::kCycle_ns;
+using facts::kSlot_ns;
+using facts::kSlotsPerCycle;
 
-constexpr double kSlot_s = 0.010;
+using facts::kSlot_s;
 constexpr std::int64_t kStartUp_ns = 2'000'000'000;  // from a walk command to steady walking
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -92,7 +92,7 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
   if (now_ns % kSlot_ns == 0) {
     cop_mean_.close_slot();
   }
-  if (core::is_tick(now_ns - msgclient::kMillisecond_ns)) {
+  if (core::is_tick(now_ns - facts::kMillisecond_ns)) {
     read_plan();
     follow_walk_command(now_ns);
     add_sample(now_ns);
@@ -211,7 +211,7 @@ void RunRecorder::compare_zmp(std::int64_t now_ns, RunSample& sample) {
   const Eigen::Vector2d measured(estimate.zmp[0], estimate.zmp[1]);
   sample.measured_zmp_m = transfer(measured, Eigen::Vector3d::Zero(), support);
   // The cells' values are means over the slot that ended at this slot's edge, and so is the reference.
-  const std::int64_t slot_index = (now_ns - msgclient::kMillisecond_ns) / kSlot_ns;
+  const std::int64_t slot_index = (now_ns - facts::kMillisecond_ns) / kSlot_ns;
   const MotionPlan* const plan = running_plan(static_cast<std::uint32_t>((slot_index - 1) / kSlotsPerCycle));
   if (plan == nullptr || run_.message_controller().mode() != msgcontroller::Mode::batches) {
     return;

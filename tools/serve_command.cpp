@@ -17,8 +17,8 @@
 #include <thread>
 
 #include "gaitway/core/event_printer.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_workshop.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
@@ -34,7 +34,7 @@
 namespace gaitway::tools {
 namespace {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 constexpr std::int64_t kLongestLag_ns = 200 * kMillisecond_ns;     // then the pace begins anew
 constexpr std::int64_t kLongestStop_ns = 5'000 * kMillisecond_ns;  // of the robot's time, until it stands

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/complaint.hpp"
 
 namespace gaitway::urdf {
 namespace {
 
 constexpr double kLargestOffset_m = 2.0;
-constexpr double kLargestCountStep = 127.0;  // of a signed byte, in one time slot
-constexpr double kSlot_s = 0.010;
+using facts::kSlot_s;
 
 double degrees(double angle_rad) {
   return angle_rad * 180.0 / std::numbers::pi;
@@ -66,7 +66,7 @@ void check_drive(const UrdfFile& urdf, const UrdfJoint& geometry, const NetworkF
                    "Change the posture or widen the limits"});
   }
   const double velocity = geometry.joint.velocity_limit_rad_per_s;
-  const double wire_limit = kLargestCountStep * joint.count_rad / kSlot_s;
+  const double wire_limit = facts::kLargestByte_counts * joint.count_rad / kSlot_s;
   if (velocity > wire_limit * (1.0 + 1e-9)) {
     input::refuse({urdf.file, geometry.line, field("limit velocity"), fmt::format("{:g} rad/s", velocity),
                    fmt::format("a signed byte of {:g} deg a count in 10 ms holds {:.4g} rad/s only",

@@ -38,7 +38,7 @@ void step_of_chain(benchmark::State& state, WallClock clock) {
   std::int64_t now_ns = kTickPhase_ns;
   for (auto iteration : state) {
     manager.step(tick_at(now_ns));
-    now_ns += msgclient::kSlot_ns;
+    now_ns += facts::kSlot_ns;
   }
   state.counters["per_plugin"] =
       benchmark::Counter(static_cast<double>(state.range(0)),

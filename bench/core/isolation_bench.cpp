@@ -29,7 +29,7 @@ class RelayManager {
       : manager_(configuration(isolation), options(), client_) {}
   void step() noexcept {
     failed_ += manager_.step(tick_at(now_ns_));
-    now_ns_ += msgclient::kSlot_ns;
+    now_ns_ += facts::kSlot_ns;
   }
   [[nodiscard]] int failed() const noexcept { return failed_; }
 

@@ -47,7 +47,7 @@ void step_both(benchmark::State& state, Rivals& rivals, const Before& before, co
   std::int64_t now_ns = kTickPhase_ns;
   for (auto iteration : state) {
     std::int64_t sum_ns = 0;
-    for (std::uint32_t slot = 0; slot < msgclient::kSlotsPerCycle; ++slot) {
+    for (std::uint32_t slot = 0; slot < facts::kSlotsPerCycle; ++slot) {
       const Tick tick = tick_at(now_ns);
       before(tick);
       const std::int64_t begin_ns = steady_clock_ns();
@@ -56,9 +56,9 @@ void step_both(benchmark::State& state, Rivals& rivals, const Before& before, co
       rivals.add(tick.batch ? kManagedBatch : kManaged, end_ns - begin_ns);
       sum_ns += end_ns - begin_ns;
       rivals.time(tick.batch ? kDirectBatch : kDirect, [&] { direct(tick); });
-      now_ns += msgclient::kSlot_ns;
+      now_ns += facts::kSlot_ns;
     }
-    state.SetIterationTime(static_cast<double>(sum_ns) * 1e-9 / msgclient::kSlotsPerCycle);
+    state.SetIterationTime(static_cast<double>(sum_ns) * 1e-9 / facts::kSlotsPerCycle);
   }
 }
 

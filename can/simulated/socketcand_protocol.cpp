@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::can::socketcand {
 namespace {
 
@@ -16,8 +18,8 @@ constexpr std::string_view kHex = "0123456789ABCDEF";
 // Linux marks extended identifiers with it; some clients send it along.
 constexpr std::uint64_t kExtendedFlag = 0x8000'0000U;
 constexpr std::int64_t kMicrosecond_ns = 1'000;
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
+using facts::kMillisecond_ns;
+using facts::kSecond_ns;
 
 // What an element breaks; caught within this file.
 class Refused : public std::runtime_error {

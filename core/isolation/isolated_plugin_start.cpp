@@ -6,16 +6,16 @@
 #include <utility>
 
 #include "child_link.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/isolation/isolated_plugin.hpp"
 #include "gaitway/isolation/settings.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "plugin_declarations.hpp"
 
 namespace gaitway::core {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr std::uint32_t kProven = 8;  // steps after which a restored state is not to blame for the next end
 
 std::string binary_for(const std::string& place) {
@@ -311,7 +311,7 @@ bool IsolatedPlugin::advance(std::int64_t now_ns, std::int64_t wait_ns) {
 }
 
 void IsolatedPlugin::begin_activation(std::int64_t now_ns) {
-  const bool recent = state_->version != 0 && now_ns - state_ns_ < msgclient::kCycle_ns;
+  const bool recent = state_->version != 0 && now_ns - state_ns_ < facts::kCycle_ns;
   restored_ = recent && !(restored_ && steps_since_start_ < kProven);
   steps_since_start_ = 0;
   copy_inputs();

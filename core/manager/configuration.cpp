@@ -7,8 +7,8 @@
 #include <array>
 
 #include "configured_time.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/yaml_value.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -52,17 +52,17 @@ Isolation isolation_of(const YamlValue& value) {
 std::uint32_t ticks_of(const YamlValue& value, std::int64_t lowest_ns, std::int64_t highest_ns,
                        const char* range) {
   const std::int64_t time_ns = read_time_ns(value, lowest_ns, highest_ns, range);
-  if (time_ns % msgclient::kSlot_ns != 0) {
+  if (time_ns % facts::kSlot_ns != 0) {
     value.refuse("must be a multiple of the tick of 10 ms", "Round it");
   }
-  return static_cast<std::uint32_t>(time_ns / msgclient::kSlot_ns);
+  return static_cast<std::uint32_t>(time_ns / facts::kSlot_ns);
 }
 
 StepSchedule schedule_of(const YamlValue& plugin) {
   constexpr std::int64_t kLongest_ns = 1'000'000'000;
   StepSchedule schedule;
   if (const auto period = plugin.find("period")) {
-    schedule.every_ticks = ticks_of(*period, msgclient::kSlot_ns, kLongest_ns, "10 ms and 1 s");
+    schedule.every_ticks = ticks_of(*period, facts::kSlot_ns, kLongest_ns, "10 ms and 1 s");
   }
   if (const auto phase = plugin.find("phase")) {
     schedule.phase_ticks = ticks_of(*phase, 0, kLongest_ns, "0 ms and 1 s");

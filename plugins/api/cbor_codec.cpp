@@ -1,6 +1,7 @@
 // Items of CBOR: heads, texts and numbers (RFC 8949, 3).
 #include "gaitway/api/cbor_codec.hpp"
 
+#include "gaitway/facts/facts.hpp"
 #include "utf8.hpp"
 
 namespace gaitway::api {
@@ -67,13 +68,12 @@ void append_cbor_publish_head(std::string& out, std::string_view topic) {
 
 void append_publish_cbor_raw(std::string& out, std::string_view topic, std::int64_t time_ns,
                              std::string_view cdr) {
-  constexpr std::int64_t kNanosecondsASecond = 1'000'000'000;
   append_cbor_publish_head(out, topic);
   append_cbor_head(out, CborKind::map, 3);
   append_cbor_text(out, "secs");
-  append_cbor_integer(out, time_ns / kNanosecondsASecond);
+  append_cbor_integer(out, time_ns / facts::kSecond_ns);
   append_cbor_text(out, "nsecs");
-  append_cbor_integer(out, time_ns % kNanosecondsASecond);
+  append_cbor_integer(out, time_ns % facts::kSecond_ns);
   append_cbor_text(out, "bytes");
   append_cbor_head(out, CborKind::bytes, cdr.size());
   out += cdr;

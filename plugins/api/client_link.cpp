@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::api {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr std::size_t kTurnFrames = OutgoingQueue::kBuffers / 2;
 constexpr int kTurns = 4;
 // Pings and pongs that a client may send in a second.
 constexpr unsigned kControlFrames = 100;
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
+using facts::kSecond_ns;
 
 std::string shortened(std::string_view reason) {
   std::size_t length = std::min(reason.size(), kLongestReason);

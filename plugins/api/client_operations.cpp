@@ -7,13 +7,14 @@
 #include "client_session.hpp"
 #include "gaitway/api/json_reader.hpp"
 #include "gaitway/api/message_definition.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 
 bool is_velocity(std::string_view topic) {
   return topic == kVelocityTopic || topic == kVelocityTopic.substr(1);

@@ -15,7 +15,7 @@
 #include "gaitway/api/robot_frames.hpp"
 #include "gaitway/api/ros_time.hpp"
 #include "gaitway/api/sensor_messages.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -62,7 +62,7 @@ std::string text_of_file(const std::filesystem::path& file) {
 }
 
 std::int64_t slot_edge(std::int64_t time_ns) noexcept {
-  return time_ns - time_ns % msgclient::kSlot_ns;
+  return time_ns - time_ns % facts::kSlot_ns;
 }
 
 }  // namespace

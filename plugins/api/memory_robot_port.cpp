@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "gaitway/api/recorder.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/mails.hpp"
 
 namespace gaitway::api {
@@ -138,7 +138,7 @@ std::optional<std::uint32_t> MemoryRobotPort::emergency_stop(bool soft) {
 
 std::optional<std::uint32_t> MemoryRobotPort::move_joint(int joint, double position_rad, double duration_s) {
   constexpr double kLongest_slots = 255.0;
-  const double slots = std::clamp(std::ceil(duration_s * 1e9 / msgclient::kSlot_ns), 1.0, kLongest_slots);
+  const double slots = std::clamp(std::ceil(duration_s * 1e9 / facts::kSlot_ns), 1.0, kLongest_slots);
   UserCommand command = command_of(Kind::manual_joint);
   command.joint = static_cast<std::uint32_t>(joint);
   command.duration_slots = static_cast<std::uint32_t>(slots);

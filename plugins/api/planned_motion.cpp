@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 // The point that is reached at the instant, or the one before; -1 before the first.
 std::int64_t point_before(const MotionPlan& plan, std::int64_t instant_ns) noexcept {
   const std::int64_t last = kBatchPoints + std::min<std::int64_t>(plan.tail_count, kMaxTailPoints) - 1;
-  return std::clamp<std::int64_t>((instant_ns - plan.start_ns) / msgclient::kSlot_ns - 1, -1, last);
+  return std::clamp<std::int64_t>((instant_ns - plan.start_ns) / facts::kSlot_ns - 1, -1, last);
 }
 
 PlannedMoment moment_of(const MotionPlan& plan, std::size_t point) noexcept {
@@ -81,8 +81,8 @@ std::optional<PlannedMoment> PlannedMotion::at(
     const std::int64_t last = point_before(*predecessor, plan->start_ns);
     from = moment_of(*predecessor, static_cast<std::size_t>(std::max<std::int64_t>(last, 0)));
   }
-  const std::int64_t since_ns = instant_ns - plan->start_ns - (point + 1) * msgclient::kSlot_ns;
-  const double share = std::min(static_cast<double>(since_ns) / msgclient::kSlot_ns, 1.0);
+  const std::int64_t since_ns = instant_ns - plan->start_ns - (point + 1) * facts::kSlot_ns;
+  const double share = std::min(static_cast<double>(since_ns) / facts::kSlot_ns, 1.0);
   PlannedMoment moment =
       share > 0.0 ? between(from, moment_of(*plan, static_cast<std::size_t>(next)), share) : from;
   moment.plan = plan;

@@ -9,6 +9,7 @@
 #include "gaitway/api/message_definition.hpp"
 #include "gaitway/api/publication.hpp"
 #include "gaitway/api/service_table.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -185,7 +186,7 @@ ros::GetActionServers::Response Rosapi::answer(const ros::GetActionServers::Requ
 }
 
 ros::GetTime::Response Rosapi::answer(const ros::GetTime::Request&) const {
-  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  using facts::kSecond_ns;
   const std::int64_t now_ns = robot_.now_ns();
   const auto sec = static_cast<std::int32_t>(now_ns / kSecond_ns);
   const auto nanosec = static_cast<std::uint32_t>(now_ns % kSecond_ns);

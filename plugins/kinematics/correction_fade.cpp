@@ -1,12 +1,9 @@
 // Linear fade-in, smooth fade-out.
 #include "gaitway/kinematics/correction_fade.hpp"
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::kinematics {
-namespace {
-
-constexpr double kPointPeriod_s = 0.010;
-
-}  // namespace
 
 void CorrectionFade::begin(std::uint32_t sequence, std::uint32_t batch_count, std::uint32_t tail_count,
                            const BaseOffset& target) noexcept {
@@ -22,8 +19,8 @@ void CorrectionFade::begin(std::uint32_t sequence, std::uint32_t batch_count, st
 }
 
 std::array<msgclient::Bow, 2> CorrectionFade::bow(std::uint64_t point) const noexcept {
-  const double time_s = kPointPeriod_s * static_cast<double>(point + 1);
-  const double batch_s = kPointPeriod_s * static_cast<double>(batch_count_);
+  const double time_s = facts::kSlot_s * static_cast<double>(point + 1);
+  const double batch_s = facts::kSlot_s * static_cast<double>(batch_count_);
   return {msgclient::bow_at(start_.bow[0], target_.bow[0], time_s, batch_s),
           msgclient::bow_at(start_.bow[1], target_.bow[1], time_s, batch_s)};
 }

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::kinematics {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 constexpr double kFrictionSpeed_rad_per_s =
     0.2;  // below it, dry friction is taken in proportion to the speed
 

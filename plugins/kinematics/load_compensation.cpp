@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::kinematics {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
-constexpr double kPoint_s = 0.010;
+using facts::kGravity_m_per_s2;
 constexpr int kReach = 2;        // points to either side for a difference: smooths the solver's tolerance
 constexpr int kKnotSpacing = 4;  // points of the tail from one lead that is computed to the next
 constexpr double kFadePerPoint = 1.0 / 60.0;
@@ -79,7 +79,7 @@ std::array<LoadCompensation::Angles, 2> LoadCompensation::lead_rad(const MotionP
   const Row& behind = row(by.middle - by.reach);
   const Row& here = row(by.middle);
   const Row& ahead = row(by.middle + by.reach);
-  const double span_s = std::max(1, by.reach) * kPoint_s;
+  const double span_s = std::max(1, by.reach) * facts::kSlot_s;
   const std::array<GroundForce, 2> ground = ground_forces(plan, point);
   std::array<Angles, 2> lead{};
   for (std::size_t side = 0; side < 2; ++side) {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
 constexpr std::uint32_t kUpright = 0;  // Estimate::fall
 // A trunk that is to lean further is not balanced: near 90° roll and pitch do not say which way it falls.
 constexpr double kMostLean_rad = 1.0;
@@ -87,7 +87,7 @@ bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& me
 
 bool BalanceController::is_airborne(const Estimate& estimate) noexcept {
   const bool contact = estimate.contact[0] != 0 || estimate.contact[1] != 0;
-  without_contact_s_ = contact ? 0.0 : without_contact_s_ + kTick_s;
+  without_contact_s_ = contact ? 0.0 : without_contact_s_ + facts::kSlot_s;
   return without_contact_s_ > parameters_.airborne_after_s;
 }
 

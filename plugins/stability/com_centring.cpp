@@ -1,10 +1,11 @@
 // offset' = -gain (estimated - planned), both limited.
 #include "gaitway/stability/com_centring.hpp"
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
 constexpr double kMostError_m = 0.005;  // of the CoM at a time: a body that is off by more is pushed
 constexpr double kCalm_m = 0.020;       // of the DCM: a body that is off by more is being caught
 
@@ -12,7 +13,7 @@ constexpr double kCalm_m = 0.020;       // of the DCM: a body that is off by mor
 
 void ComCentring::learn(const Eigen::Vector2d& com_error_m, const Eigen::Vector2d& dcm_error_m) noexcept {
   if (!com_error_m.allFinite() || !(dcm_error_m.norm() < kCalm_m)) return;
-  offset_m_ -= gain_per_s_ * kTick_s * com_error_m.cwiseMax(-kMostError_m).cwiseMin(kMostError_m);
+  offset_m_ -= gain_per_s_ * facts::kSlot_s * com_error_m.cwiseMax(-kMostError_m).cwiseMin(kMostError_m);
   offset_m_ = offset_m_.cwiseMax(-limit_m_).cwiseMin(limit_m_);
 }
 

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::stability {
 namespace {
 
 constexpr std::uint32_t kUpright = 0, kFalls = 1;  // Estimate::fall
-constexpr double kTick_s = 0.010;
 constexpr int kRisingTicks = 300, kMostTicks = 1000;
 
 }  // namespace
@@ -23,7 +24,7 @@ double FallReaction::update(std::uint32_t fall, const Plays& plays) noexcept {
     // What is played in the moment of the fall, be it on the ground, does not keep the joints stiff.
     rising_ticks_ = 0;
     falling_ticks_ = std::min(falling_ticks_ + 1, kMostTicks);
-    const bool waits = falling_ticks_ <= std::lround(softness_.wait_s / kTick_s);
+    const bool waits = falling_ticks_ <= std::lround(softness_.wait_s / facts::kSlot_s);
     return plays.fall_posture || waits ? std::min(softness_.posture, softness_.lying) : softness_.lying;
   }
   rising_ticks_ = plays.on_ground ? kRisingTicks : std::max(rising_ticks_ - 1, 0);

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
 constexpr double kPlanJump_rad = 0.2;  // in one tick: the plan was placed anew, the robot has not slipped
 
 }  // namespace
@@ -23,7 +24,7 @@ double HeadingFeedback::update(double measured_yaw_rad, double commanded_yaw_rad
     strayed_rad_ += difference - *last_difference_rad_;
   }
   last_difference_rad_ = difference;
-  error_rad_ += kTick_s / (filter_s_ + kTick_s) * (-strayed_rad_ - error_rad_);
+  error_rad_ += facts::kSlot_s / (filter_s_ + facts::kSlot_s) * (-strayed_rad_ - error_rad_);
   if (!walking) return 0.0;
   return std::clamp(gain_per_s_ * error_rad_, -limit_rad_per_s_, limit_rad_per_s_);
 }

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
-constexpr double kBatch_s = 0.010 * static_cast<double>(kBatchPoints);
 constexpr double kUpright_rad = 0.02;  // less is no bow
 constexpr double kSways_m = 0.015;     // what the DCM lies beyond the CoM of a body that is not pushed
 
@@ -34,7 +33,7 @@ void HipStrategy::follow(const std::optional<Standing>& standing) noexcept {
       is_pushed && std::isfinite(ahead_m) ? std::max(std::abs(ahead_m) - beyond_m_, 0.0) : 0.0;
   const double asked_rad = std::copysign(std::min(gain_rad_per_m_ * beyond_m, limit_rad_), ahead_m);
   wanted_rad_ =
-      std::copysign(std::max(std::abs(wanted_rad_) - return_rad_per_s_ * kTick_s, 0.0), wanted_rad_);
+      std::copysign(std::max(std::abs(wanted_rad_) - return_rad_per_s_ * facts::kSlot_s, 0.0), wanted_rad_);
   const bool same_side = asked_rad * wanted_rad_ > 0.0;
   if (same_side ? std::abs(asked_rad) > std::abs(wanted_rad_) : std::abs(wanted_rad_) < kUpright_rad) {
     wanted_rad_ = asked_rad;
@@ -47,16 +46,17 @@ void HipStrategy::begin_batch(std::uint32_t sequence, bool steps, std::uint32_t 
   if (sequence == 0 || sequence == last.sequence) return;
   Batch next{.sequence = sequence, .tail_count = tail_count, .from = {}, .to = {}};
   if (last.sequence != 0 && sequence > last.sequence) {
-    next.from = at(last.sequence, kBatch_s * (sequence - last.sequence));
+    next.from = at(last.sequence, facts::kCycle_s * (sequence - last.sequence));
   }
-  if (steps) wanted_rad_ = next.from.angle_rad + 0.5 * next.from.rate_rad_per_s * kBatch_s;
-  const double to_go_rad = wanted_rad_ - next.from.angle_rad - 0.5 * next.from.rate_rad_per_s * kBatch_s;
-  next.to.rate_rad_per_s = std::clamp(to_go_rad / kBatch_s, -speed_rad_per_s_, speed_rad_per_s_);
+  if (steps) wanted_rad_ = next.from.angle_rad + 0.5 * next.from.rate_rad_per_s * facts::kCycle_s;
+  const double to_go_rad =
+      wanted_rad_ - next.from.angle_rad - 0.5 * next.from.rate_rad_per_s * facts::kCycle_s;
+  next.to.rate_rad_per_s = std::clamp(to_go_rad / facts::kCycle_s, -speed_rad_per_s_, speed_rad_per_s_);
   // Going back quickly would throw the body to where it came from.
   const double outwards = next.from.angle_rad + wanted_rad_ >= 0.0 ? 1.0 : -1.0;
   next.to.rate_rad_per_s = outwards * std::max(outwards * next.to.rate_rad_per_s, -return_rad_per_s_);
   next.to.angle_rad =
-      next.from.angle_rad + 0.5 * (next.from.rate_rad_per_s + next.to.rate_rad_per_s) * kBatch_s;
+      next.from.angle_rad + 0.5 * (next.from.rate_rad_per_s + next.to.rate_rad_per_s) * facts::kCycle_s;
   newest_ = (newest_ + 1) % kKept;
   batches_[newest_] = next;
 }
@@ -66,8 +66,8 @@ msgclient::Bow HipStrategy::at(std::uint32_t sequence, double since_start_s) con
     return kept.sequence != 0 && kept.sequence == sequence;
   });
   if (batch == batches_.end()) return {};
-  msgclient::Bow bow = msgclient::bow_at(batch->from, batch->to, since_start_s, kBatch_s);
-  const double tail_points = std::max(since_start_s - kBatch_s, 0.0) / kTick_s;
+  msgclient::Bow bow = msgclient::bow_at(batch->from, batch->to, since_start_s, facts::kCycle_s);
+  const double tail_points = std::max(since_start_s - facts::kCycle_s, 0.0) / facts::kSlot_s;
   bow.angle_rad *=
       msgclient::tail_share(static_cast<std::uint64_t>(std::lround(tail_points)), batch->tail_count);
   return bow;

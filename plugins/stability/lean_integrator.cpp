@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
 constexpr double kFadePerTick = 0.995;  // half in 1.4 s
 
 }  // namespace
@@ -16,7 +17,7 @@ void LeanIntegrator::update(double roll_rad, double pitch_rad, bool walking) noe
   const std::array<double, 2> lean{roll_rad - reference_rad_[0], pitch_rad - reference_rad_[1]};
   for (std::size_t axis = 0; axis < lean.size(); ++axis) {
     offset_rad_[axis] =
-        std::clamp(offset_rad_[axis] - gain_per_s * kTick_s * lean[axis], -limit_rad_, limit_rad_);
+        std::clamp(offset_rad_[axis] - gain_per_s * facts::kSlot_s * lean[axis], -limit_rad_, limit_rad_);
   }
 }
 

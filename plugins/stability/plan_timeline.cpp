@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::stability {
 namespace {
 
-constexpr std::int64_t kPoint_ns = 10'000'000;
-constexpr double kPoint_s = 0.010;
 // A trunk that leans less may be balanced as if it were upright: the trims for it are small.
 constexpr double kUpright_rad = 0.05;
 constexpr std::uint32_t kKeyFrameMotion = 1, kFallPosture = 2;  // MotionPlan::motion
@@ -62,7 +62,7 @@ std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
     if (excerpt.start_ns > now_ns || (accepted_sequence && excerpt.sequence > *accepted_sequence)) continue;
     const std::int64_t last = static_cast<std::int64_t>(excerpt.count) - 1;
     const std::int64_t slot =
-        (now_ns - excerpt.start_ns) / kPoint_ns;  // point i is reached at the end of slot i
+        (now_ns - excerpt.start_ns) / facts::kSlot_ns;  // point i is reached at the end of slot i
     PlanMoment moment;
     moment.sequence = excerpt.sequence;
     moment.since_start_s = 1e-9 * static_cast<double>(now_ns - excerpt.start_ns);
@@ -83,7 +83,8 @@ std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
     moment.trunk_attitude_rad = Eigen::Vector2d(excerpt.trunk_attitude_rad[reached].data());
     const std::size_t before = reached == 0 ? 0 : reached - 1;
     moment.trunk_rate_rad_per_s =
-        (moment.trunk_attitude_rad - Eigen::Vector2d(excerpt.trunk_attitude_rad[before].data())) / kPoint_s;
+        (moment.trunk_attitude_rad - Eigen::Vector2d(excerpt.trunk_attitude_rad[before].data())) /
+        facts::kSlot_s;
     return moment;
   }
   return std::nullopt;

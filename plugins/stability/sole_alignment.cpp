@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
 constexpr std::size_t kAnklePitch = 4, kAnkleRoll = 5;  // of a leg's joints, from the hip down
 constexpr double kLeastShare = 0.25;                    // of the load, on either foot
 
@@ -43,7 +43,7 @@ void SoleAlignment::learn(const Estimate& standing) noexcept {
   const bool finite = std::isfinite(zmp[0][0] + zmp[0][1] + zmp[1][0] + zmp[1][1]);
   if (!finite || !(least_N > kLeastShare * load_N)) return;
   const auto turn = [this](double& angle_rad, double zmp_m) {
-    angle_rad = std::clamp(angle_rad + gain_rad_per_m_s_ * kTick_s * zmp_m, -limit_rad_, limit_rad_);
+    angle_rad = std::clamp(angle_rad + gain_rad_per_m_s_ * facts::kSlot_s * zmp_m, -limit_rad_, limit_rad_);
   };
   turn(roll_rad_[0], zmp[0][1]);  // pressed on its left edge: that edge goes up
   turn(roll_rad_[1], zmp[1][1]);

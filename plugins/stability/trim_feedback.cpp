@@ -3,21 +3,18 @@
 
 #include <algorithm>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::stability {
-namespace {
-
-constexpr double kTick_s = 0.010;
-
-}  // namespace
 
 TrimFeedback::TrimFeedback(const urdf::RobotModel& model, const BalanceParameters& parameters)
     : matrix_(make_trim_gain_matrix(model, parameters)),
       limit_rad_(std::min(parameters.trim_limit_rad, model.trim.limit_rad)),
-      ramp_step_(kTick_s / parameters.ramp_s),
+      ramp_step_(facts::kSlot_s / parameters.ramp_s),
       standing_after_s_(parameters.standing_after_s) {}
 
 void TrimFeedback::update_hip_share(bool both_feet) noexcept {
-  standing_s_ = both_feet ? standing_s_ + kTick_s : 0.0;
+  standing_s_ = both_feet ? standing_s_ + facts::kSlot_s : 0.0;
   const double step = standing_s_ > standing_after_s_ ? ramp_step_ : -ramp_step_;
   hip_share_ = std::clamp(hip_share_ + step, 0.0, 1.0);
 }

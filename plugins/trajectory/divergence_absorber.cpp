@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 
 namespace gaitway::trajectory {
@@ -11,10 +12,10 @@ namespace gaitway::trajectory {
 // Between two points p is linear: ∫₀ᵀ ω e^{−ωs} p ds = (1 − q) p_k + ((1 − q)/(ωT) − q) (p_{k+1} − p_k), q =
 // e^{−ωT}.
 DivergenceAbsorber::DivergenceAbsorber(double com_height_m, int duration_points, int ramp_points)
-    : omega_per_s_(std::sqrt(kGravity_m_per_s2 / com_height_m)),
-      decay_(std::exp(-omega_per_s_ * kPointPeriod_s)),
+    : omega_per_s_(std::sqrt(facts::kGravity_m_per_s2 / com_height_m)),
+      decay_(std::exp(-omega_per_s_ * facts::kSlot_s)),
       weight_now_(0.0),
-      weight_next_((1.0 - decay_) / (omega_per_s_ * kPointPeriod_s) - decay_),
+      weight_next_((1.0 - decay_) / (omega_per_s_ * facts::kSlot_s) - decay_),
       duration_points_(duration_points),
       ramp_points_(ramp_points) {
   weight_now_ = 1.0 - decay_ - weight_next_;

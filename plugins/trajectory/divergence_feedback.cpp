@@ -4,16 +4,17 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::trajectory {
 namespace {
 
-constexpr std::int64_t kPoint_ns = 10'000'000;
 constexpr std::int64_t kOldest_ns = 60'000'000;
 
 }  // namespace
 
 DivergenceFeedback::DivergenceFeedback(const GaitParameters& parameters) noexcept
-    : omega_per_s_(std::sqrt(kGravity_m_per_s2 / parameters.com_height_m)),
+    : omega_per_s_(std::sqrt(facts::kGravity_m_per_s2 / parameters.com_height_m)),
       lag_ns_(std::llround(parameters.response_lag_s * 1e9)) {}
 
 void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
@@ -22,7 +23,7 @@ void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
   for (std::size_t i = 0; i < kBatchPoints; ++i) {
     newest_ = (newest_ + 1) % kKept;
     Point& point = points_[newest_];
-    point.time_ns = plan.start_ns + static_cast<std::int64_t>(i + 1) * kPoint_ns;
+    point.time_ns = plan.start_ns + static_cast<std::int64_t>(i + 1) * facts::kSlot_ns;
     point.dcm_m = Eigen::Vector2d(plan.com[i]) + Eigen::Vector2d(plan.com_velocity[i]) / omega_per_s_;
     point.zmp_m = Eigen::Vector2d(plan.zmp[i]);
     for (std::size_t side = 0; side < point.foot_m.size(); ++side) {
@@ -34,7 +35,7 @@ void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
 
 const DivergenceFeedback::Point* DivergenceFeedback::planned_for(std::int64_t time_ns) const noexcept {
   for (const Point& point : points_) {
-    if (point.time_ns >= 0 && std::abs(point.time_ns - time_ns) <= kPoint_ns / 2) return &point;
+    if (point.time_ns >= 0 && std::abs(point.time_ns - time_ns) <= facts::kSlot_ns / 2) return &point;
   }
   return nullptr;
 }

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::trajectory {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr int kMostTailPoints = 192;     // what a plan can carry, in whole batc
 constexpr int kMostPreviewPoints = 300;  // room of the reference ZMP
 
 int whole_points(double time_s) noexcept {
-  return static_cast<int>(std::lround(time_s / kPointPeriod_s));
+  return static_cast<int>(std::lround(time_s / facts::kSlot_s));
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ std::vector<NumberParameter> GaitParameters::numbers() {
       {recover_behind_m, "recover_behind", "m", -0.05, 1.0},
       {recover_bow_ahead_m_per_rad, "recover_bow_ahead", "m/rad", 0.0, 1.0},
       {recover_bow_behind_m_per_rad, "recover_bow_behind", "m/rad", 0.0, 1.0},
-      {recover_lead_in_s, "recover_lead_in", "s", kPointPeriod_s, 2.0},
+      {recover_lead_in_s, "recover_lead_in", "s", facts::kSlot_s, 2.0},
       {recover_swing_s, "recover_swing", "s", 0.10, 1.0},
       {recover_step_m, "recover_step", "m", 0.0, 1.0},
       {recover_crouch, "recover_crouch", "1", 0.0, 1.0},
@@ -97,7 +99,7 @@ std::vector<NumberParameter> GaitParameters::numbers() {
       {forward_acceleration_m_per_s2, "forward_acceleration", "m/s^2", 1e-3, 10.0},
       {lateral_acceleration_m_per_s2, "lateral_acceleration", "m/s^2", 1e-3, 10.0},
       {turn_acceleration_rad_per_s2, "turn_acceleration", "rad/s^2", 1e-3, 50.0},
-      {preview_s, "preview", "s", 0.5, kMostPreviewPoints * kPointPeriod_s},
+      {preview_s, "preview", "s", 0.5, kMostPreviewPoints * facts::kSlot_s},
       {zmp_error_weight, "zmp_error_weight", "1", 1e-6, 1e6},
       {jerk_weight, "jerk_weight", "1", 1e-12, 1.0},
   };

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::trajectory {
 namespace {
 
 constexpr auto kBatch = static_cast<std::size_t>(kBatchPoints);
-constexpr double kPoint_s = 0.010;
 // The approach: smooth from rest to rest, no joint faster than this if the time allows.
 constexpr double kApproachSpeed_rad_per_s = 2.0, kSmoothPeak = 1.875;
 
@@ -47,8 +48,9 @@ void MotionPlayer::start(std::size_t motion, const Stand& stand, std::span<const
   }
   // Never longer than a tail, which must hold the rest of it.
   const double time_s =
-      std::min(kSmoothPeak * farthest_rad / kApproachSpeed_rad_per_s, kMaxTailPoints * kPoint_s);
-  const auto batches = static_cast<std::uint32_t>(std::ceil(time_s / kPoint_s / static_cast<double>(kBatch)));
+      std::min(kSmoothPeak * farthest_rad / kApproachSpeed_rad_per_s, kMaxTailPoints * facts::kSlot_s);
+  const auto batches =
+      static_cast<std::uint32_t>(std::ceil(time_s / facts::kSlot_s / static_cast<double>(kBatch)));
   state_.approach_points = batches * kBatchPoints;
   if (batches > 0) state_.stage = MotionStage::approach;
 }
@@ -203,10 +205,10 @@ void MotionPlayer::tell(gaitway::MotionState& state) const noexcept {
   state.ended = state_.ended;
   std::memcpy(state.name, state_.name.data(), state_.name.size());
   const bool known = state_.name[0] != 0;
-  state.duration = known ? static_cast<double>(table().path.size() - 1) * kPoint_s : 0.0;
+  state.duration = known ? static_cast<double>(table().path.size() - 1) * facts::kSlot_s : 0.0;
   const std::size_t played =
       state_.stage == MotionStage::approach ? 0 : state_.batches * kBatch + state_.points;
-  state.time = known ? static_cast<double>(played) * kPoint_s : 0.0;
+  state.time = known ? static_cast<double>(played) * facts::kSlot_s : 0.0;
 }
 
 void MotionPlayer::resume() noexcept {

@@ -152,7 +152,7 @@ class Trajectory final : public Plugin {
     if (static_cast<NetworkMode>(network.mode) != NetworkMode::batches ||
         network.accepted_sequence != running)
       return;
-    const std::int64_t start_ns = plan.start_ns + revision_slot_ * msgclient::kSlot_ns;
+    const std::int64_t start_ns = plan.start_ns + revision_slot_ * facts::kSlot_ns;
     const WalkCommand walk = commanded(tick.now_ns);
     if (!pattern_.revise(walk, correction(), plan, deviation_m(start_ns))) return;
     divergence_.take(plan);

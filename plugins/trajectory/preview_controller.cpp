@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 
 namespace gaitway::trajectory {
@@ -50,7 +51,7 @@ Eigen::Matrix4d solve_riccati(const AugmentedModel& model, double error_weight, 
 }  // namespace
 
 PreviewController::PreviewController(const PreviewParameters& parameters)
-    : height_over_gravity_s2_(parameters.com_height_m / kGravity_m_per_s2),
+    : height_over_gravity_s2_(parameters.com_height_m / facts::kGravity_m_per_s2),
       preview_gain_(parameters.points),
       remaining_gain_(parameters.points + 1) {
   if (parameters.points < 1 || parameters.points >= ZmpReference::kCapacity) {

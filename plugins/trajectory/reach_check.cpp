@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::trajectory {
@@ -75,9 +76,9 @@ LegReach measure(const urdf::RobotModel& robot, const urdf::ForwardKinematics& z
 // The steady walk of the cart-table: from -x to x over the stance foot, then with the speed x ω coth(ω T/2)
 // to the next.
 double farther_share(const GaitParameters& p) noexcept {
-  const double omega = std::sqrt(kGravity_m_per_s2 / p.com_height_m);
-  const double swing_s = p.swing_points() * kPointPeriod_s;
-  const double double_support_s = p.double_support_points() * kPointPeriod_s;
+  const double omega = std::sqrt(facts::kGravity_m_per_s2 / p.com_height_m);
+  const double swing_s = p.swing_points() * facts::kSlot_s;
+  const double double_support_s = p.double_support_points() * facts::kSlot_s;
   return 1.0 - 1.0 / (2.0 + omega * double_support_s / std::tanh(0.5 * omega * swing_s));
 }
 

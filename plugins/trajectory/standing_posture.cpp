@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::trajectory {
@@ -30,7 +31,7 @@ double swing_moment_s2(const urdf::RobotModel& robot, const urdf::ForwardKinemat
   const double mass_kg = robot.total_mass_kg();
   const double rest_height_m = (mass_kg * com_height_m - leg_height_kg_m) / (mass_kg - leg_kg);
   moment_kg_m += moved_kg * (rest_height_m - com_height_m);
-  return moment_kg_m / (mass_kg * kGravity_m_per_s2);
+  return moment_kg_m / (mass_kg * facts::kGravity_m_per_s2);
 }
 
 }  // namespace

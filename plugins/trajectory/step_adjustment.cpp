@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::trajectory {
 namespace {
 
@@ -19,7 +21,7 @@ StepAdjustment::StepAdjustment(const GaitParameters& parameters, double omega_pe
       share_(parameters.adjust_share),
       time_cost_m_per_s_(parameters.adjust_time_cost_m_per_s),
       omega_per_s_(omega_per_s),
-      half_double_support_s_(0.5 * parameters.double_support_points() * kPointPeriod_s) {}
+      half_double_support_s_(0.5 * parameters.double_support_points() * facts::kSlot_s) {}
 
 // The ZMP moves to the new foot in the middle of the double support that follows the landing.
 double StepAdjustment::decay(double landing_s) const noexcept {
@@ -33,7 +35,7 @@ Eigen::Vector2d StepAdjustment::excess_m(const Eigen::Vector2d& deviation_m) con
 
 StepAnswer StepAdjustment::answer(const Eigen::Vector2d& excess_m, const StepInFlight& step) const noexcept {
   const Eigen::Vector2d wanted = share_ * excess_m;
-  const double planned_decay = std::exp(-omega_per_s_ * step.points * kPointPeriod_s);
+  const double planned_decay = std::exp(-omega_per_s_ * step.points * facts::kSlot_s);
   StepAnswer best{.points = step.points};
   double least = std::numeric_limits<double>::infinity();
   // Ahead and back the place alone does better: nothing keeps the feet from where the body falls to.
@@ -41,10 +43,10 @@ StepAnswer StepAdjustment::answer(const Eigen::Vector2d& excess_m, const StepInF
   const int fewest = place_alone ? step.points : step.fewest_points;
   const int most = place_alone ? step.points : step.most_points;
   for (int points = fewest; points <= most; ++points) {
-    const double landing_s = points * kPointPeriod_s;
-    const double change_s = landing_s - step.points * kPointPeriod_s;
+    const double landing_s = points * facts::kSlot_s;
+    const double change_s = landing_s - step.points * facts::kSlot_s;
     const Eigen::Vector2d by_time = (std::exp(-omega_per_s_ * landing_s) - planned_decay) * step.landing_dcm;
-    const Eigen::Vector2d most_m = swing_speed_m_per_s_ * (step.swing_points * kPointPeriod_s + change_s);
+    const Eigen::Vector2d most_m = swing_speed_m_per_s_ * (step.swing_points * facts::kSlot_s + change_s);
     const Eigen::Vector2d shift = full_shift_m(wanted - by_time, landing_s)
                                       .cwiseMax(-most_m)
                                       .cwiseMin(most_m)

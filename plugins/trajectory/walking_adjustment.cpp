@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
@@ -17,7 +18,7 @@ StepInFlight WalkingPattern::step_in_flight(const PatternState& state) const noe
   const double swing_left = 1.0 - swing_share(state);
   const auto points_in = [&](double swing_s) {
     return flight.points - flight.swing_points +
-           static_cast<int>(std::lround(swing_left * swing_s / kPointPeriod_s));
+           static_cast<int>(std::lround(swing_left * swing_s / facts::kSlot_s));
   };
   flight.fewest_points = std::min(flight.points, points_in(parameters_.adjust_shortest_swing_s));
   flight.most_points = std::max(flight.points, points_in(parameters_.adjust_longest_swing_s));
@@ -54,7 +55,7 @@ bool WalkingPattern::adjust_step(PatternState& state, const Eigen::Vector2d& dcm
       step.stance.compose({shifted.x_m + answer.shift.x(), shifted.y_m + answer.shift.y(), shifted.yaw_rad});
   const int in_swing = state.elapsed_points - step.double_support_points;
   if (in_swing > 0)
-    state.swing.aim(step.landing, in_swing * kPointPeriod_s, step.swing_points * kPointPeriod_s);
+    state.swing.aim(step.landing, in_swing * facts::kSlot_s, step.swing_points * facts::kSlot_s);
   const Eigen::RowVector2d answered = (to_plan * answer.answered).transpose();
   state.cart.motion.row(1) += absorber_.omega_per_s() * answered;
   state.divergence += answered;

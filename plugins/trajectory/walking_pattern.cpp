@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::trajectory {
 namespace {
 
@@ -17,12 +19,12 @@ constexpr std::size_t index_of(Side side) noexcept {
 
 GaitParameters checked(GaitParameters parameters) {
   parameters.validate();
-  parameters.step_time_s = parameters.step_points() * kPointPeriod_s;
+  parameters.step_time_s = parameters.step_points() * facts::kSlot_s;
   return parameters;
 }
 
 PreviewParameters preview_of(const GaitParameters& parameters) {
-  return {parameters.com_height_m, kPointPeriod_s, parameters.preview_points(), parameters.zmp_error_weight,
+  return {parameters.com_height_m, facts::kSlot_s, parameters.preview_points(), parameters.zmp_error_weight,
           parameters.jerk_weight};
 }
 
@@ -80,7 +82,7 @@ Eigen::RowVector2d WalkingPattern::stand_com(const std::array<Pose2, 2>& feet) c
 
 double WalkingPattern::swing_share(const PatternState& state) noexcept {
   const int in_swing = state.elapsed_points - state.step.double_support_points;
-  return in_swing > 0 ? state.swing.share(in_swing * kPointPeriod_s) : 0.0;
+  return in_swing > 0 ? state.swing.share(in_swing * facts::kSlot_s) : 0.0;
 }
 
 bool WalkingPattern::is_open(const PatternState& state) const noexcept {
@@ -121,7 +123,7 @@ void WalkingPattern::begin_settling(PatternState& state) const noexcept {
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     state.settle[static_cast<std::size_t>(axis)] =
         Quintic({now(0, axis), now(1, axis), now(2, axis)}, {end(axis)},
-                parameters_.settle_points() * kPointPeriod_s);
+                parameters_.settle_points() * facts::kSlot_s);
   }
   state.phase = Phase::settling;
   state.elapsed_points = 0;
@@ -137,7 +139,7 @@ void WalkingPattern::aim_hips(PatternState& state, double goal_m) const noexcept
 }
 
 Eigen::RowVector2d WalkingPattern::swing_zmp_m(const SwingFoot& swing, int in_swing) const noexcept {
-  return parameters_.swing_moment_s2 * swing.acceleration_m_per_s2(in_swing * kPointPeriod_s);
+  return parameters_.swing_moment_s2 * swing.acceleration_m_per_s2(in_swing * facts::kSlot_s);
 }
 
 Step WalkingPattern::closing_step_after(const Step& before) const noexcept {
@@ -198,7 +200,7 @@ void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, co
     offset_left.setZero();
     const int in_swing = state.elapsed_points - step.double_support_points;
     if (in_swing > 0)
-      state.swing.aim(step.landing, in_swing * kPointPeriod_s, step.swing_points * kPointPeriod_s);
+      state.swing.aim(step.landing, in_swing * facts::kSlot_s, step.swing_points * facts::kSlot_s);
   }
   if (state.recovery_steps == 0) {
     aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
@@ -261,7 +263,7 @@ void WalkingPattern::lay_out_reference(const PatternState& state, int points,
     const bool swings = i < 0 && elapsed > step->double_support_points;
     const SwingFoot swing =
         swings ? state.swing
-               : SwingFoot(feet[index_of(step->swing)], step->landing, step->swing_points * kPointPeriod_s);
+               : SwingFoot(feet[index_of(step->swing)], step->landing, step->swing_points * facts::kSlot_s);
     // What the leg in the air adds to the ZMP is left to it: the cart gets the rest.
     for (; elapsed < step->points() && row < most; ++elapsed) {
       reference.point.row(row) = zmp_in_step(*step, elapsed);
@@ -307,13 +309,13 @@ void WalkingPattern::advance_step(PatternState& state) noexcept {
   const Step& step = state.step;
   const std::size_t foot = index_of(step.swing);
   if (state.elapsed_points == step.double_support_points) {
-    state.swing = SwingFoot(state.feet[foot], step.landing, step.swing_points * kPointPeriod_s);
+    state.swing = SwingFoot(state.feet[foot], step.landing, step.swing_points * facts::kSlot_s);
   }
   ++state.elapsed_points;
   const int in_swing = state.elapsed_points - step.double_support_points;
   if (in_swing <= 0) return;
   if (in_swing < step.swing_points) {
-    state.feet[foot] = state.swing.at(in_swing * kPointPeriod_s);
+    state.feet[foot] = state.swing.at(in_swing * facts::kSlot_s);
     state.foot_height_m[foot] = swing_height_m(swing_share(state), parameters_.lift_m);
     return;
   }
@@ -340,7 +342,7 @@ void WalkingPattern::advance_settling(PatternState& state) const noexcept {
   }
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const MotionState com =
-        state.settle[static_cast<std::size_t>(axis)].at(state.elapsed_points * kPointPeriod_s);
+        state.settle[static_cast<std::size_t>(axis)].at(state.elapsed_points * facts::kSlot_s);
     state.cart.motion.col(axis) << com.position, com.velocity, com.acceleration;
   }
 }

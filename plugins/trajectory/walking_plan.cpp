@@ -1,12 +1,12 @@
 // The plan that the walking pattern writes: the batch, its footsteps and its safe tail.
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
 namespace {
 
-constexpr std::int64_t kPointPeriod_ns = 10'000'000;
 constexpr auto kBatch = static_cast<int>(kBatchPoints);
 constexpr int kShortestTail = 6 * kBatch;
 
@@ -143,7 +143,7 @@ void WalkingPattern::write_footsteps(const PatternState& state, int first, Motio
     plan.footstep[k][0] = step.landing.x_m;
     plan.footstep[k][1] = step.landing.y_m;
     plan.footstep[k][2] = step.landing.yaw_rad;
-    plan.footstep_landing_ns[k] = plan.start_ns + points * kPointPeriod_ns;
+    plan.footstep_landing_ns[k] = plan.start_ns + points * facts::kSlot_ns;
   }
 }
 

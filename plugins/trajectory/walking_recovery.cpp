@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
@@ -45,7 +46,7 @@ void WalkingPattern::begin_recovery(PatternState& state, const Eigen::Vector2d& 
   const Eigen::RowVector2d asked = absorber_.required_divergence(batch_reference_, 0);
   const Eigen::Rotation2Dd to_plan(step.stance.yaw_rad);
   const Eigen::Vector2d gap = to_plan.inverse() * (dcm - asked).transpose();
-  const double landing_s = step.points() * kPointPeriod_s;
+  const double landing_s = step.points() * facts::kSlot_s;
   Eigen::Vector2d shift = adjustment_.full_shift_m(gap, landing_s);
   shift.x() = parameters_.limit_recovery_m(shift.x());
   step.landing = planner_.adjusted_landing(step.stance, step.swing, {}, {}, shift);

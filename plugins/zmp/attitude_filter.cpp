@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 constexpr double kLeastCosine = 0.1;  // of the pitch: beyond 84 degrees the robot lies, and yaw means little
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 // An unknown heading is no more uncertain than this.

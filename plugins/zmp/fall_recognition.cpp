@@ -5,10 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = 0.010;
 constexpr int kMostTicks = 1000;        // counters stay there
 constexpr double kLoadedShare = 0.04;   // of the weight: with less the feet stand on nothing
 constexpr int kCarriedTicks = 20;       // without load: somebody holds the robot
@@ -44,7 +45,7 @@ void FallParameters::validate() const {
 
 FallRecognition::FallRecognition(const FallParameters& parameters)
     : parameters_(checked(parameters)),
-      confirm_ticks_(std::max(1, static_cast<int>(std::lround(parameters.confirm_s / kTick_s)))) {}
+      confirm_ticks_(std::max(1, static_cast<int>(std::lround(parameters.confirm_s / facts::kSlot_s)))) {}
 
 void FallRecognition::update(const FallInputs& inputs) noexcept {
   tipping_ = tipping_of(inputs.body, parameters_.model);
@@ -84,7 +85,7 @@ void FallRecognition::begin_fall(const FallInputs& inputs) noexcept {
 void FallRecognition::watch_falling(const FallInputs& inputs) noexcept {
   // Once told, the impact only comes nearer: on the ground the pendulum says nothing any more.
   time_to_impact_s_ =
-      std::clamp(std::min(time_to_impact_s_ - kTick_s, tipping_.time_to_impact_s), 0.0, kNoImpact_s);
+      std::clamp(std::min(time_to_impact_s_ - facts::kSlot_s, tipping_.time_to_impact_s), 0.0, kNoImpact_s);
   count(overdue_ticks_, time_to_impact_s_ <= 0.0);
   if (stands_again(inputs)) {
     fall_ = Fall::upright;

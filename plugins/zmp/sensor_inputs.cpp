@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::zmp {
 namespace {
 
-constexpr std::int64_t kSlot_ns = 10'000'000;
-constexpr double kSlot_s = 0.010;
+using facts::kSlot_ns;
+using facts::kSlot_s;
 constexpr std::size_t kMaskBits = 64;
 
 bool all_finite(std::span<const double> values) noexcept {

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = 0.010;
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 constexpr double kLeastForceShare = 0.02;  // of the body weight: with less, a ZMP says nothing
 // Without joint states the pendulum is predicted, but it is unstable: after so many ticks the CoM is held.
 constexpr int kMostBlindTicks = 10;
@@ -44,9 +45,9 @@ StateEstimator::StateEstimator(const urdf::RobotModel& model, const EstimatorPar
       feet_planted_(parameters, mass_kg_ * kGravity_m_per_s2),
       model_uncertainty_(model_uncertainty(model, parameters)),
       kinematics_(model),
-      com_{ComFilter(parameters, std::sqrt(kGravity_m_per_s2 / nominal_com_height_m_), kTick_s),
-           ComFilter(parameters, std::sqrt(kGravity_m_per_s2 / nominal_com_height_m_), kTick_s),
-           ComFilter(parameters, 0.0, kTick_s)},
+      com_{ComFilter(parameters, std::sqrt(kGravity_m_per_s2 / nominal_com_height_m_), facts::kSlot_s),
+           ComFilter(parameters, std::sqrt(kGravity_m_per_s2 / nominal_com_height_m_), facts::kSlot_s),
+           ComFilter(parameters, 0.0, facts::kSlot_s)},
       com_offset_(parameters, model_uncertainty_.com_m.head<2>()),
       slip_{SlipObserver(parameters), SlipObserver(parameters)},
       fall_(parameters.fall) {}
@@ -70,8 +71,8 @@ void StateEstimator::update_attitude() noexcept {
   const int slots = inputs_.imu_slots();
   if (slots == 0) return;
   if (slots > kLongestGapSlots) attitude_.lose_tilt();
-  const double dt_s = kTick_s * std::min(slots, kLongestGapSlots);
-  attitude_.predict(inputs_.gyro_rad_per_s(), dt_s, dt_s - kTick_s);
+  const double dt_s = facts::kSlot_s * std::min(slots, kLongestGapSlots);
+  attitude_.predict(inputs_.gyro_rad_per_s(), dt_s, dt_s - facts::kSlot_s);
   const Eigen::Vector3d& force = inputs_.acceleration_m_per_s2();
   if (inputs_.inclination_rad()) {
     attitude_.correct_tilt(*inputs_.inclination_rad(), parameters_.tilt_noise_rad);
@@ -90,9 +91,9 @@ void StateEstimator::hold_heading() noexcept {
   const double left = kinematics_.heading_rad(urdf::Side::left);
   const double right = kinematics_.heading_rad(urdf::Side::right);
   feet_planted_.update({pressure_[0].force_N, pressure_[1].force_N}, left - right,
-                       inputs_.leg_reference_rate_rad_per_s(), kTick_s);
+                       inputs_.leg_reference_rate_rad_per_s(), facts::kSlot_s);
   if (feet_planted_.planted()) {
-    attitude_.hold_heading(0.5 * (left + right), feet_planted_.creep_rad_rts(), kTick_s);
+    attitude_.hold_heading(0.5 * (left + right), feet_planted_.creep_rad_rts(), facts::kSlot_s);
   } else {
     attitude_.release_heading();
   }
@@ -103,7 +104,7 @@ void StateEstimator::update_pressure() noexcept {
   const double least_force_N = kLeastForceShare * weight_N;
   if (const int slots = inputs_.force_slots(); slots > 0) {
     const Eigen::Vector3d force = attitude_.attitude().tilt() * inputs_.acceleration_m_per_s2();
-    cells_.update(inputs_.cell_force_N(), force.z() / kGravity_m_per_s2, kTick_s * slots);
+    cells_.update(inputs_.cell_force_N(), force.z() / kGravity_m_per_s2, facts::kSlot_s * slots);
   }
   for (const urdf::Side side : urdf::kSides) {
     const std::size_t i = index_of(side);
@@ -117,7 +118,7 @@ void StateEstimator::update_slip() noexcept {
   for (const urdf::Side side : urdf::kSides) {
     const Eigen::Vector3d force = kinematics_.sole_tilt(side) * inputs_.foot_acceleration_m_per_s2(side);
     slip_[index_of(side)].update(contacts_.in_contact(side), force.head<2>(),
-                                 kTick_s * inputs_.force_slots());
+                                 facts::kSlot_s * inputs_.force_slots());
   }
 }
 
@@ -182,7 +183,7 @@ void StateEstimator::update_com() noexcept {
   for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].correct(measured[static_cast<Eigen::Index>(axis)]);
   if (faults.forces_stale || in_the_air()) return;
   com_offset_.update({com_[0].unexplained_m_per_s2(), com_[1].unexplained_m_per_s2()}, omega_rad_per_s(),
-                     zmp_variance_, kTick_s);
+                     zmp_variance_, facts::kSlot_s);
 }
 
 // Of old values a fall is neither told nor over.

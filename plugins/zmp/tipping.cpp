@@ -6,13 +6,14 @@
 #include <cstddef>
 #include <limits>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 constexpr double kLowestCom_m = 0.05;  // above the edge: below, the pendulum says nothing
 constexpr double kShortestEdge_m = 1e-4;
-constexpr double kStep_s = 0.01;
 constexpr double kLongestFall_s = 2.0;
 
 using Corners = std::array<Eigen::Vector3d, 8>;
@@ -71,10 +72,10 @@ Pendulum pendulum_over(const Eigen::Vector3d& edge, const Eigen::Vector2d& outwa
 
 double time_to_impact_s(Pendulum pendulum, const TippingModel& model) noexcept {
   double time_s = 0.0;
-  for (; pendulum.tilt_rad < model.impact_tilt_rad; time_s += kStep_s) {
+  for (; pendulum.tilt_rad < model.impact_tilt_rad; time_s += facts::kSlot_s) {
     if (time_s >= kLongestFall_s) return kNoImpact_s;
-    pendulum.rate_rad_per_s += kStep_s * pendulum.omega2_per_s2 * std::sin(pendulum.tilt_rad);
-    pendulum.tilt_rad += kStep_s * pendulum.rate_rad_per_s;
+    pendulum.rate_rad_per_s += facts::kSlot_s * pendulum.omega2_per_s2 * std::sin(pendulum.tilt_rad);
+    pendulum.tilt_rad += facts::kSlot_s * pendulum.rate_rad_per_s;
   }
   return time_s;
 }

@@ -6,7 +6,7 @@
 namespace gaitway::core {
 namespace {
 
-constexpr std::int64_t kMs = msgclient::kMillisecond_ns;
+constexpr std::int64_t kMs = facts::kMillisecond_ns;
 
 TEST(Cycle, TicksAreFourMillisecondsAfterEachSlotsEdge) {
   EXPECT_FALSE(is_tick(0));
@@ -28,7 +28,7 @@ TEST(Cycle, BatchIsPreparedSixteenMillisecondsAhead) {
 
 TEST(Cycle, OtherTicksNameTheNextBatchToCome) {
   for (std::uint32_t slot = 0; slot < 800; ++slot) {
-    const Tick tick = tick_at(std::int64_t{slot} * msgclient::kSlot_ns + kTickPhase_ns);
+    const Tick tick = tick_at(std::int64_t{slot} * facts::kSlot_ns + kTickPhase_ns);
     EXPECT_EQ(tick.tick, slot);
     EXPECT_EQ(tick.batch, slot % 8 == 6);
     EXPECT_EQ(tick.batch_sequence, (slot + 1) / 8 + 1);
@@ -38,7 +38,7 @@ TEST(Cycle, OtherTicksNameTheNextBatchToCome) {
 
 TEST(Cycle, RevisionsArePreparedAsLongAheadAsBatches) {
   for (std::int64_t slot = 0; slot < 80; ++slot) {
-    const Tick tick = tick_at(slot * msgclient::kSlot_ns + kTickPhase_ns);
+    const Tick tick = tick_at(slot * facts::kSlot_ns + kTickPhase_ns);
     EXPECT_FALSE(is_revision_tick(tick, 0));
     EXPECT_EQ(is_revision_tick(tick, 4), slot % 8 == 2);
     if (slot % 8 == 2) {

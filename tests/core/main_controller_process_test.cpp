@@ -90,7 +90,7 @@ class MainControllerProcess : public testing::Test {
       network_writer.publish(network, now_ns);
       if (emi.take_hand_over(*batch, now_ns) == msgclient::TakeStatus::mail) {
         ++batches;
-        lead_ns = std::int64_t{batch->sequence} * msgclient::kCycle_ns - now_ns;
+        lead_ns = std::int64_t{batch->sequence} * facts::kCycle_ns - now_ns;
         EXPECT_TRUE(emi.answer({.sequence = batch->sequence}));
       }
       int status = 0;

@@ -35,7 +35,7 @@ class PluginFixture : public testing::Test {
     return {};
   }
   static Tick tick(std::uint32_t number) {
-    return tick_at(std::int64_t{number} * msgclient::kSlot_ns + kTickPhase_ns);
+    return tick_at(std::int64_t{number} * facts::kSlot_ns + kTickPhase_ns);
   }
 
   IsolationOptions isolation;

@@ -14,6 +14,7 @@
 
 #include "fuzz_input.hpp"
 #include "gaitway/api/hub.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "tests/plugins/api/recorded_robot.hpp"
 
 namespace gaitway::fuzz {
@@ -23,7 +24,7 @@ using nlohmann::json;
 using namespace api;
 
 constexpr std::size_t kClients = 3;
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr std::size_t kMostActions = 500;
 
 constexpr std::array<std::string_view, 40> kMessages{

@@ -13,6 +13,7 @@
 #include <span>
 
 #include "fuzz_frame.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::fuzz {
 namespace {
@@ -22,7 +23,7 @@ using localcontroller::JointController;
 using localcontroller::JointSensors;
 
 constexpr can::NodeId kNode = 7;
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr double kTolerance = 1e-9;
 
 JointConfig take_config(Input& input) {
@@ -94,8 +95,7 @@ class Joint {
     }
     require(frames < kMost, "its frames come to an end");
     // One more for the slot that began before the first step.
-    require(feedback_ <= allowed_feedback_ + now_ns_ / can::kSlotPeriod_ns + 1,
-            "one feedback a SYNC or slot");
+    require(feedback_ <= allowed_feedback_ + now_ns_ / facts::kSlot_ns + 1, "one feedback a SYNC or slot");
   }
 
   void reset() {

@@ -13,7 +13,7 @@
 
 #include "fuzz_frame.hpp"
 #include "gaitway/can/message_layout.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "robot.hpp"
 
@@ -52,7 +52,7 @@ class Controller {
 
   void step(std::size_t milliseconds) {
     for (; milliseconds > 0; --milliseconds) {
-      now_ns_ += kMillisecond_ns;
+      now_ns_ += facts::kMillisecond_ns;
       controller_.step(now_ns_);
       take_frames();
       while (const auto answer = adapter_.host().take_answer(now_ns_)) {

@@ -10,6 +10,7 @@
 
 #include "fuzz_input.hpp"
 #include "gaitway/can/frame.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "memory_file.hpp"
 
 namespace gaitway::fuzz {
@@ -33,7 +34,7 @@ void message_list(std::span<const std::uint8_t> bytes) {
   if (messages.size() > kQuicklyAnalysed) {
     return;
   }
-  constexpr std::int64_t kBitTime_ns = 1000;
+  using facts::kBitTime_ns;
   const auto responses = can::response_times(messages, {.bit_time_ns = kBitTime_ns, .errors = {}});
   require(responses.size() == messages.size(), "every message has a response");
   for (const can::MessageResponse& response : responses) {

@@ -1,6 +1,7 @@
 // A joint controller without a bus, for tests: steps, SYNCs and what it sends.
 #pragma once
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/localcontroller/joint_controller.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include <vector>
 
 namespace gaitway::localcontroller {
-inline constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 inline constexpr can::NodeId kNode = 7;
 
 class JointControllerTest : public testing::Test {

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/localcontroller/point_player.hpp"
 
 namespace gaitway::localcontroller {
 
 inline constexpr std::int32_t kLimit = 100'000;
-inline constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
+using facts::kSlot_ns;
 
 class PointPlayerTest : public testing::Test {
  protected:

@@ -7,13 +7,15 @@
 #include <random>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/localcontroller/point_player.hpp"
 
 namespace gaitway::localcontroller {
 namespace {
 
 constexpr std::int32_t kLimit = 100'000;
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
+using facts::kSlot_ns;
 constexpr int kSlots = 8 * 250;
 
 // Random batches that speed up and slow down as a walk does: by a few counts from point to point.

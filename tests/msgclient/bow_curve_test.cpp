@@ -1,5 +1,6 @@
 // The curve of a bow: it begins and ends as asked, and goes on smoothly.
 #include "gaitway/msgclient/bow_curve.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace gaitway::msgclient {
 namespace {
 
-constexpr double kBatch_s = 0.08;
+constexpr double kBatch_s = facts::kCycle_s;
 constexpr double kMoment_s = 1e-6;
 
 TEST(BowCurve, BeginsAndEndsAsAskedAndIsSmoothThroughoutForAnyBow) {

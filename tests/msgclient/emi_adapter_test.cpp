@@ -1,5 +1,6 @@
 // The EMI adapter: mails, answers, what a transfer costs, and what each fault does.
 #include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace gaitway::msgclient {
 namespace {
 
-constexpr std::int64_t kMillisecond = 1'000'000;
+constexpr std::int64_t kMillisecond = facts::kMillisecond_ns;
 
 class EmiAdapterTest : public testing::Test {
  protected:

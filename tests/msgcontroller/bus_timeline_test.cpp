@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "gaitway/can/profile.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
 
-using msgclient::kMillisecond_ns;
-using msgclient::kSlot_ns;
+using facts::kMillisecond_ns;
+using facts::kSlot_ns;
 
-constexpr std::int64_t kStart_ns = 1000 * msgclient::kCycle_ns - 500'000;
+constexpr std::int64_t kStart_ns = 1000 * facts::kCycle_ns - 500'000;
 
 // Keeps what is sent, with its time, and hands out what a test puts in.
 class RecordingPort final : public can::BusPort {

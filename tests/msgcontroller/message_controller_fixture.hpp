@@ -11,17 +11,17 @@
 #include <vector>
 
 #include "gaitway/can/profile.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/localcontroller/joint_controller.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::msgcontroller {
 
-using msgclient::kCycle_ns;
-using msgclient::kMillisecond_ns;
-using msgclient::kSlot_ns;
+using facts::kCycle_ns;
+using facts::kMillisecond_ns;
+using facts::kSlot_ns;
 using msgclient::Verdict;
 
 // All joints' real local controllers; every frame arrives 120 µs after the one before, unless it is dropped.

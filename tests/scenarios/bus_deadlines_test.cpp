@@ -4,14 +4,14 @@
 #include <array>
 #include <optional>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {
 namespace {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 // When each joint had the emergency stop.
 class StopWitness final : public simulator::CosimulationObserver {

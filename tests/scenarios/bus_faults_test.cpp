@@ -6,14 +6,14 @@
 #include <cstdlib>
 #include <vector>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {
 namespace {
 
-using msgclient::kMillisecond_ns;
-using msgclient::kSlot_ns;
+using facts::kMillisecond_ns;
+using facts::kSlot_ns;
 
 constexpr std::size_t kJoints = 22;
 

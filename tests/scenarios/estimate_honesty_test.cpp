@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "gaitway/facts/facts.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {
@@ -17,7 +18,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kStand_s = 8.0;
 constexpr double kWalk_s = 12.0;
-constexpr std::int64_t kSlot_ns = 10'000'000;
+using facts::kSlot_ns;
 
 // Errors, and errors divided by the deviation that the estimate claims.
 struct Honesty {

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <string>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/configuration.hpp"
 #include "gaitway/manager/event_log.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {

@@ -5,13 +5,13 @@
 #include <array>
 #include <optional>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {
 namespace {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 // When each joint had its trajectory frame, counted from an instant on.
 class TrajectoryWitness final : public simulator::CosimulationObserver {

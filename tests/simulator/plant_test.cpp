@@ -6,12 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "gaitway/facts/facts.hpp"
 #include "home_servo.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 
 class PlantTest : public ::testing::Test {
  protected:

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "gaitway/facts/facts.hpp"
 #include "home_servo.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 
 class SensorTest : public ::testing::Test {
  protected:

@@ -19,6 +19,7 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/can/simulated/bus_server.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
 
 namespace gaitway::tools {
@@ -80,7 +81,7 @@ class BusTools : public ::testing::Test {
   std::string said_, complaint_;
 };
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
+using facts::kSecond_ns;
 
 TEST_F(BusTools, AReplayOfAFreshRunIsEqualToTheBit) {
   record("--seconds 3 --seed 7");  // later the other body falls, since its own feedback is not heard
@@ -207,7 +208,7 @@ TEST_F(BusTools, TheMonitorTellsOfALateAnswer) {
 void serve(can::BusServer& server, int slots, std::int64_t first_edge_ns) {
   const int station = server.bus().attach();
   for (int slot = 0; slot < slots; ++slot) {
-    const std::int64_t edge_ns = first_edge_ns + slot * can::kSlotPeriod_ns;
+    const std::int64_t edge_ns = first_edge_ns + slot * facts::kSlot_ns;
     process::wait_until(edge_ns, {});
     server.step();
     server.bus().transmit(
@@ -221,7 +222,7 @@ void serve(can::BusServer& server, int slots, std::int64_t first_edge_ns) {
 
 TEST_F(BusTools, TheMonitorListensUntilTheBusEnds) {
   const std::filesystem::path socket = folder_ / "bus.sock";
-  const std::int64_t start_ns = process::monotonic_ns() / can::kSlotPeriod_ns * can::kSlotPeriod_ns;
+  const std::int64_t start_ns = process::monotonic_ns() / facts::kSlot_ns * facts::kSlot_ns;
   auto server = std::make_unique<can::BusServer>(socket, start_ns);
   int exit_code = -1;
   std::thread monitor([&] { exit_code = gaitway("bus monitor --bus '" + socket.string() + "'"); });
@@ -231,7 +232,7 @@ TEST_F(BusTools, TheMonitorListensUntilTheBusEnds) {
     server->step();
   }
   constexpr int kSlots = 130;  // more than one block
-  serve(*server, kSlots, process::monotonic_ns() / can::kSlotPeriod_ns * can::kSlotPeriod_ns);
+  serve(*server, kSlots, process::monotonic_ns() / facts::kSlot_ns * facts::kSlot_ns);
   server.reset();
   monitor.join();
   EXPECT_EQ(exit_code, 0) << said_ << complaint_;

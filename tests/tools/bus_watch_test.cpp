@@ -7,6 +7,7 @@
 #include <array>
 
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/tools/bus_watch_text.hpp"
 
 namespace gaitway::tools {
@@ -15,10 +16,11 @@ namespace {
 using can::MessageKind;
 
 constexpr std::array<can::NodeId, 2> kNodes{1, 2};
-constexpr std::int64_t kSlot_ns = can::kSlotPeriod_ns;
+constexpr std::int64_t kSlot_ns = facts::kSlot_ns;
 
 can::TimedFrame at(const can::Frame& frame, std::int64_t start_ns) {
-  return {.frame = frame, .start_ns = start_ns, .end_ns = start_ns + can::frame_bits(frame) * kBitTime_ns};
+  return {
+      .frame = frame, .start_ns = start_ns, .end_ns = start_ns + can::frame_bits(frame) * facts::kBitTime_ns};
 }
 
 class Watching : public ::testing::Test {
@@ -42,7 +44,7 @@ class Watching : public ::testing::Test {
 TEST_F(Watching, TheLoadIsWhatTheFramesTakeWithTheirInterframeSpaces) {
   const can::Frame sync = can::encode(can::kFullProfile, can::Sync{});
   send(sync, 0);
-  const std::int64_t busy_ns = (can::frame_bits(sync) + can::kInterframeBits) * kBitTime_ns;
+  const std::int64_t busy_ns = (can::frame_bits(sync) + can::kInterframeBits) * facts::kBitTime_ns;
   EXPECT_DOUBLE_EQ(watch_.close_window(1'000'000).load, static_cast<double>(busy_ns) * 1e-6);
   EXPECT_DOUBLE_EQ(watch_.close_window(2'000'000).load, 0.0);
 }
@@ -144,7 +146,7 @@ TEST_F(Watching, AResponseBeyondItsBoundIsNamed) {
   const std::int64_t sync_end_ns = send_sync(0);
   const std::int64_t length_ns =
       at(can::encode(can::kFullProfile, can::Feedback{.node = 1, .position = 123}), 0).end_ns;
-  send_feedback(1, sync_end_ns + bound_ns - length_ns - can::kInterframeBits * kBitTime_ns);
+  send_feedback(1, sync_end_ns + bound_ns - length_ns - can::kInterframeBits * facts::kBitTime_ns);
   EXPECT_TRUE(beyond_bound(watch_, proof).empty()) << "exactly at the bound";
   send_feedback(2, sync_end_ns + bound_ns);
   EXPECT_THAT(beyond_bound(watch_, proof), testing::ElementsAre(MessageKind::feedback));

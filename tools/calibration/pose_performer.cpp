@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "standing_reading.hpp"
 
 namespace gaitway::calibration {
@@ -42,7 +43,7 @@ void PosePerformer::take(const simulator::PlantSensors& sensors, StandingReading
 
 void PosePerformer::play_point(std::span<const double> from, std::span<const double> to,
                                StandingReading* reading) {
-  const int steps = static_cast<int>(std::lround(motion::kPointTime_s / robot_.physics_step_s));
+  const int steps = static_cast<int>(std::lround(facts::kSlot_s / robot_.physics_step_s));
   std::vector<double> torque_Nm(robot_.joints.size());
   moment_Nm_.fill(Eigen::Vector2d::Zero());
   force_N_.fill(0.0);
@@ -51,9 +52,8 @@ void PosePerformer::play_point(std::span<const double> from, std::span<const dou
     for (std::size_t j = 0; j < torque_Nm.size(); ++j) {
       const double measured_rad =
           plant_.sensors().encoder_count[j] * robot_.joints[j].encoder_count_rad - zero_rad_[j];
-      torque_Nm[j] =
-          servos_[j].step(std::lerp(from[j], to[j], share) + relaxed_rad_[j],
-                          (to[j] - from[j]) / motion::kPointTime_s, measured_rad, robot_.physics_step_s);
+      torque_Nm[j] = servos_[j].step(std::lerp(from[j], to[j], share) + relaxed_rad_[j],
+                                     (to[j] - from[j]) / facts::kSlot_s, measured_rad, robot_.physics_step_s);
     }
     plant_.step(torque_Nm);
     if (reading != nullptr) take(plant_.sensors(), *reading);
@@ -69,10 +69,10 @@ void PosePerformer::play_point(std::span<const double> from, std::span<const dou
 }
 
 void PosePerformer::relax_ankles() {
-  const double steps = motion::kPointTime_s / robot_.physics_step_s;
+  const double steps = facts::kSlot_s / robot_.physics_step_s;
   if (std::min(force_N_[0], force_N_[1]) < kLoaded_N * steps) return;
   const Eigen::Vector2d apart = moment_Nm_[0] / force_N_[0] - moment_Nm_[1] / force_N_[1];
-  const Eigen::Vector2d turn = 0.5 * kRelaxing_rad_per_s_m * motion::kPointTime_s * apart;
+  const Eigen::Vector2d turn = 0.5 * kRelaxing_rad_per_s_m * facts::kSlot_s * apart;
   for (std::size_t side = 0; side < 2; ++side) {
     const double sign = side == 0 ? 1.0 : -1.0;
     // Toes down presses ahead, the left edge up presses to the right.
@@ -89,7 +89,7 @@ void PosePerformer::relax_ankles() {
 // Gently: a joint's zero is not to change faster than its reference would.
 void PosePerformer::take_zeros(std::span<const double> posture, std::span<const double> zero_rad) {
   const std::vector<double> before = zero_rad_;
-  const int points = static_cast<int>(std::lround(kZeroBlend_s / motion::kPointTime_s));
+  const int points = static_cast<int>(std::lround(kZeroBlend_s / facts::kSlot_s));
   for (int point = 1; point <= points; ++point) {
     const double share = static_cast<double>(point) / points;
     for (std::size_t j = 0; j < zero_rad_.size(); ++j) {
@@ -103,7 +103,7 @@ void PosePerformer::take_zeros(std::span<const double> posture, std::span<const 
 std::vector<StandingMeasurement> PosePerformer::perform(
     const motion::MotionPlan& plan, std::span<const double> zero_rad,
     const std::function<void(const std::string&)>& progress) {
-  const auto measured = static_cast<std::size_t>(std::lround(measured_s_ / motion::kPointTime_s));
+  const auto measured = static_cast<std::size_t>(std::lround(measured_s_ / facts::kSlot_s));
   take_zeros(plan.reference(0), zero_rad);
   std::vector<StandingMeasurement> poses;
   const int samples = static_cast<int>(std::lround(measured_s_ / robot_.physics_step_s));

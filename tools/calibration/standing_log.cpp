@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "gaitway/can/messages.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgcontroller/feedback_collector.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "standing_reading.hpp"
@@ -16,7 +17,7 @@
 namespace gaitway::calibration {
 namespace {
 
-constexpr double kSlot_s = 0.010;
+using facts::kSlot_s;
 constexpr std::int64_t kLongestSlot_ns = 15'000'000;  // from SYNC to SYNC; beyond it some are missing
 constexpr std::size_t kFewestPoses = 4;
 // Still: no joint turns further from kApart samples before to kApart samples behind.

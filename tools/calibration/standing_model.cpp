@@ -3,10 +3,12 @@
 
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::calibration {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
+using facts::kGravity_m_per_s2;
 constexpr double kNoiseStep = 1e-3;  // in standard deviations
 constexpr std::array<double, kCells> kWarp{1.0, -1.0, -1.0, 1.0};
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/plugin/cycle.hpp"
-#include "gaitway/msgclient/cycle.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -47,11 +47,11 @@ void TrialWatch::look() {
     return;
   }
   cop_mean_.add(plant.ground_contact());
-  if (now_ns % msgclient::kSlot_ns == 0) {
+  if (now_ns % facts::kSlot_ns == 0) {
     cop_mean_.close_slot();
   }
   // A millisecond after the main controller's tick, so that its estimate is of the slot that has just ended.
-  if (core::is_tick(now_ns - msgclient::kMillisecond_ns)) {
+  if (core::is_tick(now_ns - facts::kMillisecond_ns)) {
     take_sample(static_cast<double>(now_ns) * 1e-9);
   }
 }

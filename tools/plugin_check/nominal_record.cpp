@@ -90,11 +90,11 @@ const RecordedTopic* NominalRecord::find(std::string_view name) const noexcept {
 }
 
 std::int64_t NominalRecord::shift_ns(std::uint32_t pass) const noexcept {
-  return std::int64_t{pass} * ticks_ * msgclient::kSlot_ns;
+  return std::int64_t{pass} * ticks_ * facts::kSlot_ns;
 }
 
 Tick NominalRecord::tick(const RecordPosition& position) const noexcept {
-  return core::tick_at(position.tick * msgclient::kSlot_ns + core::kTickPhase_ns + shift_ns(position.pass));
+  return core::tick_at(position.tick * facts::kSlot_ns + core::kTickPhase_ns + shift_ns(position.pass));
 }
 
 void NominalRecord::copy(const RecordedTopic& topic, std::uint32_t index, std::uint32_t pass,
@@ -111,7 +111,7 @@ void NominalRecord::copy(const RecordedTopic& topic, std::uint32_t index, std::u
       if (field.type == ScalarType::int64_value && field.unit == "ns") {
         add_to_number<std::int64_t>(at, shift_ns(pass));
       } else if (field.type == ScalarType::uint32_value && counts_cycles(field.name)) {
-        add_to_number<std::uint32_t>(at, slots / static_cast<std::uint32_t>(msgclient::kSlotsPerCycle));
+        add_to_number<std::uint32_t>(at, slots / static_cast<std::uint32_t>(facts::kSlotsPerCycle));
       } else if (field.name == "slot" && topic.name == "joint_states") {
         add_to_number<std::uint32_t>(at, slots);
       }

@@ -12,6 +12,7 @@
 #include "gaitway/api/cdr_codec.hpp"
 #include "gaitway/api/feed.hpp"
 #include "gaitway/api/recorder.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -19,8 +20,8 @@
 namespace gaitway::api {
 namespace {
 
-constexpr std::int64_t kSlot_ns = 10'000'000;
-constexpr int kSlotsPerPlan = 8;
+using facts::kSlot_ns;
+constexpr int kSlotsPerPlan = facts::kSlotsPerCycle;
 
 const urdf::RobotModel& humanoid() {
   static const urdf::RobotModel robot =

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/kinematics/leg_geometry.hpp"
 #include "gaitway/motion/body_load.hpp"
 #include "gaitway/motion/stance_map.hpp"
@@ -258,7 +259,7 @@ void KeySolver::check_joints(const Key& key, const KeyPosture& posture) const {
 void KeySolver::check_torques(const Key& key, const KeyPosture& posture) {
   const BodyPosture still{posture.joint_rad, pose_at(*posture.stance, StanceMap::kPelvis)};
   const BodyLoad& load =
-      loads_.compute({still, still, still}, kPointTime_s, key.contact, soles_of(*posture.stance));
+      loads_.compute({still, still, still}, facts::kSlot_s, key.contact, soles_of(*posture.stance));
   for (Eigen::Index j = 0; j < posture.joint_rad.size(); ++j) {
     const double torque_Nm = std::abs(load.torque_Nm[j]), limit_Nm = joint_limits_.standstill_torque_Nm[j];
     if (torque_Nm > limit_Nm) {

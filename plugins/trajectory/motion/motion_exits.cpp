@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/key_postures.hpp"
 #include "gaitway/motion/motion_path.hpp"
 #include "gaitway/motion/plan_check.hpp"
@@ -40,8 +41,8 @@ class ExitPlanner {
     Segment segment{.standing = true, .contact = Contact::both, .from = coordinates(point), .to = home()};
     Knot start{Eigen::VectorXd(), Eigen::VectorXd(), {0}}, end;
     const Eigen::VectorXd before = coordinates(point - 1), after = coordinates(point + 1);
-    start.velocity = (after - before) / (2.0 * kPointTime_s);
-    start.acceleration = (after - 2.0 * segment.from + before) / (kPointTime_s * kPointTime_s);
+    start.velocity = (after - before) / (2.0 * facts::kSlot_s);
+    start.acceleration = (after - 2.0 * segment.from + before) / (facts::kSlot_s * facts::kSlot_s);
     for (const double duration_s : kDurations_s) {
       segment.duration_s = duration_s;
       std::optional<MotionPlan> way = way_along(segment, start, end, point);
@@ -55,12 +56,12 @@ class ExitPlanner {
     MotionPlan way{.name = plan_.name, .joint_count = plan_.joint_count};
     const std::size_t before = point == 0 ? 0 : point - 1;
     const JointLimits joints(robot_, limits_);
-    const auto points = static_cast<std::size_t>(std::lround(kHalt_s / kPointTime_s));
+    const auto points = static_cast<std::size_t>(std::lround(kHalt_s / facts::kSlot_s));
     for (std::size_t k = 1; k <= whole(points); ++k) {
-      const double time_s = std::min(static_cast<double>(k) * kPointTime_s, kHalt_s);
+      const double time_s = std::min(static_cast<double>(k) * facts::kSlot_s, kHalt_s);
       for (std::size_t j = 0; j < plan_.joint_count; ++j) {
         const double now = plan_.reference(point)[j],
-                     speed = (now - plan_.reference(before)[j]) / kPointTime_s;
+                     speed = (now - plan_.reference(before)[j]) / facts::kSlot_s;
         const trajectory::Quintic halting({now, speed, 0.0}, {now + 0.5 * speed * kHalt_s, 0.0, 0.0},
                                           kHalt_s);
         const auto index = static_cast<Eigen::Index>(j);
@@ -116,9 +117,9 @@ class ExitPlanner {
     MotionPlan way = beginning(point);
     const std::vector<trajectory::Quintic> spline = polynomials(segment, start, end);
     BodyPosture posture;
-    const auto points = static_cast<std::size_t>(std::lround(segment.duration_s / kPointTime_s));
+    const auto points = static_cast<std::size_t>(std::lround(segment.duration_s / facts::kSlot_s));
     for (std::size_t k = 1; k <= whole(points + kRestPoints); ++k) {
-      const double time_s = std::min(static_cast<double>(k) * kPointTime_s, segment.duration_s);
+      const double time_s = std::min(static_cast<double>(k) * facts::kSlot_s, segment.duration_s);
       if (sampler_.posture(segment, spline, time_s, posture) > 0.0) return std::nullopt;
       way.joint_rad.insert(way.joint_rad.end(), posture.joint_rad.begin(), posture.joint_rad.end());
       way.contact.push_back(Contact::both);
@@ -175,8 +176,9 @@ ExitPlan plan_exits(const urdf::RobotModel& robot, const MotionPlan& plan, const
           "motion '{}': from {:.2f} s on it takes {:.2f} s until the robot can stand at rest, but a safe "
           "tail lasts {:.2f} s "
           "at most. Put both feet down in between, or be quicker there",
-          plan.name, static_cast<double>(point) * kPointTime_s, static_cast<double>(length[b]) * kPointTime_s,
-          static_cast<double>(longest_points) * kPointTime_s));
+          plan.name, static_cast<double>(point) * facts::kSlot_s,
+          static_cast<double>(length[b]) * facts::kSlot_s,
+          static_cast<double>(longest_points) * facts::kSlot_s));
     }
   }
   return result;

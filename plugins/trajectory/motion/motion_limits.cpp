@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::motion {
 namespace {
 
@@ -25,7 +27,7 @@ JointLimits::JointLimits(const urdf::RobotModel& robot, const MotionLimits& limi
     upper_rad[j] = std::max(joint.upper_rad - limits.joint_margin_rad, joint.home_rad);
     speed_rad_per_s[j] = std::min(
         limits.speed_share * std::min(joint.velocity_limit_rad_per_s, joint.motor.speed_limit_rad_per_s),
-        kLargestStep_counts * joint.count_rad / kPointTime_s);
+        kLargestStep_counts * joint.count_rad / facts::kSlot_s);
     acceleration_rad_per_s2[j] = limits.acceleration_limit_rad_per_s2;
     standstill_torque_Nm[j] = limits.torque_share * joint.motor.torque_limit_Nm;
     motor_speed_rad_per_s[j] = joint.motor.speed_limit_rad_per_s;

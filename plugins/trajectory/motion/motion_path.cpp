@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/stance_map.hpp"
 
 namespace gaitway::motion {
@@ -44,7 +45,7 @@ Knot knot_between(const Segment* before, const Segment* after, Eigen::Index size
 
 double up_to_points(double time_s) {
   constexpr double kRounding = 1e-9;  // a whole number stays one
-  return std::ceil(time_s / kPointTime_s - kRounding) * kPointTime_s;
+  return std::ceil(time_s / facts::kSlot_s - kRounding) * facts::kSlot_s;
 }
 
 }  // namespace

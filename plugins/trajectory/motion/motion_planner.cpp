@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/motion_path.hpp"
 #include "gaitway/motion/servo_lead.hpp"
 #include "segment_cost.hpp"
@@ -91,7 +92,7 @@ class PointWriter {
       throw MotionError(fmt::format(
           "motion '{}': at {:.2f} s, between two keys, a leg is out of reach by {:.1f} mm. Choose a "
           "lower hip_height_m or smaller steps between the keys",
-          plan_.name, static_cast<double>(plan_.contact.size()) * kPointTime_s, 1000.0 * reach_m));
+          plan_.name, static_cast<double>(plan_.contact.size()) * facts::kSlot_s, 1000.0 * reach_m));
     }
     plan_.joint_rad.insert(plan_.joint_rad.end(), posture_.joint_rad.begin(), posture_.joint_rad.end());
     plan_.contact.push_back(segment.contact);
@@ -112,9 +113,9 @@ MotionPlan points_of(const urdf::RobotModel& robot, const Motion& motion, const 
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     const Segment& segment = path.segments[i];
     const auto spline = polynomials(segment, path.knots[i], path.knots[i + 1]);
-    const long moving = std::lround(segment.duration_s / kPointTime_s);
-    const long held = std::lround(segment.hold_s / kPointTime_s);
-    for (long k = 0; k < moving; ++k) writer.add(segment, spline, static_cast<double>(k) * kPointTime_s);
+    const long moving = std::lround(segment.duration_s / facts::kSlot_s);
+    const long held = std::lround(segment.hold_s / facts::kSlot_s);
+    for (long k = 0; k < moving; ++k) writer.add(segment, spline, static_cast<double>(k) * facts::kSlot_s);
     const std::size_t reached = plan.point_count();
     for (long k = 0; k < held; ++k) writer.add(segment, spline, segment.duration_s);
     plan.keys.push_back({motion.keys[i + first_key].name, reached, reached + static_cast<std::size_t>(held)});

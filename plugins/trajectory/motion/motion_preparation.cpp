@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/motion_exits.hpp"
 #include "gaitway/motion/plan_loads.hpp"
 #include "gaitway/motion/servo_lead.hpp"
@@ -116,7 +117,7 @@ class PointWriter {
   static void set_velocities(trajectory::MotionWay& way) {
     for (std::size_t i = 0; i < way.size(); ++i) {
       const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, way.size() - 1);
-      const double span_s = static_cast<double>(std::max<std::size_t>(after - before, 1)) * kPointTime_s;
+      const double span_s = static_cast<double>(std::max<std::size_t>(after - before, 1)) * facts::kSlot_s;
       for (std::size_t axis = 0; axis < 2; ++axis) {
         way.points[i].com_velocity_m_per_s[axis] =
             (way.points[after].com_m[axis] - way.points[before].com_m[axis]) / span_s;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/plan_loads.hpp"
 #include "gaitway/motion/support_area.hpp"
 
@@ -44,9 +45,13 @@ class PlanChecker {
             double limit, double excess) {
     std::optional<LimitUse>& worst = worst_[static_cast<std::size_t>(kind)];
     if (worst && excess <= worst->excess) return;
-    worst = LimitUse{
-        kind,  std::string(what), std::string(unit), static_cast<double>(point) * kPointTime_s, value, limit,
-        excess};
+    worst = LimitUse{kind,
+                     std::string(what),
+                     std::string(unit),
+                     static_cast<double>(point) * facts::kSlot_s,
+                     value,
+                     limit,
+                     excess};
   }
   void at_most(LimitKind kind, std::string_view what, std::string_view unit, std::size_t point, double value,
                double limit) {
@@ -101,7 +106,7 @@ void PlanChecker::check_way(std::size_t point, std::size_t joint, const std::vec
   const double above = angle - upper_rad, below = lower_rad - angle;
   note(LimitKind::position, name, "rad", point, angle, above > below ? upper_rad : lower_rad,
        std::max(above, below) - kRounding);
-  at_most(LimitKind::speed, name, "rad/s", point, std::abs(angle - before) / kPointTime_s,
+  at_most(LimitKind::speed, name, "rad/s", point, std::abs(angle - before) / facts::kSlot_s,
           joints_.speed_rad_per_s[static_cast<Eigen::Index>(joint)]);
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::motion {
 
 // Where only one of two neighbours stands, the robot rests, so that its pelvis is that of the other.
@@ -21,8 +23,8 @@ const BodyLoad& PlanLoads::at(std::size_t point) {
       soles_[static_cast<std::size_t>(side)] = plan_.pelvis[point] * kinematics_.sole_pose(side);
     }
   }
-  return loads_.compute({posture(before, point), posture(point, point), posture(after, point)}, kPointTime_s,
-                        plan_.contact[point], soles_);
+  return loads_.compute({posture(before, point), posture(point, point), posture(after, point)},
+                        facts::kSlot_s, plan_.contact[point], soles_);
 }
 
 }  // namespace gaitway::motion

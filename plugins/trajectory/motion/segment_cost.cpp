@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::motion {
 namespace {
 
@@ -70,7 +72,7 @@ int SegmentCost::residual_count() const noexcept {
 bool SegmentCost::operator()(const double* const* parameters, double* residuals) const {
   Workspace& work = work_;
   work.segment.duration_s = parameters[0][0];
-  if (work.segment.duration_s < kPointTime_s) return false;
+  if (work.segment.duration_s < facts::kSlot_s) return false;
   std::size_t block = 1;
   for (Knot* const knot : {&work.start, &work.end}) {
     if (knot->moving.empty()) continue;
@@ -93,8 +95,9 @@ bool SegmentCost::operator()(const double* const* parameters, double* residuals)
     }
     double reach_m = 0.0;
     for (const int k : {0, 2, 1}) {
-      reach_m = std::max(reach_m, work.sampler.posture(work.segment, spline, time_s + (k - 1) * kPointTime_s,
-                                                       work.posture[static_cast<std::size_t>(k)]));
+      reach_m =
+          std::max(reach_m, work.sampler.posture(work.segment, spline, time_s + (k - 1) * facts::kSlot_s,
+                                                 work.posture[static_cast<std::size_t>(k)]));
     }
     const Eigen::VectorXd& coordinates = work.sampler.coordinates();
     std::array<Eigen::Isometry3d, 2> sole{Eigen::Isometry3d::Identity(), Eigen::Isometry3d::Identity()};
@@ -102,7 +105,7 @@ bool SegmentCost::operator()(const double* const* parameters, double* residuals)
       sole = {pose_at(coordinates, StanceMap::kSole[0]), pose_at(coordinates, StanceMap::kSole[1])};
     }
     const BodyLoad& load =
-        work.sampler.loads().compute(work.posture, kPointTime_s, work.segment.contact, sole);
+        work.sampler.loads().compute(work.posture, facts::kSlot_s, work.segment.contact, sole);
     *residual++ = weights_.penalty * reach_m / kReachScale_m;
     residual = limits_of_joints(work.posture[1], load, residual);
     residual = limits_of_stance(load, coordinates, residual);

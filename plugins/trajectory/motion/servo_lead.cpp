@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/plan_loads.hpp"
 
 namespace gaitway::motion {
@@ -14,7 +15,7 @@ std::vector<double> leading_references(const urdf::RobotModel& robot, const Moti
   for (Eigen::Index j = 0; j < joints; ++j) {
     const urdf::Servo& servo = robot.joints[static_cast<std::size_t>(j)].servo;
     compliance[j] = 1.0 / servo.stiffness_Nm_per_rad;
-    share[j] = 1.0 - std::exp(-kPointTime_s * servo.stiffness_Nm_per_rad / servo.damping_Nms_per_rad);
+    share[j] = 1.0 - std::exp(-facts::kSlot_s * servo.stiffness_Nm_per_rad / servo.damping_Nms_per_rad);
   }
   std::vector<double> reference = plan.joint_rad;
   PlanLoads loads(robot, plan);

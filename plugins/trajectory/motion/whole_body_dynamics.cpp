@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"  // gravity
 
 namespace gaitway::motion {
@@ -16,7 +17,7 @@ WholeBodyDynamics::WholeBodyDynamics(const urdf::RobotModel& robot)
     : links_(robot.links),
       joints_(robot.joints),
       foot_link_{robot.feet[0].link, robot.feet[1].link},
-      weight_N_(robot.total_mass_kg() * trajectory::kGravity_m_per_s2),
+      weight_N_(robot.total_mass_kg() * facts::kGravity_m_per_s2),
       bodies_(robot.links.size()),
       axes_(robot.joints.size()),
       below_(robot.links.size()) {}
@@ -27,7 +28,7 @@ void WholeBodyDynamics::move_link(std::size_t link) {
   const Eigen::Vector3d& w = body.angular_velocity;
   Eigen::Vector3d acceleration =
       body.acceleration + body.angular_acceleration.cross(com) + w.cross(w.cross(com));
-  acceleration.z() += trajectory::kGravity_m_per_s2;
+  acceleration.z() += facts::kGravity_m_per_s2;
   const Eigen::Matrix3d inertia = body.rotation * links_[link].inertia_kg_m2 * body.rotation.transpose();
   body.wrench.force_N = links_[link].mass_kg * acceleration;
   body.wrench.moment_Nm = inertia * body.angular_acceleration + w.cross(inertia * w) +

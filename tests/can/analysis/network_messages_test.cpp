@@ -13,11 +13,12 @@
 #include "bus_traffic.hpp"
 #include "gaitway/can/analysis/breakdown_load.hpp"
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kMs = facts::kMillisecond_ns;
 
 std::vector<NodeId> nodes(int count) {
   std::vector<NodeId> all(static_cast<std::size_t>(count));
@@ -128,9 +129,9 @@ TEST(NetworkProof, AProfileOfOnesOwnIsProvenLikeTheShippedOnes) {
   profile.rows[static_cast<std::size_t>(MessageKind::feedback)].base_id = 0;
   auto& trajectory = profile.rows[static_cast<std::size_t>(MessageKind::trajectory)];
   trajectory.base_id = 100;
-  trajectory.deadline_ns = 2 * kSlotPeriod_ns;
+  trajectory.deadline_ns = 2 * facts::kSlot_ns;
   EXPECT_EQ(most_joints(profile), 48) << "2 * (95 + 135 n) + 135 n <= 20,000 us";
-  trajectory.deadline_ns = kCyclePeriod_ns;
+  trajectory.deadline_ns = facts::kCycle_ns;
   EXPECT_EQ(most_joints(profile), 64);
 }
 

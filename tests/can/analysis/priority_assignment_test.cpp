@@ -9,12 +9,13 @@
 
 #include "gaitway/can/analysis/breakdown_load.hpp"
 #include "gaitway/can/analysis/network_messages.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "random_messages.hpp"
 
 namespace gaitway::can {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kMs = facts::kMillisecond_ns;
 
 // The messages with identifiers after an order.
 std::vector<AnalysedMessage> with_order(std::vector<AnalysedMessage> messages,
@@ -114,7 +115,7 @@ TEST(PriorityAssignment, RescuesTheLargeRobotInThePapersOrder) {
   Profile profile = kPaperProfile;
   profile.largest_node = kLargestNode;
   profile.rows[static_cast<std::size_t>(MessageKind::feedback)].base_id = 100;
-  profile.rows[static_cast<std::size_t>(MessageKind::trajectory)].deadline_ns = 2 * kSlotPeriod_ns;
+  profile.rows[static_cast<std::size_t>(MessageKind::trajectory)].deadline_ns = 2 * facts::kSlot_ns;
   auto& command = profile.rows[static_cast<std::size_t>(MessageKind::user_command)];
   command.base_id = 200;
   command.deadline_ns = 4 * kMs;

@@ -9,6 +9,7 @@
 #include "bus_traffic.hpp"
 #include "gaitway/can/analysis/response_time.hpp"
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "random_messages.hpp"
 
 namespace gaitway::can {
@@ -182,7 +183,7 @@ TEST(ResponseBound, IsMetByTheSecondInstanceOfThePublishedCounterExample) {
 
 // The first message comes again at the very bit at which the third would start.
 TEST(ResponseBound, IsMetWhereTwoFramesStartTogether) {
-  constexpr std::int64_t kBit_ns = 1000;
+  constexpr std::int64_t kBit_ns = facts::kBitTime_ns;
   std::vector<Exact> set{exactly(1, 120, 240'000), exactly(2, 120, 4'000'000), exactly(3, 120, 4'000'000)};
   const Compared tie = compare(set, {0, 0, 0}, kBit_ns, 4'000'000);
   EXPECT_EQ(tie.took_ns[2], 480'000);

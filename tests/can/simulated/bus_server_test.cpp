@@ -18,6 +18,7 @@
 
 #include "gaitway/can/frame_length.hpp"
 #include "gaitway/can/simulated/bus_client.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {
 namespace {
@@ -26,7 +27,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr std::int64_t kStart_ns = 6'000'000'000'000;  // the common clock does not begin at 0
 
 Frame frame_of(std::uint16_t id, std::uint8_t value = 0) {

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {
 namespace {
 
-constexpr std::int64_t kBit_ns = 1000;
+constexpr std::int64_t kBit_ns = facts::kBitTime_ns;
 
 Frame frame_of(std::uint16_t id, std::uint8_t size = 8, std::uint8_t value = 0x5A) {
   Frame frame{id, size, {}};

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gaitway/can/frame_length.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {
 namespace {
@@ -23,7 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr int kPatience_ms = 20'000;  // for the kernel's loopback; ends a test that fails
 
 // A client that blocks while it reads.

@@ -1,5 +1,6 @@
 // A client of the bus: modes, subscriptions, send jobs and statistics in the time of the bus.
 #include "gaitway/can/simulated/socketcand_session.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gmock/gmock.h>
 
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr std::int64_t kFirst_ns = 1'000'000'000;  // past the pause after the switch to raw mode
 
 class SocketcandSessionTest : public testing::Test {

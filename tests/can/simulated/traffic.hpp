@@ -7,10 +7,11 @@
 
 #include "gaitway/can/frame_length.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {
 
-inline constexpr std::int64_t kBit_ns = 1000;
+inline constexpr std::int64_t kBit_ns = facts::kBitTime_ns;
 
 inline Frame numbered_frame(std::uint32_t id, std::uint8_t number = 0, std::uint8_t size = 8) {
   return {id, size, {number, 0x5A, 0x11, 0xC3, 0x00, 0x00, 0x7F, 0xE0}};

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "collector.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 using test::humanoid;
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
+using facts::kMillisecond_ns;
 constexpr std::int64_t kSlot_ns = 10 * kMillisecond_ns;
 
 ros::Time time_of(std::int64_t time_ns) {

@@ -9,6 +9,7 @@
 
 #include "collector.hpp"
 #include "gaitway/api/feed.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "humanoid.hpp"
 #include "plant_implementation.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 using test::humanoid;
 
-constexpr std::int64_t kSlot_ns = 10'000'000;
+using facts::kSlot_ns;
 
 // What was true at the beginning of a slot.
 struct Truth {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gaitway/facts/facts.hpp"
 #include "raw_client.hpp"
 #include "running_server.hpp"
 #include "websocket_client.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kMs = facts::kMillisecond_ns;
 constexpr std::int64_t kForEver = 3'600'000 * kMs;
 
 TEST(Liveness, SilentClientsAreDropped) {

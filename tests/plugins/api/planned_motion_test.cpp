@@ -1,5 +1,6 @@
 // Which point of which plan is in force.
 #include "gaitway/api/planned_motion.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace gaitway::api {
 namespace {
 
-constexpr std::int64_t kPoint_ns = 10'000'000;
+constexpr std::int64_t kPoint_ns = facts::kSlot_ns;
 
 // Point i of plan n: the left foot at x = 8 n + i + 1 (as many points as have been reached since cycle 0
 // began), tail of 16.

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "humanoid.hpp"
 
 namespace gaitway::api {
@@ -13,7 +14,7 @@ namespace {
 
 using test::humanoid;
 
-constexpr std::int64_t kSlot_ns = 10'000'000;
+using facts::kSlot_ns;
 
 std::vector<double> home() {
   std::vector<double> position_rad;

@@ -15,13 +15,13 @@
 #include "gaitway/api/memory_robot_port.hpp"
 #include "gaitway/api/publication_sink.hpp"
 #include "gaitway/can/profile.hpp"
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 
 namespace gaitway::api {
 namespace {
 
-using msgclient::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 constexpr int kClients = 100;
 constexpr std::int64_t kLimit_ns = 10 * kMillisecond_ns;

@@ -13,14 +13,15 @@
 #include <vector>
 
 #include "gaitway/api/hub.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "recorded_robot.hpp"
 
 namespace gaitway::api {
 
 using nlohmann::json;
 
-inline constexpr std::int64_t kMillisecond_ns = 1'000'000;
-inline constexpr std::int64_t kSecond_ns = 1'000'000'000;
+using facts::kMillisecond_ns;
+using facts::kSecond_ns;
 
 class TestClient final : public Connection {
  public:

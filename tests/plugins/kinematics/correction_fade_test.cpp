@@ -1,5 +1,6 @@
 // How the balance feedback's offsets come and go over batches and tails.
 #include "gaitway/kinematics/correction_fade.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +72,7 @@ TEST(CorrectionFade, GoesOnFromWhereTheTailIsWhenBatchesWereMissed) {
 
 // The tail brakes a bow, keeps it, and takes it back: no point of it is far from the ones beside it.
 TEST(CorrectionFade, ABowComesIsBrakedAndGoesWithoutAJump) {
-  constexpr double kPoint_s = 0.010;
+  constexpr double kPoint_s = facts::kSlot_s;
   constexpr std::uint32_t kShortTail = 48;  // of a stand
   CorrectionFade fade;
   fade.begin(5, kBatch, kShortTail, {{}, {}, {{{}, {0.12, 3.0}}}});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gaitway/core/joint_plan_check.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
 #include "gaitway/trajectory/standing_posture.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
@@ -14,7 +15,7 @@
 namespace gaitway::kinematics {
 namespace {
 
-constexpr std::int64_t kCycle_ns = 80'000'000;
+using facts::kCycle_ns;
 
 // A standing robot that bows, and is stepped with when its DCM leaves the soles, as the plug-ins do it.
 // The bow, rad, and by how much the body falls to its left, m.

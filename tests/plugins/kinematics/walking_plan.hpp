@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
 namespace gaitway::kinematics::test {
@@ -12,7 +13,7 @@ namespace gaitway::kinematics::test {
 class WalkingPlan {
  public:
   static constexpr double kStep_s = 0.4;
-  static constexpr double kPoint_s = 0.01;
+  static constexpr double kPoint_s = facts::kSlot_s;
 
   explicit WalkingPlan(double speed_m_per_s = 0.25, double turn_rate_rad_per_s = 0.0,
                        double hip_height_m = 0.35)

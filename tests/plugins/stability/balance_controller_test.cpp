@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "gaitway/facts/facts.hpp"
 #include "test_robot.hpp"
 
 namespace gaitway::stability {
@@ -16,7 +17,7 @@ namespace {
 using test::channel_of;
 using test::humanoid;
 
-constexpr std::int64_t kTick_ns = 10'000'000;
+constexpr std::int64_t kTick_ns = facts::kSlot_ns;
 const std::size_t kLeftAnklePitch = channel_of(humanoid(), 0, 4);
 const std::size_t kRightAnklePitch = channel_of(humanoid(), 1, 4);
 

@@ -1,5 +1,6 @@
 // Heading feedback against a robot whose feet slip.
 #include "gaitway/stability/heading_feedback.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 constexpr double kDegree = 3.14159265358979 / 180.0;
 
 TEST(HeadingFeedback, TurnsAgainstTheErrorAndNoFasterThanItsLimit) {

@@ -1,5 +1,6 @@
 // Which plan plays now.
 #include "gaitway/stability/plan_timeline.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr std::int64_t kSlot_ns = 10'000'000;
+using facts::kSlot_ns;
 
 std::unique_ptr<MotionPlan> plan_of(std::uint32_t sequence, std::int64_t start_ns, std::uint8_t batch_support,
                                     double yaw_rad = 0.0) {

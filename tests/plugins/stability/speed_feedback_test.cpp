@@ -1,5 +1,6 @@
 // Speed feedback against a robot that walks faster than its plan.
 #include "gaitway/stability/speed_feedback.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 
 // The plan follows command and offset 0.6 s late; the robot goes by a share faster, and swings with its
 // steps.

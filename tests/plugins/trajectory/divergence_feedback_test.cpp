@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/footstep_planner.hpp"
 
 namespace gaitway::trajectory {
@@ -41,7 +42,7 @@ class Deviation : public ::testing::Test {
   }
 
   GaitParameters parameters;
-  double omega_per_s = std::sqrt(kGravity_m_per_s2 / parameters.com_height_m);
+  double omega_per_s = std::sqrt(facts::kGravity_m_per_s2 / parameters.com_height_m);
   DivergenceFeedback feedback{parameters};
   std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
   std::unique_ptr<Estimate> estimate = std::make_unique<Estimate>();

@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <memory>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
 
-using msgclient::kCycle_ns;
+using facts::kCycle_ns;
 
 class PlannedWalk : public ::testing::Test {
  protected:

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 #include "plan_probe.hpp"
@@ -114,7 +115,7 @@ TEST_F(Revision, TakesThePlaceOfItsBatchInTheFeedback) {
   Estimate estimate{};
   estimate.stamp_ns = plan->start_ns + static_cast<std::int64_t>(kPoint + 1) * 10'000'000 +
                       static_cast<std::int64_t>(parameters.response_lag_s * 1e9);
-  const double omega_per_s = std::sqrt(kGravity_m_per_s2 / parameters.com_height_m);
+  const double omega_per_s = std::sqrt(facts::kGravity_m_per_s2 / parameters.com_height_m);
   const Eigen::Rotation2Dd to_sole(-plan->foot_yaw[kPoint][0]);
   const Eigen::Vector2d foot(plan->foot_position[kPoint][0]);
   const Eigen::Vector2d dcm =

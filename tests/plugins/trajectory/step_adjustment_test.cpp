@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 #include "plan_probe.hpp"
 #include "planned_walk.hpp"
@@ -15,10 +16,10 @@
 namespace gaitway::trajectory {
 namespace {
 
-constexpr std::int64_t kPoint_ns = 10'000'000;
+constexpr std::int64_t kPoint_ns = facts::kSlot_ns;
 
 double omega_of(const GaitParameters& parameters) {
-  return std::sqrt(kGravity_m_per_s2 / parameters.com_height_m);
+  return std::sqrt(facts::kGravity_m_per_s2 / parameters.com_height_m);
 }
 
 class AdjustedWalk : public PlannedWalk {

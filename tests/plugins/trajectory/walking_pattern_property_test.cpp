@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 #include "plan_probe.hpp"
 
@@ -53,7 +54,7 @@ void check_point(const MotionPlan& plan, std::size_t i, const GaitParameters& p,
 }
 
 void check_transition(const MotionPlan& plan, std::size_t i) {
-  const double T = kPointPeriod_s;
+  const double T = facts::kSlot_s;
   const Eigen::Vector2d moved = com_of(plan, i) - com_of(plan, i - 1);
   const Eigen::Vector2d mean = 0.5 * (com_velocity_of(plan, i) + com_velocity_of(plan, i - 1));
   ASSERT_LT((moved - T * mean).norm(), 1e-4) << "CoM position jumps at point " << i;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "plan_probe.hpp"
 #include "planned_walk.hpp"
 
@@ -144,8 +145,8 @@ TEST_F(Walk, PlannedZmpIsThatOfThePlannedMotion) {
     pattern = WalkingPattern(parameters);
     command_walk(0.25, 0.0, 0.0);
     run(60);
-    const double z_over_g = parameters.com_height_m / kGravity_m_per_s2;
-    const double T = kPointPeriod_s;
+    const double z_over_g = parameters.com_height_m / facts::kGravity_m_per_s2;
+    const double T = facts::kSlot_s;
     double most_by_leg_m = 0.0;
     for (int n = 0; n < 5; ++n) {
       run(1);

@@ -1,5 +1,6 @@
 // Attitude from gyro and tilt.
 #include "gaitway/zmp/attitude_filter.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 
 // Roll, pitch, yaw with R = Rz Ry Rx.
 Eigen::Vector3d euler_of(const Eigen::Matrix3d& r) {

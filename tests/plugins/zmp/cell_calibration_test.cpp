@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/zmp/foot_pressure.hpp"
 #include "synthetic_robot.hpp"
 
@@ -16,7 +17,7 @@ using test::humanoid;
 using test::weight_N;
 using urdf::Side;
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 constexpr double kNoise_N = 0.2 / 3.16;
 
 // A walk on the spot: the load goes from foot to foot, the ZMP wanders over the loaded one.

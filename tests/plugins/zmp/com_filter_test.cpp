@@ -1,5 +1,6 @@
 // The filter against a simulated linear inverted pendulum.
 #include "gaitway/zmp/com_filter.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 constexpr double kOmega = 5.1;
 
 // A pendulum that is kept upright by feedback of its DCM to the ZMP while the wanted DCM sways like in

@@ -1,5 +1,6 @@
 // The CoM's offset, learned from what the pendulum does not explain.
 #include "gaitway/zmp/com_offset.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 constexpr double kOmega = 5.1;
 const Eigen::Vector2d kDeviation_m(0.004, 0.003);
 const Eigen::Vector2d kZmpVariance_m2(1e-6, 1e-6);

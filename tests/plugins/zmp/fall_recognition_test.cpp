@@ -1,5 +1,6 @@
 // Falls of a pendulum whose impact is known, and what must not be taken for one.
 #include "gaitway/zmp/fall_recognition.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace gaitway::zmp {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTick_s = 0.01;
+constexpr double kTick_s = facts::kSlot_s;
 constexpr double kHeight_m = 0.38;
 constexpr double kHalfLength_m = 0.0675, kHalfWidth_m = 0.0425, kFootAside_m = 0.05;
 

@@ -1,12 +1,13 @@
 // When feet stand, and how firmly.
 #include "gaitway/zmp/planted_feet.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 constexpr double kWeight_N = 67.0;
 
 class PlantedFeetTest : public ::testing::Test {

@@ -1,5 +1,6 @@
 // Slip of a foot from the acceleration of its sole.
 #include "gaitway/zmp/slip_observer.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = 0.010;
+constexpr double kTick_s = facts::kSlot_s;
 
 TEST(SlipObserver, FootThatStandsOnAnUnknownTiltDoesNotSlip) {
   std::mt19937 random(3);

@@ -8,14 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::zmp::test {
 
-inline constexpr double kGravity_m_per_s2 = 9.81;
-inline constexpr std::int64_t kTick_ns = 10'000'000;
+using facts::kGravity_m_per_s2;
+inline constexpr std::int64_t kTick_ns = facts::kSlot_ns;
 
 inline const urdf::RobotModel& humanoid() {
   static const urdf::RobotModel model = urdf::load_robot(std::string(GAITWAY_URDF_DIR) + "/humanoid22");

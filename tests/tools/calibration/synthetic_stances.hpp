@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gaitway/calibration/calibration_estimator.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/key_postures.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/stance_map.hpp"
@@ -16,7 +17,7 @@ namespace gaitway::calibration {
 class SyntheticStances {
  public:
   static constexpr double kForceDeviation_N = 0.01, kTiltDeviation_rad = 1e-4;
-  static constexpr double kGravity_m_per_s2 = 9.81;
+  static constexpr double kGravity_m_per_s2 = facts::kGravity_m_per_s2;
 
   SyntheticStances(const urdf::RobotModel& robot, const motion::Motion& poses)
       : robot_(robot), poses_(poses), postures_(motion::key_postures(robot, poses, {})), map_(robot) {}

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "gaitway/can/frame.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {
 
@@ -14,7 +15,7 @@ struct Profile;  // profile.hpp
 
 using NodeId = std::uint8_t;  // 1..64: a local controller on the bus; 0 is the message controller
 
-inline constexpr int kBatchPoints = 8;       // points in one trajectory frame, one a time slot
+inline constexpr int kBatchPoints = facts::kSlotsPerCycle;  // points in one trajectory frame, one a time slot
 inline constexpr int kResyncDeltas = 5;      // points that follow the absolute one in a resynchronisation
 inline constexpr int kTrimChannels = 8;      // signed corrections in the trim frame
 inline constexpr int kFeedbackChannels = 2;  // 16-bit sensor channels in a feedback frame

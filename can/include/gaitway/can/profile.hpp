@@ -9,12 +9,11 @@
 #include <string_view>
 
 #include "gaitway/can/message_layout.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {
 
 inline constexpr NodeId kLargestNode = 64;
-inline constexpr std::int64_t kSlotPeriod_ns = 10'000'000;
-inline constexpr std::int64_t kCyclePeriod_ns = 80'000'000;
 
 enum class IdRule : std::uint8_t {
   unused,              // the profile has no such message
@@ -94,29 +93,29 @@ struct Profile {
 // on a disturbed bus; a batch that comes too late for its start is made up for within two time slots.
 inline constexpr Profile kFullProfile{
     .name = "full",
-    .rows = {{{IdRule::one, 0x001, 10'000'000, true, 4'000'000},                         // emergency stop
-              {IdRule::one, 0x002, 10'000'000, true, 4'000'000},                         // user command
-              {IdRule::one, 0x008, kSlotPeriod_ns, false, 5'000'000},                    // SYNC
-              {IdRule::one, 0x010, kSlotPeriod_ns, false, 5'000'000},                    // trim
-              {IdRule::per_node, 0x040, kSlotPeriod_ns, false, 10'000'000},              // feedback
-              {IdRule::per_node, 0x0A0, kCyclePeriod_ns, true, 10'000'000},              // fault report
-              {IdRule::per_node_and_toggle, 0x100, kCyclePeriod_ns, false, 20'000'000},  // trajectory
-              {IdRule::per_node, 0x200, kSlotPeriod_ns, true, 3 * kSlotPeriod_ns},       // resynchronisation
-              {IdRule::one, 0x300, kCyclePeriod_ns, false, kCyclePeriod_ns}}},           // heartbeat
+    .rows = {{{IdRule::one, 0x001, 10'000'000, true, 4'000'000},                          // emergency stop
+              {IdRule::one, 0x002, 10'000'000, true, 4'000'000},                          // user command
+              {IdRule::one, 0x008, facts::kSlot_ns, false, 5'000'000},                    // SYNC
+              {IdRule::one, 0x010, facts::kSlot_ns, false, 5'000'000},                    // trim
+              {IdRule::per_node, 0x040, facts::kSlot_ns, false, 10'000'000},              // feedback
+              {IdRule::per_node, 0x0A0, facts::kCycle_ns, true, 10'000'000},              // fault report
+              {IdRule::per_node_and_toggle, 0x100, facts::kCycle_ns, false, 20'000'000},  // trajectory
+              {IdRule::per_node, 0x200, facts::kSlot_ns, true, 3 * facts::kSlot_ns},      // resynchronisation
+              {IdRule::one, 0x300, facts::kCycle_ns, false, facts::kCycle_ns}}},          // heartbeat
     .largest_node = kLargestNode};
 
 // The published robot's 25 messages and nothing else: trajectories 1..12, sensors 13..24, user command 25.
 inline constexpr Profile kPaperProfile{
     .name = "paper",
-    .rows = {{{},                                                         // emergency stop: a user command
-              {IdRule::one, 25, 10'000'000, true, 10'000'000},            // user command
-              {},                                                         // SYNC: batches start on arrival
-              {},                                                         // trim
-              {IdRule::per_node, 12, kSlotPeriod_ns, false, 10'000'000},  // feedback
-              {},                                                         // fault report
-              {IdRule::per_node, 0, kCyclePeriod_ns, false, 10'000'000},  // trajectory
-              {},                                                         // resynchronisation
-              {}}},                                                       // heartbeat
+    .rows = {{{},                                                          // emergency stop: a user command
+              {IdRule::one, 25, 10'000'000, true, 10'000'000},             // user command
+              {},                                                          // SYNC: batches start on arrival
+              {},                                                          // trim
+              {IdRule::per_node, 12, facts::kSlot_ns, false, 10'000'000},  // feedback
+              {},                                                          // fault report
+              {IdRule::per_node, 0, facts::kCycle_ns, false, 10'000'000},  // trajectory
+              {},                                                          // resynchronisation
+              {}}},                                                        // heartbeat
     .largest_node = 12};
 
 }  // namespace gaitway::can

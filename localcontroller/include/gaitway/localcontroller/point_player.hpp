@@ -8,10 +8,10 @@
 #include <cstdint>
 
 #include "gaitway/can/messages.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::localcontroller {
 
-inline constexpr std::int64_t kSlot_ns = 10'000'000;
 // How long a SYNC may be overdue, by the joint's own clock, before the joint takes the next slot without it.
 inline constexpr std::int64_t kSyncGrace_ns = 1'500'000;
 
@@ -88,7 +88,7 @@ class PointPlayer {
   double from_;  // where the interpolation of this segment began, in counts
   std::int32_t lowest_, highest_;
   std::int64_t segment_start_ns_ = 0;
-  std::int64_t segment_duration_ns_ = kSlot_ns;
+  std::int64_t segment_duration_ns_ = facts::kSlot_ns;
   bool moves_by_hand_ = false;  // this segment is a manual movement
   bool started_ = false;        // the first segment has begun
   int slot_ = 0;                // running slot of the cycle

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "motion_fixture.hpp"
 
@@ -39,7 +40,7 @@ TEST_P(WayOut, LeadsHomeFromEveryBatchWithoutAJump) {
     EXPECT_LE(rows.size() - 1, static_cast<std::size_t>(kMaxTailPoints));
     for (std::size_t i = 1; i < rows.size(); ++i) {
       for (std::size_t j = 0; j < table.joint_count; ++j) {
-        const double speed = static_cast<double>(std::abs(rows[i][j] - rows[i - 1][j])) / kPointTime_s;
+        const double speed = static_cast<double>(std::abs(rows[i][j] - rows[i - 1][j])) / facts::kSlot_s;
         EXPECT_LE(speed, 1.001 * limits.speed_rad_per_s[static_cast<Eigen::Index>(j)])
             << robot.joints[j].name << ", left after " << b << " batches, point " << i;
       }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/plan_loads.hpp"
 #include "gaitway/simulator/plant.hpp"
 
@@ -25,14 +26,14 @@ inline double servo_torque_Nm(const simulator::Plant& plant, const urdf::Joint& 
       from_rad + share * (to_rad - from_rad) - plant.sensors().encoder_count[index] * joint.encoder_count_rad;
   return joint.servo.stiffness_Nm_per_rad * error +
          joint.servo.damping_Nms_per_rad *
-             ((to_rad - from_rad) / kPointTime_s - plant.velocities()[6 + index]);
+             ((to_rad - from_rad) / facts::kSlot_s - plant.velocities()[6 + index]);
 }
 
 // One point: the references go straight from one row to the other.
 inline void play_point(simulator::Plant& plant, const urdf::RobotModel& robot, std::span<const double> from,
                        std::span<const double> to) {
   std::vector<double> torque(robot.joints.size());
-  const int steps = static_cast<int>(std::lround(kPointTime_s / robot.physics_step_s));
+  const int steps = static_cast<int>(std::lround(facts::kSlot_s / robot.physics_step_s));
   for (int step = 1; step <= steps; ++step) {
     const double share = static_cast<double>(step) / steps;
     for (std::size_t j = 0; j < torque.size(); ++j) {
@@ -46,7 +47,7 @@ inline void play_point(simulator::Plant& plant, const urdf::RobotModel& robot, s
 inline void play(simulator::Plant& plant, const urdf::RobotModel& robot, const MotionPlan& plan,
                  double settle_s) {
   const std::size_t last = plan.point_count() - 1;
-  const std::size_t end = last + static_cast<std::size_t>(settle_s / kPointTime_s);
+  const std::size_t end = last + static_cast<std::size_t>(settle_s / facts::kSlot_s);
   for (std::size_t i = 0; i < end; ++i) {
     play_point(plant, robot, plan.reference(std::min(i, last)), plan.reference(std::min(i + 1, last)));
   }
@@ -84,9 +85,9 @@ inline Performance perform(const urdf::RobotModel& robot, const MotionPlan& plan
   const Eigen::Vector2d origin = soles_middle();
   const Eigen::Vector3d start = plant.truth().base.translation();
   std::vector<double> torque(robot.joints.size());
-  const int steps_in_point = static_cast<int>(std::lround(kPointTime_s / robot.physics_step_s));
+  const int steps_in_point = static_cast<int>(std::lround(facts::kSlot_s / robot.physics_step_s));
   const std::size_t last = plan.point_count() - 1;
-  const std::size_t end = last + static_cast<std::size_t>(settle_s / kPointTime_s);
+  const std::size_t end = last + static_cast<std::size_t>(settle_s / facts::kSlot_s);
   PlanLoads loads(robot, plan);
   double zmp_error = 0.0;
   for (std::size_t i = 0; i < end && !result.fallen; ++i) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/stance_map.hpp"
 #include "motion_fixture.hpp"
 
@@ -60,7 +61,7 @@ TEST(PlanCheck, TheWireLimitsSpeedWhereMotorsAreFaster) {
   for (urdf::Joint& joint : robot.joints)
     joint.motor.speed_limit_rad_per_s = joint.velocity_limit_rad_per_s = 30.0;
   const double most = JointLimits(robot, {}).speed_rad_per_s[0];
-  EXPECT_NEAR(most * kPointTime_s / robot.joints[0].count_rad, 126.0, 1e-9);
+  EXPECT_NEAR(most * facts::kSlot_s / robot.joints[0].count_rad, 126.0, 1e-9);
 }
 
 TEST(PlanCheck, NoticesStopsFeetAndBalance) {

@@ -7,6 +7,7 @@
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <random>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/stance_map.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "motion_fixture.hpp"
@@ -14,7 +15,7 @@
 namespace gaitway::motion {
 namespace {
 
-constexpr double kGravity = 9.81;
+constexpr double kGravity = facts::kGravity_m_per_s2;
 
 BodyMotion random_motion(std::mt19937& random) {
   const urdf::RobotModel& robot = humanoid22();

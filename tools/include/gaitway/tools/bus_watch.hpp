@@ -26,11 +26,10 @@
 
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/profile.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/tools/spread.hpp"
 
 namespace gaitway::tools {
-
-inline constexpr std::int64_t kBitTime_ns = 1000;  // 1 Mb/s
 
 // Where the times of the frames come from.
 enum class BusClock : std::uint8_t {

@@ -3,37 +3,37 @@
 
 #include <cstdint>
 
-#include "gaitway/msgclient/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::core {
 
 // Tick k is at k * 10 ms + phase: by then the feedback of its slot has come in.
-inline constexpr std::int64_t kTickPhase_ns = 4 * msgclient::kMillisecond_ns;
+inline constexpr std::int64_t kTickPhase_ns = 4 * facts::kMillisecond_ns;
 // The batch of cycle n is prepared at the tick of this slot of cycle n - 1: 16 ms before it plays.
 inline constexpr std::uint32_t kBatchSlot = 6;
 
 // A batch that runs may be revised from this slot of its cycle on, if the network allows it: at the tick as
 // long before that slot as a batch is prepared before its cycle. Its sequence is the running cycle's number.
 constexpr bool is_revision_tick(const Tick& tick, int revision_slot) noexcept {
-  constexpr int kAhead = msgclient::kSlotsPerCycle - static_cast<int>(kBatchSlot);
-  const auto slot = static_cast<int>(tick.tick % msgclient::kSlotsPerCycle);
+  constexpr int kAhead = facts::kSlotsPerCycle - static_cast<int>(kBatchSlot);
+  const auto slot = static_cast<int>(tick.tick % facts::kSlotsPerCycle);
   return revision_slot > 0 && slot == revision_slot - kAhead;
 }
 
 // Whether a tick is due exactly at `now_ns`.
 constexpr bool is_tick(std::int64_t now_ns, std::int64_t phase_ns = kTickPhase_ns) noexcept {
-  return now_ns >= phase_ns && (now_ns - phase_ns) % msgclient::kSlot_ns == 0;
+  return now_ns >= phase_ns && (now_ns - phase_ns) % facts::kSlot_ns == 0;
 }
 
 // The tick of the slot in which `now_ns` lies; 0 <= now_ns.
 constexpr Tick tick_at(std::int64_t now_ns) noexcept {
-  const std::int64_t slots = now_ns / msgclient::kSlot_ns;
-  const auto slot = static_cast<std::uint32_t>(slots % msgclient::kSlotsPerCycle);
-  const auto cycle = static_cast<std::uint32_t>(slots / msgclient::kSlotsPerCycle);
+  const std::int64_t slots = now_ns / facts::kSlot_ns;
+  const auto slot = static_cast<std::uint32_t>(slots % facts::kSlotsPerCycle);
+  const auto cycle = static_cast<std::uint32_t>(slots / facts::kSlotsPerCycle);
   const std::uint32_t next_batch = slot <= kBatchSlot ? cycle + 1 : cycle + 2;
   return {.now_ns = now_ns,
-          .batch_start_ns = std::int64_t{next_batch} * msgclient::kCycle_ns,
+          .batch_start_ns = std::int64_t{next_batch} * facts::kCycle_ns,
           .batch_sequence = next_batch,
           .tick = static_cast<std::uint32_t>(slots),
           .batch = slot == kBatchSlot};
@@ -41,8 +41,8 @@ constexpr Tick tick_at(std::int64_t now_ns) noexcept {
 
 // The first tick after `now_ns`.
 constexpr std::int64_t next_tick_ns(std::int64_t now_ns, std::int64_t phase_ns = kTickPhase_ns) noexcept {
-  const std::int64_t next = (now_ns - phase_ns) / msgclient::kSlot_ns + 1;
-  return now_ns < phase_ns ? phase_ns : next * msgclient::kSlot_ns + phase_ns;
+  const std::int64_t next = (now_ns - phase_ns) / facts::kSlot_ns + 1;
+  return now_ns < phase_ns ? phase_ns : next * facts::kSlot_ns + phase_ns;
 }
 
 }  // namespace gaitway::core

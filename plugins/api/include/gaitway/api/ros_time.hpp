@@ -4,11 +4,12 @@
 #include <cstdint>
 
 #include "gaitway/api/ros_messages.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
 
 [[nodiscard]] constexpr ros::Time ros_time(std::int64_t time_ns) noexcept {
-  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  using facts::kSecond_ns;
   std::int64_t seconds = time_ns / kSecond_ns;
   std::int64_t rest_ns = time_ns % kSecond_ns;
   if (rest_ns < 0) {

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/plugin/number_parameter.hpp"
 
 namespace gaitway::trajectory {
-
-inline constexpr double kPointPeriod_s = 0.010;  // time between two points of a plan
-inline constexpr double kGravity_m_per_s2 = 9.81;
 
 // The rectangle of a sole, in the sole frame (origin below the ankle, x forward, y left).
 struct Sole {

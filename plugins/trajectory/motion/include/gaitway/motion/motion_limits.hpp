@@ -3,11 +3,10 @@
 
 #include <Eigen/Core>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::motion {
-
-inline constexpr double kPointTime_s = 0.01;  // a point of the wire's batches
 
 struct MotionLimits {
   double joint_margin_rad = 0.009;  // kept from each joint's stops

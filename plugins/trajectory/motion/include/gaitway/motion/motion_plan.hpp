@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_limits.hpp"
 
@@ -19,7 +20,7 @@ struct KeyTime {
 struct MotionPlan {
   std::string name;
   std::size_t joint_count = 0;
-  std::vector<double> joint_rad = {};  // a row of joint_count angles for each point, kPointTime_s apart
+  std::vector<double> joint_rad = {};  // a row of joint_count angles for each point, facts::kSlot_s apart
   // What the servos are given, rows alike: leads the angles by what the planned torques take.
   std::vector<double> reference_rad = {};
   std::vector<Contact> contact = {};  // what stands at each point
@@ -29,7 +30,7 @@ struct MotionPlan {
 
   [[nodiscard]] std::size_t point_count() const noexcept { return contact.size(); }
   [[nodiscard]] double duration_s() const noexcept {
-    return contact.empty() ? 0.0 : static_cast<double>(contact.size() - 1) * kPointTime_s;
+    return contact.empty() ? 0.0 : static_cast<double>(contact.size() - 1) * facts::kSlot_s;
   }
   [[nodiscard]] std::span<const double> reference(std::size_t index) const noexcept {
     return std::span(reference_rad).subspan(index * joint_count, joint_count);
