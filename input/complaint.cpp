@@ -1,10 +1,19 @@
-// Puts a complaint into words.
+// Puts a complaint into words that a terminal may show.
 #include "gaitway/input/complaint.hpp"
 
 #include <fmt/format.h>
 
+#include "gaitway/input/text.hpp"
+
 namespace gaitway::input {
 namespace {
+
+// Nobody reads a value to its end that is longer.
+std::string shortened(const std::string& value) {
+  constexpr std::size_t kMost = 200;
+  return value.size() <= kMost ? value
+                               : fmt::format("{}... ({} bytes)", value.substr(0, kMost), value.size());
+}
 
 std::string as_sentence(const std::string& text) {
   return text.ends_with('.') || text.ends_with('?') ? text : text + ".";
@@ -19,15 +28,15 @@ void refuse(const Complaint& complaint) {
   }
   text += ": ";
   if (!complaint.field.empty()) {
-    text += complaint.field;
-    text += complaint.value.empty() ? ": " : fmt::format(" = {}: ", complaint.value);
+    text += shortened(complaint.field);
+    text += complaint.value.empty() ? ": " : fmt::format(" = {}: ", shortened(complaint.value));
   }
   text += as_sentence(complaint.rule);
   if (!complaint.remedy.empty()) {
     text += ' ';
     text += as_sentence(complaint.remedy);
   }
-  throw InputError(text);
+  throw InputError(terminal_text(text));
 }
 
 }  // namespace gaitway::input

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/text.hpp"
 
 namespace gaitway::input {
 namespace {
@@ -29,24 +27,23 @@ std::string kind_of(const YAML::Node& node) {
 }  // namespace
 
 YamlValue YamlValue::read(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::error_code unknown;
-  if (!stream || std::filesystem::is_directory(file, unknown)) {
-    input::refuse({file, 0, "", "", "the file is missing or cannot be read",
-                   "Check the path and the file's permissions"});
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse(text.str(), file);
+  return parse(read_text_file(file, "Check the path and the file's permissions"), file);
 }
 
 YamlValue YamlValue::parse(const std::string& text, const std::filesystem::path& file) {
+  std::vector<YAML::Node> documents;
   try {
-    return YamlValue(YAML::Load(text), file, "");
+    documents = YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
     input::refuse({file, error.mark.line + 1, fmt::format("column {}", error.mark.column + 1), "",
                    "malformed YAML: " + error.msg, "Check indentation, brackets and quotes there and above"});
   }
+  if (documents.size() > 1) {
+    YamlValue(documents[1], file, "")
+        .refuse("a second document begins here, which nobody would read",
+                "Write one document a file: remove the '---' before it");
+  }
+  return YamlValue(documents.empty() ? YAML::Node() : documents[0], file, "");
 }
 
 std::vector<std::pair<std::string, YamlValue>> YamlValue::entries() const {
@@ -125,11 +122,17 @@ std::vector<YamlValue> YamlValue::items(std::size_t count) const {
   return result;
 }
 
-double YamlValue::number(const Range& range) const {
-  double value = 0.0;
-  if (!node_.IsScalar() || !YAML::convert<double>::decode(node_, value) || !std::isfinite(value)) {
-    refuse("must be a number", "Write a plain number; its unit is part of the key");
+template <class Number>
+Number YamlValue::read_number(const char* remedy) const {
+  try {
+    return plain_number<Number>(node_.IsScalar() ? node_.Scalar() : "");
+  } catch (const ValueError& error) {
+    refuse(error.rule, error.remedy.empty() ? remedy : error.remedy);
   }
+}
+
+double YamlValue::number(const Range& range) const {
+  const auto value = read_number<double>("Write a plain number; its unit is part of the key");
   if (value < range.lowest || value > range.highest) {
     refuse(fmt::format("must be {:g}..{:g}{}{}", range.lowest, range.highest, range.unit.empty() ? "" : " ",
                        range.unit),
@@ -139,14 +142,20 @@ double YamlValue::number(const Range& range) const {
 }
 
 int YamlValue::integer(int lowest, int highest) const {
-  int value = 0;
-  if (!node_.IsScalar() || !YAML::convert<int>::decode(node_, value)) {
-    refuse("must be a whole number", "Write a plain whole number");
-  }
+  const auto value = read_number<std::int64_t>("Write a plain whole number");
   if (value < lowest || value > highest) {
     refuse(fmt::format("must be {}..{}", lowest, highest), "Choose a number in this range");
   }
-  return value;
+  return static_cast<int>(value);
+}
+
+std::int64_t YamlValue::number_with_unit(std::span<const Unit> units, std::int64_t lowest,
+                                         std::int64_t highest) const {
+  try {
+    return input::number_with_unit(text(), units, lowest, highest);
+  } catch (const ValueError& error) {
+    refuse(error.rule, error.remedy);
+  }
 }
 
 std::string YamlValue::text() const {

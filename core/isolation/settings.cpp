@@ -2,11 +2,8 @@
 #include "gaitway/isolation/settings.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "gaitway/input/yaml_value.hpp"
 
@@ -16,26 +13,6 @@ namespace {
 using input::YamlValue;
 
 constexpr std::int64_t kNetworkHang_ns = 500'000'000;
-
-std::uint64_t read_bytes(const YamlValue& value) {
-  constexpr std::array<std::pair<std::string_view, unsigned>, 3> kUnits{
-      {{"KiB", 10U}, {"MiB", 20U}, {"GiB", 30U}}};
-  constexpr std::uint64_t kLowest = std::uint64_t{64} << 20U, kHighest = std::uint64_t{64} << 30U;
-  const std::string text = value.text();
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-  for (const auto& [name, shift] : kUnits) {
-    if (error == std::errc{} && unit == name) {
-      if (number > kHighest >> shift || number << shift < kLowest) {
-        value.refuse("must lie between 64 MiB and 64 GiB", "Choose another size");
-      }
-      return number << shift;
-    }
-  }
-  value.refuse("must be a whole number with its unit: KiB, MiB or GiB", "Write it like '512 MiB'");
-}
 
 bool read_network(const YamlValue& value) {
   const std::string text = value.text();
@@ -77,7 +54,8 @@ ChildSettings read_child_settings(const YamlValue& plugin, bool isolated) {
     settings.descriptor_limit = static_cast<std::uint32_t>(descriptors->integer(16, 4096));
   }
   if (const auto memory = plugin.find("memory")) {
-    settings.memory_limit_bytes = read_bytes(*memory);
+    settings.memory_limit_bytes = static_cast<std::uint64_t>(
+        memory->number_with_unit(input::kSizeUnits_bytes, std::int64_t{64} << 20U, std::int64_t{64} << 30U));
   }
   return settings;
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "configured_time.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
@@ -49,9 +48,8 @@ Isolation isolation_of(const YamlValue& value) {
   return text == "process" ? Isolation::process : Isolation::none;
 }
 
-std::uint32_t ticks_of(const YamlValue& value, std::int64_t lowest_ns, std::int64_t highest_ns,
-                       const char* range) {
-  const std::int64_t time_ns = read_time_ns(value, lowest_ns, highest_ns, range);
+std::uint32_t ticks_of(const YamlValue& value, std::int64_t lowest_ns, std::int64_t highest_ns) {
+  const std::int64_t time_ns = value.number_with_unit(input::kTimeUnits_ns, lowest_ns, highest_ns);
   if (time_ns % facts::kSlot_ns != 0) {
     value.refuse("must be a multiple of the tick of 10 ms", "Round it");
   }
@@ -62,10 +60,10 @@ StepSchedule schedule_of(const YamlValue& plugin) {
   constexpr std::int64_t kLongest_ns = 1'000'000'000;
   StepSchedule schedule;
   if (const auto period = plugin.find("period")) {
-    schedule.every_ticks = ticks_of(*period, facts::kSlot_ns, kLongest_ns, "10 ms and 1 s");
+    schedule.every_ticks = ticks_of(*period, facts::kSlot_ns, kLongest_ns);
   }
   if (const auto phase = plugin.find("phase")) {
-    schedule.phase_ticks = ticks_of(*phase, 0, kLongest_ns, "0 ms and 1 s");
+    schedule.phase_ticks = ticks_of(*phase, 0, kLongest_ns);
     if (schedule.phase_ticks >= schedule.every_ticks) {
       phase->refuse("must be less than the period", "Give a longer period, or an earlier phase");
     }

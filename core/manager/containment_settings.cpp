@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "configured_time.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
@@ -38,7 +37,7 @@ GiveUpRule read_give_up(const YamlValue& map) {
     rule.faults = faults->integer(1, GiveUpRule::kMostFaults);
   }
   if (const auto within = map.find("within")) {
-    rule.within_ns = read_time_ns(*within, 10'000'000, 1'000'000'000'000, "10 ms and 1000 s");
+    rule.within_ns = within->number_with_unit(input::kTimeUnits_ns, 10'000'000, 1'000'000'000'000);
   }
   if (const auto batches = map.find("batches")) {
     rule.batches = batches->integer(1, GiveUpRule::kMostFaults);
@@ -58,7 +57,7 @@ ContainmentSettings read_containment(const YamlValue& plugin) {
     settings.fallback = read_kind(*fallback);
   }
   if (const auto budget = plugin.find("budget")) {
-    settings.budget_ns = read_time_ns(*budget, 1000, 80'000'000, "1 us and 80 ms");
+    settings.budget_ns = budget->number_with_unit(input::kTimeUnits_ns, 1000, 80'000'000);
   }
   if (const auto give_up = plugin.find("give_up_after")) {
     settings.give_up = read_give_up(*give_up);

@@ -5,20 +5,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <type_traits>
 
 #include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/number.hpp"
 
 namespace gaitway::core {
 namespace {
-
-std::string_view trimmed(std::string_view text) noexcept {
-  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
-  text.remove_prefix(begin);
-  return text.substr(0, text.find_last_not_of(" \t") + 1);
-}
 
 std::string_view plain(std::string_view unit) noexcept {
   return unit.empty() ? std::string_view("1") : unit;
@@ -68,25 +62,22 @@ template <class Number>
 Number read_number(const Parameter& parameter, std::string_view text, const Refusal& refuse) {
   constexpr std::string_view kWanted = std::is_integral_v<Number> ? "a whole number" : "a finite number";
   const bool plain_number = parameter.unit == "1";
-  std::string_view rest = trimmed(text);
-  rest.remove_prefix(rest.starts_with('+') && rest.size() > 1 && rest[1] != '-' ? 1 : 0);
-  Number value{};
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-  const bool is_number = error == std::errc{} && std::isfinite(static_cast<double>(value));
-  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-  // What follows a whole number is its unit, not the rest of "1.5" or "1e3".
-  const bool cut_off = std::is_integral_v<Number> && (rest.starts_with('.') || rest.starts_with('e'));
-  if (!is_number || cut_off) {
-    refuse(fmt::format("must be {} in {}. Write for example '{}{}{}'", kWanted, parameter.unit,
-                       parameter.fallback, plain_number ? "" : " ", plain_number ? "" : parameter.unit));
+  input::NumberAndUnit<Number> given;
+  try {
+    given = input::split_number<Number>(text);
+  } catch (const input::ValueError& error) {
+    refuse(error.remedy.empty()
+               ? fmt::format("must be {} in {}. Write for example '{}{}{}'", kWanted, parameter.unit,
+                             parameter.fallback, plain_number ? "" : " ", plain_number ? "" : parameter.unit)
+               : error.what());
   }
-  const std::string_view given = trimmed(rest);
-  if (!given.empty() && given != parameter.unit) {
-    refuse(plain_number ? fmt::format("is in '{}', but must be a plain number without unit", given)
-                        : fmt::format("is in '{}', but must be in '{}'. Convert it", given, parameter.unit));
+  if (!given.unit.empty() && given.unit != parameter.unit) {
+    refuse(plain_number
+               ? fmt::format("is in '{}', but must be a plain number without unit", given.unit)
+               : fmt::format("is in '{}', but must be in '{}'. Convert it", given.unit, parameter.unit));
   }
-  require_range(parameter, static_cast<double>(value), refuse);
-  return value;
+  require_range(parameter, static_cast<double>(given.number), refuse);
+  return given.number;
 }
 
 // As people write it.

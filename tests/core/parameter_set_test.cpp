@@ -74,7 +74,8 @@ TEST(ParameterSet, WhatIsNoNumberIsRefused) {
     EXPECT_THAT(number_refusal(text), HasSubstr("must be a finite number in s. Write for example '0.4 s'"))
         << text;
   }
-  EXPECT_THAT(number_refusal("1,5"), HasSubstr("is in ',5'"));
+  EXPECT_THAT(number_refusal("1,5 s"),
+              HasSubstr("= '1,5 s': must be a number with a decimal point, not with a comma. Write '1.5 s'"));
 }
 
 TEST(ParameterSet, WholeNumbers) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gaitway/input/complaint.hpp"
+#include "gaitway/input/number.hpp"
 
 namespace gaitway::input {
 
@@ -44,6 +45,9 @@ class YamlValue {
   [[nodiscard]] bool is_empty() const { return node_.IsNull(); }  // a key with nothing behind it
   [[nodiscard]] double number(const Range& range) const;
   [[nodiscard]] int integer(int lowest, int highest) const;
+  // A number with one of these units, in what their factors count.
+  [[nodiscard]] std::int64_t number_with_unit(std::span<const Unit> units, std::int64_t lowest,
+                                              std::int64_t highest) const;
   [[nodiscard]] std::string text() const;
   template <std::size_t count>
   [[nodiscard]] std::array<double, count> numbers(const Range& range) const {
@@ -63,6 +67,8 @@ class YamlValue {
   YamlValue(const YAML::Node& node, std::filesystem::path file, std::string path)
       : node_(node), file_(std::move(file)), path_(std::move(path)) {}
 
+  template <class Number>
+  [[nodiscard]] Number read_number(const char* remedy) const;
   [[nodiscard]] YamlValue key_of(const YAML::Node& key) const;
   [[nodiscard]] std::string child_path(std::string_view key) const;
 
