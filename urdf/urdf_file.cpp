@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <fstream>
 #include <mutex>
-#include <sstream>
 
 #include "gaitway/input/complaint.hpp"
+#include "gaitway/input/text.hpp"
 #include "joint_rules.hpp"
 #include "link_rules.hpp"
 
@@ -140,17 +139,11 @@ UrdfJoint read_joint(const ::urdf::Joint& source, const UrdfFile& urdf) {
 }  // namespace
 
 UrdfFile read_urdf_file(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) {
-    input::refuse({file, 0, "", "", "the file is missing or cannot be read",
-                   "A robot's folder holds robot.urdf and robot.yaml"});
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
+  const std::string text = input::read_text_file(file, "A robot's folder holds robot.urdf and robot.yaml");
   UrdfFile urdf;
   urdf.file = file;
-  urdf.lines = check_urdf_syntax(file, text.str());
-  const ::urdf::ModelInterfaceSharedPtr model = parse(file, text.str());
+  urdf.lines = check_urdf_syntax(file, text);
+  const ::urdf::ModelInterfaceSharedPtr model = parse(file, text);
   urdf.name = model->getName();
   urdf.base_link = model->getRoot()->name;
   for (const auto& [name, link] : model->links_) {

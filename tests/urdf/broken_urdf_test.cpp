@@ -33,6 +33,56 @@ TEST(BrokenUrdf, TextThatIsNoUrdfIsRefused) {
   robot.expect_complaint({"robot.urdf:1: ", "the outermost element must be <robot>"});
 }
 
+std::string nested(const std::string& open, int levels, const std::string& close) {
+  std::string text;
+  for (int i = 0; i < levels; ++i) text += open;
+  for (int i = 0; i < levels; ++i) text += close;
+  return text;
+}
+
+TEST(BrokenUrdf, ElementsNestedTooDeepAreRefusedBeforeTheParserMeetsThem) {
+  const std::string tail = "</robot>";
+  // A tag in quotes, in a comment or behind a declaration closes nothing.
+  for (const char* const open : {"<a>", "<a b=\"/>\">", "<a b='</a>'>", "<a><!-- </a> -->", "<a><!--></a>-->",
+                                 "<a><![CDATA[</a>]]>", "<_>"}) {
+    const BrokenRobot robot;
+    robot.write(kUrdf, "<robot name=\"x\">\n" + nested(open, 100'000, "</a>") + tail);
+    robot.expect_complaint({"robot.urdf:2: ", "must not be nested more than 32 deep"});
+  }
+  const BrokenRobot declared;
+  declared.write(kUrdf, "<?xml version='\"' encoding=\"><!--\"?>" + nested("<a>", 100'000, "</a>"));
+  declared.expect_complaint({"robot.urdf:1: ", "'>' stands between quotes"});
+}
+
+TEST(BrokenUrdf, ManyElementsSideBySideAreNoNesting) {
+  BrokenRobot robot;
+  std::string comments;
+  for (int i = 0; i < 1000; ++i) comments += "<!-- <link> -->\n";
+  robot.replace(kUrdf, kLeftThigh, comments + kLeftThigh);
+  EXPECT_EQ(robot.complaint(), "(loaded without complaint)");
+}
+
+TEST(BrokenUrdf, FilesOfManyMegabytesAreRefusedByName) {
+  const BrokenRobot urdf;
+  urdf.write(kUrdf, "<!-- " + std::string(5'000'000, 'x') + " -->");
+  urdf.expect_complaint({"robot.urdf: the file is larger than 4 MiB"});
+  const BrokenRobot yaml;
+  yaml.write(kYaml, "# " + std::string(5'000'000, 'x'));
+  yaml.expect_complaint({"robot.yaml: the file is larger than 4 MiB"});
+}
+
+TEST(BrokenUrdf, ADoctypeIsToldAsSuch) {
+  BrokenRobot robot;
+  robot.replace(kUrdf, "<robot ", "<!DOCTYPE robot [<!ENTITY half \"0.5\">]>\n<robot ");
+  robot.expect_complaint({robot.line_of(kUrdf, "<!DOCTYPE"), "a URDF has no DOCTYPE"});
+}
+
+TEST(BrokenUrdf, ADecimalCommaIsTold) {
+  BrokenRobot robot;
+  robot.replace(kUrdf, kLeftThigh, "mass value=\"0.45\"", "mass value=\"0,45\"");
+  robot.expect_complaint({"'0,45': must be a number with a decimal point, not with a comma"});
+}
+
 TEST(BrokenUrdf, MisspeltElementNamesTheNearest) {
   BrokenRobot robot;
   robot.replace(kUrdf, kLeftThigh, "<mass value=\"0.45\"/>", "<mas value=\"0.45\"/>");
