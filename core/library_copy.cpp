@@ -83,7 +83,7 @@ LibraryCopy::LibraryCopy(const std::filesystem::path& file) {
     refuse(file, fmt::format("cannot be read: {}", std::strerror(errno)));
   }
   check_header(file, source.get(), status.st_size);
-  memory_ = process::FileDescriptor(memfd_create(file.filename().c_str(), MFD_CLOEXEC));
+  memory_ = process::FileDescriptor(memfd_create(file.filename().c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!memory_) {
     refuse(file, fmt::format("no memory for a private copy: {}", std::strerror(errno)));
   }
@@ -96,6 +96,7 @@ LibraryCopy::LibraryCopy(const std::filesystem::path& file) {
     }
     copied += count;
   }
+  fcntl(memory_.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL);
 }
 
 std::string LibraryCopy::path() const {

@@ -1,5 +1,5 @@
 // A shared library's private copy in memory: whoever overwrites or truncates the file afterwards harms
-// nobody.
+// nobody, and nobody writes the copy.
 #pragma once
 
 #include <filesystem>

@@ -55,7 +55,7 @@ Segment Segment::create(const std::string& name, std::size_t bytes) {
   if (!fd) {
     fail("memfd_create of " + name);
   }
-  if (fchmod(fd.get(), 0600) != 0 || ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0 ||
+  if (fchmod(fd.get(), 0400) != 0 || ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0 ||
       fcntl(fd.get(), F_ADD_SEALS, kSeals) != 0) {
     fail("cannot size and seal " + name);
   }
@@ -74,8 +74,8 @@ Segment Segment::map(process::FileDescriptor fd, std::size_t bytes, Access acces
         "the server gave memory that is not sealed or has another size than announced: is it another "
         "program's socket?");
   }
-  void* const data = map_fd(fd.get(), bytes, access);
-  return Segment(std::move(fd), data, bytes);
+  // Its descriptor is closed: through it the memory could be opened once more, for writing (/proc/self/fd).
+  return Segment({}, map_fd(fd.get(), bytes, access), bytes);
 }
 
 void Segment::keep_to_this_process() {

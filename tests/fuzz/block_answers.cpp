@@ -31,9 +31,10 @@ void map_memory(protocol::ReceivedAnswer& received) {
   for (std::size_t i = 0; i < received.answer.fd_count; ++i) {
     try {
       const std::uint64_t announced = received.answer.segment_bytes[i];
+      const int seals = fcntl(received.fds[i].get(), F_GET_SEALS);
       const auto segment = Segment::map(std::move(received.fds[i]), announced, Access::read_only);
       require(segment.size() == announced, "memory has the announced size");
-      require((fcntl(segment.fd(), F_GET_SEALS) & F_SEAL_SHRINK) != 0, "memory cannot shrink");
+      require((seals & F_SEAL_SHRINK) != 0, "memory cannot shrink");
     } catch (const TopicError&) {
     } catch (const std::system_error&) {
     }

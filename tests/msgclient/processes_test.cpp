@@ -8,6 +8,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -231,21 +232,29 @@ TEST_F(Processes, MemoryForReadingCannotBeWrittenTruncatedOrRemapped) {
   static_cast<char*>(writable.storage->data())[100] = 'x';
   EXPECT_EQ(static_cast<const char*>(readable.storage->data())[100], 'x');
 
-  const int fd = readable.storage->fd();
+  EXPECT_LT(readable.storage->fd(), 0) << "nothing is left through which it could be opened again";
+  EXPECT_LT(writable.storage->fd(), 0);
   EXPECT_EQ(mprotect(readable.storage->data(), 8192, PROT_READ | PROT_WRITE), -1);
   EXPECT_EQ(errno, EACCES);
-  EXPECT_EQ(mmap(nullptr, 8192, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0), MAP_FAILED);
-  EXPECT_EQ(errno, EACCES);
-  EXPECT_EQ(pwrite(fd, "y", 1, 100), -1);
-  EXPECT_EQ(ftruncate(fd, 0), -1);
-  for (const off_t size : {0, 4096, 16384}) {
-    EXPECT_EQ(ftruncate(writable.storage->fd(), size), -1) << "not even the writer can: " << size;
-    EXPECT_EQ(errno, EPERM);
-  }
-  EXPECT_EQ(fcntl(writable.storage->fd(), F_ADD_SEALS, F_SEAL_WRITE), -1)
-      << "and nobody can seal the writer out";
   EXPECT_EQ(static_cast<const char*>(readable.storage->data())[100], 'x');
   EXPECT_DEATH(static_cast<volatile char*>(readable.storage->data())[100] = 'z', "");
+}
+
+TEST(Segment, WhatIsHandedToReadersCannotBeWrittenTruncatedOrOpenedAgain) {
+  const Segment segment = Segment::create("segment", 8192);
+  const process::FileDescriptor readable = segment.reopen_read_only();
+  EXPECT_EQ(mmap(nullptr, 8192, PROT_READ | PROT_WRITE, MAP_SHARED, readable.get(), 0), MAP_FAILED);
+  EXPECT_EQ(errno, EACCES);
+  EXPECT_EQ(pwrite(readable.get(), "y", 1, 100), -1);
+  EXPECT_EQ(ftruncate(readable.get(), 0), -1);
+  struct stat status {};
+  ASSERT_EQ(fstat(readable.get(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0400U) << "not for writing, through /proc/self/fd either";
+  for (const off_t size : {0, 4096, 16384}) {
+    EXPECT_EQ(ftruncate(segment.fd(), size), -1) << "not even the writer can: " << size;
+    EXPECT_EQ(errno, EPERM);
+  }
+  EXPECT_EQ(fcntl(segment.fd(), F_ADD_SEALS, F_SEAL_WRITE), -1) << "and nobody can seal the writer out";
 }
 
 TEST_F(Processes, AQueueCrossesProcesses) {

@@ -219,12 +219,13 @@ TEST_F(NetworkChild, IsAClientOfTheMemoryBlockThatClaimsNothingMore) {
       memory.step();
     }
   });
-  manager = load(server(", parameters: {client: true}"));
+  manager = load(server(writes() + ", parameters: {client: true}"));
   EXPECT_THAT(newest("port"), HasSubstr("memory at '" + memory_socket.string() + "'"));
   EXPECT_EQ(ask("walk"), 0);
   WalkCommand command{};
   EXPECT_TRUE(other.read<WalkCommand>("walk_command").read(command));
   EXPECT_EQ(command.velocity[0], 0.1);
+  EXPECT_EQ(ask("here reopen"), EACCES) << "what it may read it cannot write";
   EXPECT_EQ(ask("claim"), 1);
   EXPECT_FALSE(other.find("trim").has_value());
   manager.reset();

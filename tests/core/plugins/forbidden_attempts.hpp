@@ -74,6 +74,25 @@ class ForbiddenAttempts {
     close_if_open(descriptor);
     return written;
   }
+  // Of all that it may only read, the first that it gets to write: a topic's memory.
+  static long reopened() {
+    for (int number = 0; number < 256; ++number) {
+      struct stat status {};
+      const int flags = fcntl(number, F_GETFL);
+      if (flags < 0 || (flags & O_ACCMODE) != O_RDONLY || fstat(number, &status) != 0 ||
+          !S_ISREG(status.st_mode) || status.st_nlink != 0) {
+        continue;
+      }
+      const int again = open(("/proc/self/fd/" + std::to_string(number)).c_str(), O_WRONLY | O_CREAT, 0600);
+      const long written = again < 0 ? -1 : pwrite(again, "x", 1, 0);
+      close_if_open(again);
+      if (written == 1) {
+        return written;
+      }
+    }
+    errno = EACCES;
+    return -1;
+  }
   long own_by_another() { return fcntl(spare_, F_SETOWN, getppid()); }
   static long limit_of_another() {
     // A pointer whose lower word is zero.
@@ -105,6 +124,7 @@ class ForbiddenAttempts {
       {"write outside", [this] { return opened(outside_ / "taken", O_WRONLY | O_CREAT); }},
       {"write beside", [this] { return opened(inside_ / ".." / "taken", O_WRONLY | O_CREAT); }},
       {"write to memory", [] { return opened("/proc/self/mem", O_WRONLY | O_CREAT); }},
+      {"reopen", [] { return reopened(); }},
       {"openat2",
        [] {
          open_how how{};

@@ -11,11 +11,12 @@ namespace gaitway::msgclient {
 
 enum class Access : std::uint32_t { read_only = 0, read_write = 1 };
 
-// A mapping of shared memory with the descriptor behind it. Cannot be truncated or grown by anybody: the size
-// is sealed. A segment has exactly one writing side; all others get a descriptor opened read-only, which the
-// kernel refuses to map writable. The file belongs to the owner's user alone (mode 0600), so that under
-// another user it cannot be reopened for writing through /proc either; within one user that protects against
-// accidents, which is what it is for.
+// A mapping of shared memory; whoever made it keeps the descriptor behind it. Cannot be truncated or grown by
+// anybody: the size is sealed. A segment has exactly one writing side; all others get a descriptor opened
+// read-only, which the kernel refuses to map writable, and which is closed once it is mapped. The file may be
+// opened by its owner's user alone, and by nobody for writing (mode 0400), so that what is still open cannot be
+// reopened for writing through /proc either; of one user's processes only one that changes the mode, or is
+// root, can.
 class Segment {
  public:
   // Makes zeroed memory. Throws std::system_error.
@@ -33,6 +34,7 @@ class Segment {
 
   [[nodiscard]] void* data() const noexcept { return data_; }
   [[nodiscard]] std::size_t size() const noexcept { return bytes_; }
+  // Of one that was made here.
   [[nodiscard]] int fd() const noexcept { return fd_.get(); }
   // A further descriptor of the same memory through which it can only be read.
   [[nodiscard]] process::FileDescriptor reopen_read_only() const;
