@@ -45,8 +45,11 @@ constexpr NamedCall kForbidden[] {
       {SYS_mount, "mount"}, {SYS_bpf, "bpf"}, {SYS_perf_event_open, "perf_event_open"},
       {SYS_io_uring_setup, "io_uring_setup"},
 };
-constexpr NamedCall kNetwork[]{
-    {SYS_socket, "socket"}, {SYS_connect, "connect"}, {SYS_bind, "bind"}, {SYS_listen, "listen"}};
+constexpr NamedCall kNetwork[]{{SYS_socket, "socket"},
+                               {SYS_socketpair, "socketpair"},
+                               {SYS_connect, "connect"},
+                               {SYS_bind, "bind"},
+                               {SYS_listen, "listen"}};
 constexpr NamedCall kAccepting[]{{SYS_accept, "accept"}, {SYS_accept4, "accept4"}};
 // Forbidden but for some uses.
 constexpr NamedCall kRestricted[]{{SYS_clone, "clone"},

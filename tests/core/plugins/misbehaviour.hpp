@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -37,6 +38,11 @@ class Misbehaviour {
     } else if (how_ == "fork") {
       if (fork() == 0) {
         _exit(0);
+      }
+    } else if (how_ == "socketpair") {
+      int ends[2];
+      if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0) {
+        throw std::runtime_error("nobody refused the sockets");
       }
     } else if (how_ == "garbage") {
       overwrite_exchange();
