@@ -5,12 +5,19 @@
 
 #include "gaitway/manager/data_flow.hpp"
 #include "gaitway/manager/plugin_error.hpp"
+#include "gaitway/msgclient/memory_block.hpp"
 
 namespace gaitway::core {
 
 void check_topic(const gaitway_topic* topic, gaitway_access access) {
   if (topic == nullptr || topic->name == nullptr || topic->type_name == nullptr || topic->size == 0) {
     throw PluginError("opens a topic without name, type or size");
+  }
+  if (topic->size > msgclient::kMaxBlockBytes) {
+    throw PluginError(fmt::format(
+        "opens topic '{}' with values of {} bytes; a value has 1 to {} bytes, which is what a memory "
+        "block holds. Correct its type",
+        topic->name, topic->size, msgclient::kMaxBlockBytes));
   }
   if (access >= kAccesses.size()) {
     throw PluginError(fmt::format("opens topic '{}' with the unknown access {}", topic->name, access));

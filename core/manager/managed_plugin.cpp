@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "gaitway/msgclient/memory_block.hpp"
 #include "plugin_declarations.hpp"
 
 namespace gaitway::core {
@@ -46,6 +48,16 @@ void ManagedPlugin::declare_topic(const gaitway_topic* topic, gaitway_access acc
   const auto kind = static_cast<Access>(access);
   if (kind == Access::write && uses(topic->name, kind)) {
     throw PluginError(fmt::format("opens topic '{}' twice for writing. Keep the one Output", topic->name));
+  }
+  const std::size_t bytes =
+      std::accumulate(ports_.begin(), ports_.end(), std::size_t{topic->size},
+                      [](std::size_t sum, const TopicPort& port) { return sum + port.use().size; });
+  if (bytes > msgclient::kMaxBlockBytes) {
+    throw PluginError(
+        fmt::format("opens topic '{}', and its values have {} bytes together; those of a plug-in have at "
+                    "most {}. Open fewer, "
+                    "or correct their types",
+                    topic->name, bytes, msgclient::kMaxBlockBytes));
   }
   ports_.emplace_back(*topic, kind);
 }

@@ -90,6 +90,21 @@ TEST_F(IsolatedPluginTest, ErrorsAreThoseOfAPluginInProcess) {
   }
 }
 
+// Before any memory is taken for them.
+TEST_F(IsolatedPluginTest, ValuesLargerThanAMemoryBlockAreRefused) {
+  for (const std::string where : {"", "isolation: process, "}) {
+    const auto complaint = [&](const std::string& bytes) {
+      return refusal("  - {name: it, library: huge_topic.so, " + where + "parameters: {bytes: " + bytes +
+                     "}}\n");
+    };
+    EXPECT_THAT(complaint("4294967295"), HasSubstr("opens topic 'first' with values of 4294967295 bytes"));
+    EXPECT_THAT(complaint("4194305"), HasSubstr("opens topic 'first' with values of 4194305 bytes"));
+    EXPECT_THAT(complaint("4194304"),
+                HasSubstr("opens topic 'second', and its values have 8388608 bytes together"));
+    EXPECT_THAT(complaint("2097152"), HasSubstr("nobody refused it"));
+  }
+}
+
 TEST_F(IsolatedPluginTest, ThrowsAndNonFiniteOutputsAreFaultsOfOneStep) {
   const auto manager = load(isolated("throws_in_step"));
   EXPECT_EQ(manager->step(tick(2)), 0);
@@ -144,6 +159,9 @@ TEST_F(IsolatedPluginTest, ForkIsRefusedAndTold) {
   const Survival fork = survive("fork");
   EXPECT_THAT(fork.fault, HasSubstr("called clone, which a plug-in in a process of its own may not"));
   EXPECT_EQ(fork.ticks, 1);  // its process lives on
+}
+TEST_F(IsolatedPluginTest, SocketsAreRefusedAndTold) {
+  EXPECT_THAT(survive("socketpair").fault, HasSubstr("called socketpair, which"));
 }
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_F(IsolatedPluginTest, MemoryLeakIsBounded) {
