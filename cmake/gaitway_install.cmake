@@ -7,7 +7,7 @@ set(gaitway_package_folder lib/cmake/gaitway)
 set(gaitway_built_package "${CMAKE_BINARY_DIR}/${gaitway_package_folder}")
 set(gaitway_shipped_plugins gaitway_plugin_trajectory gaitway_plugin_kinematics gaitway_plugin_zmp gaitway_plugin_stability
     gaitway_plugin_api)
-set(gaitway_author_libraries facts plugin msgclient_topics simulated_robot_headers process msgclient input urdf
+set(gaitway_author_libraries facts geometry plugin msgclient_topics simulated_robot_headers process msgclient input urdf
     trajectory kinematics zmp stability)
 
 # Files that programs read: linked into the build tree, copied by an installation.
@@ -47,7 +47,7 @@ install(FILES msgclient/include/gaitway/msgclient/type_descriptor.hpp msgclient/
               "${CMAKE_BINARY_DIR}/msgclient/generated/gaitway/msgclient/topics.hpp"
         DESTINATION include/gaitway/msgclient)
 install(FILES simulator/include/gaitway/simulator/simulated_robot.hpp DESTINATION include/gaitway/simulator)
-install(DIRECTORY facts/include/ input/include/ urdf/include/ plugins/trajectory/include/ plugins/kinematics/include/ plugins/zmp/include/
+install(DIRECTORY facts/include/ geometry/include/ input/include/ urdf/include/ plugins/trajectory/include/ plugins/kinematics/include/ plugins/zmp/include/
                   plugins/stability/include/ DESTINATION include)
 
 # The CMake package and the pkg-config file.

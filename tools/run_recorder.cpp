@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/tools/support_polygon.hpp"
+#include "gaitway/geometry/convex_hull.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -233,14 +233,12 @@ void RunRecorder::compare_zmp(std::int64_t now_ns, RunSample& sample) {
   std::vector<Eigen::Vector2d> corners;
   for (std::size_t foot = 0; foot < 2; ++foot) {
     if (cop_mean_.mean_force_N(foot) > 0.0) {
-      const auto sole = sole_corners(run_.robot().feet[foot], ground_pose(soles[foot]));
+      const auto sole = run_.robot().feet[foot].corners_m(ground_pose(soles[foot]));
       corners.insert(corners.end(), sole.begin(), sole.end());
     }
   }
-  if (!corners.empty()) {
-    metrics_.zmp_margin_min_m =
-        std::min(metrics_.zmp_margin_min_m, margin_m(convex_hull(std::move(corners)), sample.measured_zmp_m));
-  }
+  metrics_.zmp_margin_min_m =
+      std::min(metrics_.zmp_margin_min_m, geometry::ConvexHull<>(corners).margin_m(sample.measured_zmp_m));
 }
 
 void RunRecorder::track_joints(RunSample& sample) {

@@ -15,7 +15,6 @@
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/tools/run_summary.hpp"
-#include "gaitway/tools/support_polygon.hpp"
 #include "gaitway/tools/svg_plot.hpp"
 
 namespace gaitway::tools {
@@ -73,7 +72,7 @@ void draw_footprints(SvgPlot& plot, const urdf::RobotModel& robot, std::span<con
       if (!standing && force > 2 * kStandingForce_N) {
         standing = true;
         const Eigen::Vector4d& foot = sample.foot[side];
-        plot.polygon(sole_corners(robot.feet[side], {foot[0], foot[1], foot[3]}), side == 0 ? kBlue : kOrange,
+        plot.polygon(robot.feet[side].corners_m({foot[0], foot[1], foot[3]}), side == 0 ? kBlue : kOrange,
                      "none");
       } else if (standing && force < kStandingForce_N) {
         standing = false;

@@ -29,6 +29,19 @@ int index_of(const std::vector<Entry>& entries, std::string_view name, const std
 
 }  // namespace
 
+std::array<Eigen::Vector2d, 4> Foot::corners_m() const noexcept {
+  std::array<Eigen::Vector2d, 4> corners;
+  const std::array<Eigen::Vector2d, 4> share{{{0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}}};
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = centre_m + size_m.cwiseProduct(share[i]);
+  return corners;
+}
+
+std::array<Eigen::Vector2d, 4> Foot::corners_m(const Eigen::Vector3d& pose) const noexcept {
+  auto corners = corners_m();
+  for (auto& corner : corners) corner = pose.head<2>() + Eigen::Rotation2Dd(pose.z()) * corner;
+  return corners;
+}
+
 double RobotModel::total_mass_kg() const noexcept {
   double mass_kg = 0.0;
   for (const Link& link : links) {

@@ -194,14 +194,9 @@ void StateEstimator::update_fall() noexcept {
   now.body.com_velocity_m_per_s = {com_[0].velocity_m_per_s(), com_[1].velocity_m_per_s(),
                                    com_[2].velocity_m_per_s()};
   for (const urdf::Side side : urdf::kSides) {
-    const urdf::Foot& foot = feet_[index_of(side)];
     auto corner = now.body.sole_corner_m[index_of(side)].begin();
-    for (const double x : {0.5, -0.5}) {
-      for (const double y : {0.5, -0.5}) {
-        const Eigen::Vector2d place = foot.centre_m + foot.size_m.cwiseProduct(Eigen::Vector2d(x, y));
-        *corner++ = kinematics_.sole_point_m(support_, side, place);
-      }
-    }
+    for (const Eigen::Vector2d& place : feet_[index_of(side)].corners_m())
+      *corner++ = kinematics_.sole_point_m(support_, side, place);
   }
   const Attitude& attitude = attitude_.attitude();
   now.heading_rad = -kinematics_.heading_rad(support_);

@@ -1,12 +1,14 @@
-// The hull's edges, and the pendulum over each.
+// The inverted pendulum over each edge of the soles' convex hull.
 #include "gaitway/zmp/tipping.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/convex_hull.hpp"
 
 namespace gaitway::zmp {
 namespace {
@@ -15,38 +17,6 @@ using facts::kGravity_m_per_s2;
 constexpr double kLowestCom_m = 0.05;  // above the edge: below, the pendulum says nothing
 constexpr double kShortestEdge_m = 1e-4;
 constexpr double kLongestFall_s = 2.0;
-
-using Corners = std::array<Eigen::Vector3d, 8>;
-
-// Positive if c lies to the left of the way from a to b.
-double turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
-struct Hull {
-  std::array<Eigen::Vector3d, 9> corner{};
-  std::size_t count = 0;
-};
-
-// Seen from above, counter-clockwise (Andrew's monotone chain).
-Hull hull_of(Corners corners) noexcept {
-  std::sort(corners.begin(), corners.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  Hull hull;
-  const auto add = [&hull](const Eigen::Vector3d& point, std::size_t least) {
-    while (hull.count >= least &&
-           turn(hull.corner[hull.count - 2], hull.corner[hull.count - 1], point) <= 0.0) {
-      --hull.count;
-    }
-    hull.corner[hull.count++] = point;
-  };
-  for (const Eigen::Vector3d& point : corners) add(point, 2);
-  const std::size_t lower = hull.count + 1;
-  for (std::size_t i = corners.size() - 1; i-- > 0;) add(corners[i], lower);
-  --hull.count;  // the first corner again
-  return hull;
-}
 
 struct Pendulum {
   double tilt_rad = 0.0;  // from the vertical above the edge, outwards
@@ -83,16 +53,17 @@ double time_to_impact_s(Pendulum pendulum, const TippingModel& model) noexcept {
 }  // namespace
 
 Tipping tipping_of(const BodyOverFeet& body, const TippingModel& model) noexcept {
-  Corners corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = body.sole_corner_m[i / 4][i % 4];
-  const Hull hull = hull_of(corners);
+  std::array<Eigen::Vector3d, 8> soles;
+  for (std::size_t i = 0; i < soles.size(); ++i) soles[i] = body.sole_corner_m[i / 4][i % 4];
+  const geometry::ConvexHull<Eigen::Vector3d> hull{soles};
+  const std::span<const Eigen::Vector3d> corners = hull.corners();
   Tipping worst;
   worst.state = -std::numeric_limits<double>::infinity();
   worst.time_to_impact_s = kNoImpact_s;
   Pendulum falling;
-  for (std::size_t i = 0; i < hull.count; ++i) {
-    const Eigen::Vector3d& from = hull.corner[i];
-    const Eigen::Vector3d& to = hull.corner[(i + 1) % hull.count];
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d& from = corners[i];
+    const Eigen::Vector3d& to = corners[(i + 1) % corners.size()];
     const Eigen::Vector2d along = (to - from).head<2>();
     const double length_m = along.norm();
     if (!(length_m > kShortestEdge_m)) continue;

@@ -170,15 +170,10 @@ void TrialWatch::compare_zmp() {
 }
 
 double TrialWatch::lowest_corner_m(std::size_t foot) const {
-  const urdf::Foot& shape = run_.robot().feet[foot];
   const Eigen::Isometry3d& sole = run_.plant().ground_contact().sole[foot];
   double lowest_m = std::numeric_limits<double>::infinity();
-  for (const double x : {-0.5, 0.5}) {
-    for (const double y : {-0.5, 0.5}) {
-      const Eigen::Vector2d corner = shape.centre_m + shape.size_m.cwiseProduct(Eigen::Vector2d(x, y));
-      lowest_m = std::min(lowest_m, up_.dot(sole * Eigen::Vector3d(corner.x(), corner.y(), 0.0)));
-    }
-  }
+  for (const Eigen::Vector2d& corner : run_.robot().feet[foot].corners_m())
+    lowest_m = std::min(lowest_m, up_.dot(sole * Eigen::Vector3d(corner.x(), corner.y(), 0.0)));
   return lowest_m;
 }
 

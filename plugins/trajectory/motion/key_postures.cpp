@@ -298,7 +298,7 @@ void KeySolver::check_feet(const Key& key, const KeyPosture& before, const KeyPo
 
 void KeySolver::check_balance(const Key& key, Contact contact, const KeyPosture& posture) {
   if (contact == Contact::none || !posture.stance) return;
-  const SupportArea area(robot_, contact, soles_of(*posture.stance));
+  const SupportArea area = support_area(robot_, contact, soles_of(*posture.stance));
   const double margin_m = area.margin_m(com_m(*posture.stance, posture.joint_rad));
   if (margin_m < limits_.zmp_margin_m) {
     throw MotionError(fmt::format(

@@ -112,7 +112,7 @@ void PlanChecker::check_way(std::size_t point, std::size_t joint, const std::vec
 
 void PlanChecker::check_stance(std::size_t point, const BodyLoad& load,
                                const std::array<Eigen::Isometry3d, 2>& sole) {
-  const double margin_m = SupportArea(robot_, plan_.contact[point], sole).margin_m(load.zmp_m);
+  const double margin_m = support_area(robot_, plan_.contact[point], sole).margin_m(load.zmp_m);
   note(LimitKind::zmp, "margin of the ZMP inside the support", "mm", point, 1e3 * margin_m,
        1e3 * limits_.zmp_margin_m, 1e3 * (limits_.zmp_margin_m - margin_m));
   at_most(LimitKind::friction, "tangential over normal force", "1", point, load.friction_ratio,
@@ -126,22 +126,18 @@ void PlanChecker::check_stance(std::size_t point, const BodyLoad& load,
 // A foot that stands is flat and stays where it is; the other one is not in the ground.
 void PlanChecker::check_sole(std::size_t point, urdf::Side side, const Eigen::Isometry3d& sole) {
   const auto i = static_cast<std::size_t>(side);
-  const urdf::Foot& foot = robot_.feet[i];
   const std::string_view name = side == urdf::Side::left ? "left sole" : "right sole";
   const bool stands = stands_on(plan_.contact[point], side);
   if (!stands)
     stood_[i].reset();
   else if (!stood_[i])
     stood_[i] = sole;
-  for (const double x : {-0.5, 0.5}) {
-    for (const double y : {-0.5, 0.5}) {
-      const Eigen::Vector3d corner(foot.centre_m.x() + x * foot.size_m.x(),
-                                   foot.centre_m.y() + y * foot.size_m.y(), 0.0);
-      const Eigen::Vector3d place = sole * corner;
-      const double off_m = stands ? std::max(std::abs(place.z()), (place - *stood_[i] * corner).norm())
-                                  : std::max(0.0, -place.z());
-      at_most(LimitKind::foot_place, name, "mm", point, 1e3 * off_m, 1e3 * kPlaceLimit_m);
-    }
+  for (const Eigen::Vector2d& of_sole : robot_.feet[i].corners_m()) {
+    const Eigen::Vector3d corner(of_sole.x(), of_sole.y(), 0.0);
+    const Eigen::Vector3d place = sole * corner;
+    const double off_m = stands ? std::max(std::abs(place.z()), (place - *stood_[i] * corner).norm())
+                                : std::max(0.0, -place.z());
+    at_most(LimitKind::foot_place, name, "mm", point, 1e3 * off_m, 1e3 * kPlaceLimit_m);
   }
 }
 

@@ -53,8 +53,8 @@ SegmentCost::SegmentCost(const urdf::RobotModel& robot, const MotionLimits& limi
       work_{segment, start, end, SegmentSampler(robot), {}} {
   if (!segment.standing) return;
   area_ =
-      SupportArea(robot, segment.contact,
-                  {pose_at(segment.from, StanceMap::kSole[0]), pose_at(segment.from, StanceMap::kSole[1])});
+      support_area(robot, segment.contact,
+                   {pose_at(segment.from, StanceMap::kSole[0]), pose_at(segment.from, StanceMap::kSole[1])});
   for (const urdf::Side side : urdf::kSides) {
     if (!stands_on(segment.contact, side))
       lifted_.push_back(StanceMap::kSole[static_cast<std::size_t>(side)] + 2);

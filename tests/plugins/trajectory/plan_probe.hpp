@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "gaitway/geometry/convex_hull.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 
@@ -25,29 +26,14 @@ inline std::array<Eigen::Vector2d, 4> sole_corners(const MotionPlan& plan, std::
           origin + toe * x - half * y};
 }
 
-// Signed distance of a point to the convex hull of a set of points: positive inside.
-inline double depth_in_hull(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& p) {
-  double depth = std::numeric_limits<double>::infinity();
-  for (const auto& a : points) {
-    for (const auto& b : points) {
-      if ((b - a).norm() < 1e-9) continue;
-      const Eigen::Vector2d inward = Eigen::Vector2d(-(b - a).y(), (b - a).x()).normalized();
-      const bool edge = std::all_of(points.begin(), points.end(),
-                                    [&](const auto& c) { return inward.dot(c - a) >= -1e-9; });
-      if (edge) depth = std::min(depth, inward.dot(p - a));
-    }
-  }
-  return depth;
-}
-
 // How deep the plan's ZMP lies in the support polygon of point i.
 inline double zmp_depth_m(const MotionPlan& plan, std::size_t i, const Sole& sole) {
-  std::vector<Eigen::Vector2d> hull;
+  std::vector<Eigen::Vector2d> corners;
   for (std::size_t side = 0; side < 2; ++side) {
     if (plan.support[i] != 2 && plan.support[i] != side) continue;
-    for (const auto& corner : sole_corners(plan, i, side, sole)) hull.push_back(corner);
+    for (const auto& corner : sole_corners(plan, i, side, sole)) corners.push_back(corner);
   }
-  return depth_in_hull(hull, {plan.zmp[i][0], plan.zmp[i][1]});
+  return geometry::ConvexHull<>(corners).margin_m({plan.zmp[i][0], plan.zmp[i][1]});
 }
 
 // Clear distance of the soles' rectangles along the best separating edge; negative: they overlap.

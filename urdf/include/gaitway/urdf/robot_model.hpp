@@ -104,6 +104,10 @@ struct Foot {
   Eigen::Vector2d size_m = Eigen::Vector2d::Zero();    // length (x), width (y) of the sole
   Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();  // of the sole rectangle, in the sole frame
   std::array<Eigen::Vector2d, 4> cell_m{};             // force cells in the sole frame: FL, FR, RL, RR
+
+  // Of the sole, counter-clockwise: in its own frame, or as it lies on the ground at `pose` (x, y, yaw).
+  [[nodiscard]] std::array<Eigen::Vector2d, 4> corners_m() const noexcept;
+  [[nodiscard]] std::array<Eigen::Vector2d, 4> corners_m(const Eigen::Vector3d& pose) const noexcept;
 };
 
 // One leg as the kinematics sees it: six joints from the base to the foot.

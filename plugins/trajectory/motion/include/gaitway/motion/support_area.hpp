@@ -3,25 +3,16 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <vector>
 
+#include "gaitway/geometry/convex_hull.hpp"
 #include "gaitway/motion/motion.hpp"
 
 namespace gaitway::motion {
 
-// A convex polygon on the ground; empty where nothing stands.
-class SupportArea {
- public:
-  SupportArea() = default;
-  SupportArea(const urdf::RobotModel& robot, Contact contact, const std::array<Eigen::Isometry3d, 2>& sole);
-
-  // Distance to the nearest edge; negative outside.
-  [[nodiscard]] double margin_m(const Eigen::Vector2d& point) const noexcept;
-  [[nodiscard]] const std::vector<Eigen::Vector2d>& corners() const noexcept { return corners_; }
-
- private:
-  std::vector<Eigen::Vector2d> corners_;  // counter-clockwise
-};
+// On the ground; empty where nothing stands.
+using SupportArea = geometry::ConvexHull<>;
+[[nodiscard]] SupportArea support_area(const urdf::RobotModel& robot, Contact contact,
+                                       const std::array<Eigen::Isometry3d, 2>& sole);
 
 // Middle of the sole rectangle on the ground.
 [[nodiscard]] Eigen::Vector2d sole_centre(const urdf::Foot& foot, const Eigen::Isometry3d& sole);
