@@ -19,7 +19,7 @@ using facts::kGravity_m_per_s2;
 inline constexpr std::int64_t kTick_ns = facts::kSlot_ns;
 
 inline const urdf::RobotModel& humanoid() {
-  static const urdf::RobotModel model = urdf::load_robot(std::string(GAITWAY_URDF_DIR) + "/humanoid22");
+  static const urdf::RobotModel model = urdf::load_robot(GAITWAY_URDF_DIR "/humanoid22");
   return model;
 }
 
