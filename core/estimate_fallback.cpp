@@ -23,7 +23,7 @@ constexpr double kAccelerometerBand_m_per_s2 = 1.0;
 constexpr double kContactOn = 0.10, kContactOff = 0.04;  // shares of the weight
 constexpr double kSupportShare = 0.60;                   // of the load: then a foot becomes the support foot
 constexpr std::int64_t kLongestAge_ns = 35'000'000;      // of forces
-constexpr std::int64_t kEstimateLifetime_ns = 200'000'000;
+constexpr std::int64_t kHandedOnLifetime_ns = 200'000'000;
 constexpr double kLeastCosine = 0.1;
 
 urdf::RobotModel load(const std::filesystem::path& directory) {
@@ -103,7 +103,7 @@ void EstimateFallback::begin(const Tick& tick) noexcept {
   acting_ = true;
   started_ = false;
   const bool fresh =
-      static_cast<bool>(estimate_reader_.read(last_)) && tick.now_ns - last_.stamp_ns < kEstimateLifetime_ns;
+      static_cast<bool>(estimate_reader_.read(last_)) && tick.now_ns - last_.stamp_ns < kHandedOnLifetime_ns;
   if (fresh) {
     attitude_ = vector(last_.attitude);
     rate_ = vector(last_.angular_velocity);

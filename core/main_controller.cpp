@@ -68,10 +68,8 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   manager_.step(tick);
   report.declared_cost_ns = manager_.declared_cost_ns();
   post_trim(tick, report);
-  if (tick.batch && hand_over(tick, report) == HandOverOutcome::unusable &&
-      manager_.is_trial_to_blame("joint_plan") && manager_.take_trial_back(tick, last_refusal_.data())) {
-    post_trim(tick, report);
-    hand_over(tick, report);
+  if (tick.batch) {
+    prepare_batch(tick, report);
   }
   if (is_revision_tick(tick, revision_slot_)) {
     revise(tick, report);
@@ -137,6 +135,20 @@ void MainController::post_trim(const Tick& tick, TickReport& report) noexcept {
   }
 }
 
+// A plug-in on trial has failed it if the robot cannot go on with what it does: its plan is unusable, or
+// there is none any more.
+void MainController::prepare_batch(const Tick& tick, TickReport& report) noexcept {
+  HandOverOutcome outcome = hand_over(tick, report);
+  const bool is_missed = outcome == HandOverOutcome::nothing && had_plan_;
+  if ((outcome == HandOverOutcome::unusable || is_missed) && manager_.is_trial_to_blame("joint_plan") &&
+      manager_.take_trial_back(tick, last_refusal_.data())) {
+    post_trim(tick, report);
+    outcome = hand_over(tick, report);
+  }
+  counts_.without_plan += outcome == HandOverOutcome::nothing ? 1U : 0U;
+  had_plan_ = outcome == HandOverOutcome::posted || outcome == HandOverOutcome::not_taken;
+}
+
 MainController::HandOverOutcome MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
   if (const ManagedPlugin* const failed = manager_.fault_behind("joint_plan")) {
     ++counts_.spoiled;
@@ -152,8 +164,16 @@ MainController::HandOverOutcome MainController::hand_over(const Tick& tick, Tick
     spoiled_sequence_ = tick.batch_sequence;
     return HandOverOutcome::unusable;
   }
-  if (!joint_plan_reader_.read(*plan_) || plan_->sequence != tick.batch_sequence) {
-    ++counts_.without_plan;
+  const bool planned = static_cast<bool>(joint_plan_reader_.read(*plan_));
+  if (!planned || plan_->sequence != tick.batch_sequence) {
+    if (had_plan_) {  // said once of a row of them
+      std::array<char, 160> text{};
+      const auto end = fmt::format_to_n(
+          text.data(), text.size(),
+          "batch {} is not handed over: no plug-in has a plan for it; the newest is of batch {}",
+          tick.batch_sequence, planned ? plan_->sequence : 0);
+      note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+    }
     return HandOverOutcome::nothing;
   }
   return post(tick, 0, report);

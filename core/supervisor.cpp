@@ -14,6 +14,7 @@
 #include <cstring>
 #include <span>
 #include <system_error>
+#include <utility>
 
 #include "gaitway/manager/step_watch.hpp"
 #include "gaitway/process/file_descriptor.hpp"
@@ -28,8 +29,8 @@ constexpr std::int64_t kLongestEnd_ns = 5'000'000'000;  // from SIGTERM to the e
 
 struct Death {
   int exit_code = 0;
-  int signal = 0;  // 0: it ended by itself
-  bool hung = false;
+  int signal = 0;            // 0: it ended by itself
+  std::int64_t hung_ns = 0;  // it made no progress for so long and was ended; 0: it did not hang
   std::int64_t at_ns = 0;
   // That was being stepped; empty: none, or SIGKILL came from outside (no step raises it), at whatever
   // instant.
@@ -39,8 +40,9 @@ struct Death {
 // Ended with this object at the latest.
 class Worker {
  public:
+  // Delegates, so that the process is ended also where something throws after its start.
   Worker(const SupervisorOptions& options, const std::vector<std::string>& left_out)
-      : watch_(StepWatch::make()) {
+      : Worker(StepWatch::make()) {
     std::vector<std::string> arguments{options.program};
     arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
     arguments.insert(arguments.end(), {"--step-watch", std::to_string(watch_.descriptor()), "--supervisor",
@@ -88,6 +90,8 @@ class Worker {
   [[nodiscard]] bool is_ending() const noexcept { return watch_.is_ending(); }
 
  private:
+  explicit Worker(StepWatch watch) : watch_(std::move(watch)) {}
+
   void spawn(std::vector<std::string>& arguments) {
     std::vector<char*> argv;
     argv.reserve(arguments.size() + 1);
@@ -140,9 +144,11 @@ class Supervisor {
   }
 
  private:
+  // Progress is a tick; before the first one, that another plug-in is being set up, or none.
   Death watch(Worker& worker) {
     std::uint64_t ticks = 0;
-    std::int64_t tick_ns = process::monotonic_ns();
+    std::string plugin;
+    std::int64_t progress_ns = process::monotonic_ns();
     while (true) {
       const std::int64_t now_ns = process::monotonic_ns();
       if (worker.has_ended(now_ns + kLook_ns)) {
@@ -151,14 +157,18 @@ class Supervisor {
       if (process::stop_requested()) {
         return end(worker);
       }
+      const std::int64_t limit_ns = ticks > 0 ? kHang_ns : kStartHang_ns;
       if (worker.ticks() != ticks) {
         report_return(ticks);
         ticks = worker.ticks();
-        tick_ns = now_ns;
-      } else if (ticks > 0 && !worker.is_ending() && now_ns - tick_ns > kHang_ns) {
+        progress_ns = now_ns;
+      } else if (ticks == 0 && (worker.current().empty() || worker.current() != plugin)) {
+        plugin = worker.current();
+        progress_ns = now_ns;
+      } else if (!worker.is_ending() && now_ns - progress_ns > limit_ns) {
         worker.send(SIGKILL);
         Death death = worker.take_death();
-        death.hung = true;
+        death.hung_ns = limit_ns;
         death.plugin = worker.current();
         return death;
       }
@@ -190,11 +200,11 @@ class Supervisor {
     deaths_ns_.push_back(death.at_ns);
     std::erase_if(deaths_ns_, [&](std::int64_t at_ns) { return death.at_ns - at_ns > kRestartWindow_ns; });
     const std::string how =
-        death.hung ? fmt::format("made no tick for {} ms and was ended", kHang_ns / 1'000'000)
-                   : fmt::format("was ended by signal {} ({})", death.signal, strsignal(death.signal));
+        death.hung_ns > 0 ? fmt::format("made no tick for {} ms and was ended", death.hung_ns / 1'000'000)
+                          : fmt::format("was ended by signal {} ({})", death.signal, strsignal(death.signal));
     const std::string where = !death.plugin.empty() ? fmt::format("in plug-in '{}'", death.plugin)
-                              : death.signal == SIGKILL && !death.hung ? "from outside"
-                                                                       : "outside of any plug-in";
+                              : death.signal == SIGKILL && death.hung_ns == 0 ? "from outside"
+                                                                              : "outside of any plug-in";
     fmt::print(stderr, "main_controller: {:.3f} s: {}, the process {}\n",
                static_cast<double>(death.at_ns) * 1e-9, where, how);
     if (deaths_ns_.size() > static_cast<std::size_t>(kMostRestarts)) {

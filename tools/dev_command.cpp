@@ -167,7 +167,7 @@ class Development {
       *built ? put_in_place() : complain("it does not build", build_.output());
     }
     if (auto result = robot_->plugins().take_result()) {
-      told(result->done, result->text);
+      told(result->done, std::string(result->text));
     }
     if (robot_->fell()) {
       fmt::print("  FELL after {:.1f} s. It begins anew.\n", robot_->time_s());

@@ -20,6 +20,7 @@ DirectPlugin::DirectPlugin(const gaitway_plugin& plugin, DirectTopics& topics, s
   host_.read = &read;
   host_.publish = &publish;
   host_.report = [](void*, gaitway_severity, const char*) {};
+  host_.get_extension = [](void*, const char*) -> const void* { return nullptr; };
   require(plugin.create(&host_, &instance_, &error_));
 }
 

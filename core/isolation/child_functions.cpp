@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <thread>
 
 #include "gaitway/plugin/detail/plugin_border.hpp"
 #include "plugin_declarations.hpp"
@@ -36,11 +37,10 @@ gaitway_host ChildProgram::Functions::table(ChildProgram& child) noexcept {
           .parameter = &parameter,
           .set_period = &set_period,
           .robot_directory = &robot_directory,
-          .memory_socket = &memory_socket,
-          .write_folder = &write_folder,
           .read = &read,
           .publish = &publish,
-          .report = &report};
+          .report = &report,
+          .get_extension = &get_extension};
 }
 
 std::vector<std::byte> ChildProgram::Functions::ask(ChildProgram& child, const PacketWriter& question) {
@@ -144,22 +144,25 @@ gaitway_status ChildProgram::Functions::publish(void* context, gaitway_port* por
   return GAITWAY_OK;
 }
 
+const void* ChildProgram::Functions::get_extension(void*, const char* name) noexcept {
+  static constexpr gaitway_network kNetwork{&memory_socket, &write_folder};
+  return std::strcmp(name, GAITWAY_NETWORK_EXTENSION) == 0 ? &kNetwork : nullptr;
+}
+
 void ChildProgram::Functions::report(void* context, gaitway_severity severity, const char* text) noexcept {
   ChildProgram& child = child_of(context);
   const std::size_t length = text == nullptr ? 0 : strnlen(text, kLongestReport);
+  if (std::this_thread::get_id() != child.caller_) {  // goes out with the next answer
+    child.posts_.post(static_cast<EventKind>(severity), {}, {text, length});
+    return;
+  }
   if (child.exchange_ == nullptr) {
     PacketWriter packet(ChildMessage::report);
     send_packet(child.socket_,
                 packet.number(severity).text(std::string_view(text == nullptr ? "" : text, length)).bytes());
     return;
   }
-  ChildReply& reply = child.exchange_->reply;
-  const std::uint32_t at = reply.reports++;
-  if (at < kExchangeReports) {
-    reply.report[at].severity = severity;
-    std::memcpy(reply.report[at].text, text == nullptr ? "" : text, length);
-    reply.report[at].text[length] = '\0';
-  }
+  child.put_report(severity, {text, length});
 }
 
 }  // namespace gaitway::core

@@ -17,6 +17,7 @@
 #include "last_words.hpp"
 #include "messages.hpp"
 #include "network_bounds.hpp"
+#include "plugin_declarations.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -165,8 +166,25 @@ void ChildProgram::answer(const ChildRequest& request, ChildReply& reply) noexce
   reply.text[0] = '\0';
   const gaitway_text error{reply.text, kErrorBytes, 0};
   reply.status = call(request, reply, error);
+  posts_.collect();
+  for (; passed_on_ < posts_.total() && reply.reports < kExchangeReports; ++passed_on_) {
+    const Event& post = posts_[passed_on_];
+    put_report(static_cast<gaitway_severity>(post.kind), post.text());
+  }
   if (reply.status != GAITWAY_OK && request.call == ChildCall::step) {
     reply.exhausted = static_cast<std::uint32_t>(exhausted_resource());
+  }
+}
+
+// In the answer: also those that come before a crash are read there.
+void ChildProgram::put_report(gaitway_severity severity, std::string_view text) noexcept {
+  const std::uint32_t at = exchange_->reply.reports++;
+  if (at < kExchangeReports) {
+    ChildReport& report = exchange_->reply.report[at];
+    report.severity = severity;
+    const std::size_t length = std::min(text.size(), kLongestReport);
+    std::copy_n(text.begin(), length, report.text);
+    report.text[length] = '\0';
   }
 }
 
@@ -216,24 +234,26 @@ gaitway_status ChildProgram::step(const ChildRequest& request, ChildReply& reply
 }
 
 gaitway_status ChildProgram::save_state(ChildReply& reply, const gaitway_text& error) noexcept {
-  if (instance_.save_state == nullptr) {
+  const gaitway_state_functions* const functions = detail::state_functions(instance_);
+  if (functions == nullptr) {
     return GAITWAY_OK;
   }
   gaitway_state state{exchange_->state, PluginState::kCapacity, 0, 0, 0};
-  const gaitway_status status = instance_.save_state(instance_.context, &state, &error);
+  const gaitway_status status = functions->save_state(instance_.context, &state, &error);
   reply.state_size = state.size;
   reply.state_version = status == GAITWAY_OK ? state.version : 0;
   return status;
 }
 
 gaitway_status ChildProgram::restore_state(const ChildRequest& request, const gaitway_text& error) noexcept {
-  if (instance_.restore_state == nullptr) {
+  const gaitway_state_functions* const functions = detail::state_functions(instance_);
+  if (functions == nullptr) {
     detail::write_text(&error, "takes no state over, but its predecessor hands some on");
     return GAITWAY_FAILED;
   }
   const gaitway_state state{exchange_->state, PluginState::kCapacity, request.state_size,
                             request.state_version, 0};
-  return instance_.restore_state(instance_.context, &state, &error);
+  return functions->restore_state(instance_.context, &state, &error);
 }
 
 gaitway_status ChildProgram::set_parameter(const ChildRequest& request, const gaitway_text& error) noexcept {

@@ -6,10 +6,13 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 #include "exchange.hpp"
 #include "gaitway/manager/data_flow.hpp"
+#include "gaitway/manager/event_log.hpp"
 #include "gaitway/manager/plugin_library.hpp"
 #include "gaitway/msgclient/segment.hpp"
 #include "gaitway/process/file_descriptor.hpp"
@@ -46,6 +49,7 @@ class ChildProgram {
   bool attach();
   void serve();
   void answer(const ChildRequest& request, ChildReply& reply) noexcept;
+  void put_report(gaitway_severity severity, std::string_view text) noexcept;
   gaitway_status call(const ChildRequest& request, ChildReply& reply, const gaitway_text& error) noexcept;
   gaitway_status step(const ChildRequest& request, ChildReply& reply, const gaitway_text& error) noexcept;
   gaitway_status save_state(ChildReply& reply, const gaitway_text& error) noexcept;
@@ -65,6 +69,9 @@ class ChildProgram {
   bool hands_state_on_ = true;  // until a save shows that it does not
   std::unique_ptr<msgclient::Segment> segment_;
   ExchangeHeader* exchange_ = nullptr;
+  const std::thread::id caller_ = std::this_thread::get_id();  // of the plug-in
+  EventLog posts_;                                             // what its other threads report
+  std::uint64_t passed_on_ = 0;                                // of them
 };
 
 }  // namespace gaitway::core

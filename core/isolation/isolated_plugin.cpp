@@ -63,7 +63,7 @@ void IsolatedPlugin::deactivate() noexcept {
     condition_ = Condition::idle;
     copy_inputs();
     if (!call(ChildCall::deactivate, kFarewell_ns)) {
-      events_->add(tick_.now_ns, tick_.tick, EventKind::error, name_, fault());
+      events_.post(EventKind::error, name_, fault());
     }
   } else if (condition_ != Condition::idle) {
     link_.reset();
@@ -117,7 +117,7 @@ void IsolatedPlugin::take_reports() noexcept {
     const EventKind kind = report.severity == GAITWAY_INFO      ? EventKind::info
                            : report.severity == GAITWAY_WARNING ? EventKind::warning
                                                                 : EventKind::error;
-    events_->add(tick_.now_ns, tick_.tick, kind, name_, bounded(report.text).substr(0, kLongestReport));
+    events_.post(kind, name_, bounded(report.text).substr(0, kLongestReport));
   }
 }
 

@@ -138,7 +138,7 @@ bool IsolatedPlugin::take_message() {
       return false;
     case ChildMessage::report: {
       const auto severity = packet.number<std::uint32_t>();
-      events_->add(tick_.now_ns, tick_.tick, kind_of(severity), name_, packet.text());
+      events_.post(kind_of(severity), name_, packet.text());
       return false;
     }
     case ChildMessage::created:
@@ -276,7 +276,7 @@ void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
     }
   } catch (const std::exception& error) {
     lose(fmt::format("its process cannot be replaced: {}", error.what()), now_ns);
-    events_->add(now_ns, tick_.tick, EventKind::error, name_, fault());
+    events_.add(now_ns, tick_.tick, EventKind::error, name_, fault());
   }
 }
 
@@ -348,10 +348,10 @@ void IsolatedPlugin::come_back(std::int64_t now_ns) {
   condition_ = Condition::active;
   came_back_ns_ = now_ns;
   reapply_parameters();
-  events_->add(now_ns, tick_.tick, EventKind::info, name_,
-               fmt::format("runs in a new process, {}, after {} ms",
-                           restored_ ? "from the state of its last good step" : "started afresh",
-                           (now_ns - lost_ns_) / kMillisecond_ns));
+  events_.add(now_ns, tick_.tick, EventKind::info, name_,
+              fmt::format("runs in a new process, {}, after {} ms",
+                          restored_ ? "from the state of its last good step" : "started afresh",
+                          (now_ns - lost_ns_) / kMillisecond_ns));
 }
 
 }  // namespace gaitway::core

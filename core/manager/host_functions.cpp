@@ -24,11 +24,10 @@ gaitway_host HostFunctions::table(LoadedPlugin& plugin) noexcept {
           .parameter = &parameter,
           .set_period = &set_period,
           .robot_directory = &robot_directory,
-          .memory_socket = &memory_socket,
-          .write_folder = &write_folder,
           .read = &read,
           .publish = &publish,
-          .report = &report};
+          .report = &report,
+          .get_extension = &get_extension};
 }
 
 // For what only create may ask.
@@ -96,13 +95,17 @@ gaitway_status HostFunctions::publish(void* context, gaitway_port* port, const v
   return allowed ? port_of(port).stage(value) : gaitway_status{GAITWAY_FAILED};
 }
 
+const void* HostFunctions::get_extension(void*, const char* name) noexcept {
+  static constexpr gaitway_network kNetwork{&memory_socket, &write_folder};
+  return std::strcmp(name, GAITWAY_NETWORK_EXTENSION) == 0 ? &kNetwork : nullptr;
+}
+
 void HostFunctions::report(void* context, gaitway_severity severity, const char* text) noexcept {
   LoadedPlugin& plugin = plugin_of(context);
   const EventKind kind = severity == GAITWAY_INFO      ? EventKind::info
                          : severity == GAITWAY_WARNING ? EventKind::warning
                                                        : EventKind::error;
-  plugin.events_->add(plugin.tick_.now_ns, plugin.tick_.tick, kind, plugin.name_,
-                      {text, text == nullptr ? 0 : strnlen(text, kLongestReport)});
+  plugin.events_.post(kind, plugin.name_, {text, text == nullptr ? 0 : strnlen(text, kLongestReport)});
 }
 
 }  // namespace gaitway::core

@@ -18,6 +18,7 @@ struct HostFunctions {
   static const char* write_folder(void* context) noexcept;
   static gaitway_status read(void* context, gaitway_port* port, void* value, gaitway_sample* sample) noexcept;
   static gaitway_status publish(void* context, gaitway_port* port, const void* value) noexcept;
+  static const void* get_extension(void* context, const char* name) noexcept;
   static void report(void* context, gaitway_severity severity, const char* text) noexcept;
 
  private:

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "gaitway/plugin/detail/plugin_border.hpp"
 #include "host_functions.hpp"
 
 namespace gaitway::core {
@@ -77,7 +78,7 @@ void LoadedPlugin::deactivate() noexcept {
   phase_ = Phase::idle;
   const gaitway_text text = error_text();
   if (instance_.deactivate(instance_.context, &text) != GAITWAY_OK) {
-    events_->add(tick_.now_ns, tick_.tick, EventKind::error, name_, fault());
+    events_.post(EventKind::error, name_, fault());
   }
 }
 
@@ -101,12 +102,13 @@ bool LoadedPlugin::run(const Tick& tick) noexcept {
 bool LoadedPlugin::save_state(PluginState& state) noexcept {
   state.size = 0;
   state.version = 0;
-  if (instance_.save_state == nullptr) {
+  const gaitway_state_functions* const functions = detail::state_functions(instance_);
+  if (functions == nullptr) {
     return true;
   }
   gaitway_state plain{state.bytes.data(), PluginState::kCapacity, 0, 0, 0};
   const gaitway_text text = error_text();
-  if (instance_.save_state(instance_.context, &plain, &text) != GAITWAY_OK) {
+  if (functions->save_state(instance_.context, &plain, &text) != GAITWAY_OK) {
     return false;
   }
   if (plain.size > PluginState::kCapacity) {
@@ -123,13 +125,14 @@ bool LoadedPlugin::restore_state(const PluginState& state) noexcept {
   if (state.version == 0) {
     return true;  // nothing was handed on
   }
-  if (instance_.restore_state == nullptr) {
+  const gaitway_state_functions* const functions = detail::state_functions(instance_);
+  if (functions == nullptr) {
     set_fault("takes no state over, but its predecessor hands some on");
     return false;
   }
   const gaitway_state plain{const_cast<std::byte*>(state.bytes.data()), PluginState::kCapacity, state.size,
                             state.version, 0};
-  return instance_.restore_state(instance_.context, &plain, &text) == GAITWAY_OK;
+  return functions->restore_state(instance_.context, &plain, &text) == GAITWAY_OK;
 }
 
 bool LoadedPlugin::set_parameter(const char* name, const gaitway_value& value) noexcept {

@@ -17,7 +17,7 @@ ManagedPlugin::ManagedPlugin(const PluginEntry& entry, const std::filesystem::pa
     : name_(entry.name),
       place_(fmt::format("plug-in '{}' ({}:{})", entry.name, configuration_file.string(), entry.line)),
       parameters_(configuration_file, entry.name, entry.parameters),
-      events_(&events),
+      events_(events),
       schedule_(entry.schedule) {}
 
 void ManagedPlugin::check_schedule() const {

@@ -27,12 +27,12 @@ std::string dump(const Json& json) {
 // Without its last `bytes` or a few more, at a character's border, and with a sign that it was longer.
 void shorten(std::string& text, std::size_t bytes) {
   constexpr std::string_view kMore = "\u2026";
-  std::size_t left = text.size() - std::min(text.size(), bytes + kMore.size());
-  while (left > 0 && (static_cast<unsigned char>(text[left]) & 0xc0U) == 0x80U) {
-    --left;
+  std::size_t kept = text.size() - std::min(text.size(), bytes + kMore.size());
+  while (kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xc0U) == 0x80U) {
+    --kept;
   }
-  text.resize(left);
-  text += left > 0 ? kMore : std::string_view();
+  text.resize(kept);
+  text += kept > 0 ? kMore : std::string_view();
 }
 
 }  // namespace

@@ -80,8 +80,9 @@ Number read_number(const Parameter& parameter, std::string_view text, const Refu
   return given.number;
 }
 
-// As people write it.
-std::string text_of(const gaitway_value& value) {
+}  // namespace
+
+std::string value_text(const gaitway_value& value) {
   switch (value.kind) {
     case GAITWAY_NUMBER:
       return fmt::format("{}", value.number);
@@ -93,8 +94,6 @@ std::string text_of(const gaitway_value& value) {
       return value.text;
   }
 }
-
-}  // namespace
 
 std::string ParameterSet::place_of(const ParameterEntry& entry) const {
   return fmt::format("{}:{}", file_.string(), entry.line);
@@ -122,7 +121,7 @@ Parameter& ParameterSet::remember(const gaitway_parameter& wanted) {
     }
     return *before;
   }
-  const std::string fallback = text_of(wanted.fallback);
+  const std::string fallback = value_text(wanted.fallback);
   declared_.push_back({.name = wanted.name,
                        .kind = kind,
                        .unit = unit,
@@ -195,10 +194,15 @@ gaitway_value ParameterSet::read_change(std::string_view name, const std::string
 }
 
 void ParameterSet::keep(std::string_view name, const gaitway_value& value) {
+  std::string text = value_text(value);
+  keep(name, text);
+}
+
+void ParameterSet::keep(std::string_view name, std::string& text) noexcept {
   const auto found = std::find_if(declared_.begin(), declared_.end(),
                                   [name](const Parameter& parameter) { return parameter.name == name; });
   if (found != declared_.end()) {
-    found->value = text_of(value);
+    found->value.swap(text);
   }
 }
 

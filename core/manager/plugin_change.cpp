@@ -7,12 +7,11 @@
 namespace gaitway::core {
 
 PluginChange::PluginChange(std::string name, std::unique_ptr<PluginSlot> incoming,
-                           std::unique_ptr<EventLog> news, std::vector<std::size_t> next,
-                           std::vector<std::vector<bool>> depends_on, std::size_t outgoing)
+                           std::vector<std::size_t> next, std::vector<std::vector<bool>> depends_on,
+                           std::size_t outgoing)
     : name_(std::move(name)),
       has_incoming_(incoming != nullptr),
       incoming_(std::move(incoming)),
-      news_(std::move(news)),
       next_(std::move(next)),
       depends_on_(std::move(depends_on)),
       outgoing_index_(outgoing) {

@@ -40,8 +40,9 @@ std::filesystem::path find_library(const std::string& library, const std::filesy
                   tried.empty() ? "nowhere: the search path is empty" : tried));
 }
 
-// Two builds that disagree on the border must not call each other.
-void check_border(const gaitway_plugin& entry, const std::filesystem::path& file) {
+}  // namespace
+
+void check_border(const gaitway_plugin& entry, const std::filesystem::path& file, std::uint32_t minor) {
   constexpr std::string_view kRemedy = "Build the plug-in anew against this version's headers";
   if (entry.magic != GAITWAY_PLUGIN_MAGIC) {
     throw PluginError(
@@ -49,26 +50,32 @@ void check_border(const gaitway_plugin& entry, const std::filesystem::path& file
                     file.string(), kEntrySymbol, entry.magic, GAITWAY_PLUGIN_MAGIC, kRemedy));
   }
   if (entry.abi != GAITWAY_PLUGIN_ABI) {
-    throw PluginError(fmt::format("{}: built for plug-in ABI {}, but this main controller speaks ABI {}. {}",
-                                  file.string(), entry.abi, GAITWAY_PLUGIN_ABI, kRemedy));
+    throw PluginError(
+        fmt::format("{}: built for plug-in ABI {}, but this main controller speaks ABI {}.{}. {}",
+                    file.string(), entry.abi, GAITWAY_PLUGIN_ABI, minor, kRemedy));
+  }
+  if (entry.abi_minor > minor) {
+    throw PluginError(
+        fmt::format("{}: built for plug-in ABI {}.{}, but this main controller speaks ABI {}.{}. Build it "
+                    "against older headers, or take a newer main controller",
+                    file.string(), entry.abi, entry.abi_minor, GAITWAY_PLUGIN_ABI, minor));
   }
   struct Size {
     std::string_view type;
     std::uint32_t theirs;
-    std::size_t ours;
+    std::size_t first, ours;  // as minor number 0 has it, and as we have it
   };
-  const std::array sizes{Size{"gaitway_plugin", entry.plugin_size, sizeof(gaitway_plugin)},
-                         Size{"gaitway_host", entry.host_size, sizeof(gaitway_host)},
-                         Size{"gaitway_instance", entry.instance_size, sizeof(gaitway_instance)},
-                         Size{"gaitway_tick", entry.tick_size, sizeof(gaitway_tick)},
-                         Size{"gaitway_topic", entry.topic_size, sizeof(gaitway_topic)},
-                         Size{"gaitway_float_field", entry.float_field_size, sizeof(gaitway_float_field)},
-                         Size{"gaitway_sample", entry.sample_size, sizeof(gaitway_sample)},
-                         Size{"gaitway_parameter", entry.parameter_size, sizeof(gaitway_parameter)},
-                         Size{"gaitway_value", entry.value_size, sizeof(gaitway_value)},
-                         Size{"gaitway_state", entry.state_size, sizeof(gaitway_state)}};
+  const std::array sizes{Size{"gaitway_plugin", entry.plugin_size, 80, sizeof(gaitway_plugin)},
+                         Size{"gaitway_host", entry.host_size, 72, sizeof(gaitway_host)},
+                         Size{"gaitway_instance", entry.instance_size, 56, sizeof(gaitway_instance)},
+                         Size{"gaitway_tick", entry.tick_size, 32, sizeof(gaitway_tick)},
+                         Size{"gaitway_topic", entry.topic_size, 40, sizeof(gaitway_topic)},
+                         Size{"gaitway_float_field", entry.float_field_size, 40, sizeof(gaitway_float_field)},
+                         Size{"gaitway_sample", entry.sample_size, 16, sizeof(gaitway_sample)},
+                         Size{"gaitway_parameter", entry.parameter_size, 80, sizeof(gaitway_parameter)},
+                         Size{"gaitway_value", entry.value_size, 32, sizeof(gaitway_value)}};
   for (const Size& size : sizes) {
-    if (size.theirs != size.ours) {
+    if (size.theirs < size.first || size.theirs > size.ours) {
       throw PluginError(fmt::format("{}: its {} has {} bytes, this main controller's {}. {}", file.string(),
                                     size.type, size.theirs, size.ours, kRemedy));
     }
@@ -79,6 +86,8 @@ void check_border(const gaitway_plugin& entry, const std::filesystem::path& file
         "{}: its descriptor lacks name, version, description or create. Fill them in", file.string()));
   }
 }
+
+namespace {
 
 // What the loader says, with the library's own name instead of its copy's.
 std::string loader_error(const std::string& copy, const std::filesystem::path& file) {

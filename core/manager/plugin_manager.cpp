@@ -59,8 +59,10 @@ PluginManager::PluginManager(const Configuration& configuration, const PluginMan
       throw PluginError(fmt::format("the manager's statistics: {}", error.what()));
     }
     for (const auto& slot : slots_) {
+      const WatchedCall call(watch_of(slot->entry), slot->watch_id);
       slot->plugin->activate();
     }
+    events_.collect();
   } catch (...) {
     unload();
     throw;
@@ -80,12 +82,12 @@ void PluginManager::unload() noexcept {
   }
 }
 
-std::unique_ptr<ManagedPlugin> PluginManager::load(const PluginEntry& entry, EventLog& events) const {
+std::unique_ptr<ManagedPlugin> PluginManager::load(const PluginEntry& entry) {
   std::unique_ptr<ManagedPlugin> plugin;
   if (entry.isolation == Isolation::process) {
-    plugin = std::make_unique<IsolatedPlugin>(entry, source(), options_.isolation, events);
+    plugin = std::make_unique<IsolatedPlugin>(entry, source(), options_.isolation, events_);
   } else {
-    plugin = std::make_unique<LoadedPlugin>(entry, source(), events);
+    plugin = std::make_unique<LoadedPlugin>(entry, source(), events_);
   }
   plugin->check_schedule();
   return plugin;
@@ -116,7 +118,11 @@ void PluginManager::load_all(const Configuration& configuration) {
       const PluginTrial trial(entry, source(), options_.isolation);
     }
     auto slot = std::make_unique<PluginSlot>();
-    slot->plugin = load(entry, events_);
+    slot->watch_id = options_.step_watch == nullptr ? 0 : options_.step_watch->add(entry.name);
+    {
+      const WatchedCall call(watch_of(entry), slot->watch_id);
+      slot->plugin = load(entry);
+    }
     slot->entry = entry;
     slot->configured = slots_.size();
     slots_.push_back(std::move(slot));
@@ -155,7 +161,7 @@ void PluginManager::put_in_order(const Configuration& configuration, const msgcl
 int PluginManager::step(const Tick& tick) noexcept {
   end_trial(tick);
   declared_cost_ns_ = 0;
-  now_ns_.store(tick.now_ns, std::memory_order_relaxed);
+  events_.set_time(tick);
   for (const auto& slot : slots_) {
     slot->stepped = !slot->plugin->is_due(tick);
     if (!slot->stepped) {
@@ -171,6 +177,7 @@ int PluginManager::step(const Tick& tick) noexcept {
     }
   }
   const int failed = step_all(tick);
+  events_.collect();
   if (tick.batch) {
     publish_statistics(tick);
   }
@@ -197,16 +204,54 @@ int PluginManager::step_all(const Tick& tick) noexcept {
 
 void PluginManager::set_parameter(std::string_view plugin, std::string_view parameter,
                                   const std::string& text) {
-  PluginSlot& slot = *slots_[require(plugin)];
-  ManagedPlugin& target = *slot.plugin;
-  const gaitway_value value = target.parameters().read_change(parameter, text);
-  if (!target.set_parameter(std::string(parameter).c_str(), value)) {
-    throw PluginError(fmt::format("{}: parameter '{}': {}", target.place(), parameter, target.fault()));
+  ParameterChange change = prepare_parameter(plugin, parameter, text);
+  if (!apply(change)) {
+    throw PluginError(fmt::format("{}: parameter '{}': {}", change.slot->plugin->place(), parameter,
+                                  change.slot->plugin->fault()));
   }
-  target.parameters().keep(parameter, value);
-  auto& entries = slot.entry.parameters;  // for a reload
-  std::erase_if(entries, [parameter](const ParameterEntry& entry) { return entry.name == parameter; });
-  entries.push_back({std::string(parameter), text, slot.entry.line});
+  keep(change);
+}
+
+ParameterChange PluginManager::prepare_parameter(std::string_view plugin, std::string_view parameter,
+                                                 const std::string& text) const {
+  PluginSlot& slot = *slots_[require(plugin)];
+  ParameterChange change{&slot, std::string(parameter), text, {}, {}};
+  change.value = slot.plugin->parameters().read_change(parameter, change.text);
+  change.shown = value_text(change.value);
+  return change;
+}
+
+bool PluginManager::apply(ParameterChange& change) noexcept {
+  ManagedPlugin& plugin = *change.slot->plugin;
+  if (!plugin.set_parameter(change.parameter.c_str(), change.value)) {
+    return false;
+  }
+  plugin.parameters().keep(change.parameter, change.shown);
+  return true;
+}
+
+void PluginManager::keep(const ParameterChange& change) {
+  auto& entries = change.slot->entry.parameters;
+  std::erase_if(entries, [&](const ParameterEntry& entry) { return entry.name == change.parameter; });
+  entries.push_back({change.parameter, change.text, change.slot->entry.line});
+}
+
+void PluginManager::copy_value(std::string_view plugin, std::size_t parameter,
+                               std::span<char> to) const noexcept {
+  to[0] = '\0';
+  const std::size_t index = index_of(plugin);
+  if (index == slots_.size() || parameter >= slots_[index]->plugin->parameters().declared().size()) {
+    return;
+  }
+  const std::string& value = slots_[index]->plugin->parameters().declared()[parameter].value;
+  const std::size_t length = std::min(value.size(), to.size() - 1);
+  std::copy_n(value.begin(), length, to.begin());
+  to[length] = '\0';
+}
+
+bool PluginManager::serves_network(std::string_view plugin) const noexcept {
+  const std::size_t index = index_of(plugin);
+  return index < slots_.size() && slots_[index]->entry.child.serves_network;
 }
 
 const ManagedPlugin* PluginManager::fault_behind(std::string_view topic) const noexcept {
@@ -215,10 +260,25 @@ const ManagedPlugin* PluginManager::fault_behind(std::string_view topic) const n
 }
 
 bool PluginManager::is_trial_to_blame(std::string_view topic) const noexcept {
+  if (trial_ == nullptr || !is_behind(*trial_, topic)) {
+    return false;
+  }
   const PluginSlot* const slot = slot_behind(topic);
   const bool failed_before =
       slot != nullptr && (!slot->containment.is_stepped() || slot->containment.faults_in_a_row() > 1);
-  return trial_ != nullptr && (slot == trial_ ? slot->containment.is_stepped() : !failed_before);
+  return slot == trial_ ? slot->containment.is_stepped() : !failed_before;
+}
+
+// One that nobody writes any more has its last writer behind it, whoever that was.
+bool PluginManager::is_behind(const PluginSlot& slot, std::string_view topic) const noexcept {
+  const auto writes = [topic](const auto& other) { return other->plugin->uses(topic, Access::write); };
+  const auto writer = std::find_if(slots_.begin(), slots_.end(), writes);
+  for (std::size_t i = 0; writer != slots_.end() && i < slots_.size(); ++i) {
+    if (slots_[i].get() == &slot) {
+      return (*writer)->depends_on[i];
+    }
+  }
+  return true;
 }
 
 const PluginSlot* PluginManager::slot_behind(std::string_view topic) const noexcept {

@@ -51,14 +51,11 @@ std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEnt
   if (entry.isolation == Isolation::none) {
     trial.emplace(entry, source(), options_.isolation);
   }
-  auto news = std::make_unique<EventLog>();
-  auto plugin = load(entry, *news);
-  return plan_replacement(entry, std::move(plugin), std::move(news), trial ? &*trial : nullptr);
+  return plan_replacement(entry, load(entry), trial ? &*trial : nullptr);
 }
 
 std::unique_ptr<PluginChange> PluginManager::plan_replacement(const PluginEntry& entry,
                                                               std::unique_ptr<ManagedPlugin> plugin,
-                                                              std::unique_ptr<EventLog> news,
                                                               PluginTrial* trial) {
   const std::size_t old = index_of(entry.name);
   const ManagedPlugin* const predecessor = old < slots_.size() ? slots_[old]->plugin.get() : nullptr;
@@ -66,9 +63,9 @@ std::unique_ptr<PluginChange> PluginManager::plan_replacement(const PluginEntry&
   slot->plugin = std::move(plugin);
   slot->entry = entry;
   slot->configured = predecessor != nullptr ? slots_[old]->configured : slots_.size();
-  auto change = plan_change(entry.name, std::move(slot), std::move(news), old);
+  auto change = plan_change(entry.name, std::move(slot), old);
   if (trial != nullptr) {
-    trial->first_step(client_, now_ns_.load(std::memory_order_relaxed));
+    trial->first_step(client_, events_.now_ns());
   }
   ManagedPlugin& incoming = *change->incoming()->plugin;
   incoming.bind(client_, predecessor);
@@ -95,7 +92,7 @@ std::unique_ptr<PluginChange> PluginManager::prepare_addition(const PluginEntry&
 }
 
 std::unique_ptr<PluginChange> PluginManager::prepare_removal(const std::string& name) {
-  return plan_change(name, nullptr, std::make_unique<EventLog>(), require(name));
+  return plan_change(name, nullptr, require(name));
 }
 
 std::unique_ptr<PluginChange> PluginManager::prepare_stop(const std::string& name) {
@@ -103,10 +100,9 @@ std::unique_ptr<PluginChange> PluginManager::prepare_stop(const std::string& nam
   if (is_stand_in(running)) {
     throw PluginError(fmt::format("'{}' is stopped already", name));
   }
-  auto news = std::make_unique<EventLog>();
   auto stand_in = std::make_unique<StandIn>(running.entry, StandIn::topics_for(running.plugin->node()),
-                                            configuration_file_, *news);
-  return plan_replacement(running.entry, std::move(stand_in), std::move(news), nullptr);
+                                            configuration_file_, events_);
+  return plan_replacement(running.entry, std::move(stand_in), nullptr);
 }
 
 std::unique_ptr<PluginChange> PluginManager::prepare_start(const std::string& name) {
@@ -120,7 +116,6 @@ std::unique_ptr<PluginChange> PluginManager::prepare_start(const std::string& na
 // Checks the data flow of the plug-ins as they will be.
 std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name,
                                                          std::unique_ptr<PluginSlot> incoming,
-                                                         std::unique_ptr<EventLog> news,
                                                          std::size_t old) const {
   std::vector<std::size_t> places;  // as PluginChange means them
   for (std::size_t i = 0; i < slots_.size(); ++i) {
@@ -153,8 +148,7 @@ std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name
     }
     depends_on.push_back(std::move(row));
   }
-  return std::make_unique<PluginChange>(name, std::move(incoming), std::move(news), std::move(next),
-                                        std::move(depends_on),
+  return std::make_unique<PluginChange>(name, std::move(incoming), std::move(next), std::move(depends_on),
                                         old < slots_.size() ? old : PluginChange::kIncoming);
 }
 
@@ -186,13 +180,6 @@ void PluginManager::begin_change(const Tick& tick) noexcept {
     }
     incoming->plugin->take_outputs(*old);
   }
-  if (incoming != nullptr) {
-    incoming->plugin->set_event_log(events_);
-    for (std::uint64_t i = change.news().first(); i < change.news().total(); ++i) {
-      const Event& event = change.news()[i];
-      events_.add(tick.now_ns, tick.tick, event.kind, event.source(), event.text());
-    }
-  }
   if (old != nullptr) {
     old->take_snapshots();  // should it have to step in after all
   }
@@ -203,15 +190,14 @@ void PluginManager::begin_change(const Tick& tick) noexcept {
 
 void PluginManager::fail_change(const Tick& tick, std::string_view what, std::string_view why) noexcept {
   change_phase_ = ChangePhase::failed;
-  fmt::format_to_n(change_text_.data(), change_text_.size() - 1, "not changed: {}: {}", what, why).out[0] =
-      '\0';
-  events_.add(tick.now_ns, tick.tick, EventKind::error, change_->name(), change_text_.data());
+  std::array<char, 256>& text = change_->outcome();
+  fmt::format_to_n(text.data(), text.size() - 1, "not changed: {}: {}", what, why).out[0] = '\0';
+  events_.add(tick.now_ns, tick.tick, EventKind::error, change_->name(), text.data());
 }
 
 // Puts the old one back in its place, in the same tick: it and all that depend on it are stepped (again).
 void PluginManager::take_change_back(const Tick& tick, std::string_view what, std::string_view why) noexcept {
   PluginChange& change = *change_;
-  trial_->plugin->set_event_log(discarded_events_);
   trial_ = nullptr;
   change.revert(slots_);
   const std::size_t old = change.outgoing_index();
@@ -241,10 +227,11 @@ void PluginManager::end_trial(const Tick& tick) noexcept {
   const PluginSlot* const outgoing = change_->outgoing();
   const std::string_view before = outgoing != nullptr ? outgoing->plugin->version() : "nothing";
   const std::string_view after = trial_ != nullptr ? trial_->plugin->version() : "nothing";
-  fmt::format_to_n(change_text_.data(), change_text_.size() - 1,
-                   "in place of {} now {}; {} bytes of state handed on", before, after, change_->state().size)
+  std::array<char, 256>& text = change_->outcome();
+  fmt::format_to_n(text.data(), text.size() - 1, "in place of {} now {}; {} bytes of state handed on", before,
+                   after, change_->state().size)
       .out[0] = '\0';
-  events_.add(tick.now_ns, tick.tick, EventKind::info, change_->name(), change_text_.data());
+  events_.add(tick.now_ns, tick.tick, EventKind::info, change_->name(), text.data());
   trial_ = nullptr;
   change_phase_ = ChangePhase::done;
 }
@@ -253,7 +240,7 @@ std::optional<ChangeResult> PluginManager::take_result() {
   if (change_phase_ != ChangePhase::done && change_phase_ != ChangePhase::failed) {
     return std::nullopt;
   }
-  ChangeResult result{change_->name(), change_phase_ == ChangePhase::done, change_text_.data(), nullptr};
+  ChangeResult result{change_phase_ == ChangePhase::done, change_->outcome().data(), nullptr};
   result.remains = std::move(change_);
   change_phase_ = ChangePhase::none;
   return result;

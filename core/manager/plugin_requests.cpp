@@ -13,9 +13,14 @@ namespace gaitway::core {
 namespace {
 
 template <std::size_t size>
-std::string text_of(const std::uint8_t (&field)[size]) {
+std::string_view view_of(const std::uint8_t (&field)[size]) noexcept {
   const auto* const text = reinterpret_cast<const char*>(field);
   return {text, strnlen(text, size)};
+}
+
+template <std::size_t size>
+std::string text_of(const std::uint8_t (&field)[size]) {
+  return std::string(view_of(field));
 }
 
 std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginRequest& request) {
@@ -44,9 +49,18 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
       request.verb));
 }
 
-// A plug-in's name becomes its library's where there is none.
-void require_no_path(const PluginRequest& request) {
-  for (const std::string& name : {text_of(request.library), text_of(request.plugin)}) {
+void require_allowed_over_network(const PluginRequest& request, const PluginManager& manager) {
+  const std::string plugin = text_of(request.plugin);
+  const auto verb = static_cast<PluginVerb>(request.verb);
+  if ((verb == PluginVerb::unload || verb == PluginVerb::stop) && manager.serves_network(plugin)) {
+    throw PluginError(
+        fmt::format("'{0}' serves the network, over which this came: nothing could bring it back from there. "
+                    "On the robot: "
+                    "gaitway ctl plugin {1} {0}",
+                    plugin, verb == PluginVerb::unload ? "unload" : "stop"));
+  }
+  // A plug-in's name becomes its library's where there is none.
+  for (const std::string& name : {text_of(request.library), plugin}) {
     if (name.find('/') != std::string::npos) {
       throw PluginError(fmt::format(
           "'{}': over the network a library is named without its folder. Put it on the plug-in path", name));
@@ -70,27 +84,26 @@ void PluginRequests::go_to(Stage stage) noexcept {
   stage_.notify_all();
 }
 
-void PluginRequests::step(std::int64_t now_ns) {
+void PluginRequests::step(std::int64_t now_ns) noexcept {
   switch (stage_.load(std::memory_order_acquire)) {
     case Stage::idle:
       if (take_request()) {
-        begin(now_ns);
+        manager_.copy_value(view_of(request_.plugin), request_.index, value_);
+        go_to(Stage::preparing);
       }
       break;
     case Stage::prepared:
-      manager_.schedule(std::move(change_));
-      go_to(Stage::scheduled);
+      put_in_place();
       break;
     case Stage::scheduled:
       if (auto result = manager_.take_result()) {
         done_ = result->done;
-        text_ = std::move(result->text);
+        set_text(result->text);
         change_ = std::move(result->remains);
         go_to(Stage::clearing);
       }
       break;
-    case Stage::refused:
-    case Stage::cleared:
+    case Stage::answered:
       answer(now_ns);
       go_to(Stage::idle);
       break;
@@ -102,7 +115,7 @@ void PluginRequests::step(std::int64_t now_ns) {
 }
 
 // The queue that was served last comes second.
-bool PluginRequests::take_request() {
+bool PluginRequests::take_request() noexcept {
   for (std::size_t i = 0; i < requests_.size(); ++i) {
     const std::size_t queue = (next_queue_ + i) % requests_.size();
     if (requests_[queue].pop(request_)) {
@@ -114,64 +127,87 @@ bool PluginRequests::take_request() {
   return false;
 }
 
-void PluginRequests::begin(std::int64_t now_ns) {
-  try {
-    switch (static_cast<PluginVerb>(request_.verb)) {
-      case PluginVerb::set:
-        set_parameter();
-        break;
-      case PluginVerb::describe_parameter:
-        describe_parameter();
-        break;
-      default:
-        if (from_network_) {
-          require_no_path(request_);
-        }
-        go_to(Stage::preparing);
-        return;
-    }
-    done_ = true;
-  } catch (const std::exception& error) {
-    done_ = false;
-    text_ = error.what();
+void PluginRequests::put_in_place() noexcept {
+  if (change_ != nullptr) {
+    manager_.schedule(std::move(change_));
+    go_to(Stage::scheduled);
+    return;
   }
-  answer(now_ns);
+  done_ = PluginManager::apply(*parameter_);
+  if (!done_) {
+    set_text(parameter_->slot->plugin->fault());
+  }
+  go_to(Stage::clearing);
 }
 
-void PluginRequests::set_parameter() {
-  const std::string parameter = text_of(request_.parameter);
-  const std::string value = text_of(request_.value);
-  manager_.set_parameter(text_of(request_.plugin), parameter, value);
-  text_ = fmt::format("{} is {} from now on", parameter, value);
+void PluginRequests::set_text(std::string_view text) noexcept {
+  const std::size_t length = std::min(text.size(), text_.size() - 1);
+  std::copy_n(text.begin(), length, text_.begin());
+  text_[length] = '\0';
 }
 
-void PluginRequests::describe_parameter() {
+void PluginRequests::answer(std::int64_t now_ns) noexcept {
+  PluginAnswer answer{};
+  answer.number = request_.number;
+  answer.done = done_ ? 1 : 0;
+  std::memcpy(answer.text, text_.data(), sizeof answer.text);
+  answers_.publish(answer, now_ns);
+}
+
+std::string PluginRequests::describe_parameter() const {
   const std::string plugin = text_of(request_.plugin);
   const auto& parameters = manager_.parameters_of(plugin).declared();
   if (request_.index >= parameters.size()) {
     throw PluginError(fmt::format("plug-in '{}' has {} parameters: there is no number {}, counted from 0",
                                   plugin, parameters.size(), request_.index));
   }
-  text_ = parameter_line(parameters[request_.index], sizeof(PluginAnswer::text) - 1);
-}
-
-void PluginRequests::answer(std::int64_t now_ns) {
-  PluginAnswer answer{};
-  answer.number = request_.number;
-  answer.done = done_ ? 1 : 0;
-  std::memcpy(answer.text, text_.data(), std::min(text_.size(), sizeof answer.text - 1));
-  answers_.publish(answer, now_ns);
+  const Parameter& parameter = parameters[request_.index];
+  return parameter_line({.name = parameter.name,
+                         .kind = parameter.kind,
+                         .unit = parameter.unit,
+                         .doc = parameter.doc,
+                         .fallback = parameter.fallback,
+                         .value = value_.data(),  // a copy: the tick's thread may change it
+                         .lowest = parameter.lowest,
+                         .highest = parameter.highest,
+                         .live = parameter.live},
+                        sizeof(PluginAnswer::text) - 1);
 }
 
 void PluginRequests::prepare() {
   try {
-    change_ = prepared(manager_, request_);
+    switch (static_cast<PluginVerb>(request_.verb)) {
+      case PluginVerb::describe_parameter:
+        set_text(describe_parameter());
+        done_ = true;
+        return go_to(Stage::answered);
+      case PluginVerb::set:
+        parameter_ = manager_.prepare_parameter(text_of(request_.plugin), text_of(request_.parameter),
+                                                text_of(request_.value));
+        break;
+      default:
+        if (from_network_) {
+          require_allowed_over_network(request_, manager_);
+        }
+        change_ = prepared(manager_, request_);
+    }
     go_to(Stage::prepared);
   } catch (const std::exception& error) {
     done_ = false;
-    text_ = error.what();
-    go_to(Stage::refused);
+    set_text(error.what());
+    go_to(Stage::answered);
   }
+}
+
+// What is no longer needed goes.
+void PluginRequests::clear() {
+  if (parameter_ && done_) {
+    PluginManager::keep(*parameter_);
+    set_text(fmt::format("{} is {} from now on", parameter_->parameter, parameter_->text));
+  }
+  parameter_.reset();
+  change_.reset();
+  go_to(Stage::answered);
 }
 
 void PluginRequests::work() {
@@ -179,8 +215,7 @@ void PluginRequests::work() {
   if (stage == Stage::preparing) {
     prepare();
   } else if (stage == Stage::clearing) {
-    change_.reset();
-    go_to(Stage::cleared);
+    clear();
   }
 }
 

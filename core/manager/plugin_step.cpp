@@ -108,13 +108,8 @@ bool PluginManager::run_step(PluginSlot& slot, const Tick& tick) noexcept {
     slot.plugin->set_fault("a fault that was injected: step() threw");
     return false;
   }
-  if (options_.step_watch == nullptr) {
-    return slot.plugin->prepare(tick, offset_of(injected));
-  }
-  options_.step_watch->enter(slot.watch_id);
-  const bool fine = slot.plugin->prepare(tick, offset_of(injected));
-  options_.step_watch->leave();
-  return fine;
+  const WatchedCall call(options_.step_watch, slot.watch_id);
+  return slot.plugin->prepare(tick, offset_of(injected));
 }
 
 void PluginManager::note_success(PluginSlot& slot, const Tick& tick) noexcept {

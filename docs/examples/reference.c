@@ -82,6 +82,12 @@ static gaitway_status restore_state(void* context, const gaitway_state* state, c
   return GAITWAY_OK;
 }
 
+static const void* get_extension(void* context, const char* name) {
+  static const gaitway_state_functions state = {save_state, restore_state};
+  (void)context;
+  return strcmp(name, GAITWAY_STATE_EXTENSION) == 0 ? &state : NULL;
+}
+
 static gaitway_status declare(struct pace* self, const gaitway_text* error) {
   static const gaitway_float_field velocity = {.name = "velocity",
                                                .offset = offsetof(struct gaitway_walk_command, velocity),
@@ -136,8 +142,7 @@ static gaitway_status create(const gaitway_host* host, gaitway_instance* instanc
                                  .deactivate = deactivate,
                                  .destroy = free,
                                  .set_parameter = set_parameter,
-                                 .save_state = save_state,
-                                 .restore_state = restore_state};
+                                 .get_extension = get_extension};
   return GAITWAY_OK;
 }
 

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
+#include "gaitway/manager/plugin_requests.hpp"
 #include "main_controller_fixture.hpp"
 
 namespace {
@@ -80,6 +82,35 @@ TEST_F(Allocation, NoneWhileBatchesAreHandedOver) {
 TEST_F(Allocation, NoneWhilePlansAreRefused) {
   EXPECT_EQ(allocations_of("jump"), 0);
   EXPECT_EQ(controller->statistics().refused_locally, 5U);
+}
+
+// Requests are taken, put in place and answered in the tick's thread; all else is the other one's.
+TEST_F(Allocation, NoneWhileRequestsAreServed) {
+  start("none");
+  PluginRequests requests(client, controller->plugins());
+  auto queue = message_client.write_queue<PluginRequest>("plugin_request");
+  auto answers = message_client.read_stream<PluginAnswer>("plugin_answer");
+  PluginRequest request{};
+  std::strcpy(reinterpret_cast<char*>(request.plugin), "planner");
+  std::strcpy(reinterpret_cast<char*>(request.parameter), "speed");
+  std::strcpy(reinterpret_cast<char*>(request.value), "0.123456789012345678");
+  for (const PluginVerb verb :
+       {PluginVerb::describe_parameter, PluginVerb::set, PluginVerb::reload, PluginVerb::unload}) {
+    request.verb = static_cast<std::uint32_t>(verb);
+    ASSERT_TRUE(queue.push(request, 0));
+    PluginAnswer answer{};
+    allocations = 0;
+    for (int i = 0; i < 40 && !answers.read(answer); ++i) {
+      now_ns = next_tick_ns(now_ns);
+      controller->step(now_ns);
+      counting = true;
+      requests.step(now_ns);
+      counting = false;
+      requests.work();
+    }
+    EXPECT_EQ(answer.done, 1U) << answer.text;
+    EXPECT_EQ(allocations, 0) << "verb " << request.verb;
+  }
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::core {
@@ -167,6 +167,28 @@ TEST_F(MainControllerProcess, AfterACrashItIsStartedAgainWithoutThePluginThatWas
   ASSERT_EQ(serve(20.0, is_back), -1) << output();
   EXPECT_THAT(output(), testing::HasSubstr("in plug-in 'stepped', the process was ended by signal 6"));
   EXPECT_THAT(output(), testing::HasSubstr("started again, without 'stepped'"));
+  kill(process, SIGTERM);
+  EXPECT_EQ(serve(10.0), 0) << output();
+}
+
+// Before the first tick, too, a plug-in that takes the process down is left out at the next start.
+TEST_F(MainControllerProcess, AfterACrashInActivateItIsStartedAgainWithoutThatPlugin) {
+  configure("  - {name: active, library: crashes.so, parameters: {in_activate: true, signal: 6}}\n");
+  launch_supervised();
+  const auto is_back = [this] { return output().find("back after") != std::string::npos; };
+  ASSERT_EQ(serve(60.0, is_back), -1) << output();
+  EXPECT_THAT(output(), testing::HasSubstr("in plug-in 'active', the process was ended by signal 6"));
+  kill(process, SIGTERM);
+  EXPECT_EQ(serve(10.0), 0) << output();
+}
+
+TEST_F(MainControllerProcess, AfterAHangInActivateItIsStartedAgainWithoutThatPlugin) {
+  configure("  - {name: active, library: crashes.so, parameters: {in_activate: true, hangs: true}}\n");
+  launch_supervised();
+  const auto is_back = [this] { return output().find("back after") != std::string::npos; };
+  ASSERT_EQ(serve(60.0, is_back), -1) << output();
+  EXPECT_THAT(output(), testing::HasSubstr("in plug-in 'active', the process made no tick for 5000 ms"));
+  EXPECT_THAT(output(), testing::HasSubstr("started again, without 'active'"));
   kill(process, SIGTERM);
   EXPECT_EQ(serve(10.0), 0) << output();
 }

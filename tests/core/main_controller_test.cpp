@@ -135,6 +135,55 @@ TEST_F(MainControllerTest, PlanOfAnotherCycleIsNoPlan) {
   EXPECT_EQ(controller->statistics().without_plan, 1U);
 }
 
+// What a new planner is for is a plan: without one for the batch it has failed its trial.
+TEST_F(MainControllerTest, NewPlannerWithoutAPlanFailsItsTrialAndTheOldOnePlansOn) {
+  start("none");
+  ASSERT_TRUE(batch_tick().handed_over);
+  answer(msgclient::Verdict::accepted);
+  PluginManager& plugins = controller->plugins();
+  for (const char* const defect : {"silent", "old_sequence"}) {
+    ASSERT_TRUE(plugins.schedule(plugins.prepare_replacement(
+        {.name = "planner", .library = "joint_planner.so", .parameters = {{"defect", defect, 0}}})));
+    EXPECT_TRUE(batch_tick().handed_over) << defect;
+    answer(msgclient::Verdict::accepted);
+    const auto result = plugins.take_result();
+    ASSERT_TRUE(result);
+    EXPECT_FALSE(result->done) << result->text;
+    EXPECT_THAT(std::string(result->text), HasSubstr("no plug-in has a plan for it"));
+    EXPECT_TRUE(batch_tick().handed_over) << defect;
+    answer(msgclient::Verdict::accepted);
+  }
+  EXPECT_EQ(controller->statistics().without_plan, 0U);
+}
+
+TEST_F(MainControllerTest, PlugInThatIsNotBehindThePlanIsNotToBlameForIt) {
+  start("none");
+  ASSERT_TRUE(batch_tick().handed_over);
+  answer(msgclient::Verdict::accepted);
+  PluginManager& plugins = controller->plugins();
+  ASSERT_TRUE(plugins.schedule(plugins.prepare_addition({.name = "counter", .library = "counter.so"})));
+  states.joint_count = 0;
+  network.mode = 0;
+  publish();
+  batch_tick();
+  const auto result = plugins.take_result();
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->done) << result->text;
+}
+
+TEST_F(MainControllerTest, ARowOfBatchesWithoutAPlanIsSaidOnce) {
+  start("stops_after_two");
+  for (int i = 0; i < 5; ++i) {
+    if (batch_tick().handed_over) {
+      answer(msgclient::Verdict::accepted);
+    }
+  }
+  EXPECT_EQ(controller->statistics().without_plan, 3U);
+  ASSERT_EQ(controller->events().total(), 1U);
+  EXPECT_EQ(controller->events()[0].text(),
+            "batch 3 is not handed over: no plug-in has a plan for it; the newest is of batch 2");
+}
+
 // 0.001 rad a point, the batch's eight: the next batch goes on from there, not from where the joints stood.
 TEST_F(MainControllerTest, ContinuityIsCheckedAgainstTheAcceptedBatchWhileItPlays) {
   start("drift");

@@ -2,6 +2,10 @@
 // place.
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <map>
+#include <thread>
+
 #include "plugin_fixture.hpp"
 
 namespace gaitway::core {
@@ -89,6 +93,70 @@ TEST_F(PluginChangeTest, StateOfAnotherVersionOrSizeIsRefusedAndTheOldOneGoesOn)
     EXPECT_FALSE(result->done);
     EXPECT_THAT(result->text, AllOf(HasSubstr("refuses the state"), HasSubstr(reason)));
   }
+}
+
+TEST_F(PluginChangeTest, EveryVersionMayReportUntilItIsDestroyed) {
+  const auto manager = load(counter("c", ""));
+  const auto told = [&] {
+    std::vector<std::string> texts;
+    for (std::uint64_t i = manager->events().first(); i < manager->events().total(); ++i) {
+      if (manager->events()[i].source() == "c" && manager->events()[i].kind == EventKind::info) {
+        texts.emplace_back(manager->events()[i].text());
+      }
+    }
+    return texts;
+  };
+  ASSERT_TRUE(manager->schedule(
+      manager->prepare_replacement(entry(counter("c", "state_version: 2, reports: true")))));
+  run(*manager, 6, 6);
+  EXPECT_FALSE(manager->take_result()->done) << "it is destroyed here, and has its say";
+  run(*manager, 7, 7);
+  EXPECT_THAT(told(), ElementsAre("activated", "deactivated", "destroyed"));
+}
+
+// As in the main controller: one thread ticks, the other prepares and destroys.
+TEST_F(PluginChangeTest, WhoLeavesReportsFromTheOtherThreadAndNoEventIsLost) {
+  constexpr int kChanges = 20;
+  const auto manager = load(counter("c", "reports: true"));
+  std::atomic<PluginChange*> prepared = nullptr;
+  std::atomic<PluginChange*> remains = nullptr;
+  std::thread workshop([&] {
+    for (int i = 0; i < kChanges; ++i) {
+      prepared.store(manager->prepare_reload("c").release());
+      prepared.notify_one();
+      remains.wait(nullptr);
+      delete remains.exchange(nullptr);
+    }
+  });
+  std::map<std::string, int> told;
+  std::uint64_t next = 0;
+  const auto listen = [&] {
+    for (; next < manager->events().total(); ++next) {
+      ++told[std::string(manager->events()[next].text())];
+    }
+  };
+  int done = 0;
+  for (std::uint32_t number = 1; done < kChanges; ++number) {
+    manager->step(tick(number));
+    if (PluginChange* const change = prepared.exchange(nullptr)) {
+      ASSERT_TRUE(manager->schedule(std::unique_ptr<PluginChange>(change)));
+    }
+    if (auto result = manager->take_result()) {
+      EXPECT_TRUE(result->done) << result->text;
+      ++done;
+      remains.store(result->remains.release());
+      remains.notify_one();
+    }
+    manager->events().add(0, number, EventKind::warning, "tick", "ticks");
+    listen();
+    told.erase("stepped");
+  }
+  workshop.join();
+  manager->step(tick(0));
+  listen();
+  EXPECT_EQ(told["activated"], kChanges + 1);
+  EXPECT_EQ(told["deactivated"], kChanges);
+  EXPECT_EQ(told["destroyed"], kChanges);
 }
 
 TEST_F(PluginChangeTest, OneThatFailsInItsFirstStepIsTakenBackInTheSameTick) {

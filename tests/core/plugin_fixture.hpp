@@ -22,6 +22,7 @@ class PluginFixture : public testing::Test {
     options.isolation = isolation;
     options.try_at_start = try_at_start;
     options.memory_socket = memory_socket;
+    options.left_out = left_out;
     return std::make_unique<PluginManager>(parse_configuration("plugins:\n" + plugins, "test.yaml"), options,
                                            client);
   }
@@ -41,6 +42,7 @@ class PluginFixture : public testing::Test {
   IsolationOptions isolation;
   bool try_at_start = false;
   std::filesystem::path memory_socket;
+  std::vector<std::string> left_out;
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("main_controller");
   msgclient::Client other = block.local_client("other_process");

@@ -84,7 +84,36 @@ TEST_F(PluginRefusal, MissingEntrySymbol) {
 
 TEST_F(PluginRefusal, OtherAbi) {
   EXPECT_THAT(refusal("  - {name: a, library: other_abi.so}\n"),
-              AllOf(HasSubstr("built for plug-in ABI 5"), HasSubstr("speaks ABI 4")));
+              AllOf(HasSubstr("built for plug-in ABI 6"), HasSubstr("speaks ABI 5.")));
+}
+
+// A plug-in of a lower minor number is loaded, one of a higher is not.
+TEST_F(PluginRefusal, MinorNumberOfTheAbi) {
+  const PluginLibrary library("plain_c.so", {}, {GAITWAY_TEST_PLUGINS});
+  const gaitway_plugin& ours = library.entry();
+  EXPECT_NO_THROW(check_border(ours, "plain_c.so", GAITWAY_PLUGIN_ABI_MINOR + 1));
+  gaitway_plugin newer = ours;
+  ++newer.abi_minor;
+  EXPECT_NO_THROW(check_border(newer, "newer.so", GAITWAY_PLUGIN_ABI_MINOR + 1));
+  try {
+    check_border(newer, "newer.so");
+    FAIL() << "it knows more than its host";
+  } catch (const PluginError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr(std::string("newer.so: built for plug-in ABI 5.") +
+                          std::to_string(newer.abi_minor) + ", but this main controller speaks"));
+  }
+}
+
+// Built against the header as it was when the major number was given.
+TEST_F(PluginRefusal, NoneForTheFirstMinorNumber) {
+  const auto manager = load("  - {name: old, library: plain_c_5_0.so, parameters: {fail_at: 3}}\n");
+  EXPECT_EQ(manager->step(tick(1)), 0);
+  EXPECT_EQ(manager->step(tick(2)), 0);
+  EXPECT_EQ(manager->step(tick(3)), 1);
+  WalkCommand count{};
+  ASSERT_TRUE(other.read<WalkCommand>("count").read(count));
+  EXPECT_EQ(count.walk, 2U);
 }
 
 TEST_F(PluginRefusal, OtherStructSize) {

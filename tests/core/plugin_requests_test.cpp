@@ -49,8 +49,23 @@ class PluginRequestsTest : public PluginFixture {
     return correction.com_offset[0];
   }
 
-  std::unique_ptr<PluginManager> manager =
-      load("  - {name: c, library: counter.so}\n" + relay("r", "from: out, to: copy"));
+  PluginAnswer ask_over_network(const PluginRequest& wanted) {
+    EXPECT_TRUE(network.push(wanted, 0));
+    PluginAnswer answer{};
+    for (int i = 0; i < 100 && !answers.read(answer); ++i) {
+      manager->step(tick(++number));
+      requests.step(0);
+      requests.work();
+    }
+    EXPECT_EQ(answer.number, 7U);
+    return answer;
+  }
+
+  std::unique_ptr<PluginManager> manager = [this] {
+    left_out = {"api"};
+    return load("  - {name: c, library: counter.so}\n" + relay("r", "from: out, to: copy") +
+                "  - {name: api, library: counter.so, isolation: process, network: serve}\n");
+  }();
   PluginRequests requests{client, *manager};
   msgclient::StreamReader<PluginAnswer> answers = other.read_stream<PluginAnswer>("plugin_answer");
   msgclient::QueueWriter<PluginRequest> writer = other.write_queue<PluginRequest>("plugin_request");
@@ -66,11 +81,12 @@ TEST_F(PluginRequestsTest, ReloadsWithoutLosingACount) {
 }
 
 TEST_F(PluginRequestsTest, LoadsAndUnloads) {
+  const std::size_t before = manager->size();
   EXPECT_TRUE(ask(request(PluginVerb::unload, "r")).done);
-  EXPECT_EQ(manager->size(), 1U);
+  EXPECT_EQ(manager->size(), before - 1);
   const PluginAnswer answer = ask(request(PluginVerb::load, "plain", "plain_c.so"));
   EXPECT_TRUE(answer.done) << text_of(answer);
-  EXPECT_EQ(manager->size(), 2U);
+  EXPECT_EQ(manager->size(), before);
 }
 
 TEST_F(PluginRequestsTest, SetsALiveParameter) {
@@ -106,10 +122,10 @@ TEST_F(PluginRequestsTest, DescribesParametersUntilThereIsNoneLeft) {
             R"("lowest":-10.0,"highest":10000.0})");
   describe.index = 1;
   EXPECT_THAT(text_of(ask(describe)), HasSubstr(R"("name":"state_version","value":"1")"));
-  describe.index = 6;
+  describe.index = 7;
   const PluginAnswer end = ask(describe);
   EXPECT_FALSE(end.done);
-  EXPECT_THAT(text_of(end), HasSubstr("'c' has 6 parameters: there is no number 6"));
+  EXPECT_THAT(text_of(end), HasSubstr("'c' has 7 parameters: there is no number 7"));
   const PluginAnswer nobody = ask(request(PluginVerb::describe_parameter, "d"));
   EXPECT_FALSE(nobody.done);
   EXPECT_THAT(text_of(nobody), HasSubstr("there is no plug-in 'd'"));
@@ -124,7 +140,10 @@ TEST_F(PluginRequestsTest, ServesBothQueuesByTurns) {
   std::vector<std::uint32_t> order;
   PluginAnswer answer{};
   for (int i = 0; i < 6; ++i) {
-    requests.step(0);
+    for (int turn = 0; turn < 3; ++turn) {
+      requests.step(0);
+      requests.work();
+    }
     ASSERT_TRUE(answers.read(answer));
     order.push_back(answer.number);
   }
@@ -133,10 +152,7 @@ TEST_F(PluginRequestsTest, ServesBothQueuesByTurns) {
 
 TEST_F(PluginRequestsTest, OverTheNetworkLibrariesAreNamedWithoutAFolder) {
   const auto refused = [this](const PluginRequest& wanted) {
-    EXPECT_TRUE(network.push(wanted, 0));
-    PluginAnswer answer{};
-    requests.step(0);
-    EXPECT_TRUE(answers.read(answer));
+    const PluginAnswer answer = ask_over_network(wanted);
     EXPECT_FALSE(answer.done);
     return text_of(answer);
   };
@@ -144,14 +160,21 @@ TEST_F(PluginRequestsTest, OverTheNetworkLibrariesAreNamedWithoutAFolder) {
               HasSubstr("'/tmp/counter.so': over the network a library is named without its folder"));
   EXPECT_THAT(refused(request(PluginVerb::load, "x/../../evil")),
               HasSubstr("'x/../../evil': over the network"));
-  EXPECT_TRUE(network.push(request(PluginVerb::reload, "c", "counter.so"), 0));
-  PluginAnswer answer{};
-  for (int i = 0; i < 100 && !answers.read(answer); ++i) {
-    manager->step(tick(++number));
-    requests.step(0);
-    requests.work();
-  }
+  const PluginAnswer answer = ask_over_network(request(PluginVerb::reload, "c", "counter.so"));
   EXPECT_TRUE(answer.done) << text_of(answer);
+}
+
+TEST_F(PluginRequestsTest, OverTheNetworkNobodyTakesAwayWhatServesIt) {
+  for (const PluginVerb verb : {PluginVerb::unload, PluginVerb::stop}) {
+    const PluginAnswer refused = ask_over_network(request(verb, "api"));
+    EXPECT_FALSE(refused.done);
+    EXPECT_THAT(text_of(refused), HasSubstr("'api' serves the network, over which this came"));
+    EXPECT_THAT(text_of(refused), HasSubstr("On the robot: gaitway ctl plugin"));
+  }
+  const std::size_t before = manager->size();
+  EXPECT_TRUE(ask_over_network(request(PluginVerb::unload, "r")).done) << "others may go";
+  EXPECT_TRUE(ask(request(PluginVerb::unload, "api")).done) << "and on the robot this one, too";
+  EXPECT_EQ(manager->size(), before - 2);
 }
 
 TEST_F(PluginRequestsTest, AnotherThreadDoesTheSlowPart) {

@@ -42,7 +42,7 @@ void check_abi(CheckRun& run) {
     run.figure("version", library.entry().version);
     run.board().enter(Call::none);
     check_exports(run);
-    run.remark(fmt::format("ABI {}, one entry", library.entry().abi));
+    run.remark(fmt::format("ABI {}.{}, one entry", library.entry().abi, library.entry().abi_minor));
   } catch (const std::exception& error) {
     run.finding(error.what(), "", "the plug-in cannot be loaded by the main controller");
     run.not_usable("");

@@ -54,11 +54,10 @@ ReplayHost::ReplayHost(const Job& job, const NominalRecord* record)
              .parameter = &parameter,
              .set_period = &set_period,
              .robot_directory = &robot_directory,
-             .memory_socket = &no_path,
-             .write_folder = &no_path,
              .read = &read,
              .publish = &publish,
-             .report = &report} {}
+             .report = &report,
+             .get_extension = &get_extension} {}
 
 template <class Function>
 gaitway_status ReplayHost::set_up(void* context, const gaitway_text* error,
@@ -147,8 +146,8 @@ gaitway_status ReplayHost::set_period(void* context, gaitway_period period,
   });
 }
 
-const char* ReplayHost::no_path(void*) noexcept {
-  return "";
+const void* ReplayHost::get_extension(void*, const char*) noexcept {
+  return nullptr;
 }
 
 const char* ReplayHost::robot_directory(void* context) noexcept {

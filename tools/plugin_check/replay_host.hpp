@@ -77,7 +77,7 @@ class ReplayHost {
                                   const gaitway_text* error) noexcept;
   static gaitway_status set_period(void* context, gaitway_period period, const gaitway_text* error) noexcept;
   static const char* robot_directory(void* context) noexcept;
-  static const char* no_path(void* context) noexcept;  // there is neither memory block nor folder
+  static const void* get_extension(void* context, const char* name) noexcept;  // there is none
   static gaitway_status read(void* context, gaitway_port* port, void* value, gaitway_sample* sample) noexcept;
   static gaitway_status publish(void* context, gaitway_port* port, const void* value) noexcept;
   static void report(void* context, gaitway_severity severity, const char* text) noexcept;

@@ -9,6 +9,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "gaitway/plugin/detail/plugin_border.hpp"
+
 namespace gaitway::plugin_check {
 namespace {
 
@@ -114,12 +116,13 @@ bool Specimen::set_parameter(const char* name, const gaitway_value& value) noexc
 bool Specimen::save_state(core::PluginState& state, std::uint32_t capacity) noexcept {
   const gaitway_text text = error_text();
   state.size = state.version = 0;
-  if (instance_.save_state == nullptr) {
+  const gaitway_state_functions* const functions = detail::state_functions(instance_);
+  if (functions == nullptr) {
     return true;
   }
   gaitway_state plain{state.bytes.data(), capacity, 0, 0, 0};
   board().enter(Call::save_state);
-  const bool fine = instance_.save_state(instance_.context, &plain, &text) == GAITWAY_OK;
+  const bool fine = functions->save_state(instance_.context, &plain, &text) == GAITWAY_OK;
   board().enter(Call::none);
   state.size = plain.size;
   state.version = plain.version;
@@ -128,14 +131,15 @@ bool Specimen::save_state(core::PluginState& state, std::uint32_t capacity) noex
 
 bool Specimen::restore_state(const core::PluginState& state) noexcept {
   const gaitway_text text = error_text();
-  if (instance_.restore_state == nullptr) {
+  const gaitway_state_functions* const functions = detail::state_functions(instance_);
+  if (functions == nullptr) {
     set_error("has no restore_state");
     return false;
   }
   const gaitway_state plain{const_cast<std::byte*>(state.bytes.data()), core::PluginState::kCapacity,
                             state.size, state.version, 0};
   board().enter(Call::restore_state);
-  const bool fine = instance_.restore_state(instance_.context, &plain, &text) == GAITWAY_OK;
+  const bool fine = functions->restore_state(instance_.context, &plain, &text) == GAITWAY_OK;
   board().enter(Call::none);
   return fine;
 }

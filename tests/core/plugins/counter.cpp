@@ -15,13 +15,20 @@ class Counter final : public gaitway::Plugin {
         version_(setup.parameter("state_version", 1, "1", {.lowest = 0, .highest = 100})),
         longer_state_(setup.parameter("longer_state", false)),
         failing_step_(setup.parameter("failing_step", 0)),
+        reports_(setup.parameter("reports", false)),
+        report_(setup.reporter()),
         output_(setup.writes<Correction>(setup.parameter("to", "out"))) {
     if (setup.parameter("throws", false)) {
       throw std::runtime_error("no room for a counter");
     }
   }
 
+  ~Counter() override { say("destroyed"); }
+
+  void activate() override { say("activated"); }
+  void deactivate() override { say("deactivated"); }
   void step(const gaitway::Tick&) override {
+    say("stepped");
     ++count_;
     if (++steps_ == failing_step_) {
       throw std::runtime_error("cannot count");
@@ -41,10 +48,18 @@ class Counter final : public gaitway::Plugin {
   }
 
  private:
+  void say(const char* text) const {
+    if (reports_) {
+      report_(gaitway::Severity::info, text);
+    }
+  }
+
   gaitway::Live<double> offset_;
   std::int64_t version_;
   bool longer_state_;
   std::int64_t failing_step_;
+  bool reports_;
+  gaitway::Reporter report_;
   gaitway::Output<Correction> output_;
   std::int64_t count_ = 0;  // since the first version
   std::int64_t steps_ = 0;  // of this one

@@ -15,6 +15,7 @@ class JointPlanner final : public gaitway::Plugin {
   explicit JointPlanner(gaitway::Setup& setup)
       : robot_(gaitway::urdf::load_robot(setup.robot_directory())),
         defect_(setup.parameter("defect", "none")),
+        speed_(setup.live_parameter("speed", 0.0)),
         states_(setup.reads<gaitway::JointStates>("joint_states")),
         trim_(setup.writes<gaitway::TrimCommand>("trim")),
         plan_(setup.writes<gaitway::JointPlan>("joint_plan")) {}
@@ -49,7 +50,10 @@ class JointPlanner final : public gaitway::Plugin {
     if (defect_ == "jump") {
       plan.position[0][3] += 0.3F;
     }
-    plan_.publish();
+    const bool stopped = defect_ == "stops_after_two" && tick.batch_sequence > 2;
+    if (defect_ != "silent" && !stopped) {
+      plan_.publish();
+    }
     if (defect_ == "throw") {
       throw std::runtime_error("out of reach");
     }
@@ -57,6 +61,7 @@ class JointPlanner final : public gaitway::Plugin {
 
   gaitway::urdf::RobotModel robot_;
   std::string defect_;
+  gaitway::Live<double> speed_;  // without effect: to be set
   double drift_rad_ = 0.0;
   gaitway::Input<gaitway::JointStates> states_;
   gaitway::Output<gaitway::TrimCommand> trim_;

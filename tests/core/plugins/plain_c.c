@@ -46,6 +46,12 @@ static gaitway_status create(const gaitway_host* host, gaitway_instance* instanc
     return GAITWAY_FAILED;
   }
   self->host = host;
+  if (host->get_extension(host->context, GAITWAY_NETWORK_EXTENSION) == NULL ||
+      host->get_extension(host->context, "gaitway.never/1") != NULL) {
+    snprintf(error->data, error->capacity, "extensions are not those that there are");
+    free(self);
+    return GAITWAY_FAILED;
+  }
   const gaitway_parameter fail_at = {
       "fail_at", "1", "step that fails; 0: none", {GAITWAY_INTEGER, 0, 0, 0, NULL}, 0, 1e6, 0, 0};
   gaitway_value value;

@@ -81,7 +81,7 @@ class Misbehaving final : public gaitway::Plugin {
     if (!forgets_state) state(lean_);
     if (wrong_state_size) state(lean_);  // was never saved
     double ignored = 0.0;
-    while (takes_any_state && state.left() >= sizeof ignored) state(ignored);
+    while (takes_any_state && state.remaining() >= sizeof ignored) state(ignored);
   }
 
  private:

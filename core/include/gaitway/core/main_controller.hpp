@@ -99,6 +99,7 @@ class MainController {
     unusable,   // a plug-in behind the plan failed, or the plan breaks a rule
     not_taken,  // by the EMI
   };
+  void prepare_batch(const Tick& tick, TickReport& report) noexcept;
   HandOverOutcome hand_over(const Tick& tick, TickReport& report) noexcept;
   void revise(const Tick& tick, TickReport& report) noexcept;
   HandOverOutcome post(const Tick& tick, int first_point, TickReport& report) noexcept;
@@ -125,6 +126,7 @@ class MainController {
 
   // Large values: kept off the stack.
   std::unique_ptr<JointPlan> plan_ = std::make_unique<JointPlan>();
+  bool had_plan_ = false;               // a good one, for the batch before
   std::uint64_t plan_publication_ = 0;  // of the topic: the one that was checked last
   std::unique_ptr<msgclient::HandOver> posted_ = std::make_unique<msgclient::HandOver>();  // sequence 0: none
   std::unique_ptr<msgclient::HandOver> accepted_ =

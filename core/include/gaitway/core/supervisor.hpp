@@ -18,11 +18,13 @@ inline constexpr int kMostRestarts = 3;
 inline constexpr std::int64_t kRestartWindow_ns = 60'000'000'000;
 // A worker that has made ticks and makes none for so long hangs, and is ended.
 inline constexpr std::int64_t kHang_ns = 1'000'000'000;
+// And before its first tick one in which the same plug-in is being constructed or activated for so long.
+inline constexpr std::int64_t kStartHang_ns = 5'000'000'000;
 inline constexpr int kExitGivenUp = 4;
 
 // Starts the worker with `--step-watch FD` and, after a crash or a hang, `--culprit NAME` of the plug-in that
-// was being stepped; a SIGKILL from outside is no plug-in's fault. Returns when it ended by itself (its exit
-// code), when it was told to by SIGINT or SIGTERM, or after more than kMostRestarts deaths in
+// was being stepped or set up; a SIGKILL from outside is no plug-in's fault. Returns when it ended by itself
+// (its exit code), when it was told to by SIGINT or SIGTERM, or after more than kMostRestarts deaths in
 // kRestartWindow_ns (kExitGivenUp). Throws std::system_error.
 int supervise(const SupervisorOptions& options);
 

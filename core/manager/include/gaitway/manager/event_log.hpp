@@ -3,8 +3,11 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <string_view>
+
+#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway::core {
 
@@ -22,15 +25,32 @@ struct Event {
   [[nodiscard]] std::string_view text() const noexcept { return message_text.data(); }
 };
 
-// add() copies into a ring: no allocation. Longer texts are cut off.
+// One thread, that of the ticks, adds and reads; any thread posts. Events are copied into fixed memory: no
+// allocation, no lock, and nobody waits for anybody. Longer texts are cut off.
 class EventLog {
  public:
   static constexpr std::size_t kCapacity = 256;
+  static constexpr std::size_t kPosts = 128;  // between two collect()s
 
+  EventLog() noexcept;
+
+  // The tick's thread.
   void add(std::int64_t stamp_ns, std::uint32_t tick, EventKind kind, std::string_view source,
            std::string_view text) noexcept;
+  // Takes up what was posted; add() does so, too. What had no room is counted, and the count becomes an
+  // event.
+  void collect() noexcept;
+  // What is posted from now on bears this time.
+  void set_time(const Tick& tick) noexcept {
+    now_ns_.store(tick.now_ns, std::memory_order_relaxed);
+    tick_.store(tick.tick, std::memory_order_relaxed);
+  }
+  [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_.load(std::memory_order_relaxed); }
 
-  // Events since start, and which of them are still here: [first(), total()).
+  // Any thread, several at once.
+  void post(EventKind kind, std::string_view source, std::string_view text) noexcept;
+
+  // The tick's thread: events since start, and which of them are still here: [first(), total()).
   [[nodiscard]] std::uint64_t total() const noexcept { return total_; }
   [[nodiscard]] std::uint64_t first() const noexcept { return total_ > kCapacity ? total_ - kCapacity : 0; }
   [[nodiscard]] const Event& operator[](std::uint64_t number) const noexcept {
@@ -38,8 +58,22 @@ class EventLog {
   }
 
  private:
+  // Post number n lies in cell n % kPosts. `turn` says whose turn it is there: n, its poster's; n + 1, the
+  // collector's, who passes it on to post n + kPosts. Each writes the event before it stores the next turn
+  // (release), and reads it after it has seen its own (acquire).
+  struct Cell {
+    std::atomic<std::uint64_t> turn;
+    Event event;
+  };
+
   std::array<Event, kCapacity> ring_{};
   std::uint64_t total_ = 0;
+  std::array<Cell, kPosts> cells_{};
+  std::atomic<std::uint64_t> posted_{0};  // relaxed: the cell's turn orders what matters
+  std::uint64_t collected_ = 0;
+  std::atomic<std::uint64_t> lost_{0};
+  std::atomic<std::int64_t> now_ns_{0};
+  std::atomic<std::uint32_t> tick_{0};
 };
 
 }  // namespace gaitway::core

@@ -51,8 +51,6 @@ class ManagedPlugin {
   void bind_inputs(msgclient::Client& client);
   // Moves those outputs over, here or back. For the cycle.
   void take_outputs(ManagedPlugin& predecessor) noexcept;
-  // Where its events go from now on.
-  void set_event_log(EventLog& events) noexcept { events_ = &events; }
 
   virtual void activate() = 0;
   virtual void deactivate() noexcept = 0;
@@ -113,7 +111,7 @@ class ManagedPlugin {
   std::string name_;
   std::string place_;  // "plug-in 'x' (walk.yaml:4)"
   ParameterSet parameters_;
-  EventLog* events_;
+  EventLog& events_;
   std::list<TopicPort> ports_;  // stable addresses: the plug-in holds them
   Period period_ = Period::tick;
   const StepSchedule schedule_;

@@ -20,6 +20,7 @@ enum class ParameterKind : std::uint8_t {  // same numbers as in the ABI
   text = GAITWAY_TEXT
 };
 [[nodiscard]] std::string_view parameter_kind_name(ParameterKind kind) noexcept;
+[[nodiscard]] std::string value_text(const gaitway_value& value);  // as people write it
 
 struct Parameter {  // as declared, with the value in use
   std::string name;
@@ -47,6 +48,8 @@ class ParameterSet {
   // Reads `text` as the new value of a live parameter. Does not change the set: keep() does.
   [[nodiscard]] gaitway_value read_change(std::string_view name, const std::string& text) const;
   void keep(std::string_view name, const gaitway_value& value);
+  // The same with the value's text, which is swapped in: no allocation.
+  void keep(std::string_view name, std::string& text) noexcept;
 
   // Complains about an entry that nobody asked for, and names the nearest parameter.
   void require_all_declared() const;

@@ -1,15 +1,16 @@
 // A change of the running plug-ins: prepared off the tick, put in place at a batch edge, tried for one tick.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gaitway/manager/containment.hpp"
-#include "gaitway/manager/event_log.hpp"
 #include "gaitway/manager/managed_plugin.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 
@@ -42,9 +43,8 @@ class PluginChange {
 
   // `next`: the order of the steps after the change: indices into the slots before it, or kIncoming.
   // `outgoing`: index of the slot that leaves, or kIncoming: none does.
-  PluginChange(std::string name, std::unique_ptr<PluginSlot> incoming, std::unique_ptr<EventLog> news,
-               std::vector<std::size_t> next, std::vector<std::vector<bool>> depends_on,
-               std::size_t outgoing);
+  PluginChange(std::string name, std::unique_ptr<PluginSlot> incoming, std::vector<std::size_t> next,
+               std::vector<std::vector<bool>> depends_on, std::size_t outgoing);
 
   // Moves the slots to the new order, and back. For the cycle.
   void apply(std::vector<std::unique_ptr<PluginSlot>>& slots) noexcept;
@@ -57,9 +57,9 @@ class PluginChange {
   [[nodiscard]] PluginSlot* outgoing() const noexcept { return outgoing_.get(); }
   [[nodiscard]] bool has_incoming() const noexcept { return has_incoming_; }
   [[nodiscard]] std::size_t outgoing_index() const noexcept { return outgoing_index_; }
-  // What the new plug-in reported while it was constructed.
-  [[nodiscard]] const EventLog& news() const noexcept { return *news_; }
   [[nodiscard]] PluginState& state() noexcept { return *state_; }
+  // What became of it, for people.
+  [[nodiscard]] std::array<char, 256>& outcome() noexcept { return outcome_; }
 
  private:
   void swap_dependencies(std::vector<std::unique_ptr<PluginSlot>>& slots) noexcept;
@@ -67,20 +67,19 @@ class PluginChange {
   std::string name_;
   bool has_incoming_;
   std::unique_ptr<PluginSlot> incoming_, outgoing_;
-  std::unique_ptr<EventLog> news_;
   std::vector<std::size_t> next_;
   std::vector<std::vector<bool>> depends_on_;  // of the order that is not in force
   std::size_t outgoing_index_;
   std::vector<std::unique_ptr<PluginSlot>> room_;
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();
+  std::array<char, 256> outcome_{};
 };
 
-// What became of a change. `text` is for people.
+// What became of a change.
 struct ChangeResult {
-  std::string name;  // of the plug-in
   bool done = false;
-  std::string text;
-  std::unique_ptr<PluginChange> remains;  // destroys the plug-in that is no longer needed
+  std::string_view text;                  // for people; lives as long as `remains`
+  std::unique_ptr<PluginChange> remains;  // destroys the plug-in that is no longer needed; before the manager
 };
 
 }  // namespace gaitway::core

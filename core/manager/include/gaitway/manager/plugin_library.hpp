@@ -17,6 +17,11 @@ using SearchPath = std::vector<std::filesystem::path>;
 // folder of the shipped plug-ins; each once.
 [[nodiscard]] SearchPath plugin_search_path(const SearchPath& given);
 
+// Two builds that disagree on the border must not call each other: throws PluginError unless a host that
+// speaks this minor number of the ABI can load the plug-in. `file` is for the message.
+void check_border(const gaitway_plugin& entry, const std::filesystem::path& file,
+                  std::uint32_t minor = GAITWAY_PLUGIN_ABI_MINOR);
+
 class LibraryCopy;
 
 // Keeps the library open for its life. Movable. What is loaded is a private copy in memory, so that the file

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +59,15 @@ struct PluginTiming {
   ServiceState state = ServiceState::works;
 };
 
+// A live parameter's new value on its way.
+struct ParameterChange {
+  PluginSlot* slot = nullptr;  // stays where it is until the next change of plug-ins
+  std::string parameter;
+  std::string text;  // as it was asked for
+  gaitway_value value{};
+  std::string shown;  // the value's text; the old one's once it is applied
+};
+
 class PluginManager {
  public:
   // Loads and constructs all plug-ins, checks the data flow, opens the topics and activates; if anything is
@@ -108,13 +117,26 @@ class PluginManager {
   void end_trial(const Tick& tick) noexcept;
   // Off the tick: what became of the change. Nothing while it is under way.
   [[nodiscard]] std::optional<ChangeResult> take_result();
-  // Between two steps: changes a live parameter, of later versions, too. Throws ConfigurationError or
-  // PluginError.
+  // Changes a live parameter, of later versions, too, in three parts. Off the tick, by another thread if need
+  // be: reads the value. Throws ConfigurationError or PluginError.
+  [[nodiscard]] ParameterChange prepare_parameter(std::string_view plugin, std::string_view parameter,
+                                                  const std::string& text) const;
+  // Between two steps, no allocation. False: the plug-in refuses it, and its fault() says
+  // why.
+  static bool apply(ParameterChange& change) noexcept;
+  // By the thread that prepared it: a reload keeps it.
+  static void keep(const ParameterChange& change);
+  // All three. Throws PluginError also if the plug-in refuses it.
   void set_parameter(std::string_view plugin, std::string_view parameter, const std::string& text);
   // Throws PluginError if there is no such plug-in.
   [[nodiscard]] const ParameterSet& parameters_of(std::string_view plugin) const {
     return slots_[require(plugin)]->plugin->parameters();
   }
+  // Copies a parameter's value, as text, cut off where the room ends. Empty if there is none such. For the
+  // tick's thread, which alone changes values.
+  void copy_value(std::string_view plugin, std::size_t parameter, std::span<char> to) const noexcept;
+  // Whether it faces the network. False if there is no such plug-in.
+  [[nodiscard]] bool serves_network(std::string_view plugin) const noexcept;
 
   // Whether in the last step a plug-in failed on which this topic depends (its writer, or a plug-in that the
   // writer reads from in the same tick, directly or not) and no fallback wrote all its topics. The first such
@@ -138,12 +160,18 @@ class PluginManager {
  private:
   enum class ChangePhase : std::uint8_t { none, waiting, trial, done, failed };
 
+  [[nodiscard]] bool is_behind(const PluginSlot& slot, std::string_view topic) const noexcept;
   [[nodiscard]] const PluginSlot* slot_behind(std::string_view topic) const noexcept;
+  // Of an entry's set-up at the start. A process of its own has its own limit of time, and a crash there
+  // stays there.
+  [[nodiscard]] StepWatch* watch_of(const PluginEntry& entry) const noexcept {
+    return entry.isolation == Isolation::none ? options_.step_watch : nullptr;
+  }
   void load_all(const Configuration& configuration);
   [[nodiscard]] PluginSource source() const {
     return {configuration_file_, options_.robot_directory, search_path_, options_.memory_socket};
   }
-  [[nodiscard]] std::unique_ptr<ManagedPlugin> load(const PluginEntry& entry, EventLog& events) const;
+  [[nodiscard]] std::unique_ptr<ManagedPlugin> load(const PluginEntry& entry);
   void put_in_order(const Configuration& configuration, const msgclient::Client& client);
   void unload() noexcept;
   void add_stand_ins(const Configuration& configuration);
@@ -159,11 +187,9 @@ class PluginManager {
   // With what takes the place of slot `old`, ready to be scheduled.
   [[nodiscard]] std::unique_ptr<PluginChange> plan_replacement(const PluginEntry& entry,
                                                                std::unique_ptr<ManagedPlugin> plugin,
-                                                               std::unique_ptr<EventLog> news,
                                                                PluginTrial* trial);
   [[nodiscard]] std::unique_ptr<PluginChange> plan_change(const std::string& name,
                                                           std::unique_ptr<PluginSlot> incoming,
-                                                          std::unique_ptr<EventLog> news,
                                                           std::size_t old) const;
   void begin_change(const Tick& tick) noexcept;
   void fail_change(const Tick& tick, std::string_view what, std::string_view why) noexcept;
@@ -178,14 +204,12 @@ class PluginManager {
   std::filesystem::path configuration_file_;
   SearchPath search_path_;
   msgclient::Client& client_;
-  EventLog events_, discarded_events_;
+  EventLog events_;  // outlives the plug-ins, which report until they are destroyed
   std::vector<std::unique_ptr<PluginSlot>> slots_;  // in the order of the steps
   std::unique_ptr<PluginChange> change_;
   ChangePhase change_phase_ = ChangePhase::none;
   std::int64_t declared_cost_ns_ = 0;
-  std::atomic<std::int64_t> now_ns_ = 0;  // of the last step
-  PluginSlot* trial_ = nullptr;           // the new plug-in in its first tick
-  std::array<char, 256> change_text_{};
+  PluginSlot* trial_ = nullptr;  // the new plug-in in its first tick
   std::unique_ptr<msgclient::Writer<PluginStatistics>> statistics_writer_;
   PluginStatistics statistics_{};
 };

@@ -1,14 +1,17 @@
 // Requests to change the plug-ins while the robot walks: taken from the queues `plugin_request` and
-// `api_plugin_request` by turns, answered in the stream `plugin_answer`. What takes its time is done by a
-// second thread, which the binary owns. What comes over the network (`api_plugin_request`) names libraries of
-// the search path and no other files: who can write a file somewhere must not have it run here.
+// `api_plugin_request` by turns, answered in the stream `plugin_answer`. What takes its time or allocates is
+// done by a second thread, which the binary owns. What comes over the network (`api_plugin_request`) names
+// libraries of the search path and no other files: who can write a file somewhere must not have it run here.
+// And it takes no plug-in away that serves the network: nothing could bring that back from there.
 #pragma once
 
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -31,34 +34,36 @@ class PluginRequests {
   // Opens the three topics. Throws msgclient::TopicError. Both outlive this object.
   PluginRequests(msgclient::Client& client, PluginManager& manager);
 
-  // The thread of the ticks, after each: takes a request, hands what was prepared to the manager, answers.
-  void step(std::int64_t now_ns);
+  // The thread of the ticks, after each: takes a request, hands what was prepared to the manager, answers. No
+  // allocation, lock or exception.
+  void step(std::int64_t now_ns) noexcept;
 
-  // The other thread: loads, constructs and destroys. work() returns at once when there is nothing to do.
+  // The other thread: reads requests, loads, constructs and destroys, finds words. work() returns at once
+  // when there is nothing to do.
   void work();
   // Sleeps until there is something to do, or end_work() was called; then false, for ever.
   [[nodiscard]] bool wait_for_work() const noexcept;
   void end_work() noexcept;  // from any thread
 
  private:
-  // Whose turn it is: step()'s, but for preparing and clearing.
+  // Whose turn it is: step()'s, where nothing else is said.
   enum class Stage : std::uint32_t {
     idle,
-    preparing,
+    preparing,  // work()'s turn
     prepared,
-    refused,
     scheduled,
-    clearing,
-    cleared,
+    clearing,  // work()'s turn
+    answered,  // the answer's text is there
     ended
   };
 
-  bool take_request();
-  void begin(std::int64_t now_ns);
-  void set_parameter();
-  void describe_parameter();
+  bool take_request() noexcept;
+  void put_in_place() noexcept;  // what was prepared
+  [[nodiscard]] std::string describe_parameter() const;
   void prepare();
-  void answer(std::int64_t now_ns);
+  void clear();
+  void set_text(std::string_view text) noexcept;
+  void answer(std::int64_t now_ns) noexcept;
   void go_to(Stage stage) noexcept;
 
   PluginManager& manager_;
@@ -69,8 +74,10 @@ class PluginRequests {
   bool from_network_ = false;
   PluginRequest request_{};
   bool done_ = false;
-  std::string text_;
-  std::unique_ptr<PluginChange> change_;  // prepared, or no longer needed
+  std::array<char, sizeof(PluginAnswer::text)> text_{};   // of the answer
+  std::array<char, sizeof(PluginAnswer::text)> value_{};  // of the parameter that is to be described
+  std::unique_ptr<PluginChange> change_;                  // prepared, or no longer needed
+  std::optional<ParameterChange> parameter_;              // prepared, or in place
 };
 
 }  // namespace gaitway::core

@@ -1,4 +1,4 @@
-// Which plug-in is being stepped, in memory that outlives the process: so whoever watches it knows the
+// Which plug-in's code is running, in memory that outlives the process: so whoever watches it knows the
 // culprit of a crash or a hang.
 #pragma once
 
@@ -54,6 +54,27 @@ class StepWatch {
 
   process::FileDescriptor memory_;
   Page* page_ = nullptr;
+};
+
+// While it lives, a plug-in's code runs.
+class WatchedCall {
+ public:
+  // `watch` may be nullptr: nobody watches.
+  WatchedCall(StepWatch* watch, std::uint32_t id) noexcept : watch_(watch) {
+    if (watch_ != nullptr) {
+      watch_->enter(id);
+    }
+  }
+  WatchedCall(const WatchedCall&) = delete;
+  WatchedCall& operator=(const WatchedCall&) = delete;
+  ~WatchedCall() {
+    if (watch_ != nullptr) {
+      watch_->leave();
+    }
+  }
+
+ private:
+  StepWatch* watch_;
 };
 
 }  // namespace gaitway::core

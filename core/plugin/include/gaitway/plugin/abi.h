@@ -6,12 +6,24 @@
  * nothing that one side allocated is freed by the other. Texts are UTF-8 and end in NUL; a text that is
  * passed in lives at least as long as the call.
  *
- * Life of an instance, all of it on one thread at a time:
+ * Versions. A plug-in of the same major and of the same or a lower minor number is loaded. Within a major
+ * number no function and no member moves: a minor number adds extensions, constants, or members at a struct's
+ * end. What is optional is an extension: a constant table of functions, asked for by name and version with
+ * get_extension, in both directions. A table never changes under its name; its successor is "name/2".
+ *
+ * Life of an instance:
  *   create -> activate -> step ... step -> deactivate -> (activate ... | destroy)
  * Before the first step restore_state may be called once, after activate; between two steps save_state and
  * set_parameter.
- * A function marked [set-up] may allocate, read files and take its time; one marked [cycle] may not allocate,
- * lock or make system calls. */
+ *
+ * Threads. Each function says which thread calls it:
+ *   [set-up]  one of ordinary priority: that which starts the main controller, and for changes while the
+ *             robot walks another one beside the ticks. May allocate, read files and take its time.
+ *   [tick]    that of the ticks. May not allocate, lock or make system calls.
+ *   [caller]  that which is in a call of this instance at the time; the [tick] rules hold.
+ *   [any]     any thread, also one of the plug-in's own, at any time between create's begin and destroy's
+ *             return, several at once. Does not allocate, lock or make system calls.
+ * [set-up] and [tick] calls of one instance never overlap, and each sees what the one before it wrote. */
 #ifndef GAITWAY_PLUGIN_ABI_H
 #define GAITWAY_PLUGIN_ABI_H
 
@@ -22,7 +34,8 @@ extern "C" {
 #endif
 
 #define GAITWAY_PLUGIN_MAGIC 0x4757504cu /* "GWPL" */
-#define GAITWAY_PLUGIN_ABI 4u            /* grows whenever anything below changes */
+#define GAITWAY_PLUGIN_ABI 5u            /* major: grows when something below changes */
+#define GAITWAY_PLUGIN_ABI_MINOR 0u      /* grows when something is added, see Versions above */
 
 /* What every callback answers. Negative: it failed, and the error text says why. */
 typedef int32_t gaitway_status;
@@ -104,15 +117,6 @@ typedef struct gaitway_parameter {
   uint32_t reserved;
 } gaitway_parameter;
 
-/* What one version of a plug-in hands on to the next. Its meaning is the plug-in's own. */
-typedef struct gaitway_state {
-  void* data;
-  uint32_t capacity; /* bytes at `data` */
-  uint32_t size;     /* bytes in use */
-  uint32_t version;  /* grows whenever the meaning of the bytes changes; 0: nothing is handed on */
-  uint32_t reserved;
-} gaitway_state;
-
 typedef uint32_t gaitway_period;
 enum { GAITWAY_EVERY_TICK = 0, GAITWAY_EVERY_BATCH = 1 };
 
@@ -135,53 +139,81 @@ typedef struct gaitway_host {
                               const gaitway_text* error);
   /* [set-up] In create only. Default: every tick. */
   gaitway_status (*set_period)(void* context, gaitway_period period, const gaitway_text* error);
-  /* [set-up] Folder of the robot's description; belongs to the host and lives until destroy returns. */
+  /* [any] Folder of the robot's description; belongs to the host and lives until destroy returns. */
   const char* (*robot_directory)(void* context);
-  /* [set-up] Path of the socket at which the memory block's server takes clients; empty: there is none.
-   * Belongs to the host and lives until destroy returns. */
-  const char* (*memory_socket)(void* context);
-  /* [set-up] The one folder in which a plug-in that serves the network may create files; empty: there is
-   * none, or the plug-in is not bound to one. Belongs to the host and lives until destroy returns. */
-  const char* (*write_folder)(void* context);
 
-  /* [cycle] In activate, step and deactivate. If the port's value is newer than `sample`, copies it into
+  /* [caller] In activate, step and deactivate. If the port's value is newer than `sample`, copies it into
    * `value` (the topic's size) and updates `sample`; else touches neither. GAITWAY_OK: `value` holds a value.
    * GAITWAY_NO_VALUE: there has never been one. GAITWAY_FAILED: the port is none to read, or not bound yet.
    */
   gaitway_status (*read)(void* context, gaitway_port* port, void* value, gaitway_sample* sample);
-  /* [cycle] In step only. Copies `value`; the last one of a step goes out when that step has returned
+  /* [tick] In step only. Copies `value`; the last one of a step goes out when that step has returned
    * GAITWAY_OK, and is thrown away when it failed. GAITWAY_FAILED: the port is none to write, or this is not
    * a step. */
   gaitway_status (*publish)(void* context, gaitway_port* port, const void* value);
-  /* [cycle] At any time. Puts a line into the host's list of events; cut off after 160 bytes. */
+  /* [any] Puts a line into the host's list of events; cut off after 160 bytes. What comes faster than the
+   * ticks take it up is counted, and the count becomes an event. */
   void (*report)(void* context, gaitway_severity severity, const char* text);
+  /* [any] What the host offers under that name, such as GAITWAY_NETWORK_EXTENSION; null: it does not. Belongs
+   * to the host and lives until destroy returns. */
+  const void* (*get_extension)(void* context, const char* name);
 } gaitway_host;
 
-/* What create fills in. All but destroy answer a status and, when they fail, an error text. The first five
- * are there in every instance; the others may be null. */
+/* Of the host: what a plug-in needs that works beside the steps, as a client of its own. */
+#define GAITWAY_NETWORK_EXTENSION "gaitway.network/1"
+typedef struct gaitway_network {
+  /* [any] Path of the socket at which the memory block's server takes clients; empty: there is none. Belongs
+   * to the host and lives until destroy returns. `context`: gaitway_host's. */
+  const char* (*memory_socket)(void* context);
+  /* [any] The one folder in which a plug-in that serves the network may create files; empty: there is none,
+   * or the plug-in is not bound to one. Belongs to the host and lives until destroy returns. */
+  const char* (*write_folder)(void* context);
+} gaitway_network;
+
+/* What create fills in. All but destroy and get_extension answer a status and, when they fail, an error text.
+ * The first five are there in every instance; the others may be null. */
 typedef struct gaitway_instance {
   void* context;
   gaitway_status (*activate)(void* context, const gaitway_text* error);                       /* [set-up] */
-  gaitway_status (*step)(void* context, const gaitway_tick* tick, const gaitway_text* error); /* [cycle] */
+  gaitway_status (*step)(void* context, const gaitway_tick* tick, const gaitway_text* error); /* [tick] */
   gaitway_status (*deactivate)(void* context, const gaitway_text* error);                     /* [set-up] */
   void (*destroy)(void* context);                                                             /* [set-up] */
-  /* [cycle] Between two steps: a live parameter has this value from now on. */
+  /* [tick] Between two steps: a live parameter has this value from now on. */
   gaitway_status (*set_parameter)(void* context, const char* name, const gaitway_value* value,
                                   const gaitway_text* error);
-  /* [cycle] Between two steps: fills in data, size and version, at most `capacity` bytes. */
-  gaitway_status (*save_state)(void* context, gaitway_state* state, const gaitway_text* error);
-  /* [cycle] Before the first step, of a new version that takes over from another: fails for another version
-   * or size. */
-  gaitway_status (*restore_state)(void* context, const gaitway_state* state, const gaitway_text* error);
+  /* [any] What the plug-in offers under that name, such as GAITWAY_STATE_EXTENSION; null: it does not. Lives
+   * until destroy returns. */
+  const void* (*get_extension)(void* context, const char* name);
 } gaitway_instance;
 
-/* The one exported symbol. Its first two numbers keep their places in every future version; the sizes
- * are compared only when these agree. */
+/* What one version of a plug-in hands on to the next. Its meaning is the plug-in's own. */
+typedef struct gaitway_state {
+  void* data;
+  uint32_t capacity; /* bytes at `data` */
+  uint32_t size;     /* bytes in use */
+  uint32_t version;  /* grows whenever the meaning of the bytes changes; 0: nothing is handed on */
+  uint32_t reserved;
+} gaitway_state;
+
+/* Of the plug-in: it hands its state on to the version that takes its place. */
+#define GAITWAY_STATE_EXTENSION "gaitway.state/1"
+typedef struct gaitway_state_functions {
+  /* [tick] Between two steps: fills in data, size and version, at most `capacity` bytes. `context`:
+   * gaitway_instance's. */
+  gaitway_status (*save_state)(void* context, gaitway_state* state, const gaitway_text* error);
+  /* [tick] Before the first step, of a new version that takes over from another: fails for another version
+   * or size. */
+  gaitway_status (*restore_state)(void* context, const gaitway_state* state, const gaitway_text* error);
+} gaitway_state_functions;
+
+/* The one exported symbol. Its first three numbers keep their places in every future version; the sizes
+ * are compared only when these fit. */
 typedef struct gaitway_plugin {
-  uint32_t magic; /* GAITWAY_PLUGIN_MAGIC */
-  uint32_t abi;   /* GAITWAY_PLUGIN_ABI */
+  uint32_t magic;     /* GAITWAY_PLUGIN_MAGIC */
+  uint32_t abi;       /* GAITWAY_PLUGIN_ABI */
+  uint32_t abi_minor; /* GAITWAY_PLUGIN_ABI_MINOR */
   uint32_t plugin_size, host_size, instance_size, tick_size, topic_size, float_field_size, sample_size,
-      parameter_size, value_size, state_size; /* sizeof each */
+      parameter_size, value_size; /* sizeof each */
   const char* name;
   const char* version;
   const char* description;
@@ -191,11 +223,10 @@ typedef struct gaitway_plugin {
 
 /* The head of gaitway_plugin, for its initialiser. */
 #define GAITWAY_PLUGIN_HEAD                                                                               \
-  GAITWAY_PLUGIN_MAGIC, GAITWAY_PLUGIN_ABI, (uint32_t)sizeof(gaitway_plugin),                             \
+  GAITWAY_PLUGIN_MAGIC, GAITWAY_PLUGIN_ABI, GAITWAY_PLUGIN_ABI_MINOR, (uint32_t)sizeof(gaitway_plugin),   \
       (uint32_t)sizeof(gaitway_host), (uint32_t)sizeof(gaitway_instance), (uint32_t)sizeof(gaitway_tick), \
       (uint32_t)sizeof(gaitway_topic), (uint32_t)sizeof(gaitway_float_field),                             \
-      (uint32_t)sizeof(gaitway_sample), (uint32_t)sizeof(gaitway_parameter),                              \
-      (uint32_t)sizeof(gaitway_value), (uint32_t)sizeof(gaitway_state)
+      (uint32_t)sizeof(gaitway_sample), (uint32_t)sizeof(gaitway_parameter), (uint32_t)sizeof(gaitway_value)
 
 extern __attribute__((visibility("default"))) const gaitway_plugin gaitway_plugin_entry;
 

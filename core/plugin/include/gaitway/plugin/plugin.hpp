@@ -115,8 +115,8 @@ class Output {
 
 enum class Severity : std::uint32_t { info = 0, warning = 1, error = 2 };
 
-// Puts lines into the run's list of events. May be kept for the plug-in's life and used in step(); no
-// allocation.
+// Puts lines into the run's list of events. May be kept for the plug-in's life and used on any thread; no
+// allocation, no lock.
 class Reporter {
  public:
   void operator()(Severity severity, const char* text) const noexcept {
@@ -246,13 +246,23 @@ class Setup {
   }
   // Where the memory block's server takes clients; empty: nowhere. For a plug-in that works beside the steps,
   // as a client of its own: msgclient::Client::connect().
-  [[nodiscard]] std::filesystem::path memory_socket() const { return host_->memory_socket(host_->context); }
+  [[nodiscard]] std::filesystem::path memory_socket() const {
+    const gaitway_network* const network = network_functions();
+    return network == nullptr ? "" : network->memory_socket(host_->context);
+  }
   // With `network: serve`: the folder that the configuration's key `writes` names, the only one in which
   // files may be created; else empty.
-  [[nodiscard]] std::filesystem::path write_folder() const { return host_->write_folder(host_->context); }
+  [[nodiscard]] std::filesystem::path write_folder() const {
+    const gaitway_network* const network = network_functions();
+    return network == nullptr ? "" : network->write_folder(host_->context);
+  }
   [[nodiscard]] Reporter reporter() const noexcept { return Reporter(host_); }
 
  private:
+  [[nodiscard]] const gaitway_network* network_functions() const noexcept {
+    return static_cast<const gaitway_network*>(
+        host_->get_extension(host_->context, GAITWAY_NETWORK_EXTENSION));
+  }
   template <class Call>
   static void check(const Call& call) {
     detail::ErrorBuffer buffer;

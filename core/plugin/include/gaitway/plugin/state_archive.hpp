@@ -92,7 +92,7 @@ class StateReader {
     (get(values), ...);
   }
   // Of bytes that were not asked for: the layouts differ.
-  [[nodiscard]] std::size_t left() const noexcept { return bytes_.size() - used_; }
+  [[nodiscard]] std::size_t remaining() const noexcept { return bytes_.size() - used_; }
 
  private:
   template <class T>
@@ -108,7 +108,7 @@ class StateReader {
       for (std::size_t i = 0; i < static_cast<std::size_t>(value.size()); ++i) get(value.data()[i]);
     } else {
       static_assert(detail::Plain<T>, "give this class a visit_state(), see above");
-      if (left() < sizeof value) {
+      if (remaining() < sizeof value) {
         throw StateError("the state that was handed on is too short");
       }
       std::memcpy(&value, bytes_.data() + used_, sizeof value);

@@ -28,6 +28,15 @@ inline void write_text(const gaitway_text* to, const char* text) noexcept {
   to->data[length] = '\0';
 }
 
+// Nullptr: the plug-in hands no state on.
+[[nodiscard]] inline const gaitway_state_functions* state_functions(
+    const gaitway_instance& instance) noexcept {
+  return instance.get_extension == nullptr
+             ? nullptr
+             : static_cast<const gaitway_state_functions*>(
+                   instance.get_extension(instance.context, GAITWAY_STATE_EXTENSION));
+}
+
 class ErrorBuffer {
  public:
   [[nodiscard]] gaitway_text text() noexcept {
@@ -81,8 +90,7 @@ class PluginBorder {
       auto border = std::make_unique<PluginBorder>();
       SetupType setup(host, &border->calls_, &border->live_);
       border->plugin_ = std::make_unique<Class>(setup);
-      *instance = {border.release(), &activate,      &step,       &deactivate,
-                   &destroy,         &set_parameter, &save_state, &restore_state};
+      *instance = {border.release(), &activate, &step, &deactivate, &destroy, &set_parameter, &get_extension};
     });
   }
 
@@ -112,6 +120,10 @@ class PluginBorder {
     write_text(error, "this parameter does not change while the plug-in runs");
     return GAITWAY_FAILED;
   }
+  static const void* get_extension(void* /*context*/, const char* name) noexcept {
+    static constexpr gaitway_state_functions kState{&save_state, &restore_state};
+    return std::strcmp(name, GAITWAY_STATE_EXTENSION) == 0 ? &kState : nullptr;
+  }
   static gaitway_status save_state(void* context, gaitway_state* state, const gaitway_text* error) noexcept {
     return guarded(error, [&] {
       const Base& plugin = *static_cast<PluginBorder*>(context)->plugin_;
@@ -131,9 +143,9 @@ class PluginBorder {
       }
       StateReader reader({static_cast<const std::byte*>(state->data), state->size});
       plugin.restore_state(reader);
-      if (reader.left() != 0) {
-        throw StateError("left " + std::to_string(reader.left()) + " of " + std::to_string(state->size) +
-                         " bytes of the state that was handed on");
+      if (reader.remaining() != 0) {
+        throw StateError("takes over all but " + std::to_string(reader.remaining()) + " of " +
+                         std::to_string(state->size) + " bytes of the state that was handed on");
       }
     });
   }

@@ -1,0 +1,54 @@
+// The supervisor's own faults: what it started ends with it.
+#include "gaitway/core/supervisor.hpp"
+
+#include <gtest/gtest.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <system_error>
+
+namespace gaitway::core {
+namespace {
+
+// From now on, for this process and its children.
+bool forbid_pidfd_open() {
+  std::array filter{
+      sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_pidfd_open, 0, 1),
+      sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EMFILE),
+      sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+  };
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+TEST(Supervisor, WorkerThatCannotBeWatchedIsEnded) {
+  const pid_t supervisor = fork();
+  if (supervisor == 0) {
+    if (!forbid_pidfd_open()) {
+      _exit(1);
+    }
+    try {
+      supervise({.program = "/bin/sh", .arguments = {"-c", "exec sleep 1000"}, .quiet = true});
+      _exit(2);
+    } catch (const std::system_error&) {
+      _exit(waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD ? 0 : 3);  // 3: a child is left behind
+    }
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(supervisor, &status, 0), supervisor);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+}  // namespace
+}  // namespace gaitway::core
