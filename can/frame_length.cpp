@@ -1,5 +1,5 @@
 // CRC-15 and bit stuffing, a byte at a time by tables.
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 #include <array>
 

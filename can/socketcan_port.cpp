@@ -10,7 +10,7 @@
 
 #include "can_link.hpp"
 #include "can_socket.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
 namespace {

@@ -1,5 +1,5 @@
 // Names and lines.
-#include "gaitway/can/socketcan_report.hpp"
+#include "gaitway/can/socketcan_port.hpp"
 
 namespace gaitway::can {
 

@@ -4,7 +4,6 @@
 namespace gaitway::localcontroller {
 namespace {
 
-constexpr double kServoPeriod_s = 0.001;
 constexpr double kStiffeningPerStep = kServoPeriod_s / 0.5;  // from no torque to all of it in half a second
 constexpr double kTurn_rad = 6.283185307179586;
 constexpr double kPositionCount_rad = kTurn_rad / 65536.0;

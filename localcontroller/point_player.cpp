@@ -6,9 +6,9 @@ namespace {
 
 constexpr int kLastSlot = can::kBatchPoints - 1;
 // A segment is not made shorter than this, so that making up for lost time is no jump.
-constexpr std::int64_t kShortestSegment_ns = 1'000'000;
+constexpr std::int64_t kShortestSegment_ns = facts::kMillisecond_ns;
 // Until the joint takes the next slot without SYNC: it does so in a servo step, and those are 1 ms apart.
-constexpr std::int64_t kLongestCoast_ns = kSyncGrace_ns + 1'000'000;
+constexpr std::int64_t kLongestCoast_ns = kSyncGrace_ns + facts::kMillisecond_ns;
 
 }  // namespace
 
@@ -270,7 +270,7 @@ PointPlayer::Reference PointPlayer::reference(std::int64_t now_ns) const noexcep
 
 double PointPlayer::coasting_rate_per_s() const noexcept {
   const int next = slot_ < kLastSlot ? slot_ + 1 : kLastSlot;
-  return executing_[static_cast<std::size_t>(next)] / (static_cast<double>(facts::kSlot_ns) * 1e-9);
+  return executing_[static_cast<std::size_t>(next)] / facts::kSlot_s;
 }
 
 }  // namespace gaitway::localcontroller

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "gaitway/can/finish_sending.hpp"
+#include "gaitway/can/bus_port.hpp"
 
 namespace gaitway::msgcontroller {
 

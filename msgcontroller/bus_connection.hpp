@@ -10,7 +10,6 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/simulated/bus_client.hpp"
 #include "gaitway/can/socketcan_port.hpp"
-#include "gaitway/can/socketcan_report.hpp"
 
 namespace gaitway::msgcontroller {
 

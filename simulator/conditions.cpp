@@ -1,9 +1,11 @@
 // Reads the conditions of a trial.
-#include "conditions_yaml.hpp"
 
 #include <array>
 #include <numbers>
 #include <string_view>
+
+#include "gaitway/input/yaml_value.hpp"
+#include "gaitway/simulator/conditions.hpp"
 
 namespace gaitway::simulator {
 namespace {

@@ -1,5 +1,5 @@
 // Lays plane, step and tiles.
-#include "ground.hpp"
+#include "physics_model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
 
 #include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/simulator/joint_network.hpp"
@@ -42,5 +44,19 @@ class InterfaceRobot {
   std::optional<can::TimedFrame> arrived_;  // its millisecond has not come yet
   std::int64_t next_ns_;
 };
+
+struct InterfaceRun {
+  std::string interface;
+  std::filesystem::path summary;   // empty: the terminal
+  std::filesystem::path walk_log;  // empty: none
+  std::filesystem::path sent_log;  // empty: none
+  PlantOptions plant;
+  double seconds = 0.0;  // 0: until told to stop
+  int priority = 0;      // SCHED_FIFO
+};
+
+// Returns when its time is over or it is told to stop. Throws can::BusError when the interface cannot be used
+// at the start, std::runtime_error when a file cannot be written.
+void run_on_interface(const urdf::RobotModel& robot, const InterfaceRun& options);
 
 }  // namespace gaitway::simulator

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "gaitway/facts/facts.hpp"
-#include "ground.hpp"
 
 namespace gaitway::simulator {
 namespace {

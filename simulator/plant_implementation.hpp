@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "gaitway/simulator/plant.hpp"
-#include "ground.hpp"
 #include "physics_model.hpp"
 #include "random_stream.hpp"
 

@@ -9,10 +9,10 @@
 #include <iterator>
 #include <utility>
 
-#include "conditions_yaml.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/simulator/conditions.hpp"
 
 namespace gaitway::simulator {
 namespace {

@@ -22,7 +22,6 @@
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "interface_robot.hpp"
-#include "interface_run.hpp"
 #include "walk_watch.hpp"
 
 namespace {

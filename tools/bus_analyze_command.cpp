@@ -10,9 +10,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "gaitway/can/analysis/breakdown_load.hpp"
 #include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/analysis/priority_assignment.hpp"
+#include "gaitway/can/analysis/response_time.hpp"
 #include "gaitway/can/frame.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/tools/bus_watch_text.hpp"
 

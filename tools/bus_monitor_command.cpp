@@ -11,7 +11,7 @@
 
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/error_frame.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/tools/bus_listener.hpp"

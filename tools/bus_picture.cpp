@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/tools/svg_plot.hpp"
 
 namespace gaitway::tools {

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::tools {

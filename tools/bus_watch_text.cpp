@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::tools {

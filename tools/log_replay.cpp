@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/tools/bus_watch.hpp"

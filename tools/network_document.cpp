@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "network_document_text.hpp"
 
 namespace gaitway::tools {

@@ -4,9 +4,9 @@
 #include <numeric>
 #include <vector>
 
-#include "gaitway/can/analysis/breakdown_load.hpp"
 #include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/analysis/priority_assignment.hpp"
+#include "gaitway/can/analysis/response_time.hpp"
 
 namespace gaitway::can {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "gaitway/can/candump_log.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
 

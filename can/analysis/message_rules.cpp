@@ -1,5 +1,5 @@
 // Ranges of what the analysis takes.
-#include "message_rules.hpp"
+#include "transmit_queues.hpp"
 
 #include <algorithm>
 #include <numeric>

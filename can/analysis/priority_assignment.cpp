@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "message_rules.hpp"
 #include "transmit_queues.hpp"
 
 namespace gaitway::can {

@@ -2,8 +2,9 @@
 #include "gaitway/can/analysis/response_time.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "transmit_queues.hpp"
 
 namespace gaitway::can {
@@ -49,6 +50,27 @@ double bus_load(std::span<const AnalysedMessage> messages, std::int64_t bit_time
             static_cast<double>(message.period_ns);
   }
   return load;
+}
+
+std::optional<Breakdown> breakdown(std::span<const AnalysedMessage> messages,
+                                   const AnalysisOptions& options) {
+  AnalysisOptions tried = options;
+  const auto meets_all = [&](std::int64_t bit_time_ns) {
+    tried.bit_time_ns = bit_time_ns;
+    return all_schedulable(messages, tried);
+  };
+  if (messages.empty() || !meets_all(1)) {
+    return std::nullopt;
+  }
+  // No bus carries more than it has time for.
+  const double full_ns = 1.0 / bus_load(messages, 1);
+  std::int64_t good_ns = 1;
+  std::int64_t bad_ns = std::max<std::int64_t>(2, std::llround(std::min(full_ns * 1.001, 1e9)) + 1);
+  while (bad_ns - good_ns > 1) {
+    const std::int64_t middle_ns = good_ns + (bad_ns - good_ns) / 2;
+    (meets_all(middle_ns) ? good_ns : bad_ns) = middle_ns;
+  }
+  return Breakdown{good_ns, bus_load(messages, good_ns)};
 }
 
 }  // namespace gaitway::can

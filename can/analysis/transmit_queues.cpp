@@ -5,8 +5,6 @@
 #include <map>
 #include <numeric>
 
-#include "message_rules.hpp"
-
 namespace gaitway::can {
 namespace {
 

@@ -13,6 +13,12 @@
 
 namespace gaitway::can {
 
+// Throws std::invalid_argument, see response_times.
+void check_messages(std::span<const AnalysedMessage> messages, const AnalysisOptions& options);
+
+// Indices, the most urgent first.
+[[nodiscard]] std::vector<std::size_t> by_priority(std::span<const AnalysedMessage> messages);
+
 class TransmitQueues {
  public:
   // Ranks are those of the identifiers. Throws std::invalid_argument, see response_times.

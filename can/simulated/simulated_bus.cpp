@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
 namespace {

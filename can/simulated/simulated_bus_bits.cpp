@@ -1,7 +1,7 @@
 // The simulated bus while something is wrong: all stations bit by bit, until all of them are idle again.
 #include <algorithm>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
 
 namespace gaitway::can {

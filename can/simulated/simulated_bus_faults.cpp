@@ -1,7 +1,7 @@
 // What is done to the simulated bus: faults drawn for each frame, and those that have their time.
 #include <algorithm>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
 
 namespace gaitway::can {

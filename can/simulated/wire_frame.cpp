@@ -1,7 +1,7 @@
 // Fields of a frame in their order on the wire (ISO 11898-1, frame formats and bit stuffing).
 #include "gaitway/can/simulated/wire_frame.hpp"
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
 

@@ -13,7 +13,7 @@ namespace gaitway::target {
 namespace {
 
 constexpr std::uint8_t kHighPriority = 0x40, kLowPriority = 0x80;
-constexpr std::uint32_t kServoRate_Hz = 1000;
+constexpr std::uint32_t kServoRate_Hz = facts::kSecond_ns / localcontroller::kServoPeriod_ns;
 constexpr double kDegree_rad = 3.141592653589793 / 180.0;
 
 struct Firmware {

@@ -1,5 +1,5 @@
 // Exact lengths against a reference that builds the frame bit by bit.
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 #include <gtest/gtest.h>
 

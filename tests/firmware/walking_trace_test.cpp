@@ -13,7 +13,7 @@
 
 #include "emulator.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
-#include "gaitway/simulator/joint_config.hpp"
+#include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "trace_output.hpp"
 #include "trace_writer.hpp"

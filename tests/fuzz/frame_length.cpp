@@ -1,6 +1,6 @@
-// CRC-15, exact length and bits of frames of all formats (can/frame_length.hpp, can/wire_frame.hpp) against a
+// CRC-15, exact length and bits of frames of all formats (can/frame.hpp, can/simulated/wire_frame.hpp) against a
 // slow reference; and never longer than the worst case.
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 #include <cstdint>
 #include <span>

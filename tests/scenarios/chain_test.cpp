@@ -8,7 +8,7 @@
 #include <map>
 
 #include "gaitway/can/candump_log.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "simulated_run.hpp"

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/tools/bus_watch_text.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "allocation_count.hpp"
 #include "can_station.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
 namespace {

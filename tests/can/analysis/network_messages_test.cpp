@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bus_traffic.hpp"
-#include "gaitway/can/analysis/breakdown_load.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/analysis/response_time.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <vector>
 
-#include "gaitway/can/analysis/breakdown_load.hpp"
 #include "gaitway/can/analysis/network_messages.hpp"
+#include "gaitway/can/analysis/response_time.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "random_messages.hpp"
 

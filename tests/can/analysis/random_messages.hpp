@@ -14,7 +14,7 @@
 
 #include "bus_traffic.hpp"
 #include "gaitway/can/analysis/response_time.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 namespace gaitway::can::test {
 

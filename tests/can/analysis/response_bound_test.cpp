@@ -8,7 +8,7 @@
 
 #include "bus_traffic.hpp"
 #include "gaitway/can/analysis/response_time.hpp"
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "random_messages.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
 namespace {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/can/simulated/bus_client.hpp"
 #include "gaitway/facts/facts.hpp"
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {

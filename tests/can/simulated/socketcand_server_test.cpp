@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::can {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "gaitway/can/frame_length.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
 #include "gaitway/facts/facts.hpp"
 

@@ -3,10 +3,17 @@
 
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 
 #include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
+
+// What can go wrong between a station and its bus: the text names the path, what was tried, why it failed and
+// what to do.
+class BusError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // A frame from the bus and when it was on it.
 struct TimedFrame {
@@ -64,5 +71,9 @@ class BusPort {
   // Where frames come from, to wait on with poll().
   [[nodiscard]] virtual int wake_fd() const noexcept = 0;
 };
+
+// For programs at their end: waits until the bus has what was transmitted, `longest_ns` at most. True: it
+// has. What others send meanwhile is discarded.
+bool finish_sending(BusPort& port, std::int64_t longest_ns = 100'000'000);
 
 }  // namespace gaitway::can

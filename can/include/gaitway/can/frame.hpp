@@ -1,5 +1,6 @@
-// A classic CAN frame: the unit that everything on the bus is made of. The robot's own messages are data
-// frames with an 11-bit identifier; the other formats exist because a bus can carry them.
+// A classic CAN frame, the unit that everything on the bus is made of, and its length on the wire, to the
+// bit: CRC-15 and stuff bits are computed, not estimated. The robot's own messages are data frames with an
+// 11-bit identifier; the other formats exist because a bus can carry them. Freestanding.
 #pragma once
 
 #include <array>
@@ -39,6 +40,23 @@ inline constexpr std::uint32_t kLargestExtendedId = 0x1FFF'FFFF;
     return (frame.id << 21U) | (remote << 20U);
   }
   return ((frame.id >> 18U) << 21U) | (3U << 19U) | ((frame.id & 0x3'FFFFU) << 1U) | remote;
+}
+
+inline constexpr int kInterframeBits = 3;
+inline constexpr int kTrailerBits = 10;  // CRC delimiter, ACK slot, ACK delimiter, end of frame (7)
+
+// CRC-15 of the frame (polynomial 0x4599) over start of frame to the last data bit, without stuff bits.
+[[nodiscard]] std::uint16_t crc15(const Frame& frame) noexcept;
+
+// Bits from start of frame to the last bit of end-of-frame, stuff bits included, interframe space not.
+[[nodiscard]] int frame_bits(const Frame& frame) noexcept;
+
+// Longest possible frame of `size` data bytes, interframe space included (Davis, Burns, Bril, Lukkien 2007):
+// g + 8s + 13 + floor((g + 8s - 1) / 4), g = 34 with an 11-bit identifier and 54 with one of 29 bits. 135 or
+// 160 bits for 8 bytes. A remote frame is as long as a data frame without data.
+[[nodiscard]] constexpr int worst_case_bits(int size, bool extended = false) noexcept {
+  const int stuffable = (extended ? 54 : 34) + 8 * size;
+  return stuffable + 13 + (stuffable - 1) / 4;
 }
 
 }  // namespace gaitway::can

@@ -7,9 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "gaitway/can/bus_error.hpp"
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/error_frame.hpp"
@@ -157,6 +158,25 @@ class SocketCanPort final : public BusPort {
   std::int64_t next_look_ns_ = 0;  // at the interface, or for a restart
   std::int64_t last_end_ns_ = 0;
   std::int64_t bit_time_ns_ = 1000;
+};
+
+// What people get to read of a port: its counters by name, and a line when its state changes.
+[[nodiscard]] std::string_view name_of(BusState state) noexcept;
+
+// Every counter under the name that it has in SocketCanStatistics, in that order.
+[[nodiscard]] std::vector<std::pair<std::string_view, std::uint64_t>> counters(
+    const SocketCanStatistics& statistics);
+
+class SocketCanReporter {
+ public:
+  // A line to print when the port's state is another than at the last call, or when a restart was refused for
+  // the first time since; empty otherwise.
+  [[nodiscard]] std::string news(const SocketCanPort& port);
+
+ private:
+  BusState state_ = BusState::error_active;
+  std::uint64_t refused_before_ = 0;
+  bool told_problem_ = false;
 };
 
 }  // namespace gaitway::can

@@ -16,6 +16,10 @@
 
 namespace gaitway::localcontroller {
 
+// How often a joint's controller steps.
+inline constexpr std::int64_t kServoPeriod_ns = facts::kMillisecond_ns;
+inline constexpr double kServoPeriod_s = 0.001;
+
 // What one joint's firmware is configured with; the loader fills it from the robot's network file.
 struct JointConfig {
   can::Profile profile = can::kFullProfile;

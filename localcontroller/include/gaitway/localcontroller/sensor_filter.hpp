@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdint>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::localcontroller {
 
 class SensorFilter {
  public:
-  static constexpr int kSamples = 10;
+  static constexpr int kSamples = static_cast<int>(facts::kSlot_ns / facts::kMillisecond_ns);
 
   void add(float sample) noexcept {
     sum_ += sample - samples_[next_];

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::localcontroller {
 
 // Without a trim frame for three time slots the correction goes back to zero.
-inline constexpr std::int64_t kTrimTimeout_ns = 30'000'000;
-inline constexpr double kTrimInterval_s = 0.010;  // between two trim frames
+inline constexpr std::int64_t kTrimTimeout_ns = 3 * facts::kSlot_ns;
+inline constexpr double kTrimInterval_s = facts::kSlot_s;  // between two trim frames
 
 class TrimSlew {
  public:

@@ -1,5 +1,7 @@
-// Owns a file descriptor.
+// Owns a file descriptor and closes it: a socket, an event or shared memory that must not outlive its user.
 #pragma once
+
+#include <unistd.h>
 
 #include <utility>
 
@@ -14,7 +16,9 @@ class FileDescriptor {
     std::swap(fd_, other.fd_);
     return *this;
   }
-  ~FileDescriptor();
+  ~FileDescriptor() {
+    if (fd_ >= 0) close(fd_);
+  }
   // The caller owns it from now on.
   [[nodiscard]] int release() noexcept { return std::exchange(fd_, -1); }
   [[nodiscard]] int get() const noexcept { return fd_; }

@@ -22,6 +22,10 @@
 
 #include "gaitway/urdf/robot_model.hpp"
 
+namespace gaitway::input {
+class YamlValue;
+}
+
 namespace gaitway::simulator {
 
 inline constexpr double kTileSide_m = 0.1;
@@ -58,5 +62,8 @@ struct Conditions {
   GroundConditions ground;
   BodyConditions body;
 };
+
+// As a scenario writes them. Throws input::InputError with file, line, field, value and rule.
+[[nodiscard]] Conditions read_conditions(const input::YamlValue& value);
 
 }  // namespace gaitway::simulator

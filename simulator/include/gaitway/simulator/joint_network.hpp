@@ -14,6 +14,9 @@
 
 namespace gaitway::simulator {
 
+// Configuration of the local controller of joint `joint` (index into RobotModel::joints), standing at home.
+localcontroller::JointConfig joint_config(const urdf::RobotModel& robot, int joint);
+
 class JointNetwork {
  public:
   // Clock drifts are drawn from the seed, uniform within ±`largest_drift_ppm`.

@@ -73,4 +73,15 @@ struct MessageResponse {
 // Share of the bus that the messages take when all frames are as long as they can be; errors not counted.
 [[nodiscard]] double bus_load(std::span<const AnalysedMessage> messages, std::int64_t bit_time_ns = 1000);
 
+// How much slower the bus could be before the first message misses its deadline.
+struct Breakdown {
+  std::int64_t bit_time_ns = 0;  // the slowest bus, to the nanosecond, on which every deadline is met
+  double load = 0.0;             // of the bus at that speed: the breakdown load
+};
+
+// All frames grow by the same factor; periods, jitters, deadlines and the durations of jams stay. Below
+// options.bit_time_ns where the messages miss a deadline as they are. Nothing where no speed helps.
+[[nodiscard]] std::optional<Breakdown> breakdown(std::span<const AnalysedMessage> messages,
+                                                 const AnalysisOptions& options = {});
+
 }  // namespace gaitway::can

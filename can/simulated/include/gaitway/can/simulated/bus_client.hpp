@@ -7,7 +7,6 @@
 #include <optional>
 #include <string_view>
 
-#include "gaitway/can/bus_error.hpp"
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 

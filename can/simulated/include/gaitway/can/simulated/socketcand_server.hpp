@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/can/bus_error.hpp"
+#include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 
