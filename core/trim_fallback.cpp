@@ -11,7 +11,7 @@ namespace gaitway::core {
 namespace {
 
 constexpr double kTrimLimit_rad = 0.11;  // the message controller limits further, to the robot's own
-constexpr std::int64_t kEstimateLifetime_ns = 50'000'000;
+constexpr std::int64_t kTrimmedEstimateLifetime_ns = 50'000'000;
 constexpr double kFallen_rad = 0.8;
 constexpr double kPerTick = 0.1;  // of the way to a law of zero when the estimate is of no use
 
@@ -40,7 +40,7 @@ void TrimFallback::begin(const Tick& tick) noexcept {
 
 void TrimFallback::update_law(const Tick& tick) noexcept {
   const bool usable = with_gains_ && estimate_reader_.read(estimate_) &&
-                      tick.now_ns - estimate_.stamp_ns <= kEstimateLifetime_ns &&
+                      tick.now_ns - estimate_.stamp_ns <= kTrimmedEstimateLifetime_ns &&
                       std::abs(estimate_.attitude[0]) < kFallen_rad &&
                       std::abs(estimate_.attitude[1]) < kFallen_rad &&
                       (estimate_.contact[0] != 0 || estimate_.contact[1] != 0);

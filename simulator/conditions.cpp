@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/simulator/conditions.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 using input::YamlValue;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+using facts::kRadPerDegree;
 constexpr double kSteepest_deg = 30.0;
 
 void read_number(const YamlValue& map, std::string_view key, const input::Range& range, double& target,
@@ -39,7 +40,7 @@ GroundConditions read_ground(const YamlValue& value) {
   if (const auto friction = value.find("friction")) ground.friction = friction->number({0.01, 5.0, ""});
   if (const auto slope = value.find("slope_deg")) {
     const std::array<double, 2> rise = slope->numbers<2>({-kSteepest_deg, kSteepest_deg, "deg"});
-    ground.slope_rad = {kRadPerDeg * rise[0], kRadPerDeg * rise[1]};
+    ground.slope_rad = {kRadPerDegree * rise[0], kRadPerDegree * rise[1]};
   }
   read_number(value, "tiles_m", {0.0, 0.05, "m"}, ground.tile_height_m);
   if (const auto step = value.find("step")) {
@@ -53,9 +54,9 @@ BodyConditions read_body(const YamlValue& value) {
   BodyConditions body;
   read_number(value, "trunk_mass_factor", {0.1, 5.0, ""}, body.trunk_mass_factor);
   read_number(value, "torque_factor", {0.0, 5.0, ""}, body.torque_factor);
-  read_number(value, "backlash_deg", {0.0, 5.0, "deg"}, body.backlash_rad, kRadPerDeg);
+  read_number(value, "backlash_deg", {0.0, 5.0, "deg"}, body.backlash_rad, kRadPerDegree);
   read_number(value, "gyro_bias_deg_per_s", {0.0, 10.0, "deg/s"}, body.gyro_bias_deviation_rad_per_s,
-              kRadPerDeg);
+              kRadPerDegree);
   read_number(value, "cell_gain_deviation", {0.0, 0.5, ""}, body.cell_gain_deviation);
   if (const auto cell = value.find("dead_cell")) body.dead_cell = read_dead_cell(*cell);
   return body;

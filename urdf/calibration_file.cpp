@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 using Keys = std::vector<std::string_view>;
 
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
+using facts::kRadPerDegree;
 constexpr input::Range kZero_deg{-20.0, 20.0, "deg"};
 constexpr input::Range kComOffset_m{-0.1, 0.1, "m"};
 constexpr input::Range kGain{0.5, 2.0, ""};
@@ -43,7 +44,7 @@ void read_joint_zeros(const input::YamlValue& map, RobotModel& model) {
     value.require_map(Keys{"value", "deviation"});
     if (const auto deviation = value.find("deviation")) (void)deviation->number(kDeviation);
     model.joints[static_cast<std::size_t>(found - known.begin())].encoder_zero_rad =
-        value.at("value").number(kZero_deg) * kDegree_rad;
+        value.at("value").number(kZero_deg) * kRadPerDegree;
   }
 }
 

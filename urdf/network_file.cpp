@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/urdf/sensor_channels.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 using Keys = std::vector<std::string_view>;
 
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
+using facts::kRadPerDegree;
 constexpr int kTrimChannels = 8;  // places in the trim frame
 constexpr input::Range kCount_deg{0.001, 0.5, "deg"};
 constexpr input::Range kHalfTurn_deg{-180.0, 180.0, "deg"};
@@ -26,9 +27,9 @@ constexpr input::Range kLength_m{0.001, 1.0, "m"};
 Eigen::Isometry3d pose_of(const std::array<double, 3>& position_m, const std::array<double, 3>& rpy_deg) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(position_m.data());
-  pose.linear() = (Eigen::AngleAxisd(rpy_deg[2] * kDegree_rad, Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rpy_deg[1] * kDegree_rad, Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rpy_deg[0] * kDegree_rad, Eigen::Vector3d::UnitX()))
+  pose.linear() = (Eigen::AngleAxisd(rpy_deg[2] * kRadPerDegree, Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(rpy_deg[1] * kRadPerDegree, Eigen::Vector3d::UnitY()) *
+                   Eigen::AngleAxisd(rpy_deg[0] * kRadPerDegree, Eigen::Vector3d::UnitX()))
                       .toRotationMatrix();
   return pose;
 }
@@ -64,8 +65,8 @@ void read_motor(const input::YamlValue& map, bool required, Motor& motor) {
 
 // What defaults and single joints have in common; `required` for the defaults.
 void read_drive(const input::YamlValue& map, bool required, Joint& joint) {
-  read_number(map, "count_deg", kCount_deg, required, joint.count_rad, kDegree_rad);
-  read_number(map, "home_deg", kHalfTurn_deg, required, joint.home_rad, kDegree_rad);
+  read_number(map, "count_deg", kCount_deg, required, joint.count_rad, kRadPerDegree);
+  read_number(map, "home_deg", kHalfTurn_deg, required, joint.home_rad, kRadPerDegree);
   if (const auto counts =
           required ? map.at("encoder_counts_per_turn") : map.find("encoder_counts_per_turn")) {
     joint.encoder_count_rad = 2.0 * std::numbers::pi / counts->integer(256, 1 << 26);
@@ -78,7 +79,7 @@ void read_drive(const input::YamlValue& map, bool required, Joint& joint) {
   }
   if (joint.encoder_count_rad > joint.count_rad) {
     map.refuse(fmt::format("the encoder's step of {:g} deg must not be larger than a count of {:g} deg",
-                           joint.encoder_count_rad / kDegree_rad, joint.count_rad / kDegree_rad),
+                           joint.encoder_count_rad / kRadPerDegree, joint.count_rad / kRadPerDegree),
                "Check encoder_counts_per_turn and count_deg");
   }
 }
@@ -240,10 +241,10 @@ void read_imu(const input::YamlValue& map, NetworkFile& network) {
 void read_trim(const input::YamlValue& map, TrimSettings& trim) {
   map.require_map(Keys{"count_deg", "slew_deg_per_s", "limit_deg"});
   const double count_deg = map.at("count_deg").number(kCount_deg);
-  trim.count_rad = count_deg * kDegree_rad;
-  trim.slew_rad_per_s = map.at("slew_deg_per_s").number({1.0, 2000.0, "deg/s"}) * kDegree_rad;
+  trim.count_rad = count_deg * kRadPerDegree;
+  trim.slew_rad_per_s = map.at("slew_deg_per_s").number({1.0, 2000.0, "deg/s"}) * kRadPerDegree;
   const input::YamlValue limit = map.at("limit_deg");
-  trim.limit_rad = limit.number({count_deg, 45.0, "deg"}) * kDegree_rad;
+  trim.limit_rad = limit.number({count_deg, 45.0, "deg"}) * kRadPerDegree;
   if (trim.limit_rad > 127.0001 * trim.count_rad) {
     limit.refuse(
         fmt::format("a signed byte holds 127 counts of {:g} deg = {:g} deg", count_deg, 127 * count_deg),

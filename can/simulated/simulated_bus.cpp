@@ -10,12 +10,6 @@
 #include "gaitway/can/frame.hpp"
 
 namespace gaitway::can {
-namespace {
-
-constexpr int kSuspendBits = 8;
-
-}  // namespace
-
 SimulatedBus::SimulatedBus(std::int64_t bit_time_ns, Detail detail)
     : bit_time_ns_(bit_time_ns), detail_(detail), random_(faults_.seed) {
   stations_.reserve(kMaximumStations);

@@ -5,12 +5,6 @@
 #include "gaitway/can/simulated/simulated_bus.hpp"
 
 namespace gaitway::can {
-namespace {
-
-constexpr int kSuspendBits = 8;
-
-}  // namespace
-
 std::optional<SimulatedBus::Delivery> SimulatedBus::advance_bits(std::int64_t stop_ns) noexcept {
   while (true) {
     const std::int64_t start_ns = edge_ns(bit_);

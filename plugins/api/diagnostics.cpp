@@ -15,7 +15,7 @@ namespace {
 
 using Level = DiagnosticLevel;
 
-constexpr std::int64_t kSilence_ns = 100'000'000;  // beats come every millisecond
+constexpr std::int64_t kHeartbeatSilence_ns = 100'000'000;  // beats come every millisecond
 constexpr std::string_view kNotThere = "nothing has been heard of it yet";
 
 template <class Value>
@@ -234,7 +234,7 @@ ros::DiagnosticStatus Diagnostics::loop(const RobotCondition& condition) {
     add(status, "resynchronised", state->resynchronised);
   }
   add(status, "heartbeat_age_ms", condition.heartbeat_age_ns / 1'000'000);
-  if (condition.heartbeat_age_ns > kSilence_ns) {
+  if (condition.heartbeat_age_ns > kHeartbeatSilence_ns) {
     say(status, Level::stale, "the message controller has fallen silent; is it running?");
   }
   return status;

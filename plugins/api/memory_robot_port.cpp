@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "gaitway/api/fixed_text.hpp"
 #include "gaitway/api/recorder.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/mails.hpp"
@@ -19,13 +20,7 @@ namespace {
 
 using Kind = msgclient::UserCommandKind;
 
-constexpr std::int64_t kSilence_ns = 1'000'000'000;  // of the message controller, by the wall clock
-
-template <std::size_t size>
-std::string text_of(const std::uint8_t (&field)[size]) {
-  const auto* const text = reinterpret_cast<const char*>(field);
-  return {text, strnlen(text, size)};
-}
+constexpr std::int64_t kControllerSilence_ns = 1'000'000'000;  // of the message controller, by the wall clock
 
 template <std::size_t size>
 bool copy_text(const std::string& text, std::uint8_t (&field)[size]) noexcept {
@@ -87,7 +82,7 @@ void MemoryRobotPort::observe(std::int64_t wall_ns) noexcept {
     heartbeat_ns_ = beat_ns;
     heard_ns_ = wall_ns;
   }
-  connected_ = heartbeat_ns_ != 0 && wall_ns - heard_ns_ < kSilence_ns;
+  connected_ = heartbeat_ns_ != 0 && wall_ns - heard_ns_ < kControllerSilence_ns;
 }
 
 std::int64_t MemoryRobotPort::now_ns() const {

@@ -11,7 +11,7 @@ namespace gaitway::kinematics {
 namespace {
 
 constexpr std::uint8_t kBothFeet = 2;
-constexpr int kKnotSpacing = 4;  // points of the tail from one placement of the base to the next
+constexpr int kPlacementSpacing = 4;  // points of the tail from one placement of the base to the next
 
 // Quadratic through three values at the points a, b, c, evaluated at t; they may be equal or lie anywhere.
 struct QuadraticWeights {
@@ -199,7 +199,7 @@ BatchOutcome BatchSolver::solve_tail(Run& run) {
   std::array<Knot, 3> knots{run.batch[0], run.batch[3], run.batch[7]};
   while (static_cast<int>(knots[2].point) < end - 1) {
     const int last = static_cast<int>(knots[2].point);
-    const int next = std::min(last + kKnotSpacing, end - 1);
+    const int next = std::min(last + kPlacementSpacing, end - 1);
     const QuadraticWeights w(knots[0].point, knots[1].point, knots[2].point, next);
     const Eigen::Vector2d guess =
         w.first * knots[0].refined_m + w.second * knots[1].refined_m + w.third * knots[2].refined_m;

@@ -16,7 +16,7 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr int kIterationLimit = 60;
+constexpr int kLegIterationLimit = 60;
 constexpr double kStepLimit_rad = 0.5;
 constexpr double kSmallestDamping = 1e-12;
 constexpr double kLength_m =
@@ -116,7 +116,7 @@ struct KdlLeg::State {
   Attempt iterate(const Eigen::Isometry3d& goal, const Vector6& from) {
     angle.data = from;
     Vector6 error = error_to(goal);
-    for (int i = 0; i < kIterationLimit; ++i) {
+    for (int i = 0; i < kLegIterationLimit; ++i) {
       if (error.head<3>().norm() < kAccuracy_m && error.tail<3>().norm() < kAccuracy_rad) {
         return {angle.data, 0.0, true};
       }

@@ -12,7 +12,7 @@ namespace {
 
 using facts::kGravity_m_per_s2;
 constexpr int kReach = 2;        // points to either side for a difference: smooths the solver's tolerance
-constexpr int kKnotSpacing = 4;  // points of the tail from one lead that is computed to the next
+constexpr int kLeadSpacing = 4;  // points of the tail from one lead that is computed to the next
 constexpr double kFadePerPoint = 1.0 / 60.0;
 // The ZMP moves between the feet from near one to near the other; beyond, one foot bears all.
 constexpr double kOneFootShare = 0.12;
@@ -159,17 +159,17 @@ void LoadCompensation::apply(const MotionPlan& plan, bool goes_on, std::span<con
 // The tail is rarely played: its leads are computed at every fourth point and drawn straight between.
 void LoadCompensation::add_to_tail(const MotionPlan& plan, int points, std::array<Angles, 2> lead,
                                    JointPlan& joint_plan) {
-  for (int point = kBatchPoints; point < points + kKnotSpacing; point += kKnotSpacing) {
+  for (int point = kBatchPoints; point < points + kLeadSpacing; point += kLeadSpacing) {
     read_row(joint_plan, std::min(point, points - 1));
   }
   for (int last = kBatchPoints - 1; last < points - 1;) {
     const int knot =
-        std::min(last < kBatchPoints ? static_cast<int>(kBatchPoints) + kKnotSpacing : last + kKnotSpacing,
+        std::min(last < kBatchPoints ? static_cast<int>(kBatchPoints) + kLeadSpacing : last + kLeadSpacing,
                  points - 1);
     const bool has_neighbours =
-        knot + kKnotSpacing < points && knot - kKnotSpacing >= static_cast<int>(kBatchPoints);
+        knot + kLeadSpacing < points && knot - kLeadSpacing >= static_cast<int>(kBatchPoints);
     const std::array<Angles, 2> next = lead_rad(
-        plan, knot, has_neighbours ? Neighbours{knot, kKnotSpacing} : Neighbours{knot, 0});  // 0: at rest
+        plan, knot, has_neighbours ? Neighbours{knot, kLeadSpacing} : Neighbours{knot, 0});  // 0: at rest
     for (int point = last + 1; point <= knot; ++point) {
       const double s = static_cast<double>(point - last) / (knot - last);
       std::array<Angles, 2> between = lead;

@@ -9,7 +9,7 @@
 namespace gaitway::kinematics {
 namespace {
 
-constexpr int kIterationLimit = 12;
+constexpr int kPlacementIterationLimit = 12;
 constexpr double kProbe_m = 1e-3;  // shift of the base with which the sensitivity is measured
 
 Eigen::Matrix3d about_z(double angle_rad) noexcept {
@@ -115,7 +115,7 @@ Eigen::Vector2d WholeBodyPlacement::com_error_m(const PointFrames& frames, const
 WholeBodyPlacement::Result WholeBodyPlacement::place_com(const PointFrames& frames,
                                                          const Eigen::Vector2d& guess_m, double tolerance_m) {
   Result result{{}, guess_m, guess_m, false};
-  for (int i = 0; i < kIterationLimit; ++i) {
+  for (int i = 0; i < kPlacementIterationLimit; ++i) {
     result.offset_m = result.refined_m;
     result.legs = place(frames, result.offset_m);
     if (!result.legs[0].reached() || !result.legs[1].reached()) return result;

@@ -37,10 +37,6 @@ Eigen::Matrix3d about_vertical(double angle_rad) noexcept {
   return Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-double squared(double value) noexcept {
-  return value * value;
-}
-
 }  // namespace
 
 Eigen::Matrix3d Attitude::tilt() const noexcept {
@@ -52,7 +48,7 @@ AttitudeFilter::AttitudeFilter(const EstimatorParameters& parameters) noexcept
       bias_deviation_(parameters.bias_deviation_rad_per_s),
       bias_lifetime_s_(parameters.bias_lifetime_s),
       heading_noise_(parameters.heading_noise_rad) {
-  covariance_.block<3, 3>(kBias, kBias).diagonal().setConstant(squared(bias_deviation_));
+  covariance_.block<3, 3>(kBias, kBias).diagonal().setConstant(Eigen::numext::abs2(bias_deviation_));
 }
 
 void AttitudeFilter::predict(const Eigen::Vector3d& gyro_rad_per_s, double dt_s, double unheard_s) noexcept {
@@ -63,8 +59,10 @@ void AttitudeFilter::predict(const Eigen::Vector3d& gyro_rad_per_s, double dt_s,
   transition.block<3, 3>(kBias, kBias).diagonal().setConstant(kept);
   covariance_ = (transition * covariance_ * transition.transpose()).eval();
   covariance_.block<3, 3>(kTurn, kTurn).diagonal().array() +=
-      squared(gyro_noise_ * (dt_s - unheard_s)) + squared(kUnheardRate_rad_per_s * unheard_s);
-  covariance_.block<3, 3>(kBias, kBias).diagonal().array() += squared(bias_deviation_) * (1.0 - kept * kept);
+      Eigen::numext::abs2(gyro_noise_ * (dt_s - unheard_s)) +
+      Eigen::numext::abs2(kUnheardRate_rad_per_s * unheard_s);
+  covariance_.block<3, 3>(kBias, kBias).diagonal().array() +=
+      Eigen::numext::abs2(bias_deviation_) * (1.0 - kept * kept);
   world_from_trunk_ = (world_from_trunk_ * turn_by(dt_s * rate_rad_per_s())).eval();
   bias_ *= kept;
   bound_yaw();
@@ -75,7 +73,7 @@ void AttitudeFilter::predict(const Eigen::Vector3d& gyro_rad_per_s, double dt_s,
 // valid.
 void AttitudeFilter::bound_yaw() noexcept {
   const double variance = covariance_(kTurn + 2, kTurn + 2);
-  if (variance <= squared(kLargestYawDeviation_rad)) return;
+  if (variance <= Eigen::numext::abs2(kLargestYawDeviation_rad)) return;
   const double scale = kLargestYawDeviation_rad / std::sqrt(variance);
   covariance_.row(kTurn + 2) *= scale;
   covariance_.col(kTurn + 2) *= scale;
@@ -91,7 +89,7 @@ void AttitudeFilter::correct_tilt(const Eigen::Vector2d& roll_pitch_rad, double 
   const Eigen::Matrix3d middle = world_from_trunk_ * turn_by(-kHalfSlot_s * rate_rad_per_s());
   const Eigen::Vector3d measured_up = tilt_of(roll_pitch_rad.x(), roll_pitch_rad.y()).row(2).transpose();
   const Eigen::Vector3d up = middle * measured_up;  // exp(-turn) z: z, if the attitude is right
-  const double variance = squared(deviation_rad);
+  const double variance = Eigen::numext::abs2(deviation_rad);
   Vector sensitivity = Vector::Zero();
   sensitivity[kTurn] = 1.0;
   correct(sensitivity, up.y(), variance);
@@ -106,7 +104,7 @@ void AttitudeFilter::start_tilt(const Eigen::Vector2d& roll_pitch_rad, double de
   for (const int axis : {kTurn, kTurn + 1}) {
     covariance_.row(axis).setZero();
     covariance_.col(axis).setZero();
-    covariance_(axis, axis) = squared(deviation_rad);
+    covariance_(axis, axis) = Eigen::numext::abs2(deviation_rad);
   }
   has_tilt_ = true;
   read_angles();
@@ -118,14 +116,15 @@ void AttitudeFilter::hold_heading(double feet_against_trunk_rad, double creep_ra
     feet_heading_rad_ = heading;
     covariance_.row(kFeet) = covariance_.row(kTurn + 2).eval();
     covariance_.col(kFeet) = covariance_.col(kTurn + 2).eval();
-    covariance_(kFeet, kFeet) = covariance_(kTurn + 2, kTurn + 2) + squared(heading_noise_);
+    covariance_(kFeet, kFeet) = covariance_(kTurn + 2, kTurn + 2) + Eigen::numext::abs2(heading_noise_);
     return;
   }
-  covariance_(kFeet, kFeet) += squared(creep_rad_rts) * dt_s;
+  covariance_(kFeet, kFeet) += Eigen::numext::abs2(creep_rad_rts) * dt_s;
   Vector sensitivity = Vector::Zero();
   sensitivity[kTurn + 2] = 1.0;
   sensitivity[kFeet] = -1.0;
-  correct(sensitivity, std::remainder(*feet_heading_rad_ - heading, kTurn_rad), squared(heading_noise_));
+  correct(sensitivity, std::remainder(*feet_heading_rad_ - heading, kTurn_rad),
+          Eigen::numext::abs2(heading_noise_));
   read_angles();
 }
 

@@ -23,10 +23,6 @@ constexpr double kScaleTime_s = 10.0;   // in which load and apparent weight are
 constexpr double kLeastApparent = 0.1;  // of that average: before, it says nothing
 constexpr double kGroundedShare = 0.5;  // of the weight on the feet, from which they tell it
 
-double squared(double value) noexcept {
-  return value * value;
-}
-
 }  // namespace
 
 CellCalibration::CellCalibration(const EstimatorParameters& parameters, double weight_N) noexcept
@@ -34,7 +30,7 @@ CellCalibration::CellCalibration(const EstimatorParameters& parameters, double w
       cell_noise_N_(parameters.cell_noise_N),
       gain_deviation_(parameters.cell_gain_deviation),
       gain_lifetime_s_(parameters.cell_gain_lifetime_s) {
-  covariance_.diagonal().setConstant(squared(gain_deviation_));
+  covariance_.diagonal().setConstant(Eigen::numext::abs2(gain_deviation_));
 }
 
 void CellCalibration::update(const CellForces& measured_N, double apparent_weight, double dt_s) noexcept {
@@ -48,7 +44,7 @@ void CellCalibration::update(const CellForces& measured_N, double apparent_weigh
   const double forgotten = dt_s / gain_lifetime_s_;
   state_.array() += forgotten * (1.0 - state_.array());
   covariance_ *= 1.0 - 2.0 * forgotten;
-  covariance_.diagonal().array() += 2.0 * forgotten * squared(gain_deviation_);
+  covariance_.diagonal().array() += 2.0 * forgotten * Eigen::numext::abs2(gain_deviation_);
   for (std::size_t side = 0; side < measured_N.size(); ++side) {
     find_dead_cells(side);
     learn_from_plate(side);
@@ -125,7 +121,8 @@ void CellCalibration::learn_from_plate(std::size_t side) noexcept {
   }
   const double warp_N = sensitivity.dot(state_);
   sensitivity.segment<4>(first).array() -= sensitivity.sum() / 4.0;
-  correct(sensitivity, -warp_N, 4.0 * squared(cell_noise_N_) + squared(kUnevenness * force));
+  correct(sensitivity, -warp_N,
+          4.0 * Eigen::numext::abs2(cell_noise_N_) + Eigen::numext::abs2(kUnevenness * force));
 }
 
 void CellCalibration::learn_from_weight(double apparent_weight, double dt_s) noexcept {
@@ -136,13 +133,13 @@ void CellCalibration::learn_from_weight(double apparent_weight, double dt_s) noe
   if (any_dead() || !(apparent_ > kLeastApparent)) return;
   const double expected_N = borne_ / apparent_ * apparent_weight * weight_N_;
   const PerCell sensitivity = measured_.array() - measured_.mean();
-  correct(sensitivity, expected_N - force_N, squared(kWeightNoise * weight_N_));
+  correct(sensitivity, expected_N - force_N, Eigen::numext::abs2(kWeightNoise * weight_N_));
 }
 
 void CellCalibration::correct(const PerCell& sensitivity, double residual, double variance) noexcept {
   const PerCell spread = covariance_ * sensitivity;
   const double whole = sensitivity.dot(spread) + variance;
-  if (!(whole > 0.0) || squared(residual) > squared(kGate) * whole) return;
+  if (!(whole > 0.0) || Eigen::numext::abs2(residual) > Eigen::numext::abs2(kGate) * whole) return;
   state_ += spread * (residual / whole);
   covariance_ -= spread * spread.transpose() / whole;
 }
@@ -159,7 +156,7 @@ double CellCalibration::variance_of_sum(PerCell weight) const noexcept {
   }
   const PerCell from_gains = weight.cwiseProduct(measured_);
   return std::max(from_gains.dot(covariance_ * from_gains), 0.0) +
-         squared(cell_noise_N_) * weight.squaredNorm();
+         Eigen::numext::abs2(cell_noise_N_) * weight.squaredNorm();
 }
 
 }  // namespace gaitway::zmp

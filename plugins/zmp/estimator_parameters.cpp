@@ -5,7 +5,7 @@ namespace gaitway::zmp {
 namespace {
 
 constexpr double kLeast = 1e-9, kMost = 1e6;  // of what must be positive
-constexpr double kLongest_s = 1e9;
+constexpr double kForever_s = 1e9;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::vector<NumberParameter> EstimatorParameters::numbers() {
       {accelerometer_band_m_per_s2, "accelerometer_band", "m/s^2", kLeast, kMost},
       {rate_filter_s, "rate_filter", "s", 0.0, 1.0},
       {bias_deviation_rad_per_s, "bias_deviation", "rad/s", kLeast, 0.3},
-      {bias_lifetime_s, "bias_lifetime", "s", 1.0, kLongest_s},
+      {bias_lifetime_s, "bias_lifetime", "s", 1.0, kForever_s},
       {heading_noise_rad, "heading_noise", "rad", kLeast, kMost},
       {creep_rad_rts, "creep", "rad/s^0.5", kLeast, kMost},
       {settling_creep_rad_rts, "settling_creep", "rad/s^0.5", 0.0, 1.0},
@@ -29,7 +29,7 @@ std::vector<NumberParameter> EstimatorParameters::numbers() {
       {planted_time_s, "planted_time", "s", 0.0, 10.0},
       {cell_noise_N, "cell_noise", "N", kLeast, kMost},
       {cell_gain_deviation, "cell_gain_deviation", "1", kLeast, 0.5},
-      {cell_gain_lifetime_s, "cell_gain_lifetime", "s", 1.0, kLongest_s},
+      {cell_gain_lifetime_s, "cell_gain_lifetime", "s", 1.0, kForever_s},
       {link_mass_deviation, "link_mass_deviation", "1", 0.0, 1.0},
       {trunk_com_deviation_m, "trunk_com_deviation", "m", 0.0, 0.1},
       {joint_zero_deviation_rad, "joint_zero_deviation", "rad", 0.0, 0.2},

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTurnedFoot_rad = 0.015;  // soles that turn against each other by more have slipped
 constexpr double kSettling_s = 1.0;        // time constant with which feet come to rest
-constexpr double kLongest_s = 60.0;
+constexpr double kLongestPlanted_s = 60.0;
 constexpr double kRattleTime_s = 0.5;
 
 }  // namespace
@@ -34,7 +34,7 @@ void PlantedFeet::update(const std::array<double, 2>& force_N, double angle_rad,
   rattle_ += dt_s / (kRattleTime_s + dt_s) * (change * change - rattle_);
   const bool loaded = force_N[0] > least_force_N_ && force_N[1] > least_force_N_;
   const bool turned = planted() && std::abs(angle_rad - angle_rad_) > kTurnedFoot_rad;
-  planted_s_ = loaded && !turned ? std::min(planted_s_ + dt_s, kLongest_s) : 0.0;
+  planted_s_ = loaded && !turned ? std::min(planted_s_ + dt_s, kLongestPlanted_s) : 0.0;
   if (planted_s_ < least_s_ + dt_s) angle_rad_ = angle_rad;
 }
 

@@ -27,10 +27,6 @@ ContactThresholds thresholds_of(const EstimatorParameters& parameters, double ma
           parameters.support_margin};
 }
 
-std::size_t index_of(urdf::Side side) noexcept {
-  return static_cast<std::size_t>(side);
-}
-
 }  // namespace
 
 StateEstimator::StateEstimator(const urdf::RobotModel& model, const EstimatorParameters& parameters)

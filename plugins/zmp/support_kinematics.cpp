@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace gaitway::zmp {
-namespace {
-
-std::size_t index_of(urdf::Side side) noexcept {
-  return static_cast<std::size_t>(side);
-}
-
-}  // namespace
-
 void SupportKinematics::update_levels(const Attitude& attitude) noexcept {
   yaw_rad_ = attitude.yaw_rad;
   const Eigen::Matrix3d upright_from_base = attitude.tilt() * kinematics_.link_rotation(trunk_).transpose();

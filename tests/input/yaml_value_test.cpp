@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string refusal(const std::string& text) {
+std::string yaml_refusal(const std::string& text) {
   try {
     (void)YamlValue::parse(text, "file.yaml").at("a").number({0.0, 10.0, "s"});
   } catch (const InputError& error) {
@@ -20,35 +20,35 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(YamlValue, OneDocumentIsRead) {
-  EXPECT_EQ(refusal("a: 1"), "(accepted)");
-  EXPECT_EQ(refusal("---\na: 1\n...\n"), "(accepted)");
+  EXPECT_EQ(yaml_refusal("a: 1"), "(accepted)");
+  EXPECT_EQ(yaml_refusal("---\na: 1\n...\n"), "(accepted)");
 }
 
 TEST(YamlValue, ASecondDocumentIsRefusedWithItsLine) {
-  EXPECT_THAT(refusal("a: 1\n---\na: 2\n"),
+  EXPECT_THAT(yaml_refusal("a: 1\n---\na: 2\n"),
               HasSubstr("file.yaml:3: the file: a second document begins here"));
-  EXPECT_THAT(refusal("a: 1\n---\n"), HasSubstr("a second document begins here"));
+  EXPECT_THAT(yaml_refusal("a: 1\n---\n"), HasSubstr("a second document begins here"));
 }
 
 TEST(YamlValue, AnEmptyFileHasNoKeys) {
-  EXPECT_THAT(refusal(""), HasSubstr("must be a map"));
-  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("must be a map"));
+  EXPECT_THAT(yaml_refusal(""), HasSubstr("must be a map"));
+  EXPECT_THAT(yaml_refusal("# nothing\n"), HasSubstr("must be a map"));
 }
 
 TEST(YamlValue, ADecimalCommaIsTold) {
-  EXPECT_THAT(refusal("a: 0,4"),
+  EXPECT_THAT(yaml_refusal("a: 0,4"),
               HasSubstr("a = '0,4': must be a number with a decimal point, not with a comma. "
                         "Write '0.4'."));
 }
 
 TEST(YamlValue, DeepNestingIsRefused) {
-  EXPECT_THAT(refusal("a: " + std::string(100'000, '[')), HasSubstr("file.yaml:1: "));
-  EXPECT_THAT(refusal("a: " + std::string(100'000, '{')), HasSubstr("file.yaml:1: "));
+  EXPECT_THAT(yaml_refusal("a: " + std::string(100'000, '[')), HasSubstr("file.yaml:1: "));
+  EXPECT_THAT(yaml_refusal("a: " + std::string(100'000, '{')), HasSubstr("file.yaml:1: "));
   std::string steps;
   for (int i = 0; i < 1000; ++i) {
     steps += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
   }
-  EXPECT_THAT(refusal(steps), HasSubstr("file.yaml:"));
+  EXPECT_THAT(yaml_refusal(steps), HasSubstr("file.yaml:"));
 }
 
 }  // namespace

@@ -5,32 +5,31 @@ namespace gaitway::urdf {
 namespace {
 
 using test::BrokenRobot;
-
-constexpr const char* kYaml = "robot.yaml";
+using test::kNetworkFile;
 
 // One replacement and all that the complaint must hold; the complaint must name the changed line.
 void expect_refused(const std::string& before, const std::string& after, std::vector<std::string> parts) {
   BrokenRobot robot;
-  robot.replace(kYaml, before, after);
-  parts.push_back(robot.line_of(kYaml, after));
+  robot.replace(kNetworkFile, before, after);
+  parts.push_back(robot.line_of(kNetworkFile, after));
   robot.expect_complaint(parts);
 }
 
 TEST(BrokenNetwork, MissingFileIsNamed) {
   const BrokenRobot robot;
-  robot.remove(kYaml);
+  robot.remove(kNetworkFile);
   robot.expect_complaint({"robot.yaml: the file is missing or cannot be read"});
 }
 
 TEST(BrokenNetwork, MalformedYamlIsToldWithLineAndColumn) {
   BrokenRobot robot;
-  robot.replace(kYaml, "node: 3, ", "node: 3]");
-  robot.expect_complaint({robot.line_of(kYaml, "node: 3]"), "column ", "malformed YAML"});
+  robot.replace(kNetworkFile, "node: 3, ", "node: 3]");
+  robot.expect_complaint({robot.line_of(kNetworkFile, "node: 3]"), "column ", "malformed YAML"});
 }
 
 TEST(BrokenNetwork, AnEmptyFileIsRefused) {
   const BrokenRobot robot;
-  robot.write(kYaml, "");
+  robot.write(kNetworkFile, "");
   robot.expect_complaint({"robot.yaml", "must be a map"});
 }
 
@@ -74,7 +73,7 @@ TEST(BrokenNetwork, ImplausibleValuesAreRefused) {
 
 TEST(BrokenNetwork, EncoderMustBeFinerThanACount) {
   BrokenRobot robot;
-  robot.replace(kYaml, "encoder_counts_per_turn: 200000", "encoder_counts_per_turn: 2048");
+  robot.replace(kNetworkFile, "encoder_counts_per_turn: 200000", "encoder_counts_per_turn: 2048");
   robot.expect_complaint({"defaults", "the encoder's step of 0.175781 deg", "a count of 0.05 deg"});
 }
 
@@ -107,7 +106,7 @@ TEST(BrokenNetwork, SensorChannelMustBeCarriedOnce) {
       "[right_cell_rear_left, right", "[left_cell_rear_left, right",
       {"joints[11].channels[0] = 'left_cell_rear_left'", "is taken by joint 'left_ankle_roll' already"});
   BrokenRobot missing;
-  missing.replace(kYaml, "[right_cell_rear_left,", "[none,");
+  missing.replace(kNetworkFile, "[right_cell_rear_left,", "[none,");
   missing.expect_complaint(
       {"robot.yaml:", "joints", "'right_cell_rear_left' is carried by no joint", "Add it"});
 }
@@ -126,9 +125,9 @@ TEST(BrokenNetwork, ChildBeforeItsParentIsRefused) {
   BrokenRobot robot;
   const std::string yaw = "  - {name: neck_yaw,             node: 15}\n";
   const std::string pitch = "  - {name: neck_pitch,           node: 16}\n";
-  robot.replace(kYaml, yaw + pitch, pitch + yaw);
-  robot.expect_complaint(
-      {robot.line_of(kYaml, "{name: neck_pitch"), "'neck_pitch'", "parents come before children", "'neck'"});
+  robot.replace(kNetworkFile, yaw + pitch, pitch + yaw);
+  robot.expect_complaint({robot.line_of(kNetworkFile, "{name: neck_pitch"), "'neck_pitch'",
+                          "parents come before children", "'neck'"});
 }
 
 TEST(BrokenNetwork, HomeMustLieWithinTheLimits) {
@@ -138,7 +137,7 @@ TEST(BrokenNetwork, HomeMustLieWithinTheLimits) {
 
 TEST(BrokenNetwork, VelocityLimitMustFitAByte) {
   BrokenRobot robot;
-  robot.replace(kYaml, "count_deg: 0.05  ", "count_deg: 0.03  ");
+  robot.replace(kNetworkFile, "count_deg: 0.05  ", "count_deg: 0.03  ");
   robot.expect_complaint({robot.line_of("robot.urdf", "<joint name=\"left_hip_yaw\""),
                           "joint 'left_hip_yaw' limit velocity = 8 rad/s", "a signed byte of 0.03 deg",
                           "6.65 rad/s", "count_deg"});
@@ -151,8 +150,8 @@ TEST(BrokenNetwork, TrimLimitMustFitAByte) {
 
 TEST(BrokenNetwork, MotorMustNotExceedTheEffortLimit) {
   BrokenRobot robot;
-  robot.replace(kYaml, "node: 4, ", "node: 4, motor: {torque_limit_Nm: 12}, ");
-  robot.expect_complaint({robot.line_of(kYaml, "torque_limit_Nm: 12"),
+  robot.replace(kNetworkFile, "node: 4, ", "node: 4, motor: {torque_limit_Nm: 12}, ");
+  robot.expect_complaint({robot.line_of(kNetworkFile, "torque_limit_Nm: 12"),
                           "joint 'left_knee' torque_limit_Nm = 12", "the URDF's effort limit is 8 N·m",
                           "Make the two agree"});
 }
@@ -187,7 +186,7 @@ TEST(BrokenNetwork, HipHeightMustFitTheHomePosture) {
 
 TEST(BrokenNetwork, SolesMustBeLevelAtHome) {
   BrokenRobot robot;
-  robot.replace(kYaml, "trim_channel: 4, home_deg: -19.75", "trim_channel: 4, home_deg: -15");
+  robot.replace(kNetworkFile, "trim_channel: 4, home_deg: -19.75", "trim_channel: 4, home_deg: -15");
   robot.expect_complaint({"standing: in the home posture the left sole is not level"});
 }
 

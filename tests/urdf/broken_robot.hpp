@@ -16,6 +16,8 @@
 
 namespace gaitway::urdf::test {
 
+inline constexpr const char* kNetworkFile = "robot.yaml";
+
 class BrokenRobot {
  public:
   BrokenRobot() {

@@ -5,9 +5,9 @@ namespace gaitway::urdf {
 namespace {
 
 using test::BrokenRobot;
+using test::kNetworkFile;
 
 constexpr const char* kUrdf = "robot.urdf";
-constexpr const char* kYaml = "robot.yaml";
 constexpr const char* kLeftKnee = "<joint name=\"left_knee\"";
 constexpr const char* kLeftThigh = "<link name=\"left_thigh\"";
 
@@ -67,7 +67,7 @@ TEST(BrokenUrdf, FilesOfManyMegabytesAreRefusedByName) {
   urdf.write(kUrdf, "<!-- " + std::string(5'000'000, 'x') + " -->");
   urdf.expect_complaint({"robot.urdf: the file is larger than 4 MiB"});
   const BrokenRobot yaml;
-  yaml.write(kYaml, "# " + std::string(5'000'000, 'x'));
+  yaml.write(kNetworkFile, "# " + std::string(5'000'000, 'x'));
   yaml.expect_complaint({"robot.yaml: the file is larger than 4 MiB"});
 }
 
@@ -199,7 +199,7 @@ TEST(BrokenUrdf, ReferenceMustNotBeFasterThanTheMotor) {
 
 TEST(BrokenUrdf, JointWithoutControllerNamesTheNearest) {
   BrokenRobot robot;
-  robot.replace(kYaml, "  - {name: right_elbow,          node: 22, home_deg: -30}\n", "");
+  robot.replace(kNetworkFile, "  - {name: right_elbow,          node: 22, home_deg: -30}\n", "");
   robot.expect_complaint({robot.line_of(kUrdf, "<joint name=\"right_elbow\""), "'right_elbow'",
                           "no local controller in robot.yaml", "Nearest name there: 'left_elbow'"});
 }

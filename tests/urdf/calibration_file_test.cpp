@@ -2,10 +2,12 @@
 #include "broken_robot.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::urdf {
 namespace {
 
-constexpr double kDegree_rad = 3.14159265358979323846 / 180.0;
+using facts::kRadPerDegree;
 constexpr const char* kSound = R"(robot: humanoid22
 joint_zeros_deg:
   left_knee: {value: 0.5, deviation: 0.03}
@@ -24,8 +26,8 @@ TEST(CalibrationFile, becomes_part_of_the_model) {
   const auto joint = [&](const char* name) {
     return calibrated.joints[static_cast<std::size_t>(calibrated.joint_index(name))];
   };
-  EXPECT_DOUBLE_EQ(joint("left_knee").encoder_zero_rad, 0.5 * kDegree_rad);
-  EXPECT_DOUBLE_EQ(joint("right_hip_yaw").encoder_zero_rad, -0.25 * kDegree_rad);
+  EXPECT_DOUBLE_EQ(joint("left_knee").encoder_zero_rad, 0.5 * kRadPerDegree);
+  EXPECT_DOUBLE_EQ(joint("right_hip_yaw").encoder_zero_rad, -0.25 * kRadPerDegree);
   EXPECT_EQ(joint("left_hip_yaw").encoder_zero_rad, 0.0);
   const auto trunk = static_cast<std::size_t>(described.imu.link);
   const Eigen::Vector3d offset = calibrated.links[trunk].com_m - described.links[trunk].com_m;

@@ -8,13 +8,14 @@
 #include <numbers>
 #include <set>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::urdf {
 namespace {
 
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
+using facts::kRadPerDegree;
 
 class Humanoid22 : public testing::Test {
  protected:
@@ -110,7 +111,7 @@ TEST_F(Humanoid22, StandsWithHipsAt360AndCentreOfMassAt378Millimetres) {
   EXPECT_NEAR(com_m.x(), robot.feet[0].centre_m.x(), 0.002);  // over the middle of the feet
   EXPECT_NEAR(home.com_m().y(), 0.0, 1e-12);
   EXPECT_NEAR(std::sqrt(9.81 / com_m.z()), 5.1, 0.05);
-  EXPECT_NEAR(joint("left_knee").home_rad, 40.0 * kDegree_rad, 1.0 * kDegree_rad);
+  EXPECT_NEAR(joint("left_knee").home_rad, 40.0 * kRadPerDegree, 1.0 * kRadPerDegree);
 }
 
 TEST_F(Humanoid22, HasTheServosAndMotorsOfTheFigures) {
@@ -122,7 +123,7 @@ TEST_F(Humanoid22, HasTheServosAndMotorsOfTheFigures) {
     EXPECT_EQ(joint.motor.armature_kg_m2, 0.010);
     EXPECT_EQ(joint.motor.damping_Nms_per_rad, 0.15);
     EXPECT_EQ(joint.motor.friction_Nm, 0.10);
-    EXPECT_NEAR(joint.count_rad, 0.05 * kDegree_rad, 1e-15);
+    EXPECT_NEAR(joint.count_rad, 0.05 * kRadPerDegree, 1e-15);
     EXPECT_NEAR(joint.encoder_count_rad * 200000.0, 2.0 * std::numbers::pi, 1e-12);
     EXPECT_LE(joint.velocity_limit_rad_per_s, 8.0);
     EXPECT_LE(joint.velocity_limit_rad_per_s * 0.010, 127.0 * joint.count_rad);
@@ -157,7 +158,7 @@ TEST_F(Humanoid22, HasTheSensorsContactAndTimeStepOfTheFigures) {
   EXPECT_EQ(robot.noise.inclination_rad, 0.003);
   EXPECT_EQ(robot.contact.friction, 0.8);
   EXPECT_EQ(robot.physics_step_s, 0.001);
-  EXPECT_NEAR(robot.trim.count_rad, 0.05 * kDegree_rad, 1e-15);
+  EXPECT_NEAR(robot.trim.count_rad, 0.05 * kRadPerDegree, 1e-15);
   EXPECT_NEAR(robot.trim.limit_rad, 127.0 * robot.trim.count_rad, 1e-12);
 }
 

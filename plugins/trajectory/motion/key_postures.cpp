@@ -17,9 +17,9 @@
 namespace gaitway::motion {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using facts::kRadPerDegree;
 constexpr double kPlaceTolerance_m = 0.0005;
-constexpr double kTiltTolerance_rad = 0.2 * kDegree;
+constexpr double kTiltTolerance_rad = 0.2 * kRadPerDegree;
 constexpr double kComTolerance_m = 1e-6;
 constexpr int kComIterations = 30;
 
@@ -168,7 +168,7 @@ void KeySolver::follow_joints(const Key& key, const KeyPosture& before, KeyPostu
           "ground, "
           "beside the left one; 0.5 mm and 0.2 deg are allowed. Give the pelvis instead, and the legs follow",
           key.where, 1000.0 * (reached.translation() - place.translation()).norm(),
-          Eigen::AngleAxisd(place.linear().transpose() * reached.linear()).angle() / kDegree));
+          Eigen::AngleAxisd(place.linear().transpose() * reached.linear()).angle() / kRadPerDegree));
     }
     reached = place;
   }
@@ -249,8 +249,8 @@ void KeySolver::check_joints(const Key& key, const KeyPosture& posture) const {
       throw MotionError(
           fmt::format("{}: {} would be at {:.1f} deg; planned motions keep it within {:.1f} to {:.1f} deg. "
                       "Choose another posture",
-                      key.where, robot_.joints[static_cast<std::size_t>(j)].name, angle / kDegree,
-                      lower / kDegree, upper / kDegree));
+                      key.where, robot_.joints[static_cast<std::size_t>(j)].name, angle / kRadPerDegree,
+                      lower / kRadPerDegree, upper / kRadPerDegree));
     }
   }
 }

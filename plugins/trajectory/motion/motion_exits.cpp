@@ -20,8 +20,7 @@ namespace gaitway::motion {
 namespace {
 
 constexpr std::array kDurations_s{0.3, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 1.8};
-constexpr double kHalt_s = 0.3;         // in which joints on the ground come to rest
-constexpr std::size_t kRestPoints = 4;  // at the end, for the servos' lag to settle
+constexpr double kHalt_s = 0.3;  // in which joints on the ground come to rest
 
 class ExitPlanner {
  public:

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 using input::YamlValue;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using facts::kRadPerDegree;
 constexpr input::Range kAngle{-180.0, 180.0, "deg"};
 constexpr input::Range kTilt{-60.0, 60.0, "deg"};
 constexpr input::Range kShift{-0.5, 0.5, "m"};
@@ -50,8 +51,8 @@ void add_joint(const YamlValue& value, const std::string& name, double angle_rad
   const int index = joint_named(value, name, robot);
   const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
   if (angle_rad < joint.lower_rad || angle_rad > joint.upper_rad) {
-    value.refuse(fmt::format("{} turns from {:.1f} to {:.1f} deg", name, joint.lower_rad / kDegree,
-                             joint.upper_rad / kDegree),
+    value.refuse(fmt::format("{} turns from {:.1f} to {:.1f} deg", name, joint.lower_rad / kRadPerDegree,
+                             joint.upper_rad / kRadPerDegree),
                  "Choose an angle between these.");
   }
   if (std::any_of(angles.begin(), angles.end(), [&](const JointAngle& a) { return a.joint == index; })) {
@@ -75,7 +76,7 @@ void add_both_sides(const YamlValue& value, const std::string& name, const urdf:
                     std::vector<JointAngle>& angles) {
   const int left = joint_named(value, "left_" + name, robot);
   const int right = joint_named(value, "right_" + name, robot);
-  const double angle = value.number(kAngle) * kDegree;
+  const double angle = value.number(kAngle) * kRadPerDegree;
   const double sign = mirror_sign(value, robot.joints[static_cast<std::size_t>(left)],
                                   robot.joints[static_cast<std::size_t>(right)]);
   add_joint(value, "left_" + name, angle, robot, angles);
@@ -84,7 +85,7 @@ void add_both_sides(const YamlValue& value, const std::string& name, const urdf:
 
 void read_angle(const YamlValue& map, std::string_view key, std::optional<double>& target) {
   if (const auto value = map.find(key)) {
-    target = value->number(kTilt) * kDegree;
+    target = value->number(kTilt) * kRadPerDegree;
   }
 }
 
@@ -120,7 +121,8 @@ FootWish read_foot(const YamlValue& value) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     if (const auto shift = value.find(kKeys[i])) wish.position_m[axis] = shift->number(kShift);
-    if (const auto angle = value.find(kKeys[i + 3])) wish.attitude_rad[axis] = angle->number(kTilt) * kDegree;
+    if (const auto angle = value.find(kKeys[i + 3]))
+      wish.attitude_rad[axis] = angle->number(kTilt) * kRadPerDegree;
   }
   if (wish.position_m.z() < 0.0) {
     value.at("up_m").refuse("the foot would be in the ground", "Choose 0 or more.");
@@ -132,7 +134,7 @@ void read_joints(const YamlValue& value, const urdf::RobotModel& robot, Key& key
   if (const auto joints = value.find("joints")) {
     for (const auto& [name, angle] : joints->entries()) {
       joint_named(angle, name, robot);
-      add_joint(angle, name, angle.number(kAngle) * kDegree, robot, key.joints);
+      add_joint(angle, name, angle.number(kAngle) * kRadPerDegree, robot, key.joints);
     }
   }
   if (const auto both = value.find("symmetric")) {

@@ -19,7 +19,6 @@ namespace {
 
 constexpr auto kBatch = static_cast<std::size_t>(kBatchPoints);
 constexpr auto kLongestTail = static_cast<std::size_t>(kMaxTailPoints);
-constexpr std::size_t kRestPoints = 4;  // after the last point, for the servos' lag to settle
 constexpr std::size_t kLongestName = 47;
 
 // Whole batches after the first point: it rests at its end for a little longer.
@@ -37,9 +36,9 @@ MotionPlan in_whole_batches(const urdf::RobotModel& robot, MotionPlan plan) {
   return plan;
 }
 
-class PointWriter {
+class TableWriter {
  public:
-  explicit PointWriter(const urdf::RobotModel& robot) : robot_(robot), kinematics_(robot) {
+  explicit TableWriter(const urdf::RobotModel& robot) : robot_(robot), kinematics_(robot) {
     home_ = standing_point();
     hip_link_height_m_ = hip_link_height_m(home_pelvis_);
   }
@@ -151,7 +150,7 @@ PreparedMotion prepare_motion(const urdf::RobotModel& robot, const Motion& motio
   table.joint_count = plan.joint_count;
   table.on_ground = motion.starts_at_first_key;
   table.lies_on = motion.lies_on;
-  PointWriter writer(robot);
+  TableWriter writer(robot);
   table.path = writer.way(plan);
   for (const MotionPlan& way : exits.ways) table.ways.push_back(writer.way(way));
   for (const PlannedExit& exit : exits.exits) {

@@ -18,7 +18,7 @@
 namespace gaitway::can {
 namespace {
 
-constexpr std::int64_t kMs = facts::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 std::vector<NodeId> nodes(int count) {
   std::vector<NodeId> all(static_cast<std::size_t>(count));
@@ -27,14 +27,15 @@ std::vector<NodeId> nodes(int count) {
 }
 
 // All nodes report a fault at once in every analysis: nothing keeps them from it.
-const ProofAssumptions kWorstCase{.jitter_ns = 1 * kMs, .errors = jam(2 * kMs), .bit_time_ns = 1000};
+const ProofAssumptions kWorstCase{
+    .jitter_ns = 1 * kMillisecond_ns, .errors = jam(2 * kMillisecond_ns), .bit_time_ns = 1000};
 
 TEST(NetworkMessages, ThePapersProfileIsThePublished25Messages) {
   const auto messages = message_set(kPaperProfile, nodes(22));
   ASSERT_EQ(messages.size(), 25U);
   for (std::size_t i = 0; i < messages.size(); ++i) {
     EXPECT_EQ(messages[i].id, i + 1);
-    EXPECT_EQ(messages[i].period_ns, i < 12 ? 80 * kMs : 10 * kMs);
+    EXPECT_EQ(messages[i].period_ns, i < 12 ? 80 * kMillisecond_ns : 10 * kMillisecond_ns);
   }
   EXPECT_EQ(messages[0].name, "trajectory 1");
   EXPECT_EQ(messages[12].name, "feedback 1");
@@ -79,7 +80,7 @@ TEST(NetworkProof, TheFullProfileHoldsWithJitterFaultReportsAndAJamTogether) {
                                        {MessageKind::trajectory, 18}}) {
     const auto worst_ns = proof.worst_response_ns(kind);
     ASSERT_TRUE(worst_ns) << layout(kind).name;
-    EXPECT_LE(*worst_ns, limit_ms * kMs) << layout(kind).name;
+    EXPECT_LE(*worst_ns, limit_ms * kMillisecond_ns) << layout(kind).name;
   }
   EXPECT_LT(proof.load, 0.70);
   const auto limit = breakdown(proof.messages, {.bit_time_ns = 1000, .errors = kWorstCase.errors});
@@ -88,7 +89,8 @@ TEST(NetworkProof, TheFullProfileHoldsWithJitterFaultReportsAndAJamTogether) {
 }
 
 TEST(NetworkProof, AnEmergencyStopIsThereWithinAMillisecondOnABusWithoutErrors) {
-  EXPECT_LE(prove(kFullProfile, nodes(22)).worst_response_ns(MessageKind::emergency_stop), 1 * kMs);
+  EXPECT_LE(prove(kFullProfile, nodes(22)).worst_response_ns(MessageKind::emergency_stop),
+            1 * kMillisecond_ns);
 }
 
 TEST(NetworkProof, NamesTheMessageThatMissesAndByHowMuch) {
@@ -103,7 +105,7 @@ TEST(NetworkProof, NamesTheMessageThatMissesAndByHowMuch) {
   ASSERT_TRUE(after.first_miss());
   EXPECT_EQ(after.messages[*after.first_miss()].name, "feedback 22");
   EXPECT_THAT(after.complaint(), testing::HasSubstr("'feedback 22' (id 86) may arrive 0.030 ms after"));
-  row.period_ns = 2 * kMs;
+  row.period_ns = 2 * kMillisecond_ns;
   EXPECT_THAT(prove(profile, nodes(22)).complaint(), testing::HasSubstr("may wait without end"));
 }
 
@@ -169,7 +171,7 @@ void expect_within(const Proof& proof, const test::BusTraffic& traffic) {
 
 TEST(NetworkProof, TheSimulatedRobotStaysWithinIt) {
   const Proof proof =
-      prove(kFullProfile, nodes(22), {.jitter_ns = 1 * kMs, .errors = {}, .bit_time_ns = 1000});
+      prove(kFullProfile, nodes(22), {.jitter_ns = 1 * kMillisecond_ns, .errors = {}, .bit_time_ns = 1000});
   const Robot robot = robot_with_everything_at_once(proof.messages);
   test::BusTraffic traffic(proof.messages, robot.station, 1000);
   traffic.play(robot.releases);
@@ -181,7 +183,7 @@ TEST(NetworkProof, TheSimulatedRobotStaysWithinItWhileTheBusIsJammed) {
   const Proof proof = prove(kFullProfile, nodes(22), kWorstCase);
   const Robot robot = robot_with_everything_at_once(proof.messages);
   std::uint64_t jammed = 0;
-  for (std::int64_t from_ns = 900'000; from_ns < 6 * kMs; from_ns += 87'000) {
+  for (std::int64_t from_ns = 900'000; from_ns < 6 * kMillisecond_ns; from_ns += 87'000) {
     SCOPED_TRACE(testing::Message() << "jam from " << from_ns << " ns");
     test::BusTraffic traffic(proof.messages, robot.station, 1000);
     test::ErrorInjector jam(kWorstCase.errors, from_ns, 1);

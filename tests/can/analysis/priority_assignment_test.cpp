@@ -15,7 +15,7 @@
 namespace gaitway::can {
 namespace {
 
-constexpr std::int64_t kMs = facts::kMillisecond_ns;
+using facts::kMillisecond_ns;
 
 // The messages with identifiers after an order.
 std::vector<AnalysedMessage> with_order(std::vector<AnalysedMessage> messages,
@@ -59,8 +59,9 @@ TEST(PriorityAssignment, FindsAnOrderExactlyWhereThereIsOne) {
   for (std::uint32_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const test::RandomMessages set = tight_set(seed, 5);
-    const AnalysisOptions options{.bit_time_ns = set.bit_time_ns,
-                                  .errors = seed % 3 == 0 ? burst_errors(1, 20 * kMs) : ErrorModel{}};
+    const AnalysisOptions options{
+        .bit_time_ns = set.bit_time_ns,
+        .errors = seed % 3 == 0 ? burst_errors(1, 20 * kMillisecond_ns) : ErrorModel{}};
     const auto order = best_priority_order(set.messages, options);
     if (!order) {
       ++impossible;
@@ -103,10 +104,10 @@ TEST(PriorityAssignment, IsByDeadlineMinusJitterWhereThatServes) {
   std::vector<AnalysedMessage> messages(4);
   for (std::size_t i = 0; i < messages.size(); ++i) {
     messages[i].id = static_cast<std::uint32_t>(10 - i);
-    messages[i].period_ns = 20 * kMs;
-    messages[i].deadline_ns = std::array{9, 5, 9, 10}[i] * kMs;
+    messages[i].period_ns = 20 * kMillisecond_ns;
+    messages[i].deadline_ns = std::array{9, 5, 9, 10}[i] * kMillisecond_ns;
   }
-  messages[3].jitter_ns = 3 * kMs;
+  messages[3].jitter_ns = 3 * kMillisecond_ns;
   EXPECT_EQ(best_priority_order(messages), (std::vector<std::size_t>{1, 3, 2, 0}));
 }
 
@@ -118,11 +119,11 @@ TEST(PriorityAssignment, RescuesTheLargeRobotInThePapersOrder) {
   profile.rows[static_cast<std::size_t>(MessageKind::trajectory)].deadline_ns = 2 * facts::kSlot_ns;
   auto& command = profile.rows[static_cast<std::size_t>(MessageKind::user_command)];
   command.base_id = 200;
-  command.deadline_ns = 4 * kMs;
+  command.deadline_ns = 4 * kMillisecond_ns;
   std::vector<NodeId> nodes(22);
   std::iota(nodes.begin(), nodes.end(), NodeId{1});
-  const auto messages = message_set(profile, nodes, 1 * kMs);
-  const AnalysisOptions options{.bit_time_ns = 1000, .errors = jam(2 * kMs)};
+  const auto messages = message_set(profile, nodes, 1 * kMillisecond_ns);
+  const AnalysisOptions options{.bit_time_ns = 1000, .errors = jam(2 * kMillisecond_ns)};
   EXPECT_FALSE(all_schedulable(messages, options));
   const auto order = best_priority_order(messages, options);
   ASSERT_TRUE(order);

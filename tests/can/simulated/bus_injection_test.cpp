@@ -10,11 +10,11 @@
 namespace gaitway::can {
 namespace {
 
-constexpr int kStations = 6;
+constexpr int kInjectedStations = 6;
 
 class BusInjectionTest : public testing::Test {
  protected:
-  BusInjectionTest() { attach(bus, kStations); }
+  BusInjectionTest() { attach(bus, kInjectedStations); }
   SimulatedBus bus;
   Trace trace;
 };
@@ -62,7 +62,7 @@ TEST_F(BusInjectionTest, ABabblingStationStarvesLowerPrioritiesForItsTime) {
     if (delivery.sender == 3) {
       ++babbled;
       EXPECT_FALSE(delivery.sent_by(3)) << "its owner has offered nothing";
-      EXPECT_EQ(delivery.receivers.size(), kStations - 1);
+      EXPECT_EQ(delivery.receivers.size(), kInjectedStations - 1);
       EXPECT_GE(delivery.start_ns, 1'000'000);
       EXPECT_LT(delivery.start_ns, 3'000'000);
     } else {
@@ -111,7 +111,7 @@ TEST_F(BusInjectionTest, AStationWithoutPowerNeitherSendsNorReceives) {
   trace.run(bus, 1'000'000);
   ASSERT_EQ(trace.deliveries.size(), 1U);
   EXPECT_FALSE(trace.deliveries[0].received_by(2));
-  EXPECT_EQ(trace.deliveries[0].receivers.size(), kStations - 2);
+  EXPECT_EQ(trace.deliveries[0].receivers.size(), kInjectedStations - 2);
 }
 
 TEST_F(BusInjectionTest, AStationThatComesTakesPartAfterElevenRecessiveBits) {
@@ -164,11 +164,11 @@ TEST_F(BusInjectionTest, ADetachedStationsNumberIsTakenAgain) {
   EXPECT_EQ(bus.attach(), 5);
   EXPECT_EQ(bus.state(5), BusState::error_active);
   EXPECT_FALSE(bus.transmit_pending(5));
-  EXPECT_EQ(bus.attach(), kStations);
+  EXPECT_EQ(bus.attach(), kInjectedStations);
 }
 
 TEST_F(BusInjectionTest, RecordsThatNobodyFetchesGiveWayAndAreCounted) {
-  for (int station = 1; station < kStations; ++station) {
+  for (int station = 1; station < kInjectedStations; ++station) {
     bus.power_off(station, 0);
   }
   bus.transmit(0, numbered_frame(0x100), 0);
@@ -188,7 +188,7 @@ TEST_F(BusInjectionTest, RecordsThatNobodyFetchesGiveWayAndAreCounted) {
 // Six stations with numbered frames of their own identifiers, as fast as the bus takes them.
 Trace run_random(SimulatedBus& bus, std::uint32_t seed, const RandomFaults& faults, std::int64_t until_ns) {
   std::mt19937 random(seed);
-  std::array<std::uint8_t, kStations> number{};
+  std::array<std::uint8_t, kInjectedStations> number{};
   const auto offer = [&](int station, std::int64_t now_ns) {
     const auto place = static_cast<std::size_t>(station);
     bus.transmit(
@@ -198,7 +198,7 @@ Trace run_random(SimulatedBus& bus, std::uint32_t seed, const RandomFaults& faul
         now_ns);
   };
   bus.set_random_faults(faults);
-  for (int station = 0; station < kStations; ++station) {
+  for (int station = 0; station < kInjectedStations; ++station) {
     offer(station, 0);
   }
   Trace trace;
@@ -214,11 +214,11 @@ class RandomFaultsTest : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(RandomFaultsTest, AFrameArrivesOnceUnlessTheCountersSayOtherwise) {
   SimulatedBus bus;
-  attach(bus, kStations);
+  attach(bus, kInjectedStations);
   const RandomFaults faults{.seed = GetParam(), .corruption = 0.02, .duplicate = 0.02, .omission = 0.02};
   const Trace trace = run_random(bus, GetParam(), faults, 1'000'000'000);
   const BusStatistics& statistics = bus.statistics();
-  std::array<std::uint8_t, kStations> expected_number{};
+  std::array<std::uint8_t, kInjectedStations> expected_number{};
   std::uint64_t sent = 0, duplicates = 0, omissions = 0, omitted = 0;
   for (const auto& delivery : trace.deliveries) {
     std::uint8_t& number = expected_number[static_cast<std::size_t>(delivery.sender)];
@@ -227,14 +227,14 @@ TEST_P(RandomFaultsTest, AFrameArrivesOnceUnlessTheCountersSayOtherwise) {
     const int receivers = delivery.receivers.size();
     ASSERT_GE(receivers, 1);
     if (!delivery.sent_by(delivery.sender)) {
-      ASSERT_LT(receivers, kStations - 1) << "who rejects it makes the sender repeat it";
+      ASSERT_LT(receivers, kInjectedStations - 1) << "who rejects it makes the sender repeat it";
       ++duplicates;
       continue;
     }
     ++sent;
     ++number;
-    omissions += receivers < kStations - 1 ? 1U : 0U;
-    omitted += static_cast<std::uint64_t>(kStations - 1 - receivers);
+    omissions += receivers < kInjectedStations - 1 ? 1U : 0U;
+    omitted += static_cast<std::uint64_t>(kInjectedStations - 1 - receivers);
   }
   std::map<FaultCause, std::uint64_t> causes;
   for (const ErrorFrame& error : trace.errors) {
@@ -257,16 +257,16 @@ TEST_P(RandomFaultsTest, AFrameArrivesOnceUnlessTheCountersSayOtherwise) {
 // Duplicates alone: each costs its sender 8, each frame sent gives 1 back.
 TEST_P(RandomFaultsTest, TransmitCountersFollowFromTheTrace) {
   SimulatedBus bus;
-  attach(bus, kStations);
+  attach(bus, kInjectedStations);
   const Trace trace =
       run_random(bus, GetParam(), {.seed = GetParam(), .corruption = 0.0, .duplicate = 0.1, .omission = 0.0},
                  300'000'000);
-  std::array<int, kStations> counter{};
+  std::array<int, kInjectedStations> counter{};
   for (const auto& delivery : trace.deliveries) {
     int& one = counter[static_cast<std::size_t>(delivery.sender)];
     one = delivery.sent_by(delivery.sender) ? std::max(0, one - 1) : one + 8;
   }
-  for (int station = 0; station < kStations; ++station) {
+  for (int station = 0; station < kInjectedStations; ++station) {
     EXPECT_EQ(bus.error_counters(station).transmit, counter[static_cast<std::size_t>(station)]);
   }
 }
@@ -274,7 +274,7 @@ TEST_P(RandomFaultsTest, TransmitCountersFollowFromTheTrace) {
 using Course = std::vector<std::tuple<std::int64_t, int, std::uint32_t, bool>>;
 Course course(std::uint32_t traffic_seed, std::uint64_t fault_seed) {
   SimulatedBus bus;
-  attach(bus, kStations);
+  attach(bus, kInjectedStations);
   const Trace trace =
       run_random(bus, traffic_seed,
                  {.seed = fault_seed, .corruption = 0.05, .duplicate = 0.01, .omission = 0.01}, 50'000'000);

@@ -30,7 +30,7 @@ using testing::HasSubstr;
 using facts::kMillisecond_ns;
 constexpr std::int64_t kStart_ns = 6'000'000'000'000;  // the common clock does not begin at 0
 
-Frame frame_of(std::uint16_t id, std::uint8_t value = 0) {
+Frame small_frame(std::uint16_t id, std::uint8_t value = 0) {
   return {id, 8, {value, 1, 2, 3, 4, 5, 6, 7}};
 }
 
@@ -84,7 +84,7 @@ TEST_F(BusServerTest, AFrameReachesAllOtherStationsWithItsTimesOnTheBus) {
   const int local = server->bus().attach();
   BusClient sender(socket, "sender", Pace::free);
   BusClient listener(socket, "listener", Pace::free);
-  const Frame frame = frame_of(0x123, 42);
+  const Frame frame = small_frame(0x123, 42);
   ASSERT_TRUE(sender.transmit(frame, kStart_ns + 10'000));
   sender.flush(kStart_ns + 10'000);
   EXPECT_THAT(run_to(kStart_ns + kMillisecond_ns), ElementsAre(0x123));
@@ -101,16 +101,16 @@ TEST_F(BusServerTest, AFrameReachesAllOtherStationsWithItsTimesOnTheBus) {
 TEST_F(BusServerTest, LocalStationsAndClientsArbitrateOnOneBus) {
   const int local = server->bus().attach();
   BusClient client(socket, "client", Pace::free);
-  client.transmit(frame_of(0x200), kStart_ns);
+  client.transmit(small_frame(0x200), kStart_ns);
   client.flush(kStart_ns);
-  server->bus().transmit(local, frame_of(0x100), kStart_ns);
+  server->bus().transmit(local, small_frame(0x100), kStart_ns);
   EXPECT_THAT(run_to(kStart_ns + kMillisecond_ns), ElementsAre(0x100, 0x200));
-  EXPECT_THAT(all_of(client), ElementsAre(testing::Field(&TimedFrame::frame, frame_of(0x100))));
+  EXPECT_THAT(all_of(client), ElementsAre(testing::Field(&TimedFrame::frame, small_frame(0x100))));
 }
 
 TEST_F(BusServerTest, AFrameWaitsForItsTime) {
   BusClient client(socket, "client", Pace::free);
-  client.transmit(frame_of(0x100), kStart_ns + 2 * kMillisecond_ns);
+  client.transmit(small_frame(0x100), kStart_ns + 2 * kMillisecond_ns);
   client.flush(kStart_ns);
   EXPECT_TRUE(run_to(kStart_ns + 2 * kMillisecond_ns).empty());
   EXPECT_THAT(run_to(kStart_ns + 3 * kMillisecond_ns), ElementsAre(0x100));
@@ -120,7 +120,7 @@ TEST_F(BusServerTest, AFrameWaitsForItsTime) {
 TEST_F(BusServerTest, AFrameWhoseTimeHasPassedGoesOutAtOnceAndIsCounted) {
   BusClient client(socket, "client", Pace::free);
   run_to(kStart_ns + 5 * kMillisecond_ns);
-  client.transmit(frame_of(0x100), kStart_ns + 2 * kMillisecond_ns);
+  client.transmit(small_frame(0x100), kStart_ns + 2 * kMillisecond_ns);
   client.flush(kStart_ns + 2 * kMillisecond_ns);
   EXPECT_THAT(run_to(kStart_ns + 6 * kMillisecond_ns), ElementsAre(0x100));
   EXPECT_EQ(deliveries[0].start_ns, kStart_ns + 5 * kMillisecond_ns);
@@ -129,9 +129,9 @@ TEST_F(BusServerTest, AFrameWhoseTimeHasPassedGoesOutAtOnceAndIsCounted) {
 
 TEST_F(BusServerTest, AMoreUrgentFrameThatComesLaterOvertakesThoseThatWait) {
   BusClient client(socket, "client", Pace::free);
-  client.transmit(frame_of(0x300), kStart_ns);  // on the wire for more than 100 us
-  client.transmit(frame_of(0x200), kStart_ns + 10'000);
-  client.transmit(frame_of(0x100), kStart_ns + 50'000);
+  client.transmit(small_frame(0x300), kStart_ns);  // on the wire for more than 100 us
+  client.transmit(small_frame(0x200), kStart_ns + 10'000);
+  client.transmit(small_frame(0x100), kStart_ns + 50'000);
   client.flush(kStart_ns + 50'000);
   EXPECT_THAT(run_to(kStart_ns + kMillisecond_ns), ElementsAre(0x300, 0x100, 0x200));
 }
@@ -139,10 +139,10 @@ TEST_F(BusServerTest, AMoreUrgentFrameThatComesLaterOvertakesThoseThatWait) {
 TEST_F(BusServerTest, FramesOfOneIdentifierKeepTheirOrderWhenOneGivesWay) {
   const int local = server->bus().attach();
   BusClient client(socket, "client", Pace::free);
-  server->bus().transmit(local, frame_of(0x001), kStart_ns);  // keeps the bus busy
-  client.transmit(frame_of(0x200, 1), kStart_ns);
-  client.transmit(frame_of(0x200, 2), kStart_ns + 10'000);
-  client.transmit(frame_of(0x100), kStart_ns + 20'000);  // takes the place of the first one
+  server->bus().transmit(local, small_frame(0x001), kStart_ns);  // keeps the bus busy
+  client.transmit(small_frame(0x200, 1), kStart_ns);
+  client.transmit(small_frame(0x200, 2), kStart_ns + 10'000);
+  client.transmit(small_frame(0x100), kStart_ns + 20'000);  // takes the place of the first one
   client.flush(kStart_ns + 20'000);
   EXPECT_THAT(run_to(kStart_ns + kMillisecond_ns), ElementsAre(0x001, 0x100, 0x200, 0x200));
   EXPECT_EQ(deliveries[2].frame.data[0], 1);
@@ -153,26 +153,26 @@ TEST_F(BusServerTest, AFullSetOfTransmitBuffersRefusesUntilTheBusHasSent) {
   BusClient client(socket, "client", Pace::free);
   EXPECT_FALSE(client.transmit_pending());
   for (int i = 0; i < kTransmitBuffers; ++i) {
-    ASSERT_TRUE(client.transmit(frame_of(0x100, static_cast<std::uint8_t>(i)), kStart_ns));
+    ASSERT_TRUE(client.transmit(small_frame(0x100, static_cast<std::uint8_t>(i)), kStart_ns));
   }
-  EXPECT_FALSE(client.transmit(frame_of(0x001), kStart_ns));
+  EXPECT_FALSE(client.transmit(small_frame(0x001), kStart_ns));
   client.flush(kStart_ns);
   EXPECT_EQ(run_to(kStart_ns + 10 * kMillisecond_ns).size(), static_cast<std::size_t>(kTransmitBuffers));
   EXPECT_TRUE(client.transmit_pending()) << "it has not looked yet";
   EXPECT_TRUE(all_of(client).empty());
   EXPECT_FALSE(client.transmit_pending());
-  EXPECT_TRUE(client.transmit(frame_of(0x001), kStart_ns + 10 * kMillisecond_ns));
+  EXPECT_TRUE(client.transmit(small_frame(0x001), kStart_ns + 10 * kMillisecond_ns));
 }
 
 TEST_F(BusServerTest, AFrameThatGetsLostCountsAsSentAndReachesNobody) {
   BusClient sender(socket, "sender", Pace::free);
   BusClient listener(socket, "listener", Pace::free);
   server->bus().set_loss([](const Frame& frame, std::int64_t) { return frame.id == 0x100; });
-  sender.transmit(frame_of(0x100), kStart_ns);
-  sender.transmit(frame_of(0x101), kStart_ns);
+  sender.transmit(small_frame(0x100), kStart_ns);
+  sender.transmit(small_frame(0x101), kStart_ns);
   sender.flush(kStart_ns);
   run_to(kStart_ns + kMillisecond_ns);
-  EXPECT_THAT(all_of(listener), ElementsAre(testing::Field(&TimedFrame::frame, frame_of(0x101))));
+  EXPECT_THAT(all_of(listener), ElementsAre(testing::Field(&TimedFrame::frame, small_frame(0x101))));
   EXPECT_TRUE(all_of(sender).empty());
   EXPECT_FALSE(sender.transmit_pending());
 }
@@ -185,7 +185,7 @@ TEST_F(BusServerTest, AClientThatAFaultLeavesOutGetsNothing) {
   StationSet victims;
   victims.insert(silent + 2);  // clients attach in their order
   server->bus().set_random_faults({.seed = 1, .omission = 1.0, .victims = victims});
-  sender.transmit(frame_of(0x100), kStart_ns);
+  sender.transmit(small_frame(0x100), kStart_ns);
   sender.flush(kStart_ns);
   run_to(kStart_ns + kMillisecond_ns);
   EXPECT_TRUE(all_of(left_out).empty());
@@ -198,8 +198,8 @@ TEST_F(BusServerTest, AFrameThatComesTwiceIsSentOnce) {
   BusClient sender(socket, "sender", Pace::free);
   BusClient listener(socket, "listener", Pace::free);
   server->bus().set_random_faults({.seed = 1, .duplicate = 1.0});
-  sender.transmit(frame_of(0x100), kStart_ns);
-  sender.transmit(frame_of(0x101), kStart_ns);
+  sender.transmit(small_frame(0x100), kStart_ns);
+  sender.transmit(small_frame(0x101), kStart_ns);
   sender.flush(kStart_ns);
   run_to(kStart_ns + 140'000);  // into the repetition of the first
   ASSERT_EQ(deliveries.size(), 1U);
@@ -224,7 +224,7 @@ TEST_F(BusServerTest, AClientsFrameWaitsOutItsBusOff) {
   BusClient client(socket, "client", Pace::free);
   run_to(kStart_ns);
   server->bus().force_bus_off(silent + 1, kStart_ns);
-  client.transmit(frame_of(0x100), kStart_ns);
+  client.transmit(small_frame(0x100), kStart_ns);
   client.flush(kStart_ns);
   EXPECT_THAT(run_to(kStart_ns + 20 * kMillisecond_ns), ElementsAre(0x100));
   EXPECT_TRUE(all_of(client).empty());
@@ -238,14 +238,14 @@ TEST_F(BusServerTest, AClientThatComesAfterAnotherInheritsNoErrors) {
     run_to(kStart_ns);
     server->bus().set_recovery(silent + 1, Recovery::on_request);
     server->bus().force_bus_off(silent + 1, kStart_ns);
-    faulty.transmit(frame_of(0x100), kStart_ns);
+    faulty.transmit(small_frame(0x100), kStart_ns);
     faulty.flush(kStart_ns);
     EXPECT_TRUE(run_to(kStart_ns + 20 * kMillisecond_ns).empty());
     EXPECT_EQ(server->bus().state(silent + 1), BusState::bus_off);
   }
   run_to(kStart_ns + 21 * kMillisecond_ns);
   BusClient next(socket, "next", Pace::free);
-  next.transmit(frame_of(0x200), kStart_ns + 22 * kMillisecond_ns);
+  next.transmit(small_frame(0x200), kStart_ns + 22 * kMillisecond_ns);
   next.flush(kStart_ns + 22 * kMillisecond_ns);
   EXPECT_THAT(run_to(kStart_ns + 23 * kMillisecond_ns), ElementsAre(0x200));
   EXPECT_EQ(deliveries.back().sender, silent + 1) << "the same station";
@@ -279,7 +279,7 @@ TEST_F(BusServerTest, TheBusKnowsHowFarAClientWhosePaceItKeepsHasCome) {
 TEST_F(BusServerTest, AFrameTellsHowFarTheBusHasRunBeforeTheRoundsEndDoes) {
   BusClient sender(socket, "sender", Pace::free);
   BusClient paced(socket, "paced", Pace::kept);
-  sender.transmit(frame_of(0x100), kStart_ns + 3 * kMillisecond_ns);
+  sender.transmit(small_frame(0x100), kStart_ns + 3 * kMillisecond_ns);
   sender.flush(kStart_ns);
   run_to(kStart_ns + 20 * kMillisecond_ns);  // caught up in one go
   ASSERT_TRUE(paced.receive());
@@ -296,8 +296,8 @@ TEST_F(BusServerTest, AClientThatIsKilledLeavesTheBusWithItsFrames) {
   const pid_t child = fork();
   if (child == 0) {
     BusClient client(socket, "victim", Pace::kept);
-    client.transmit(frame_of(0x100), kStart_ns);
-    client.transmit(frame_of(0x101), kStart_ns);
+    client.transmit(small_frame(0x100), kStart_ns);
+    client.transmit(small_frame(0x101), kStart_ns);
     client.flush(kStart_ns);
     (void)!write(ready[1], "r", 1);
     pause();
@@ -319,7 +319,7 @@ TEST_F(BusServerTest, AClientThatIsKilledLeavesTheBusWithItsFrames) {
 
   // Whoever comes next gets its station and finds it empty.
   BusClient next(socket, "next", Pace::free);
-  next.transmit(frame_of(0x050), kStart_ns + kMillisecond_ns);
+  next.transmit(small_frame(0x050), kStart_ns + kMillisecond_ns);
   next.flush(kStart_ns + kMillisecond_ns);
   EXPECT_THAT(run_to(kStart_ns + 2 * kMillisecond_ns), ElementsAre(0x050));
   EXPECT_EQ(deliveries.back().sender, deliveries.front().sender);
@@ -351,7 +351,7 @@ TEST_F(BusServerTest, AClientThatReadsNothingForSecondsIsDroppedAlone) {
   std::size_t sent = 0;
   for (; sent < 100'000 && (sent == 0 || server->client_count() == 2U); ++sent) {
     const std::int64_t now_ns = kStart_ns + static_cast<std::int64_t>(sent) * kMillisecond_ns;
-    server->bus().transmit(local, frame_of(0x100), now_ns);
+    server->bus().transmit(local, small_frame(0x100), now_ns);
     run_to(now_ns + kMillisecond_ns);
     heard += all_of(reader).size();
   }
@@ -368,7 +368,7 @@ TEST_F(BusServerTest, AClientSeesThatTheBusHasGone) {
   server.reset();
   EXPECT_EQ(client.receive(), std::nullopt);
   EXPECT_TRUE(client.closed());
-  EXPECT_FALSE(client.transmit(frame_of(0x100), kStart_ns));
+  EXPECT_FALSE(client.transmit(small_frame(0x100), kStart_ns));
   EXPECT_NO_THROW(client.flush(kStart_ns));
   EXPECT_FALSE(std::filesystem::exists(socket));
 }

@@ -27,7 +27,7 @@ using testing_messages::SchemaCheck;
 
 constexpr const char* kRemedy = "is not up to date. Run ./dev gaitway api document";
 
-std::string text_of(const std::string& file) {
+std::string file_text(const std::string& file) {
   std::ostringstream text;
   text << std::ifstream(std::string(GAITWAY_SOURCE_DIR) + "/" + file).rdbuf();
   return text.str();
@@ -40,9 +40,9 @@ std::string between(std::string_view before, std::string_view name, std::string_
 }
 
 TEST(ApiReference, TheCheckedInFilesAreWhatTheTablesSay) {
-  EXPECT_TRUE(text_of("docs/api.md") == api_reference()) << "docs/api.md " << kRemedy;
-  EXPECT_TRUE(text_of("docs/api_examples.json") == api_examples()) << "docs/api_examples.json " << kRemedy;
-  EXPECT_TRUE(text_of("docs/api_schemas.json") == api_schemas()) << "docs/api_schemas.json " << kRemedy;
+  EXPECT_TRUE(file_text("docs/api.md") == api_reference()) << "docs/api.md " << kRemedy;
+  EXPECT_TRUE(file_text("docs/api_examples.json") == api_examples()) << "docs/api_examples.json " << kRemedy;
+  EXPECT_TRUE(file_text("docs/api_schemas.json") == api_schemas()) << "docs/api_schemas.json " << kRemedy;
 }
 
 TEST(ApiReference, NamesEveryOperationTopicServiceTypeAndLimit) {

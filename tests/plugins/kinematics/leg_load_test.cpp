@@ -14,19 +14,15 @@ namespace {
 
 using Angles = std::array<double, 6>;
 
-const urdf::RobotModel& humanoid22() {
-  static const urdf::RobotModel robot = urdf::load_robot(GAITWAY_HUMANOID22_DIRECTORY);
-  return robot;
-}
+const urdf::RobotModel kRobot = urdf::load_robot(GAITWAY_HUMANOID22_DIRECTORY);
 
 const urdf::Joint& leg_joint(urdf::Side side, std::size_t i) {
-  return humanoid22()
-      .joints[static_cast<std::size_t>(humanoid22().legs[static_cast<std::size_t>(side)].joints[i])];
+  return kRobot.joints[static_cast<std::size_t>(kRobot.legs[static_cast<std::size_t>(side)].joints[i])];
 }
 
 // Servos hold the home posture; what their motors give must be the load of the leg under the ground's force.
 TEST(LegLoad, IsWhatTheMotorsOfTheStandingRobotGive) {
-  const urdf::RobotModel& robot = humanoid22();
+  const urdf::RobotModel& robot = kRobot;
   simulator::Plant plant(robot, {.seed = 1, .mismatch = 0.0, .sensor_noise = false});
   std::vector<double> torque(robot.joints.size());
   for (int i = 0; i < 3000; ++i) {
@@ -66,7 +62,7 @@ TEST(LegLoad, IsWhatTheMotorsOfTheStandingRobotGive) {
 // tau = d/dt dT/dq' - d(T - V)/dq, all by differences, for point masses and rotors on a fixed base.
 TEST(LegLoad, InTheAirFollowsLagrange) {
   const urdf::Side side = urdf::Side::right;
-  const LegLoad load(humanoid22(), side);
+  const LegLoad load(kRobot, side);
   const Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
   const auto angle_at = [](double t) {
     Angles q{};
@@ -93,7 +89,7 @@ TEST(LegLoad, InTheAirFollowsLagrange) {
                     before = load.places(base, behind);
     double value = 0.0;
     for (std::size_t i = 0; i < 6; ++i) {
-      const double mass = humanoid22().links[static_cast<std::size_t>(leg_joint(side, i).child_link)].mass_kg;
+      const double mass = kRobot.links[static_cast<std::size_t>(leg_joint(side, i).child_link)].mass_kg;
       const Eigen::Vector3d velocity = (after.com_m[i] - before.com_m[i]) / (2.0 * h);
       value += 0.5 * mass * velocity.squaredNorm() - mass * 9.81 * here.com_m[i].z() +
                0.5 * leg_joint(side, i).motor.armature_kg_m2 * rate[i] * rate[i];

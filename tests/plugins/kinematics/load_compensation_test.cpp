@@ -12,14 +12,14 @@
 namespace gaitway::kinematics {
 namespace {
 
-constexpr int kTail = 60;
+constexpr int kLoadTail = 60;
 
 class Compensated : public ::testing::Test {
  protected:
   // The robot's stand; `sequence` counts on.
   MotionPlan stand(std::uint32_t sequence) const {
-    MotionPlan plan = test::WalkingPlan(0.0, 0.0, robot_.hip_height_m).batch(sequence, kTail);
-    for (int i = 0; i < kBatchPoints + kTail; ++i) {
+    MotionPlan plan = test::WalkingPlan(0.0, 0.0, robot_.hip_height_m).batch(sequence, kLoadTail);
+    for (int i = 0; i < kBatchPoints + kLoadTail; ++i) {
       plan.com[i][0] = plan.zmp[i][0] = 0.01;
       plan.com[i][1] = plan.zmp[i][1] = 0.0;
       plan.support[i] = 2;
@@ -63,10 +63,10 @@ TEST_F(Compensated, ARevisionLeadsAsIfItsBatchHadNotBeenSolvedBefore) {
     const MotionPlan plan = stand(sequence);
     solve(plan);
     MotionPlan other = plan;
-    for (int i = 4; i < kBatchPoints + kTail; ++i) other.zmp[i][1] += 0.02;
+    for (int i = 4; i < kBatchPoints + kLoadTail; ++i) other.zmp[i][1] += 0.02;
     ASSERT_TRUE(revising.solve(other, {}, *solved).solved());
     ASSERT_TRUE(revising.solve(plan, {}, *solved).solved());
-    for (int point = 0; point < kBatchPoints + kTail; ++point) {
+    for (int point = 0; point < kBatchPoints + kLoadTail; ++point) {
       ASSERT_EQ(solved->position[point][knee_], with_->position[point][knee_])
           << "batch " << sequence << ", point " << point;
     }
@@ -82,7 +82,7 @@ TEST_F(Compensated, TheLeadComesInWithoutAJumpAndStaysInTheTail) {
           << "batch " << sequence << " point " << point;
       before = lead_rad(point, knee_);
     }
-    EXPECT_NEAR(lead_rad(kBatchPoints + kTail - 1, knee_), before, 1e-4);
+    EXPECT_NEAR(lead_rad(kBatchPoints + kLoadTail - 1, knee_), before, 1e-4);
   }
   EXPECT_GT(std::abs(before), 0.003);
 }
@@ -104,7 +104,7 @@ TEST_F(Compensated, TheLegInTheAirIsNotLoaded) {
   MotionPlan plan = stand(1);
   for (std::uint32_t sequence = 1; sequence <= 20; ++sequence) {
     plan = stand(sequence);
-    for (int i = 0; i < kBatchPoints + kTail; ++i) {
+    for (int i = 0; i < kBatchPoints + kLoadTail; ++i) {
       plan.com[i][1] = plan.zmp[i][1] = 0.045;
       plan.support[i] = 0;
       plan.foot_position[i][1][2] = 0.02;
@@ -123,7 +123,7 @@ TEST_F(Compensated, AWalkHasNoJumpsAtTheBordersOfBatches) {
   double at_borders = 0.0, within = 0.0;
   int support_before = -1;
   for (std::uint32_t sequence = 1; sequence <= 40; ++sequence) {
-    const MotionPlan plan = walk.batch(sequence, kTail);
+    const MotionPlan plan = walk.batch(sequence, kLoadTail);
     solve(plan);
     for (int point = 0; point < kBatchPoints; ++point) {
       std::vector<double> lead;
@@ -160,7 +160,7 @@ TEST_F(Compensated, AMotionsOffsetsComeOnTopOfTheStandsReferences) {
   posture->stand_hip_height = robot_.hip_height_m;
   posture->stand_foot[0][1] = 0.05;
   posture->stand_foot[1][1] = -0.05;
-  for (int i = 0; i < kBatchPoints + kTail; ++i) {
+  for (int i = 0; i < kBatchPoints + kLoadTail; ++i) {
     posture->offset[i][knee_] = 0.001F * static_cast<float>(i + 1);
     plan.support[i] =
         i < 4 ? 0 : 3;  // the stand's leads are those of both feet, whatever the motion stands on
@@ -168,7 +168,7 @@ TEST_F(Compensated, AMotionsOffsetsComeOnTopOfTheStandsReferences) {
     plan.hip_height[i] = 0.2;
   }
   ASSERT_TRUE(compensated_.solve(plan, {}, *during, {}, posture.get()).solved());
-  for (int i = 0; i < kBatchPoints + kTail; ++i) {
+  for (int i = 0; i < kBatchPoints + kLoadTail; ++i) {
     for (int j = 0; j < static_cast<int>(robot_.joints.size()); ++j) {
       const float offset = j == knee_ ? posture->offset[i][j] : 0.0F;
       ASSERT_NEAR(during->position[i][j], before->position[kBatchPoints - 1][j] + offset, 2e-5F)

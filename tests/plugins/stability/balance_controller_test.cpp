@@ -16,9 +16,9 @@ namespace {
 
 using test::channel_of;
 using test::humanoid;
+using test::kLeftAnklePitch;
 
 constexpr std::int64_t kTick_ns = facts::kSlot_ns;
-const std::size_t kLeftAnklePitch = channel_of(humanoid(), 0, 4);
 const std::size_t kRightAnklePitch = channel_of(humanoid(), 1, 4);
 
 class BalanceControllerTest : public ::testing::Test {

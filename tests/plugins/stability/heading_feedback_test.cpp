@@ -11,7 +11,7 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 constexpr double kDegree = 3.14159265358979 / 180.0;
 
 TEST(HeadingFeedback, TurnsAgainstTheErrorAndNoFasterThanItsLimit) {
@@ -42,14 +42,14 @@ double heading_after(double seconds, double commanded_rad_per_s, double gain_per
   HeadingFeedback feedback(parameters);
   std::deque<double> delayed(60, 0.0);
   double planned = 0.0, slipped = 0.0, worst_late = 0.0;
-  for (int i = 0; i < static_cast<int>(seconds / kTick_s); ++i) {
-    const double t = i * kTick_s;
-    planned += (commanded_rad_per_s + delayed.front()) * kTick_s;
+  for (int i = 0; i < static_cast<int>(seconds / kSlot_s); ++i) {
+    const double t = i * kSlot_s;
+    planned += (commanded_rad_per_s + delayed.front()) * kSlot_s;
     delayed.pop_front();
-    slipped += 2.1 * kDegree * kTick_s;
+    slipped += 2.1 * kDegree * kSlot_s;
     const double swing = 1.0 * kDegree * std::sin(2.0 * M_PI * 1.25 * t);  // the trunk's, with the steps
     const double heading = planned + slipped;
-    const double commanded = commanded_rad_per_s * (t + kTick_s);
+    const double commanded = commanded_rad_per_s * (t + kSlot_s);
     delayed.push_back(feedback.update(heading + swing, commanded, true));
     if (t > 10.0) worst_late = std::max(worst_late, std::abs(heading - commanded));
   }

@@ -10,7 +10,7 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 
 // The plan follows command and offset 0.6 s late; the robot goes by a share faster, and swings with its
 // steps.
@@ -21,12 +21,12 @@ Eigen::Vector2d speed_after(double seconds, const Eigen::Vector2d& commanded, do
   SpeedFeedback feedback(parameters);
   std::deque<Eigen::Vector2d> delayed(60, Eigen::Vector2d::Zero());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  const int ticks = static_cast<int>(seconds / kTick_s);
+  const int ticks = static_cast<int>(seconds / kSlot_s);
   for (int i = 0; i < ticks; ++i) {
     const Eigen::Vector2d planned = commanded + delayed.front();
     delayed.pop_front();
     const Eigen::Vector2d robot = (1.0 + faster) * planned;
-    const double swing = 0.15 * std::sin(2.0 * M_PI * 1.5625 * i * kTick_s);
+    const double swing = 0.15 * std::sin(2.0 * M_PI * 1.5625 * i * kSlot_s);
     delayed.push_back(feedback.update(planned, robot + Eigen::Vector2d(0.0, swing), true));
     if (i >= ticks / 2) mean += robot / (ticks - ticks / 2);
   }

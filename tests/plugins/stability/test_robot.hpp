@@ -30,5 +30,6 @@ inline std::size_t channel_of(const urdf::RobotModel& model, std::size_t side, s
   return static_cast<std::size_t>(
       model.joints[static_cast<std::size_t>(model.legs[side].joints[leg_joint])].trim_channel);
 }
+inline const std::size_t kLeftAnklePitch = channel_of(humanoid(), 0, 4);
 
 }  // namespace gaitway::stability::test

@@ -14,8 +14,8 @@ namespace {
 using msgclient::TrunkMotion;
 using test::channel_of;
 using test::humanoid;
+using test::kLeftAnklePitch;
 
-const std::size_t kLeftAnklePitch = channel_of(humanoid(), 0, 4);
 const std::size_t kLeftHipPitch = channel_of(humanoid(), 0, 2);
 
 TrimFeedback in_full(std::size_t support, TrimCommand& command) {

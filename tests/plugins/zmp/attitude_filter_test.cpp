@@ -10,7 +10,7 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 
 // Roll, pitch, yaw with R = Rz Ry Rx.
 Eigen::Vector3d euler_of(const Eigen::Matrix3d& r) {
@@ -28,7 +28,7 @@ struct Trunk {
     return deviation * Eigen::Vector3d(normal(random), normal(random), normal(random));
   }
   void turn(const Eigen::Vector3d& rate) {
-    const Eigen::Matrix3d half = by(0.5 * kTick_s * rate);
+    const Eigen::Matrix3d half = by(0.5 * kSlot_s * rate);
     tilt = euler_of(rotation * half).head<2>();
     rotation = (rotation * half * half).eval();
     yaw += std::remainder(euler_of(rotation).z() - yaw, 2.0 * M_PI);
@@ -49,12 +49,12 @@ struct Trunk {
 
 TEST(AttitudeFilter, TakesTheFirstMeasuredTiltAndDrawsToLaterOnes) {
   AttitudeFilter filter{EstimatorParameters{}};
-  filter.predict(Eigen::Vector3d::Zero(), kTick_s);
+  filter.predict(Eigen::Vector3d::Zero(), kSlot_s);
   filter.correct_tilt({0.1, -0.05}, kTiltNoise_rad);
   EXPECT_NEAR(filter.attitude().roll_rad, 0.1, 1e-12);
   EXPECT_NEAR(filter.attitude().pitch_rad, -0.05, 1e-12);
   for (int i = 0; i < 500; ++i) {
-    filter.predict(Eigen::Vector3d::Zero(), kTick_s);
+    filter.predict(Eigen::Vector3d::Zero(), kSlot_s);
     filter.correct_tilt({0.0, 0.0}, kTiltNoise_rad);
   }
   EXPECT_NEAR(filter.attitude().roll_rad, 0.0, 0.02 * kDegree);
@@ -70,7 +70,7 @@ TEST(AttitudeFilter, IntegratesTurnsInSpaceWithoutMeasuredTilt) {
     const Eigen::Vector3d start(phase(random), phase(random), phase(random));
     for (int i = 0; i < 200; ++i) {
       trunk.turn(((start.array() + 0.07 * i).sin() * Eigen::Array3d(0.8, 0.6, 1.0)).matrix());
-      filter.predict(trunk.gyro, kTick_s);
+      filter.predict(trunk.gyro, kSlot_s);
     }
     const Eigen::Vector3d expected = euler_of(trunk.rotation);
     EXPECT_NEAR(filter.attitude().roll_rad, expected.x(), 1e-9);
@@ -86,9 +86,9 @@ TEST(AttitudeFilter, FollowsASwayWithinAFiftiethOfADegreeDespiteNoiseAndBias) {
   double squares = 0.0, normalised = 0.0;
   constexpr int kTicks = 3000, kSettle = 1000;
   for (int i = 0; i < kTicks; ++i) {
-    const double t = i * kTick_s;
+    const double t = i * kSlot_s;
     trunk.turn({0.4 * std::cos(8.0 * t), 0.15 * std::cos(5.0 * t), 0.2 * std::cos(3.0 * t)});
-    filter.predict(trunk.gyro + trunk.noise(0.01 / std::sqrt(10.0)), kTick_s);
+    filter.predict(trunk.gyro + trunk.noise(0.01 / std::sqrt(10.0)), kSlot_s);
     filter.correct_tilt(trunk.tilt + trunk.noise(kTiltNoise_rad).head<2>(), kTiltNoise_rad);
     if (i < kSettle) continue;
     const Eigen::Vector2d error = Eigen::Vector2d(filter.attitude().roll_rad, filter.attitude().pitch_rad) -
@@ -114,11 +114,11 @@ Drift drift_after_standing(unsigned seed, double sway_rad_per_s) {
   AttitudeFilter filter{EstimatorParameters{}};
   Drift drift;
   for (int i = 0; i < 7000; ++i) {
-    const double t = i * kTick_s;
+    const double t = i * kSlot_s;
     trunk.turn({0.0, 0.0, i < 1000 ? sway_rad_per_s * std::cos(4.0 * t) : 0.3 * std::cos(8.0 * t)});
-    filter.predict(trunk.gyro + trunk.noise(0.01 / std::sqrt(10.0)), kTick_s);
+    filter.predict(trunk.gyro + trunk.noise(0.01 / std::sqrt(10.0)), kSlot_s);
     filter.correct_tilt(trunk.tilt + trunk.noise(kTiltNoise_rad).head<2>(), kTiltNoise_rad);
-    if (i < 1000) filter.hold_heading(-trunk.yaw + trunk.noise(0.0005).x(), 0.0001, kTick_s);
+    if (i < 1000) filter.hold_heading(-trunk.yaw + trunk.noise(0.0005).x(), 0.0001, kSlot_s);
     if (i == 1000) filter.release_heading();
   }
   drift.bias_error = filter.bias_rad_per_s().z() - trunk.bias.z();
@@ -148,9 +148,9 @@ TEST(AttitudeFilter, LearnsTheGyrosBiasOverFeetThatStandWhetherTheTrunkSwaysOrNo
 TEST(AttitudeFilter, CreepingFeetTeachLess) {
   AttitudeFilter firm{EstimatorParameters{}}, creeping{EstimatorParameters{}};
   for (int i = 0; i < 500; ++i) {
-    for (AttitudeFilter* filter : {&firm, &creeping}) filter->predict({0.0, 0.0, 0.002}, kTick_s);
-    firm.hold_heading(0.0, 0.0001, kTick_s);
-    creeping.hold_heading(0.0, 0.01, kTick_s);
+    for (AttitudeFilter* filter : {&firm, &creeping}) filter->predict({0.0, 0.0, 0.002}, kSlot_s);
+    firm.hold_heading(0.0, 0.0001, kSlot_s);
+    creeping.hold_heading(0.0, 0.01, kSlot_s);
   }
   EXPECT_LT(5.0 * firm.bias_deviation_rad_per_s().z(), creeping.bias_deviation_rad_per_s().z());
   EXPECT_NEAR(firm.bias_rad_per_s().z(), 0.002, 0.0003);
@@ -165,7 +165,7 @@ TEST(AttitudeFilter, HeadingIsLessCertainAfterSamplesThatWereNotHeard) {
 
 TEST(AttitudeFilter, YawGoesOnBeyondATurnAndComesBackBeforeTheTopicsLimit) {
   AttitudeFilter filter{EstimatorParameters{}};
-  for (int i = 0; i < 1000; ++i) filter.predict({0.0, 0.0, 1.0}, kTick_s);
+  for (int i = 0; i < 1000; ++i) filter.predict({0.0, 0.0, 1.0}, kSlot_s);
   EXPECT_NEAR(filter.attitude().yaw_rad, 10.0, 1e-9);
   double turned = 10.0;
   for (int i = 0; i < 10000; ++i) {
@@ -193,9 +193,9 @@ TEST(AttitudeFilter, ThirtyDaysLaterItIsAsGoodAsAtTheStart) {
   for (int i = 0; i < 1000; ++i) {
     if (i == 500) heading = filter.attitude().yaw_rad;
     for (AttitudeFilter* each : {&filter, &fresh}) {
-      each->predict({0.001, -0.002, 0.003}, kTick_s);
+      each->predict({0.001, -0.002, 0.003}, kSlot_s);
       each->correct_tilt({0.0, 0.0}, kTiltNoise_rad);
-      each->hold_heading(0.0, 0.0001, kTick_s);
+      each->hold_heading(0.0, 0.0001, kSlot_s);
     }
   }
   EXPECT_NEAR(filter.bias_rad_per_s().z(), 0.003, 2e-4);

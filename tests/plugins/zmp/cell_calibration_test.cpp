@@ -17,7 +17,7 @@ using test::humanoid;
 using test::weight_N;
 using urdf::Side;
 
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 constexpr double kNoise_N = 0.2 / 3.16;
 
 // A walk on the spot: the load goes from foot to foot, the ZMP wanders over the loaded one.
@@ -29,7 +29,7 @@ class Walk {
     }
   }
   void tick() {
-    const double t = kTick_s * tick_++;
+    const double t = kSlot_s * tick_++;
     const double left = 0.5 + 0.5 * std::clamp(3.0 * std::sin(2.0 * M_PI * t / 0.8), -1.0, 1.0);
     apparent_weight = 1.0 + 0.1 * std::sin(2.0 * M_PI * t / 0.4);
     for (std::size_t side = 0; side < 2; ++side) {
@@ -65,7 +65,7 @@ ZmpErrors walk(Walk& walk, CellCalibration& cells, int ticks) {
   int samples = 0;
   for (int i = 0; i < ticks; ++i) {
     walk.tick();
-    cells.update(walk.measured_N, walk.apparent_weight, kTick_s);
+    cells.update(walk.measured_N, walk.apparent_weight, kSlot_s);
     for (std::size_t side = 0; side < 2; ++side) {
       if (walk.force_N[side] < 0.3 * weight_N()) continue;
       const urdf::Foot& foot = humanoid().feet[side];
@@ -166,7 +166,7 @@ TEST(CellCalibration, UnloadedCellIsNotDead) {
   CellForces measured{};
   measured[0] = test::cell_forces(foot, weight_N(), corner);
   ASSERT_NEAR(measured[0][3], 0.0, 1e-9);
-  for (int i = 0; i < 200; ++i) cells.update(measured, 1.0, kTick_s);
+  for (int i = 0; i < 200; ++i) cells.update(measured, 1.0, kSlot_s);
   EXPECT_FALSE(cells.any_dead());
 }
 

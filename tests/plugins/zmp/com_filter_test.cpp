@@ -10,7 +10,7 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 constexpr double kOmega = 5.1;
 
 // A pendulum that is kept upright by feedback of its DCM to the ZMP while the wanted DCM sways like in
@@ -23,7 +23,7 @@ struct Pendulum {
     zmp = dcm() + 1.5 * (dcm() - wanted_dcm);
     constexpr int kSubsteps = 100;
     for (int i = 0; i < kSubsteps; ++i) {
-      const double dt = kTick_s / kSubsteps;
+      const double dt = kSlot_s / kSubsteps;
       const double acceleration = kOmega * kOmega * (position - zmp) + push;
       position += dt * velocity + 0.5 * dt * dt * acceleration;
       velocity += dt * acceleration;
@@ -39,13 +39,13 @@ struct Errors {
 Errors follow(double com_offset, double com_noise, double zmp_noise) {
   std::mt19937 random(29);
   std::normal_distribution<double> noise(0.0, 1.0);
-  ComFilter filter(EstimatorParameters{}, kOmega, kTick_s);
+  ComFilter filter(EstimatorParameters{}, kOmega, kSlot_s);
   Pendulum pendulum;
   filter.start(com_offset);
   Errors errors;
   constexpr int kTicks = 3000, kSettle = 100;
   for (int i = 0; i < kTicks; ++i) {
-    pendulum.advance(0.03 * std::sin(2.0 * M_PI * 1.25 * i * kTick_s));
+    pendulum.advance(0.03 * std::sin(2.0 * M_PI * 1.25 * i * kSlot_s));
     const double measured_zmp = pendulum.zmp + zmp_noise * noise(random);
     filter.predict(kOmega * kOmega * (filter.position_m() - measured_zmp));
     filter.correct(pendulum.position + com_offset + com_noise * noise(random));
@@ -78,11 +78,11 @@ TEST(ComFilter, AnErrorOfTheModelsComShiftsTheDcmByItselfAndNoMore) {
 
 TEST(ComFilter, BeatsDifferencesOfThePosition) {
   // The difference of two positions with 0.5 mm of noise has 71 mm/s of noise.
-  EXPECT_LT(follow(0.0, 0.0005, 0.001).velocity_rms, 0.3 * std::sqrt(2.0) * 0.0005 / kTick_s);
+  EXPECT_LT(follow(0.0, 0.0005, 0.001).velocity_rms, 0.3 * std::sqrt(2.0) * 0.0005 / kSlot_s);
 }
 
 TEST(ComFilter, FindsAPushAsUnexplainedAcceleration) {
-  ComFilter filter(EstimatorParameters{}, kOmega, kTick_s);
+  ComFilter filter(EstimatorParameters{}, kOmega, kSlot_s);
   Pendulum pendulum;
   pendulum.push = 0.8;
   for (int i = 0; i < 200; ++i) {
@@ -97,8 +97,8 @@ TEST(ComFilter, FindsAPushAsUnexplainedAcceleration) {
 TEST(ComFilter, GainIsTheSameForEveryFilterAndSmallerForWorseKinematics) {
   EstimatorParameters noisy;
   noisy.com_noise_m = 0.01;
-  const ComFilter good(EstimatorParameters{}, kOmega, kTick_s), bad(noisy, kOmega, kTick_s);
-  EXPECT_EQ(good.gain(), ComFilter(EstimatorParameters{}, kOmega, kTick_s).gain());
+  const ComFilter good(EstimatorParameters{}, kOmega, kSlot_s), bad(noisy, kOmega, kSlot_s);
+  EXPECT_EQ(good.gain(), ComFilter(EstimatorParameters{}, kOmega, kSlot_s).gain());
   EXPECT_GT(good.gain()[0], bad.gain()[0]);
   EXPECT_GT(bad.gain()[0], 0.0);
 }

@@ -9,17 +9,18 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = facts::kSlot_s;
-constexpr double kOmega = 5.1;
+using facts::kSlot_s;
+constexpr double kPendulum_rad_per_s = 5.1;
 const Eigen::Vector2d kDeviation_m(0.004, 0.003);
 const Eigen::Vector2d kZmpVariance_m2(1e-6, 1e-6);
 
 // A pendulum whose CoM is misplaced by `error`, walking: the limbs accelerate it to and fro.
 void walk(ComOffset& offset, const Eigen::Vector2d& error, int ticks) {
   for (int i = 0; i < ticks; ++i) {
-    const double swing = 0.5 * std::sin(2.0 * M_PI * i * kTick_s / 0.4);
-    offset.update(-kOmega * kOmega * (error - offset.offset_m()) + Eigen::Vector2d(swing, -swing), kOmega,
-                  kZmpVariance_m2, kTick_s);
+    const double swing = 0.5 * std::sin(2.0 * M_PI * i * kSlot_s / 0.4);
+    offset.update(-kPendulum_rad_per_s * kPendulum_rad_per_s * (error - offset.offset_m()) +
+                      Eigen::Vector2d(swing, -swing),
+                  kPendulum_rad_per_s, kZmpVariance_m2, kSlot_s);
   }
 }
 
@@ -37,7 +38,8 @@ TEST(ComOffset, IsLearnedInSomeSecondsAndBecomesMoreCertain) {
 TEST(ComOffset, APushMovesItLittle) {
   ComOffset offset(EstimatorParameters{}, kDeviation_m);
   walk(offset, Eigen::Vector2d::Zero(), 1000);
-  for (int i = 0; i < 10; ++i) offset.update({3.0, 0.0}, kOmega, kZmpVariance_m2, kTick_s);  // 2 N s in 0.1 s
+  for (int i = 0; i < 10; ++i)
+    offset.update({3.0, 0.0}, kPendulum_rad_per_s, kZmpVariance_m2, kSlot_s);  // 2 N s in 0.1 s
   EXPECT_LT(offset.offset_m().norm(), 0.002);
 }
 

@@ -18,7 +18,7 @@ namespace gaitway::zmp {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 constexpr double kHeight_m = 0.38;
 constexpr double kHalfLength_m = 0.0675, kHalfWidth_m = 0.0425, kFootAside_m = 0.05;
 
@@ -55,8 +55,8 @@ class TippingBody {
   void tick() {
     constexpr int kSteps = 100;
     for (int i = 0; i < kSteps; ++i) {
-      rate_ += kTick_s / kSteps * 9.81 / (length_m_ * TippingModel{}.inertia_factor) * std::sin(tilt_rad_);
-      tilt_rad_ += kTick_s / kSteps * rate_;
+      rate_ += kSlot_s / kSteps * 9.81 / (length_m_ * TippingModel{}.inertia_factor) * std::sin(tilt_rad_);
+      tilt_rad_ += kSlot_s / kSteps * rate_;
     }
   }
   [[nodiscard]] FallInputs inputs() const {
@@ -104,7 +104,7 @@ TEST(Tipping, PredictsTheImpactOfAPendulumInEachDirection) {
     }
     ASSERT_GT(predicted_s.size(), 20U);
     for (std::size_t i = 0; i < predicted_s.size(); ++i) {
-      EXPECT_NEAR(predicted_s[i], kTick_s * static_cast<double>(predicted_s.size() - i), 0.03) << i;
+      EXPECT_NEAR(predicted_s[i], kSlot_s * static_cast<double>(predicted_s.size() - i), 0.03) << i;
     }
   }
 }
@@ -140,7 +140,7 @@ class FallRecognitionTest : public ::testing::Test {
     for (; !body.has_hit(); body.tick()) {
       recognition_.update(body.inputs());
       told = told || recognition_.fall() == Fall::falls;
-      lead_s += told ? kTick_s : 0.0;
+      lead_s += told ? kSlot_s : 0.0;
     }
     return told ? lead_s : -1.0;
   }
@@ -246,7 +246,7 @@ TEST_F(FallRecognitionTest, AnUndisturbedWalkNeverAlarms) {
     for (int step = 0; step < 20; ++step) {
       const Eigen::Vector2d next(stance.x() + stride.x(), -stance.y());
       const Eigen::Vector2d start = offset();
-      for (double t_s = 0.0; t_s < kStep_s - 1e-9; t_s += kTick_s) {
+      for (double t_s = 0.0; t_s < kStep_s - 1e-9; t_s += kSlot_s) {
         const Eigen::Vector2d dcm = stance + start * std::exp(omega * t_s);
         const Eigen::Vector2d velocity = omega * (dcm - com);
         FallInputs inputs = standing();
@@ -256,7 +256,7 @@ TEST_F(FallRecognitionTest, AnUndisturbedWalkNeverAlarms) {
         recognition_.update(inputs);
         ASSERT_EQ(recognition_.fall(), Fall::upright)
             << "walk " << walk << ", step " << step << ", " << t_s << " s";
-        com += kTick_s * velocity;
+        com += kSlot_s * velocity;
       }
       from = stance;
       stance = next;

@@ -7,13 +7,13 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 constexpr double kWeight_N = 67.0;
 
 class PlantedFeetTest : public ::testing::Test {
  protected:
   void stand(int ticks, double left_N = 33.0, double angle_rad = 0.0, double leg_rate = 0.0) {
-    for (int i = 0; i < ticks; ++i) feet_.update({left_N, kWeight_N - left_N}, angle_rad, leg_rate, kTick_s);
+    for (int i = 0; i < ticks; ++i) feet_.update({left_N, kWeight_N - left_N}, angle_rad, leg_rate, kSlot_s);
   }
   PlantedFeet feet_{EstimatorParameters{}, kWeight_N};
 };

@@ -10,7 +10,7 @@
 namespace gaitway::zmp {
 namespace {
 
-constexpr double kTick_s = facts::kSlot_s;
+using facts::kSlot_s;
 
 TEST(SlipObserver, FootThatStandsOnAnUnknownTiltDoesNotSlip) {
   std::mt19937 random(3);
@@ -18,7 +18,7 @@ TEST(SlipObserver, FootThatStandsOnAnUnknownTiltDoesNotSlip) {
   SlipObserver slip{EstimatorParameters{}};
   double squares = 0.0;
   for (int i = 0; i < 2000; ++i) {
-    slip.update(true, {0.1 + noise(random), -0.05 + noise(random)}, kTick_s);
+    slip.update(true, {0.1 + noise(random), -0.05 + noise(random)}, kSlot_s);
     if (i >= 1000) squares += std::pow(slip.speed_m_per_s(), 2) / 1000.0;
   }
   EXPECT_LT(std::sqrt(squares), 0.004);
@@ -26,24 +26,24 @@ TEST(SlipObserver, FootThatStandsOnAnUnknownTiltDoesNotSlip) {
 
 TEST(SlipObserver, ASlipShowsWithItsSpeedAndEnds) {
   SlipObserver slip{EstimatorParameters{}};
-  for (int i = 0; i < 100; ++i) slip.update(true, {0.0, 0.0}, kTick_s);
-  for (int i = 0; i < 3; ++i) slip.update(true, {4.0, 3.0}, kTick_s);  // to 0.15 m/s
+  for (int i = 0; i < 100; ++i) slip.update(true, {0.0, 0.0}, kSlot_s);
+  for (int i = 0; i < 3; ++i) slip.update(true, {4.0, 3.0}, kSlot_s);  // to 0.15 m/s
   EXPECT_NEAR(slip.speed_m_per_s(), 0.15, 0.03);
-  for (int i = 0; i < 3; ++i) slip.update(true, {-4.0, -3.0}, kTick_s);
+  for (int i = 0; i < 3; ++i) slip.update(true, {-4.0, -3.0}, kSlot_s);
   EXPECT_LT(slip.speed_m_per_s(), 0.04);
-  for (int i = 0; i < 60; ++i) slip.update(true, {0.0, 0.0}, kTick_s);
+  for (int i = 0; i < 60; ++i) slip.update(true, {0.0, 0.0}, kSlot_s);
   EXPECT_LT(slip.speed_m_per_s(), 0.005);
 }
 
 TEST(SlipObserver, FootInTheAirAndTheStrikeOfTouchdownAreNoSlip) {
   SlipObserver slip{EstimatorParameters{}};
   for (int i = 0; i < 50; ++i) {
-    slip.update(false, {20.0, 0.0}, kTick_s);
+    slip.update(false, {20.0, 0.0}, kSlot_s);
     EXPECT_EQ(slip.speed_m_per_s(), 0.0);
   }
-  slip.update(true, {-50.0, 10.0}, kTick_s);
+  slip.update(true, {-50.0, 10.0}, kSlot_s);
   EXPECT_EQ(slip.speed_m_per_s(), 0.0);
-  for (int i = 0; i < 10; ++i) slip.update(true, {0.0, 0.0}, kTick_s);
+  for (int i = 0; i < 10; ++i) slip.update(true, {0.0, 0.0}, kSlot_s);
   EXPECT_LT(slip.speed_m_per_s(), 0.001);
 }
 

@@ -43,6 +43,8 @@ inline constexpr std::uint32_t kLargestExtendedId = 0x1FFF'FFFF;
 }
 
 inline constexpr int kInterframeBits = 3;
+inline constexpr int kSuspendBits =
+    8;  // that an error-passive station waits besides, after a frame of its own
 inline constexpr int kTrailerBits = 10;  // CRC delimiter, ACK slot, ACK delimiter, end of frame (7)
 
 // CRC-15 of the frame (polynomial 0x4599) over start of frame to the last data bit, without stuff bits.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 
 namespace gaitway::facts {
 
@@ -21,5 +22,6 @@ inline constexpr std::int64_t kBitTime_ns = 1'000;
 inline constexpr int kLargestByte_counts = 127;
 
 inline constexpr double kGravity_m_per_s2 = 9.81;
+inline constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
 }  // namespace gaitway::facts

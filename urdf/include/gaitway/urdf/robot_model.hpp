@@ -21,6 +21,9 @@ using RobotError = input::InputError;
 
 enum class Side : std::uint8_t { left = 0, right = 1 };
 inline constexpr std::array kSides{Side::left, Side::right};
+[[nodiscard]] constexpr std::size_t index_of(Side side) noexcept {
+  return static_cast<std::size_t>(side);
+}
 
 struct BoxShape {                                          // simple collision shape, in the link's frame
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of the box's centre

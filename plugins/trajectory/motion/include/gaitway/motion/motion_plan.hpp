@@ -12,6 +12,9 @@
 
 namespace gaitway::motion {
 
+// After the last point a plan stays where it is, for the lag of the servos to settle.
+inline constexpr std::size_t kRestPoints = 4;
+
 struct KeyTime {
   std::string name;
   std::size_t reached = 0, left = 0;  // indices of points
