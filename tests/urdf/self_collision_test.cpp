@@ -52,7 +52,7 @@ void expect_clear(const RobotModel& robot, const std::vector<double>& posture) {
   }
 }
 
-RobotModel humanoid() {
+RobotModel shipped_robot() {
   return load_robot(std::filesystem::path(GAITWAY_URDF_DIR) / "humanoid22");
 }
 
@@ -72,12 +72,12 @@ std::vector<double> squat(const RobotModel& robot, double hip_height_m) {
 }
 
 TEST(SelfCollision, LimbsAreClearWithAllJointsAtZero) {
-  const RobotModel robot = humanoid();
+  const RobotModel robot = shipped_robot();
   expect_clear(robot, std::vector<double>(robot.joints.size(), 0.0));
 }
 
 TEST(SelfCollision, LimbsAreClearFromStandingToADeepSquat) {
-  const RobotModel robot = humanoid();
+  const RobotModel robot = shipped_robot();
   for (const double hip_height_m : {0.375, 0.36, 0.345, 0.30, 0.25, 0.20}) {
     SCOPED_TRACE(hip_height_m);
     expect_clear(robot, squat(robot, hip_height_m));
@@ -85,7 +85,7 @@ TEST(SelfCollision, LimbsAreClearFromStandingToADeepSquat) {
 }
 
 TEST(SelfCollision, LegsAreClearWhenSwayingAndTurning) {
-  const RobotModel robot = humanoid();
+  const RobotModel robot = shipped_robot();
   for (const double roll_rad : {-0.2, 0.2}) {
     for (const double yaw_rad : {0.0, 0.1}) {
       std::vector<double> posture = squat(robot, 0.36);
@@ -101,7 +101,7 @@ TEST(SelfCollision, LegsAreClearWhenSwayingAndTurning) {
 }
 
 TEST(SelfCollision, TheTestSeesAnArmInTheTrunk) {
-  RobotModel robot = humanoid();
+  RobotModel robot = shipped_robot();
   robot.links[static_cast<std::size_t>(robot.link_index("left_forearm"))].collision[0].size_m.setConstant(
       0.4);
   const auto check = [&robot] { expect_clear(robot, squat(robot, 0.36)); };

@@ -10,7 +10,7 @@
 namespace gaitway::kinematics {
 namespace {
 
-constexpr std::uint32_t kBatch = 8, kTail = 100;
+constexpr std::uint32_t kBatch = 8, kFadeTail = 100;
 const BaseOffset kFirst{{0.008, -0.016}, {0.08, -0.04}};
 const BaseOffset kSecond{{-0.008, 0.0}, {0.0, 0.0}};
 
@@ -23,50 +23,50 @@ void expect_offset(const BaseOffset& offset, double share_of_first) {
 
 TEST(CorrectionFade, ComesInLinearlyOverTheBatch) {
   CorrectionFade fade;
-  fade.begin(5, kBatch, kTail, kFirst);
+  fade.begin(5, kBatch, kFadeTail, kFirst);
   for (unsigned point = 0; point < kBatch; ++point) expect_offset(fade.at(point), (point + 1) / 8.0);
 }
 
 TEST(CorrectionFade, StaysForHalfTheTailAndIsGoneAtItsEnd) {
   CorrectionFade fade;
-  fade.begin(5, kBatch, kTail, kFirst);
-  for (unsigned point = kBatch; point < kBatch + kTail / 2; ++point) expect_offset(fade.at(point), 1.0);
+  fade.begin(5, kBatch, kFadeTail, kFirst);
+  for (unsigned point = kBatch; point < kBatch + kFadeTail / 2; ++point) expect_offset(fade.at(point), 1.0);
   double last = 1.0;
-  for (unsigned point = kBatch + kTail / 2; point < kBatch + kTail; ++point) {
+  for (unsigned point = kBatch + kFadeTail / 2; point < kBatch + kFadeTail; ++point) {
     const double share = fade.at(point).com_m.x() / kFirst.com_m.x();
     EXPECT_LT(share, last);
-    EXPECT_GT(share, last - 1.51 / (kTail * 0.5)) << "no faster than one and a half times the mean";
+    EXPECT_GT(share, last - 1.51 / (kFadeTail * 0.5)) << "no faster than one and a half times the mean";
     last = share;
   }
-  EXPECT_EQ(fade.at(kBatch + kTail - 1).com_m, Eigen::Vector2d::Zero());
-  EXPECT_EQ(fade.at(kBatch + kTail + 1000).attitude_rad, Eigen::Vector2d::Zero());
+  EXPECT_EQ(fade.at(kBatch + kFadeTail - 1).com_m, Eigen::Vector2d::Zero());
+  EXPECT_EQ(fade.at(kBatch + kFadeTail + 1000).attitude_rad, Eigen::Vector2d::Zero());
 }
 
 TEST(CorrectionFade, GoesOnFromTheBatchBefore) {
   CorrectionFade fade;
-  fade.begin(5, kBatch, kTail, kFirst);
-  fade.begin(6, kBatch, kTail, kSecond);
+  fade.begin(5, kBatch, kFadeTail, kFirst);
+  fade.begin(6, kBatch, kFadeTail, kSecond);
   EXPECT_NEAR(fade.at(0).com_m.x(), 0.008 + (-0.008 - 0.008) / 8.0, 1e-15);
   EXPECT_NEAR(fade.at(7).com_m.x(), -0.008, 1e-15);
 }
 
 TEST(CorrectionFade, BeginsARevisionWhereTheBatchBegan) {
   CorrectionFade fade;
-  fade.begin(5, kBatch, kTail, kFirst);
-  fade.begin(6, kBatch, kTail, kFirst);
-  fade.begin(6, kBatch, kTail, kSecond);
+  fade.begin(5, kBatch, kFadeTail, kFirst);
+  fade.begin(6, kBatch, kFadeTail, kFirst);
+  fade.begin(6, kBatch, kFadeTail, kSecond);
   EXPECT_NEAR(fade.at(0).com_m.x(), 0.008 + (-0.008 - 0.008) / 8.0, 1e-15);
 }
 
 TEST(CorrectionFade, GoesOnFromWhereTheTailIsWhenBatchesWereMissed) {
   CorrectionFade fade;
-  fade.begin(5, kBatch, kTail, kFirst);
+  fade.begin(5, kBatch, kFadeTail, kFirst);
   const double played = fade.at(10 * kBatch - 1).com_m.x();
   ASSERT_GT(played, 0.0);
   ASSERT_LT(played, 0.008);
-  fade.begin(15, kBatch, kTail, BaseOffset{});
+  fade.begin(15, kBatch, kFadeTail, BaseOffset{});
   EXPECT_NEAR(fade.at(0).com_m.x(), played * 7.0 / 8.0, 1e-15);
-  fade.begin(500, kBatch, kTail, kFirst);
+  fade.begin(500, kBatch, kFadeTail, kFirst);
   EXPECT_NEAR(fade.at(0).com_m.x(), 0.001, 1e-15) << "the tail had ended long before";
 }
 
@@ -95,8 +95,8 @@ TEST(CorrectionFade, ABowComesIsBrakedAndGoesWithoutAJump) {
 
 TEST(CorrectionFade, StartsAfreshWhenSequencesStartAfresh) {
   CorrectionFade fade;
-  fade.begin(50, kBatch, kTail, kFirst);
-  fade.begin(1, kBatch, kTail, kSecond);
+  fade.begin(50, kBatch, kFadeTail, kFirst);
+  fade.begin(1, kBatch, kFadeTail, kSecond);
   EXPECT_NEAR(fade.at(0).com_m.x(), -0.001, 1e-15);
 }
 
