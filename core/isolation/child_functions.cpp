@@ -44,12 +44,11 @@ gaitway_host ChildProgram::Functions::table(ChildProgram& child) noexcept {
 }
 
 std::vector<std::byte> ChildProgram::Functions::ask(ChildProgram& child, const PacketWriter& question) {
-  if (!send_packet(child.socket_, question.bytes())) {
+  if (!child.tell(question)) {
     throw PluginError("declares more than a message to its manager holds");
   }
   std::vector<std::byte> answer;
-  process::FileDescriptor none;
-  if (receive_packet(child.socket_, answer, true, none) != Receipt::packet) {
+  if (receive_packet(child.socket_, answer, Wait::yes) != Receipt::packet) {
     _exit(0);  // the manager is gone
   }
   PacketReader packet(answer);
@@ -158,8 +157,7 @@ void ChildProgram::Functions::report(void* context, gaitway_severity severity, c
   }
   if (child.exchange_ == nullptr) {
     PacketWriter packet(ChildMessage::report);
-    send_packet(child.socket_,
-                packet.number(severity).text(std::string_view(text == nullptr ? "" : text, length)).bytes());
+    child.tell(packet.number(severity).text(std::string_view(text == nullptr ? "" : text, length)));
     return;
   }
   child.put_report(severity, {text, length});

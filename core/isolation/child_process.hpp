@@ -36,6 +36,7 @@ class ChildProcess {
   void kill() noexcept;
   // Of one that has ended: "exited with code 3", "was ended by SIGSEGV".
   [[nodiscard]] std::string_view end() noexcept;
+  [[nodiscard]] bool ended_well() noexcept { return end() == "exited with code 0"; }
 
  private:
   pid_t pid_ = -1;

@@ -49,8 +49,7 @@ int ChildProgram::run() {
 
 bool ChildProgram::create() {
   std::vector<std::byte> bytes;
-  process::FileDescriptor none;
-  if (receive_packet(socket_, bytes, true, none) != Receipt::packet) {
+  if (receive_packet(socket_, bytes, Wait::yes) != Receipt::packet) {
     return false;
   }
   PacketReader packet(bytes);
@@ -74,7 +73,7 @@ bool ChildProgram::load(const std::string& file, const std::filesystem::path& ba
     }
     library_ = std::make_unique<PluginLibrary>(file, base, path);
   } catch (const PluginError& error) {
-    send_packet(socket_, PacketWriter(ChildMessage::library_failed).text(error.what()).bytes());
+    tell(PacketWriter(ChildMessage::library_failed).text(error.what()));
     return false;
   }
   describe_deaths_in(library_->entry());
@@ -90,24 +89,25 @@ bool ChildProgram::construct() {
   static_cast<void>(take_refused_call());
   if (status != GAITWAY_OK) {
     text.back() = '\0';
-    send_packet(socket_, PacketWriter(ChildMessage::constructor_failed).text(text.data()).bytes());
+    tell(PacketWriter(ChildMessage::constructor_failed).text(text.data()));
     return false;
   }
   if (instance_.activate == nullptr || instance_.step == nullptr || instance_.deactivate == nullptr ||
       instance_.destroy == nullptr) {
-    send_packet(socket_,
-                PacketWriter(ChildMessage::library_failed)
-                    .text("create left out one of activate, step, deactivate and destroy. Fill in all four")
-                    .bytes());
+    tell(PacketWriter(ChildMessage::library_failed)
+             .text("create left out one of activate, step, deactivate and destroy. Fill in all four"));
     return false;
   }
-  return send_packet(socket_, PacketWriter(ChildMessage::created).text(library_->entry().version).bytes());
+  const gaitway_plugin& entry = library_->entry();
+  PacketWriter created(ChildMessage::created);
+  created.text(entry.name).text(entry.version).text(entry.description);
+  return tell(created.text(std::filesystem::absolute(library_->file()).lexically_normal().native()));
 }
 
 bool ChildProgram::attach() {
   std::vector<std::byte> bytes;
   process::FileDescriptor memory;
-  if (receive_packet(socket_, bytes, true, memory) != Receipt::packet || !memory) {
+  if (receive_packet(socket_, bytes, Wait::yes, &memory) != Receipt::packet || !memory) {
     return false;
   }
   std::vector<std::uint32_t> sizes;
@@ -127,11 +127,11 @@ bool ChildProgram::attach() {
     try {
       end_set_up(may_write_);
     } catch (const PluginError& error) {
-      send_packet(socket_, PacketWriter(ChildMessage::library_failed).text(error.what()).bytes());
+      tell(PacketWriter(ChildMessage::library_failed).text(error.what()));
       return false;
     }
   }
-  if (!send_packet(socket_, PacketWriter(ChildMessage::attached).bytes())) {
+  if (!tell(PacketWriter(ChildMessage::attached))) {
     return false;
   }
   end_with_manager(socket_.get());

@@ -16,6 +16,7 @@
 #include "gaitway/manager/plugin_library.hpp"
 #include "gaitway/msgclient/segment.hpp"
 #include "gaitway/process/file_descriptor.hpp"
+#include "messages.hpp"
 
 namespace gaitway::core {
 
@@ -43,6 +44,9 @@ class ChildProgram {
   struct Functions;  // of gaitway_host
   enum class Phase : std::uint8_t { creating, idle, stepping };
 
+  bool tell(const PacketWriter& packet) {
+    return send_packet(socket_, packet.bytes(), Wait::yes) == Sent::whole;
+  }
   bool create();
   bool load(const std::string& file, const std::filesystem::path& base, const SearchPath& path);
   bool construct();

@@ -1,37 +1,20 @@
-// The step of an isolated plug-in, and what its process's end looks like from here. Between a call and its
-// answer nothing is allocated and nothing locked; the futex is the only system call while all goes well.
-#include "gaitway/isolation/isolated_plugin.hpp"
+// The conditions of an isolated plug-in: in service, late, lost, and on its way back.
+#include "isolated_plugin.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <string.h>
 
 #include <algorithm>
 
-#include "child_link.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
-#include "plugin_declarations.hpp"
 
 namespace gaitway::core {
 namespace {
 
-constexpr std::int64_t kLook_ns = 500'000;  // between two looks whether the child still lives
+using facts::kMillisecond_ns;
 constexpr std::int64_t kFarewell_ns = 1'000'000'000;
-constexpr std::int64_t kLongestRestart_ns = 800'000'000;
-constexpr std::uint32_t kMostDoublings = 8;
 constexpr std::int64_t kBetweenSteps_ns = 10'000'000;  // real time: of a call that the tick waits for
-
-std::string_view name_of(ChildCall call) noexcept {
-  constexpr std::array<std::string_view, 7> kNames{"its step",         "activation",    "deactivation",
-                                                   "save_state",       "restore_state", "set_parameter",
-                                                   "between two steps"};
-  return kNames[static_cast<std::size_t>(call)];
-}
-
-template <std::size_t size>
-std::string_view bounded(const char (&text)[size]) noexcept {
-  return {text, strnlen(text, size - 1)};
-}
+constexpr std::uint32_t kProven = 8;  // steps after which a restored state is not to blame for the next end
 
 template <std::size_t size, class... Values>
 void format_into(std::array<char, size>& text, fmt::format_string<Values...> form,
@@ -41,17 +24,48 @@ void format_into(std::array<char, size>& text, fmt::format_string<Values...> for
 
 }  // namespace
 
+IsolatedPlugin::IsolatedPlugin(const PluginEntry& entry, const PluginSource& source,
+                               const IsolationOptions& options, EventLog& events)
+    : ManagedPlugin(entry, source.configuration_file, events),
+      settings_(entry.child),
+      options_(options_for(entry.child, options)),
+      containment_(entry.containment),
+      restarts_(options_, settings_.serves_network) {
+  try {
+    plan_.emplace(entry, source, options_);
+    start();
+    while (!attend_start(options_.start_limit_ns)) {
+    }
+  } catch (const PluginError& error) {
+    throw PluginError(fmt::format("{}: {}", place_, error.what()));
+  }
+  parameters_.require_all_declared();
+  condition_ = Condition::idle;
+}
+
 IsolatedPlugin::~IsolatedPlugin() {
   IsolatedPlugin::deactivate();
-  if (condition_ == Condition::idle && link_) {
-    begin(ChildCall::end);
-    static_cast<void>(link_->process.has_ended(static_cast<int>(kFarewell_ns / 1'000'000)));
+  static_cast<void>(end());
+}
+
+bool IsolatedPlugin::end() noexcept {
+  if (condition_ != Condition::idle) {
+    return false;
   }
+  condition_ = Condition::given_up;
+  child_->begin(ChildCall::end);
+  if (!child_->process().has_ended(static_cast<int>(kFarewell_ns / kMillisecond_ns))) {
+    set_fault("its process did not end within 1 s");
+    return false;
+  }
+  child_->describe_end("its destructor", *this);
+  set_fault(child_->text());
+  return child_->process().ended_well();
 }
 
 void IsolatedPlugin::activate() {
   take_snapshots();
-  copy_inputs();
+  child_->copy_in(ports_);
   if (!call(ChildCall::activate, options_.start_limit_ns)) {
     fail("activation failed");
   }
@@ -61,76 +75,108 @@ void IsolatedPlugin::activate() {
 void IsolatedPlugin::deactivate() noexcept {
   if (condition_ == Condition::active) {
     condition_ = Condition::idle;
-    copy_inputs();
+    child_->copy_in(ports_);
     if (!call(ChildCall::deactivate, kFarewell_ns)) {
       events_.post(EventKind::error, name_, fault());
     }
   } else if (condition_ != Condition::idle) {
-    link_.reset();
+    start_.reset();
+    child_.reset();
     condition_ = Condition::given_up;
   }
 }
 
-void IsolatedPlugin::copy_inputs() noexcept {
-  std::size_t i = 0;
-  for (TopicPort& port : ports_) {
-    if (port.use().access != Access::write) {
-      const std::uint64_t before = samples_[i].sequence;
-      port.read(link_->value(i), samples_[i]);
-      if (samples_[i].sequence != before) {
-        link_->port(i).sequence = samples_[i].sequence;
-        link_->port(i).stamp_ns = samples_[i].stamp_ns;
-      }
-    }
-    ++i;
+Recovery IsolatedPlugin::recovery() const noexcept {
+  switch (condition_) {
+    case Condition::idle:
+    case Condition::active:
+      return Recovery::not_needed;
+    case Condition::late:
+      return still_late_ ? Recovery::awaited : Recovery::not_needed;
+    case Condition::given_up:
+      return Recovery::given_up;
+    default:
+      return lost_in_step_ ? Recovery::lost : Recovery::under_way;
   }
 }
 
-void IsolatedPlugin::begin(ChildCall call) noexcept {
-  link_->exchange().request.call = call;
-  link_->calling = call;
-  ring(link_->exchange().call, ++link_->called);
-}
+// --- Steps and what happens between them.
 
-IsolatedPlugin::Outcome IsolatedPlugin::await(std::int64_t limit_ns) noexcept {
-  Doorbell& bell = link_->exchange().answer;
-  const std::uint32_t before = link_->called - 1;
-  const std::int64_t end_ns = process::monotonic_ns() + limit_ns;
-  while (!link_->spin.sees_change(bell, before)) {
-    const std::int64_t left_ns = end_ns - process::monotonic_ns();
-    if (left_ns <= 0) {
-      return Outcome::pending;
-    }
-    sleep_on(bell, before, std::min(left_ns, kLook_ns));
-    if (bell.number.load() == before && link_->process.has_ended()) {
-      return Outcome::ended;
-    }
-  }
-  return Outcome::answered;
-}
-
-void IsolatedPlugin::take_reports() noexcept {
-  const ChildReply& reply = link_->exchange().reply;
-  const std::size_t count = std::min<std::size_t>(reply.reports, kExchangeReports);
-  for (std::size_t i = 0; i < count; ++i) {
-    const ChildReport& report = reply.report[i];
-    const EventKind kind = report.severity == GAITWAY_INFO      ? EventKind::info
-                           : report.severity == GAITWAY_WARNING ? EventKind::warning
-                                                                : EventKind::error;
-    events_.post(kind, name_, bounded(report.text).substr(0, kLongestReport));
-  }
-}
-
-bool IsolatedPlugin::take_reply() noexcept {
-  const ExchangeHeader& exchange = link_->exchange();
-  if (exchange.answer.number.load() != link_->called || !link_->is_whole()) {
-    set_fault("wrote over the memory that it shares with the manager");
+bool IsolatedPlugin::run(const Tick& tick) noexcept {
+  lost_in_step_ = false;
+  if (condition_ == Condition::late && !resume_late(tick)) {
     return false;
   }
-  take_reports();
-  status_ = exchange.reply.status;
-  set_fault(status_ == GAITWAY_OK ? std::string_view() : bounded(exchange.reply.text));
-  return true;
+  if (condition_ != Condition::active) {
+    restate_loss();
+    return false;
+  }
+  child_->copy_in(ports_);
+  child_->request().keep_state = 1;
+  child_->request().tick = {.now_ns = tick.now_ns,
+                            .batch_start_ns = tick.batch_start_ns,
+                            .batch_sequence = tick.batch_sequence,
+                            .tick = tick.tick,
+                            .batch = tick.batch ? 1U : 0U,
+                            .reserved = 0};
+  child_->begin(ChildCall::step);
+  const std::int64_t limit_ns =
+      options_.lock_step ? options_.watchdog_ns : step_budget_ns(containment_, period_ == Period::batch);
+  switch (child_->finish(limit_ns, *this)) {
+    case Child::Result::done:
+      child_->copy_out(ports_);
+      static_cast<void>(child_->take_state(*state_));
+      state_ns_ = tick.now_ns;
+      ++steps_since_start_;
+      set_fault("");
+      return true;
+    case Child::Result::failed:
+      fail_step(tick);
+      return false;
+    case Child::Result::pending:
+      if (!options_.lock_step) {
+        condition_ = Condition::late;
+        still_late_ = false;
+        late_ns_ = tick.now_ns;
+        set_fault(child_->text());
+        return false;
+      }
+      format_into(text_, "{} of wall time: its process was ended", child_->text());
+      lose(text_.data(), tick.now_ns);
+      return false;
+    case Child::Result::lost:
+      break;
+  }
+  lose(child_->text(), tick.now_ns);
+  return false;
+}
+
+void IsolatedPlugin::fail_step(const Tick& tick) noexcept {
+  const std::string_view exhausted = child_->exhausted();
+  set_fault(child_->text().empty() ? "failed without a text" : child_->text());
+  if (!exhausted.empty()) {
+    format_into(text_, "{} (its process has used up its {})", fault(), exhausted);
+    lose(text_.data(), tick.now_ns);
+  }
+}
+
+// What the late step did is of no use any more. True: the child is free for the next one.
+bool IsolatedPlugin::resume_late(const Tick& tick) noexcept {
+  switch (child_->finish(0, *this)) {
+    case Child::Result::done:
+    case Child::Result::failed:
+      condition_ = Condition::active;
+      return true;
+    case Child::Result::pending:
+      format_into(text_, "has not answered for {} ms", (tick.now_ns - late_ns_) / kMillisecond_ns);
+      set_fault(text_.data());
+      still_late_ = true;
+      return false;
+    case Child::Result::lost:
+      break;
+  }
+  lose(child_->text(), tick.now_ns);
+  return false;
 }
 
 std::int64_t IsolatedPlugin::between_steps_limit_ns() const noexcept {
@@ -143,224 +189,32 @@ std::int64_t IsolatedPlugin::between_steps_limit_ns() const noexcept {
 
 // A call between two steps, or at set-up. False: it failed, and fault() says why.
 bool IsolatedPlugin::call(ChildCall what, std::int64_t limit_ns) noexcept {
-  begin(what);
-  const Outcome outcome = await(limit_ns);
-  if (outcome == Outcome::answered && take_reply()) {
-    return status_ == GAITWAY_OK;
-  }
-  if (outcome == Outcome::ended) {
-    describe_end(what);
-  } else if (outcome == Outcome::pending) {
-    format_into(loss_text_, "did not answer within {:g} ms in {}", static_cast<double>(limit_ns) * 1e-6,
-                name_of(what));
-    set_fault(loss_text_.data());
-  }
-  std::array<char, 512> text{};
-  format_into(text, "{}", fault());
-  lose(text.data(), tick_.now_ns);
-  return false;
-}
-
-bool IsolatedPlugin::run(const Tick& tick) noexcept {
-  lost_in_step_ = false;
-  if (condition_ == Condition::late && !resume_late(tick)) {
-    return false;
-  }
-  if (condition_ != Condition::active) {
-    restate_loss();
-    return false;
-  }
-  copy_inputs();
-  ChildRequest& request = link_->exchange().request;
-  request.keep_state = 1;
-  request.tick = {.now_ns = tick.now_ns,
-                  .batch_start_ns = tick.batch_start_ns,
-                  .batch_sequence = tick.batch_sequence,
-                  .tick = tick.tick,
-                  .batch = tick.batch ? 1U : 0U,
-                  .reserved = 0};
-  begin(ChildCall::step);
-  const std::int64_t limit_ns =
-      options_.lock_step ? options_.watchdog_ns : step_budget_ns(containment_, period_ == Period::batch);
-  const Outcome outcome = await(limit_ns);
-  if (outcome == Outcome::answered) {
-    return finish_step(tick);
-  }
-  std::array<char, 512> text{};
-  if (outcome == Outcome::pending) {
-    format_into(text, "did not answer within {:g} ms{}", static_cast<double>(limit_ns) * 1e-6,
-                options_.lock_step ? " of wall time: its process was ended" : "");
-    if (!options_.lock_step) {
-      condition_ = Condition::late;
-      still_late_ = false;
-      late_ns_ = tick.now_ns;
-      set_fault(text.data());
-      return false;
-    }
+  child_->begin(what);
+  const Child::Result result = child_->finish(limit_ns, *this);
+  if (result == Child::Result::pending) {
+    format_into(text_, "{} in {}", child_->text(), child_->calling());
+    lose(text_.data(), tick_.now_ns);
+  } else if (result == Child::Result::lost) {
+    lose(child_->text(), tick_.now_ns);
   } else {
-    describe_end(ChildCall::step);
-    format_into(text, "{}", fault());
+    set_fault(child_->text());
   }
-  lose(text.data(), tick.now_ns);
-  return false;
-}
-
-// What the late step did is of no use any more. True: the child is free for the next one.
-bool IsolatedPlugin::resume_late(const Tick& tick) noexcept {
-  std::array<char, 512> text{};
-  if (link_->exchange().answer.number.load() != link_->called - 1) {
-    condition_ = Condition::active;
-    if (take_reply()) {
-      return true;
-    }
-  } else if (link_->process.has_ended()) {
-    describe_end(ChildCall::step);
-  } else {
-    format_into(text, "has not answered for {} ms", (tick.now_ns - late_ns_) / 1'000'000);
-    set_fault(text.data());
-    still_late_ = true;
-    return false;
-  }
-  format_into(text, "{}", fault());
-  lose(text.data(), tick.now_ns);
-  return false;
-}
-
-bool IsolatedPlugin::finish_step(const Tick& tick) noexcept {
-  std::array<char, 512> text{};
-  if (!take_reply()) {
-    format_into(text, "{}", fault());
-    lose(text.data(), tick.now_ns);
-    return false;
-  }
-  if (status_ != GAITWAY_OK) {
-    const std::uint32_t exhausted = link_->exchange().reply.exhausted;
-    format_into(text, "{}", fault());
-    if (text[0] == '\0') {
-      format_into(text, "step answered {} without a text", status_);
-      set_fault(text.data());
-    }
-    if (exhausted == 1 || exhausted == 2) {
-      std::array<char, 512> why{};
-      format_into(why, "{} (its process has used up its {})", std::string_view(text.data()),
-                  exhausted == 1 ? "memory" : "file descriptors");
-      lose(why.data(), tick.now_ns);
-    }
-    return false;
-  }
-  std::size_t i = 0;
-  for (TopicPort& port : ports_) {
-    if (port.use().access == Access::write && link_->port(i).staged != 0) {
-      port.stage(link_->value(i));
-    }
-    ++i;
-  }
-  keep_state(tick);
-  ++steps_since_start_;
-  return true;
-}
-
-void IsolatedPlugin::keep_state(const Tick& tick) noexcept {
-  const ChildReply& reply = link_->exchange().reply;
-  const std::uint32_t version = reply.state_version;
-  const std::uint32_t size = reply.state_size;  // read once: the child may change it at any time
-  state_->version = size <= PluginState::kCapacity ? version : 0;
-  if (state_->version != 0) {
-    state_->size = size;
-    std::copy_n(link_->exchange().state, size, state_->bytes.begin());
-    state_ns_ = tick.now_ns;
-  }
-}
-
-void IsolatedPlugin::describe_end(ChildCall during) noexcept {
-  take_reports();
-  const LastWords words = link_->exchange().last_words;
-  std::array<char, 160> where{};
-  if (words.signal != 0 && words.signal < NSIG) {
-    if (words.in_library == 1) {
-      format_into(where, " (at {:#x}, from {}+{:#x})", words.address,
-                  std::string_view(library_).substr(0, 80), words.offset);
-    } else {
-      format_into(where, " (at {:#x}, outside of its own library)", words.address);
-    }
-  }
-  std::array<char, 400> text{};
-  format_into(text, "its process {} in {}{}", link_->process.end(), name_of(during),
-              std::string_view(where.data()));
-  set_fault(text.data());
-}
-
-void IsolatedPlugin::lose(std::string_view what, std::int64_t now_ns) noexcept {
-  if (link_) {
-    link_->process.kill();
-  }
-  lost_ns_ = now_ns;
-  restart_ns_ = now_ns + restart_delay_ns(now_ns);
-  condition_ = Condition::lost;
-  lost_in_step_ = true;
-  std::array<char, 512> text{};
-  format_into(text, "{}", what);
-  loss_text_ = text;
-  const std::uint64_t recent = recent_replacements(now_ns);
-  if (!settings_.serves_network && recent >= options_.replacements) {
-    condition_ = Condition::given_up;
-    format_into(loss_text_, "its process was replaced {} times within {:g} s; last, {}", recent,
-                static_cast<double>(options_.replacement_window_ns) * 1e-9, std::string_view(text.data()));
-  }
-  set_fault(loss_text_.data());
-}
-
-std::uint64_t IsolatedPlugin::recent_replacements(std::int64_t now_ns) const noexcept {
-  std::uint64_t recent = 0;
-  const std::uint64_t known = std::min<std::uint64_t>(replaced_, replaced_ns_.size());
-  for (std::uint64_t i = 0; i < known; ++i) {
-    recent += now_ns - replaced_ns_[i] < options_.replacement_window_ns ? 1U : 0U;
-  }
-  return recent;
-}
-
-// One that serves the network is always replaced, or whoever can end it could shut the door; but the oftener
-// the later.
-std::int64_t IsolatedPlugin::restart_delay_ns(std::int64_t now_ns) noexcept {
-  if (!settings_.serves_network) {
-    return options_.restart_delay_ns;
-  }
-  const bool ran = condition_ == Condition::active || condition_ == Condition::late;
-  if (ran && now_ns - came_back_ns_ >= options_.replacement_window_ns) {
-    losses_in_a_row_ = 0;
-  }
-  const std::int64_t delay_ns = options_.restart_delay_ns << std::min(losses_in_a_row_, kMostDoublings);
-  ++losses_in_a_row_;
-  return std::min(delay_ns, kLongestRestart_ns);
-}
-
-void IsolatedPlugin::restate_loss() noexcept {
-  std::array<char, 700> text{};
-  format_into(text, "{} since {:.3f} s: {}",
-              condition_ == Condition::given_up ? "out of service" : "is being replaced",
-              static_cast<double>(lost_ns_) * 1e-9, std::string_view(loss_text_.data()));
-  set_fault(text.data());
+  return result == Child::Result::done;
 }
 
 bool IsolatedPlugin::save_state(PluginState& state) noexcept {
-  state.size = 0;
-  state.version = 0;
-  if (condition_ != Condition::active && condition_ != Condition::idle) {
+  state.size = state.version = 0;
+  if (!has_child()) {
     restate_loss();
     return false;
   }
   if (!call(ChildCall::save_state, between_steps_limit_ns())) {
     return false;
   }
-  const std::uint32_t size = link_->exchange().reply.state_size;
-  const std::uint32_t version = link_->exchange().reply.state_version;
-  if (size > PluginState::kCapacity) {
+  if (!child_->take_state(state)) {
     set_fault("save_state claims more bytes than there is room for");
     return false;
   }
-  std::copy_n(link_->exchange().state, size, state.bytes.begin());
-  state.size = size;
-  state.version = version;
   return true;
 }
 
@@ -369,32 +223,233 @@ bool IsolatedPlugin::restore_state(const PluginState& state) noexcept {
   if (state.version == 0) {
     return true;  // nothing was handed on
   }
-  if (condition_ != Condition::active && condition_ != Condition::idle) {
+  if (!has_child()) {
     restate_loss();
     return false;
   }
-  std::copy_n(state.bytes.begin(), state.size, link_->exchange().state);
-  link_->exchange().request.state_size = state.size;
-  link_->exchange().request.state_version = state.version;
+  child_->put_state(state);
   return call(ChildCall::restore_state, between_steps_limit_ns());
 }
 
 bool IsolatedPlugin::set_parameter(const char* name, const gaitway_value& value) noexcept {
-  if (condition_ != Condition::active && condition_ != Condition::idle) {
+  if (!has_child()) {
     restate_loss();
     return false;
   }
-  ChildRequest& request = link_->exchange().request;
-  const std::size_t text_bytes = value.text == nullptr ? 0 : strlen(value.text);
-  if (strlen(name) >= sizeof request.parameter_name || text_bytes >= sizeof request.parameter_text) {
+  if (!child_->put_parameter(name, value)) {
     set_fault("name or text is too long to be changed in a process of its own");
     return false;
   }
-  request.parameter = value;
-  request.parameter.text = nullptr;
-  std::copy_n(name, strlen(name) + 1, request.parameter_name);
-  std::copy_n(value.text == nullptr ? "" : value.text, text_bytes + 1, request.parameter_text);
   return call(ChildCall::set_parameter, between_steps_limit_ns());
+}
+
+// --- Loss.
+
+void IsolatedPlugin::lose(std::string_view what, std::int64_t now_ns) noexcept {
+  if (start_) {
+    child_ = start_->take_child();
+    start_.reset();
+  }
+  if (child_) {
+    child_->process().kill();
+  }
+  const bool ran = condition_ == Condition::active || condition_ == Condition::late;
+  lost_ns_ = now_ns;
+  restart_ns_ = now_ns + restarts_.delay_ns(now_ns, ran);
+  lost_in_step_ = true;
+  if (restarts_.gives_up(now_ns)) {
+    condition_ = Condition::given_up;
+    format_into(loss_text_, "its process was replaced {} times within {:g} s; last, {}",
+                restarts_.recent(now_ns), static_cast<double>(options_.replacement_window_ns) * 1e-9, what);
+  } else {
+    condition_ = Condition::lost;
+    format_into(loss_text_, "{}", what);
+  }
+  set_fault(loss_text_.data());
+}
+
+void IsolatedPlugin::restate_loss() noexcept {
+  format_into(text_, "{} since {:.3f} s: {}",
+              condition_ == Condition::given_up ? "out of service" : "is being replaced",
+              static_cast<double>(lost_ns_) * 1e-9, std::string_view(loss_text_.data()));
+  set_fault(text_.data());
+}
+
+// --- The way back.
+
+void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
+  const bool runs = condition_ == Condition::active || condition_ == Condition::late;
+  if (runs && !options_.lock_step && child_->process().has_ended()) {
+    child_->describe_end("between two steps", *this);
+    lose(child_->text(), now_ns);
+  } else if (condition_ == Condition::late && now_ns - late_ns_ > options_.hang_ns) {
+    format_into(text_, "has not answered for {} ms: its process was ended",
+                (now_ns - late_ns_) / kMillisecond_ns);
+    lose(text_.data(), now_ns);
+  }
+  try {
+    // Real time: a process that the kernel still keeps is not waited for.
+    const bool gone = options_.lock_step || !child_ || child_->process().has_ended();
+    if (condition_ == Condition::lost && now_ns >= restart_ns_ && gone) {
+      live_values_.clear();
+      for (const Parameter& parameter : parameters_.declared()) {
+        if (parameter.live) {
+          live_values_.emplace_back(parameter.name, parameter.value);
+        }
+      }
+      restarts_.note_start(now_ns);
+      condition_ = Condition::creating;
+      start();
+    }
+    while ((condition_ == Condition::creating || condition_ == Condition::activating ||
+            condition_ == Condition::restoring) &&
+           advance(now_ns, options_.lock_step ? options_.start_limit_ns : kMillisecond_ns)) {
+    }
+  } catch (const std::exception& error) {
+    lose(fmt::format("its process cannot be replaced: {}", error.what()), now_ns);
+    events_.add(now_ns, tick_.tick, EventKind::error, name_, fault());
+  }
+}
+
+// The next part of a start, if it comes within `wait_ns`.
+bool IsolatedPlugin::advance(std::int64_t now_ns, std::int64_t wait_ns) {
+  if (condition_ == Condition::creating) {
+    if (!attend_start(wait_ns)) {
+      return false;
+    }
+    begin_activation(now_ns);
+    return true;
+  }
+  const Child::Result result = child_->finish(wait_ns, *this);
+  if (result == Child::Result::pending) {
+    if (process::monotonic_ns() - start_began_ns_ > options_.start_limit_ns) {
+      throw PluginError("it was not activated in time");
+    }
+    return false;
+  }
+  if (result != Child::Result::done) {
+    throw PluginError(std::string(child_->text()));
+  }
+  if (condition_ == Condition::activating && restored_) {
+    child_->put_state(*state_);
+    condition_ = Condition::restoring;
+    child_->begin(ChildCall::restore_state);
+  } else {
+    come_back(now_ns);
+  }
+  return true;
+}
+
+void IsolatedPlugin::start() {
+  child_.reset();
+  declared_ports_ = 0;
+  parameter_error_.reset();
+  start_began_ns_ = process::monotonic_ns();
+  start_.emplace(*plan_, static_cast<PluginDeclarations&>(*this));
+}
+
+bool IsolatedPlugin::attend_start(std::int64_t wait_ns) {
+  switch (start_->attend(wait_ns)) {
+    case ChildStart::Progress::waits:
+      return false;
+    case ChildStart::Progress::constructed:
+      if (declared_ports_ != ports_.size()) {
+        throw PluginError("opens fewer topics than when it was first started");
+      }
+      start_->child().attach(ports_);
+      return attend_start(wait_ns);
+    case ChildStart::Progress::failed:
+      if (parameter_error_ && parameter_error_->what() == start_->text()) {
+        throw ConfigurationError(*parameter_error_);
+      }
+      throw PluginError(fmt::format("its constructor failed: {}",
+                                    start_->text().empty() ? "it did not say why" : start_->text()));
+    case ChildStart::Progress::attached:
+      library_ = start_->library();
+      child_ = start_->take_child();
+      start_.reset();
+      return true;
+  }
+  return false;
+}
+
+gaitway_port* IsolatedPlugin::open_topic(const gaitway_topic& topic, gaitway_access access) {
+  const std::size_t number = declared_ports_++;
+  if (!restarts_.has_started_again()) {
+    declare_topic(&topic, access);
+    return nullptr;  // the child has its own
+  }
+  const auto port = std::next(ports_.begin(), static_cast<std::ptrdiff_t>(std::min(number, ports_.size())));
+  if (port == ports_.end() || port->use().topic != topic.name || port->use().type_hash != topic.type_hash ||
+      port->use().size != topic.size || port->use().access != static_cast<Access>(access)) {
+    throw PluginError(fmt::format("opens topic '{}', unlike when it was first started", topic.name));
+  }
+  return nullptr;
+}
+
+gaitway_value IsolatedPlugin::declare_parameter(const gaitway_parameter& parameter) {
+  const auto& known = parameters_.declared();
+  const auto is_it = [&](const Parameter& other) { return other.name == parameter.name; };
+  if (restarts_.has_started_again() && std::none_of(known.begin(), known.end(), is_it)) {
+    throw PluginError(
+        fmt::format("declares parameter '{}', unlike when it was first started", parameter.name));
+  }
+  try {
+    return parameters_.declare(parameter);
+  } catch (const ConfigurationError& error) {
+    parameter_error_ = std::make_unique<ConfigurationError>(error);
+    throw;
+  }
+}
+
+void IsolatedPlugin::set_period(gaitway_period period) {
+  if (restarts_.has_started_again() && period_ != static_cast<Period>(period)) {
+    throw PluginError("sets its period, unlike when it was first started");
+  }
+  period_ = static_cast<Period>(period);
+}
+
+void IsolatedPlugin::report(gaitway_severity severity, std::string_view text) noexcept {
+  const EventKind kind = severity == GAITWAY_INFO      ? EventKind::info
+                         : severity == GAITWAY_WARNING ? EventKind::warning
+                                                       : EventKind::error;
+  events_.post(kind, name_, text);
+}
+
+void IsolatedPlugin::begin_activation(std::int64_t now_ns) {
+  const bool recent = state_->version != 0 && now_ns - state_ns_ < facts::kCycle_ns;
+  restored_ = recent && !(restored_ && steps_since_start_ < kProven);
+  steps_since_start_ = 0;
+  child_->copy_in(ports_);
+  condition_ = Condition::activating;
+  child_->begin(ChildCall::activate);
+}
+
+// What was changed while it ran is not in the configuration.
+void IsolatedPlugin::reapply_parameters() {
+  for (const auto& [name, text] : live_values_) {
+    const auto& all = parameters_.declared();
+    const auto now =
+        std::find_if(all.begin(), all.end(), [&n = name](const Parameter& p) { return p.name == n; });
+    if (now == all.end() || now->value == text) {
+      continue;
+    }
+    const gaitway_value value = parameters_.read_change(name, text);
+    if (!set_parameter(name.c_str(), value)) {
+      throw PluginError(fmt::format("parameter '{}': {}", name, fault()));
+    }
+    parameters_.keep(name, value);
+  }
+}
+
+void IsolatedPlugin::come_back(std::int64_t now_ns) {
+  condition_ = Condition::active;
+  restarts_.note_return(now_ns);
+  reapply_parameters();
+  events_.add(now_ns, tick_.tick, EventKind::info, name_,
+              fmt::format("runs in a new process, {}, after {} ms",
+                          restored_ ? "from the state of its last good step" : "started afresh",
+                          (now_ns - lost_ns_) / kMillisecond_ns));
 }
 
 }  // namespace gaitway::core

@@ -51,7 +51,7 @@ gaitway_value PacketReader::value(std::string& keep) {
   return value;
 }
 
-bool send_packet(const process::FileDescriptor& socket, std::span<const std::byte> bytes,
+Sent send_packet(const process::FileDescriptor& socket, std::span<const std::byte> bytes, Wait wait,
                  int descriptor) noexcept {
   iovec part{const_cast<std::byte*>(bytes.data()), bytes.size()};
   alignas(cmsghdr) char room[CMSG_SPACE(sizeof(int))]{};
@@ -69,13 +69,16 @@ bool send_packet(const process::FileDescriptor& socket, std::span<const std::byt
   }
   ssize_t sent = 0;
   do {
-    sent = sendmsg(socket.get(), &message, MSG_NOSIGNAL);
+    sent = sendmsg(socket.get(), &message, MSG_NOSIGNAL | (wait == Wait::yes ? 0 : MSG_DONTWAIT));
   } while (sent < 0 && errno == EINTR);
-  return sent == static_cast<ssize_t>(bytes.size());
+  if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+    return Sent::full;
+  }
+  return sent == static_cast<ssize_t>(bytes.size()) ? Sent::whole : Sent::failed;
 }
 
-Receipt receive_packet(const process::FileDescriptor& socket, std::vector<std::byte>& bytes, bool wait,
-                       process::FileDescriptor& descriptor) {
+Receipt receive_packet(const process::FileDescriptor& socket, std::vector<std::byte>& bytes, Wait wait,
+                       process::FileDescriptor* descriptor) {
   bytes.resize(kLargestPacket);
   iovec part{bytes.data(), bytes.size()};
   alignas(cmsghdr) char room[CMSG_SPACE(sizeof(int))]{};
@@ -86,7 +89,7 @@ Receipt receive_packet(const process::FileDescriptor& socket, std::vector<std::b
   message.msg_controllen = sizeof room;
   ssize_t got = 0;
   do {
-    got = recvmsg(socket.get(), &message, MSG_CMSG_CLOEXEC | (wait ? 0 : MSG_DONTWAIT));
+    got = recvmsg(socket.get(), &message, MSG_CMSG_CLOEXEC | (wait == Wait::yes ? 0 : MSG_DONTWAIT));
   } while (got < 0 && errno == EINTR);
   if (got <= 0) {
     return got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) ? Receipt::nothing : Receipt::closed;
@@ -100,8 +103,8 @@ Receipt receive_packet(const process::FileDescriptor& socket, std::vector<std::b
         int number = -1;
         std::memcpy(&number, CMSG_DATA(header) + i * sizeof number, sizeof number);
         process::FileDescriptor received(number);
-        if (i == 0) {
-          descriptor = std::move(received);
+        if (i == 0 && descriptor != nullptr) {
+          *descriptor = std::move(received);
         }
       }
     }

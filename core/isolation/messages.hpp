@@ -28,7 +28,7 @@ enum class ChildMessage : std::uint32_t {
   parameter,
   set_period,
   report,
-  created,
+  created,             // name, version, description and file of the library
   library_failed,      // the text says it all
   constructor_failed,  // the text is the plug-in's
   attached,
@@ -74,13 +74,21 @@ class PacketReader {
   std::span<const std::byte> bytes_;
 };
 
+// What a child says of its plug-in's library when the plug-in is constructed.
+struct LibraryDescription {
+  std::string name, version, text, file;
+};
+
+enum class Wait : std::uint8_t { no, yes };
+enum class Sent : std::uint8_t { whole, full, failed };
 enum class Receipt : std::uint8_t { packet, nothing, closed };
 
-// `descriptor`: goes along if it is not negative. False: the other side is gone, or it does not fit.
-bool send_packet(const process::FileDescriptor& socket, std::span<const std::byte> bytes,
+// `descriptor`: goes along if it is not negative. Full: the other side has not read what was sent before, of
+// one that does not wait. Failed: it is gone, or the packet is too large.
+Sent send_packet(const process::FileDescriptor& socket, std::span<const std::byte> bytes, Wait wait,
                  int descriptor = -1) noexcept;
-// Waits for a packet if `wait`. `descriptor`: what came along.
-Receipt receive_packet(const process::FileDescriptor& socket, std::vector<std::byte>& bytes, bool wait,
-                       process::FileDescriptor& descriptor);
+// `descriptor`: what came along; without it, that is closed.
+Receipt receive_packet(const process::FileDescriptor& socket, std::vector<std::byte>& bytes, Wait wait,
+                       process::FileDescriptor* descriptor = nullptr);
 
 }  // namespace gaitway::core

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gaitway/isolation/isolated_plugin.hpp"
+#include "isolation/isolated_plugin.hpp"
 #include "plugin_trial.hpp"
 
 namespace gaitway::core {

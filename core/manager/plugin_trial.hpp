@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "gaitway/isolation/isolated_plugin.hpp"
 #include "gaitway/manager/loaded_plugin.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "isolation/isolated_plugin.hpp"
 
 namespace gaitway::core {
 

@@ -43,7 +43,7 @@ void check_descriptors(std::size_t count) {
     std::vector<std::byte> received;
     FileDescriptor descriptor;
     try {
-      (void)core::receive_packet(pair.other, received, false, descriptor);
+      (void)core::receive_packet(pair.other, received, core::Wait::no, &descriptor);
     } catch (const core::PluginError&) {
     }
   }
@@ -52,10 +52,11 @@ void check_descriptors(std::size_t count) {
 
 std::vector<std::byte> through_a_socket(std::span<const std::byte> packet) {
   const SocketPair pair;
-  require(core::send_packet(pair.one, packet), "a packet of this size can be sent");
+  require(core::send_packet(pair.one, packet, core::Wait::no) == core::Sent::whole,
+          "a packet of this size can be sent");
   std::vector<std::byte> received;
   FileDescriptor descriptor;
-  require(core::receive_packet(pair.other, received, false, descriptor) == core::Receipt::packet,
+  require(core::receive_packet(pair.other, received, core::Wait::no, &descriptor) == core::Receipt::packet,
           "what was sent arrives");
   require(!descriptor, "no descriptor comes where none was sent");
   return received;

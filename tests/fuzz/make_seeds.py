@@ -109,6 +109,12 @@ def block_seeds():
     write("topic_directory", "two_rows", bytes([0, 0, 16, 0, 2]) + row + row + struct.pack("<HQ", 5, 96))
     write("child_messages", "parameter", words(7) + words(3) + bytes(8) + b"gain of the ankle".ljust(200) +
           bytes([0, 2, 3, 1]) * 4 + words(6, 4) + b"gain" + words(3) + bytes(16) + words(2) + b"up")
+    topic = b"\1\0" + b"zmp".ljust(20, b"\0") + b"\1\3\1\1"
+    gain = b"\1\1" + b"gain".ljust(20, b"\0") + b"\0"
+    created, attached = b"\1\3", b"\1\5" + words(12) + b"\0"
+    write("child_start_up", "in_order", topic + gain + b"\1\2\1" + b"\0\2\0" + created + attached)
+    write("child_start_up", "attached_before_created", topic + attached + created)
+    write("child_start_up", "topic_after_created", created + topic + attached)
 
 
 def controller_seeds(frames):

@@ -1,6 +1,6 @@
 // Plug-ins in processes of their own: the same as in-process while all goes well, and every way to die or
 // hang is survived, told, and followed by a new process.
-#include "gaitway/isolation/isolated_plugin.hpp"
+#include "isolation/isolated_plugin.hpp"
 
 #include <gmock/gmock.h>
 

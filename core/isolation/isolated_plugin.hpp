@@ -5,20 +5,22 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "child.hpp"
+#include "child_start.hpp"
 #include "gaitway/isolation/settings.hpp"
 #include "gaitway/manager/loaded_plugin.hpp"
 #include "gaitway/manager/managed_plugin.hpp"
+#include "restart_rule.hpp"
 
 namespace gaitway::core {
 
-class ChildLink;
-enum class ChildCall : std::uint32_t;
-
-class IsolatedPlugin final : public ManagedPlugin {
+class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
  public:
   // Starts the child, which loads the library and constructs the plug-in. `events` outlives it. Errors are
   // those of a LoadedPlugin, and what keeps a child from starting.
@@ -35,20 +37,13 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool restore_state(const PluginState& state) noexcept override;
   bool set_parameter(const char* name, const gaitway_value& value) noexcept override;
 
-  [[nodiscard]] std::string_view version() const noexcept override { return version_; }
-  [[nodiscard]] Recovery recovery() const noexcept override {
-    switch (condition_) {
-      case Condition::idle:
-      case Condition::active:
-        return Recovery::not_needed;
-      case Condition::late:
-        return still_late_ ? Recovery::awaited : Recovery::not_needed;
-      case Condition::given_up:
-        return Recovery::given_up;
-      default:
-        return lost_in_step_ ? Recovery::lost : Recovery::under_way;
-    }
-  }
+  // Of one that is not active: destroys the plug-in and ends its process. False: that failed, and fault()
+  // says why.
+  bool end() noexcept;
+
+  [[nodiscard]] std::string_view version() const noexcept override { return library_.version; }
+  [[nodiscard]] const LibraryDescription& library() const noexcept { return library_; }
+  [[nodiscard]] Recovery recovery() const noexcept override;
 
  private:
   enum class Condition : std::uint8_t {
@@ -63,65 +58,52 @@ class IsolatedPlugin final : public ManagedPlugin {
   };
 
   bool run(const Tick& tick) noexcept override;
-  // Construction, the first and each later one.
+  void fail_step(const Tick& tick) noexcept;
+  bool resume_late(const Tick& tick) noexcept;
+
+  // What a child declares, the first and each later one.
+  gaitway_port* open_topic(const gaitway_topic& topic, gaitway_access access) override;
+  gaitway_value declare_parameter(const gaitway_parameter& parameter) override;
+  void set_period(gaitway_period period) override;
+  void report(gaitway_severity severity, std::string_view text) noexcept override;
+
   void start();
   bool attend_start(std::int64_t wait_ns);  // true: constructed and attached
-  bool take_message();
-  void take_topic(class PacketReader& packet);
-  void take_parameter(class PacketReader& packet);
-  template <class Function>
-  void grant(const Function& function);
-  void attach();
   bool advance(std::int64_t now_ns, std::int64_t wait_ns);
   void begin_activation(std::int64_t now_ns);
-  void restore();
-  void reapply_parameters();
   void come_back(std::int64_t now_ns);
+  void reapply_parameters();
 
-  // Calls over the segment.
-  void copy_inputs() noexcept;
-  void begin(ChildCall call) noexcept;
+  [[nodiscard]] bool has_child() const noexcept {
+    return condition_ == Condition::active || condition_ == Condition::idle;
+  }
   [[nodiscard]] std::int64_t between_steps_limit_ns() const noexcept;
-  enum class Outcome : std::uint8_t { answered, pending, ended };
-  Outcome await(std::int64_t limit_ns) noexcept;
-  bool take_reply() noexcept;  // false: the segment holds what no child writes
   bool call(ChildCall call, std::int64_t limit_ns) noexcept;
-  bool finish_step(const Tick& tick) noexcept;
-  void take_reports() noexcept;
-  void keep_state(const Tick& tick) noexcept;
-  bool resume_late(const Tick& tick) noexcept;
-  void describe_end(ChildCall during) noexcept;
   void lose(std::string_view what, std::int64_t now_ns) noexcept;
-  [[nodiscard]] std::int64_t restart_delay_ns(std::int64_t now_ns) noexcept;
-  [[nodiscard]] std::uint64_t recent_replacements(std::int64_t now_ns) const noexcept;
   void restate_loss() noexcept;
 
   const ChildSettings settings_;
   const IsolationOptions options_;
   const ContainmentSettings containment_;
-  std::string library_, base_, robot_directory_, memory_socket_, host_binary_, version_;
-  SearchPath search_path_;
-  std::unique_ptr<ChildLink> link_;
-  std::vector<gaitway_sample> samples_;  // of the ports, as the child has them
+  std::optional<ChildPlan> plan_;
   std::unique_ptr<ConfigurationError> parameter_error_;
+  LibraryDescription library_;
+  std::unique_ptr<Child> child_;
+  std::optional<ChildStart> start_;                               // of the child that is being started
+  std::size_t declared_ports_ = 0;                                // by it
   std::vector<std::pair<std::string, std::string>> live_values_;  // of the child before
   Condition condition_ = Condition::creating;
-  std::size_t declared_ports_ = 0;  // by the child that is being started
-  std::int64_t start_began_ns_ = 0;
-  std::int32_t status_ = 0;    // of the last reply
   bool still_late_ = false;    // the step that the last one found late
   bool lost_in_step_ = false;  // the last one
 
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();  // of the last good step
   std::int64_t state_ns_ = 0;
-  std::int64_t lost_ns_ = 0, restart_ns_ = 0, late_ns_ = 0;
   std::uint32_t steps_since_start_ = 0;
-  std::array<std::int64_t, 8> replaced_ns_{};  // ring of the last ones
-  std::uint64_t replaced_ = 0;
-  std::int64_t came_back_ns_ = 0;      // the child that runs
-  std::uint32_t losses_in_a_row_ = 0;  // that came soon after the one before
   bool restored_ = false;
-  std::array<char, 512> loss_text_{};
+  RestartRule restarts_;
+  std::int64_t start_began_ns_ = 0;  // by the wall clock
+  std::int64_t lost_ns_ = 0, restart_ns_ = 0, late_ns_ = 0;
+  std::array<char, 768> text_{}, loss_text_{};
 };
 
 }  // namespace gaitway::core
