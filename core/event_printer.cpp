@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "gaitway/input/text.hpp"
+
 namespace gaitway::core {
 namespace {
 
@@ -18,7 +20,8 @@ void EventPrinter::print(const EventLog& events) {
   for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsPerPrint; ++printed, ++next_) {
     const Event& event = events[next_];
     fmt::print(stderr, "{}: {:.3f} s: {}: {}: {}\n", program_, static_cast<double>(event.stamp_ns) * 1e-9,
-               event_kind_name(event.kind), event.source(), event.text());
+               event_kind_name(event.kind), input::terminal_text(event.source()),
+               input::terminal_text(event.text()));
   }
   if (next_ < events.total()) {
     fmt::print(stderr, "{}: {} more events\n", program_, events.total() - next_);

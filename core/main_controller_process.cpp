@@ -16,6 +16,8 @@
 #include "gaitway/core/event_printer.hpp"
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/core/supervisor.hpp"
+#include "gaitway/input/number_option.hpp"
+#include "gaitway/input/text.hpp"
 #include "gaitway/manager/plugin_workshop.hpp"
 #include "gaitway/manager/step_watch.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -176,7 +178,7 @@ int main(int argc, char** argv) {
   app.add_option("--plugin-path", options.controller.plugin_path,
                  "Folders to look for plug-ins in, before GAITWAY_PLUGIN_PATH and the shipped ones");
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
   app.add_flag("--quiet", options.quiet, "No events and no summary");
   app.add_option("--without", options.controller.left_out,
@@ -207,7 +209,7 @@ int main(int argc, char** argv) {
   try {
     return options.supervised ? run_supervised(argc, argv, options.quiet) : run(options);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "main_controller: {}\n", error.what());
+    fmt::print(stderr, "main_controller: {}\n", input::terminal_text(error.what()));
     return kExitBadInput;
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,8 @@
 
 #include "bus_connection.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/input/number_option.hpp"
+#include "gaitway/input/text.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/bus_timeline.hpp"
@@ -123,7 +126,7 @@ bool work(msgcontroller::BusTimeline& timeline, msgcontroller::BusConnection& bu
     fmt::print(stderr, "message_controller: the bus on {} has gone. Has virtual_robot ended?\n",
                options.bus.socket.string());
   } catch (const can::BusError& error) {
-    fmt::print(stderr, "message_controller: {}\n", error.what());
+    fmt::print(stderr, "message_controller: {}\n", input::terminal_text(error.what()));
   }
   return false;
 }
@@ -222,6 +225,11 @@ int run(const Options& options) {
     throw std::invalid_argument(
         "--walk: wants VX,VY,WZ in m/s, m/s and rad/s: three numbers, for example 0.15,0,0.1");
   }
+  if (!options.walk.empty() &&
+      std::hypot(options.walk[0], options.walk[1]) > msgcontroller::kLargestWalkSpeed_m_per_s) {
+    throw std::invalid_argument(fmt::format("--walk: at most {} m/s may be commanded. Choose a lower speed",
+                                            msgcontroller::kLargestWalkSpeed_m_per_s));
+  }
   urdf::RobotModel robot = urdf::load_robot(options.robot);
   if (!options.profile.empty()) {
     robot.network.profile = options.profile;
@@ -272,19 +280,21 @@ int main(int argc, char** argv) {
   app.add_option(
          "--walk", options.walk,
          "Command a walk VX,VY,WZ: forward m/s, left m/s, turn rad/s. Only while no plug-in commands it")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(input::number_within(-msgcontroller::kLargestTurnRate_rad_per_s,
+                                   msgcontroller::kLargestTurnRate_rad_per_s));
   app.add_option("--walk-after", options.walk_after_s, "Seconds from the start to that command")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
   app.add_flag(
          "--obey-walk-requests", options.obey_walk_requests,
          "Walk and play motions as people ask through the robot API. Only while no plug-in commands the walk")
       ->excludes("--walk");
   app.add_option("--wait", options.wait_s, "Seconds to wait for the bus at the start")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--summary", options.summary, "File for the summary (JSON) instead of the terminal");
   app.footer(
@@ -304,7 +314,7 @@ int main(int argc, char** argv) {
   try {
     return run(options);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "message_controller: {}\n", error.what());
+    fmt::print(stderr, "message_controller: {}\n", input::terminal_text(error.what()));
     return kExitBadInput;
   }
 }

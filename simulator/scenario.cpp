@@ -12,12 +12,15 @@
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/msgcontroller/walk_requests.hpp"
 #include "gaitway/simulator/conditions.hpp"
 
 namespace gaitway::simulator {
 namespace {
 
 using input::YamlValue;
+using msgcontroller::kLargestTurnRate_rad_per_s;
+using msgcontroller::kLargestWalkSpeed_m_per_s;
 
 constexpr double kLargestImpulse_Ns = 50.0;
 constexpr double kLongestRun_s = 86400.0;
@@ -31,8 +34,8 @@ Eigen::Vector3d three(const YamlValue& value, const input::Range& range) {
 WalkEvent read_walk(const YamlValue& value) {
   const Eigen::Vector3d command =
       three(value, {-kLargestTurnRate_rad_per_s, kLargestTurnRate_rad_per_s, "m/s, m/s, rad/s"});
-  if (command.head<2>().norm() > kLargestSpeed_m_per_s) {
-    value.refuse(fmt::format("at most {} m/s may be commanded", kLargestSpeed_m_per_s),
+  if (command.head<2>().norm() > kLargestWalkSpeed_m_per_s) {
+    value.refuse(fmt::format("at most {} m/s may be commanded", kLargestWalkSpeed_m_per_s),
                  "Choose a lower speed.");
   }
   return {.velocity_m_per_s = command.head<2>(), .turn_rate_rad_per_s = command.z()};
@@ -292,6 +295,11 @@ Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel
   if (const auto events = root.find("events")) {
     for (const YamlValue& event : events->items()) {
       scenario.events.push_back(read_event(event, robot));
+      if (scenario.events.back().at_s >= scenario.seconds) {
+        event.at("at_s").refuse(
+            fmt::format("must be before the end of the run at {:g} s, or it never happens", scenario.seconds),
+            "Give a longer 'seconds', or remove the event");
+      }
     }
   }
   std::stable_sort(scenario.events.begin(), scenario.events.end(),
@@ -303,12 +311,12 @@ Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_
                        double seconds) {
   constexpr double kStanding_s = 1.0;
   const Eigen::Vector2d velocity(forward_m_per_s, left_m_per_s);
-  if (!(velocity.norm() <= kLargestSpeed_m_per_s &&
+  if (!(velocity.norm() <= kLargestWalkSpeed_m_per_s &&
         std::abs(turn_rate_rad_per_s) <= kLargestTurnRate_rad_per_s)) {
     throw urdf::RobotError(
         fmt::format("walk command {}, {} m/s and {} rad/s: at most {} m/s and {} rad/s may be commanded. "
                     "Choose a lower speed.",
-                    forward_m_per_s, left_m_per_s, turn_rate_rad_per_s, kLargestSpeed_m_per_s,
+                    forward_m_per_s, left_m_per_s, turn_rate_rad_per_s, kLargestWalkSpeed_m_per_s,
                     kLargestTurnRate_rad_per_s));
   }
   Scenario scenario{.seconds = seconds, .conditions = {}, .events = {}};

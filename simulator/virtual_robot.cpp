@@ -15,6 +15,8 @@
 #include "gaitway/can/simulated/bus_server.hpp"
 #include "gaitway/can/simulated/socketcand_server.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/input/number_option.hpp"
+#include "gaitway/input/text.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -275,12 +277,13 @@ int main(int argc, char** argv) {
   app.add_option("--sent-log", options.sent_log,
                  "With --can: file for what the joints sent, in candump's format, in the order of the bus");
   app.add_option("--seed", options.plant.seed, "Seed of mismatch, noise and clock drifts")
+      ->check(input::seed())
       ->capture_default_str();
   app.add_option("--mismatch", options.plant.mismatch, "Scale of what the planner does not know of the robot")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(input::number_within(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--summary", options.summary, "File for the summary (JSON) instead of the terminal");
   app.add_option("--walk-log", options.walk_log, "File for where the base was, every 10 ms (CSV)");
@@ -305,7 +308,7 @@ int main(int argc, char** argv) {
   try {
     return run(options);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "virtual_robot: {}\n", error.what());
+    fmt::print(stderr, "virtual_robot: {}\n", input::terminal_text(error.what()));
     return kExitBadInput;
   }
 }

@@ -14,6 +14,9 @@ namespace {
 
 using input::YamlValue;
 
+// Each pair of them is compared, and each is tried in a process of its own: thousands would take minutes.
+constexpr std::size_t kMostPlugins = 64;
+
 std::string name_of(const YamlValue& value, const std::vector<PluginEntry>& others) {
   constexpr std::size_t kLongest = 40;
   const std::string name = value.text();
@@ -103,7 +106,11 @@ Configuration read_root(const YamlValue& root) {
   root.require_map(kKeys);
   Configuration configuration{root.file(), {}};
   const YamlValue plugins = root.at("plugins");
-  for (const YamlValue& plugin : plugins.items()) {
+  const std::vector<YamlValue> entries = plugins.items();
+  if (entries.size() > kMostPlugins) {
+    plugins.refuse(fmt::format("must be a list of at most {} plug-ins", kMostPlugins), "Remove the others");
+  }
+  for (const YamlValue& plugin : entries) {
     configuration.plugins.push_back(read_plugin(plugin, configuration.plugins));
   }
   if (configuration.plugins.empty()) {

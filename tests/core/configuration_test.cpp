@@ -42,6 +42,24 @@ TEST(Configuration, TheDefaultOneListsThePluginsOfWalking) {
   EXPECT_THAT(names, testing::ElementsAre("zmp", "trajectory", "stability", "kinematics"));
 }
 
+TEST(Configuration, MorePluginsThanARobotCanUseAreRefused) {
+  const auto of = [](int plugins) {
+    std::string text = "plugins:\n";
+    for (int i = 0; i < plugins; ++i) text += "  - name: p" + std::to_string(i) + "\n";
+    return text;
+  };
+  EXPECT_EQ(refusal(of(64)), "");
+  EXPECT_THAT(refusal(of(10'000)),
+              HasSubstr("walk.yaml:2: plugins = a list of 10000: must be a list of at most 64 plug-ins"));
+}
+
+TEST(Configuration, ADecimalCommaIsTold) {
+  EXPECT_THAT(
+      refusal("plugins:\n  - name: a\n    period: 0,4 s\n"),
+      HasSubstr("walk.yaml:3: plugins[0].period = '0,4 s': must be a number with a decimal point, not with "
+                "a comma. Write '0.4 s'."));
+}
+
 TEST(Configuration, UnknownKeyNamesLineAndNearest) {
   EXPECT_THAT(refusal("plugins:\n  - name: a\n    libary: x.so\n"),
               testing::AllOf(HasSubstr("walk.yaml:3: plugins[0] key = 'libary': there is no such key"),

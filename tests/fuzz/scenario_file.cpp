@@ -1,6 +1,7 @@
 // Scenarios as users write them (simulator/scenario.hpp). Whatever the text: it is refused with
 // urdf::RobotError and nothing else, or gives events in the order of time, all within the limits that the
 // robot's command has.
+#include "gaitway/msgcontroller/walk_requests.hpp"
 #include "gaitway/simulator/scenario.hpp"
 
 #include <cmath>
@@ -36,8 +37,8 @@ void check_bus_fault(const simulator::ScenarioEvent& event) {
 void check(const simulator::ScenarioEvent& event) {
   require(event.at_s >= 0.0 && std::isfinite(event.at_s), "events happen at a time");
   if (const auto* const walk = std::get_if<simulator::WalkEvent>(&event.action)) {
-    require(walk->velocity_m_per_s.norm() <= simulator::kLargestSpeed_m_per_s &&
-                std::abs(walk->turn_rate_rad_per_s) <= simulator::kLargestTurnRate_rad_per_s,
+    require(walk->velocity_m_per_s.norm() <= msgcontroller::kLargestWalkSpeed_m_per_s &&
+                std::abs(walk->turn_rate_rad_per_s) <= msgcontroller::kLargestTurnRate_rad_per_s,
             "no walk is faster than allowed");
   } else if (const auto* const push = std::get_if<simulator::PushEvent>(&event.action)) {
     require(push->duration_s > 0.0 && std::isfinite(push->impulse_Ns) && push->direction.norm() > 0.0,

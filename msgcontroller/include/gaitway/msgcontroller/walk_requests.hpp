@@ -9,6 +9,10 @@
 
 namespace gaitway::msgcontroller {
 
+// The largest command that is taken from a scenario or a command line.
+inline constexpr double kLargestWalkSpeed_m_per_s = 1.0;
+inline constexpr double kLargestTurnRate_rad_per_s = 2.0;
+
 // Reads the topic `walk_request`, writes `walk_command`. A request that nobody renews in time ends in a
 // stand.
 class WalkRequests {

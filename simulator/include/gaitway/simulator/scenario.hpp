@@ -117,11 +117,8 @@ struct Scenario {
   std::vector<ScenarioEvent> events;  // in order of time
 };
 
-// Largest commands that a scenario may give.
-inline constexpr double kLargestSpeed_m_per_s = 1.0;
-inline constexpr double kLargestTurnRate_rad_per_s = 2.0;
-
-// Throws input::InputError with file, line, field, value and rule. Pushes must name a link of `robot`.
+// Throws input::InputError with file, line, field, value and rule. Pushes must name a link of `robot`, and
+// every event must come before the end.
 Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel& robot);
 
 // Stands for one second, then walks.
