@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 
 #include "gaitway/manager/plugin_error.hpp"
@@ -28,12 +29,17 @@ constexpr Elf64_Half kMachine = EM_AARCH64;
 #endif
 constexpr unsigned char kData = std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB;
 
-std::string machine_name(Elf64_Half machine) {
-  switch (machine) {
+// Where the machine alone does not tell it: how wide its addresses are, and which way round.
+std::string machine_name(const Elf64_Ehdr& header) {
+  if (header.e_ident[EI_DATA] != kData) {
+    return "a machine of the other byte order";
+  }
+  const bool narrow = header.e_ident[EI_CLASS] == ELFCLASS32;
+  switch (header.e_machine) {
     case EM_X86_64:
-      return "x86-64";
+      return narrow ? "x86-64 with 32-bit addresses (x32)" : "x86-64";
     case EM_AARCH64:
-      return "64-bit Arm";
+      return narrow ? "64-bit Arm with 32-bit addresses" : "64-bit Arm";
     case EM_386:
       return "32-bit x86";
     case EM_ARM:
@@ -41,7 +47,7 @@ std::string machine_name(Elf64_Half machine) {
     case EM_RISCV:
       return "RISC-V";
     default:
-      return fmt::format("ELF machine {}", machine);
+      return fmt::format("ELF machine {}", header.e_machine);
   }
 }
 
@@ -52,15 +58,19 @@ std::string machine_name(Elf64_Half machine) {
 void check_header(const std::filesystem::path& file, int fd, std::int64_t size) {
   Elf64_Ehdr header{};
   const ssize_t got = pread(fd, &header, sizeof header, 0);
-  if (got < EI_NIDENT || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
+  constexpr ssize_t kUpToMachine = offsetof(Elf64_Ehdr, e_machine) + sizeof header.e_machine;
+  if (got < kUpToMachine || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
     refuse(
         file,
         fmt::format("is no shared library: it has no ELF header ({} bytes). Was it built to its end?", size));
   }
   if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_ident[EI_DATA] != kData ||
       header.e_machine != kMachine) {
+    Elf64_Ehdr own{};
+    own.e_ident[EI_DATA] = kData;
+    own.e_machine = kMachine;
     refuse(file, fmt::format("is a library for {}, this machine is {}. Build it for this one",
-                             machine_name(header.e_machine), machine_name(kMachine)));
+                             machine_name(header), machine_name(own)));
   }
   if (got < static_cast<ssize_t>(sizeof header) || header.e_type != ET_DYN) {
     refuse(file, "is an ELF file, but no shared library. Build it with gaitway_plugin(), or with -shared");

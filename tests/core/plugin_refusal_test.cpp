@@ -58,6 +58,16 @@ TEST_F(PluginRefusal, LibraryForAnotherMachine) {
               AllOf(HasSubstr(file.path()), HasSubstr("is a library for RISC-V"), HasSubstr("Build it for")));
 }
 
+TEST_F(PluginRefusal, LibraryOfAnotherWidthOrByteOrderIsNotCalledOneOfThisMachine) {
+  std::string bytes = bytes_of("relay.so");
+  bytes[EI_CLASS] = ELFCLASS32;
+  EXPECT_THAT(refusal(LibraryFile(bytes).entry()), HasSubstr("with 32-bit addresses"));
+  bytes[offsetof(Elf64_Ehdr, e_machine)] = static_cast<char>(EM_386);
+  EXPECT_THAT(refusal(LibraryFile(bytes).entry()), HasSubstr("is a library for 32-bit x86"));
+  bytes[EI_DATA] = bytes[EI_DATA] == ELFDATA2LSB ? ELFDATA2MSB : ELFDATA2LSB;
+  EXPECT_THAT(refusal(LibraryFile(bytes).entry()), HasSubstr("of the other byte order"));
+}
+
 TEST_F(PluginRefusal, LibraryThatIsCutOff) {
   const std::string bytes = bytes_of("relay.so");
   const LibraryFile file(bytes.substr(0, bytes.size() / 2));
