@@ -1,11 +1,10 @@
 // Reads a calibration strictly: values that no calibration gives are refused.
-#include "calibration_file.hpp"
+#include "robot_files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"

@@ -1,5 +1,5 @@
 // Limits, home posture, speed on the wire.
-#include "joint_rules.hpp"
+#include "robot_files.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Mass, inertia and shapes of one link.
-#include "link_rules.hpp"
+#include "robot_files.hpp"
 
 #include <fmt/format.h>
 

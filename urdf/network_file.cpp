@@ -1,5 +1,5 @@
 // Reads robot.yaml: defaults, joints, legs, feet, sensors, simulation.
-#include "network_file.hpp"
+#include "robot_files.hpp"
 
 #include <fmt/format.h>
 

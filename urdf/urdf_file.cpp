@@ -1,5 +1,5 @@
 // Reads robot.urdf through urdfdom and turns it into Eigen data.
-#include "urdf_file.hpp"
+#include "robot_files.hpp"
 
 #include <console_bridge/console.h>
 #include <fmt/format.h>
@@ -9,8 +9,6 @@
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/text.hpp"
-#include "joint_rules.hpp"
-#include "link_rules.hpp"
 
 namespace gaitway::urdf {
 namespace {

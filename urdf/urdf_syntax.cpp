@@ -1,5 +1,5 @@
 // Checks a URDF against the grammar in kGrammar, below.
-#include "urdf_syntax.hpp"
+#include "robot_files.hpp"
 
 #include <fmt/format.h>
 #include <tinyxml.h>

@@ -1,7 +1,7 @@
-// robot.yaml (urdf/network_file.hpp) and the bus that it describes (msgcontroller/network_profile.hpp).
+// robot.yaml (urdf/robot_files.hpp) and the bus that it describes (msgcontroller/network_profile.hpp).
 // Whatever the text: it is refused with urdf::RobotError and nothing else, or every joint has a node and
 // sizes of its own that can be worked with, and no two messages of the profile share an identifier.
-#include "urdf/network_file.hpp"
+#include "urdf/robot_files.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// robot.urdf (urdf/urdf_file.hpp). Whatever the text: it is refused with urdf::RobotError and nothing else,
+// robot.urdf (urdf/robot_files.hpp). Whatever the text: it is refused with urdf::RobotError and nothing else,
 // or gives a tree of links whose masses and limits are numbers.
-#include "urdf/urdf_file.hpp"
+#include "urdf/robot_files.hpp"
 
 #include <algorithm>
 #include <cmath>
