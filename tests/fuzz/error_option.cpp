@@ -1,7 +1,7 @@
 // Disturbances of the bus as written on the command line (tools/error_option.hpp). Whatever the text: it is
 // refused with std::invalid_argument and nothing else, or gives a source whose hits can be counted in any
 // window.
-#include "gaitway/tools/error_option.hpp"
+#include "tools/bus/error_option.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "gaitway/simulator/cosimulation.hpp"
-#include "gaitway/tools/run_recorder.hpp"
+#include "tools/run/run_recorder.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::scenarios {

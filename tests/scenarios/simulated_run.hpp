@@ -9,7 +9,7 @@
 
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
-#include "gaitway/tools/run_recorder.hpp"
+#include "tools/run/run_recorder.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::scenarios {

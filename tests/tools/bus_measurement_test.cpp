@@ -1,5 +1,5 @@
 // The published experiment on the simulated bus: deterministic, so its figures are asserted.
-#include "gaitway/tools/bus_measurement.hpp"
+#include "tools/bus/bus_measurement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <string>
 
 #include "gaitway/process/installation.hpp"
-#include "gaitway/tools/bus_measurement_report.hpp"
-#include "gaitway/tools/bus_picture.hpp"
-#include "gaitway/tools/bus_watch_text.hpp"
+#include "tools/bus/bus_measurement_report.hpp"
+#include "tools/bus/bus_picture.hpp"
+#include "tools/bus/bus_watch_text.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -1,5 +1,5 @@
 // What a listener concludes from frames on the bus.
-#include "gaitway/tools/bus_watch.hpp"
+#include "tools/bus/bus_watch.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 #include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/tools/bus_watch_text.hpp"
+#include "tools/bus/bus_watch_text.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -18,10 +18,10 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/tools/gait_measurement.hpp"
-#include "gaitway/tools/gait_report.hpp"
-#include "gaitway/tools/pinned_plugins.hpp"
-#include "gaitway/tools/trial_series.hpp"
+#include "tools/measure/gait_measurement.hpp"
+#include "tools/measure/gait_report.hpp"
+#include "tools/measure/pinned_plugins.hpp"
+#include "tools/measure/trial_series.hpp"
 
 namespace gaitway::tools {
 namespace {

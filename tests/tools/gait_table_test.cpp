@@ -1,5 +1,5 @@
 // The gait table: its rows' trials and floors, the search of a limit, and when seeds hold a level.
-#include "gaitway/tools/gait_table.hpp"
+#include "tools/measure/gait_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/tools/gait_measurement.hpp"
-#include "gaitway/tools/level_search.hpp"
+#include "tools/measure/gait_measurement.hpp"
+#include "tools/measure/level_search.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 
 namespace gaitway::tools {

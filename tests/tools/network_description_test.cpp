@@ -1,6 +1,6 @@
 // The description of the network: complete, readable for bus tools, and what is checked in is what the tables
 // say.
-#include "gaitway/tools/network_description.hpp"
+#include "tools/bus/network_description.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,8 +12,8 @@
 
 #include "gaitway/can/messages.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
-#include "gaitway/tools/dbc_file.hpp"
-#include "gaitway/tools/network_document.hpp"
+#include "tools/bus/dbc_file.hpp"
+#include "tools/bus/network_document.hpp"
 
 namespace gaitway::tools {
 namespace {

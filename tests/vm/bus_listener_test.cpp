@@ -1,5 +1,5 @@
 // The listener of `gaitway bus monitor` and `gaitway bus measure` on a virtual interface.
-#include "gaitway/tools/bus_listener.hpp"
+#include "tools/bus/bus_listener.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "can_station.hpp"
 #include "gaitway/can/profile.hpp"
-#include "gaitway/tools/bus_watch.hpp"
+#include "tools/bus/bus_watch.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "gaitway/calibration/calibration_report.hpp"
+#include "tools/calibrate/calibration_report.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/simulator/cosimulation.hpp"

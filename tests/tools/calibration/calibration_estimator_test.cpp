@@ -1,10 +1,10 @@
 // Finds what robots were made with, and says honestly how sure it is.
-#include "gaitway/calibration/calibration_estimator.hpp"
+#include "tools/calibrate/calibration_estimator.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "gaitway/calibration/calibration_report.hpp"
+#include "tools/calibrate/calibration_report.hpp"
 #include "synthetic_stances.hpp"
 
 namespace gaitway::calibration {

@@ -1,5 +1,5 @@
 // Measurements survive their file, and what is wrong with a file is said with its place.
-#include "gaitway/calibration/measurement_file.hpp"
+#include "tools/calibrate/measurement_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-#include "gaitway/calibration/calibration_estimator.hpp"
+#include "tools/calibrate/calibration_estimator.hpp"
 #include "synthetic_stances.hpp"
 
 namespace gaitway::calibration {

@@ -1,11 +1,11 @@
 // The simulated robot takes the shipped poses through its servos, contacts and sensors: what is found is
 // true, and what is claimed of it is, too.
-#include "gaitway/calibration/simulated_calibration.hpp"
+#include "tools/calibrate/simulated_calibration.hpp"
 
 #include <gtest/gtest.h>
 
-#include "gaitway/calibration/calibration_report.hpp"
-#include "gaitway/calibration/pose_performer.hpp"
+#include "tools/calibrate/calibration_report.hpp"
+#include "tools/calibrate/pose_performer.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 

@@ -5,12 +5,12 @@
 #include <random>
 #include <vector>
 
-#include "gaitway/calibration/calibration_estimator.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/key_postures.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/stance_map.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "tools/calibrate/calibration_estimator.hpp"
 
 namespace gaitway::calibration {
 

@@ -1,0 +1,30 @@
+// Loads a robot with its messages and what is proven about them.
+#include "tools/bus/bus_robot.hpp"
+
+#include "gaitway/msgcontroller/network_profile.hpp"
+#include "gaitway/process/installation.hpp"
+#include "tools/bus/bus_robot_options.hpp"
+
+namespace gaitway::tools {
+
+void add_robot_options(CLI::App& command, BusRobotOptions& options) {
+  options.directory = process::default_robot_directory();
+  command.add_option("--robot", options.directory, "Folder with robot.urdf and robot.yaml")
+      ->capture_default_str();
+  command.add_option("--profile", options.profile,
+                     "Messages of the bus: full or paper. Without it, what the robot's network file says");
+}
+
+BusRobot load_bus_robot(const BusRobotOptions& options) {
+  BusRobot robot;
+  robot.model = urdf::load_robot(options.directory);
+  if (!options.profile.empty()) {
+    robot.model.network.profile = options.profile;
+  }
+  robot.profile = msgcontroller::network_profile(robot.model);
+  robot.nodes = msgcontroller::nodes_on_bus(robot.profile, robot.model);
+  robot.proof = can::prove(robot.profile, robot.nodes);
+  return robot;
+}
+
+}  // namespace gaitway::tools

@@ -1,0 +1,270 @@
+// Tables from the message table and the network file, between paragraphs.
+#include "tools/bus/network_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numbers>
+#include <set>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "gaitway/can/frame.hpp"
+#include "tools/bus/network_document_text.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using can::IdRule;
+using can::MessageLayout;
+using can::ProfileRow;
+
+constexpr double kNanosecondsAMillisecond = 1e6;
+constexpr double kBitsASecond = 1e6;
+
+std::string milliseconds(std::int64_t time_ns) {
+  return number_text(static_cast<double>(time_ns) / kNanosecondsAMillisecond) + " ms";
+}
+
+std::string identifiers(const can::Profile& profile, const MessageLayout& message) {
+  const ProfileRow& row = profile.row(message.kind);
+  switch (row.rule) {
+    case IdRule::per_node:
+      return row.base_id == 0 ? "node" : fmt::format("0x{:03X} + node", row.base_id);
+    case IdRule::per_node_and_toggle:
+      return fmt::format("0x{:03X} + 2·node + toggle", row.base_id);
+    default:
+      return fmt::format("0x{:03X}", row.base_id);
+  }
+}
+
+std::string_view sender(const MessageLayout& message) {
+  return message.sender == can::Sender::message_controller ? "message controller" : "joint";
+}
+
+std::string bits(const can::FieldSpec& field) {
+  const int last = field.first_bit + field.width - 1;
+  return field.width == 1 ? fmt::format("{}", field.first_bit) : fmt::format("{}–{}", field.first_bit, last);
+}
+
+std::string bytes(const can::FieldSpec& field) {
+  const int first = field.first_bit / 8, last = (field.first_bit + field.width - 1) / 8;
+  return first == last ? fmt::format("{}", first) : fmt::format("{}–{}", first, last);
+}
+
+// How many fields from the first on differ in their number alone, such as delta_0 to delta_7.
+std::size_t alike(can::MessageKind kind, std::span<const can::FieldSpec> fields) {
+  const auto stem = [](const can::FieldSpec& field) {
+    return field.name.substr(0, field.name.find_last_not_of("0123456789") + 1);
+  };
+  const can::FieldSpec& first = fields.front();
+  const bool numbered = stem(first) != first.name;
+  const auto differs = [&](const can::FieldSpec& field) {
+    return !numbered || stem(field) != stem(first) || field.width != first.width ||
+           field.unit != first.unit || meaning_of(kind, field.name) != meaning_of(kind, first.name);
+  };
+  const auto end = std::find_if(fields.begin() + 1, fields.end(), differs);
+  return static_cast<std::size_t>(end - fields.begin());
+}
+
+std::string_view unit(const can::FieldSpec& field) {
+  if (field.unit == "turn/65536") {
+    return "1/65536 turn";
+  }
+  return field.unit == "N*m/8" ? "1/8 N·m" : field.unit;
+}
+
+std::string meaning(can::MessageKind kind, const can::FieldSpec& field) {
+  std::string text(meaning_of(kind, field.name));
+  const char* separator = ": ";
+  for (const NamedValue& value : values_of(kind, field.name)) {
+    text += fmt::format("{}{} *{}* ({})", separator, value.value, value.name, value.meaning);
+    separator = ", ";
+  }
+  return text;
+}
+
+class Document {
+ public:
+  template <class... Arguments>
+  void put(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+  }
+  std::string take() { return std::move(text_); }
+
+  void messages(const NetworkDescription& network) {
+    put("| message | identifiers | sent by | bytes | comes | deadline | longest on the wire |\n"
+        "|---|---|---|---|---|---|---|\n");
+    for (const MessageLayout* const message : by_priority(network.profile)) {
+      const ProfileRow& row = network.profile.row(message->kind);
+      put("| {} | {} | {} | {} | {} {} | {} | {} µs |\n", message->name,
+          identifiers(network.profile, *message), sender(*message), message->size,
+          row.on_event ? "on events, at most every" : "every", milliseconds(row.period_ns),
+          milliseconds(row.deadline_ns), can::worst_case_bits(message->size));
+    }
+    const auto [periodic, all] = loads(network);
+    put("\nThe most urgent comes first. A deadline counts from the instant at which the sender wants to send "
+        "until the frame "
+        "has arrived.\nThe longest frame has all the stuff bits that it can have, and the interframe space. "
+        "With {} joints, "
+        "the periodic messages take at most {:.1f} % of\nthe bus, and {:.1f} % if every event happens as "
+        "often as it may.\n",
+        network.nodes.size(), 100.0 * periodic, 100.0 * all);
+  }
+
+  void fields(const MessageLayout& message) {
+    put("\n### {}\n\n{}\n\n| field | bits | byte | signed | unit | meaning |\n|---|---|---|---|---|---|\n",
+        message.name, meaning_of(message.kind));
+    for (std::span<const can::FieldSpec> rest = message.fields; !rest.empty();) {
+      const std::size_t count = alike(message.kind, rest);
+      const can::FieldSpec& first = rest.front();
+      const can::FieldSpec& last = rest[count - 1];
+      const std::string name =
+          count == 1 ? fmt::format("`{}`", first.name) : fmt::format("`{}` … `{}`", first.name, last.name);
+      can::FieldSpec whole = first;
+      whole.width = static_cast<std::uint8_t>(last.first_bit + last.width - first.first_bit);
+      put("| {} | {}{} | {} | {} | {} | {} |\n", name, bits(whole),
+          count == 1 ? "" : fmt::format(", {} each", first.width), bytes(whole),
+          first.is_signed ? "yes" : "no", unit(first), meaning(message.kind, first));
+      rest = rest.subspan(count);
+    }
+  }
+
+  void joints(const urdf::RobotModel& robot, const NetworkDescription& network) {
+    const std::vector<const MessageLayout*> messages = by_priority(network.profile);
+    const auto is_per_node = [&](const MessageLayout* message) {
+      return network.profile.row(message->kind).rule != IdRule::one;
+    };
+    put("| node | joint |");
+    for (const MessageLayout* const message : messages) {
+      if (is_per_node(message)) {
+        put(" {} |", message->name);
+      }
+    }
+    put(" count | limits | sensor channels |\n|---|---|");
+    for (auto column = std::count_if(messages.begin(), messages.end(), is_per_node); column > 0; --column) {
+      put("---|");
+    }
+    put("---|---|---|\n");
+    for (const DescribedNode& node : network.nodes) {
+      put("| {} | {} |", node.node, node.name);
+      for (const MessageLayout* const message : messages) {
+        if (is_per_node(message)) {
+          put(" {} |", identifiers_of(network, *message, node.node));
+        }
+      }
+      const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(node.joint)];
+      constexpr double kDegrees = 180.0 / std::numbers::pi;
+      put(" {}° | {:.1f}° to {:.1f}° | {} |\n", number_text(joint.count_rad * kDegrees),
+          joint.lower_rad * kDegrees, joint.upper_rad * kDegrees, channels(network, node.node));
+    }
+  }
+
+  void trims(const NetworkDescription& network) {
+    for (const DescribedMessage& message : network.messages) {
+      if (message.kind != can::MessageKind::trim) {
+        continue;
+      }
+      put("\n| trim channel | joint | unit |\n|---|---|---|\n");
+      for (const DescribedSignal& signal : message.signals) {
+        const bool used = signal.name.starts_with("trim_") && signal.name != signal.field.name;
+        put("| `{}` | {} | {}° |\n", signal.field.name, used ? signal.name.substr(5) : "none",
+            number_text(signal.factor));
+      }
+    }
+  }
+
+  static std::vector<const MessageLayout*> by_priority(const can::Profile& profile) {
+    std::vector<const MessageLayout*> messages;
+    for (const MessageLayout& message : can::kMessageLayouts) {
+      if (profile.has(message.kind)) {
+        messages.push_back(&message);
+      }
+    }
+    std::stable_sort(messages.begin(), messages.end(), [&](const auto* a, const auto* b) {
+      return profile.row(a->kind).base_id < profile.row(b->kind).base_id;
+    });
+    return messages;
+  }
+
+ private:
+  // Of the bus: periodic messages alone, and all.
+  static std::pair<double, double> loads(const NetworkDescription& network) {
+    double periodic = 0.0, all = 0.0;
+    std::set<std::pair<can::MessageKind, can::NodeId>> counted;  // two toggles are one message
+    for (const DescribedMessage& message : network.messages) {
+      if (!counted.emplace(message.kind, message.node).second) {
+        continue;
+      }
+      const ProfileRow& row = network.profile.row(message.kind);
+      const double load = can::worst_case_bits(can::layout(message.kind).size) /
+                          (static_cast<double>(row.period_ns) * 1e-9 * kBitsASecond);
+      periodic += row.on_event ? 0.0 : load;
+      all += load;
+    }
+    return {periodic, all};
+  }
+
+  static std::string identifiers_of(const NetworkDescription& network, const MessageLayout& message,
+                                    can::NodeId node) {
+    std::string text;
+    for (const DescribedMessage& one : network.messages) {
+      if (one.kind == message.kind && one.node == node) {
+        text += fmt::format("{}0x{:03X}", text.empty() ? "" : ", ", one.id);
+      }
+    }
+    return text;
+  }
+
+  static std::string channels(const NetworkDescription& network, can::NodeId node) {
+    std::string text;
+    for (const DescribedMessage& message : network.messages) {
+      if (message.kind != can::MessageKind::feedback || message.node != node) {
+        continue;
+      }
+      for (const DescribedSignal& signal : message.signals) {
+        if (signal.field.unit == "network file" && !signal.unit.empty()) {
+          text += fmt::format("{}{} ({} {})", text.empty() ? "" : ", ", signal.name,
+                              number_text(signal.factor), signal.unit);
+        }
+      }
+    }
+    return text.empty() ? "none" : text;
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string network_document(const urdf::RobotModel& robot, const NetworkDescription& full,
+                             const NetworkDescription& paper) {
+  Document document;
+  document.put(
+      "<!-- Made by `./dev gaitway bus document --out docs/network.md`; change the tables or "
+      "tools/bus/network_document*, "
+      "not this file. -->\n# The message network\n\n{}\n## Messages\n\n",
+      kHowTheNetworkWorks);
+  document.messages(full);
+  document.put("\n## Every bit\n\n{}", kHowToReadTheFields);
+  for (const MessageLayout* const message : Document::by_priority(full.profile)) {
+    document.fields(*message);
+  }
+  document.put(
+      "\n## {} on the bus\n\nA position on the wire is 1/65536 of a turn; what a count and a sensor channel "
+      "are, the "
+      "network file says.\n\n",
+      full.robot);
+  document.joints(robot, full);
+  document.trims(full);
+  document.put("\n## The paper's profile\n\n{}\n", kThePaperProfile);
+  document.messages(paper);
+  document.put("\n");
+  document.joints(robot, paper);
+  document.put("\n## Where else\n\n{}", kWhereElse);
+  return document.take();
+}
+
+}  // namespace gaitway::tools

@@ -1,0 +1,261 @@
+// Reads the inputs, has the simulated robot take the poses or reads what another one measured, and writes the
+// results.
+#include "tools/calibrate/calibrate_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+
+#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion_planner.hpp"
+#include "gaitway/process/installation.hpp"
+#include "gaitway/process/text_file.hpp"
+#include "tools/calibrate/calibration_report.hpp"
+#include "tools/calibrate/measurement_file.hpp"
+#include "tools/calibrate/standing_log.hpp"
+#include "tools/program.hpp"
+
+namespace gaitway::calibration {
+namespace {
+
+constexpr int kMostSeeds = 1000, kMostRounds = 10;
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+void check(const CalibrateOptions& o) {
+  const int sources = int{o.simulate} + int{!o.measurements.empty()} + int{!o.bus_log.empty()};
+  require(
+      sources == 1,
+      "calibrate: give either --simulate or --measurements FILE or --bus-log FILE, and one of them alone");
+  require(o.mismatch >= 0.0 && o.mismatch <= 10.0,
+          fmt::format("--mismatch {}: must lie between 0 and 10", o.mismatch));
+  require(o.seeds >= 1 && o.seeds <= kMostSeeds,
+          fmt::format("--seeds {}: must lie between 1 and {}", o.seeds, kMostSeeds));
+  require(o.rounds >= 1 && o.rounds <= kMostRounds,
+          fmt::format("--rounds {}: must lie between 1 and {}", o.rounds, kMostRounds));
+  require(o.measure_s >= 0.1 && o.measure_s <= 60.0,
+          fmt::format("--measure-s {}: must lie between 0.1 and 60", o.measure_s));
+  require(o.play_deg >= 0.0 && o.play_deg <= 2.0,
+          fmt::format("--play-deg {}: must lie between 0 and 2", o.play_deg));
+  require(o.floor_deg >= 0.0 && o.floor_deg <= 5.0,
+          fmt::format("--floor-deg {}: must lie between 0 and 5", o.floor_deg));
+  require(!o.weighed_kg || (*o.weighed_kg > 0.0 && *o.weighed_kg < 1000.0),
+          fmt::format("--weighed-kg {}: must lie between 0 and 1000", o.weighed_kg.value_or(0.0)));
+  require(o.weighed_deviation_kg > 0.0 && o.weighed_deviation_kg <= 100.0,
+          fmt::format("--weighed-deviation-kg {}: must be above 0, at most 100", o.weighed_deviation_kg));
+  require(!(o.simulate && o.weighed_kg),
+          "--weighed-kg: the simulated robot is weighed by itself. Leave it out");
+  require(o.measurements.empty() || o.record.empty(),
+          "--record: the measurements come from a file already. Leave it out");
+  require(o.seeds == 1 || (o.out.empty() && o.record.empty()),
+          "--out, --record: these are of one robot. Leave --seeds out");
+}
+
+// A line that rewrites itself on a terminal, and nothing where output goes to a file.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+  ~ProgressLine() { show(""); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const std::string& text) const {
+    if (!shown_) return;
+    fmt::print(stderr, "\r{:76}\r{}", "", text);
+    std::fflush(stderr);
+  }
+
+ private:
+  bool shown_;
+};
+
+motion::MotionPlan plan_poses(const CalibrateOptions& options, const urdf::RobotModel& robot) {
+  const motion::Motion poses = motion::read_motion(options.poses, robot);
+  bool any = false;
+  for (const motion::Key& key : poses.keys) any = any || key.hold_s >= options.measure_s;
+  require(any, fmt::format("{}: no pose is held for --measure-s {}. Raise hold_s, or measure for less time",
+                           options.poses.string(), options.measure_s));
+  return motion::plan_motion(robot, poses, {}).plan;
+}
+
+SimulatedCalibration simulate(const CalibrateOptions& options, const urdf::RobotModel& robot,
+                              const motion::MotionPlan& poses, std::uint64_t seed, const ProgressLine& line) {
+  return calibrate_simulated(
+      robot, poses,
+      {.seed = seed,
+       .mismatch = options.mismatch,
+       .play_rad = options.play_deg * kDegree_rad,
+       .rounds = options.rounds,
+       .measured_s = options.measure_s,
+       .weighing_deviation_kg = options.weighed_deviation_kg,
+       .progress = [&](int round, const std::string& pose) {
+         line.show(fmt::format("  seed {}, round {} of {}: {}", seed, round, options.rounds, pose));
+       }});
+}
+
+int finish(const CalibrateOptions& options, const urdf::RobotModel& robot, const Calibration& calibration,
+           const RobotDeviations* truth) {
+  if (!options.quiet) fmt::print("{}", report_text(robot, calibration, truth));
+  if (calibration.misfit > kLargestMisfit) {
+    fmt::print(stderr,
+               "gaitway: the measurements leave {:.1f} times unexplained what their noise explains (at most "
+               "{:.1f} is sound). Look for a foot that stood on something, moved, or another robot's "
+               "description\n",
+               calibration.misfit, kLargestMisfit);
+    return kExitMisfit;
+  }
+  if (!options.out.empty()) {
+    process::write_text_file(options.out, calibration_text(robot, calibration));
+    if (!options.quiet) {
+      fmt::print("{}: written. Beside robot.yaml, named calibration.yaml, it is used.\n",
+                 options.out.string());
+    }
+  }
+  return 0;
+}
+
+int from_simulation(const CalibrateOptions& options, const urdf::RobotModel& robot) {
+  const motion::MotionPlan poses = plan_poses(options, robot);
+  CalibrationStatistics statistics;
+  std::optional<SimulatedCalibration> last;
+  {
+    const ProgressLine line(options.quiet);
+    for (int i = 0; i < options.seeds; ++i) {
+      last = simulate(options, robot, poses, options.seed + static_cast<std::uint64_t>(i), line);
+      statistics.add(robot, *last);
+    }
+  }
+  if (options.seeds > 1) {
+    fmt::print("{} robots. RMS errors before and after, claimed deviations, RMS of error / claim:\n{}",
+               options.seeds, statistics.text());
+    return 0;
+  }
+  if (!options.record.empty()) {
+    process::write_text_file(options.record,
+                             measurement_text({last->settings.weighing, last->measurements}, robot));
+  }
+  return finish(options, robot, last->calibration, &last->truth);
+}
+
+// Of a robot that is not simulated here; `file` is where they come from.
+int from_measurements(const CalibrateOptions& options, const urdf::RobotModel& robot,
+                      const MeasurementFile& measured, const std::filesystem::path& file) {
+  CalibrationSettings settings;
+  settings.weighing = measured.weighing;
+  if (options.weighed_kg) settings.weighing = Weighing{*options.weighed_kg, options.weighed_deviation_kg};
+  if (options.play_deg > 0.0) allow_play(options.play_deg * kDegree_rad, settings.standing);
+  settings.standing.floor_tilt_rad = options.floor_deg * kDegree_rad;
+  if (!options.record.empty()) {
+    process::write_text_file(options.record, measurement_text({settings.weighing, measured.poses}, robot));
+  }
+  try {
+    return finish(options, robot, calibrate(robot, measured.poses, settings), nullptr);
+  } catch (const CalibrationError& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+// The joints of the log had the calibration that lies in the robot's folder, if one does.
+int from_bus_log(const CalibrateOptions& options, const urdf::RobotModel& robot) {
+  std::vector<double> zero_in_use_rad;
+  for (const urdf::Joint& joint : urdf::load_robot(options.robot).joints) {
+    zero_in_use_rad.push_back(joint.encoder_zero_rad);
+  }
+  MeasurementFile measured;
+  try {
+    measured.poses =
+        standing_poses(robot, zero_in_use_rad, can::read_candump_log(options.bus_log), options.measure_s);
+  } catch (const StandingLogError& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", options.bus_log.string(), error.what()));
+  }
+  if (!options.quiet) fmt::print("{} poses in {}\n", measured.poses.size(), options.bus_log.string());
+  return from_measurements(options, robot, measured, options.bus_log);
+}
+
+void add_inputs(CLI::App& command, CalibrateOptions& options) {
+  command.add_flag("--simulate", options.simulate,
+                   "The simulated robot takes the poses; what is true stands beside what is found");
+  command.add_option("--measurements", options.measurements, "Measured poses of a robot (YAML)");
+  command.add_option("--bus-log", options.bus_log,
+                     "Log of a robot's bus (candump -L, or bus.log of a run) while it took the poses");
+  command.add_option("--robot", options.robot, "Folder of the robot's description")->capture_default_str();
+  command.add_option("--weighed-kg", options.weighed_kg,
+                     "What the robot weighs, if the file does not say it");
+  command.add_option("--weighed-deviation-kg", options.weighed_deviation_kg, "How far that may be off")
+      ->capture_default_str();
+  command.add_option("--play-deg", options.play_deg, "Play of each joint, whole width")
+      ->capture_default_str();
+  command
+      .add_option("--floor-deg", options.floor_deg,
+                  "How far the floor may lean (standard deviation; with --measurements)")
+      ->capture_default_str();
+  command
+      .add_option("--measure-s", options.measure_s, "How long each pose is measured, at the end of its hold")
+      ->capture_default_str();
+  command.add_option("--record", options.record,
+                     "File for the measurements (of the last round), as --measurements reads them");
+  command.add_option("--out", options.out, "File for the calibration, such as calibration.yaml");
+  command.add_flag("--quiet", options.quiet, "No progress and no table");
+}
+
+void add_simulation(CLI::App& command, CalibrateOptions& options) {
+  command.add_option("--poses", options.poses, "The poses: a motion that holds its keys")
+      ->capture_default_str()
+      ->group("Simulation");
+  command.add_option("--seed", options.seed, "Which robot: its deviations and its noise")
+      ->capture_default_str()
+      ->group("Simulation");
+  command.add_option("--seeds", options.seeds, "Calibrate that many robots and show how well it goes")
+      ->capture_default_str()
+      ->group("Simulation");
+  command.add_option("--mismatch", options.mismatch, "Scale of the robot's deviations")
+      ->capture_default_str()
+      ->group("Simulation");
+  command
+      .add_option("--rounds", options.rounds,
+                  "How often the poses are taken at most, with the zeros found before")
+      ->capture_default_str()
+      ->group("Simulation");
+}
+
+}  // namespace
+
+CLI::App* add_calibrate_command(CLI::App& app, CalibrateOptions& options) {
+  CLI::App* const command = add_command(app, "calibrate");
+  options.robot = process::default_robot_directory();
+  options.poses = process::calibration_directory() / "standing.yaml";
+  add_inputs(*command, options);
+  add_simulation(*command, options);
+  command->footer(
+      "Examples:\n"
+      "  gaitway calibrate --simulate --seed 3 --out calibration.yaml\n"
+      "  gaitway calibrate --simulate --seeds 20\n"
+      "  gaitway calibrate --bus-log out/serve/bus.log --weighed-kg 6.87 --out calibration.yaml\n"
+      "  gaitway calibrate --measurements standing.yaml --weighed-kg 6.87 --out calibration.yaml\n"
+      "Exit code: 0 found, 3 the measurements do not fit the robot, 1 the input was bad.");
+  return command;
+}
+
+int calibrate_command(const CalibrateOptions& options) {
+  check(options);
+  const urdf::RobotModel robot = urdf::load_robot(options.robot, urdf::CalibrationUse::left_out);
+  if (options.simulate) return from_simulation(options, robot);
+  if (!options.bus_log.empty()) return from_bus_log(options, robot);
+  return from_measurements(options, robot, read_measurements(options.measurements, robot),
+                           options.measurements);
+}
+
+}  // namespace gaitway::calibration
+
+int main(int argc, char** argv) {
+  gaitway::calibration::CalibrateOptions options;
+  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
+    gaitway::calibration::add_calibrate_command(app, options);
+    return [&options] { return gaitway::calibration::calibrate_command(options); };
+  });
+}

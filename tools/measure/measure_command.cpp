@@ -1,0 +1,210 @@
+// `gaitway measure gait`: reads the inputs, measures with a progress line, writes the results.
+#include "tools/measure/measure_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "gaitway/manager/plugin_exchange.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/process/installation.hpp"
+#include "gaitway/process/text_file.hpp"
+#include "gaitway/simulator/cosimulation.hpp"
+#include "tools/measure/gait_measurement.hpp"
+#include "tools/measure/gait_report.hpp"
+#include "tools/measure/pinned_plugins.hpp"
+#include "tools/program.hpp"
+#include "tools/run/output_folder.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kSeeds = 20, kQuickSeeds = 3, kMostSeeds = 1000, kMostJobs = 1024;
+
+void check(const MeasureGaitOptions& options) {
+  if (options.seeds && !(*options.seeds >= 1 && *options.seeds <= kMostSeeds)) {
+    throw std::invalid_argument(
+        fmt::format("--seeds {}: must lie between 1 and {}", *options.seeds, kMostSeeds));
+  }
+  if (options.jobs < 0 || options.jobs > kMostJobs) {
+    throw std::invalid_argument(fmt::format(
+        "--jobs {}: must lie between 1 and {}, or be left out for all cores", options.jobs, kMostJobs));
+  }
+}
+
+int jobs_of(const MeasureGaitOptions& options) {
+  return options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// Loads everything once, so that what is wrong with it is said before the first trial.
+TrialRobot load(const MeasureGaitOptions& options) {
+  TrialRobot robot{urdf::load_robot(options.robot), core::read_configuration(options.config)};
+  msgcontroller::require_proven_network(robot.model, false);
+  const core::PluginExchange plugins = core::put_in(
+      robot.plugins, {}, {.robot_directory = options.robot, .plugin_path = core::plugin_search_path({})});
+  if (const std::string commander = plugins.writer_of("walk_command"); !commander.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: the plug-in '{}' writes walk_command, so no trial could say how the robot walks. "
+                    "Measure without it",
+                    options.config.string(), commander));
+  }
+  simulator::CosimulationOptions once;
+  once.main_controller.configuration = options.config;
+  once.main_controller.plugins = robot.plugins;
+  once.main_controller.try_at_start = true;
+  const simulator::Cosimulation loads(robot.model, once);
+  return robot;
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<std::int64_t>(seconds);
+  return whole >= 3600 ? fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60)
+                       : fmt::format("{}:{:02} min", whole / 60, whole % 60);
+}
+
+// A line that rewrites itself on a terminal, and nothing where output goes to a file.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+  ~ProgressLine() {
+    if (shown_) {
+      fmt::print(stderr, "\r{:78}\r", "");
+    }
+  }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const GaitProgress& progress) {
+    if (!shown_ || Clock::now() < next_) {
+      return;
+    }
+    next_ = Clock::now() + std::chrono::milliseconds(200);
+    constexpr std::uint64_t kWidth = 24;
+    const std::uint64_t filled =
+        progress.trials_planned == 0 ? 0 : kWidth * progress.trials_done / progress.trials_planned;
+    fmt::print(stderr, "\r  [{:#<{}}{:.<{}}] {:<16} {} / {} trials, {} ", "", filled, "", kWidth - filled,
+               progress.row, progress.trials_done, progress.trials_planned,
+               progress.remaining_s ? duration_text(*progress.remaining_s) + " left" : "");
+    std::fflush(stderr);
+  }
+
+ private:
+  bool shown_;
+  Clock::time_point next_ = Clock::now();
+};
+
+void write_results(const MeasureGaitOptions& options, const GaitReportHead& head,
+                   const GaitMeasurement& measurement) {
+  process::write_text_file(options.out / "gait.json", gait_json(head, measurement).dump(2) + "\n");
+  process::write_text_file(options.out / "gait.md", gait_markdown(head, measurement));
+  process::write_text_file(options.out / "gait.html", gait_page(head, measurement));
+}
+
+int measure_gait_table(const MeasureGaitOptions& options) {
+  check(options);
+  const auto started = Clock::now();
+  const core::Configuration plugins = core::read_configuration(options.config);
+  const std::vector<GaitRow> rows =
+      chosen_rows(gait_table({.step_time_s = step_time_of(plugins), .quick = options.quick}), options.rows,
+                  options.except);
+  TrialRobot robot = load(options);
+  prepare_output(options.out);
+  pin_plugins(robot.plugins, robot.plugin_path, options.out / "plugins");
+  TrialStore store(options.out / "trials.jsonl", fingerprint_of(robot));
+  remove_other_plugins(robot.plugins, options.out / "plugins");
+
+  const int seeds = options.seeds.value_or(options.quick ? kQuickSeeds : kSeeds);
+  GaitMeasurement measurement;
+  {
+    ProgressLine line(options.quiet);
+    measurement = measure_gait(robot, rows, store,
+                               {.seeds = seeds,
+                                .first_seed = options.first_seed,
+                                .jobs = jobs_of(options),
+                                .progress = [&line](const GaitProgress& progress) { line.show(progress); }});
+  }
+  const GaitReportHead head{robot.model.name, options.config.filename().string(), seeds, options.first_seed,
+                            options.quick};
+  write_results(options, head, measurement);
+  if (!options.quiet) {
+    fmt::print("{}\n{} trials run, {} known from {}; {}. Plots: {}\n", gait_markdown(head, measurement),
+               measurement.trials_run, measurement.trials_known, (options.out / "trials.jsonl").string(),
+               duration_text(std::chrono::duration<double>(Clock::now() - started).count()),
+               (options.out / "gait.html").string());
+  }
+  const bool holds = std::all_of(measurement.rows.begin(), measurement.rows.end(),
+                                 [](const RowResult& row) { return row.floor_holds(); });
+  return holds ? 0 : kExitFloorFailed;
+}
+
+std::string row_list() {
+  std::string text;
+  for (const GaitRow& row : gait_table({})) {
+    text += fmt::format("  {:<18}{}\n", row.name, row.measure);
+  }
+  return text;
+}
+
+}  // namespace
+
+CLI::App* add_measure_command(CLI::App& app, MeasureOptions& options) {
+  CLI::App* const measure = add_command(app, "measure");
+  measure->require_subcommand(1);
+  MeasureGaitOptions& gait = options.gait;
+  gait.robot = process::default_robot_directory();
+  gait.config = process::default_config_file();
+  CLI::App* const command = measure->add_subcommand(
+      "gait", "How fast the robot walks, what pushes and what ground it survives: a table, with plots");
+  command->add_flag("--quick", gait.quick,
+                    "Fewer seeds, shorter walks, coarser levels: some minutes on two cores");
+  command->add_option("--seeds", gait.seeds,
+                      "Robots to try, each with its own deviations (default 20, quick 3)");
+  command->add_option("--first-seed", gait.first_seed, "The first of them")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--jobs", gait.jobs, "Trials side by side (default: one a core)");
+  command->add_option("--rows", gait.rows, "Rows of the table, by name; default: all")->delimiter(',');
+  command->add_option("--except", gait.except, "Rows to leave out")->delimiter(',');
+  command->add_option("--robot", gait.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
+  command->add_option("--config", gait.config, "Plug-ins of the main controller (YAML)")
+      ->capture_default_str();
+  command->add_option("--out", gait.out, "Folder for the results and for the trials' outcomes")
+      ->capture_default_str();
+  command->add_flag("--quiet", gait.quiet, "No progress line and no table");
+  command->footer("Rows:\n" + row_list() +
+                  "\nExamples:\n"
+                  "  gaitway measure gait --quick\n"
+                  "  gaitway measure gait --rows straight,heading --seeds 5\n"
+                  "  gaitway measure gait --quick --except compute\n"
+                  "  gaitway measure gait --config without_trims.yaml --out out/without_trims\n"
+                  "An interrupted measurement goes on where it was when it is given the same --out.\n"
+                  "Exit code: 0 each floor holds, 3 one does not, 1 the input was bad.");
+  measure->footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
+  return measure;
+}
+
+int measure(const CLI::App& command, const MeasureOptions& options) {
+  if (command.got_subcommand("gait")) {
+    return measure_gait_table(options.gait);
+  }
+  throw CLI::RequiredError("a subcommand of measure");
+}
+
+}  // namespace gaitway::tools
+
+int main(int argc, char** argv) {
+  gaitway::tools::MeasureOptions options;
+  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
+    CLI::App* const command = gaitway::tools::add_measure_command(app, options);
+    return [command, &options] { return gaitway::tools::measure(*command, options); };
+  });
+}

@@ -1,0 +1,214 @@
+// The subcommands of `gaitway motion`.
+#include "tools/motion/motion_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion_planner.hpp"
+#include "gaitway/motion/motion_preparation.hpp"
+#include "gaitway/process/installation.hpp"
+#include "gaitway/trajectory/motion_table_file.hpp"
+#include "tools/program.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// A shipped motion by its name, or the file itself.
+std::filesystem::path file_of(const MotionOptions& options) {
+  const std::filesystem::path given = options.motion;
+  if (given.has_parent_path() || given.extension() == ".yaml") return given;
+  std::vector<std::string> known;
+  for (const std::filesystem::path& file : motion::motion_files(options.folder)) {
+    if (file.stem() == options.motion) return file;
+    known.push_back(file.stem().string());
+  }
+  throw std::invalid_argument(fmt::format("'{}': there is no such motion in {}. {}", options.motion,
+                                          options.folder.string(), input::suggest(options.motion, known)));
+}
+
+struct Loaded {
+  urdf::RobotModel robot;
+  motion::Motion motion;
+};
+
+Loaded load(const MotionOptions& options) {
+  urdf::RobotModel robot = urdf::load_robot(options.robot);
+  motion::Motion motion = motion::read_motion(file_of(options), robot);
+  return {std::move(robot), std::move(motion)};
+}
+
+struct TimedPlan {
+  motion::PlannedMotion planned;
+  double planning_s = 0.0;
+};
+
+TimedPlan plan(const Loaded& loaded) {
+  const auto started = std::chrono::steady_clock::now();
+  TimedPlan result{motion::plan_motion(loaded.robot, loaded.motion, {}), 0.0};
+  result.planning_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return result;
+}
+
+int list(const MotionOptions& options) {
+  const urdf::RobotModel robot = urdf::load_robot(options.robot);
+  for (const std::filesystem::path& file : motion::motion_files(options.folder)) {
+    const motion::Motion motion = motion::read_motion(file, robot);
+    fmt::print("{:<12} {:2} keys  {}\n", file.stem().string(), motion.keys.size(), motion.description);
+  }
+  return 0;
+}
+
+int show(const MotionOptions& options) {
+  const Loaded loaded = load(options);
+  const auto postures = motion::key_postures(loaded.robot, loaded.motion, {});
+  fmt::print("{}: {}\n", loaded.motion.name, loaded.motion.description);
+  const std::size_t first = postures.size() - loaded.motion.keys.size();
+  for (std::size_t i = 0; i < loaded.motion.keys.size(); ++i) {
+    const motion::Key& key = loaded.motion.keys[i];
+    fmt::print("\n{}  (contact {}, hold {} s)\n", key.name, motion::name_of(key.contact), key.hold_s);
+    for (std::size_t j = 0; j < loaded.robot.joints.size(); ++j) {
+      const double angle = postures[i + first].joint_rad[static_cast<Eigen::Index>(j)];
+      const double away = angle - loaded.robot.joints[j].home_rad;
+      if (std::abs(away) < 0.05 * kDegree) continue;
+      fmt::print("  {:<22} {:7.1f} deg  ({:+.1f} from home)\n", loaded.robot.joints[j].name, angle / kDegree,
+                 away / kDegree);
+    }
+  }
+  return 0;
+}
+
+void write_points(const urdf::RobotModel& robot, const motion::MotionPlan& plan, std::FILE* out) {
+  fmt::print(out, "time_s,contact");
+  for (const urdf::Joint& joint : robot.joints) fmt::print(out, ",{}_rad", joint.name);
+  for (const urdf::Joint& joint : robot.joints) fmt::print(out, ",{}_reference_rad", joint.name);
+  fmt::print(out, "\n");
+  for (std::size_t i = 0; i < plan.point_count(); ++i) {
+    fmt::print(out, "{:.2f},{}", static_cast<double>(i) * facts::kSlot_s, motion::name_of(plan.contact[i]));
+    for (const double angle : plan.point(i)) fmt::print(out, ",{:.6f}", angle);
+    for (const double angle : plan.reference(i)) fmt::print(out, ",{:.6f}", angle);
+    fmt::print(out, "\n");
+  }
+}
+
+int write_plan(const MotionOptions& options) {
+  const Loaded loaded = load(options);
+  const TimedPlan result = plan(loaded);
+  if (options.out.empty()) {
+    write_points(loaded.robot, result.planned.plan, stdout);
+    return 0;
+  }
+  const std::string name = options.out.string();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "w"), &std::fclose);
+  if (!file) throw std::runtime_error(fmt::format("--out {}: cannot be written", name));
+  write_points(loaded.robot, result.planned.plan, file.get());
+  fmt::print("{}: {} points, {:.2f} s, in {}\n", loaded.motion.name, result.planned.plan.point_count(),
+             result.planned.plan.duration_s(), name);
+  return 0;
+}
+
+int check(const MotionOptions& options) {
+  const Loaded loaded = load(options);
+  const TimedPlan result = plan(loaded);
+  const motion::PlannedMotion& planned = result.planned;
+  fmt::print(
+      "{}: {:.2f} s in {} points (first guess {:.2f} s), planned in {:.2f} s; slowed down by {:.1f} % at the "
+      "end\n",
+      loaded.motion.name, planned.plan.duration_s(), planned.plan.point_count(), planned.first_duration_s,
+      result.planning_s, 100.0 * (planned.stretch - 1.0));
+  for (const motion::KeyTime& key : planned.plan.keys) {
+    fmt::print("  {:<16} {:6.2f} s\n", key.name, static_cast<double>(key.reached) * facts::kSlot_s);
+  }
+  fmt::print("Nearest to each limit:\n");
+  for (const motion::LimitUse& use : planned.report.uses) fmt::print("  {}\n", motion::describe(use));
+  return 0;
+}
+
+int prepare(const MotionOptions& options) {
+  const Loaded loaded = load(options);
+  const motion::PreparedMotion prepared = motion::prepare_motion(loaded.robot, loaded.motion, {});
+  const std::filesystem::path folder = options.out.empty() ? std::filesystem::path(".") : options.out;
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path file = folder / (loaded.motion.name + trajectory::kMotionTableEnding);
+  trajectory::write_motion_table(prepared.table, file);
+  fmt::print("{}: {:.2f} s, left within {:.2f} s from any of its {} batches, in {}\n", loaded.motion.name,
+             prepared.planned.plan.duration_s(),
+             static_cast<double>(prepared.longest_exit_points) * facts::kSlot_s, prepared.table.batch_count(),
+             file.string());
+  return 0;
+}
+
+int draw(const MotionOptions& options) {
+  const Loaded loaded = load(options);
+  const std::filesystem::path file =
+      options.out.empty() ? std::filesystem::path(loaded.motion.name + ".png") : options.out;
+  draw_motion(loaded.robot, plan(loaded).planned.plan, options.pictures, file);
+  fmt::print("{}: {} pictures in {}\n", loaded.motion.name, options.pictures, file.string());
+  return 0;
+}
+
+}  // namespace
+
+CLI::App* add_motion_command(CLI::App& app, MotionOptions& options) {
+  CLI::App* const command = add_command(app, "motion");
+  command->require_subcommand(1);
+  options.robot = process::default_robot_directory();
+  options.folder = process::motion_directory();
+  const auto add = [&](const char* name, const char* text, bool of_one) {
+    CLI::App* const sub = command->add_subcommand(name, text);
+    if (of_one) sub->add_option("motion", options.motion, "Name of a motion, or its file")->required();
+    sub->add_option("--motions", options.folder, "Folder with the motions")->capture_default_str();
+    sub->add_option("--robot", options.robot, "Folder of the robot's description")->capture_default_str();
+    return sub;
+  };
+  add("list", "The motions there are", false);
+  add("show", "Postures at the keys, with the legs as they are solved", true);
+  add("plan", "Every point as CSV", true)
+      ->add_option("--out", options.out, "File; otherwise to the terminal");
+  add("check", "Plan, and say how near to each limit every point comes", true);
+  add("prepare", "Plan it, and write what the robot plays: the way, and a way out of every batch", true)
+      ->add_option("--out", options.out, "Folder; otherwise the current one");
+  CLI::App* const draw_app = add("draw", "A film strip of the planned motion", true);
+  draw_app->add_option("--out", options.out, "PNG file; otherwise NAME.png");
+  draw_app->add_option("--pictures", options.pictures, "How many")
+      ->check(CLI::Range(2, 64))
+      ->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  gaitway motion check kick\n"
+      "  gaitway motion draw my_motion.yaml --out my_motion.png\n"
+      "  gaitway motion prepare my_motion.yaml --out my_motions\n"
+      "Exit code: 0 planned within all limits, 1 not, or the input was bad.");
+  return command;
+}
+
+int motion_command(const CLI::App& command, const MotionOptions& options) {
+  if (command.got_subcommand("list")) return list(options);
+  if (command.got_subcommand("show")) return show(options);
+  if (command.got_subcommand("plan")) return write_plan(options);
+  if (command.got_subcommand("check")) return check(options);
+  if (command.got_subcommand("prepare")) return prepare(options);
+  return draw(options);
+}
+
+}  // namespace gaitway::tools
+
+int main(int argc, char** argv) {
+  gaitway::tools::MotionOptions options;
+  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
+    CLI::App* const command = gaitway::tools::add_motion_command(app, options);
+    return [command, &options] { return gaitway::tools::motion_command(*command, options); };
+  });
+}

@@ -1,0 +1,168 @@
+// Lists the plug-ins of the search path, for people or as JSON.
+#include "tools/plugins/plugins_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "gaitway/isolation/plugin_probe.hpp"
+#include "gaitway/process/installation.hpp"
+#include "tools/program.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, core::kAccesses.size()> kAccessNames{
+    "read", "read_previous", "read_optional", "write", "read_previous_optional"};
+
+std::string_view access_name(core::Access access) {
+  return kAccessNames[static_cast<std::size_t>(access)];
+}
+
+std::vector<std::filesystem::path> libraries_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".so" && core::is_plugin_library(entry.path())) {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::filesystem::path> libraries_of(const PluginsOptions& options) {
+  for (const std::filesystem::path& folder : options.plugin_path) {
+    if (!std::filesystem::is_directory(folder)) {
+      throw std::invalid_argument(
+          fmt::format("--plugin-path {}: is no folder. Name one that holds plug-ins", folder.string()));
+    }
+  }
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path& folder :
+       options.plugin_path.empty() ? core::plugin_search_path({}) : options.plugin_path) {
+    if (std::filesystem::is_directory(folder)) {
+      const std::vector<std::filesystem::path> found = libraries_in(folder);
+      files.insert(files.end(), found.begin(), found.end());
+    }
+  }
+  return files;
+}
+
+ordered_json as_json(const core::PluginDescription& plugin) {
+  ordered_json topics = ordered_json::array(), parameters = ordered_json::array();
+  for (const core::DescribedTopic& topic : plugin.topics) {
+    topics.push_back(
+        {{"name", topic.name}, {"type", topic.type_name}, {"access", access_name(topic.access)}});
+  }
+  for (const core::DescribedParameter& parameter : plugin.parameters) {
+    ordered_json described{{"name", parameter.name},       {"kind", parameter.kind},
+                           {"unit", parameter.unit},       {"default", parameter.fallback},
+                           {"description", parameter.doc}, {"live", parameter.live}};
+    const bool is_number = parameter.kind == "number" || parameter.kind == "integer";
+    if (is_number && std::isfinite(parameter.lowest)) {
+      described["lowest"] = parameter.lowest;
+    }
+    if (is_number && std::isfinite(parameter.highest)) {
+      described["highest"] = parameter.highest;
+    }
+    parameters.push_back(described);
+  }
+  return {{"name", plugin.name},
+          {"version", plugin.version},
+          {"description", plugin.text},
+          {"library", plugin.file.string()},
+          {"period", plugin.every_tick ? "tick" : "batch"},
+          {"topics", topics},
+          {"parameters", parameters}};
+}
+
+std::string topics_of(const core::PluginDescription& plugin, bool written) {
+  std::string text;
+  for (const core::DescribedTopic& topic : plugin.topics) {
+    if ((topic.access == core::Access::write) == written) {
+      text += (text.empty() ? "" : ", ") + topic.name;
+      text += core::is_of_tick_before(topic.access) ? " (of the tick before)" : "";
+      text += written || core::needs_writer(topic.access) ? "" : " (optional)";
+    }
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+void print(const core::PluginDescription& plugin) {
+  fmt::print("{} {}  {}\n", plugin.name, plugin.version, plugin.text);
+  fmt::print("  library     {}\n", plugin.file.string());
+  fmt::print("  stepped     every {}\n", plugin.every_tick ? "10 ms" : "80 ms, for each batch");
+  fmt::print("  reads       {}\n", topics_of(plugin, false));
+  fmt::print("  writes      {}\n", topics_of(plugin, true));
+  for (const core::DescribedParameter& parameter : plugin.parameters) {
+    const bool has_unit = !parameter.unit.empty() && parameter.unit != "1";
+    fmt::print("  {:<11} {} = {}{}{}{}\n", &parameter == plugin.parameters.data() ? "parameters" : "",
+               parameter.name, parameter.fallback, has_unit ? " " + parameter.unit : "",
+               parameter.live ? ", may be changed while it runs" : "",
+               parameter.doc.empty() ? "" : "  " + parameter.doc);
+  }
+}
+
+}  // namespace
+
+CLI::App* add_plugins_command(CLI::App& app, PluginsOptions& options) {
+  CLI::App* const command = add_command(app, "plugins");
+  options.robot = process::default_robot_directory();
+  command
+      ->add_option("--plugin-path", options.plugin_path,
+                   "Folder to look in, instead of GAITWAY_PLUGIN_PATH and the shipped plug-ins; may be given "
+                   "again")
+      ->allow_extra_args(false);
+  command->add_option("--robot", options.robot, "Robot that the plug-ins are asked for")
+      ->capture_default_str();
+  command->add_flag("--json", options.json, "For programs");
+  command->footer(
+      "Examples:\n"
+      "  gaitway plugins\n"
+      "  gaitway plugins --plugin-path build --json\n"
+      "Exit code: 0 all are usable, 1 one is not, or the input was bad.");
+  return command;
+}
+
+int list_plugins(const PluginsOptions& options) {
+  const core::ProbeOptions probe{.robot_directory = options.robot,
+                                 .plugin_path = core::plugin_search_path(options.plugin_path)};
+  ordered_json list = ordered_json::array();
+  int exit_code = 0;
+  for (const std::filesystem::path& file : libraries_of(options)) {
+    try {
+      const core::PluginDescription plugin = core::probe_plugin(file, probe);
+      if (options.json) {
+        list.push_back(as_json(plugin));
+      } else {
+        print(plugin);
+      }
+    } catch (const core::PluginError& error) {
+      fmt::print(stderr, "gaitway: not usable: {}\n", error.what());
+      exit_code = 1;
+    }
+  }
+  if (options.json) {
+    fmt::print("{}\n", list.dump(2));
+  }
+  return exit_code;
+}
+
+}  // namespace gaitway::tools
+
+int main(int argc, char** argv) {
+  gaitway::tools::PluginsOptions options;
+  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
+    gaitway::tools::add_plugins_command(app, options);
+    return [&options] { return gaitway::tools::list_plugins(options); };
+  });
+}

@@ -1,0 +1,291 @@
+// `gaitway run`: reads the inputs, lets the co-simulation run with a progress line, writes the results.
+#include "tools/run/run_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <variant>
+
+#include "gaitway/manager/plugin_exchange.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/process/installation.hpp"
+#include "gaitway/process/text_file.hpp"
+#include "gaitway/simulator/camera.hpp"
+#include "gaitway/simulator/cosimulation.hpp"
+#include "tools/program.hpp"
+#include "tools/run/output_folder.hpp"
+#include "tools/run/run_recorder.hpp"
+#include "tools/run/run_report.hpp"
+#include "tools/run/run_summary.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kDefaultSeconds = 20.0;
+constexpr double kDefaultSpeed_m_per_s = 0.15;
+constexpr double kAfterFall_s = 1.0;  // shown after a fall, before the run ends
+constexpr int kPictures = 8;
+constexpr double kFirstPicture_s = 0.5;
+constexpr int kPictureWidth_px = 320, kPictureHeight_px = 360;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The file, or the shipped scenario of that name.
+std::filesystem::path scenario_file(const std::filesystem::path& given) {
+  const std::filesystem::path shipped = process::scenario_directory() / given;
+  return !std::filesystem::exists(given) && std::filesystem::exists(shipped) ? shipped : given;
+}
+
+simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotModel& robot) {
+  if (options.scenario) {
+    simulator::Scenario scenario = simulator::load_scenario(scenario_file(*options.scenario), robot);
+    scenario.seconds = options.seconds.value_or(scenario.seconds);
+    return scenario;
+  }
+  std::vector<double> walk = options.walk.value_or(std::vector<double>{kDefaultSpeed_m_per_s});
+  walk.resize(3, 0.0);
+  return simulator::walk_scenario(walk[0], walk[1], walk[2], options.seconds.value_or(kDefaultSeconds));
+}
+
+// A plug-in that commands the walk is not contradicted: what was asked for is refused, the default is left
+// out.
+void leave_walk_to(const std::string& plugin, const RunOptions& options, simulator::Scenario& scenario) {
+  const auto walks = [](const simulator::ScenarioEvent& event) {
+    return std::holds_alternative<simulator::WalkEvent>(event.action);
+  };
+  const bool asked = options.walk ||
+                     (options.scenario && std::any_of(scenario.events.begin(), scenario.events.end(), walks));
+  if (asked) {
+    throw std::invalid_argument(
+        fmt::format("{}: the plug-in '{}' writes walk_command and alone commands the walk. Leave the walk "
+                    "out, or the plug-in",
+                    options.walk ? "--walk" : options.scenario->string(), plugin));
+  }
+  std::erase_if(scenario.events, walks);
+}
+
+// A line that rewrites itself on a terminal, and nothing where output goes to a file.
+class Progress {
+ public:
+  explicit Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+  void show(double virtual_s, double of_s, double wall_s, double walked_m) const {
+    if (shown_) {
+      fmt::print(stderr, "\r  {:6.1f} / {:.1f} s   {:5.1f} x real time   x = {:+.2f} m ", virtual_s, of_s,
+                 wall_s > 0.0 ? virtual_s / wall_s : 0.0, walked_m);
+    }
+  }
+  void done() const {
+    if (shown_) {
+      fmt::print(stderr, "\r{:70}\r", "");
+    }
+  }
+
+ private:
+  bool shown_;
+};
+
+// The poses for the film strip, taken during the run and drawn after it.
+class Snapshots {
+ public:
+  // The first one at `from_s`.
+  Snapshots(double from_s, double interval_s) : interval_s_(interval_s), next_s_(from_s) {}
+  void look(const simulator::Plant& plant) {
+    if (plant.time_s() >= next_s_ && poses_.size() < kPictures) {
+      next_s_ += interval_s_;
+      poses_.emplace_back(plant.positions().begin(), plant.positions().end());
+    }
+  }
+  void draw(simulator::Plant& plant, const std::filesystem::path& file) const {
+    simulator::Camera camera(plant, kPictureWidth_px, kPictureHeight_px);
+    std::vector<simulator::Image> images;
+    for (const std::vector<double>& pose : poses_) {
+      images.push_back(camera.render(pose));
+    }
+    simulator::write_film_strip(file.string(), images, kPictures);
+  }
+
+ private:
+  double interval_s_;
+  double next_s_;
+  std::vector<std::vector<double>> poses_;
+};
+
+bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
+  return std::any_of(scenario.events.begin(), scenario.events.end(), [fell_at_s](const auto& event) {
+    return event.at_s > fell_at_s && std::holds_alternative<simulator::MotionEvent>(event.action);
+  });
+}
+
+// Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot; returns the
+// wall time that it took.
+double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
+                RunRecorder& recorder, Snapshots& snapshots, const Progress& progress) {
+  const auto started = Clock::now();
+  const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
+  auto next_event = scenario.events.begin();
+  std::int64_t last_ns = end_ns;
+  while (cosimulation.now_ns() < std::min(end_ns, last_ns)) {
+    const double now_s = static_cast<double>(cosimulation.now_ns()) * 1e-9;
+    while (next_event != scenario.events.end() && next_event->at_s <= now_s + 1e-9) {
+      recorder.on_event(*next_event, cosimulation.now_ns());
+      cosimulation.apply(*next_event++);
+    }
+    cosimulation.advance_millisecond();
+    snapshots.look(cosimulation.plant());
+    if (const RunMetrics& metrics = recorder.metrics();
+        metrics.fell && last_ns == end_ns && !gets_up_after(scenario, metrics.fell_at_s)) {
+      last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
+    }
+    if (cosimulation.now_ns() % 100'000'000 == 0) {
+      progress.show(now_s, scenario.seconds, seconds_since(started), cosimulation.plant().positions()[0]);
+    }
+  }
+  recorder.finish();
+  progress.done();
+  return seconds_since(started);
+}
+
+void check(const RunOptions& options) {
+  if (options.walk && (options.walk->empty() || options.walk->size() > 3)) {
+    throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.15,0,0.1");
+  }
+  if (options.seconds && !(*options.seconds >= 0.001 && *options.seconds <= 86400.0)) {
+    throw std::invalid_argument(
+        fmt::format("--seconds {}: must lie between 0.001 and 86400", *options.seconds));
+  }
+  if (options.film && !(options.film->size() == 2 && (*options.film)[0] >= 0.0 &&
+                        (*options.film)[1] > (*options.film)[0] && std::isfinite((*options.film)[1]))) {
+    throw std::invalid_argument("--film: wants FROM,TO in s, the second one later, for example 3.5,5");
+  }
+  if (!(options.mismatch >= 0.0 && options.mismatch <= 10.0)) {
+    throw std::invalid_argument(fmt::format("--mismatch {}: must lie between 0 and 10", options.mismatch));
+  }
+}
+
+core::PluginExchange plugins_of(const RunOptions& options) {
+  core::PluginExchange plugins =
+      core::put_in(core::read_configuration(options.config), options.with,
+                   {.robot_directory = options.robot, .plugin_path = core::plugin_search_path({})});
+  for (const core::AddedPlugin& added : plugins.added) {
+    if (!options.quiet) {
+      fmt::print("{}\n", core::describe(added));
+    }
+  }
+  return plugins;
+}
+
+}  // namespace
+
+CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
+  CLI::App* const run = add_command(app, "run");
+  options.robot = process::default_robot_directory();
+  options.config = process::default_config_file();
+  run->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
+  run->add_option("--config", options.config, "Plug-ins of the main controller (YAML)")
+      ->capture_default_str();
+  run->add_option("--with", options.with,
+                  "Plug-in library to run, in the place of those whose topics it writes; may be given again")
+      ->allow_extra_args(false);
+  auto* const scenario = run->add_option("--scenario", options.scenario,
+                                         "Timed commands, pushes and faults (YAML); a file, or the name of a "
+                                         "shipped one");
+  run->add_option("--walk", options.walk,
+                  "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
+      ->delimiter(',')
+      ->excludes(scenario);
+  run->add_option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)");
+  run->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  run->add_option("--profile", options.profile,
+                  "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  run->add_flag("--accept-unproven", options.accept_unproven,
+                "Run even if some message of the bus may miss its deadline");
+  run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+      ->capture_default_str();
+  run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
+  run->add_flag("!--no-pictures", options.pictures, "Draw no film strip");
+  run->add_option("--film", options.film,
+                  "FROM,TO: the film strip shows this part of the run [s] (default: all of it)")
+      ->delimiter(',');
+  run->add_flag("--quiet", options.quiet, "No progress line and no table");
+  run->footer(
+      "Examples:\n"
+      "  gaitway run                                      walks straight on at 0.15 m/s for 20 s\n"
+      "  gaitway run --walk 0.1,0.03,0.2 --seconds 30     forward, sideways and turning\n"
+      "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
+      "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
+      "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
+      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
+  return run;
+}
+
+int run(const RunOptions& options) {
+  check(options);
+  urdf::RobotModel robot = urdf::load_robot(options.robot);
+  if (!options.profile.empty()) {
+    robot.network.profile = options.profile;
+  }
+  msgcontroller::require_proven_network(robot, options.accept_unproven);
+  simulator::Scenario scenario = scenario_of(options, robot);
+  const core::PluginExchange plugins = plugins_of(options);
+  const std::string commander = plugins.writer_of("walk_command");
+  if (!commander.empty()) {
+    leave_walk_to(commander, options, scenario);
+  }
+  simulator::CosimulationOptions cosimulation_options;
+  cosimulation_options.plant.seed = options.seed;
+  cosimulation_options.plant.mismatch = options.mismatch;
+  cosimulation_options.plant.conditions = scenario.conditions;
+  cosimulation_options.main_controller.configuration = options.config;
+  cosimulation_options.main_controller.try_at_start = true;
+  cosimulation_options.main_controller.plugins = plugins.configuration;
+  cosimulation_options.plugin_commands_walk = !commander.empty();
+  simulator::Cosimulation cosimulation(robot, cosimulation_options);
+  prepare_output(options.out);
+
+  RunRecorder recorder(cosimulation, options.out / "bus.log", true);
+  cosimulation.observe(&recorder);
+  Snapshots snapshots = options.film ? Snapshots((*options.film)[0],
+                                                 ((*options.film)[1] - (*options.film)[0]) / (kPictures - 1))
+                                     : Snapshots(kFirstPicture_s, scenario.seconds / kPictures);
+  RunTiming timing;
+  timing.wall_s = simulate(cosimulation, scenario, recorder, snapshots, Progress(options.quiet));
+  const auto csv_started = Clock::now();
+  write_states_csv(options.out / "states.csv", robot, recorder.samples());
+  timing.wall_s += seconds_since(csv_started);
+  timing.physics_only_wall_s = cosimulation.plant().replay_wall_s(recorder.torques());
+
+  const nlohmann::ordered_json result =
+      summary(cosimulation, recorder, timing, options.seed, options.mismatch);
+  process::write_text_file(options.out / "summary.json", result.dump(2) + "\n");
+  const std::filesystem::path strip = options.out / "walk.png";
+  std::filesystem::remove(strip);
+  if (options.pictures) {
+    try {
+      snapshots.draw(cosimulation.plant(), strip);
+    } catch (const std::runtime_error& error) {
+      fmt::print(stderr, "gaitway: no pictures: {}\n", error.what());
+    }
+  }
+  const core::MainControllerStatistics statistics = cosimulation.main_controller().statistics();
+  write_report(options.out / "report.html", {robot, recorder, statistics, result, strip});
+  if (!options.quiet) {
+    fmt::print("{}  results                   {}\n", summary_table(result),
+               (options.out / "report.html").string());
+  }
+  return recorder.metrics().fell ? kExitFell : kExitFine;
+}
+
+}  // namespace gaitway::tools

@@ -1,0 +1,74 @@
+// Watches a co-simulation and keeps what reports, metrics and logs need: every frame, a sample each 10 ms,
+// one 80 ms cycle of the bus, applied torques for the bare replay, and the digest.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "gaitway/can/candump_log.hpp"
+#include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/simulator/cosimulation.hpp"
+#include "tools/run/run_digest.hpp"
+#include "tools/run/run_metrics.hpp"
+#include "tools/run/run_sample.hpp"
+
+namespace gaitway::tools {
+
+class RunRecorder final : public simulator::CosimulationObserver {
+ public:
+  // `bus_log`: candump file to write, or an empty path for none. `keep_samples`: memory for csv and report.
+  RunRecorder(simulator::Cosimulation& run, const std::filesystem::path& bus_log, bool keep_samples);
+
+  // What was commanded at `now_ns`: the metrics of walking depend on it.
+  void on_event(const simulator::ScenarioEvent& event, std::int64_t now_ns);
+  void on_frame(const can::SimulatedBus::Delivery& delivery) override;
+  void on_millisecond(std::int64_t now_ns) override;
+  // Writes what is still buffered; throws std::runtime_error naming the file when the disk is full.
+  void finish();
+
+  [[nodiscard]] const std::vector<RunSample>& samples() const noexcept { return samples_; }
+  [[nodiscard]] const RunMetrics& metrics() const noexcept { return metrics_; }
+  [[nodiscard]] std::uint64_t digest() const noexcept { return digest_.value(); }
+  [[nodiscard]] const std::vector<float>& torques() const noexcept { return torques_; }
+  // Every frame of the cycle that starts at `cycle_start_ns()`: one that was walked, for the timeline.
+  [[nodiscard]] const std::vector<can::SimulatedBus::Delivery>& cycle() const noexcept { return cycle_; }
+  [[nodiscard]] std::int64_t cycle_start_ns() const noexcept { return cycle_start_ns_; }
+
+ private:
+  void read_plan();
+  void follow_walk_command(std::int64_t now_ns);
+  void on_command(bool walk, double turn_rate_rad_per_s, std::int64_t now_ns);
+  void add_sample(std::int64_t now_ns);
+  [[nodiscard]] const MotionPlan* running_plan(std::uint32_t cycle) const noexcept;
+  void measure_progress(std::int64_t now_ns, const RunSample& sample);
+  void compare_zmp(std::int64_t now_ns, RunSample& sample);
+  void track_joints(RunSample& sample);
+
+  simulator::Cosimulation& run_;
+  msgclient::Reader<JointStates> joint_states_;
+  msgclient::Reader<FootForces> foot_forces_;
+  msgclient::Reader<Imu> imu_;
+  msgclient::Reader<Estimate> estimate_;
+  msgclient::Reader<MotionPlan> motion_plan_;
+  msgclient::Reader<TrimCommand> trim_;
+  msgclient::Reader<WalkCommand> walk_command_;
+  std::optional<can::CandumpWriter> bus_log_;
+  bool keep_samples_;
+  RunDigest digest_;
+  RunMetrics metrics_;
+  CentreOfPressureMean cop_mean_;
+  std::array<MotionPlan, 3> plans_{};  // the newest, by sequence modulo 3
+  std::vector<RunSample> samples_;
+  std::vector<float> torques_;
+  std::vector<can::SimulatedBus::Delivery> cycle_, cycle_candidate_;
+  std::int64_t cycle_start_ns_ = 0;
+  bool walking_ = false;
+  std::int64_t walking_since_ns_ = 0;
+  double commanded_turn_rate_rad_per_s_ = 0.0;
+};
+
+}  // namespace gaitway::tools

@@ -1,0 +1,104 @@
+// Events in, YAML out.
+#include "tools/serve/command_log.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "gaitway/msgclient/mails.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using Kind = msgclient::UserCommandKind;
+
+double seconds_of(std::int64_t time_ns) noexcept {
+  return static_cast<double>(time_ns) * 1e-9;
+}
+
+struct Yaml {
+  const urdf::RobotModel& robot;
+
+  std::string operator()(const simulator::WalkEvent& walk) const {
+    return walk.walk ? fmt::format("walk: [{}, {}, {}]", walk.velocity_m_per_s.x(), walk.velocity_m_per_s.y(),
+                                   walk.turn_rate_rad_per_s)
+                     : "stand: true";
+  }
+  std::string operator()(const simulator::MotionEvent& motion) const {
+    return motion.name.empty()
+               ? "leave_motion: true"
+               : "motion: " + nlohmann::json(motion.name)
+                                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  }
+  std::string operator()(const simulator::StopEvent&) const { return "asked: true, stop: true"; }
+  std::string operator()(const simulator::EmergencyStopEvent& stop) const {
+    return fmt::format("asked: true, emergency_stop: {}", stop.soft ? "soft" : "hold");
+  }
+  std::string operator()(const simulator::ManualJointEvent& move) const {
+    return fmt::format("asked: true, move_joint: {{joint: {}, position_rad: {}, duration_slots: {}}}",
+                       robot.joints[static_cast<std::size_t>(move.joint)].name, move.position_rad,
+                       move.duration_slots);
+  }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return {};  // nobody asks for pushes and faults
+  }
+};
+
+}  // namespace
+
+CommandLog::CommandLog(simulator::Cosimulation& run)
+    : run_(run), answers_(run.client().read_stream<UserCommandAnswer>("user_command_answer")) {}
+
+void CommandLog::on_walk_request(const WalkCommand& command, std::int64_t now_ns) {
+  const simulator::WalkEvent walk{.velocity_m_per_s = {command.velocity[0], command.velocity[1]},
+                                  .turn_rate_rad_per_s = command.turn_rate,
+                                  .walk = command.walk != 0};
+  events_.push_back({.at_s = seconds_of(now_ns), .action = walk});
+}
+
+void CommandLog::on_motion_request(const MotionRequest& request, std::int64_t now_ns) {
+  const auto* const name = reinterpret_cast<const char*>(request.name);
+  events_.push_back({.at_s = seconds_of(now_ns),
+                     .action = simulator::MotionEvent{{name, strnlen(name, sizeof request.name)}}});
+}
+
+void CommandLog::on_millisecond(std::int64_t began_ns) {
+  UserCommandAnswer answer;
+  while (answers_.read(answer)) {
+    if (static_cast<msgclient::Reason>(answer.reason) != msgclient::Reason::none) {
+      continue;
+    }
+    simulator::ScenarioEvent event{.at_s = seconds_of(began_ns), .action = {}, .asked = true};
+    switch (static_cast<Kind>(answer.command)) {
+      case Kind::stop:
+        event.action = simulator::StopEvent{};
+        break;
+      case Kind::emergency_stop_hold:
+      case Kind::emergency_stop_soft:
+        event.action =
+            simulator::EmergencyStopEvent{static_cast<Kind>(answer.command) == Kind::emergency_stop_soft};
+        break;
+      case Kind::manual_joint:
+        event.action = simulator::ManualJointEvent{static_cast<int>(answer.joint), answer.position,
+                                                   static_cast<int>(answer.duration_slots)};
+        break;
+    }
+    events_.push_back(event);
+  }
+}
+
+std::string CommandLog::scenario(double seconds) const {
+  std::string text = fmt::format(
+      "# What was asked of the robot. With the same robot, seed and plug-ins, `gaitway run --scenario` of "
+      "this file "
+      "gives the same digest.\nseconds: {}\nevents:{}\n",
+      seconds, events_.empty() ? " []" : "");
+  for (const simulator::ScenarioEvent& event : events_) {
+    text += fmt::format("  - {{at_s: {}, {}}}\n", event.at_s, std::visit(Yaml{run_.robot()}, event.action));
+  }
+  return text;
+}
+
+}  // namespace gaitway::tools

@@ -1,0 +1,333 @@
+// The co-simulation, millisecond by millisecond against the clock; the memory block for the API's process;
+// and the end.
+#include "tools/serve/serve_command.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "gaitway/core/event_printer.hpp"
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/manager/plugin_workshop.hpp"
+#include "gaitway/msgclient/memory_block_server.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/process/installation.hpp"
+#include "gaitway/process/real_time.hpp"
+#include "gaitway/process/text_file.hpp"
+#include "gaitway/simulator/cosimulation.hpp"
+#include "tools/program.hpp"
+#include "tools/run/output_folder.hpp"
+#include "tools/run/run_recorder.hpp"
+#include "tools/run/run_summary.hpp"
+#include "tools/serve/command_log.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using facts::kMillisecond_ns;
+
+constexpr std::int64_t kLongestLag_ns = 200 * kMillisecond_ns;     // then the pace begins anew
+constexpr std::int64_t kLongestStop_ns = 5'000 * kMillisecond_ns;  // of the robot's time, until it stands
+
+// A folder that only this user can look into, removed with what is in it.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "gaitway_serve.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error(fmt::format("{}: cannot be made: {}", name, std::strerror(errno)));
+    }
+    path_ = name;
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  ~PrivateFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Gives the memory block to the API's process. A thread of its own, since a plug-in's constructor waits for
+// it.
+class BlockThread {
+ public:
+  BlockThread(const msgclient::MemoryBlock& block, const std::filesystem::path& socket)
+      : server_(block, socket), thread_([this](const std::stop_token& stop) {
+          std::array<pollfd, 1> wakes{pollfd{server_.wake_fd(), POLLIN, 0}};
+          while (!stop.stop_requested()) {
+            poll(wakes.data(), wakes.size(), kLook_ms);
+            server_.step();
+          }
+        }) {}
+
+ private:
+  static constexpr int kLook_ms = 100;  // for the wish to stop
+  msgclient::MemoryBlockServer server_;
+  std::jthread thread_;
+};
+
+// Metrics, and what people ask.
+class ServeObserver final : public simulator::CosimulationObserver {
+ public:
+  ServeObserver(simulator::Cosimulation& run, const std::filesystem::path& bus_log)
+      : recorder(run, bus_log, false), commands(run) {}
+  void on_frame(const can::SimulatedBus::Delivery& delivery) override { recorder.on_frame(delivery); }
+  void on_millisecond(std::int64_t now_ns) override {
+    recorder.on_millisecond(now_ns);
+    commands.on_millisecond(now_ns - kMillisecond_ns);
+  }
+  void on_walk_request(const WalkCommand& command, std::int64_t now_ns) override {
+    commands.on_walk_request(command, now_ns);
+  }
+  void on_motion_request(const MotionRequest& request, std::int64_t now_ns) override {
+    commands.on_motion_request(request, now_ns);
+  }
+
+  RunRecorder recorder;
+  CommandLog commands;
+};
+
+core::PluginEntry& api_of(core::Configuration& configuration) {
+  const auto api = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
+                                [](const core::PluginEntry& entry) { return entry.child.serves_network; });
+  if (api == configuration.plugins.end()) {
+    throw std::invalid_argument(fmt::format(
+        "--config {}: has no plug-in that serves the network. Add one with `isolation: process` and "
+        "`network: serve`, as the shipped serve.yaml does",
+        configuration.file.string()));
+  }
+  return *api;
+}
+
+// What the command line says goes before the configuration.
+core::Configuration configuration_of(const ServeOptions& options) {
+  core::Configuration configuration = core::read_configuration(options.config);
+  core::PluginEntry& api = api_of(configuration);
+  const auto set = [&api](const char* name, const std::string& value) {
+    std::erase_if(api.parameters, [name](const core::ParameterEntry& entry) { return entry.name == name; });
+    api.parameters.push_back({name, value, api.line});
+  };
+  const auto set_path = [&set](const char* name, const std::filesystem::path& path) {
+    if (!path.empty()) {
+      set(name, std::filesystem::absolute(path).string());
+    }
+  };
+  set("address", options.address);
+  set("port", std::to_string(options.port));
+  if (!options.origins.empty()) {
+    set("origins", options.origins);
+  }
+  set_path("token_file", options.token_file);
+  set_path("certificate_file", options.certificate_file);
+  set_path("key_file", options.key_file);
+  api.child.writes = std::filesystem::absolute(options.out) / "recordings";
+  return configuration;
+}
+
+void check(const ServeOptions& options) {
+  if (!(options.speed >= 0.01 && options.speed <= 100.0)) {
+    throw std::invalid_argument(fmt::format("--speed {}: must lie between 0.01 and 100", options.speed));
+  }
+  if (options.seconds && !(*options.seconds >= 0.001 && *options.seconds <= 86400.0 * 365.0)) {
+    throw std::invalid_argument(
+        fmt::format("--seconds {}: must lie between 0.001 and 31536000", *options.seconds));
+  }
+  if (options.port < 0 || options.port > 65535) {
+    throw std::invalid_argument(
+        fmt::format("--port {}: must lie between 0 (any free one) and 65535", options.port));
+  }
+}
+
+// When each millisecond of the robot's is due by the wall clock.
+class Pace {
+ public:
+  explicit Pace(double speed) : millisecond_ns_(static_cast<double>(kMillisecond_ns) / speed) {}
+  // Waits for the next one; false: told to stop.
+  bool wait() {
+    due_ns_ += millisecond_ns_;
+    std::int64_t now_ns = process::monotonic_ns();
+    if (static_cast<double>(now_ns) - due_ns_ > static_cast<double>(kLongestLag_ns)) {
+      lost_ns_ += started_ ? static_cast<double>(now_ns) - due_ns_ : 0.0;
+      due_ns_ = static_cast<double>(now_ns);
+    }
+    started_ = true;
+    const auto due_ns = static_cast<std::int64_t>(due_ns_);
+    while (!process::stop_requested() && now_ns < due_ns) {
+      process::wait_until(due_ns, {});
+      now_ns = process::monotonic_ns();
+    }
+    late_.add(std::max<std::int64_t>(now_ns - due_ns, 0));
+    return !process::stop_requested();
+  }
+  [[nodiscard]] double lost_s() const noexcept { return lost_ns_ * 1e-9; }
+  [[nodiscard]] process::DurationSummary lateness_us() const { return late_.summary(); }
+
+ private:
+  double millisecond_ns_;
+  double due_ns_ = 0.0;
+  double lost_ns_ = 0.0;  // that the robot's time has fallen behind for good
+  bool started_ = false;
+  process::DurationHistogram late_;
+};
+
+struct Loop {
+  simulator::Cosimulation& run;
+  core::PluginRequests& requests;
+  core::EventPrinter printer{"gaitway serve"};
+  bool quiet = false;
+
+  void millisecond() {
+    const std::int64_t now_ns = run.now_ns();
+    run.advance_millisecond();
+    if (core::is_tick(now_ns)) {
+      requests.step(now_ns);
+    }
+    constexpr std::int64_t kBetweenPrints_ns = 100 * kMillisecond_ns;
+    if (!quiet && now_ns % kBetweenPrints_ns == 0) {
+      printer.print(run.main_controller().events());
+    }
+  }
+  // Ends the walk by the safe tail, as fast as the computer can.
+  void stand() {
+    run.end_walk_requests();
+    const std::int64_t end_ns = run.now_ns() + kLongestStop_ns;
+    run.apply({.at_s = 0.0, .action = simulator::StopEvent{}});
+    do {
+      millisecond();
+    } while (run.now_ns() < end_ns && run.message_controller().mode() <= msgcontroller::Mode::safe_tail);
+  }
+};
+
+void write_results(const ServeOptions& options, simulator::Cosimulation& run, ServeObserver& observer,
+                   const Pace& pace, double wall_s) {
+  observer.recorder.finish();
+  nlohmann::ordered_json result =
+      summary(run, observer.recorder, {.wall_s = wall_s}, options.seed, options.mismatch);
+  const process::DurationSummary late = pace.lateness_us();
+  result["pace"] = {{"speed", options.speed},
+                    {"lost_s", pace.lost_s()},
+                    {"late_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
+  process::write_text_file(options.out / "summary.json", result.dump(2) + "\n");
+  process::write_text_file(options.out / "commands.yaml",
+                           observer.commands.scenario(static_cast<double>(run.now_ns()) * 1e-9));
+  if (!options.quiet) {
+    fmt::print("{}  results                   {}\n", summary_table(result), options.out.string());
+  }
+}
+
+}  // namespace
+
+CLI::App* add_serve_command(CLI::App& app, ServeOptions& options) {
+  CLI::App* const command = add_command(app, "serve");
+  options.robot = process::default_robot_directory();
+  options.config = process::default_config_file().parent_path() / "serve.yaml";
+  command->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")
+      ->capture_default_str();
+  command
+      ->add_option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them")
+      ->capture_default_str();
+  command->add_option("--port", options.port, "TCP port of the robot API; 0: any free one")
+      ->capture_default_str();
+  command
+      ->add_option("--address", options.address,
+                   "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
+                   "--key-file")
+      ->capture_default_str();
+  command->add_option("--origins", options.origins,
+                      "Web origins that may connect besides this computer's, with commas between them");
+  command->add_option("--token-file", options.token_file, "File with the token that clients must know");
+  command->add_option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
+  command->add_option("--key-file", options.key_file, "Its private key (PEM)");
+  command->add_option("--seconds", options.seconds, "Virtual time to run; without it until told to stop");
+  command->add_option("--speed", options.speed, "Times real time")->capture_default_str();
+  command->add_option("--profile", options.profile,
+                      "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  command->add_flag("--accept-unproven", options.accept_unproven,
+                    "Run even if some message of the bus may miss its deadline");
+  command->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  command->add_option("--out", options.out, "Folder for the results and recordings")->capture_default_str();
+  command->add_flag("--bus-log", options.bus_log, "Log every frame; 0.4 GB an hour");
+  command->add_flag("--quiet", options.quiet, "No events and no table");
+  command->footer(
+      "Examples:\n"
+      "  gaitway serve                              ws://127.0.0.1:9090, until Ctrl-C\n"
+      "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
+      "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
+      "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"
+      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
+  return command;
+}
+
+int serve(const ServeOptions& options) {
+  check(options);
+  urdf::RobotModel robot = urdf::load_robot(options.robot);
+  if (!options.profile.empty()) {
+    robot.network.profile = options.profile;
+  }
+  msgcontroller::require_proven_network(robot, options.accept_unproven);
+  prepare_output(options.out);
+  const PrivateFolder folder;
+  msgclient::MemoryBlock block;
+  const BlockThread block_thread(block, folder.path() / "memory.sock");
+
+  simulator::CosimulationOptions settings;
+  settings.plant.seed = options.seed;
+  settings.plant.mismatch = options.mismatch;
+  settings.memory_block = &block;
+  settings.obey_walk_requests = true;
+  settings.main_controller.configuration = options.config;
+  settings.main_controller.plugins = configuration_of(options);
+  settings.main_controller.try_at_start = true;
+  settings.main_controller.memory_socket = folder.path() / "memory.sock";
+  settings.main_controller.isolation.lock_step = false;  // the API's process may hang as it likes
+  simulator::Cosimulation run(robot, settings);
+  ServeObserver observer(run, options.bus_log ? options.out / "bus.log" : std::filesystem::path());
+  run.observe(&observer);
+  msgclient::Client requests_client = block.local_client("plugin_requests");
+  core::PluginRequests requests(requests_client, run.plugins());
+  const core::PluginWorkshop workshop(requests);
+
+  Loop loop{.run = run, .requests = requests, .quiet = options.quiet};
+  Pace pace(options.speed);
+  const auto end_ns = options.seconds ? static_cast<std::int64_t>(std::llround(*options.seconds * 1e9))
+                                      : std::numeric_limits<std::int64_t>::max();
+  const std::int64_t began_ns = process::monotonic_ns();
+  process::stop_on_signals();
+  while (run.now_ns() < end_ns && pace.wait()) {
+    loop.millisecond();
+  }
+  if (process::stop_requested()) {
+    loop.stand();
+  }
+  write_results(options, run, observer, pace, static_cast<double>(process::monotonic_ns() - began_ns) * 1e-9);
+  return observer.recorder.metrics().fell ? kExitFell : kExitFine;
+}
+
+}  // namespace gaitway::tools
+
+int main(int argc, char** argv) {
+  gaitway::tools::ServeOptions options;
+  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
+    gaitway::tools::add_serve_command(app, options);
+    return [&options] { return gaitway::tools::serve(options); };
+  });
+}
