@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -11,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/program.hpp"
+#include "tools/command_line.hpp"
 #include "tools/run/run_command.hpp"
 
 namespace {
@@ -48,27 +47,27 @@ int become(const gaitway::tools::Command& command, char** argv) {
   return gaitway::tools::kExitBadInput;
 }
 
+// All commands are listed here; only one of them runs here.
+void declare(const gaitway::tools::CommandLine& program) {
+  program.footer(
+      "Examples:\n"
+      "  gaitway run --walk 0.15 --seconds 20\n"
+      "  gaitway new-plugin my_gait --kind trajectory\n"
+      "  gaitway run --help");
+  for (const gaitway::tools::Command& command : kCommands) {
+    if (command.name == kOwnCommand) {
+      gaitway::tools::add_run(program);
+    } else {
+      static_cast<void>(gaitway::tools::add_command(program, command.name));
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (const gaitway::tools::Command* const command = other_command(argc, argv)) {
     return become(*command, argv);
   }
-  gaitway::tools::RunOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    app.set_version_flag("--version", GAITWAY_VERSION);
-    app.footer(
-        "Examples:\n"
-        "  gaitway run --walk 0.15 --seconds 20\n"
-        "  gaitway new-plugin my_gait --kind trajectory\n"
-        "  gaitway run --help");
-    for (const gaitway::tools::Command& command : kCommands) {
-      if (command.name == kOwnCommand) {
-        gaitway::tools::add_run_command(app, options);
-      } else {
-        gaitway::tools::add_command(app, command.name);
-      }
-    }
-    return [&options] { return gaitway::tools::run(options); };
-  });
+  return gaitway::tools::run_program(argc, argv, declare);
 }

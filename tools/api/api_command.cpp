@@ -1,26 +1,18 @@
-// Three files from one set of tables.
-#include "tools/api/api_command.hpp"
+// `gaitway api`: what concerns the robot API without a robot.
 
-#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
 
 #include "gaitway/api/reference.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/program.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
+namespace {
 
-CLI::App* add_api_command(CLI::App& app, ApiOptions& options) {
-  CLI::App* const command = add_command(app, "api");
-  CLI::App* const document = command->add_subcommand(
-      "document", "Write api.md, api_examples.json and api_schemas.json, as this version speaks");
-  document->add_option("--out", options.out, "Folder")->capture_default_str();
-  command->require_subcommand(1);
-  document->footer(
-      "Examples:\n"
-      "  gaitway api document --out docs\n"
-      "Exit code: 0 written, 1 the folder cannot be written to.");
-  return command;
-}
+struct ApiOptions {
+  std::filesystem::path out = "docs";
+};
 
 int document_api(const ApiOptions& options) {
   process::write_text_file(options.out / "api.md", api::api_reference());
@@ -29,12 +21,24 @@ int document_api(const ApiOptions& options) {
   return kExitFine;
 }
 
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<ApiOptions>();
+  ApiOptions& options = *given;
+  const CommandLine command = add_command(app, "api");
+  const CommandLine document = command.subcommand(
+      "document", "Write api.md, api_examples.json and api_schemas.json, as this version speaks");
+  document.option("--out", options.out, "Folder");
+  command.needs_subcommand();
+  document.footer(
+      "Examples:\n"
+      "  gaitway api document --out docs\n"
+      "Exit code: 0 written, 1 the folder cannot be written to.");
+  command.runs([given] { return document_api(*given); });
+}
+
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
-  gaitway::tools::ApiOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    gaitway::tools::add_api_command(app, options);
-    return [&options] { return gaitway::tools::document_api(options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

@@ -1,14 +1,19 @@
-// `gaitway bus analyze`: reads the messages, analyses them, prints a table or JSON.
-#include "tools/bus/bus_analyze_command.hpp"
+// `gaitway bus analyze`: how long each message of a bus takes in the worst case, and how much more it could
+// carry.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/analysis/priority_assignment.hpp"
@@ -18,11 +23,27 @@
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "tools/bus/bus_command.hpp"
 #include "tools/bus/error_option.hpp"
 #include "tools/bus/message_list.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+constexpr int kExitMisses = 3;  // a message may miss its deadline
+
+struct BusAnalyzeOptions {
+  std::filesystem::path robot;                    // folder with robot.urdf and robot.yaml
+  std::optional<std::filesystem::path> messages;  // instead of a robot: see message_list.hpp
+  std::string profile;                            // instead of what the robot's network file says
+  std::optional<double> jitter_ms;  // of every message of the robot; as `gaitway run` asks for when left out
+  // They add up. When both are left out: of a robot, what `gaitway run` asks for, and none of messages.
+  std::vector<std::string> errors;    // see error_option.hpp
+  std::optional<double> jam_ms;       // one jam at the worst instant
+  std::int64_t bit_rate = 1'000'000;  // bit/s
+  bool priorities = false;            // print the best order even if it is not needed
+  bool json = false;
+};
 
 constexpr double kLongest_ms = 1e6;
 constexpr std::int64_t kSlowest_bit_per_s = 1000, kFastest_bit_per_s = 1'000'000;
@@ -181,51 +202,6 @@ void print_capacity(const Subject& subject, const can::AnalysisOptions& analysis
   }
 }
 
-}  // namespace
-
-CLI::App* add_bus_analyze_command(CLI::App& bus, BusAnalyzeOptions& options) {
-  CLI::App* const command = bus.add_subcommand(
-      "analyze", "Worst response of every message against its deadline, and what else would fit");
-  options.robot = process::default_robot_directory();
-  auto* const robot = command->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
-  robot->capture_default_str();
-  auto* const profile = command->add_option(
-      "--profile", options.profile,
-      "Messages of the robot's bus: full or paper. Without it, what its network file says");
-  auto* const jitter = command->add_option(
-      "--jitter-ms", options.jitter_ms, "Every message may come this much later than it should (default 1)");
-  command
-      ->add_option("--messages", options.messages,
-                   "Any messages instead of a robot's: JSON list of {name, id, bytes, period_us, jitter_us, "
-                   "deadline_us}, and if need be extended (true: 29-bit id) and fifo (name of a shared "
-                   "transmit queue)")
-      ->excludes(robot)
-      ->excludes(profile)
-      ->excludes(jitter);
-  command
-      ->add_option("--errors", options.errors,
-                   "Disturbance: burst:N, interval:TIME, jam:TIME, between commas; may be given again, and "
-                   "adds up. N errors (or jams) come at once at the worst instant, then one every interval")
-      ->allow_extra_args(false);
-  command->add_option(
-      "--jam-ms", options.jam_ms,
-      "One jam of this length, short for --errors jam:... (default, of a robot without --errors: 2)");
-  command->add_option("--bit-rate", options.bit_rate, "Of the bus, in bit/s")->capture_default_str();
-  command->add_flag("--priorities", options.priorities, "Print the best order of priorities in any case");
-  command->add_flag("--json", options.json,
-                    "For programs: a list of {name, id, length_bits, blocking_us, worst_response_us, "
-                    "deadline_us, schedulable}; worst_response_us is null where there is no bound");
-  command->footer(
-      "Examples:\n"
-      "  gaitway bus analyze\n"
-      "  gaitway bus analyze --jitter-ms 0 --jam-ms 0\n"
-      "  gaitway bus analyze --profile paper --errors burst:4,interval:10ms\n"
-      "  gaitway bus analyze --errors jam:2ms,interval:500ms --errors interval:5ms --priorities\n"
-      "  gaitway bus analyze --messages car.json --bit-rate 125000 --json\n"
-      "Exit code: 0 every message meets its deadline, 3 one may miss it, 1 the input was bad.");
-  return command;
-}
-
 int analyze_bus(const BusAnalyzeOptions& options) {
   const can::ProofAssumptions assumptions = assumptions_of(options);
   const Subject subject = subject_of(options, assumptions);
@@ -249,6 +225,51 @@ int analyze_bus(const BusAnalyzeOptions& options) {
     print_order(subject, analysis);
   }
   return misses == 0 ? 0 : kExitMisses;
+}
+
+}  // namespace
+
+void add_bus_analyze(const CommandLine& bus) {
+  const auto given = std::make_shared<BusAnalyzeOptions>();
+  BusAnalyzeOptions& options = *given;
+  const CommandLine command = bus.subcommand(
+      "analyze", "Worst response of every message against its deadline, and what else would fit");
+  options.robot = process::default_robot_directory();
+  const Option robot = command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
+  robot;
+  const Option profile =
+      command.option("--profile", options.profile,
+                     "Messages of the robot's bus: full or paper. Without it, what its network file says");
+  const Option jitter = command.option("--jitter-ms", options.jitter_ms,
+                                       "Every message may come this much later than it should (default 1)");
+  command
+      .option("--messages", options.messages,
+              "Any messages instead of a robot's: JSON list of {name, id, bytes, period_us, jitter_us, "
+              "deadline_us}, and if need be extended (true: 29-bit id) and fifo (name of a shared "
+              "transmit queue)")
+      .excludes(robot)
+      .excludes(profile)
+      .excludes(jitter);
+  command.repeated("--errors", options.errors,
+                   "Disturbance: burst:N, interval:TIME, jam:TIME, between commas; may be given again, and "
+                   "adds up. N errors (or jams) come at once at the worst instant, then one every interval");
+  command.option(
+      "--jam-ms", options.jam_ms,
+      "One jam of this length, short for --errors jam:... (default, of a robot without --errors: 2)");
+  command.option("--bit-rate", options.bit_rate, "Of the bus, in bit/s");
+  command.option("--priorities", options.priorities, "Print the best order of priorities in any case");
+  command.option("--json", options.json,
+                 "For programs: a list of {name, id, length_bits, blocking_us, worst_response_us, "
+                 "deadline_us, schedulable}; worst_response_us is null where there is no bound");
+  command.footer(
+      "Examples:\n"
+      "  gaitway bus analyze\n"
+      "  gaitway bus analyze --jitter-ms 0 --jam-ms 0\n"
+      "  gaitway bus analyze --profile paper --errors burst:4,interval:10ms\n"
+      "  gaitway bus analyze --errors jam:2ms,interval:500ms --errors interval:5ms --priorities\n"
+      "  gaitway bus analyze --messages car.json --bit-rate 125000 --json\n"
+      "Exit code: 0 every message meets its deadline, 3 one may miss it, 1 the input was bad.");
+  command.runs([given] { return analyze_bus(*given); });
 }
 
 }  // namespace gaitway::tools

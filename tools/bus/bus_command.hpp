@@ -1,32 +1,17 @@
-// `gaitway bus`: everything about the robot's CAN bus, each thing a subcommand of its own.
+// The subcommands of `gaitway bus`, each in a file of its own.
 #pragma once
 
-#include "tools/bus/bus_analyze_command.hpp"
-#include "tools/bus/bus_dbc_command.hpp"
-#include "tools/bus/bus_measure_command.hpp"
-#include "tools/bus/bus_monitor_command.hpp"
-#include "tools/bus/bus_replay_command.hpp"
-
-namespace CLI {
-class App;
-}
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 
-// One member a subcommand.
-struct BusOptions {
-  BusAnalyzeOptions analyze;
-  BusDbcOptions dbc;
-  BusDocumentOptions document;
-  BusMeasureOptions measure;
-  BusMonitorOptions monitor;
-  BusReplayOptions replay;
-};
+inline constexpr int kExitBusUnwell = 3;  // nothing was heard, or an answer took longer than is proven
 
-// Adds the command with its subcommands; `options` is filled when it is parsed.
-CLI::App* add_bus_command(CLI::App& app, BusOptions& options);
-
-// Runs the subcommand that was parsed; returns its exit code. Throws on bad input.
-int bus(const CLI::App& command, const BusOptions& options);
+void add_bus_analyze(const CommandLine& bus);
+void add_bus_dbc(const CommandLine& bus);
+void add_bus_document(const CommandLine& bus);
+void add_bus_measure(const CommandLine& bus);
+void add_bus_monitor(const CommandLine& bus);
+void add_bus_replay(const CommandLine& bus);
 
 }  // namespace gaitway::tools

@@ -1,21 +1,31 @@
-// Loads the robot, describes its network, writes the text.
-#include "tools/bus/bus_dbc_command.hpp"
+// `gaitway bus dbc` and `gaitway bus document`: the network's description as files.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 #include <string_view>
 
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
+#include "tools/bus/bus_command.hpp"
 #include "tools/bus/dbc_file.hpp"
 #include "tools/bus/network_document.hpp"
-#include "tools/program.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+struct BusDbcOptions {
+  std::filesystem::path robot;
+  std::string profile;        // empty: the one that the network file names
+  std::filesystem::path out;  // empty: the terminal
+};
+
+struct BusDocumentOptions {
+  std::filesystem::path robot;
+  std::filesystem::path out;  // empty: the terminal
+};
 
 // The profile `name`, or the network file's own when it is empty, with what the file wants changed.
 NetworkDescription describe(urdf::RobotModel robot, std::string_view name) {
@@ -34,48 +44,50 @@ void write(const std::filesystem::path& out, std::string_view text) {
   }
 }
 
-}  // namespace
-
-CLI::App* add_bus_dbc_command(CLI::App& bus, BusDbcOptions& options) {
-  CLI::App* const command =
-      bus.add_subcommand("dbc", "Write the robot's messages as a .dbc file, which bus tools decode with");
-  options.robot = process::default_robot_directory();
-  command->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")
-      ->capture_default_str();
-  command->add_option("--profile", options.profile, "full or paper; default: what robot.yaml says")
-      ->check(CLI::IsMember({"full", "paper"}));
-  command->add_option("--out", options.out, "File to write; default: the terminal");
-  command->footer(
-      "Examples:\n"
-      "  gaitway bus dbc --out robot.dbc\n"
-      "  gaitway bus dbc --robot my_robot --profile paper\n"
-      "Exit code: 0 written, 1 the input was bad.");
-  return command;
-}
-
 int write_dbc(const BusDbcOptions& options) {
   write(options.out, dbc_text(describe(urdf::load_robot(options.robot), options.profile)));
   return kExitFine;
-}
-
-CLI::App* add_bus_document_command(CLI::App& bus, BusDocumentOptions& options) {
-  CLI::App* const command =
-      bus.add_subcommand("document", "Write the page that describes the network and its messages (Markdown)");
-  options.robot = process::default_robot_directory();
-  command->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")
-      ->capture_default_str();
-  command->add_option("--out", options.out, "File to write; default: the terminal");
-  command->footer(
-      "Example:\n"
-      "  gaitway bus document --out docs/network.md\n"
-      "Exit code: 0 written, 1 the input was bad.");
-  return command;
 }
 
 int write_network_document(const BusDocumentOptions& options) {
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
   write(options.out, network_document(robot, describe(robot, "full"), describe(robot, "paper")));
   return kExitFine;
+}
+
+}  // namespace
+
+void add_bus_dbc(const CommandLine& bus) {
+  const auto given = std::make_shared<BusDbcOptions>();
+  BusDbcOptions& options = *given;
+  const CommandLine command =
+      bus.subcommand("dbc", "Write the robot's messages as a .dbc file, which bus tools decode with");
+  options.robot = process::default_robot_directory();
+  command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
+  command.option("--profile", options.profile, "full or paper; default: what robot.yaml says")
+      .one_of({"full", "paper"});
+  command.option("--out", options.out, "File to write; default: the terminal");
+  command.footer(
+      "Examples:\n"
+      "  gaitway bus dbc --out robot.dbc\n"
+      "  gaitway bus dbc --robot my_robot --profile paper\n"
+      "Exit code: 0 written, 1 the input was bad.");
+  command.runs([given] { return write_dbc(*given); });
+}
+
+void add_bus_document(const CommandLine& bus) {
+  const auto given = std::make_shared<BusDocumentOptions>();
+  BusDocumentOptions& options = *given;
+  const CommandLine command =
+      bus.subcommand("document", "Write the page that describes the network and its messages (Markdown)");
+  options.robot = process::default_robot_directory();
+  command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
+  command.option("--out", options.out, "File to write; default: the terminal");
+  command.footer(
+      "Example:\n"
+      "  gaitway bus document --out docs/network.md\n"
+      "Exit code: 0 written, 1 the input was bad.");
+  command.runs([given] { return write_network_document(*given); });
 }
 
 }  // namespace gaitway::tools

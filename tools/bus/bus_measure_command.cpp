@@ -1,26 +1,42 @@
-// Measures in the co-simulation or on a bus, prints the tables, draws the pictures.
-#include "tools/bus/bus_measure_command.hpp"
+// `gaitway bus measure`: the published experiment, rerun.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
+#include "tools/bus/bus_command.hpp"
 #include "tools/bus/bus_listener.hpp"
 #include "tools/bus/bus_measurement.hpp"
 #include "tools/bus/bus_measurement_report.hpp"
-#include "tools/bus/bus_monitor_command.hpp"
 #include "tools/bus/bus_picture.hpp"
-#include "tools/bus/bus_robot_options.hpp"
-#include "tools/program.hpp"
+#include "tools/bus/bus_robot.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+struct BusMeasureOptions {
+  BusRobotOptions robot;
+  std::filesystem::path config;
+  std::vector<double> walk{0.1};
+  std::optional<double> seconds;
+  std::uint64_t seed = 1;
+  double mismatch = 1.0;
+  std::optional<std::filesystem::path> socket;  // measure a running robot's bus instead
+  std::optional<std::string> interface;         // 〃
+  std::filesystem::path out;                    // folder for pictures and tables; empty: none
+  bool json = false;
+};
 
 constexpr double kDefaultSeconds = 20.0;
 constexpr double kShortest_s = kNotMeasured_s + 1.0;  // a dozen cycles
@@ -62,44 +78,6 @@ void write_results(const BusMeasureOptions& options, const BusRobot& robot, cons
   process::write_text_file(options.out / "tables.json", to_json(measurement, robot).dump(2) + "\n");
 }
 
-}  // namespace
-
-CLI::App* add_bus_measure_command(CLI::App& bus, BusMeasureOptions& options) {
-  CLI::App* const command =
-      bus.add_subcommand("measure", "Rerun the published experiment: what the messages take, measured");
-  options.config = process::default_config_file();
-  add_robot_options(*command, options.robot);
-  command->add_option("--config", options.config, "Plug-ins of the main controller (YAML)")
-      ->capture_default_str();
-  command->add_option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s")
-      ->delimiter(',')
-      ->capture_default_str();
-  command
-      ->add_option("--seconds", options.seconds,
-                   "Virtual time to walk, the first 3 s not measured; or time to listen (default 20)")
-      ->check(CLI::Range(0.01, 86400.0));
-  command->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  auto* const socket =
-      command->add_option("--bus", options.socket, "Listen on the socket of virtual_robot's bus instead");
-  command->add_option("--can", options.interface, "Listen on a CAN interface of this machine instead")
-      ->excludes(socket);
-  command->add_option("--out", options.out, "Folder for slot.svg, cycle.svg, tables.txt and tables.json");
-  command->add_flag("--json", options.json, "Print the tables as JSON");
-  command->footer(
-      "Examples:\n"
-      "  gaitway bus measure --profile paper --out out/measure\n"
-      "  gaitway bus measure --profile full --walk 0.2 --seconds 30 --json\n"
-      "  gaitway bus measure --profile paper --can can0 --seconds 10\n"
-      "Where the bus has no bit timing of its own (vcan), lengths are computed from the frames' content.\n"
-      "Exit code: 0 measured, 3 no frame was heard, 1 the input was bad or the robot fell.");
-  return command;
-}
-
 int measure_bus(const BusMeasureOptions& options) {
   const BusRobot robot = load_bus_robot(options.robot);
   const bool live = options.socket || options.interface;
@@ -114,6 +92,40 @@ int measure_bus(const BusMeasureOptions& options) {
   }
   fmt::print("{}", options.json ? to_json(measurement, robot).dump(2) + "\n" : tables);
   return kExitFine;
+}
+
+}  // namespace
+
+void add_bus_measure(const CommandLine& bus) {
+  const auto given = std::make_shared<BusMeasureOptions>();
+  BusMeasureOptions& options = *given;
+  const CommandLine command =
+      bus.subcommand("measure", "Rerun the published experiment: what the messages take, measured");
+  options.config = process::default_config_file();
+  add_robot_options(command, options.robot);
+  command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
+  command.option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s");
+  command
+      .option("--seconds", options.seconds,
+              "Virtual time to walk, the first 3 s not measured; or time to listen (default 20)")
+      .between(0.01, 86400.0);
+  command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
+  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+      .between(0.0, 10.0);
+  const Option socket =
+      command.option("--bus", options.socket, "Listen on the socket of virtual_robot's bus instead");
+  command.option("--can", options.interface, "Listen on a CAN interface of this machine instead")
+      .excludes(socket);
+  command.option("--out", options.out, "Folder for slot.svg, cycle.svg, tables.txt and tables.json");
+  command.option("--json", options.json, "Print the tables as JSON");
+  command.footer(
+      "Examples:\n"
+      "  gaitway bus measure --profile paper --out out/measure\n"
+      "  gaitway bus measure --profile full --walk 0.2 --seconds 30 --json\n"
+      "  gaitway bus measure --profile paper --can can0 --seconds 10\n"
+      "Where the bus has no bit timing of its own (vcan), lengths are computed from the frames' content.\n"
+      "Exit code: 0 measured, 3 no frame was heard, 1 the input was bad or the robot fell.");
+  command.runs([given] { return measure_bus(*given); });
 }
 
 }  // namespace gaitway::tools

@@ -1,12 +1,14 @@
-// Listens and prints: a screen that rewrites itself on a terminal, a block a second elsewhere.
-#include "tools/bus/bus_monitor_command.hpp"
+// `gaitway bus monitor`: a bus in the terminal, live or from a log.
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "gaitway/can/candump_log.hpp"
@@ -14,13 +16,22 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "tools/bus/bus_command.hpp"
 #include "tools/bus/bus_listener.hpp"
-#include "tools/bus/bus_robot_options.hpp"
+#include "tools/bus/bus_robot.hpp"
 #include "tools/bus/bus_watch_text.hpp"
-#include "tools/program.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+struct BusMonitorOptions {
+  BusRobotOptions robot;
+  std::optional<std::filesystem::path> socket;  // of a simulated bus
+  std::optional<std::string> interface;         // of SocketCAN
+  std::optional<std::filesystem::path> log;
+  bool all = false;
+  std::optional<double> seconds;
+};
 
 // A clock that shows a date counts seconds since 1970; the robot's own clock starts with the run or the
 // machine.
@@ -103,21 +114,27 @@ int monitor_live(const BusMonitorOptions& options, const BusRobot& robot) {
   return verdict(watch, robot.proof);
 }
 
+int monitor_bus(const BusMonitorOptions& options) {
+  const BusRobot robot = load_bus_robot(options.robot);
+  return options.log ? monitor_log(options, robot) : monitor_live(options, robot);
+}
+
 }  // namespace
 
-CLI::App* add_bus_monitor_command(CLI::App& bus, BusMonitorOptions& options) {
-  CLI::App* const command = bus.add_subcommand(
+void add_bus_monitor(const CommandLine& bus) {
+  const auto given = std::make_shared<BusMonitorOptions>();
+  BusMonitorOptions& options = *given;
+  const CommandLine command = bus.subcommand(
       "monitor", "Show a bus in the terminal: load, rates, worst responses, unknown frames, errors");
-  auto* const source = command->add_option_group("source", "What to listen to");
-  source->add_option("--bus", options.socket, "Socket of virtual_robot's bus");
-  source->add_option("--can", options.interface, "CAN interface of this machine");
-  source->add_option("--log", options.log, "Bus log in candump's format");
-  source->require_option(1);
-  add_robot_options(*command, options.robot);
-  command->add_flag("--all", options.all, "Each identifier on a line of its own, too");
-  command->add_option("--seconds", options.seconds, "End after this time; without it, on Ctrl-C")
-      ->check(CLI::Range(0.01, 1e6));
-  command->footer(
+  const CommandLine source = command.group("What to listen to", true);
+  source.option("--bus", options.socket, "Socket of virtual_robot's bus");
+  source.option("--can", options.interface, "CAN interface of this machine");
+  source.option("--log", options.log, "Bus log in candump's format");
+  add_robot_options(command, options.robot);
+  command.option("--all", options.all, "Each identifier on a line of its own, too");
+  command.option("--seconds", options.seconds, "End after this time; without it, on Ctrl-C")
+      .between(0.01, 1e6);
+  command.footer(
       "Examples:\n"
       "  gaitway bus monitor --bus /tmp/bus.sock\n"
       "  gaitway bus monitor --can can0 --all --seconds 10 >bus.txt\n"
@@ -125,12 +142,7 @@ CLI::App* add_bus_monitor_command(CLI::App& bus, BusMonitorOptions& options) {
       "Exit code: 0 all responses within what is proven, 3 one was longer or nothing was heard, 1 the input "
       "was\n"
       "bad or nobody serves the bus.");
-  return command;
-}
-
-int monitor_bus(const BusMonitorOptions& options) {
-  const BusRobot robot = load_bus_robot(options.robot);
-  return options.log ? monitor_log(options, robot) : monitor_live(options, robot);
+  command.runs([given] { return monitor_bus(*given); });
 }
 
 }  // namespace gaitway::tools

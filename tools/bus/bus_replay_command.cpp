@@ -1,10 +1,12 @@
-// Reads and checks the log, replays it, says what came out.
-#include "tools/bus/bus_replay_command.hpp"
+// `gaitway bus replay`: a recorded log, fed to the local controllers once more.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,14 +15,28 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/bus/bus_robot_options.hpp"
+#include "tools/bus/bus_command.hpp"
+#include "tools/bus/bus_robot.hpp"
 #include "tools/bus/log_replay.hpp"
-#include "tools/program.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 using facts::kMillisecond_ns;
+
+constexpr int kExitDiffers = 3;
+
+struct BusReplayOptions {
+  std::filesystem::path log;
+  BusRobotOptions robot;
+  std::uint64_t seed = 1;
+  double mismatch = 1.0;
+  bool references_only = false;
+  bool losses = false;
+  std::optional<std::filesystem::path> scenario;  // of the recorded run
+  std::filesystem::path out;                      // CSV; empty: none
+};
+
 // A log that begins later than this after time zero was not taken from the robot's own clock.
 constexpr std::int64_t kLatestStart_ns = 1'000'000'000;
 
@@ -117,35 +133,6 @@ void print(const BusReplayOptions& options, const BusRobot& robot, const ReplayR
              first.replayed);
 }
 
-}  // namespace
-
-CLI::App* add_bus_replay_command(CLI::App& bus, BusReplayOptions& options) {
-  CLI::App* const command = bus.add_subcommand(
-      "replay", "Feed a recorded log to the local controllers and compare what they answer");
-  command->add_option("log", options.log, "Bus log in candump's format")->required();
-  add_robot_options(*command, options.robot);
-  command->add_option("--seed", options.seed, "Seed of the recorded run")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--mismatch", options.mismatch, "Mismatch of the recorded run")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  command->add_option("--scenario", options.scenario,
-                      "Scenario of the recorded run: its pushes and power failures, which no bus log holds");
-  command->add_flag("--references", options.references_only,
-                    "Compare state, toggles and reference counts alone: what the log decides on any body");
-  command->add_flag("--losses", options.losses,
-                    "Answers that are not in the log were lost on the bus: no difference");
-  command->add_option("--out", options.out, "CSV file for each joint's reference and position, every 10 ms");
-  command->footer(
-      "Examples:\n"
-      "  gaitway run --seed 7 --out out/run; gaitway bus replay out/run/bus.log --seed 7\n"
-      "  gaitway bus replay paper.log --profile paper --out joints.csv\n"
-      "  gaitway bus replay robot.log --references       a log of another body\n"
-      "Exit code: 0 equal, 3 different, 1 the input was bad and nothing was fed.");
-  return command;
-}
-
 int replay_bus_log(const BusReplayOptions& options) {
   const BusRobot robot = load_bus_robot(options.robot);
   std::vector<can::LoggedFrame> log = can::read_candump_log(options.log);
@@ -175,6 +162,33 @@ int replay_bus_log(const BusReplayOptions& options) {
   }
   print(options, robot, result, shift_ns);
   return result.equal() ? kExitFine : kExitDiffers;
+}
+
+}  // namespace
+
+void add_bus_replay(const CommandLine& bus) {
+  const auto given = std::make_shared<BusReplayOptions>();
+  BusReplayOptions& options = *given;
+  const CommandLine command =
+      bus.subcommand("replay", "Feed a recorded log to the local controllers and compare what they answer");
+  command.option("log", options.log, "Bus log in candump's format").required();
+  add_robot_options(command, options.robot);
+  command.option("--seed", options.seed, "Seed of the recorded run");
+  command.option("--mismatch", options.mismatch, "Mismatch of the recorded run").between(0.0, 10.0);
+  command.option("--scenario", options.scenario,
+                 "Scenario of the recorded run: its pushes and power failures, which no bus log holds");
+  command.option("--references", options.references_only,
+                 "Compare state, toggles and reference counts alone: what the log decides on any body");
+  command.option("--losses", options.losses,
+                 "Answers that are not in the log were lost on the bus: no difference");
+  command.option("--out", options.out, "CSV file for each joint's reference and position, every 10 ms");
+  command.footer(
+      "Examples:\n"
+      "  gaitway run --seed 7 --out out/run; gaitway bus replay out/run/bus.log --seed 7\n"
+      "  gaitway bus replay paper.log --profile paper --out joints.csv\n"
+      "  gaitway bus replay robot.log --references       a log of another body\n"
+      "Exit code: 0 equal, 3 different, 1 the input was bad and nothing was fed.");
+  command.runs([given] { return replay_bus_log(*given); });
 }
 
 }  // namespace gaitway::tools

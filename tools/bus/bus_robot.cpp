@@ -3,16 +3,14 @@
 
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
-#include "tools/bus/bus_robot_options.hpp"
 
 namespace gaitway::tools {
 
-void add_robot_options(CLI::App& command, BusRobotOptions& options) {
+void add_robot_options(const CommandLine& command, BusRobotOptions& options) {
   options.directory = process::default_robot_directory();
-  command.add_option("--robot", options.directory, "Folder with robot.urdf and robot.yaml")
-      ->capture_default_str();
-  command.add_option("--profile", options.profile,
-                     "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  command.option("--robot", options.directory, "Folder with robot.urdf and robot.yaml");
+  command.option("--profile", options.profile,
+                 "Messages of the bus: full or paper. Without it, what the robot's network file says");
 }
 
 BusRobot load_bus_robot(const BusRobotOptions& options) {

@@ -8,6 +8,7 @@
 #include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 
@@ -15,6 +16,9 @@ struct BusRobotOptions {
   std::filesystem::path directory;  // folder with robot.urdf and robot.yaml
   std::string profile;              // empty: what the robot's network file says
 };
+
+// Adds --robot and --profile.
+void add_robot_options(const CommandLine& command, BusRobotOptions& options);
 
 struct BusRobot {
   urdf::RobotModel model;

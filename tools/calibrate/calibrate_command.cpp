@@ -1,12 +1,13 @@
-// Reads the inputs, has the simulated robot take the poses or reads what another one measured, and writes the
-// results.
-#include "tools/calibrate/calibrate_command.hpp"
+// `gaitway calibrate`: joint zeros, trunk and force cells from standing poses.
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "gaitway/motion/motion_file.hpp"
@@ -16,10 +17,30 @@
 #include "tools/calibrate/calibration_report.hpp"
 #include "tools/calibrate/measurement_file.hpp"
 #include "tools/calibrate/standing_log.hpp"
-#include "tools/program.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::calibration {
 namespace {
+
+using tools::add_command;
+using tools::CommandLine;
+
+constexpr int kExitMisfit = 3;  // the measurements do not fit the robot
+
+struct CalibrateOptions {
+  bool simulate = false;
+  std::filesystem::path measurements, bus_log;  // empty: none
+  std::filesystem::path robot, poses;
+  std::uint64_t seed = 1;
+  int seeds = 1, rounds = 4;
+  double mismatch = 1.0;
+  double measure_s = 1.0;
+  double play_deg = 0.0, floor_deg = 0.0;
+  std::optional<double> weighed_kg;
+  double weighed_deviation_kg = 0.01;
+  std::filesystem::path out, record;
+  bool quiet = false;
+};
 
 constexpr int kMostSeeds = 1000, kMostRounds = 10;
 
@@ -177,68 +198,32 @@ int from_bus_log(const CalibrateOptions& options, const urdf::RobotModel& robot)
   return from_measurements(options, robot, measured, options.bus_log);
 }
 
-void add_inputs(CLI::App& command, CalibrateOptions& options) {
-  command.add_flag("--simulate", options.simulate,
-                   "The simulated robot takes the poses; what is true stands beside what is found");
-  command.add_option("--measurements", options.measurements, "Measured poses of a robot (YAML)");
-  command.add_option("--bus-log", options.bus_log,
-                     "Log of a robot's bus (candump -L, or bus.log of a run) while it took the poses");
-  command.add_option("--robot", options.robot, "Folder of the robot's description")->capture_default_str();
-  command.add_option("--weighed-kg", options.weighed_kg,
-                     "What the robot weighs, if the file does not say it");
-  command.add_option("--weighed-deviation-kg", options.weighed_deviation_kg, "How far that may be off")
-      ->capture_default_str();
-  command.add_option("--play-deg", options.play_deg, "Play of each joint, whole width")
-      ->capture_default_str();
-  command
-      .add_option("--floor-deg", options.floor_deg,
-                  "How far the floor may lean (standard deviation; with --measurements)")
-      ->capture_default_str();
-  command
-      .add_option("--measure-s", options.measure_s, "How long each pose is measured, at the end of its hold")
-      ->capture_default_str();
-  command.add_option("--record", options.record,
-                     "File for the measurements (of the last round), as --measurements reads them");
-  command.add_option("--out", options.out, "File for the calibration, such as calibration.yaml");
-  command.add_flag("--quiet", options.quiet, "No progress and no table");
+void add_inputs(const CommandLine& command, CalibrateOptions& options) {
+  command.option("--simulate", options.simulate,
+                 "The simulated robot takes the poses; what is true stands beside what is found");
+  command.option("--measurements", options.measurements, "Measured poses of a robot (YAML)");
+  command.option("--bus-log", options.bus_log,
+                 "Log of a robot's bus (candump -L, or bus.log of a run) while it took the poses");
+  command.option("--robot", options.robot, "Folder of the robot's description");
+  command.option("--weighed-kg", options.weighed_kg, "What the robot weighs, if the file does not say it");
+  command.option("--weighed-deviation-kg", options.weighed_deviation_kg, "How far that may be off");
+  command.option("--play-deg", options.play_deg, "Play of each joint, whole width");
+  command.option("--floor-deg", options.floor_deg,
+                 "How far the floor may lean (standard deviation; with --measurements)");
+  command.option("--measure-s", options.measure_s, "How long each pose is measured, at the end of its hold");
+  command.option("--record", options.record,
+                 "File for the measurements (of the last round), as --measurements reads them");
+  command.option("--out", options.out, "File for the calibration, such as calibration.yaml");
+  command.option("--quiet", options.quiet, "No progress and no table");
 }
 
-void add_simulation(CLI::App& command, CalibrateOptions& options) {
-  command.add_option("--poses", options.poses, "The poses: a motion that holds its keys")
-      ->capture_default_str()
-      ->group("Simulation");
-  command.add_option("--seed", options.seed, "Which robot: its deviations and its noise")
-      ->capture_default_str()
-      ->group("Simulation");
-  command.add_option("--seeds", options.seeds, "Calibrate that many robots and show how well it goes")
-      ->capture_default_str()
-      ->group("Simulation");
-  command.add_option("--mismatch", options.mismatch, "Scale of the robot's deviations")
-      ->capture_default_str()
-      ->group("Simulation");
-  command
-      .add_option("--rounds", options.rounds,
-                  "How often the poses are taken at most, with the zeros found before")
-      ->capture_default_str()
-      ->group("Simulation");
-}
-
-}  // namespace
-
-CLI::App* add_calibrate_command(CLI::App& app, CalibrateOptions& options) {
-  CLI::App* const command = add_command(app, "calibrate");
-  options.robot = process::default_robot_directory();
-  options.poses = process::calibration_directory() / "standing.yaml";
-  add_inputs(*command, options);
-  add_simulation(*command, options);
-  command->footer(
-      "Examples:\n"
-      "  gaitway calibrate --simulate --seed 3 --out calibration.yaml\n"
-      "  gaitway calibrate --simulate --seeds 20\n"
-      "  gaitway calibrate --bus-log out/serve/bus.log --weighed-kg 6.87 --out calibration.yaml\n"
-      "  gaitway calibrate --measurements standing.yaml --weighed-kg 6.87 --out calibration.yaml\n"
-      "Exit code: 0 found, 3 the measurements do not fit the robot, 1 the input was bad.");
-  return command;
+void add_simulation(const CommandLine& command, CalibrateOptions& options) {
+  command.option("--poses", options.poses, "The poses: a motion that holds its keys");
+  command.option("--seed", options.seed, "Which robot: its deviations and its noise");
+  command.option("--seeds", options.seeds, "Calibrate that many robots and show how well it goes");
+  command.option("--mismatch", options.mismatch, "Scale of the robot's deviations");
+  command.option("--rounds", options.rounds,
+                 "How often the poses are taken at most, with the zeros found before");
 }
 
 int calibrate_command(const CalibrateOptions& options) {
@@ -250,12 +235,27 @@ int calibrate_command(const CalibrateOptions& options) {
                            options.measurements);
 }
 
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<CalibrateOptions>();
+  CalibrateOptions& options = *given;
+  const CommandLine command = add_command(app, "calibrate");
+  options.robot = process::default_robot_directory();
+  options.poses = process::calibration_directory() / "standing.yaml";
+  add_inputs(command, options);
+  add_simulation(command.group("Simulation"), options);
+  command.footer(
+      "Examples:\n"
+      "  gaitway calibrate --simulate --seed 3 --out calibration.yaml\n"
+      "  gaitway calibrate --simulate --seeds 20\n"
+      "  gaitway calibrate --bus-log out/serve/bus.log --weighed-kg 6.87 --out calibration.yaml\n"
+      "  gaitway calibrate --measurements standing.yaml --weighed-kg 6.87 --out calibration.yaml\n"
+      "Exit code: 0 found, 3 the measurements do not fit the robot, 1 the input was bad.");
+  command.runs([given] { return calibrate_command(*given); });
+}
+
+}  // namespace
 }  // namespace gaitway::calibration
 
 int main(int argc, char** argv) {
-  gaitway::calibration::CalibrateOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    gaitway::calibration::add_calibrate_command(app, options);
-    return [&options] { return gaitway::calibration::calibrate_command(options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::calibration::declare);
 }

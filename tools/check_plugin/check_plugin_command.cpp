@@ -1,42 +1,29 @@
-// `gaitway check-plugin`: options in, one line a check out.
-#include "tools/check_plugin/check_plugin_command.hpp"
+// `gaitway check-plugin`: a plug-in against every rule of the plug-in interface.
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
 
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/program.hpp"
+#include "tools/check_plugin/plugin_check.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
+namespace {
 
-CLI::App* add_check_plugin_command(CLI::App& app, CheckPluginOptions& options) {
-  CLI::App* const command = add_command(app, "check-plugin");
-  plugin_check::CheckOptions& check = options.check;
-  check.robot = process::default_robot_directory();
-  check.walk_config = process::default_config_file();
-  command->add_option("plugin", check.plugin, "The plug-in's library (FILE.so)")->required();
-  command->add_flag("--full", check.full, "The long form: 100,000 steps, 1,000 loads, more parameters");
-  command->add_option("--json", options.json, "Write everything that was found and measured to this file");
-  command->add_option("--seed", check.seed, "Seed of the walk and of the parameters")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--config", check.config, "Configuration (YAML) with the plug-in's parameters");
-  command->add_option("--robot", check.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
-  command
-      ->add_option("--budget", check.budget_ms,
-                   "Milliseconds that a step may take (default 2, of a batch plug-in 5)")
-      ->check(CLI::PositiveNumber);
-  command->footer(
-      "Examples:\n"
-      "  gaitway check-plugin libgaitway_plugin_ankle_trim.so\n"
-      "  gaitway check-plugin libgaitway_plugin_ankle_trim.so --full --json check.json\n"
-      "Exit code: 0 no finding, 2 findings, 1 the input was bad.");
-  return command;
-}
+// Exit codes of `gaitway check-plugin`; bad input is 1.
+constexpr int kExitFindings = 2;
+
+struct CheckPluginOptions {
+  plugin_check::CheckOptions check;
+  std::optional<std::filesystem::path> json;  // everything that was found and measured goes here
+};
 
 int check_plugin(const CheckPluginOptions& options) {
   const plugin_check::CheckOptions& check = options.check;
@@ -63,15 +50,37 @@ int check_plugin(const CheckPluginOptions& options) {
   return count == 0 ? kExitFine : kExitFindings;
 }
 
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<CheckPluginOptions>();
+  CheckPluginOptions& options = *given;
+  const CommandLine command = add_command(app, "check-plugin");
+  plugin_check::CheckOptions& check = options.check;
+  check.robot = process::default_robot_directory();
+  check.walk_config = process::default_config_file();
+  command.option("plugin", check.plugin, "The plug-in's library (FILE.so)").required();
+  command.option("--full", check.full, "The long form: 100,000 steps, 1,000 loads, more parameters");
+  command.option("--json", options.json, "Write everything that was found and measured to this file");
+  command.option("--seed", check.seed, "Seed of the walk and of the parameters");
+  command.option("--config", check.config, "Configuration (YAML) with the plug-in's parameters");
+  command.option("--robot", check.robot, "Folder with robot.urdf and robot.yaml");
+  command
+      .option("--budget", check.budget_ms,
+              "Milliseconds that a step may take (default 2, of a batch plug-in 5)")
+      .above(0.0);
+  command.footer(
+      "Examples:\n"
+      "  gaitway check-plugin libgaitway_plugin_ankle_trim.so\n"
+      "  gaitway check-plugin libgaitway_plugin_ankle_trim.so --full --json check.json\n"
+      "Exit code: 0 no finding, 2 findings, 1 the input was bad.");
+  command.runs([given] { return check_plugin(*given); });
+}
+
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
   if (argc == 3 && argv[1] == std::string_view(gaitway::plugin_check::kWorkerCommand)) {
     return gaitway::plugin_check::run_worker(argv[2]);
   }
-  gaitway::tools::CheckPluginOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    gaitway::tools::add_check_plugin_command(app, options);
-    return [&options] { return gaitway::tools::check_plugin(options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

@@ -19,7 +19,7 @@ struct ApiAddress {
   std::string url = "ws://127.0.0.1:9090";  // or wss://
   std::filesystem::path token_file;         // empty: no token
   std::filesystem::path ca_file;            // of wss, PEM: whom to trust; empty: the system's
-  double timeout_s = 5.0;                   // of each answer
+  double timeout_s = 10.0;                  // of each answer
 };
 
 // Blocks; for one thread. All calls throw ApiError.

@@ -1,16 +1,16 @@
-// One loop: the robot walks in real time, the sources are watched, builds run beside it, and what they give
-// is put in its place between two batches.
-#include "tools/dev/dev_command.hpp"
+// `gaitway dev`: a plug-in's source is watched, built and put into the walking robot at each change.
 
 #include <fmt/format.h>
 #include <poll.h>
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
@@ -18,14 +18,23 @@
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
+#include "tools/command_line.hpp"
 #include "tools/dev/project_build.hpp"
 #include "tools/dev/source_watch.hpp"
-#include "tools/program.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 using facts::kMillisecond_ns;
+
+struct DevOptions {
+  std::filesystem::path project;  // folder with the plug-in's CMakeLists.txt
+  std::filesystem::path build;    // empty: build/ in it
+  std::vector<double> walk{0.15, 0.0, 0.0};
+  double seconds = 0.0;     // of wall time; 0: until it is interrupted
+  bool in_process = false;  // else in a process of its own
+};
+
 constexpr double kStand_s = 1.0;         // before it walks
 constexpr double kVerdictAfter_s = 3.0;  // of walking with a new version
 
@@ -215,34 +224,6 @@ class Development {
   std::int64_t saved_ns_ = 0;
 };
 
-}  // namespace
-
-CLI::App* add_dev_command(CLI::App& app, DevOptions& options) {
-  CLI::App* const command = add_command(app, "dev");
-  command->add_option("project", options.project, "Folder with the plug-in's CMakeLists.txt")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-  command->add_option("--build", options.build, "Build folder (default: build/ in the project)");
-  command->add_option("--walk", options.walk, "Walk VX,VY,WZ: forward m/s, left m/s, turn rad/s")
-      ->delimiter(',')
-      ->expected(3);
-  command->add_option("--seconds", options.seconds, "End after this time; 0: when it is interrupted")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  command->add_flag("--in-process", options.in_process,
-                    "Run the plug-in in this process: exact timing, but its crash ends all");
-  command->footer(
-      "Examples:\n"
-      "  gaitway new-plugin sway && gaitway dev sway\n"
-      "  gaitway dev sway --walk 0.1,0,0.2\n"
-      "The robot walks in real time, with the plug-in in a process of its own: a crash or a hang is told, "
-      "and\n"
-      "the robot walks on. A version that does not build, load, or stand its first step leaves the one "
-      "before\n"
-      "it where it is.");
-  return command;
-}
-
 int develop(const DevOptions& options) {
   DevOptions complete = options;
   complete.project = std::filesystem::canonical(options.project);
@@ -257,12 +238,34 @@ int develop(const DevOptions& options) {
   return Development(complete).run();
 }
 
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<DevOptions>();
+  DevOptions& options = *given;
+  const CommandLine command = add_command(app, "dev");
+  command.option("project", options.project, "Folder with the plug-in's CMakeLists.txt")
+      .required()
+      .existing_folder();
+  command.option("--build", options.build, "Build folder (default: build/ in the project)");
+  command.option("--walk", options.walk, "Walk VX,VY,WZ: forward m/s, left m/s, turn rad/s").values(3);
+  command.option("--seconds", options.seconds, "End after this time; 0: when it is interrupted")
+      .between(0.0, 1e6);
+  command.option("--in-process", options.in_process,
+                 "Run the plug-in in this process: exact timing, but its crash ends all");
+  command.footer(
+      "Examples:\n"
+      "  gaitway new-plugin sway && gaitway dev sway\n"
+      "  gaitway dev sway --walk 0.1,0,0.2\n"
+      "The robot walks in real time, with the plug-in in a process of its own: a crash or a hang is told, "
+      "and\n"
+      "the robot walks on. A version that does not build, load, or stand its first step leaves the one "
+      "before\n"
+      "it where it is.");
+  command.runs([given] { return develop(*given); });
+}
+
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
-  gaitway::tools::DevOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    gaitway::tools::add_dev_command(app, options);
-    return [&options] { return gaitway::tools::develop(options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

@@ -1,30 +1,50 @@
-// `gaitway measure gait`: reads the inputs, measures with a progress line, writes the results.
-#include "tools/measure/measure_command.hpp"
+// `gaitway measure gait`: how well the robot walks, as a table.
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "tools/command_line.hpp"
 #include "tools/measure/gait_measurement.hpp"
 #include "tools/measure/gait_report.hpp"
 #include "tools/measure/pinned_plugins.hpp"
-#include "tools/program.hpp"
 #include "tools/run/output_folder.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+// Exit codes beside 0, every measured floor holds, and 1, bad input: nothing was measured.
+constexpr int kExitFloorFailed = 3;
+
+struct MeasureGaitOptions {
+  std::filesystem::path robot;
+  std::filesystem::path config;
+  std::filesystem::path out = "out/gait";
+  std::optional<int> seeds;  // 20, or fewer with --quick
+  std::uint64_t first_seed = 1;
+  int jobs = 0;                     // 0: all cores
+  std::vector<std::string> rows;    // none: all
+  std::vector<std::string> except;  // of these
+  bool quick = false;
+  bool quiet = false;
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -154,57 +174,41 @@ std::string row_list() {
   return text;
 }
 
-}  // namespace
-
-CLI::App* add_measure_command(CLI::App& app, MeasureOptions& options) {
-  CLI::App* const measure = add_command(app, "measure");
-  measure->require_subcommand(1);
-  MeasureGaitOptions& gait = options.gait;
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<MeasureGaitOptions>();
+  const CommandLine measure = add_command(app, "measure");
+  measure.needs_subcommand();
+  MeasureGaitOptions& gait = *given;
   gait.robot = process::default_robot_directory();
   gait.config = process::default_config_file();
-  CLI::App* const command = measure->add_subcommand(
+  const CommandLine command = measure.subcommand(
       "gait", "How fast the robot walks, what pushes and what ground it survives: a table, with plots");
-  command->add_flag("--quick", gait.quick,
-                    "Fewer seeds, shorter walks, coarser levels: some minutes on two cores");
-  command->add_option("--seeds", gait.seeds,
-                      "Robots to try, each with its own deviations (default 20, quick 3)");
-  command->add_option("--first-seed", gait.first_seed, "The first of them")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--jobs", gait.jobs, "Trials side by side (default: one a core)");
-  command->add_option("--rows", gait.rows, "Rows of the table, by name; default: all")->delimiter(',');
-  command->add_option("--except", gait.except, "Rows to leave out")->delimiter(',');
-  command->add_option("--robot", gait.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
-  command->add_option("--config", gait.config, "Plug-ins of the main controller (YAML)")
-      ->capture_default_str();
-  command->add_option("--out", gait.out, "Folder for the results and for the trials' outcomes")
-      ->capture_default_str();
-  command->add_flag("--quiet", gait.quiet, "No progress line and no table");
-  command->footer("Rows:\n" + row_list() +
-                  "\nExamples:\n"
-                  "  gaitway measure gait --quick\n"
-                  "  gaitway measure gait --rows straight,heading --seeds 5\n"
-                  "  gaitway measure gait --quick --except compute\n"
-                  "  gaitway measure gait --config without_trims.yaml --out out/without_trims\n"
-                  "An interrupted measurement goes on where it was when it is given the same --out.\n"
-                  "Exit code: 0 each floor holds, 3 one does not, 1 the input was bad.");
-  measure->footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
-  return measure;
+  command.option("--quick", gait.quick,
+                 "Fewer seeds, shorter walks, coarser levels: some minutes on two cores");
+  command.option("--seeds", gait.seeds, "Robots to try, each with its own deviations (default 20, quick 3)");
+  command.option("--first-seed", gait.first_seed, "The first of them");
+  command.option("--jobs", gait.jobs, "Trials side by side (default: one a core)");
+  command.option("--rows", gait.rows, "Rows of the table, by name; default: all");
+  command.option("--except", gait.except, "Rows to leave out");
+  command.option("--robot", gait.robot, "Folder with robot.urdf and robot.yaml");
+  command.option("--config", gait.config, "Plug-ins of the main controller (YAML)");
+  command.option("--out", gait.out, "Folder for the results and for the trials' outcomes");
+  command.option("--quiet", gait.quiet, "No progress line and no table");
+  command.footer("Rows:\n" + row_list() +
+                 "\nExamples:\n"
+                 "  gaitway measure gait --quick\n"
+                 "  gaitway measure gait --rows straight,heading --seeds 5\n"
+                 "  gaitway measure gait --quick --except compute\n"
+                 "  gaitway measure gait --config without_trims.yaml --out out/without_trims\n"
+                 "An interrupted measurement goes on where it was when it is given the same --out.\n"
+                 "Exit code: 0 each floor holds, 3 one does not, 1 the input was bad.");
+  measure.footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
+  command.runs([given] { return measure_gait_table(*given); });
 }
 
-int measure(const CLI::App& command, const MeasureOptions& options) {
-  if (command.got_subcommand("gait")) {
-    return measure_gait_table(options.gait);
-  }
-  throw CLI::RequiredError("a subcommand of measure");
-}
-
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
-  gaitway::tools::MeasureOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    CLI::App* const command = gaitway::tools::add_measure_command(app, options);
-    return [command, &options] { return gaitway::tools::measure(*command, options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

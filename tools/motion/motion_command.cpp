@@ -1,15 +1,15 @@
-// The subcommands of `gaitway motion`.
-#include "tools/motion/motion_command.hpp"
+// `gaitway motion`: key-frame motions, from their files to points and pictures.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
@@ -19,10 +19,17 @@
 #include "gaitway/motion/motion_preparation.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/trajectory/motion_table_file.hpp"
-#include "tools/program.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+struct MotionOptions {
+  std::string motion;  // name of a shipped motion, or a file
+  std::filesystem::path folder, robot;
+  std::filesystem::path out;
+  int pictures = 8;
+};
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -159,56 +166,43 @@ int draw(const MotionOptions& options) {
   return 0;
 }
 
-}  // namespace
-
-CLI::App* add_motion_command(CLI::App& app, MotionOptions& options) {
-  CLI::App* const command = add_command(app, "motion");
-  command->require_subcommand(1);
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<MotionOptions>();
+  MotionOptions& options = *given;
+  const CommandLine command = add_command(app, "motion");
+  command.needs_subcommand();
   options.robot = process::default_robot_directory();
   options.folder = process::motion_directory();
-  const auto add = [&](const char* name, const char* text, bool of_one) {
-    CLI::App* const sub = command->add_subcommand(name, text);
-    if (of_one) sub->add_option("motion", options.motion, "Name of a motion, or its file")->required();
-    sub->add_option("--motions", options.folder, "Folder with the motions")->capture_default_str();
-    sub->add_option("--robot", options.robot, "Folder of the robot's description")->capture_default_str();
+  const auto add = [&](const char* name, const char* text, int (*run)(const MotionOptions&),
+                       bool of_one = true) {
+    const CommandLine sub = command.subcommand(name, text);
+    if (of_one) sub.option("motion", options.motion, "Name of a motion, or its file").required();
+    sub.option("--motions", options.folder, "Folder with the motions");
+    sub.option("--robot", options.robot, "Folder of the robot's description");
+    sub.runs([given, run] { return run(*given); });
     return sub;
   };
-  add("list", "The motions there are", false);
-  add("show", "Postures at the keys, with the legs as they are solved", true);
-  add("plan", "Every point as CSV", true)
-      ->add_option("--out", options.out, "File; otherwise to the terminal");
-  add("check", "Plan, and say how near to each limit every point comes", true);
-  add("prepare", "Plan it, and write what the robot plays: the way, and a way out of every batch", true)
-      ->add_option("--out", options.out, "Folder; otherwise the current one");
-  CLI::App* const draw_app = add("draw", "A film strip of the planned motion", true);
-  draw_app->add_option("--out", options.out, "PNG file; otherwise NAME.png");
-  draw_app->add_option("--pictures", options.pictures, "How many")
-      ->check(CLI::Range(2, 64))
-      ->capture_default_str();
-  command->footer(
+  add("list", "The motions there are", list, false);
+  add("show", "Postures at the keys, with the legs as they are solved", show);
+  add("plan", "Every point as CSV", write_plan)
+      .option("--out", options.out, "File; otherwise to the terminal");
+  add("check", "Plan, and say how near to each limit every point comes", check);
+  add("prepare", "Plan it, and write what the robot plays: the way, and a way out of every batch", prepare)
+      .option("--out", options.out, "Folder; otherwise the current one");
+  const CommandLine film = add("draw", "A film strip of the planned motion", draw);
+  film.option("--out", options.out, "PNG file; otherwise NAME.png");
+  film.option("--pictures", options.pictures, "How many").between(2, 64);
+  command.footer(
       "Examples:\n"
       "  gaitway motion check kick\n"
       "  gaitway motion draw my_motion.yaml --out my_motion.png\n"
       "  gaitway motion prepare my_motion.yaml --out my_motions\n"
       "Exit code: 0 planned within all limits, 1 not, or the input was bad.");
-  return command;
 }
 
-int motion_command(const CLI::App& command, const MotionOptions& options) {
-  if (command.got_subcommand("list")) return list(options);
-  if (command.got_subcommand("show")) return show(options);
-  if (command.got_subcommand("plan")) return write_plan(options);
-  if (command.got_subcommand("check")) return check(options);
-  if (command.got_subcommand("prepare")) return prepare(options);
-  return draw(options);
-}
-
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
-  gaitway::tools::MotionOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    CLI::App* const command = gaitway::tools::add_motion_command(app, options);
-    return [command, &options] { return gaitway::tools::motion_command(*command, options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

@@ -1,25 +1,33 @@
-// Copies a template under a new name.
-#include "tools/new_plugin/new_plugin_command.hpp"
+// `gaitway new-plugin`: writes a plug-in's project, made from the templates, that builds, passes its test and
+// moves the robot as it is.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/program.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+struct NewPluginOptions {
+  std::string name;
+  std::string kind = "blank";
+  std::filesystem::path folder;  // empty: ./NAME
+};
 
 struct Kind {
   std::string_view name;
@@ -198,23 +206,7 @@ std::string kinds_as_text() {
   return text;
 }
 
-}  // namespace
-
-CLI::App* add_new_plugin_command(CLI::App& app, NewPluginOptions& options) {
-  CLI::App* const command = add_command(app, "new-plugin");
-  command->add_option("NAME", options.name, "Name of the plug-in, as an identifier of C: ankle_feedback")
-      ->required();
-  command->add_option("--kind", options.kind, "What it begins as; see below")->capture_default_str();
-  command->add_option("--dir", options.folder, "Folder to write it to (default ./NAME)");
-  command->footer(kinds_as_text() +
-                  "Examples:\n"
-                  "  gaitway new-plugin square --kind behavior\n"
-                  "  gaitway new-plugin my_gait --kind trajectory --dir ~/robot/my_gait\n"
-                  "Exit code: 0 written, 1 the input was bad and nothing was.");
-  return command;
-}
-
-void write_new_plugin(const NewPluginOptions& options) {
+int write_new_plugin(const NewPluginOptions& options) {
   check_name(options.name);
   const Kind& kind = kind_of(options.kind);
   const std::filesystem::path folder =
@@ -225,17 +217,28 @@ void write_new_plugin(const NewPluginOptions& options) {
              {folder / "CMakeLists.txt", from_template("CMakeLists.txt", options, kind)}},
             folder);
   print_next(options, folder);
+  return kExitFine;
 }
 
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<NewPluginOptions>();
+  NewPluginOptions& options = *given;
+  const CommandLine command = add_command(app, "new-plugin");
+  command.option("NAME", options.name, "Name of the plug-in, as an identifier of C: ankle_feedback")
+      .required();
+  command.option("--kind", options.kind, "What it begins as; see below");
+  command.option("--dir", options.folder, "Folder to write it to (default ./NAME)");
+  command.footer(kinds_as_text() +
+                 "Examples:\n"
+                 "  gaitway new-plugin square --kind behavior\n"
+                 "  gaitway new-plugin my_gait --kind trajectory --dir ~/robot/my_gait\n"
+                 "Exit code: 0 written, 1 the input was bad and nothing was.");
+  command.runs([given] { return write_new_plugin(*given); });
+}
+
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
-  gaitway::tools::NewPluginOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    gaitway::tools::add_new_plugin_command(app, options);
-    return [&options] {
-      gaitway::tools::write_new_plugin(options);
-      return gaitway::tools::kExitFine;
-    };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

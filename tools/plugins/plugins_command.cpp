@@ -1,23 +1,30 @@
-// Lists the plug-ins of the search path, for people or as JSON.
-#include "tools/plugins/plugins_command.hpp"
+// `gaitway plugins`: which plug-ins there are, and what each says of itself.
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gaitway/isolation/plugin_probe.hpp"
 #include "gaitway/process/installation.hpp"
-#include "tools/program.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 namespace {
+
+struct PluginsOptions {
+  std::vector<std::filesystem::path> plugin_path;  // these alone; empty: the search path
+  std::filesystem::path robot;                     // what the plug-ins are told
+  bool json = false;
+};
 
 using nlohmann::ordered_json;
 
@@ -112,27 +119,6 @@ void print(const core::PluginDescription& plugin) {
   }
 }
 
-}  // namespace
-
-CLI::App* add_plugins_command(CLI::App& app, PluginsOptions& options) {
-  CLI::App* const command = add_command(app, "plugins");
-  options.robot = process::default_robot_directory();
-  command
-      ->add_option("--plugin-path", options.plugin_path,
-                   "Folder to look in, instead of GAITWAY_PLUGIN_PATH and the shipped plug-ins; may be given "
-                   "again")
-      ->allow_extra_args(false);
-  command->add_option("--robot", options.robot, "Robot that the plug-ins are asked for")
-      ->capture_default_str();
-  command->add_flag("--json", options.json, "For programs");
-  command->footer(
-      "Examples:\n"
-      "  gaitway plugins\n"
-      "  gaitway plugins --plugin-path build --json\n"
-      "Exit code: 0 all are usable, 1 one is not, or the input was bad.");
-  return command;
-}
-
 int list_plugins(const PluginsOptions& options) {
   const core::ProbeOptions probe{.robot_directory = options.robot,
                                  .plugin_path = core::plugin_search_path(options.plugin_path)};
@@ -157,12 +143,27 @@ int list_plugins(const PluginsOptions& options) {
   return exit_code;
 }
 
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<PluginsOptions>();
+  PluginsOptions& options = *given;
+  const CommandLine command = add_command(app, "plugins");
+  options.robot = process::default_robot_directory();
+  command.repeated("--plugin-path", options.plugin_path,
+                   "Folder to look in, instead of GAITWAY_PLUGIN_PATH and the shipped plug-ins; may be given "
+                   "again");
+  command.option("--robot", options.robot, "Robot that the plug-ins are asked for");
+  command.option("--json", options.json, "For programs");
+  command.footer(
+      "Examples:\n"
+      "  gaitway plugins\n"
+      "  gaitway plugins --plugin-path build --json\n"
+      "Exit code: 0 all are usable, 1 one is not, or the input was bad.");
+  command.runs([given] { return list_plugins(*given); });
+}
+
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
-  gaitway::tools::PluginsOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    gaitway::tools::add_plugins_command(app, options);
-    return [&options] { return gaitway::tools::list_plugins(options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

@@ -4,14 +4,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
@@ -19,7 +24,7 @@
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
-#include "tools/program.hpp"
+#include "gaitway/simulator/scenario.hpp"
 #include "tools/run/output_folder.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
@@ -27,6 +32,23 @@
 
 namespace gaitway::tools {
 namespace {
+
+struct RunOptions {
+  std::filesystem::path robot;              // folder with robot.urdf and robot.yaml
+  std::string profile;                      // of the bus; empty: what the robot's network file says
+  bool accept_unproven = false;             // run even if the bus cannot be proven
+  std::filesystem::path config;             // plug-ins of the main controller
+  std::vector<std::filesystem::path> with;  // libraries put into it; see core/plugin_exchange.hpp
+  std::optional<std::filesystem::path> scenario;
+  std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
+  std::optional<double> seconds;
+  std::uint64_t seed = 1;
+  double mismatch = 1.0;
+  std::filesystem::path out = "out/run";
+  bool pictures = true;
+  std::optional<std::vector<double>> film;  // from and to when the film strip shows the run, s
+  bool quiet = false;
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -185,52 +207,6 @@ core::PluginExchange plugins_of(const RunOptions& options) {
   return plugins;
 }
 
-}  // namespace
-
-CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
-  CLI::App* const run = add_command(app, "run");
-  options.robot = process::default_robot_directory();
-  options.config = process::default_config_file();
-  run->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")->capture_default_str();
-  run->add_option("--config", options.config, "Plug-ins of the main controller (YAML)")
-      ->capture_default_str();
-  run->add_option("--with", options.with,
-                  "Plug-in library to run, in the place of those whose topics it writes; may be given again")
-      ->allow_extra_args(false);
-  auto* const scenario = run->add_option("--scenario", options.scenario,
-                                         "Timed commands, pushes and faults (YAML); a file, or the name of a "
-                                         "shipped one");
-  run->add_option("--walk", options.walk,
-                  "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
-      ->delimiter(',')
-      ->excludes(scenario);
-  run->add_option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)");
-  run->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  run->add_option("--profile", options.profile,
-                  "Messages of the bus: full or paper. Without it, what the robot's network file says");
-  run->add_flag("--accept-unproven", options.accept_unproven,
-                "Run even if some message of the bus may miss its deadline");
-  run->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
-      ->capture_default_str();
-  run->add_option("--out", options.out, "Folder for the results")->capture_default_str();
-  run->add_flag("!--no-pictures", options.pictures, "Draw no film strip");
-  run->add_option("--film", options.film,
-                  "FROM,TO: the film strip shows this part of the run [s] (default: all of it)")
-      ->delimiter(',');
-  run->add_flag("--quiet", options.quiet, "No progress line and no table");
-  run->footer(
-      "Examples:\n"
-      "  gaitway run                                      walks straight on at 0.15 m/s for 20 s\n"
-      "  gaitway run --walk 0.1,0.03,0.2 --seconds 30     forward, sideways and turning\n"
-      "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
-      "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
-      "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
-      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
-  return run;
-}
-
 int run(const RunOptions& options) {
   check(options);
   urdf::RobotModel robot = urdf::load_robot(options.robot);
@@ -286,6 +262,48 @@ int run(const RunOptions& options) {
                (options.out / "report.html").string());
   }
   return recorder.metrics().fell ? kExitFell : kExitFine;
+}
+
+}  // namespace
+
+void add_run(const CommandLine& program) {
+  const auto given = std::make_shared<RunOptions>();
+  RunOptions& options = *given;
+  const CommandLine command = add_command(program, "run");
+  options.robot = process::default_robot_directory();
+  options.config = process::default_config_file();
+  command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
+  command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
+  command.repeated(
+      "--with", options.with,
+      "Plug-in library to run, in the place of those whose topics it writes; may be given again");
+  const Option scenario = command.option("--scenario", options.scenario,
+                                         "Timed commands, pushes and faults (YAML); a file, or the name of a "
+                                         "shipped one");
+  command
+      .option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
+      .excludes(scenario);
+  command.option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)");
+  command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
+  command.option("--profile", options.profile,
+                 "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  command.option("--accept-unproven", options.accept_unproven,
+                 "Run even if some message of the bus may miss its deadline");
+  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot");
+  command.option("--out", options.out, "Folder for the results");
+  command.option("!--no-pictures", options.pictures, "Draw no film strip");
+  command.option("--film", options.film,
+                 "FROM,TO: the film strip shows this part of the run [s] (default: all of it)");
+  command.option("--quiet", options.quiet, "No progress line and no table");
+  command.footer(
+      "Examples:\n"
+      "  gaitway run                                      walks straight on at 0.15 m/s for 20 s\n"
+      "  gaitway run --walk 0.1,0.03,0.2 --seconds 30     forward, sideways and turning\n"
+      "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
+      "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
+      "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
+      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
+  command.runs([given] { return run(*given); });
 }
 
 }  // namespace gaitway::tools

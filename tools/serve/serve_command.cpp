@@ -1,20 +1,23 @@
-// The co-simulation, millisecond by millisecond against the clock; the memory block for the API's process;
-// and the end.
-#include "tools/serve/serve_command.hpp"
+// `gaitway serve`: the simulated robot at the pace of real time, with the robot API on a WebSocket.
 
 #include <fmt/format.h>
 #include <stdlib.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "gaitway/core/event_printer.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -25,7 +28,7 @@
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
-#include "tools/program.hpp"
+#include "tools/command_line.hpp"
 #include "tools/run/output_folder.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_summary.hpp"
@@ -35,6 +38,24 @@ namespace gaitway::tools {
 namespace {
 
 using facts::kMillisecond_ns;
+
+struct ServeOptions {
+  std::filesystem::path robot;   // folder with robot.urdf and robot.yaml
+  std::filesystem::path config;  // plug-ins of the main controller, the api among them
+  std::string profile;           // of the bus; empty: what the robot's network file says
+  bool accept_unproven = false;
+  std::string address = "127.0.0.1";
+  int port = 9090;
+  std::string origins;  // further web origins that may connect, with commas between them
+  std::filesystem::path token_file, certificate_file, key_file;
+  std::optional<double> seconds;
+  double speed = 1.0;  // times real time
+  std::uint64_t seed = 1;
+  double mismatch = 1.0;
+  std::filesystem::path out = "out/serve";
+  bool bus_log = false;
+  bool quiet = false;
+};
 
 constexpr std::int64_t kLongestLag_ns = 200 * kMillisecond_ns;     // then the pace begins anew
 constexpr std::int64_t kLongestStop_ns = 5'000 * kMillisecond_ns;  // of the robot's time, until it stands
@@ -229,54 +250,6 @@ void write_results(const ServeOptions& options, simulator::Cosimulation& run, Se
   }
 }
 
-}  // namespace
-
-CLI::App* add_serve_command(CLI::App& app, ServeOptions& options) {
-  CLI::App* const command = add_command(app, "serve");
-  options.robot = process::default_robot_directory();
-  options.config = process::default_config_file().parent_path() / "serve.yaml";
-  command->add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml")
-      ->capture_default_str();
-  command
-      ->add_option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them")
-      ->capture_default_str();
-  command->add_option("--port", options.port, "TCP port of the robot API; 0: any free one")
-      ->capture_default_str();
-  command
-      ->add_option("--address", options.address,
-                   "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
-                   "--key-file")
-      ->capture_default_str();
-  command->add_option("--origins", options.origins,
-                      "Web origins that may connect besides this computer's, with commas between them");
-  command->add_option("--token-file", options.token_file, "File with the token that clients must know");
-  command->add_option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
-  command->add_option("--key-file", options.key_file, "Its private key (PEM)");
-  command->add_option("--seconds", options.seconds, "Virtual time to run; without it until told to stop");
-  command->add_option("--speed", options.speed, "Times real time")->capture_default_str();
-  command->add_option("--profile", options.profile,
-                      "Messages of the bus: full or paper. Without it, what the robot's network file says");
-  command->add_flag("--accept-unproven", options.accept_unproven,
-                    "Run even if some message of the bus may miss its deadline");
-  command->add_option("--seed", options.seed, "Seed of mismatch, noise and clock drifts")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  command->add_option("--out", options.out, "Folder for the results and recordings")->capture_default_str();
-  command->add_flag("--bus-log", options.bus_log, "Log every frame; 0.4 GB an hour");
-  command->add_flag("--quiet", options.quiet, "No events and no table");
-  command->footer(
-      "Examples:\n"
-      "  gaitway serve                              ws://127.0.0.1:9090, until Ctrl-C\n"
-      "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
-      "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
-      "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"
-      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
-  return command;
-}
-
 int serve(const ServeOptions& options) {
   check(options);
   urdf::RobotModel robot = urdf::load_robot(options.robot);
@@ -322,12 +295,48 @@ int serve(const ServeOptions& options) {
   return observer.recorder.metrics().fell ? kExitFell : kExitFine;
 }
 
+void declare(const CommandLine& app) {
+  const auto given = std::make_shared<ServeOptions>();
+  ServeOptions& options = *given;
+  const CommandLine command = add_command(app, "serve");
+  options.robot = process::default_robot_directory();
+  options.config = process::default_config_file().parent_path() / "serve.yaml";
+  command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
+  command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
+  command.option("--port", options.port, "TCP port of the robot API; 0: any free one");
+  command.option("--address", options.address,
+                 "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
+                 "--key-file");
+  command.option("--origins", options.origins,
+                 "Web origins that may connect besides this computer's, with commas between them");
+  command.option("--token-file", options.token_file, "File with the token that clients must know");
+  command.option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
+  command.option("--key-file", options.key_file, "Its private key (PEM)");
+  command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop");
+  command.option("--speed", options.speed, "Times real time");
+  command.option("--profile", options.profile,
+                 "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  command.option("--accept-unproven", options.accept_unproven,
+                 "Run even if some message of the bus may miss its deadline");
+  command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
+  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+      .between(0.0, 10.0);
+  command.option("--out", options.out, "Folder for the results and recordings");
+  command.option("--bus-log", options.bus_log, "Log every frame; 0.4 GB an hour");
+  command.option("--quiet", options.quiet, "No events and no table");
+  command.footer(
+      "Examples:\n"
+      "  gaitway serve                              ws://127.0.0.1:9090, until Ctrl-C\n"
+      "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
+      "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
+      "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"
+      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
+  command.runs([given] { return serve(*given); });
+}
+
+}  // namespace
 }  // namespace gaitway::tools
 
 int main(int argc, char** argv) {
-  gaitway::tools::ServeOptions options;
-  return gaitway::tools::run_program(argc, argv, [&options](CLI::App& app) -> std::function<int()> {
-    gaitway::tools::add_serve_command(app, options);
-    return [&options] { return gaitway::tools::serve(options); };
-  });
+  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
 }

@@ -1,0 +1,99 @@
+// What every program of the command line shares: the list of commands, how a command declares its options,
+// and the main that parses them, runs it and turns what goes wrong into one line and an exit code. The header
+// of the library that parses takes a compiler seconds in every file that sees it, so command_line.cpp alone
+// does.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace gaitway::tools {
+
+// Exit codes that all commands share; a command's --help names those of its own.
+inline constexpr int kExitFine = 0;
+inline constexpr int kExitBadInput = 1;  // nothing moved
+inline constexpr int kExitFell = 2;      // the simulated robot fell
+
+// One option; what is said about it holds before the command runs.
+class Option {
+ public:
+  explicit Option(CLI::Option& option) : option_(&option) {}
+  Option required() const;
+  Option excludes(const Option& other) const;
+  Option between(double lowest, double highest) const;  // the limits included
+  Option above(double limit) const;
+  Option one_of(std::vector<std::string> words) const;
+  Option values(int count) const;  // exactly so many, of a list
+  Option existing_folder() const;
+  Option hidden() const;  // not in --help
+
+ private:
+  CLI::Option* option_;
+};
+
+// A command, or a part of one: a handle, valid as long as the program parses.
+class CommandLine {
+ public:
+  CommandLine(CLI::App& app, std::function<int()>& action) : app_(&app), action_(&action) {}
+
+  [[nodiscard]] CommandLine subcommand(const std::string& name, const std::string& help) const;
+  // Options under a title of their own; `one_of_them`: exactly one is given.
+  [[nodiscard]] CommandLine group(const std::string& title, bool one_of_them = false) const;
+  // `names`: "--speed", or "file" for a word in its place. Value: bool (a flag; "!--no-x" clears it), double,
+  // int, std::uint64_t, std::string, std::filesystem::path, std::optional of these, std::vector (with commas
+  // between them); what it holds now is shown as the default. Numbers are finite and in range, or refused.
+  // `value` outlives the handle.
+  template <class Value>
+  Option option(const std::string& names, Value& value, const std::string& help) const;
+  // Once for each value: commas belong to it.
+  template <class Value>
+  Option repeated(const std::string& names, std::vector<Value>& values, const std::string& help) const;
+  // An old name of a command: whoever uses it is told the new one.
+  void renamed(const std::string& old_name, const std::string& new_name) const;
+  // Examples and exit codes, below the options.
+  void footer(const std::string& text) const;
+  void needs_subcommand() const;
+  // What is done once the whole line is understood; the result is the exit code.
+  void runs(std::function<int()> action) const;
+
+ private:
+  CLI::App* app_;
+  std::function<int()>* action_;
+};
+
+struct Command {
+  const char* name;
+  const char* help;  // one line
+};
+
+inline constexpr std::array kCommands{
+    Command{"run", "Run the simulated robot headless, faster than real time, and report"},
+    Command{"api", "The robot API's reference"},
+    Command{"serve", "Serve the simulated robot in paced real time, with the robot API"},
+    Command{"dev", "Watch a plug-in's sources; put each new build into the walking robot"},
+    Command{"ctl", "Command a running robot, and change its plug-ins"},
+    Command{"new-plugin", "Write the project of a plug-in of your own"},
+    Command{"plugins", "List the plug-ins with their topics and parameters"},
+    Command{"check-plugin", "Check that a plug-in keeps the rules; for its author and for CI"},
+    Command{"bus", "Analyse and describe the robot's CAN bus"},
+    Command{"measure", "Measure how well the simulated robot does"},
+    Command{"motion", "Key-frame motions: list, show, plan, check, draw and prepare them"},
+    Command{"calibrate",
+            "Find joint zeros, trunk and force cells from standing poses, and how sure they are"}};
+
+// Declares the command of that name, with its line of help.
+[[nodiscard]] CommandLine add_command(const CommandLine& program, std::string_view name);
+
+// Parses the line by what `declare` adds to the program, and runs the command that was given. Returns the
+// exit code.
+int run_program(int argc, char** argv, void (*declare)(const CommandLine& program));
+
+}  // namespace gaitway::tools
