@@ -12,7 +12,7 @@ from served_robot import COMMAND, ServedRobot, until
 
 class ServedCommands(unittest.TestCase):
     def run_ctl(self, *arguments):
-        return subprocess.run([COMMAND, "ctl", "--url", f"ws://127.0.0.1:{self.robot.port}", *arguments], capture_output=True,
+        return subprocess.run([COMMAND, "ctl", "--port", str(self.robot.port), *arguments], capture_output=True,
                               text=True, timeout=120)
 
     def ctl(self, *arguments, code=0):
@@ -24,19 +24,20 @@ class ServedCommands(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="gaitway_commands_") as folder:
             with ServedRobot("--seed", "3", speed=4.0) as self.robot:
                 self.assertIn("/joint_states", self.ctl("topics"))
-                self.assertIn("trajectory", self.ctl("plugins"))
+                self.assertIn("trajectory", self.ctl("plugin", "list"))
                 joints = [json.loads(line) for line in self.ctl("echo", "/joint_states", "--count", "3").splitlines()]
                 self.assertEqual([len(message["name"]) for message in joints], [22, 22, 22])
-                self.assertIn("com_height", self.ctl("parameters", "trajectory"))
+                self.assertIn("com_height", self.ctl("plugin", "parameters", "trajectory"))
                 self.ctl("walk", "0.12,0,0.1", "--seconds", "2")
-                self.ctl("record", "walk")
-                self.ctl("record-stop")
+                self.ctl("recording", "start", "walk")
+                self.ctl("recording", "stop")
                 self.assertIn("there is no motion 'jump'", self.ctl("play", "jump", code=2))
                 # It may still be taking its last steps, and is asked again then.
                 until(lambda: self.run_ctl("play", "wave").returncode == 0, "the wave's beginning")
                 self.assertIn("left_knie", self.ctl("move-joint", "left_knie", "0.3", code=2))
                 self.ctl("walk", "9", code=1)
-                self.ctl("halt")
+                self.ctl("stop")
+                self.assertIn("gaitway ctl plugin stop stability", self.ctl("stop", "stability", code=1))
                 self.ctl("emergency-stop")
                 self.ctl("stand", "--no-such-option", code=1)
                 self.robot.stop()

@@ -235,7 +235,7 @@ TEST_F(RealTime, PlugInsAreReplacedFromTheCommandLineWhileTheRobotWalks) {
   const auto message_controller = start_message_controller("0.15,0,0");
   const auto main_controller = start_main_controller();
   const auto ctl = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"ctl", "--socket", path("memory")});
+    arguments.insert(arguments.begin(), {"ctl", "--socket", path("memory"), "plugin"});
     Process command(GAITWAY_COMMAND, folder / "ctl.txt", arguments);
     const int code = command.wait();
     return std::to_string(code) + " " + command.output();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -279,7 +280,7 @@ TEST_F(BadInput, ScenarioPushesAndFaultsThatCannotBe) {
 
 TEST_F(BadInput, OptionsThatCannotBe) {
   expect_refused("--walk 5", {"walk command 5", "at most 1 m/s"});
-  expect_refused("--walk nan", {"walk command nan"});
+  expect_refused("--walk nan", {"--walk nan: must be a number"});
   expect_refused("--walk 0.1,0,0,0", {"--walk", "VX[,VY[,WZ]]"});
   expect_refused("--walk fast", {"--walk", "fast"});
   expect_refused("--seconds 0", {"--seconds 0"});
@@ -288,8 +289,11 @@ TEST_F(BadInput, OptionsThatCannotBe) {
   expect_refused("--seconds long", {"--seconds", "long"});
   expect_refused("--film 3", {"--film", "FROM,TO"});
   expect_refused("--film 3,2", {"--film", "FROM,TO"});
-  expect_refused("--film 0,nan", {"--film", "FROM,TO"});
-  expect_refused("--seed -1", {"--seed", "-1"});
+  expect_refused("--film 0,nan", {"--film nan: must be a number"});
+  expect_refused("--seed -1", {"--seed -1: must be a whole number from 0 to 18446744073709551615"});
+  expect_refused("--seed 1e20", {"--seed 1e20: must be a whole number"});
+  expect_refused("--seed 100000000000000000000", {"--seed 100000000000000000000: must be a whole number"});
+  expect_refused("--mismatch nan", {"--mismatch nan: must be a number"});
   expect_refused("--mismatch -1", {"--mismatch -1", "between 0 and 10"});
   expect_refused("--wlak 0.1", {"'--wlak': there is no such command or option", "Did you mean '--walk'?"});
   robot_.write("scenario.yaml", "seconds: 1\n");
@@ -312,6 +316,28 @@ TEST_F(BadInput, ServersThatMayNotBe) {
 TEST_F(BadInput, CommandsThatDoNotExist) {
   expect_refused_line("", {"subcommand is required"});
   expect_refused_line("rum", {"'rum': there is no such command or option", "Did you mean 'run'?"});
+  EXPECT_EQ(std::count(complaint_.begin(), complaint_.end(), '\n'), 1) << complaint_;
+  expect_refused_line("ctl reload sway", {"'gaitway ctl reload' is called 'gaitway ctl plugin reload'"});
+  expect_refused_line("ctl --port 9390 stop stability", {"'gaitway ctl plugin stop stability'"});
+  expect_refused_line("ctl --socket /no/such/socket stop", {"--socket reaches the plug-in manager alone"});
+}
+
+// Each command's program is found beside this one, and says what it does and shows how.
+TEST_F(BadInput, EveryCommandExplainsItself) {
+  for (const char* const command : {"run", "api", "serve", "dev", "ctl", "new-plugin", "plugins",
+                                    "check-plugin", "bus", "measure", "motion", "calibrate", "ctl walk",
+                                    "ctl stop", "ctl release", "ctl plugin set", "ctl recording start"}) {
+    EXPECT_EQ(run(std::string(command) + " --help"), 0) << complaint_;
+    const std::string said = text_of(file("said"));
+    EXPECT_THAT(said, testing::HasSubstr("Example")) << command;
+    EXPECT_THAT(said, testing::HasSubstr("  gaitway " + std::string(command))) << command;
+  }
+}
+
+TEST_F(BadInput, ACommandWhoseProgramIsMissingSaysHowToBuildIt) {
+  std::filesystem::copy_file(GAITWAY_COMMAND, file("gaitway"));
+  EXPECT_NE(std::system((quoted(file("gaitway")) + " bus --help 2>" + quoted(file("complaint"))).c_str()), 0);
+  EXPECT_THAT(text_of(file("complaint")), testing::HasSubstr("./dev gaitway bus"));
 }
 
 TEST_F(BadInput, AFolderForResultsThatCannotBeWritten) {

@@ -33,7 +33,8 @@ void declare(const CommandLine& app) {
       "Examples:\n"
       "  gaitway api document --out docs\n"
       "Exit code: 0 written, 1 the folder cannot be written to.");
-  command.runs([given] { return document_api(*given); });
+  command.footer("Example:\n  gaitway api document --out docs");
+  document.runs([given] { return document_api(*given); });
 }
 
 }  // namespace

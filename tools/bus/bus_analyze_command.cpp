@@ -236,7 +236,6 @@ void add_bus_analyze(const CommandLine& bus) {
       "analyze", "Worst response of every message against its deadline, and what else would fit");
   options.robot = process::default_robot_directory();
   const Option robot = command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
-  robot;
   const Option profile =
       command.option("--profile", options.profile,
                      "Messages of the robot's bus: full or paper. Without it, what its network file says");

@@ -20,6 +20,7 @@
 #include "gaitway/process/installation.hpp"
 #include "gaitway/trajectory/motion_table_file.hpp"
 #include "tools/command_line.hpp"
+#include "tools/motion/motion_picture.hpp"
 
 namespace gaitway::tools {
 namespace {
