@@ -21,7 +21,7 @@ PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainCo
           .injected_faults = options.injected_faults,
           .step_watch = options.step_watch,
           .try_at_start = options.try_at_start,
-          .left_out = options.left_out,
+          .stopped = options.stopped,
           .memory_socket = options.memory_socket};
 }
 
@@ -31,7 +31,7 @@ std::size_t bytes_over_emi(const PluginManager& manager) {
   for (const StandardTopic& topic : kStandardTopics) {
     const bool always =
         topic.name == "joint_states" || topic.name == "network_state" || topic.name == "network_health";
-    if (topic.writer == "message_controller" && (always || manager.uses(topic.name))) {
+    if (topic.writer == "message_controller" && (always || manager.plugins().uses(topic.name))) {
       bytes += topic.type->size;
     }
   }
@@ -140,7 +140,8 @@ void MainController::post_trim(const Tick& tick, TickReport& report) noexcept {
 void MainController::prepare_batch(const Tick& tick, TickReport& report) noexcept {
   HandOverOutcome outcome = hand_over(tick, report);
   const bool is_missed = outcome == HandOverOutcome::nothing && had_plan_;
-  if ((outcome == HandOverOutcome::unusable || is_missed) && manager_.is_trial_to_blame("joint_plan") &&
+  if ((outcome == HandOverOutcome::unusable || is_missed) &&
+      manager_.changes().is_trial_to_blame("joint_plan") &&
       manager_.take_trial_back(tick, last_refusal_.data())) {
     post_trim(tick, report);
     outcome = hand_over(tick, report);

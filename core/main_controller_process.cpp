@@ -18,7 +18,7 @@
 #include "gaitway/core/supervisor.hpp"
 #include "gaitway/input/number_option.hpp"
 #include "gaitway/input/text.hpp"
-#include "gaitway/manager/plugin_workshop.hpp"
+#include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/manager/step_watch.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/process/real_time.hpp"
@@ -140,7 +140,7 @@ int run(Options options) {
   options.controller.plugins = core::read_configuration(options.controller.configuration);
   for (const core::PluginEntry& plugin : options.controller.plugins->plugins) {
     if (std::find(options.culprits.begin(), options.culprits.end(), plugin.name) != options.culprits.end()) {
-      options.controller.left_out.push_back(plugin.name);
+      options.controller.stopped.push_back(plugin.name);
     }
   }
   options.controller.wall_time_decides = true;
@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
   app.add_flag("--quiet", options.quiet, "No events and no summary");
-  app.add_option("--without", options.controller.left_out,
+  app.add_option("--without", options.controller.stopped,
                  "Plug-ins of the configuration that are not loaded; built-in fallbacks write their topics")
       ->allow_extra_args(false);
   app.add_flag("--supervised", options.supervised,

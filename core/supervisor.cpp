@@ -23,7 +23,7 @@
 namespace gaitway::core {
 namespace {
 
-constexpr std::int64_t kLook_ns = 20'000'000;           // between two looks at the ticks
+constexpr std::int64_t kBetweenLooks_ns = 20'000'000;   // between two looks at the ticks
 constexpr int kExitSignal = 128;                        // and the signal's number
 constexpr std::int64_t kLongestEnd_ns = 5'000'000'000;  // from SIGTERM to the end
 
@@ -41,13 +41,13 @@ struct Death {
 class Worker {
  public:
   // Delegates, so that the process is ended also where something throws after its start.
-  Worker(const SupervisorOptions& options, const std::vector<std::string>& left_out)
+  Worker(const SupervisorOptions& options, const std::vector<std::string>& stopped)
       : Worker(StepWatch::make()) {
     std::vector<std::string> arguments{options.program};
     arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
     arguments.insert(arguments.end(), {"--step-watch", std::to_string(watch_.descriptor()), "--supervisor",
                                        std::to_string(getpid())});
-    for (const std::string& name : left_out) {
+    for (const std::string& name : stopped) {
       arguments.insert(arguments.end(), {"--culprit", name});
     }
     spawn(arguments);
@@ -129,7 +129,7 @@ class Supervisor {
 
   int run() {
     while (true) {
-      Worker worker(options_, left_out_);
+      Worker worker(options_, stopped_);
       const Death death = watch(worker);
       if (death.signal == 0) {
         return death.exit_code;
@@ -151,7 +151,7 @@ class Supervisor {
     std::int64_t progress_ns = process::monotonic_ns();
     while (true) {
       const std::int64_t now_ns = process::monotonic_ns();
-      if (worker.has_ended(now_ns + kLook_ns)) {
+      if (worker.has_ended(now_ns + kBetweenLooks_ns)) {
         return worker.take_death();
       }
       if (process::stop_requested()) {
@@ -215,17 +215,17 @@ class Supervisor {
           deaths_ns_.size(), kRestartWindow_ns / 1'000'000'000);
       return false;
     }
-    const bool known = std::find(left_out_.begin(), left_out_.end(), death.plugin) != left_out_.end();
+    const bool known = std::find(stopped_.begin(), stopped_.end(), death.plugin) != stopped_.end();
     if (!death.plugin.empty() && !known) {
-      left_out_.push_back(death.plugin);
+      stopped_.push_back(death.plugin);
     }
     fmt::print(stderr, "main_controller: started again{}\n",
-               left_out_.empty() ? "" : fmt::format(", without '{}'", fmt::join(left_out_, "', '")));
+               stopped_.empty() ? "" : fmt::format(", without '{}'", fmt::join(stopped_, "', '")));
     return true;
   }
 
   const SupervisorOptions& options_;
-  std::vector<std::string> left_out_;
+  std::vector<std::string> stopped_;
   std::vector<std::int64_t> deaths_ns_;
   std::int64_t died_ns_ = 0;
 };

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/manager/wall_clock.hpp"
+#include "gaitway/manager/manager_options.hpp"
 
 namespace gaitway::core {
 

@@ -6,7 +6,7 @@
 namespace gaitway::core {
 
 std::string_view service_state_name(ServiceState state) noexcept {
-  constexpr std::array<std::string_view, 4> kNames{"works", "failing", "out of service", "left out"};
+  constexpr std::array<std::string_view, 4> kNames{"works", "failing", "out of service", "stopped"};
   return kNames[static_cast<std::size_t>(state)];
 }
 
@@ -66,7 +66,7 @@ std::uint64_t Containment::note_success(const Tick& tick) noexcept {
   const std::uint64_t ended = in_a_row_;
   in_a_row_ = ruled_in_a_row_ = 0;
   recovery_ = Recovery::not_needed;
-  if (state_ != ServiceState::left_out) {
+  if (state_ != ServiceState::stopped) {
     state_ = ServiceState::works;
     fallbacks_.follow(tick);
   }

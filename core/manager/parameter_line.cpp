@@ -1,5 +1,5 @@
 // Written again with less until it fits.
-#include "parameter_line.hpp"
+#include "gaitway/manager/parameter_set.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,6 @@
 #include <cstring>
 #include <utility>
 
-#include "parameter_line.hpp"
-
 namespace gaitway::core {
 namespace {
 
@@ -28,17 +26,17 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
   const std::string library = text_of(request.library);
   switch (static_cast<PluginVerb>(request.verb)) {
     case PluginVerb::reload:
-      return manager.prepare_reload(plugin, library);
+      return manager.changes().prepare_reload(plugin, library);
     case PluginVerb::load:
-      return manager.prepare_addition(
+      return manager.changes().prepare_addition(
           {.name = plugin,
            .library = library.empty() ? fmt::format("libgaitway_plugin_{}.so", plugin) : library});
     case PluginVerb::unload:
-      return manager.prepare_removal(plugin);
+      return manager.changes().prepare_removal(plugin);
     case PluginVerb::stop:
-      return manager.prepare_stop(plugin);
+      return manager.changes().prepare_stop(plugin);
     case PluginVerb::start:
-      return manager.prepare_start(plugin);
+      return manager.changes().prepare_start(plugin);
     case PluginVerb::set:
     case PluginVerb::describe_parameter:
       break;
@@ -52,7 +50,7 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
 void require_allowed_over_network(const PluginRequest& request, const PluginManager& manager) {
   const std::string plugin = text_of(request.plugin);
   const auto verb = static_cast<PluginVerb>(request.verb);
-  if ((verb == PluginVerb::unload || verb == PluginVerb::stop) && manager.serves_network(plugin)) {
+  if ((verb == PluginVerb::unload || verb == PluginVerb::stop) && manager.plugins().serves_network(plugin)) {
     throw PluginError(
         fmt::format("'{0}' serves the network, over which this came: nothing could bring it back from there. "
                     "On the robot: "
@@ -88,7 +86,7 @@ void PluginRequests::step(std::int64_t now_ns) noexcept {
   switch (stage_.load(std::memory_order_acquire)) {
     case Stage::idle:
       if (take_request()) {
-        manager_.copy_value(view_of(request_.plugin), request_.index, value_);
+        manager_.plugins().copy_value(view_of(request_.plugin), request_.index, value_);
         go_to(Stage::preparing);
       }
       break;
@@ -96,7 +94,7 @@ void PluginRequests::step(std::int64_t now_ns) noexcept {
       put_in_place();
       break;
     case Stage::scheduled:
-      if (auto result = manager_.take_result()) {
+      if (auto result = manager_.changes().take_result()) {
         done_ = result->done;
         set_text(result->text);
         change_ = std::move(result->remains);
@@ -129,11 +127,11 @@ bool PluginRequests::take_request() noexcept {
 
 void PluginRequests::put_in_place() noexcept {
   if (change_ != nullptr) {
-    manager_.schedule(std::move(change_));
+    manager_.changes().schedule(std::move(change_));
     go_to(Stage::scheduled);
     return;
   }
-  done_ = PluginManager::apply(*parameter_);
+  done_ = ChangeControl::apply(*parameter_);
   if (!done_) {
     set_text(parameter_->slot->plugin->fault());
   }
@@ -156,7 +154,7 @@ void PluginRequests::answer(std::int64_t now_ns) noexcept {
 
 std::string PluginRequests::describe_parameter() const {
   const std::string plugin = text_of(request_.plugin);
-  const auto& parameters = manager_.parameters_of(plugin).declared();
+  const auto& parameters = manager_.plugins().parameters_of(plugin).declared();
   if (request_.index >= parameters.size()) {
     throw PluginError(fmt::format("plug-in '{}' has {} parameters: there is no number {}, counted from 0",
                                   plugin, parameters.size(), request_.index));
@@ -182,8 +180,8 @@ void PluginRequests::prepare() {
         done_ = true;
         return go_to(Stage::answered);
       case PluginVerb::set:
-        parameter_ = manager_.prepare_parameter(text_of(request_.plugin), text_of(request_.parameter),
-                                                text_of(request_.value));
+        parameter_ = manager_.changes().prepare_parameter(
+            text_of(request_.plugin), text_of(request_.parameter), text_of(request_.value));
         break;
       default:
         if (from_network_) {
@@ -202,7 +200,7 @@ void PluginRequests::prepare() {
 // What is no longer needed goes.
 void PluginRequests::clear() {
   if (parameter_ && done_) {
-    PluginManager::keep(*parameter_);
+    ChangeControl::keep(*parameter_);
     set_text(fmt::format("{} is {} from now on", parameter_->parameter, parameter_->text));
   }
   parameter_.reset();

@@ -1,4 +1,4 @@
-// In the place of a plug-in that was left out at the start or stopped since: nothing is loaded; built-in
+// In the place of a plug-in that is stopped, since the start or later: nothing is loaded; built-in
 // fallbacks write the topics that the others miss.
 #pragma once
 
@@ -22,7 +22,7 @@ class StandIn final : public ManagedPlugin {
   bool save_state(PluginState& state) noexcept override;
   bool restore_state(const PluginState&) noexcept override { return true; }
   bool set_parameter(const char*, const gaitway_value&) noexcept override;
-  [[nodiscard]] std::string_view version() const noexcept override { return "left out"; }
+  [[nodiscard]] std::string_view version() const noexcept override { return "nothing"; }
 
   // What it is to write: standard topics that nobody else does and that a fallback can write. Of the kind
   // that `entry` names; else those whose standard writer has its name; else those that a loaded plug-in

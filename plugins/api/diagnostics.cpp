@@ -73,7 +73,7 @@ constexpr std::array kPluginConditions{
     PluginCondition{Level::ok, "works"},
     PluginCondition{Level::warning, "failed in its last step"},
     PluginCondition{Level::error, "out of service"},
-    PluginCondition{Level::warning, "stopped, or left out at the start"},
+    PluginCondition{Level::warning, "stopped"},
 };
 
 struct BusCondition {

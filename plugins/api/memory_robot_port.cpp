@@ -53,7 +53,7 @@ UserCommand command_of(Kind kind) noexcept {
 }
 
 std::string state_text(std::uint32_t state) {
-  constexpr std::array<const char*, 4> kNames{"works", "failing", "out of service", "left out"};
+  constexpr std::array<const char*, 4> kNames{"works", "failing", "out of service", "stopped"};
   return state < kNames.size() ? kNames[state] : "unknown";
 }
 

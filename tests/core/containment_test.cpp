@@ -254,20 +254,20 @@ TEST_F(ContainmentTest, PluginThatFailedBeforeIsNotBlamedOnAChange) {
   for (; next <= 5;) {
     step();
   }
-  ASSERT_TRUE(manager->schedule(manager->prepare_reload("reader")));
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload("reader")));
   step();
   ASSERT_NE(manager->fault_behind("copy"), nullptr);
-  EXPECT_FALSE(manager->is_trial_to_blame("copy"));
+  EXPECT_FALSE(manager->changes().is_trial_to_blame("copy"));
   order(false);
   step();
-  (void)manager->take_result();
+  (void)manager->changes().take_result();
   for (; next <= 13;) {
     step();
   }
-  ASSERT_TRUE(manager->schedule(manager->prepare_reload("reader")));
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload("reader")));
   order(true);
   step();
-  EXPECT_TRUE(manager->is_trial_to_blame("copy")) << "it fails for the first time with the new one";
+  EXPECT_TRUE(manager->changes().is_trial_to_blame("copy")) << "it fails for the first time with the new one";
 }
 
 TEST_F(ContainmentTest, WhoeverIsLeftOutHasAStandInWhateverItsFallback) {
@@ -277,7 +277,7 @@ TEST_F(ContainmentTest, WhoeverIsLeftOutHasAStandInWhateverItsFallback) {
     PluginManagerOptions options;
     options.robot_directory = GAITWAY_TEST_ROBOT;
     options.plugin_path = {GAITWAY_TEST_PLUGINS};
-    options.left_out = {"balance"};
+    options.stopped = {"balance"};
     PluginManager alone(
         parse_configuration("plugins:\n  - {name: balance, library: nowhere.so, fallback: " +
                                 std::string(fallback) + "}\n" + relay("reader", "from: correction, to: copy"),
@@ -293,7 +293,7 @@ TEST_F(ContainmentTest, LeftOutPluginIsStoodInForFromTheStart) {
   PluginManagerOptions options;
   options.robot_directory = GAITWAY_TEST_ROBOT;
   options.plugin_path = {GAITWAY_TEST_PLUGINS};
-  options.left_out = {"balance"};
+  options.stopped = {"balance"};
   manager = std::make_unique<PluginManager>(
       parse_configuration("plugins:\n  - {name: balance, library: nowhere.so}\n" +
                               relay("reader", "from: correction, to: copy"),
@@ -302,9 +302,9 @@ TEST_F(ContainmentTest, LeftOutPluginIsStoodInForFromTheStart) {
   EXPECT_EQ(step(), 0);
   EXPECT_EQ(correction().stamp_ns, tick(1).now_ns);
   EXPECT_EQ(correction().turn_rate_offset, 0.0);
-  EXPECT_EQ(manager->timings()[0].state, ServiceState::left_out);
-  EXPECT_THAT(texts(EventKind::warning), testing::ElementsAre("left out; fallbacks write correction, trim"));
-  options.left_out = {"balanc"};
+  EXPECT_EQ(manager->timings()[0].state, ServiceState::stopped);
+  EXPECT_THAT(texts(EventKind::warning), testing::ElementsAre("stopped; fallbacks write correction, trim"));
+  options.stopped = {"balanc"};
   msgclient::MemoryBlock empty;
   msgclient::Client alone = empty.local_client("main_controller");
   EXPECT_THROW(PluginManager(parse_configuration("plugins:\n  - {name: balance, library: nowhere.so}\n", "t"),

@@ -24,7 +24,7 @@ class EstimateFallbackTest : public PluginFixture {
     }
     PluginManagerOptions options;
     options.robot_directory = GAITWAY_TEST_ROBOT;
-    options.left_out = {"zmp"};
+    options.stopped = {"zmp"};
     manager = std::make_unique<PluginManager>(
         parse_configuration("plugins:\n  - {name: zmp, library: nowhere.so}\n", "test.yaml"), options,
         client);

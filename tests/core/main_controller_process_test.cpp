@@ -171,7 +171,7 @@ TEST_F(MainControllerProcess, AfterACrashItIsStartedAgainWithoutThePluginThatWas
   EXPECT_EQ(serve(10.0), 0) << output();
 }
 
-// Before the first tick, too, a plug-in that takes the process down is left out at the next start.
+// Before the first tick, too, a plug-in that takes the process down is stopped at the next start.
 TEST_F(MainControllerProcess, AfterACrashInActivateItIsStartedAgainWithoutThatPlugin) {
   configure("  - {name: active, library: crashes.so, parameters: {in_activate: true, signal: 6}}\n");
   launch_supervised();

@@ -142,11 +142,11 @@ TEST_F(MainControllerTest, NewPlannerWithoutAPlanFailsItsTrialAndTheOldOnePlansO
   answer(msgclient::Verdict::accepted);
   PluginManager& plugins = controller->plugins();
   for (const char* const defect : {"silent", "old_sequence"}) {
-    ASSERT_TRUE(plugins.schedule(plugins.prepare_replacement(
+    ASSERT_TRUE(plugins.changes().schedule(plugins.changes().prepare_replacement(
         {.name = "planner", .library = "joint_planner.so", .parameters = {{"defect", defect, 0}}})));
     EXPECT_TRUE(batch_tick().handed_over) << defect;
     answer(msgclient::Verdict::accepted);
-    const auto result = plugins.take_result();
+    const auto result = plugins.changes().take_result();
     ASSERT_TRUE(result);
     EXPECT_FALSE(result->done) << result->text;
     EXPECT_THAT(std::string(result->text), HasSubstr("no plug-in has a plan for it"));
@@ -161,12 +161,13 @@ TEST_F(MainControllerTest, PlugInThatIsNotBehindThePlanIsNotToBlameForIt) {
   ASSERT_TRUE(batch_tick().handed_over);
   answer(msgclient::Verdict::accepted);
   PluginManager& plugins = controller->plugins();
-  ASSERT_TRUE(plugins.schedule(plugins.prepare_addition({.name = "counter", .library = "counter.so"})));
+  ASSERT_TRUE(plugins.changes().schedule(
+      plugins.changes().prepare_addition({.name = "counter", .library = "counter.so"})));
   states.joint_count = 0;
   network.mode = 0;
   publish();
   batch_tick();
-  const auto result = plugins.take_result();
+  const auto result = plugins.changes().take_result();
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->done) << result->text;
 }

@@ -1,5 +1,5 @@
 // A parameter in one line, however much there is to say of it.
-#include "parameter_line.hpp"
+#include "gaitway/manager/parameter_set.hpp"
 
 #include <gtest/gtest.h>
 

@@ -60,10 +60,11 @@ class PluginChangeTest : public PluginFixture {
 TEST_F(PluginChangeTest, TheNewOneGoesOnFromTheStateOfTheOldAtABatchEdge) {
   const auto manager = load(counter("c", "") + relay("r", "from: out, to: copy"));
   EXPECT_THAT(run(*manager, 4, 4), ElementsAre(1));
-  ASSERT_TRUE(manager->schedule(manager->prepare_replacement(entry(counter("c", "offset: 100 m")))));
+  ASSERT_TRUE(manager->changes().schedule(
+      manager->changes().prepare_replacement(entry(counter("c", "offset: 100 m")))));
   EXPECT_THAT(run(*manager, 5, 7), ElementsAre(2, 103, 104));
   EXPECT_EQ(value("copy"), 104) << "those that depend on it see the new one's value in the same tick";
-  const auto result = manager->take_result();
+  const auto result = manager->changes().take_result();
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->done) << result->text;
   EXPECT_THAT(result->text, HasSubstr("8 bytes of state handed on"));
@@ -73,10 +74,10 @@ TEST_F(PluginChangeTest, TheNewOneGoesOnFromTheStateOfTheOldAtABatchEdge) {
 TEST_F(PluginChangeTest, AHundredTimesInARow) {
   const auto manager = load(counter("c", ""));
   for (std::uint32_t batch = 0; batch < 100; ++batch) {
-    ASSERT_TRUE(manager->schedule(manager->prepare_replacement(entry(counter("c", "")))));
+    ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_replacement(entry(counter("c", "")))));
     const std::uint32_t first = batch * 8;
     ASSERT_EQ(run(*manager, first, first + 7).back(), first + 8.0);
-    ASSERT_TRUE(manager->take_result()->done);
+    ASSERT_TRUE(manager->changes().take_result()->done);
   }
 }
 
@@ -86,9 +87,10 @@ TEST_F(PluginChangeTest, StateOfAnotherVersionOrSizeIsRefusedAndTheOldOneGoesOn)
        {std::pair{"state_version: 2", "takes over state of version 2, but was handed version 1"},
         std::pair{"longer_state: true", "is too short"}}) {
     const double before = run(*manager, 5, 5).front();
-    ASSERT_TRUE(manager->schedule(manager->prepare_replacement(entry(counter("c", parameters)))));
+    ASSERT_TRUE(
+        manager->changes().schedule(manager->changes().prepare_replacement(entry(counter("c", parameters)))));
     EXPECT_THAT(run(*manager, 6, 7), ElementsAre(before + 1, before + 2));
-    const auto result = manager->take_result();
+    const auto result = manager->changes().take_result();
     ASSERT_TRUE(result);
     EXPECT_FALSE(result->done);
     EXPECT_THAT(result->text, AllOf(HasSubstr("refuses the state"), HasSubstr(reason)));
@@ -106,10 +108,10 @@ TEST_F(PluginChangeTest, EveryVersionMayReportUntilItIsDestroyed) {
     }
     return texts;
   };
-  ASSERT_TRUE(manager->schedule(
-      manager->prepare_replacement(entry(counter("c", "state_version: 2, reports: true")))));
+  ASSERT_TRUE(manager->changes().schedule(
+      manager->changes().prepare_replacement(entry(counter("c", "state_version: 2, reports: true")))));
   run(*manager, 6, 6);
-  EXPECT_FALSE(manager->take_result()->done) << "it is destroyed here, and has its say";
+  EXPECT_FALSE(manager->changes().take_result()->done) << "it is destroyed here, and has its say";
   run(*manager, 7, 7);
   EXPECT_THAT(told(), ElementsAre("activated", "deactivated", "destroyed"));
 }
@@ -122,7 +124,7 @@ TEST_F(PluginChangeTest, WhoLeavesReportsFromTheOtherThreadAndNoEventIsLost) {
   std::atomic<PluginChange*> remains = nullptr;
   std::thread workshop([&] {
     for (int i = 0; i < kChanges; ++i) {
-      prepared.store(manager->prepare_reload("c").release());
+      prepared.store(manager->changes().prepare_reload("c").release());
       prepared.notify_one();
       remains.wait(nullptr);
       delete remains.exchange(nullptr);
@@ -139,9 +141,9 @@ TEST_F(PluginChangeTest, WhoLeavesReportsFromTheOtherThreadAndNoEventIsLost) {
   for (std::uint32_t number = 1; done < kChanges; ++number) {
     manager->step(tick(number));
     if (PluginChange* const change = prepared.exchange(nullptr)) {
-      ASSERT_TRUE(manager->schedule(std::unique_ptr<PluginChange>(change)));
+      ASSERT_TRUE(manager->changes().schedule(std::unique_ptr<PluginChange>(change)));
     }
-    if (auto result = manager->take_result()) {
+    if (auto result = manager->changes().take_result()) {
       EXPECT_TRUE(result->done) << result->text;
       ++done;
       remains.store(result->remains.release());
@@ -162,11 +164,11 @@ TEST_F(PluginChangeTest, WhoLeavesReportsFromTheOtherThreadAndNoEventIsLost) {
 TEST_F(PluginChangeTest, OneThatFailsInItsFirstStepIsTakenBackInTheSameTick) {
   const auto manager = load(counter("c", "") + relay("r", "from: out, to: copy"));
   run(*manager, 5, 5);
-  ASSERT_TRUE(
-      manager->schedule(manager->prepare_replacement(entry(counter("c", "failing_step: 1, offset: 100 m")))));
+  ASSERT_TRUE(manager->changes().schedule(
+      manager->changes().prepare_replacement(entry(counter("c", "failing_step: 1, offset: 100 m")))));
   EXPECT_THAT(run(*manager, 6, 7), ElementsAre(2, 3)) << "no step of the old one is left out";
   EXPECT_EQ(value("copy"), 3);
-  const auto result = manager->take_result();
+  const auto result = manager->changes().take_result();
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->done);
   EXPECT_THAT(result->text, HasSubstr("the new one failed in its first step: cannot count"));
@@ -176,13 +178,14 @@ TEST_F(PluginChangeTest, OneThatFailsInItsFirstStepIsTakenBackInTheSameTick) {
 TEST_F(PluginChangeTest, OneWhoseWorkIsOfNoUseIsTakenBackWithAllThatDependsOnIt) {
   const auto manager = load(counter("c", "") + relay("r", "from: out, to: copy") + counter("other", "to: x"));
   run(*manager, 5, 5);
-  ASSERT_TRUE(manager->schedule(manager->prepare_replacement(entry(counter("c", "offset: 100 m")))));
+  ASSERT_TRUE(manager->changes().schedule(
+      manager->changes().prepare_replacement(entry(counter("c", "offset: 100 m")))));
   manager->step(tick(6));
   EXPECT_EQ(value("copy"), 102);
   EXPECT_TRUE(manager->take_trial_back(tick(6), "the plan breaks a rule"));
   EXPECT_EQ(value("copy"), 2);
   EXPECT_EQ(value("x"), 2) << "who does not depend on it is not stepped again";
-  const auto result = manager->take_result();
+  const auto result = manager->changes().take_result();
   ASSERT_TRUE(result);
   EXPECT_THAT(result->text, HasSubstr("the plan breaks a rule"));
   EXPECT_FALSE(manager->take_trial_back(tick(7), "nothing is on trial"));
@@ -192,7 +195,7 @@ TEST_F(PluginChangeTest, OneWhoseWorkIsOfNoUseIsTakenBackWithAllThatDependsOnIt)
 TEST_F(PluginChangeTest, WhatCannotBePreparedChangesNothing) {
   const auto manager = load(counter("c", "") + relay("r", "from: out, to: copy"));
   const auto prepare = [&](const std::string& plugin) {
-    return complaint([&] { (void)manager->prepare_replacement(entry(plugin)); });
+    return complaint([&] { (void)manager->changes().prepare_replacement(entry(plugin)); });
   };
   EXPECT_THAT(prepare(counter("c", "throws: true")), HasSubstr("no room for a counter"));
   EXPECT_THAT(prepare(counter("c", "offest: 1 m")), HasSubstr("Did you mean 'offset'?"));
@@ -203,8 +206,9 @@ TEST_F(PluginChangeTest, WhatCannotBePreparedChangesNothing) {
   EXPECT_THAT(prepare(counter("c", "to: elsewhere")),
               HasSubstr("'r' reads topic 'out', but nobody writes it"));
   EXPECT_THAT(prepare(counter("second", "")), HasSubstr("two writers"));
-  EXPECT_THAT(complaint([&] { (void)manager->prepare_removal("c"); }), HasSubstr("nobody writes it"));
-  EXPECT_THAT(complaint([&] { (void)manager->prepare_removal("d"); }), HasSubstr("no plug-in 'd'"));
+  EXPECT_THAT(complaint([&] { (void)manager->changes().prepare_removal("c"); }),
+              HasSubstr("nobody writes it"));
+  EXPECT_THAT(complaint([&] { (void)manager->changes().prepare_removal("d"); }), HasSubstr("no plug-in 'd'"));
   EXPECT_THAT(run(*manager, 5, 7, "copy"), ElementsAre(1, 2, 3));
 }
 
@@ -214,7 +218,7 @@ TEST_F(PluginChangeTest, OneThatCrashesOrHangsIsRefusedAndTheOldOneGoesOn) {
   const auto manager = load(counter("c", ""));
   const auto prepare = [&](const std::string& library, const std::string& parameters) {
     return complaint([&] {
-      (void)manager->prepare_replacement(
+      (void)manager->changes().prepare_replacement(
           entry("  - {name: c, library: " + library + ".so, parameters: {" + parameters + "}}\n"));
     });
   };
@@ -241,33 +245,38 @@ TEST_F(PluginChangeTest, AtTheStartTooOneThatCrashesOrHangsIsRefusedWhenAskedFor
 
 TEST_F(PluginChangeTest, PlugInsComeAndGo) {
   const auto manager = load(counter("c", ""));
-  ASSERT_TRUE(manager->schedule(manager->prepare_replacement(entry(relay("r", "from: out, to: copy")))));
-  EXPECT_FALSE(manager->schedule(manager->prepare_removal("c"))) << "one change at a time";
+  ASSERT_TRUE(manager->changes().schedule(
+      manager->changes().prepare_replacement(entry(relay("r", "from: out, to: copy")))));
+  EXPECT_FALSE(manager->changes().schedule(manager->changes().prepare_removal("c")))
+      << "one change at a time";
   run(*manager, 5, 6);
   EXPECT_EQ(value("copy"), 2);
-  EXPECT_FALSE(manager->take_result()) << "on trial";
+  EXPECT_FALSE(manager->changes().take_result()) << "on trial";
   run(*manager, 7, 7);
-  EXPECT_TRUE(manager->take_result()) << "the trial ends with the next step at the latest";
+  EXPECT_TRUE(manager->changes().take_result()) << "the trial ends with the next step at the latest";
   EXPECT_THAT(names(*manager), ElementsAre("c", "r"));
 }
 
 TEST_F(PluginChangeTest, LiveParametersChangeBetweenTwoSteps) {
   const auto manager = load(counter("c", ""));
   run(*manager, 1, 1);
-  manager->set_parameter("c", "offset", "0.5 m");
+  manager->changes().set_parameter("c", "offset", "0.5 m");
   EXPECT_THAT(run(*manager, 2, 2), ElementsAre(2.5));
-  ASSERT_TRUE(manager->schedule(manager->prepare_reload("c")));
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload("c")));
   EXPECT_THAT(run(*manager, 6, 6), ElementsAre(3.5)) << "a reload keeps it";
-  ASSERT_TRUE(manager->take_result() || (manager->end_trial(tick(6)), manager->take_result()));
-  EXPECT_THAT(complaint([&] { (void)manager->prepare_addition(entry(counter("c", ""))); }),
+  ASSERT_TRUE(manager->changes().take_result() ||
+              (manager->end_trial(tick(6)), manager->changes().take_result()));
+  EXPECT_THAT(complaint([&] { (void)manager->changes().prepare_addition(entry(counter("c", ""))); }),
               HasSubstr("there is a plug-in 'c' already"));
-  EXPECT_THAT(complaint([&] { manager->set_parameter("c", "offset", "11000 m"); }),
+  EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "offset", "11000 m"); }),
               HasSubstr("must be from -10 to 10000 m"));
-  EXPECT_THAT(complaint([&] { manager->set_parameter("c", "offset", "50 mm"); }), HasSubstr("Convert it"));
-  EXPECT_THAT(complaint([&] { manager->set_parameter("c", "offst", "1"); }), HasSubstr("'offset'"));
-  EXPECT_THAT(complaint([&] { manager->set_parameter("c", "throws", "true"); }),
+  EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "offset", "50 mm"); }),
+              HasSubstr("Convert it"));
+  EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "offst", "1"); }), HasSubstr("'offset'"));
+  EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "throws", "true"); }),
               HasSubstr("does not change while the plug-in runs (offset may)"));
-  EXPECT_THAT(complaint([&] { manager->set_parameter("d", "offset", "1"); }), HasSubstr("no plug-in 'd'"));
+  EXPECT_THAT(complaint([&] { manager->changes().set_parameter("d", "offset", "1"); }),
+              HasSubstr("no plug-in 'd'"));
   EXPECT_THAT(run(*manager, 7, 7), ElementsAre(4.5));
 }
 
@@ -279,13 +288,14 @@ TEST_F(PluginChangeTest, TheFileMayBeOverwrittenAndCutOffWhileItIsInUse) {
   std::filesystem::resize_file(file, 100);
   EXPECT_THAT(run(*manager, 1, 3), ElementsAre(1, 2, 3));
   EXPECT_THAT(complaint([&] {
-                (void)manager->prepare_replacement(entry("  - {name: c, library: " + file.string() + "}\n"));
+                (void)manager->changes().prepare_replacement(
+                    entry("  - {name: c, library: " + file.string() + "}\n"));
               }),
               HasSubstr("is cut off"));
   std::filesystem::copy_file(GAITWAY_TEST_PLUGINS "/counter.so", file,
                              std::filesystem::copy_options::overwrite_existing);
-  ASSERT_TRUE(manager->schedule(
-      manager->prepare_replacement(entry("  - {name: c, library: " + file.string() + "}\n"))));
+  ASSERT_TRUE(manager->changes().schedule(
+      manager->changes().prepare_replacement(entry("  - {name: c, library: " + file.string() + "}\n"))));
   EXPECT_THAT(run(*manager, 5, 6), ElementsAre(4, 5));
   std::filesystem::remove(file);
 }

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::core {
 
@@ -22,7 +22,7 @@ class PluginFixture : public testing::Test {
     options.isolation = isolation;
     options.try_at_start = try_at_start;
     options.memory_socket = memory_socket;
-    options.left_out = left_out;
+    options.stopped = stopped;
     return std::make_unique<PluginManager>(parse_configuration("plugins:\n" + plugins, "test.yaml"), options,
                                            client);
   }
@@ -42,7 +42,7 @@ class PluginFixture : public testing::Test {
   IsolationOptions isolation;
   bool try_at_start = false;
   std::filesystem::path memory_socket;
-  std::vector<std::string> left_out;
+  std::vector<std::string> stopped;
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("main_controller");
   msgclient::Client other = block.local_client("other_process");

@@ -322,13 +322,13 @@ TEST_F(ReferencePlugins, Work) {
     EXPECT_NEAR(value<LeanState>("lean").lean[1], 0.09, 1e-9);
     EXPECT_EQ(value<LeanState>("lean").warnings, 1U);
     EXPECT_NEAR(value<TrimCommand>("trim").angle[4], 0.2 * 0.09, 1e-9);
-    manager->set_parameter("lean", "gain", "0.5 rad/rad");
-    manager->set_parameter("pace", "speed", "0.2 m/s");
+    manager->changes().set_parameter("lean", "gain", "0.5 rad/rad");
+    manager->changes().set_parameter("pace", "speed", "0.2 m/s");
     ASSERT_EQ(step(*manager, 11, 0.09), 0);
     EXPECT_NEAR(value<TrimCommand>("trim").angle[4], 0.5 * 0.09, 1e-9);
     EXPECT_GT(value<WalkCommand>("walk_command").velocity[0], 0.0);
-    EXPECT_THROW(manager->set_parameter("lean", "share", "0.1"), ConfigurationError);
-    EXPECT_THROW(manager->set_parameter("pace", "speed", "300 mm/s"), ConfigurationError);
+    EXPECT_THROW(manager->changes().set_parameter("lean", "share", "0.1"), ConfigurationError);
+    EXPECT_THROW(manager->changes().set_parameter("pace", "speed", "300 mm/s"), ConfigurationError);
   }
 }
 
@@ -340,11 +340,11 @@ TEST_F(ReferencePlugins, HandTheirStateOn) {
       ASSERT_EQ(step(*manager, number, 0.09), 0);
     }
     const double speed = value<WalkCommand>("walk_command").velocity[0];
-    ASSERT_TRUE(manager->schedule(manager->prepare_reload(name)));
+    ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload(name)));
     for (; number < 8; ++number) {
       ASSERT_EQ(step(*manager, number, 0.09), 0);
     }
-    const auto result = manager->take_result();
+    const auto result = manager->changes().take_result();
     ASSERT_TRUE(result && result->done);
     EXPECT_THAT(result->text, HasSubstr("bytes of state handed on"));
     EXPECT_EQ(value<LeanState>("lean").warnings, 1U);

@@ -73,7 +73,7 @@ TEST_F(PluginManagerTest, OptionalInputOfTheTickBeforeMayBeMissingAndOrdersNothi
   EXPECT_EQ(value("b"), -1.0);
   manager->step(tick(2));
   EXPECT_EQ(value("b"), 1.0);
-  EXPECT_NO_THROW(static_cast<void>(manager->prepare_removal("source")));
+  EXPECT_NO_THROW(static_cast<void>(manager->changes().prepare_removal("source")));
 }
 
 TEST_F(PluginManagerTest, OptionalInputMayBeMissingAndOrdersWhenItIsThere) {

@@ -62,7 +62,7 @@ class PluginRequestsTest : public PluginFixture {
   }
 
   std::unique_ptr<PluginManager> manager = [this] {
-    left_out = {"api"};
+    stopped = {"api"};
     return load("  - {name: c, library: counter.so}\n" + relay("r", "from: out, to: copy") +
                 "  - {name: api, library: counter.so, isolation: process, network: serve}\n");
   }();

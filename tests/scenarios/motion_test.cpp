@@ -215,9 +215,10 @@ TEST(Motion, GoesOnToTheBitWhenPluginsAreReloaded) {
     Show show(8);
     show.play(1.6, {motion_at(1.0, "kick")});
     for (const std::string& plugin : reloaded) {
-      EXPECT_TRUE(show.run.plugins().schedule(show.run.plugins().prepare_reload(plugin, {})));
+      EXPECT_TRUE(
+          show.run.plugins().changes().schedule(show.run.plugins().changes().prepare_reload(plugin, {})));
       show.play(show.time_s() + 0.16);
-      const auto result = show.run.plugins().take_result();
+      const auto result = show.run.plugins().changes().take_result();
       EXPECT_TRUE(result && result->done) << plugin << ": " << (result ? result->text : "no answer");
     }
     show.play(4.5);

@@ -22,7 +22,7 @@ class ReloadedRun : public SimulatedRun {
   void walk_until(double end_s) {
     while (time_s() < end_s && !metrics().fell) {
       cosimulation.advance_millisecond();
-      if (const auto result = cosimulation.plugins().take_result()) {
+      if (const auto result = cosimulation.plugins().changes().take_result()) {
         done += result->done ? 1 : 0;
         last_text = result->text;
         changing = false;
@@ -31,8 +31,8 @@ class ReloadedRun : public SimulatedRun {
   }
   // At the next batch edge.
   void reload(const std::string& name, const std::string& library = {}) {
-    auto change = cosimulation.plugins().prepare_reload(name, library);
-    changing = cosimulation.plugins().schedule(std::move(change));
+    auto change = cosimulation.plugins().changes().prepare_reload(name, library);
+    changing = cosimulation.plugins().changes().schedule(std::move(change));
     ASSERT_TRUE(changing);
   }
 
@@ -82,16 +82,16 @@ TEST_P(StoppedAndStarted, RobotStaysUpAndWalksAfterwards) {
   ReloadedRun run;
   run.walk_until(4.0);
   core::PluginManager& plugins = run.cosimulation.plugins();
-  ASSERT_TRUE(plugins.schedule(plugins.prepare_stop(name)));
+  ASSERT_TRUE(plugins.changes().schedule(plugins.changes().prepare_stop(name)));
   run.walk_until(4.3);
   ASSERT_EQ(run.done, 1) << run.last_text;
-  EXPECT_THROW((void)plugins.prepare_stop(name), core::PluginError) << "it is stopped already";
+  EXPECT_THROW((void)plugins.changes().prepare_stop(name), core::PluginError) << "it is stopped already";
   run.walk_until(9.0);
   ASSERT_FALSE(run.metrics().fell) << "fell at " << run.metrics().fell_at_s;
-  ASSERT_TRUE(plugins.schedule(plugins.prepare_start(name)));
+  ASSERT_TRUE(plugins.changes().schedule(plugins.changes().prepare_start(name)));
   run.walk_until(9.3);
   ASSERT_EQ(run.done, 2) << run.last_text;
-  EXPECT_THROW((void)plugins.prepare_start(name), core::PluginError) << "it is not stopped";
+  EXPECT_THROW((void)plugins.changes().prepare_start(name), core::PluginError) << "it is not stopped";
   run.walk_until(11.0);
   const auto place = [&] { return run.cosimulation.plant().truth().base.translation().head<2>().eval(); };
   const Eigen::Vector2d before = place();

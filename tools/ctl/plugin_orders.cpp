@@ -37,7 +37,7 @@ constexpr std::array kVerbs{
          "  gaitway ctl plugin reload trajectory\n  gaitway ctl plugin reload sway --library "
          "build/libsway.so\n"
          "A version that cannot take its place leaves the old one where it is.\n"},
-    Verb{"start", PluginVerb::start, "Load a plug-in that was stopped or left out, afresh",
+    Verb{"start", PluginVerb::start, "Load a plug-in that is stopped, afresh",
          "  gaitway ctl plugin start stability --socket /run/gaitway.sock\n"},
     Verb{"stop", PluginVerb::stop, "Take a plug-in out of service: fallbacks write its topics",
          "  gaitway ctl plugin stop stability --socket /run/gaitway.sock\n"},

@@ -175,7 +175,7 @@ class Development {
     if (const auto built = build_.take_result()) {
       *built ? put_in_place() : complain("it does not build", build_.output());
     }
-    if (auto result = robot_->plugins().take_result()) {
+    if (auto result = robot_->plugins().changes().take_result()) {
       told(result->done, std::string(result->text));
     }
     if (robot_->fell()) {
@@ -190,8 +190,8 @@ class Development {
 
   void put_in_place() {
     try {
-      robot_->plugins().schedule(
-          robot_->plugins().prepare_reload(robot_->plugin(), build_.library().string()));
+      robot_->plugins().changes().schedule(
+          robot_->plugins().changes().prepare_reload(robot_->plugin(), build_.library().string()));
     } catch (const std::exception& error) {
       complain("it cannot be loaded", error.what());
     }

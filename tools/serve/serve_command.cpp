@@ -21,7 +21,7 @@
 
 #include "gaitway/core/event_printer.hpp"
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/manager/plugin_workshop.hpp"
+#include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"

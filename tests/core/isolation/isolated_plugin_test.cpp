@@ -214,17 +214,17 @@ TEST_F(IsolatedPluginTest, WhatHasNoProcessCanBeStoppedAndReloaded) {
   for (std::uint32_t i = 1; i <= 5; ++i) {
     manager->step(tick(i));  // its process ended in tick 3, and nobody maintains it
   }
-  ASSERT_TRUE(manager->schedule(manager->prepare_reload("it")));
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload("it")));
   EXPECT_EQ(manager->step(tick(6)), 0);
   EXPECT_EQ(value(), 1.0) << "it starts afresh";
   manager->end_trial(tick(6));
-  const auto result = manager->take_result();
+  const auto result = manager->changes().take_result();
   ASSERT_TRUE(result.has_value());
   EXPECT_TRUE(result->done) << result->text;
-  ASSERT_TRUE(manager->schedule(manager->prepare_stop("it")));
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_stop("it")));
   manager->step(tick(14));
   manager->end_trial(tick(14));
-  EXPECT_TRUE(manager->take_result()->done);
+  EXPECT_TRUE(manager->changes().take_result()->done);
 }
 
 TEST_F(IsolatedPluginTest, ChangeTakesTheStateFromOneProcessToTheOther) {
@@ -232,11 +232,11 @@ TEST_F(IsolatedPluginTest, ChangeTakesTheStateFromOneProcessToTheOther) {
   for (std::uint32_t i = 1; i < 6; ++i) {
     ASSERT_EQ(manager->step(tick(i)), 0);
   }
-  ASSERT_TRUE(manager->schedule(manager->prepare_reload("it")));
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload("it")));
   EXPECT_EQ(manager->step(tick(6)), 0);
   EXPECT_EQ(value(), 6.0);
   manager->end_trial(tick(6));
-  const auto result = manager->take_result();
+  const auto result = manager->changes().take_result();
   ASSERT_TRUE(result.has_value());
   EXPECT_TRUE(result->done) << result->text;
 }

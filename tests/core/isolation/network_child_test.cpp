@@ -109,7 +109,7 @@ class NetworkChild : public PluginFixture {
         return timing.state;
       }
     }
-    return ServiceState::left_out;
+    return ServiceState::stopped;
   }
   // Ends its process and gives the line with which it comes back.
   std::string end_and_wait() {

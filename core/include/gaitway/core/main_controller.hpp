@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/core/event_publisher.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
 #include "gaitway/core/network_events.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -33,7 +33,7 @@ struct MainControllerOptions {
   const PluginFaultTable* injected_faults = nullptr;
   StepWatch* step_watch = nullptr;
   bool try_at_start = false;
-  std::vector<std::string> left_out = {};
+  std::vector<std::string> stopped = {};
   std::filesystem::path memory_socket = {};
 };
 

@@ -16,7 +16,7 @@ enum class ServiceState : std::uint8_t {
   works,
   failing,         // failed in its last step: its fallback stands in
   out_of_service,  // not stepped any more: its fallback stays
-  left_out         // not loaded at the start, or stopped since: its fallback stays
+  stopped          // not loaded at the start, or stopped since: its fallback stays
 };
 [[nodiscard]] std::string_view service_state_name(ServiceState state) noexcept;
 
@@ -35,7 +35,7 @@ class Containment {
   [[nodiscard]] bool is_news(const Tick& tick, Recovery recovery) noexcept;
   // How many faults in a row have ended with this step.
   std::uint64_t note_success(const Tick& tick) noexcept;
-  void leave_out() noexcept { state_ = ServiceState::left_out; }
+  void stop() noexcept { state_ = ServiceState::stopped; }
 
   [[nodiscard]] ServiceState state() const noexcept { return state_; }
   [[nodiscard]] bool is_stepped() const noexcept { return state_ <= ServiceState::failing; }

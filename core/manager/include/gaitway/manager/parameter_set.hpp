@@ -1,6 +1,7 @@
 // A plug-in's parameters: what the configuration says, read as the plug-in declares it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -67,5 +68,11 @@ class ParameterSet {
   std::vector<ParameterEntry> entries_;
   std::deque<Parameter> declared_;  // stable addresses: texts are given out
 };
+
+// A parameter as a line of JSON, for those who are not in this process:
+// {"name", "value", "unit", "doc", "live", "lowest", "highest"}: value as text; limits null where there are
+// none, or where they have no meaning. At most `most_bytes`: its doc is shortened, and then its value. Throws
+// PluginError where that is not enough.
+[[nodiscard]] std::string parameter_line(const Parameter& parameter, std::size_t most_bytes);
 
 }  // namespace gaitway::core

@@ -10,33 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/manager/containment.hpp"
-#include "gaitway/manager/managed_plugin.hpp"
-#include "gaitway/process/duration_histogram.hpp"
+#include "gaitway/manager/plugin_set.hpp"
 
 namespace gaitway::core {
 
-// A plug-in in its manager, and what is counted about it.
-struct PluginSlot {
-  std::unique_ptr<ManagedPlugin> plugin;
-  PluginEntry entry;             // as it was loaded
-  std::size_t configured = 0;    // its place in the configuration: the order where data flow leaves it open
-  std::vector<bool> depends_on;  // [index in the order of the steps]
-  process::DurationHistogram step_wall;
-  std::uint64_t steps = 0;
-  std::uint64_t faults = 0;
-  std::int64_t last_step_ns = 0;
-  std::int64_t p50_step_ns = 0, p99_step_ns = 0;  // when it was last its turn
-  bool stepped = false;                           // in this tick
-  bool failed = false;                            // in the last step, or out of service
-  bool covered = false;                           // and its fallback wrote all its topics
-  Containment containment;
-  std::int64_t worst_input_age_ns = 0;
-  std::uint32_t watch_id = 0;  // by which StepWatch knows it
-};
-
 // Everything that the tick needs to put it in place, and to take it back, without allocating. Made by
-// PluginManager::prepare_*.
+// ChangeControl::prepare_*.
 class PluginChange {
  public:
   static constexpr std::size_t kIncoming = std::numeric_limits<std::size_t>::max();

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -26,7 +27,7 @@ enum class PluginVerb : std::uint32_t {
   set = 3,
   stop = 4,
   start = 5,
-  describe_parameter = 6  // answered with a line of JSON, see parameter_line.hpp
+  describe_parameter = 6  // answered with a line of JSON
 };
 
 class PluginRequests {
@@ -78,6 +79,26 @@ class PluginRequests {
   std::array<char, sizeof(PluginAnswer::text)> value_{};  // of the parameter that is to be described
   std::unique_ptr<PluginChange> change_;                  // prepared, or no longer needed
   std::optional<ParameterChange> parameter_;              // prepared, or in place
+};
+
+// The thread beside the ticks that loads and destroys plug-ins when somebody asks for a change, for binaries.
+// Works at ordinary priority, from construction to destruction.
+class PluginWorkshop {
+ public:
+  // `requests` outlives it, and is stepped by another thread.
+  explicit PluginWorkshop(PluginRequests& requests)
+      : requests_(requests), thread_([&requests] {
+          while (requests.wait_for_work()) {
+            requests.work();
+          }
+        }) {}
+  PluginWorkshop(const PluginWorkshop&) = delete;
+  PluginWorkshop& operator=(const PluginWorkshop&) = delete;
+  ~PluginWorkshop() { requests_.end_work(); }
+
+ private:
+  PluginRequests& requests_;
+  std::jthread thread_;  // joined after end_work()
 };
 
 }  // namespace gaitway::core

@@ -1,13 +1,12 @@
-// One plug-in's step, contained: what it costs, what it published, and who stands in for it.
+// One plug-in after the other, and what is made of its step.
+#include "gaitway/manager/step_runner.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
-
-#include "gaitway/input/nearest_name.hpp"
-#include "gaitway/manager/plugin_manager.hpp"
-#include "stand_in.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -23,55 +22,40 @@ double offset_of(PluginFaultKind kind) noexcept {
 
 }  // namespace
 
-void PluginManager::add_stand_ins(const Configuration& configuration) {
-  std::vector<DataFlowNode> loaded;
-  for (const auto& slot : slots_) {
-    loaded.push_back(slot->plugin->node());
-  }
-  std::vector<ExternalTopic> external;
-  for (const msgclient::TopicInfo& topic : client_.directory()) {
-    external.push_back({topic.descriptor.name, topic.writer});
-  }
-  for (const std::string& name : options_.left_out) {
-    const auto entry = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
-                                    [&name](const PluginEntry& other) { return other.name == name; });
-    if (entry == configuration.plugins.end()) {
-      std::vector<std::string> names;
-      for (const PluginEntry& other : configuration.plugins) {
-        names.push_back(other.name);
-      }
-      throw PluginError(fmt::format("{}: there is no plug-in '{}' to leave out. {}",
-                                    configuration.file.string(), name, input::suggest(name, names)));
+StepRunner::StepRunner(const PluginManagerOptions& options, EventLog& events, msgclient::Client& client)
+    : options_(options),
+      events_(events),
+      statistics_writer_(client.write<PluginStatistics>("plugin_statistics")) {}
+
+void StepRunner::begin(PluginSet& plugins, const Tick& tick) noexcept {
+  declared_cost_ns_ = 0;
+  for (const auto& slot : plugins.slots()) {
+    slot->stepped = !slot->plugin->is_due(tick);
+    if (!slot->stepped) {
+      slot->failed = slot->covered = false;  // of the others, what became of their last turn still counts
     }
-    const std::vector<std::string> topics = StandIn::topics_for(*entry, loaded, external);
-    events_.add(
-        0, 0, EventKind::warning, name,
-        topics.empty() ? "left out" : fmt::format("left out; fallbacks write {}", fmt::join(topics, ", ")));
-    auto slot = std::make_unique<PluginSlot>();
-    slot->plugin = std::make_unique<StandIn>(*entry, topics, configuration.file, events_);
-    slot->entry = *entry;
-    slot->configured = slots_.size();
-    loaded.push_back(slot->plugin->node());
-    slots_.push_back(std::move(slot));
   }
 }
 
-void PluginManager::contain(PluginSlot& slot) {
-  ContainmentSettings settings = slot.entry.containment;
-  if (slot.plugin->node().uses.empty()) {
-    settings.fallback = FallbackKind::by_topics;  // of a stand-in that has nothing to write
+StepRunner::Outcome StepRunner::step_all(PluginSet& plugins, const Tick& tick,
+                                         const PluginSlot* trial) noexcept {
+  Outcome outcome;
+  for (const auto& slot : plugins.slots()) {
+    if (slot->stepped) {
+      continue;
+    }
+    const bool on_trial = slot.get() == trial;
+    step(*slot, tick, on_trial);
+    if (slot->failed && on_trial && slot->containment.is_stepped()) {
+      outcome.trial_failed = true;
+      return outcome;
+    }
+    outcome.failed += slot->failed ? 1 : 0;
   }
-  const FallbackSource source{client_, options_.robot_directory};
-  slot.containment =
-      Containment(settings, slot.plugin->period(), FallbackSet(*slot.plugin, settings.fallback, source));
-  if (dynamic_cast<const StandIn*>(slot.plugin.get()) != nullptr) {
-    slot.containment.leave_out();
-  } else if (options_.step_watch != nullptr) {
-    slot.watch_id = options_.step_watch->add(slot.plugin->name());
-  }
+  return outcome;
 }
 
-void PluginManager::step(PluginSlot& slot, const Tick& tick) noexcept {
+void StepRunner::step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcept {
   slot.stepped = true;
   if (!slot.containment.is_stepped()) {
     slot.covered = slot.containment.fallbacks().act(tick, *slot.plugin);
@@ -97,10 +81,10 @@ void PluginManager::step(PluginSlot& slot, const Tick& tick) noexcept {
     slot.plugin->set_fault({text.data(), std::min(end.size, text.size())});
   }
   slot.failed = !fine || overrun;
-  slot.failed ? note_fault(slot, tick, overrun) : note_success(slot, tick);
+  slot.failed ? note_fault(slot, tick, overrun, on_trial) : note_success(slot, tick);
 }
 
-bool PluginManager::run_step(PluginSlot& slot, const Tick& tick) noexcept {
+bool StepRunner::run_step(PluginSlot& slot, const Tick& tick) noexcept {
   const PluginFaultKind injected = options_.injected_faults == nullptr
                                        ? PluginFaultKind::none
                                        : options_.injected_faults->at(slot.plugin->name(), tick.now_ns).kind;
@@ -112,7 +96,7 @@ bool PluginManager::run_step(PluginSlot& slot, const Tick& tick) noexcept {
   return slot.plugin->prepare(tick, offset_of(injected));
 }
 
-void PluginManager::note_success(PluginSlot& slot, const Tick& tick) noexcept {
+void StepRunner::note_success(PluginSlot& slot, const Tick& tick) noexcept {
   slot.plugin->commit();
   const std::int64_t since_ns = slot.containment.failing_since_ns();
   const std::uint64_t faults = slot.containment.note_success(tick);
@@ -126,8 +110,7 @@ void PluginManager::note_success(PluginSlot& slot, const Tick& tick) noexcept {
               {text.data(), std::min(end.size, text.size())});
 }
 
-// A new plug-in on trial has no fallback: the old one takes its turn.
-void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun) noexcept {
+void StepRunner::note_fault(PluginSlot& slot, const Tick& tick, bool overrun, bool on_trial) noexcept {
   slot.plugin->discard();
   ++slot.faults;
   const std::string& name = slot.plugin->name();
@@ -136,8 +119,8 @@ void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun)
   if (containment.is_news(tick, recovery)) {
     events_.add(tick.now_ns, tick.tick, EventKind::fault, name, slot.plugin->fault());
   }
-  if (&slot == trial_) {
-    return;
+  if (on_trial) {
+    return;  // the old one takes its turn
   }
   FallbackSet& fallbacks = containment.fallbacks();
   const bool given_up = containment.note_fault(tick, overrun, recovery);
@@ -158,17 +141,17 @@ void PluginManager::note_fault(PluginSlot& slot, const Tick& tick, bool overrun)
 }
 
 // Percentiles cost some microseconds each: one plug-in a batch.
-void PluginManager::fill_statistics(const Tick& tick) noexcept {
-  const std::size_t count = std::min<std::size_t>(slots_.size(), kReportedPlugins);
+void StepRunner::publish_statistics(PluginSet& plugins, const Tick& tick) noexcept {
+  const std::size_t count = std::min<std::size_t>(plugins.size(), kReportedPlugins);
   statistics_.stamp_ns = tick.now_ns;
   statistics_.plugin_count = static_cast<std::uint32_t>(count);
   if (count > 0) {
-    PluginSlot& slot = *slots_[tick.batch_sequence % count];
+    PluginSlot& slot = plugins[tick.batch_sequence % count];
     slot.p50_step_ns = static_cast<std::int64_t>(slot.step_wall.percentile_ns(0.5));
     slot.p99_step_ns = static_cast<std::int64_t>(slot.step_wall.percentile_ns(0.99));
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const PluginSlot& slot = *slots_[i];
+    const PluginSlot& slot = plugins[i];
     const std::string& name = slot.plugin->name();
     std::fill(std::begin(statistics_.name[i]), std::end(statistics_.name[i]), std::uint8_t{0});
     std::copy_n(name.begin(), std::min(name.size(), std::size(statistics_.name[i]) - 1), statistics_.name[i]);
@@ -183,11 +166,7 @@ void PluginManager::fill_statistics(const Tick& tick) noexcept {
     statistics_.worst_step_ns[i] = slot.step_wall.max_ns();
     statistics_.worst_input_age_ns[i] = slot.worst_input_age_ns;
   }
-}
-
-void PluginManager::publish_statistics(const Tick& tick) noexcept {
-  fill_statistics(tick);
-  statistics_writer_->publish(statistics_, tick.now_ns);
+  statistics_writer_.publish(statistics_, tick.now_ns);
 }
 
 }  // namespace gaitway::core

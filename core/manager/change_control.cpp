@@ -1,13 +1,13 @@
-// The manager's changes at run time: prepared off the tick, put in place between two batches, taken back when
-// the new plug-in does not stand its trial.
+// From the preparation to the end of the trial.
+#include "gaitway/manager/change_control.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "gaitway/input/nearest_name.hpp"
-#include "gaitway/manager/plugin_manager.hpp"
-#include "plugin_trial.hpp"
+#include "plugin_loader.hpp"
 #include "stand_in.hpp"
 
 namespace gaitway::core {
@@ -28,85 +28,67 @@ bool is_stand_in(const PluginSlot& slot) {
 
 }  // namespace
 
-std::size_t PluginManager::index_of(std::string_view name) const noexcept {
-  const auto same = [name](const auto& slot) { return slot->plugin->name() == name; };
-  return static_cast<std::size_t>(std::find_if(slots_.begin(), slots_.end(), same) - slots_.begin());
+ChangeControl::ChangeControl(PluginSet& plugins, PluginLoader& loader, msgclient::Client& client)
+    : plugins_(plugins), loader_(loader), events_(loader.events()), client_(client) {}
+
+std::unique_ptr<PluginChange> ChangeControl::prepare_replacement(const PluginEntry& entry) {
+  const std::unique_ptr<PluginTrial> trial = loader_.try_out(entry);
+  return plan_replacement(entry, loader_.load(entry), trial.get());
 }
 
-std::size_t PluginManager::require(std::string_view name) const {
-  const std::size_t index = index_of(name);
-  if (index == slots_.size()) {
-    std::vector<std::string> names;
-    for (const auto& slot : slots_) {
-      names.push_back(slot->plugin->name());
-    }
-    throw PluginError(
-        fmt::format("there is no plug-in '{}'. {}", name, input::suggest(std::string(name), names)));
-  }
-  return index;
-}
-
-std::unique_ptr<PluginChange> PluginManager::prepare_replacement(const PluginEntry& entry) {
-  std::optional<PluginTrial> trial;
-  if (entry.isolation == Isolation::none) {
-    trial.emplace(entry, source(), options_.isolation);
-  }
-  return plan_replacement(entry, load(entry), trial ? &*trial : nullptr);
-}
-
-std::unique_ptr<PluginChange> PluginManager::plan_replacement(const PluginEntry& entry,
+std::unique_ptr<PluginChange> ChangeControl::plan_replacement(const PluginEntry& entry,
                                                               std::unique_ptr<ManagedPlugin> plugin,
                                                               PluginTrial* trial) {
-  const std::size_t old = index_of(entry.name);
-  const ManagedPlugin* const predecessor = old < slots_.size() ? slots_[old]->plugin.get() : nullptr;
+  const std::size_t old = plugins_.index_of(entry.name);
+  const ManagedPlugin* const predecessor = old < plugins_.size() ? plugins_[old].plugin.get() : nullptr;
   auto slot = std::make_unique<PluginSlot>();
   slot->plugin = std::move(plugin);
   slot->entry = entry;
-  slot->configured = predecessor != nullptr ? slots_[old]->configured : slots_.size();
+  slot->configured = predecessor != nullptr ? plugins_[old].configured : plugins_.size();
   auto change = plan_change(entry.name, std::move(slot), old);
   if (trial != nullptr) {
     trial->first_step(client_, events_.now_ns());
   }
   ManagedPlugin& incoming = *change->incoming()->plugin;
   incoming.bind(client_, predecessor);
-  contain(*change->incoming());
+  loader_.contain(*change->incoming());
   incoming.activate();
   return change;
 }
 
-std::unique_ptr<PluginChange> PluginManager::prepare_reload(const std::string& name,
+std::unique_ptr<PluginChange> ChangeControl::prepare_reload(const std::string& name,
                                                             const std::string& library) {
-  PluginEntry entry = slots_[require(name)]->entry;
+  PluginEntry entry = plugins_[plugins_.require(name)].entry;
   if (!library.empty()) {
     entry.library = library;
   }
   return prepare_replacement(entry);
 }
 
-std::unique_ptr<PluginChange> PluginManager::prepare_addition(const PluginEntry& entry) {
-  if (index_of(entry.name) < slots_.size()) {
+std::unique_ptr<PluginChange> ChangeControl::prepare_addition(const PluginEntry& entry) {
+  if (plugins_.index_of(entry.name) < plugins_.size()) {
     throw PluginError(
         fmt::format("there is a plug-in '{}' already. Use reload, or another name", entry.name));
   }
   return prepare_replacement(entry);
 }
 
-std::unique_ptr<PluginChange> PluginManager::prepare_removal(const std::string& name) {
-  return plan_change(name, nullptr, require(name));
+std::unique_ptr<PluginChange> ChangeControl::prepare_removal(const std::string& name) {
+  return plan_change(name, nullptr, plugins_.require(name));
 }
 
-std::unique_ptr<PluginChange> PluginManager::prepare_stop(const std::string& name) {
-  const PluginSlot& running = *slots_[require(name)];
+std::unique_ptr<PluginChange> ChangeControl::prepare_stop(const std::string& name) {
+  const PluginSlot& running = plugins_[plugins_.require(name)];
   if (is_stand_in(running)) {
     throw PluginError(fmt::format("'{}' is stopped already", name));
   }
   auto stand_in = std::make_unique<StandIn>(running.entry, StandIn::topics_for(running.plugin->node()),
-                                            configuration_file_, events_);
+                                            loader_.configuration_file(), events_);
   return plan_replacement(running.entry, std::move(stand_in), nullptr);
 }
 
-std::unique_ptr<PluginChange> PluginManager::prepare_start(const std::string& name) {
-  const PluginSlot& stopped = *slots_[require(name)];
+std::unique_ptr<PluginChange> ChangeControl::prepare_start(const std::string& name) {
+  const PluginSlot& stopped = plugins_[plugins_.require(name)];
   if (!is_stand_in(stopped)) {
     throw PluginError(fmt::format("'{}' is not stopped. To load it anew, use reload", name));
   }
@@ -114,11 +96,11 @@ std::unique_ptr<PluginChange> PluginManager::prepare_start(const std::string& na
 }
 
 // Checks the data flow of the plug-ins as they will be.
-std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name,
+std::unique_ptr<PluginChange> ChangeControl::plan_change(const std::string& name,
                                                          std::unique_ptr<PluginSlot> incoming,
                                                          std::size_t old) const {
   std::vector<std::size_t> places;  // as PluginChange means them
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
+  for (std::size_t i = 0; i < plugins_.size(); ++i) {
     if (i != old) {
       places.push_back(i);
     }
@@ -127,7 +109,7 @@ std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name
     places.push_back(PluginChange::kIncoming);
   }
   const auto slot_at = [&](std::size_t place) -> const PluginSlot& {
-    return place == PluginChange::kIncoming ? *incoming : *slots_[place];
+    return place == PluginChange::kIncoming ? *incoming : plugins_[place];
   };
   std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
     return std::pair(slot_at(a).configured, a) < std::pair(slot_at(b).configured, b);
@@ -149,34 +131,36 @@ std::unique_ptr<PluginChange> PluginManager::plan_change(const std::string& name
     depends_on.push_back(std::move(row));
   }
   return std::make_unique<PluginChange>(name, std::move(incoming), std::move(next), std::move(depends_on),
-                                        old < slots_.size() ? old : PluginChange::kIncoming);
+                                        old < plugins_.size() ? old : PluginChange::kIncoming);
 }
 
-bool PluginManager::schedule(std::unique_ptr<PluginChange> change) noexcept {
+bool ChangeControl::schedule(std::unique_ptr<PluginChange> change) noexcept {
   if (change_ != nullptr) {
     return false;
   }
   change_ = std::move(change);
-  change_phase_ = ChangePhase::waiting;
+  phase_ = Phase::waiting;
   return true;
 }
 
-// At a batch edge: state over, outputs over, the new order.
-void PluginManager::begin_change(const Tick& tick) noexcept {
+void ChangeControl::begin(const Tick& tick) noexcept {
+  if (phase_ != Phase::waiting) {
+    return;
+  }
   PluginChange& change = *change_;
   PluginSlot* const incoming = change.incoming();
   const bool replaces = change.outgoing_index() != PluginChange::kIncoming;
-  ManagedPlugin* const old = replaces ? slots_[change.outgoing_index()]->plugin.get() : nullptr;
+  ManagedPlugin* const old = replaces ? plugins_[change.outgoing_index()].plugin.get() : nullptr;
   if (incoming != nullptr && old != nullptr) {
     // One that is out of service, or whose process is away, has nothing to hand on that is of use; and one
     // that is stopped has nobody to hand it on to.
-    const bool hands_on = slots_[change.outgoing_index()]->containment.is_stepped() &&
+    const bool hands_on = plugins_[change.outgoing_index()].containment.is_stepped() &&
                           old->recovery() == Recovery::not_needed && incoming->containment.is_stepped();
     if (hands_on && !old->save_state(change.state())) {
-      return fail_change(tick, "the running one cannot hand its state on", old->fault());
+      return fail(tick, "the running one cannot hand its state on", old->fault());
     }
     if (!incoming->plugin->restore_state(change.state())) {
-      return fail_change(tick, "the new one refuses the state that is handed on", incoming->plugin->fault());
+      return fail(tick, "the new one refuses the state that is handed on", incoming->plugin->fault());
     }
     incoming->plugin->take_outputs(*old);
   }
@@ -184,44 +168,34 @@ void PluginManager::begin_change(const Tick& tick) noexcept {
     old->take_snapshots();  // should it have to step in after all
   }
   trial_ = incoming;
-  change.apply(slots_);
-  change_phase_ = ChangePhase::trial;
+  change.apply(plugins_.slots());
+  phase_ = Phase::trial;
 }
 
-void PluginManager::fail_change(const Tick& tick, std::string_view what, std::string_view why) noexcept {
-  change_phase_ = ChangePhase::failed;
+void ChangeControl::fail(const Tick& tick, std::string_view what, std::string_view why) noexcept {
+  phase_ = Phase::failed;
   std::array<char, 256>& text = change_->outcome();
   fmt::format_to_n(text.data(), text.size() - 1, "not changed: {}: {}", what, why).out[0] = '\0';
   events_.add(tick.now_ns, tick.tick, EventKind::error, change_->name(), text.data());
 }
 
-// Puts the old one back in its place, in the same tick: it and all that depend on it are stepped (again).
-void PluginManager::take_change_back(const Tick& tick, std::string_view what, std::string_view why) noexcept {
+void ChangeControl::take_back(const Tick& tick, std::string_view what, std::string_view why) noexcept {
   PluginChange& change = *change_;
   trial_ = nullptr;
-  change.revert(slots_);
+  change.revert(plugins_.slots());
   const std::size_t old = change.outgoing_index();
   if (old != PluginChange::kIncoming) {
-    slots_[old]->plugin->take_outputs(*change.incoming()->plugin);
-    for (const auto& slot : slots_) {
+    plugins_[old].plugin->take_outputs(*change.incoming()->plugin);
+    for (const auto& slot : plugins_.slots()) {
       slot->stepped = slot->stepped && !slot->depends_on[old];
     }
-    slots_[old]->stepped = false;
+    plugins_[old].stepped = false;
   }
-  fail_change(tick, what, why);
+  fail(tick, what, why);
 }
 
-bool PluginManager::take_trial_back(const Tick& tick, std::string_view why) noexcept {
-  if (change_phase_ != ChangePhase::trial || trial_ == nullptr) {
-    return false;
-  }
-  take_change_back(tick, "the robot cannot go on with what it does", why);
-  step_all(tick);
-  return true;
-}
-
-void PluginManager::end_trial(const Tick& tick) noexcept {
-  if (change_phase_ != ChangePhase::trial) {
+void ChangeControl::end_trial(const Tick& tick) noexcept {
+  if (phase_ != Phase::trial) {
     return;
   }
   const PluginSlot* const outgoing = change_->outgoing();
@@ -233,16 +207,60 @@ void PluginManager::end_trial(const Tick& tick) noexcept {
       .out[0] = '\0';
   events_.add(tick.now_ns, tick.tick, EventKind::info, change_->name(), text.data());
   trial_ = nullptr;
-  change_phase_ = ChangePhase::done;
+  phase_ = Phase::done;
 }
 
-std::optional<ChangeResult> PluginManager::take_result() {
-  if (change_phase_ != ChangePhase::done && change_phase_ != ChangePhase::failed) {
+bool ChangeControl::is_trial_to_blame(std::string_view topic) const noexcept {
+  if (trial_ == nullptr || !plugins_.is_behind(*trial_, topic)) {
+    return false;
+  }
+  const PluginSlot* const slot = plugins_.fault_behind(topic);
+  const bool failed_before =
+      slot != nullptr && (!slot->containment.is_stepped() || slot->containment.faults_in_a_row() > 1);
+  return slot == trial_ ? slot->containment.is_stepped() : !failed_before;
+}
+
+void ChangeControl::set_parameter(std::string_view plugin, std::string_view parameter,
+                                  const std::string& text) {
+  ParameterChange change = prepare_parameter(plugin, parameter, text);
+  if (!apply(change)) {
+    throw PluginError(fmt::format("{}: parameter '{}': {}", change.slot->plugin->place(), parameter,
+                                  change.slot->plugin->fault()));
+  }
+  keep(change);
+}
+
+ParameterChange ChangeControl::prepare_parameter(std::string_view plugin, std::string_view parameter,
+                                                 const std::string& text) const {
+  PluginSlot& slot = plugins_[plugins_.require(plugin)];
+  ParameterChange change{&slot, std::string(parameter), text, {}, {}};
+  change.value = slot.plugin->parameters().read_change(parameter, change.text);
+  change.shown = value_text(change.value);
+  return change;
+}
+
+bool ChangeControl::apply(ParameterChange& change) noexcept {
+  ManagedPlugin& plugin = *change.slot->plugin;
+  if (!plugin.set_parameter(change.parameter.c_str(), change.value)) {
+    return false;
+  }
+  plugin.parameters().keep(change.parameter, change.shown);
+  return true;
+}
+
+void ChangeControl::keep(const ParameterChange& change) {
+  auto& entries = change.slot->entry.parameters;
+  std::erase_if(entries, [&](const ParameterEntry& entry) { return entry.name == change.parameter; });
+  entries.push_back({change.parameter, change.text, change.slot->entry.line});
+}
+
+std::optional<ChangeResult> ChangeControl::take_result() {
+  if (phase_ != Phase::done && phase_ != Phase::failed) {
     return std::nullopt;
   }
-  ChangeResult result{change_phase_ == ChangePhase::done, change_->outcome().data(), nullptr};
+  ChangeResult result{phase_ == Phase::done, change_->outcome().data(), nullptr};
   result.remains = std::move(change_);
-  change_phase_ = ChangePhase::none;
+  phase_ = Phase::none;
   return result;
 }
 
