@@ -1,4 +1,5 @@
-// One question and one answer over rtnetlink, with libmnl.
+// Asks the kernel about a CAN interface and its bit rate: one question and one answer over rtnetlink, with
+// libmnl.
 #include "can_link.hpp"
 
 #include <libmnl/libmnl.h>

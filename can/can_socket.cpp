@@ -1,4 +1,5 @@
-// Sockets of the family PF_CAN: options, batches of messages with their time stamps, interfaces by ioctl.
+// The system calls of the SocketCAN port: options, batches of messages with their time stamps, interfaces by
+// ioctl.
 #include "can_socket.hpp"
 
 #include <linux/can/error.h>

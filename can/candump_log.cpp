@@ -1,4 +1,4 @@
-// Writes and reads candump logs.
+// Writes and reads bus logs in candump's format, and tells line and rule of what it cannot read.
 #include "gaitway/can/candump_log.hpp"
 
 #include <charconv>

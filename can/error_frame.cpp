@@ -1,4 +1,4 @@
-// Bits of linux/can/error.h, one by one.
+// Reads the kernel's CAN error frames: bits of linux/can/error.h, one by one.
 #include "gaitway/can/error_frame.hpp"
 
 #include <linux/can/error.h>

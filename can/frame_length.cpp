@@ -1,4 +1,4 @@
-// CRC-15 and bit stuffing, a byte at a time by tables.
+// How long a frame is on the wire: CRC-15 and bit stuffing, a byte at a time by tables.
 #include "gaitway/can/frame.hpp"
 
 #include <array>

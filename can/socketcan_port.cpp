@@ -1,4 +1,5 @@
-// One frame at a time in the kernel's hands; echoes, error frames and errors of the socket move it on.
+// The station on a CAN interface: one frame at a time is in the kernel's hands; echoes, error frames and
+// errors of the socket move it on.
 #include "gaitway/can/socketcan_port.hpp"
 
 #include <linux/can/error.h>

@@ -1,4 +1,4 @@
-// Names and lines.
+// The SocketCAN port in words: its states and counters by name, and the line that tells of a change.
 #include "gaitway/can/socketcan_port.hpp"
 
 namespace gaitway::can {

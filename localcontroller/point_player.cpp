@@ -1,4 +1,5 @@
-// Slots, batches and repairs of one joint.
+// Plays a joint's points: which slot of which batch is on, and what a repair, a revision or a lost SYNC
+// changes.
 #include "gaitway/localcontroller/point_player.hpp"
 
 namespace gaitway::localcontroller {
@@ -72,9 +73,9 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
     revised = revise(sync);
     if (sync.slot <= slot_) {  // taken already, when the SYNC was overdue
       if (revised != 0) {
-        const std::int64_t left_ns = slot_start_ns_ + facts::kSlot_ns - now_ns;
+        const std::int64_t remaining_ns = slot_start_ns_ + facts::kSlot_ns - now_ns;
         begin_segment(count_ + revised, now_ns,
-                      left_ns > kShortestSegment_ns ? left_ns : kShortestSegment_ns);
+                      remaining_ns > kShortestSegment_ns ? remaining_ns : kShortestSegment_ns);
       }
       return false;
     }
@@ -169,9 +170,9 @@ void PointPlayer::begin_slot(int slot, std::int64_t start_ns, std::int64_t now_n
   if (arrives_by_hand || frozen_) {
     return;
   }
-  const std::int64_t left_ns = start_ns + facts::kSlot_ns - now_ns;
+  const std::int64_t remaining_ns = start_ns + facts::kSlot_ns - now_ns;
   begin_segment(running_ ? count_ + made_up + executing_[static_cast<std::size_t>(slot)] : count_, now_ns,
-                left_ns > kShortestSegment_ns ? left_ns : kShortestSegment_ns);
+                remaining_ns > kShortestSegment_ns ? remaining_ns : kShortestSegment_ns);
 }
 
 void PointPlayer::begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept {

@@ -1,4 +1,4 @@
-// Finds the parts of an installation.
+// Finds the parts of an installation from the path of the running code.
 #include "gaitway/process/installation.hpp"
 
 #include <dlfcn.h>

@@ -1,4 +1,5 @@
-// Locks the path, binds, listens; the lock file stays behind, since another process may be waiting at it.
+// A Unix socket at a path: locks the path, binds, listens; the lock file stays behind, since another process
+// may be waiting at it.
 #include "gaitway/process/listening_socket.hpp"
 
 #include <fcntl.h>

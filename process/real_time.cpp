@@ -1,4 +1,4 @@
-// Real time by POSIX alone: no thread of its own.
+// Clock, priority, locked memory and signals of a real-time process, by POSIX alone: no thread of its own.
 #include "gaitway/process/real_time.hpp"
 
 #include <sched.h>
@@ -54,12 +54,12 @@ bool stop_requested() noexcept {
 }
 
 void wait_until(std::int64_t deadline_ns, std::span<pollfd> descriptors) noexcept {
-  const std::int64_t left_ns = std::max<std::int64_t>(deadline_ns - monotonic_ns(), 0);
-  const timespec left{static_cast<time_t>(left_ns / 1'000'000'000),
-                      static_cast<long>(left_ns % 1'000'000'000)};
+  const std::int64_t remaining_ns = std::max<std::int64_t>(deadline_ns - monotonic_ns(), 0);
+  const timespec remaining{static_cast<time_t>(remaining_ns / 1'000'000'000),
+                           static_cast<long>(remaining_ns % 1'000'000'000)};
   sigset_t none;
   sigemptyset(&none);
-  ppoll(descriptors.data(), static_cast<nfds_t>(descriptors.size()), &left, &none);
+  ppoll(descriptors.data(), static_cast<nfds_t>(descriptors.size()), &remaining, &none);
 }
 
 }  // namespace gaitway::process

@@ -1,4 +1,4 @@
-// A file that could not be written to its last byte is an error.
+// Writes a whole text file: one that could not be written to its last byte is an error.
 #include "gaitway/process/text_file.hpp"
 
 #include <cerrno>

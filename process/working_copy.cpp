@@ -1,4 +1,5 @@
-// fork() and a pipe. Each line begins with a letter that says what it is.
+// A copy of this process by fork(), which tells of its work over a pipe. Each line begins with a letter that
+// says what it is.
 #include "gaitway/process/working_copy.hpp"
 
 #include <fcntl.h>

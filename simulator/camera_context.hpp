@@ -1,4 +1,4 @@
-// An OpenGL context without window or display, by EGL.
+// An OpenGL context without window or display, by EGL: what the camera draws with.
 #pragma once
 
 #include <memory>

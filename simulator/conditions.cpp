@@ -1,4 +1,4 @@
-// Reads the conditions of a trial.
+// Reads from a scenario what a trial does to ground and body.
 
 #include <array>
 #include <numbers>

@@ -1,4 +1,5 @@
-// Lock-step of all parts of the chain.
+// The whole chain in virtual time: moves physics, joints, bus and controllers on in lock-step, and does to
+// them what a scenario asks.
 #include "gaitway/simulator/cosimulation.hpp"
 
 #include <fmt/format.h>
@@ -115,7 +116,7 @@ void Cosimulation::exchange_frames(std::int64_t until_ns) {
     while (const auto delivery = bus_.advance(stop_ns)) {
       deliver(*delivery);
     }
-    heed_bus_states();
+    report_bus_states();
     if (!rings) {
       return;
     }
@@ -129,7 +130,7 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
   if (observer_ != nullptr) {
     observer_->on_frame(delivery);
   }
-  heed_bus_states();
+  report_bus_states();
   message_transmitter_.on_delivery(delivery);
   if (delivery.received_by(message_transmitter_.station())) {
     message_controller_.on_frame(delivery.frame, delivery.end_ns);
@@ -148,7 +149,7 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
 }
 
 // A station that is off the bus keeps nothing for its return: it would be stale.
-void Cosimulation::heed_bus_states() {
+void Cosimulation::report_bus_states() {
   while (const auto change = bus_.next_state_change()) {
     if (change->station == message_transmitter_.station()) {
       if (change->state >= can::BusState::bus_off) {

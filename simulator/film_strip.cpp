@@ -1,4 +1,4 @@
-// Pastes images together and writes them as PNG.
+// Pastes pictures of the robot together and writes them as one PNG.
 #include <png.h>
 
 #include <algorithm>

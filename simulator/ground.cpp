@@ -1,4 +1,4 @@
-// Lays plane, step and tiles.
+// Lays the ground of the physics model: plane, slope, step and tiles.
 #include "physics_model.hpp"
 
 #include <algorithm>

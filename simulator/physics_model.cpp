@@ -1,4 +1,4 @@
-// Builds the physics model with mjSpec.
+// Builds MuJoCo's model of robot and ground with mjSpec.
 #include "physics_model.hpp"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-// Steps the physics, limits the motors and reads the sensors.
+// The simulated body: steps the physics, limits the motors and reads the sensors.
 #include "gaitway/simulator/plant.hpp"
 
 #include <algorithm>
@@ -151,10 +151,10 @@ void Plant::Implementation::apply_pushes() {
     Eigen::Map<Eigen::Vector3d> applied(data->xfrc_applied + std::ptrdiff_t{6} * push.body);
     applied.setZero();
   }
-  std::erase_if(pushes, [](const ActivePush& push) { return push.steps_left == 0; });
+  std::erase_if(pushes, [](const ActivePush& push) { return push.remaining_steps == 0; });
   for (ActivePush& push : pushes) {
     Eigen::Map<Eigen::Vector3d>(data->xfrc_applied + std::ptrdiff_t{6} * push.body) += push.force_N;
-    --push.steps_left;
+    --push.remaining_steps;
   }
 }
 

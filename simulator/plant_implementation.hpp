@@ -1,4 +1,4 @@
-// What Plant and Camera share of MuJoCo.
+// What Plant and Camera share of MuJoCo: model, state, and what was drawn for this one robot.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace gaitway::simulator {
 struct ActivePush {
   int body = 0;
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
-  long steps_left = 0;
+  long remaining_steps = 0;
 };
 
 struct Plant::Implementation {

@@ -1,4 +1,4 @@
-// The co-simulation behind a small face.
+// The simulated robot for the tests of plug-ins: the co-simulation behind a small face.
 #include "gaitway/simulator/simulated_robot.hpp"
 
 #include <fmt/format.h>
@@ -95,7 +95,7 @@ void SimulatedRobot::push(std::string_view link, const std::array<double, 3>& im
 }
 
 void SimulatedRobot::run_for(double seconds) {
-  for (auto left_ms = std::llround(seconds * 1e3); left_ms > 0 && is_upright(); --left_ms) {
+  for (auto remaining_ms = std::llround(seconds * 1e3); remaining_ms > 0 && is_upright(); --remaining_ms) {
     implementation_->advance();
   }
 }

@@ -1,4 +1,4 @@
-// Rows every ten milliseconds.
+// Watches the simulated robot for its summary and log: distance, falls, a row every ten milliseconds.
 #include "walk_watch.hpp"
 
 #include <fmt/format.h>

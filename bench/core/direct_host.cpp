@@ -1,4 +1,4 @@
-// Buffers by name.
+// Hosts one plug-in with the least that it needs, as the measure of what the manager adds: buffers by name.
 #include "direct_host.hpp"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// fork, a memfd, two numbers.
+// The second process that the isolation benchmark exchanges numbers with: fork, a memfd, two numbers.
 #include "echo_process.hpp"
 
 #include <linux/futex.h>

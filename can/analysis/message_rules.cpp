@@ -1,4 +1,5 @@
-// Ranges of what the analysis takes.
+// What messages must fulfil to be analysed (each value within its range, each identifier once), and the order
+// in which the bus serves them.
 #include "transmit_queues.hpp"
 
 #include <algorithm>

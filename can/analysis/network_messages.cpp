@@ -1,4 +1,4 @@
-// From a profile's rows to messages with identifiers, periods and deadlines.
+// The proof of a robot's bus: from a profile's rows to messages with identifiers, periods and deadlines.
 #include "gaitway/can/analysis/network_messages.hpp"
 
 #include <algorithm>

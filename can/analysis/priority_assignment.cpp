@@ -1,4 +1,4 @@
-// Audsley's algorithm over transmit queues.
+// The search for an order of priorities: Audsley's algorithm over transmit queues.
 #include "gaitway/can/analysis/priority_assignment.hpp"
 
 #include <algorithm>

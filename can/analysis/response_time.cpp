@@ -1,4 +1,5 @@
-// The analysis of a whole bus: every queue in turn, and again as long as FIFO queues delay each other more.
+// Response times of a whole bus: every queue in turn, and again as long as FIFO queues delay each other more;
+// and, by bisection over the bit time, how slow the bus may be.
 #include "gaitway/can/analysis/response_time.hpp"
 
 #include <algorithm>

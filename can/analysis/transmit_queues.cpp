@@ -1,4 +1,4 @@
-// Busy periods and the queueing delays within them.
+// The worst case of one transmit queue: its busy periods and the queueing delays within them.
 #include "transmit_queues.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The phases of a CAN controller and what leads from one to the next.
+// One simulated CAN controller, bit by bit: its phases and what leads from one to the next.
 #include "gaitway/can/simulated/bit_station.hpp"
 
 namespace gaitway::can {

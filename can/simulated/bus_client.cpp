@@ -1,4 +1,4 @@
-// The client's end of the bus socket.
+// A station in another process than the simulated bus: its end of the bus socket.
 #include "gaitway/can/simulated/bus_client.hpp"
 
 #include <sys/socket.h>

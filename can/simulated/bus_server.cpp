@@ -1,4 +1,5 @@
-// The bus's end of the bus socket: stations come and go, frames wait in transmit buffers until their time.
+// The simulated bus's end of the bus socket: stations of other processes come and go, their frames wait in
+// transmit buffers until their time.
 #include "gaitway/can/simulated/bus_server.hpp"
 
 #include <sys/socket.h>

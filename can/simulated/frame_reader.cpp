@@ -1,4 +1,4 @@
-// The fields of a frame as a receiver meets them.
+// How a receiver reads a frame: its fields, one after the other, and the errors that each can show.
 #include "gaitway/can/simulated/frame_reader.hpp"
 
 #include <algorithm>

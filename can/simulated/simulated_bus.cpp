@@ -1,4 +1,5 @@
-// Stations, and the course of whole frames: arbitration and timing while nothing is wrong.
+// The simulated bus: its stations, and the course of whole frames (arbitration, timing) while nothing is
+// wrong.
 #include "gaitway/can/simulated/simulated_bus.hpp"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ void SimulatedBus::refresh(int station) noexcept {
   ready_ns_[place] = std::max(one.babbling ? one.babble_since_ns : one.since_ns, one.not_before_ns);
 }
 
-void SimulatedBus::heed_state(int station, std::int64_t time_ns) noexcept {
+void SimulatedBus::follow_state(int station, std::int64_t time_ns) noexcept {
   Station& one = at(station);
   const BusState now = state(station);
   if (now == one.told) {
@@ -263,10 +264,10 @@ SimulatedBus::Delivery SimulatedBus::finish_frame() noexcept {
     const std::int64_t valid_ns = delivery.start_ns + duration_ns(delivery.bits - 1, sender.drift);
     (counting_ & delivery.receivers).for_each([&](int station) {
       at(station).controller.count_received();
-      heed_state(station, valid_ns);
+      follow_state(station, valid_ns);
     });
     sender.controller.count_sent();
-    heed_state(delivery.sender, delivery.end_ns);
+    follow_state(delivery.sender, delivery.end_ns);
     const StationSet counting = counting_;
     counting.for_each([&](int station) {
       if (at(station).controller.confinement().clean()) {

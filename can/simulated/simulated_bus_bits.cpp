@@ -209,7 +209,7 @@ std::optional<SimulatedBus::Delivery> SimulatedBus::step_bit() noexcept {
   if (!failed.empty()) {
     note_errors(failed, failed_senders, end_ns);
   }
-  counted.for_each([&](int station) { heed_state(station, end_ns); });
+  counted.for_each([&](int station) { follow_state(station, end_ns); });
   error_open_ = error_open_ && goes_on;
   ++bit_;
   follow_sender();

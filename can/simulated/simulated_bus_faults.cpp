@@ -202,7 +202,7 @@ void SimulatedBus::begin_jam(const Action& action) noexcept {
   if (!broken.empty()) {
     note_errors(broken, senders, time_ns_);
   }
-  present.for_each([&](int station) { heed_state(station, time_ns_); });
+  present.for_each([&](int station) { follow_state(station, time_ns_); });
 }
 
 void SimulatedBus::remove(int station) noexcept {
@@ -217,7 +217,7 @@ void SimulatedBus::remove(int station) noexcept {
   one.controller.power_on();  // as it will be
   present_.erase(station);
   valid_.erase(station);
-  heed_state(station, time_ns_);
+  follow_state(station, time_ns_);
 }
 
 void SimulatedBus::switch_off(int station) noexcept {
@@ -238,7 +238,7 @@ void SimulatedBus::switch_on(int station) noexcept {
   one.not_before_ns = time_ns_;
   one.controller.power_on();
   present_.insert(station);
-  heed_state(station, time_ns_);
+  follow_state(station, time_ns_);
 }
 
 }  // namespace gaitway::can

@@ -1,4 +1,4 @@
-// Reads "[ADDRESS:]PORT" and lets loopback addresses pass, no others.
+// Where the socketcand server listens: reads "[ADDRESS:]PORT" and lets loopback addresses pass, no others.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 

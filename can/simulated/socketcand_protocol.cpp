@@ -1,4 +1,5 @@
-// Words of an element, one after the other, each checked as what the command expects there.
+// Reads and writes the socketcand protocol's text: words of an element, one after the other, each checked as
+// what the command expects there.
 #include "gaitway/can/simulated/socketcand_protocol.hpp"
 
 #include <algorithm>

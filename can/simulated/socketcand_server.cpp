@@ -1,4 +1,4 @@
-// Sockets on one side, stations of the simulated bus on the other, a session between them.
+// The socketcand server: sockets on one side, stations of the simulated bus on the other, a session between.
 #include "gaitway/can/simulated/socketcand_server.hpp"
 
 #include <arpa/inet.h>

@@ -1,4 +1,5 @@
-// Modes and jobs after Linux's broadcast manager, which the protocol exposes.
+// What one socketcand client has asked for: modes and jobs after Linux's broadcast manager, which the
+// protocol exposes.
 #include "gaitway/can/simulated/socketcand_session.hpp"
 
 #include <algorithm>

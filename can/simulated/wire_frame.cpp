@@ -1,4 +1,4 @@
-// Fields of a frame in their order on the wire (ISO 11898-1, frame formats and bit stuffing).
+// Puts a frame's fields in their order on the wire, with stuff bits (ISO 11898-1).
 #include "gaitway/can/simulated/wire_frame.hpp"
 
 #include "gaitway/can/frame.hpp"

@@ -1,4 +1,5 @@
-// The semihosting calls.
+// The calls of Arm semihosting: how a program on the emulated microcontroller reads and writes the host's
+// files.
 #include "gaitway_target/semihosting.hpp"
 
 namespace gaitway::target {

@@ -1,4 +1,4 @@
-// Writes a whole text file.
+// Writes a whole text file, or says why it could not.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Which order of priorities meets every deadline, if any does.
+// Which order of the messages' priorities meets every deadline, if any does.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A station in another process than the simulated bus.
+// A station in another process than the simulated bus, which it meets over the bus server's Unix socket.
 #pragma once
 
 #include <cstdint>

@@ -197,7 +197,7 @@ class SimulatedBus {
   [[nodiscard]] std::int64_t duration_ns(std::int64_t bits, double drift) const noexcept;
   [[nodiscard]] Contest contest(StationSet candidates, std::int64_t start_ns) const noexcept;
   // Tells a change of state, and does what follows from bus-off.
-  void heed_state(int station, std::int64_t time_ns) noexcept;
+  void follow_state(int station, std::int64_t time_ns) noexcept;
   // The station takes its frame for sent.
   void settle_sender(int station, Delivery& delivery) noexcept;
   void count_sent(const Delivery& delivery, std::int64_t occupied_ns) noexcept;
