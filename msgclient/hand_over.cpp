@@ -1,13 +1,17 @@
-// Packing of hand-overs into words.
+// Packs a hand-over (batch, tail, trim gains) into the words that cross the EMI, and reads it back.
 #include "gaitway/msgclient/hand_over.hpp"
 
 #include <algorithm>
 #include <bit>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/crc32.hpp"
 
 namespace gaitway::msgclient {
 namespace {
+
+static_assert(kBatchPoints == facts::kSlotsPerCycle,
+              "topics.toml gives a batch one point for each time slot");
 
 constexpr std::size_t kSupportsPerWord = 16;
 

@@ -245,10 +245,11 @@ void read_trim(const input::YamlValue& map, TrimSettings& trim) {
   trim.slew_rad_per_s = map.at("slew_deg_per_s").number({1.0, 2000.0, "deg/s"}) * kRadPerDegree;
   const input::YamlValue limit = map.at("limit_deg");
   trim.limit_rad = limit.number({count_deg, 45.0, "deg"}) * kRadPerDegree;
-  if (trim.limit_rad > 127.0001 * trim.count_rad) {
-    limit.refuse(
-        fmt::format("a signed byte holds 127 counts of {:g} deg = {:g} deg", count_deg, 127 * count_deg),
-        "Lower limit_deg or raise trim.count_deg");
+  constexpr double kRounding_counts = 1e-4;
+  if (trim.limit_rad > (facts::kLargestByte_counts + kRounding_counts) * trim.count_rad) {
+    limit.refuse(fmt::format("a signed byte holds {} counts of {:g} deg = {:g} deg",
+                             facts::kLargestByte_counts, count_deg, facts::kLargestByte_counts * count_deg),
+                 "Lower limit_deg or raise trim.count_deg");
   }
 }
 

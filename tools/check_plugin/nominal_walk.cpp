@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/plugin/cycle.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
@@ -12,8 +13,8 @@ namespace gaitway::plugin_check {
 namespace {
 
 constexpr std::uint32_t kTicks = 480;  // 4.8 s: 60 cycles
-constexpr std::int64_t kWalk_ns = 480'000'000;
-constexpr std::int64_t kStand_ns = 3'600'000'000;
+constexpr std::int64_t kWalk_ns = 6 * facts::kCycle_ns;
+constexpr std::int64_t kStand_ns = 45 * facts::kCycle_ns;
 
 struct Follower {  // one topic of the run
   RecordedTopic* topic;

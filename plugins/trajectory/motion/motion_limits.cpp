@@ -9,8 +9,8 @@
 namespace gaitway::motion {
 namespace {
 
-// A signed byte holds ±127 counts; carrying on the rounding of the point before takes one of them.
-constexpr double kLargestStep_counts = 126.0;
+// Carrying on the rounding of the point before takes one of the counts that a signed byte holds.
+constexpr double kLargestStep_counts = facts::kLargestByte_counts - 1;
 
 }  // namespace
 

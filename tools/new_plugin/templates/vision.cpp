@@ -1,6 +1,7 @@
 // The plug-in plugin_name: turns the head to where the robot will walk; the legs are the shipped kinematics'.
 #include <algorithm>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
 #include "gaitway/plugin/plugin.hpp"
 
@@ -26,10 +27,11 @@ class PluginName final : public gaitway::Plugin {
     if (!solver_.plan_batch(tick.batch_sequence, motion, correction_.read(), joints)) {
       return joints_.publish();  // there is no plan yet
     }
+    constexpr double kStep_s = gaitway::facts::kSlot_s;  // from point to point
     const double aim_rad = std::clamp(look_ahead_s_ * walk_.read().turn_rate, -1.0, 1.0);
     for (int point = 0; point < gaitway::kBatchPoints + static_cast<int>(motion.tail_count); ++point) {
       if (point < gaitway::kBatchPoints) {  // in the tail the head holds still
-        gaze_rad_ += std::clamp(aim_rad - gaze_rad_, -0.01 * speed_rad_per_s_, 0.01 * speed_rad_per_s_);
+        gaze_rad_ += std::clamp(aim_rad - gaze_rad_, -kStep_s * speed_rad_per_s_, kStep_s * speed_rad_per_s_);
       }
       joints.position[point][neck_yaw_] = static_cast<float>(gaze_rad_);
     }
