@@ -36,7 +36,7 @@ function(gaitway_declare_precompiled_headers)  # once the dependencies are known
       target_compile_options(gaitway_precompiled_unoptimised PRIVATE -O0)
     endif()
   endif()
-  if(GAITWAY_TESTS)
+  if(GAITWAY_PART STREQUAL "tests")
     gaitway_precompiled_headers(gaitway_precompiled_tests HEADERS ${gaitway_large_headers} <gmock/gmock.h> <gtest/gtest.h>
       LINKS fmt::fmt Eigen3::Eigen GTest::gtest GTest::gmock)
   endif()

@@ -10,17 +10,6 @@ set(gaitway_shipped_plugins gaitway_plugin_trajectory gaitway_plugin_kinematics 
 set(gaitway_author_libraries facts geometry plugin msgclient_topics simulated_robot_headers process msgclient input urdf
     trajectory kinematics zmp stability)
 
-# Files that programs read: linked into the build tree, copied by an installation.
-function(gaitway_shared_folder name source)
-  file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway")
-  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/${source}" "${CMAKE_BINARY_DIR}/share/gaitway/${name}" SYMBOLIC)
-endfunction()
-gaitway_shared_folder(urdf urdf)
-gaitway_shared_folder(config core/config)
-gaitway_shared_folder(scenarios tools/scenarios)
-gaitway_shared_folder(templates tools/new_plugin/templates)
-gaitway_shared_folder(motions plugins/trajectory/motions)
-gaitway_shared_folder(calibration tools/calibrate/poses)
 install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
 install(DIRECTORY core/config tools/scenarios tools/new_plugin/templates plugins/trajectory/motions DESTINATION share/gaitway)
 install(DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway/prepared_motions" DESTINATION share/gaitway)
