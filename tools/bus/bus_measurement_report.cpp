@@ -31,13 +31,12 @@ constexpr std::array<std::string_view, can::kMessageKinds> kContents{"hold or go
                                                                      "absolute count, 5 points",
                                                                      "mode, cycle"};
 
-constexpr double kInterframe_ms = can::kInterframeBits * 1e-6 * static_cast<double>(facts::kBitTime_ns);
 
 std::string number(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : std::string("-");
 }
 
-std::optional<double> milliseconds(std::optional<std::int64_t> time_ns) {
+std::optional<double> in_milliseconds(std::optional<std::int64_t> time_ns) {
   return time_ns ? std::optional(static_cast<double>(*time_ns) * 1e-6) : std::nullopt;
 }
 
@@ -68,7 +67,7 @@ double rate_per_s(const BusMeasurement& measurement, MessageKind kind) {
 std::string message_row(const BusMeasurement& measurement, const BusRobot& robot, MessageKind kind) {
   const can::ProfileRow& row = robot.profile.row(kind);
   const Spread lengths = lengths_of(measurement, kind), responses = responses_of(measurement, kind);
-  const auto bound = milliseconds(robot.proof.worst_response_ns(kind));
+  const auto bound = in_milliseconds(robot.proof.worst_response_ns(kind));
   return fmt::format(
       "{:<18}{:<15}{:<36}{:>7}{:>7}{:>9.1f}{:>8}{:>16}{:>10}{:>8}  {}\n", can::layout(kind).name,
       identifiers_of(robot.profile, kind, nodes_of(kind, robot)), kContents[static_cast<std::size_t>(kind)],
@@ -153,7 +152,7 @@ ordered_json time_json(const Spread& measured_ms, std::optional<double> publishe
 
 ordered_json message_json(const BusMeasurement& measurement, const BusRobot& robot, MessageKind kind) {
   const can::ProfileRow& row = robot.profile.row(kind);
-  const auto bound = milliseconds(robot.proof.worst_response_ns(kind));
+  const auto bound = in_milliseconds(robot.proof.worst_response_ns(kind));
   return {{"name", can::layout(kind).name},
           {"identifiers", identifiers_of(robot.profile, kind, nodes_of(kind, robot))},
           {"contents", kContents[static_cast<std::size_t>(kind)]},

@@ -15,14 +15,13 @@ namespace {
 
 using can::MessageKind;
 
-constexpr double kInterframe_ms = can::kInterframeBits * 1e-6 * static_cast<double>(facts::kBitTime_ns);
 
 std::string range(const Spread& spread, int decimals) {
   return spread.count == 0 ? std::string("-")
                            : fmt::format("{:.{}f}..{:.{}f}", spread.min, decimals, spread.max, decimals);
 }
 
-std::string milliseconds(std::optional<std::int64_t> time_ns) {
+std::string milliseconds_text(std::optional<std::int64_t> time_ns) {
   return time_ns ? fmt::format("{:.3f}", static_cast<double>(*time_ns) * 1e-6) : std::string("-");
 }
 
@@ -46,7 +45,7 @@ std::string message_row(const BusWatch& watch, const BusWindow& window, const ca
   return row(name, identifiers_of(watch.profile(), kind, nodes),
              fmt::format("{:.1f}", window.rate_per_s[static_cast<std::size_t>(kind)]),
              message.on_event ? std::string("event") : fmt::format("{:.1f}", nominal), watch.message(kind),
-             milliseconds(proof.worst_response_ns(kind)),
+             milliseconds_text(proof.worst_response_ns(kind)),
              fmt::format("{}{}", watch.response_from(kind), beyond ? "  BEYOND ITS BOUND" : ""));
 }
 

@@ -7,9 +7,15 @@
 
 #include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/bus_port.hpp"
+#include "gaitway/can/frame.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "tools/bus/bus_watch.hpp"
 
 namespace gaitway::tools {
+
+// The bus stays idle for so long after a frame, which counts to it in the analysis, not in what is measured.
+inline constexpr double kInterframe_ms =
+    can::kInterframeBits * 1e-6 * static_cast<double>(facts::kBitTime_ns);
 
 // The listener's own station.
 struct ListenerState {

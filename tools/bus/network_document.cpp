@@ -24,7 +24,7 @@ using can::ProfileRow;
 constexpr double kNanosecondsAMillisecond = 1e6;
 constexpr double kBitsASecond = 1e6;
 
-std::string milliseconds(std::int64_t time_ns) {
+std::string period_text(std::int64_t time_ns) {
   return number_text(static_cast<double>(time_ns) / kNanosecondsAMillisecond) + " ms";
 }
 
@@ -101,8 +101,8 @@ class Document {
       const ProfileRow& row = network.profile.row(message->kind);
       put("| {} | {} | {} | {} | {} {} | {} | {} µs |\n", message->name,
           identifiers(network.profile, *message), sender(*message), message->size,
-          row.on_event ? "on events, at most every" : "every", milliseconds(row.period_ns),
-          milliseconds(row.deadline_ns), can::worst_case_bits(message->size));
+          row.on_event ? "on events, at most every" : "every", period_text(row.period_ns),
+          period_text(row.deadline_ns), can::worst_case_bits(message->size));
     }
     const auto [periodic, all] = loads(network);
     put("\nThe most urgent comes first. A deadline counts from the instant at which the sender wants to send "

@@ -15,10 +15,10 @@
 namespace gaitway::plugin_check {
 namespace {
 
-constexpr std::uint64_t kSteps = 2000;
-constexpr std::uint64_t kFullSteps = 100'000;
+constexpr std::uint64_t kTimedSteps = 2000;
+constexpr std::uint64_t kFullTimedSteps = 100'000;
 constexpr std::uint64_t kLeastSteps = 200;
-constexpr std::uint64_t kWarmUpTicks = 80;
+constexpr std::uint64_t kTimedWarmUpTicks = 80;
 constexpr auto kLongest =
     std::chrono::milliseconds(2500);  // of a measurement; whoever needs more is too slow
 constexpr auto kFullLongest = std::chrono::seconds(240);
@@ -89,7 +89,7 @@ StepTimes measure(CheckRun& run, Specimen& specimen, std::uint64_t& n) {
   const BusyNeighbour neighbour;
   ColdCache cache;
   StepTimes times;
-  const std::uint64_t wanted = run.job().full ? kFullSteps : kSteps;
+  const std::uint64_t wanted = run.job().full ? kFullTimedSteps : kTimedSteps;
   const auto end = std::chrono::steady_clock::now() +
                    (run.job().full ? std::chrono::milliseconds(kFullLongest) : kLongest);
   while (times.wall_ms.size() < wanted) {
@@ -121,7 +121,7 @@ void check_budget(CheckRun& run) {
   specimen.create();
   specimen.activate();
   std::uint64_t n = 0;
-  while (n < kWarmUpTicks) {
+  while (n < kTimedWarmUpTicks) {
     specimen.step(run.record(), n++);
   }
   const double standard_ms = specimen.host().period() == Period::batch ? 5.0 : 2.0;

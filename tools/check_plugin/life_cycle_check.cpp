@@ -9,9 +9,9 @@
 namespace gaitway::plugin_check {
 namespace {
 
-constexpr std::uint64_t kSteps = 40;
+constexpr std::uint64_t kStepsPerLife = 40;
 constexpr int kRefusalRounds = 12;
-constexpr double kLeakPerRound_bytes = 8.0;
+constexpr double kLeakPerLife_bytes = 8.0;
 
 struct Sequence {
   const char* name;
@@ -85,7 +85,7 @@ void try_right_order(CheckRun& run, const SpecimenLibrary& library) {
     specimen.abandon();
     return;
   }
-  for (std::uint64_t n = 0; n < kSteps; ++n) {
+  for (std::uint64_t n = 0; n < kStepsPerLife; ++n) {
     specimen.step(run.record(), n);
   }
   if (!specimen.deactivate()) {
@@ -116,7 +116,7 @@ void try_refusal(CheckRun& run, const SpecimenLibrary& library, std::uint32_t ca
   }
   const ProcessResources last = process_resources();
   const double per_round = static_cast<double>(last.heap_bytes - first.heap_bytes) / (0.75 * kRefusalRounds);
-  if (per_round >= kLeakPerRound_bytes || last.descriptors > first.descriptors) {
+  if (per_round >= kLeakPerLife_bytes || last.descriptors > first.descriptors) {
     run.finding(fmt::format("a create that fails keeps {:.0f} bytes and {} descriptors each time", per_round,
                             last.descriptors - first.descriptors),
                 "", "free on every way out of create what was made before");
@@ -136,7 +136,7 @@ void check_life_cycle(CheckRun& run) {
       specimen.create();
       std::uint64_t n = 0;
       sequence.calls(specimen, [&] {
-        for (const std::uint64_t end = n + kSteps; n < end; ++n) {
+        for (const std::uint64_t end = n + kStepsPerLife; n < end; ++n) {
           specimen.step(run.record(), n);
         }
       });

@@ -12,7 +12,7 @@
 namespace gaitway::plugin_check {
 namespace {
 
-constexpr std::uint64_t kSteps = 32;  // four batches
+constexpr std::uint64_t kStepsPerValue = 32;  // four batches
 constexpr int kMixtures = 24;
 constexpr int kFullMixtures = 1000;
 constexpr int kLiveChanges = 8;  // of each live parameter
@@ -110,7 +110,7 @@ class Fuzzer {
             "", "take every value in the declared range");
         break;
       }
-      const auto number = first_non_finite(specimen, static_cast<std::uint64_t>(change + 1) * kSteps);
+      const auto number = first_non_finite(specimen, static_cast<std::uint64_t>(change + 1) * kStepsPerValue);
       if (number && finite_) {
         run_.finding(
             fmt::format("after a change to {}, {}",
@@ -128,7 +128,7 @@ class Fuzzer {
  private:
   std::optional<std::string> first_non_finite(Specimen& specimen, std::uint64_t from) {
     std::optional<std::string> found;
-    for (std::uint64_t n = from; n < from + kSteps && !found; ++n) {
+    for (std::uint64_t n = from; n < from + kStepsPerValue && !found; ++n) {
       specimen.step(run_.record(), n);
       for (const Port& port : specimen.host().ports()) {
         if (port.is_output() && port.published && !found) {

@@ -15,10 +15,10 @@
 namespace gaitway::plugin_check {
 namespace {
 
-constexpr std::uint64_t kSteps = 2000;
-constexpr std::uint64_t kFullSteps = 100'000;
+constexpr std::uint64_t kWatchedSteps = 2000;
+constexpr std::uint64_t kFullWatchedSteps = 100'000;
 constexpr std::uint64_t kWarmUpTicks = 160;
-constexpr int kMostFindings = 6;
+constexpr int kMostCalls = 6;
 constexpr std::int64_t kToleratedFaults = 8;  // the kernel's own: reclaimed or moved pages
 constexpr int kNamedCalls = 20;
 
@@ -117,7 +117,7 @@ class Watch {
   void report(const CaughtCall& call, const Specimen& specimen) {
     const std::string what = fmt::format("a step {}", call_text(call));
     const std::string where = frame_in_plugin(call, run_.job().plugin.string(), symbols_);
-    if (reported_.size() < kMostFindings && reported_.emplace(what, where).second) {
+    if (reported_.size() < kMostCalls && reported_.emplace(what, where).second) {
       run_.finding(what, fmt::format("tick {}, {}", specimen.board().page().tick.load(), where),
                    remedy_of(call));
     }
@@ -149,8 +149,8 @@ void check_real_time(CheckRun& run) {
   for (; n < kWarmUpTicks; ++n) {
     specimen.step(run.record(), n);
   }
-  const std::uint64_t wanted = run.job().full ? kFullSteps : kSteps;
-  for (std::uint64_t steps = 0; steps < wanted && run.findings() < kMostFindings && !run.time_is_up(); ++n) {
+  const std::uint64_t wanted = run.job().full ? kFullWatchedSteps : kWatchedSteps;
+  for (std::uint64_t steps = 0; steps < wanted && run.findings() < kMostCalls && !run.time_is_up(); ++n) {
     if (specimen.prepare_step(run.record(), n)) {
       watch.step(specimen);
       ++steps;

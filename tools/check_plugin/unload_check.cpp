@@ -15,8 +15,8 @@ namespace {
 constexpr int kRounds = 100;
 constexpr int kFullRounds = 1000;
 constexpr int kWarmUp = 20;
-constexpr std::uint64_t kTicks = 16;                     // two batches
-constexpr double kLeakPerRound_bytes = 16.0;             // less is the allocator's own housekeeping
+constexpr std::uint64_t kTicksPerLoad = 16;                     // two batches
+constexpr double kLeakPerLoad_bytes = 16.0;             // less is the allocator's own housekeeping
 constexpr std::int64_t kResidentGrowth_bytes = 8 << 20;  // what no fragmentation explains
 constexpr auto kThreadGrace = std::chrono::milliseconds(300);
 
@@ -37,7 +37,7 @@ void use_once(CheckRun& run, const SpecimenLibrary& library) {
     return;
   }
   specimen.activate();
-  for (std::uint64_t n = 0; n < kTicks; ++n) {
+  for (std::uint64_t n = 0; n < kTicksPerLoad; ++n) {
     specimen.step(run.record(), n);
   }
   specimen.deactivate();
@@ -85,7 +85,7 @@ void compare(CheckRun& run, const ProcessResources& first, const ProcessResource
   run.figure("heap_growth_bytes_per_round", heap);
   run.figure("resident_growth_bytes", resident);
   run.figure("descriptor_growth", last.descriptors - first.descriptors);
-  if (heap >= kLeakPerRound_bytes) {
+  if (heap >= kLeakPerLoad_bytes) {
     run.finding(fmt::format("leaks {:.0f} bytes every time it is created and destroyed", heap), "",
                 "free in the destructor what the constructor or activate allocates; "
                 "build with -fsanitize=address to see where");

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 #include "tools/measure/trial_lists.hpp"
@@ -16,7 +17,6 @@
 namespace gaitway::tools {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kHeldShare = 0.9;        // of a commanded speed, that counts as walking at that speed
 constexpr double kFootInPlace_m = 0.020;  // so far a foot may slide
 // A body that tips to one side takes the weight off the other foot, which then rises some millimetres and
@@ -130,7 +130,7 @@ void add_walking_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
 
   GaitRow heading =
       figure_row("heading", fmt::format("heading drift, straight, {:.0f} s at 0.2 m/s", minute_s), "deg",
-                 5.0 / kDegPerRad, 2.0 / kDegPerRad, kDegPerRad);
+                 5.0 / facts::kDegreePerRad, 2.0 / facts::kDegreePerRad, facts::kDegreePerRad);
   heading.trials = [frame, minute_s](std::uint64_t seed, double) {
     return Trials{walk(frame, seed, {kSteadyWalk_m_per_s, 0.0, 0.0}, minute_s, kStandForBias_s)};
   };

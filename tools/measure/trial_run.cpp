@@ -8,7 +8,7 @@
 namespace gaitway::tools {
 namespace {
 
-constexpr double kTolerance_s = 1e-9;
+constexpr double kEndTolerance_s = 1e-9;
 
 // What the processor did for this thread: other programs on the machine do not count.
 std::int64_t thread_time_ns() noexcept {
@@ -77,7 +77,7 @@ bool TrialRun::goes_on() const {
 }
 
 bool TrialRun::is_due(double at_s) const {
-  return at_s <= static_cast<double>(run_.now_ns()) * 1e-9 + kTolerance_s;
+  return at_s <= static_cast<double>(run_.now_ns()) * 1e-9 + kEndTolerance_s;
 }
 
 void TrialRun::advance_millisecond() {

@@ -18,7 +18,7 @@ constexpr double kWatchedFall_s = 1.0;
 // Of a robot that stands again.
 constexpr double kUpright_rad = 0.1;
 constexpr double kStandingHeight = 0.9;  // of the hips, as a share of that in the stand
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+using facts::kDegreePerRad;
 
 double yaw_of(const Eigen::Isometry3d& pose) {
   return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
@@ -132,7 +132,7 @@ void TrialWatch::measure_heading(const Pose& pose) {
   outcome_.heading_drift_rad =
       sum_rad / static_cast<double>(cycle_.size()) - stand_yaw_sum_rad_ / std::max(stand_samples_, 1);
   if (pose.time_s >= static_cast<double>(outcome_.heading_deg.size() + 1)) {
-    outcome_.heading_deg.push_back(static_cast<float>(outcome_.heading_drift_rad * kDegPerRad));
+    outcome_.heading_deg.push_back(static_cast<float>(outcome_.heading_drift_rad * kDegreePerRad));
   }
 }
 

@@ -23,5 +23,6 @@ inline constexpr int kLargestByte_counts = 127;
 
 inline constexpr double kGravity_m_per_s2 = 9.81;
 inline constexpr double kRadPerDegree = std::numbers::pi / 180.0;
+inline constexpr double kDegreePerRad = 180.0 / std::numbers::pi;
 
 }  // namespace gaitway::facts

@@ -20,8 +20,12 @@ class ConvexHull {
   explicit ConvexHull(std::span<const Point> points) noexcept {
     std::array<Point, kMost> sorted{};
     auto end = std::copy_n(points.begin(), std::min(points.size(), kMost), sorted.begin());
-    std::sort(sorted.begin(), end,
-              [](const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    const auto before = [](const Point& a, const Point& b) {
+      return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    };
+    for (auto point = sorted.begin(); point != end; ++point) {  // few points: insertion
+      std::rotate(std::upper_bound(sorted.begin(), point, *point, before), point, point + 1);
+    }
     end = std::unique(sorted.begin(), end);
     for (auto point = sorted.begin(); point != end; ++point) add(*point, 2);
     const std::size_t lower = count_ + 1;
