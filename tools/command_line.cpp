@@ -6,8 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -20,6 +18,8 @@
 #include <utility>
 
 #include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/number.hpp"
+#include "gaitway/input/text.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -46,19 +46,20 @@ struct Element<std::vector<Value>> {
 
 template <class Number>
 Number number_in(const std::string& option, const std::string& text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [parsed_to, error] = std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, number);
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (error != std::errc() || parsed_to != end || !std::isfinite(number)) {
-      refuse(option, text, "must be a number");
+  using Read = std::conditional_t<std::is_same_v<Number, int>, std::int64_t, Number>;
+  try {
+    const auto number = input::plain_number<Read>(text);
+    if (number >= std::numeric_limits<Number>::lowest() && number <= std::numeric_limits<Number>::max()) {
+      return static_cast<Number>(number);
     }
-  } else if (error != std::errc() || parsed_to != end) {
-    refuse(option, text,
-           fmt::format("must be a whole number from {} to {}", std::numeric_limits<Number>::min(),
-                       std::numeric_limits<Number>::max()));
+  } catch (const input::ValueError& error) {
+    if (std::is_floating_point_v<Number> || !error.remedy.empty()) {
+      refuse(option, text, error.what());
+    }
   }
-  return number;
+  refuse(option, text,
+         fmt::format("must be a whole number from {} to {}", std::numeric_limits<Number>::lowest(),
+                     std::numeric_limits<Number>::max()));
 }
 
 template <class Value>
@@ -321,7 +322,7 @@ int run_program(int argc, char** argv, void (*declare)(const CommandLine& progra
   try {
     return parse_and_run(argc, argv, declare);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "gaitway: {}\n", error.what());
+    fmt::print(stderr, "gaitway: {}\n", input::terminal_text(error.what()));
     return kExitBadInput;
   }
 }

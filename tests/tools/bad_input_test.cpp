@@ -224,6 +224,26 @@ TEST_F(BadInput, TopicsWithTwoWritersOrNone) {
                         {"plug-in 'kinematics' reads topic 'motion_plan', but nobody writes it"});
 }
 
+TEST_F(BadInput, PluginsOfWhichNoneMovesAJoint) {
+  expect_config_refused("plugins:\n  - name: zmp\n",
+                        {"no plug-in writes the topic 'joint_plan'", "'kinematics'"});
+}
+
+TEST_F(BadInput, ConfigurationsThatAreTooLargeOrTwo) {
+  const std::string text = text_of(GAITWAY_DEFAULT_CONFIGURATION);
+  expect_config_refused(text + "---\nplugins: []\n", {"a second document begins here"});
+  expect_config_refused(text + "# " + std::string(5'000'000, 'x') + "\n", {"the file is larger than 4 MiB"});
+  std::string many = text;
+  for (int i = 0; i < 10'000; ++i)
+    many += "  - {name: zmp" + std::to_string(i) + ", library: libgaitway_plugin_zmp.so}\n";
+  expect_config_refused(many, {"must be a list of at most 64 plug-ins"});
+}
+
+TEST_F(BadInput, EscapeSequencesDoNotReachTheTerminal) {
+  expect_config_refused("plugins:\n  - name: \"zmp\\e[2J\"\n    library: x\n", {"\\x1B[2J"});
+  EXPECT_EQ(complaint_.find('\x1B'), std::string::npos) << complaint_;
+}
+
 TEST_F(BadInput, UnreachableFootsteps) {
   expect_trajectory_refused(
       "max_step_forward: 0.3 m",
@@ -246,6 +266,7 @@ TEST_F(BadInput, MissingAndMalformedScenario) {
 TEST_F(BadInput, ScenarioEventsThatCannotBe) {
   expect_scenario_refused("{at_s: 2, wlak: [0.1, 0, 0]}", {"key = 'wlak'", "Did you mean 'walk'?"});
   expect_scenario_refused("{at_s: -2, walk: [0.1, 0, 0]}", {".at_s = '-2': must be 0.."});
+  expect_scenario_refused("{at_s: 3, stop: true}", {".at_s = '3': must be before the end of the run at 3 s"});
   expect_scenario_refused("{at_s: soon, walk: [0.1, 0, 0]}", {".at_s = 'soon': must be a number"});
   expect_scenario_refused("{at_s: 2, walk: [0.1, x, 0]}", {".walk[1] = 'x': must be a number"});
   expect_scenario_refused("{at_s: 2, walk: [0.1, .nan, 0]}", {".walk[1] = '.nan': must be a number"});
@@ -255,6 +276,12 @@ TEST_F(BadInput, ScenarioEventsThatCannotBe) {
   expect_scenario_refused("{at_s: 2, stop: false}", {".stop = 'false': must be true"});
   expect_scenario_refused("{at_s: 2, emergency_stop: firm}",
                           {".emergency_stop = 'firm': must be hold or soft"});
+}
+
+TEST_F(BadInput, ScenarioMotionsThatDoNotExist) {
+  robot_.write("scenario.yaml", "seconds: 3\nevents:\n  - {at_s: 1, motion: dnace}\n");
+  expect_refused("--scenario " + quoted(file("scenario.yaml")),
+                 {"scenario.yaml: the event at 1 s: there is no motion 'dnace'."});
 }
 
 TEST_F(BadInput, ScenarioPushesAndFaultsThatCannotBe) {
@@ -294,6 +321,7 @@ TEST_F(BadInput, OptionsThatCannotBe) {
   expect_refused("--seed 1e20", {"--seed 1e20: must be a whole number"});
   expect_refused("--seed 100000000000000000000", {"--seed 100000000000000000000: must be a whole number"});
   expect_refused("--mismatch nan", {"--mismatch nan: must be a number"});
+  expect_refused("--mismatch 0,5", {"with a decimal point, not with a comma", "'0.5'"});
   expect_refused("--mismatch -1", {"--mismatch -1", "between 0 and 10"});
   expect_refused("--wlak 0.1", {"'--wlak': there is no such command or option", "Did you mean '--walk'?"});
   robot_.write("scenario.yaml", "seconds: 1\n");

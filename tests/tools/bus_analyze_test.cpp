@@ -209,7 +209,9 @@ TEST_F(BusAnalyze, RefusesOptionsThatCannotBe) {
   expect_refused("--errors burts:3", {"--errors burts:3: 'burts': there is no such part", "'burst'"});
   expect_refused("--errors burst:0", {"burst = '0': must be a whole number 1..100000"});
   expect_refused("--errors burst:x", {"burst = 'x'"});
-  expect_refused("--errors interval:10", {"interval = '10'", "with its unit us, ms or s"});
+  expect_refused("--errors interval:10", {"interval = '10'", "with its unit: ns, us, ms or s"});
+  expect_refused("--errors jam:0,4ms",
+                 {"jam = '0,4ms'", "with a decimal point, not with a comma", "'0.4ms'"});
   expect_refused("--errors jam:-1ms", {"jam = '-1ms'"});
   expect_refused("--errors jam:1ms,jam:2ms", {"'jam' is there twice"});
   expect_refused("--errors ''", {"--errors : says nothing"});

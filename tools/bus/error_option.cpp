@@ -3,56 +3,54 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/number.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 constexpr int kMostErrors = 100'000;
-constexpr double kLongest_ns = 1e12;  // 1000 s
+constexpr std::int64_t kLongest_ns = 1'000'000'000'000;  // 1000 s
 
 [[noreturn]] void refuse(const std::string& text, std::string_view rule) {
   throw std::invalid_argument(fmt::format("--errors {}: {}", text, rule));
 }
 
-// The number at the start of `value`, and what follows it.
-std::pair<double, std::string_view> number_of(std::string_view value) {
-  double number = std::nan("");
-  const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
-  return {parsed.ec == std::errc() ? number : std::nan(""),
-          value.substr(static_cast<std::size_t>(parsed.ptr - value.data()))};
-}
-
 std::int64_t time_ns(const std::string& text, std::string_view key, std::string_view value) {
-  constexpr std::array<std::pair<std::string_view, double>, 3> kUnits{{{"us", 1e3}, {"ms", 1e6}, {"s", 1e9}}};
-  const auto [number, unit] = number_of(value);
-  for (const auto& [name, unit_ns] : kUnits) {
-    if (unit == name && number > 0.0 && number * unit_ns >= 1.0 && number * unit_ns <= kLongest_ns) {
-      return std::llround(number * unit_ns);
-    }
+  try {
+    return input::number_with_unit(value, input::kTimeUnits_ns, 1, kLongest_ns);
+  } catch (const input::ValueError& error) {
+    refuse(text, fmt::format("{} = '{}': {}", key, value, error.what()));
   }
-  refuse(text,
-         fmt::format("{} = '{}': must be a time above 0 and up to 1000 s with its unit us, ms or s, for "
-                     "example 10ms",
-                     key, value));
 }
 
 int count(const std::string& text, std::string_view value) {
-  const auto [number, rest] = number_of(value);
-  if (!rest.empty() || !(number >= 1.0 && number <= kMostErrors) || number != std::floor(number)) {
+  if (!input::option_fault<std::int64_t>(value, 1, kMostErrors).empty()) {
     refuse(text, fmt::format("burst = '{}': must be a whole number 1..{}", value, kMostErrors));
   }
-  return static_cast<int>(number);
+  return static_cast<int>(input::plain_number<std::int64_t>(value));
+}
+
+// The parts between commas; a comma before a digit is somebody's decimal comma, which the number's reader
+// tells.
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ',' && !(i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9')) {
+      parts.push_back(text.substr(begin, i - begin));
+      begin = i + 1;
+    }
+  }
+  if (begin < text.size()) {
+    parts.push_back(text.substr(begin));
+  }
+  return parts;
 }
 
 }  // namespace
@@ -61,8 +59,7 @@ can::ErrorSource parse_errors(const std::string& text) {
   static const std::vector<std::string> kKeys{"burst", "interval", "jam"};
   can::ErrorSource source;
   std::set<std::string> seen;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
+  for (const std::string& part : parts_of(text)) {
     const std::size_t colon = part.find(':');
     const std::string key = part.substr(0, colon);
     const std::string value = colon == std::string::npos ? "" : part.substr(colon + 1);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "gaitway/input/text.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "tools/check_plugin/plugin_check.hpp"
@@ -36,7 +37,7 @@ int check_plugin(const CheckPluginOptions& options) {
   }
   const plugin_check::Report report =
       plugin_check::check_plugin(check, [](const plugin_check::CheckResult& result) {
-        fmt::print("{}", to_text(result));
+        fmt::print("{}", input::terminal_text(to_text(result)));
         std::fflush(stdout);
       });
   if (options.json) {
@@ -45,8 +46,9 @@ int check_plugin(const CheckPluginOptions& options) {
   const std::size_t count = report.finding_count();
   const std::string verdict =
       count == 0 ? "no finding" : fmt::format("{} finding{}", count, count == 1 ? "" : "s");
-  fmt::print("{} {}: {} in {:.1f} s\n", report.name.empty() ? check.plugin.filename().string() : report.name,
-             report.version, verdict, report.seconds);
+  const std::string name = report.name.empty() ? check.plugin.filename().string() : report.name;
+  fmt::print("{} in {:.1f} s\n",
+             input::terminal_text(fmt::format("{} {}: {}", name, report.version, verdict)), report.seconds);
   return count == 0 ? kExitFine : kExitFindings;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "gaitway/input/text.hpp"
 #include "tools/ctl/ctl_options.hpp"
 
 namespace gaitway::tools {
@@ -12,24 +13,28 @@ namespace {
 
 using nlohmann::json;
 
+std::string shown_text(const json& text) {
+  return input::terminal_text(text.get<std::string>());
+}
+
 void print_table(const json& values) {
   if (values.contains("plugins")) {
     fmt::print("{:<20} {:<16} {:>9} {:>7} {:>9} {:>9}\n", "plug-in", "state", "steps", "faults", "p50 us",
                "p99 us");
     for (const json& plugin : values["plugins"]) {
-      fmt::print("{:<20} {:<16} {:>9} {:>7} {:>9.1f} {:>9.1f}\n", plugin["name"].get<std::string>(),
-                 plugin["state"].get<std::string>(), plugin["steps"].get<std::uint64_t>(),
+      fmt::print("{:<20} {:<16} {:>9} {:>7} {:>9.1f} {:>9.1f}\n", shown_text(plugin["name"]),
+                 shown_text(plugin["state"]), plugin["steps"].get<std::uint64_t>(),
                  plugin["faults"].get<std::uint64_t>(), plugin["p50_step_us"].get<double>(),
                  plugin["p99_step_us"].get<double>());
     }
   }
   for (std::size_t i = 0; values.contains("live") && i < values["names"].size(); ++i) {
-    fmt::print("{:<28} {:<16} {:<10} {:<5} {}\n", values["names"][i].get<std::string>(),
-               values["values"][i].get<std::string>(), values["units"][i].get<std::string>(),
-               values["live"][i].get<bool>() ? "live" : "", values["docs"][i].get<std::string>());
+    fmt::print("{:<28} {:<16} {:<10} {:<5} {}\n", shown_text(values["names"][i]),
+               shown_text(values["values"][i]), shown_text(values["units"][i]),
+               values["live"][i].get<bool>() ? "live" : "", shown_text(values["docs"][i]));
   }
   for (std::size_t i = 0; values.contains("files") && i < values["files"].size(); ++i) {
-    fmt::print("{}\n", values["files"][i].get<std::string>());
+    fmt::print("{}\n", shown_text(values["files"][i]));
   }
 }
 
@@ -105,7 +110,7 @@ int call_and_print(ApiClient& client, const std::string& service, const json& ar
     print_table(values);
   }
   if (!text.empty() || !done) {
-    fmt::print(done ? stdout : stderr, "{}: {}\n", service, text);
+    fmt::print(done ? stdout : stderr, "{}: {}\n", service, input::terminal_text(text));
   }
   return done ? kExitFine : kExitRefused;
 }

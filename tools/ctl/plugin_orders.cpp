@@ -12,6 +12,7 @@
 #include <string_view>
 #include <thread>
 
+#include "gaitway/input/text.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -106,7 +107,7 @@ class Conversation {
   double timeout_s_;
 };
 
-std::string_view text_of(const PluginAnswer& answer) {
+std::string text_of(const PluginAnswer& answer) {
   const auto* const text = reinterpret_cast<const char*>(answer.text);
   return {text, strnlen(text, sizeof answer.text)};
 }
@@ -117,15 +118,17 @@ int change(Conversation& conversation, const PluginRequest& request, const std::
     return kExitNoAnswer;
   }
   const bool done = answer->done != 0;
-  fmt::print(done ? stdout : stderr, "{}: {}\n", plugin, text_of(*answer));
+  fmt::print(done ? stdout : stderr, "{}: {}\n", plugin, input::terminal_text(text_of(*answer)));
   return done ? kExitFine : kExitRefused;
 }
 
 void print_parameter(const nlohmann::json& parameter) {
   const std::string unit = parameter.at("unit");
-  fmt::print("{:<24} {:>12} {:<10} {:<5} {}\n", parameter.at("name").get<std::string>(),
-             parameter.at("value").get<std::string>(), unit == "1" ? "" : unit,
-             parameter.at("live").get<bool>() ? "live" : "", parameter.at("doc").get<std::string>());
+  fmt::print("{}\n",
+             input::terminal_text(fmt::format(
+                 "{:<24} {:>12} {:<10} {:<5} {}", parameter.at("name").get<std::string>(),
+                 parameter.at("value").get<std::string>(), unit == "1" ? "" : unit,
+                 parameter.at("live").get<bool>() ? "live" : "", parameter.at("doc").get<std::string>())));
 }
 
 // One after the other, until there is none of the next number.
@@ -139,7 +142,7 @@ int list_parameters(Conversation& conversation, PluginRequest request) {
       if (request.index > 0) {
         return kExitFine;
       }
-      fmt::print(stderr, "{}\n", text_of(*answer));
+      fmt::print(stderr, "{}\n", input::terminal_text(text_of(*answer)));
       return kExitRefused;
     }
     print_parameter(nlohmann::json::parse(text_of(*answer)));

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "gaitway/input/text.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "tools/ctl/ctl_options.hpp"
 
@@ -58,7 +59,8 @@ int walk(ApiClient& client, const std::vector<double>& velocity, double seconds)
   json values;
   const ApiClient::ServiceAnswer lease = client.call("/command/acquire", {{"name", "gaitway ctl"}}, values);
   if (!lease.result || !values.value("success", false)) {
-    fmt::print(stderr, "gaitway ctl: {}\n", lease.result ? values.value("message", "") : lease.problem);
+    fmt::print(stderr, "gaitway ctl: {}\n",
+               input::terminal_text(lease.result ? values.value("message", "") : lease.problem));
     return kExitRefused;
   }
   const json renewal = {{"lease", values.value("lease", "")}};
@@ -84,7 +86,7 @@ int echo(ApiClient& client, const std::string& topic, int count, double timeout_
       fmt::print(stderr, "gaitway ctl: {}: no message within {:g} s\n", topic, timeout_s);
       return kExitNoAnswer;
     }
-    fmt::print("{}\n", message->value("msg", json()).dump());
+    fmt::print("{}\n", input::terminal_text(message->value("msg", json()).dump()));
     std::fflush(stdout);
   }
   return kExitFine;
@@ -94,11 +96,12 @@ int list_topics(ApiClient& client) {
   json values;
   const ApiClient::ServiceAnswer answer = client.call("/rosapi/topics", json::object(), values);
   if (!answer.result) {
-    fmt::print(stderr, "gaitway ctl: {}\n", answer.problem);
+    fmt::print(stderr, "gaitway ctl: {}\n", input::terminal_text(answer.problem));
     return kExitRefused;
   }
   for (std::size_t i = 0; i < values["topics"].size(); ++i) {
-    fmt::print("{:<22} {}\n", values["topics"][i].get<std::string>(), values["types"][i].get<std::string>());
+    fmt::print("{:<22} {}\n", input::terminal_text(values["topics"][i].get<std::string>()),
+               input::terminal_text(values["types"][i].get<std::string>()));
   }
   return kExitFine;
 }
@@ -176,8 +179,7 @@ void add_motions(const CommandLine& ctl, const SharedCtlOptions& options) {
 }
 
 void add_recordings(const CommandLine& ctl, const SharedCtlOptions& options) {
-  const CommandLine recording =
-      ctl.subcommand("recording", "Record the topics into MCAP files: start, stop");
+  const CommandLine recording = ctl.subcommand("recording", "Record the topics into MCAP files: start, stop");
   recording.needs_subcommand();
   recording.footer(
       "Examples:\n"

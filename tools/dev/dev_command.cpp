@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/input/text.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
@@ -110,7 +111,7 @@ class DevelopmentRobot {
       const core::Event& event = events[next_event_];
       if (event.source() == plugin_) {
         fmt::print("  {:7.2f} s  {}: {}\n", static_cast<double>(event.stamp_ns) * 1e-9,
-                   core::event_kind_name(event.kind), event.text());
+                   core::event_kind_name(event.kind), input::terminal_text(event.text()));
       }
     }
   }
@@ -197,7 +198,8 @@ class Development {
     }
   }
   static void complain(std::string_view what, std::string_view why) {
-    fmt::print("  NOT CHANGED: {}; the robot walks on with the last version:\n{}\n", what, why);
+    fmt::print("  NOT CHANGED: {}; the robot walks on with the last version:\n{}\n", what,
+               input::terminal_text(why));
   }
   void told(bool done, const std::string& text) {
     if (!done) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/input/text.hpp"
 #include "gaitway/isolation/plugin_probe.hpp"
 #include "gaitway/process/installation.hpp"
 #include "tools/command_line.hpp"
@@ -104,19 +105,21 @@ std::string topics_of(const core::PluginDescription& plugin, bool written) {
   return text.empty() ? "nothing" : text;
 }
 
-void print(const core::PluginDescription& plugin) {
-  fmt::print("{} {}  {}\n", plugin.name, plugin.version, plugin.text);
-  fmt::print("  library     {}\n", plugin.file.string());
-  fmt::print("  stepped     every {}\n", plugin.every_tick ? "10 ms" : "80 ms, for each batch");
-  fmt::print("  reads       {}\n", topics_of(plugin, false));
-  fmt::print("  writes      {}\n", topics_of(plugin, true));
+std::string describe(const core::PluginDescription& plugin) {
+  std::string text = fmt::format("{} {}  {}\n", plugin.name, plugin.version, plugin.text);
+  text += fmt::format("  library     {}\n", plugin.file.string());
+  text += fmt::format("  stepped     every {}\n", plugin.every_tick ? "10 ms" : "80 ms, for each batch");
+  text += fmt::format("  reads       {}\n", topics_of(plugin, false));
+  text += fmt::format("  writes      {}\n", topics_of(plugin, true));
   for (const core::DescribedParameter& parameter : plugin.parameters) {
     const bool has_unit = !parameter.unit.empty() && parameter.unit != "1";
-    fmt::print("  {:<11} {} = {}{}{}{}\n", &parameter == plugin.parameters.data() ? "parameters" : "",
-               parameter.name, parameter.fallback, has_unit ? " " + parameter.unit : "",
-               parameter.live ? ", may be changed while it runs" : "",
-               parameter.doc.empty() ? "" : "  " + parameter.doc);
+    text +=
+        fmt::format("  {:<11} {} = {}{}{}{}\n", &parameter == plugin.parameters.data() ? "parameters" : "",
+                    parameter.name, parameter.fallback, has_unit ? " " + parameter.unit : "",
+                    parameter.live ? ", may be changed while it runs" : "",
+                    parameter.doc.empty() ? "" : "  " + parameter.doc);
   }
+  return text;
 }
 
 int list_plugins(const PluginsOptions& options) {
@@ -130,10 +133,10 @@ int list_plugins(const PluginsOptions& options) {
       if (options.json) {
         list.push_back(as_json(plugin));
       } else {
-        print(plugin);
+        fmt::print("{}", input::terminal_text(describe(plugin)));
       }
     } catch (const core::PluginError& error) {
-      fmt::print(stderr, "gaitway: not usable: {}\n", error.what());
+      fmt::print(stderr, "gaitway: not usable: {}\n", input::terminal_text(error.what()));
       exit_code = 1;
     }
   }

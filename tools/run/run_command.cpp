@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
@@ -207,6 +208,47 @@ core::PluginExchange plugins_of(const RunOptions& options) {
   return plugins;
 }
 
+// What the scenario plays must be among the motions that the shipped planner finds; other planners know their
+// own.
+void require_known_motions(const simulator::Scenario& scenario, const RunOptions& options,
+                           const core::Configuration& configuration) {
+  std::vector<std::filesystem::path> folders{process::prepared_motion_directory(),
+                                             options.robot.parent_path().parent_path() / "prepared_motions"};
+  for (const core::PluginEntry& plugin : configuration.plugins) {
+    for (const core::ParameterEntry& parameter : plugin.parameters) {
+      if (parameter.name == "motions") {
+        folders.emplace_back(parameter.text);
+      }
+    }
+  }
+  std::vector<std::string> known;
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+      known.push_back(entry.path().stem().string());
+    }
+  }
+  for (const simulator::ScenarioEvent& event : scenario.events) {
+    const auto* const motion = std::get_if<simulator::MotionEvent>(&event.action);
+    if (motion != nullptr && !motion->name.empty() &&
+        std::find(known.begin(), known.end(), motion->name) == known.end()) {
+      throw std::invalid_argument(fmt::format("{}: the event at {:g} s: there is no motion '{}'. {}",
+                                              options.scenario->string(), event.at_s, motion->name,
+                                              input::suggest(motion->name, known)));
+    }
+  }
+}
+
+// Plug-ins that all work, but of which none moves a joint, are somebody's mistake.
+void require_joint_plan(const core::PluginExchange& plugins, const RunOptions& options) {
+  if (plugins.writer_of("joint_plan").empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: no plug-in writes the topic 'joint_plan', so nothing would move. Add 'kinematics', or another "
+        "plug-in that writes it",
+        options.config.string()));
+  }
+}
+
 int run(const RunOptions& options) {
   check(options);
   urdf::RobotModel robot = urdf::load_robot(options.robot);
@@ -229,6 +271,10 @@ int run(const RunOptions& options) {
   cosimulation_options.main_controller.plugins = plugins.configuration;
   cosimulation_options.plugin_commands_walk = !commander.empty();
   simulator::Cosimulation cosimulation(robot, cosimulation_options);
+  require_joint_plan(plugins, options);
+  if (plugins.writer_of("motion_state") == "trajectory") {
+    require_known_motions(scenario, options, plugins.configuration);
+  }
   prepare_output(options.out);
 
   RunRecorder recorder(cosimulation, options.out / "bus.log", true);
