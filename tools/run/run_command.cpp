@@ -241,7 +241,8 @@ void require_known_motions(const simulator::Scenario& scenario, const RunOptions
 
 // Plug-ins that all work, but of which none moves a joint, are somebody's mistake.
 void require_joint_plan(const core::PluginExchange& plugins, const RunOptions& options) {
-  if (plugins.writer_of("joint_plan").empty()) {
+  const bool all_known = plugins.descriptions.size() == plugins.configuration.plugins.size();
+  if (all_known && plugins.writer_of("joint_plan").empty()) {
     throw std::invalid_argument(fmt::format(
         "{}: no plug-in writes the topic 'joint_plan', so nothing would move. Add 'kinematics', or another "
         "plug-in that writes it",
