@@ -4,8 +4,6 @@
 
 #include <fcntl.h>
 #include <linux/capability.h>
-#include <linux/prctl.h>
-#include <linux/seccomp.h>
 #include <linux/sockios.h>
 #include <sched.h>
 #include <signal.h>
@@ -20,78 +18,74 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
+#include <memory>
 
 #include "seccomp_filter.hpp"
 
 namespace gaitway::core {
 namespace {
 
-struct NamedCall {
-  long number;
-  const char* name;
-};
-constexpr NamedCall kForbidden[] {
-#if defined(__x86_64__)
-  {SYS_fork, "fork"}, {SYS_vfork, "vfork"},
-#endif
-      {SYS_execve, "execve"}, {SYS_execveat, "execveat"}, {SYS_ptrace, "ptrace"},
-      {SYS_process_vm_readv, "process_vm_readv"}, {SYS_process_vm_writev, "process_vm_writev"},
-      {SYS_pidfd_open, "pidfd_open"}, {SYS_pidfd_getfd, "pidfd_getfd"},
-      {SYS_pidfd_send_signal, "pidfd_send_signal"}, {SYS_rt_sigqueueinfo, "rt_sigqueueinfo"},
-      {SYS_rt_tgsigqueueinfo, "rt_tgsigqueueinfo"}, {SYS_tkill, "tkill"}, {SYS_setrlimit, "setrlimit"},
-      {SYS_setpgid, "setpgid"}, {SYS_setsid, "setsid"}, {SYS_setpriority, "setpriority"},
-      {SYS_sched_setscheduler, "sched_setscheduler"}, {SYS_sched_setparam, "sched_setparam"},
-      {SYS_sched_setattr, "sched_setattr"}, {SYS_unshare, "unshare"}, {SYS_setns, "setns"},
-      {SYS_mount, "mount"}, {SYS_bpf, "bpf"}, {SYS_perf_event_open, "perf_event_open"},
-      {SYS_io_uring_setup, "io_uring_setup"},
-};
-constexpr NamedCall kNetwork[]{{SYS_socket, "socket"},
-                               {SYS_socketpair, "socketpair"},
-                               {SYS_connect, "connect"},
-                               {SYS_bind, "bind"},
-                               {SYS_listen, "listen"}};
-constexpr NamedCall kAccepting[]{{SYS_accept, "accept"}, {SYS_accept4, "accept4"}};
-// Forbidden but for some uses.
-constexpr NamedCall kRestricted[]{{SYS_clone, "clone"},
-                                  {SYS_kill, "kill"},
-                                  {SYS_tgkill, "tgkill"},
-                                  {SYS_prlimit64, "prlimit64"},
-                                  {SYS_fcntl, "fcntl to signal others"},
-                                  {SYS_ioctl, "ioctl to signal others or to type into a terminal"}};
+constexpr int kForbidden[]{SCMP_SYS(fork),
+                           SCMP_SYS(vfork),
+                           SCMP_SYS(execve),
+                           SCMP_SYS(execveat),
+                           SCMP_SYS(ptrace),
+                           SCMP_SYS(process_vm_readv),
+                           SCMP_SYS(process_vm_writev),
+                           SCMP_SYS(pidfd_open),
+                           SCMP_SYS(pidfd_getfd),
+                           SCMP_SYS(pidfd_send_signal),
+                           SCMP_SYS(rt_sigqueueinfo),
+                           SCMP_SYS(rt_tgsigqueueinfo),
+                           SCMP_SYS(tkill),
+                           SCMP_SYS(setrlimit),
+                           SCMP_SYS(setpgid),
+                           SCMP_SYS(setsid),
+                           SCMP_SYS(setpriority),
+                           SCMP_SYS(sched_setscheduler),
+                           SCMP_SYS(sched_setparam),
+                           SCMP_SYS(sched_setattr),
+                           SCMP_SYS(unshare),
+                           SCMP_SYS(setns),
+                           SCMP_SYS(mount),
+                           SCMP_SYS(bpf),
+                           SCMP_SYS(perf_event_open),
+                           SCMP_SYS(io_uring_setup)};
+constexpr int kNetwork[]{SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(connect), SCMP_SYS(bind),
+                         SCMP_SYS(listen)};
+constexpr int kAccepting[]{SCMP_SYS(accept), SCMP_SYS(accept4)};
 
 enum class Reach : std::uint8_t { nothing, accepted_connections, network };
 
 volatile sig_atomic_t refused_call = -1;
 bool remembers_all_threads = true;
 
-SeccompFilter make_filter(Reach reach, std::uint32_t refusal) {
+// `refusal`: see SeccompFilter. What is forbidden but for some uses has conditions.
+bool install_filter(Reach reach, std::uint32_t refusal) noexcept {
   SeccompFilter filter(refusal);
-  for (const NamedCall& call : kForbidden) {
-    filter.refuse(call.number);
-  }
+  filter.refuse_all(kForbidden);
   if (reach != Reach::network) {
-    for (const NamedCall& call : kNetwork) {
-      filter.refuse(call.number);
-    }
+    filter.refuse_all(kNetwork);
   }
   if (reach == Reach::nothing) {
-    for (const NamedCall& call : kAccepting) {
-      filter.refuse(call.number);
-    }
+    filter.refuse_all(kAccepting);
   }
   // Its flags lie in memory, where no filter sees them; without it libraries use clone.
-  filter.refuse(SYS_clone3, SECCOMP_RET_ERRNO | ENOSYS);
-  constexpr std::uint32_t kThread = 0x0001'0000U;  // CLONE_THREAD
-  filter.refuse_unless(SYS_clone, 0, {kThread, kThread});
-  const auto self = static_cast<std::uint32_t>(getpid());
-  filter.refuse_unless(SYS_kill, 0, {.value = self});
-  filter.refuse_unless(SYS_tgkill, 0, {.value = self});
-  filter.refuse_unless_null(SYS_prlimit64, 2);  // no new limit: it only asks
+  filter.refuse(SCMP_SYS(clone3), SCMP_ACT_ERRNO(ENOSYS));
+  filter.refuse(SCMP_SYS(clone), {SeccompFilter::has(0, CLONE_THREAD, 0)});
+  const auto self = static_cast<std::uint64_t>(getpid());
+  filter.refuse(SCMP_SYS(kill), {SeccompFilter::is_not(0, self)});
+  filter.refuse(SCMP_SYS(tgkill), {SeccompFilter::is_not(0, self)});
+  filter.refuse(SCMP_SYS(prlimit64), {SeccompFilter::is_not(2, 0)});  // a new limit: else it only asks
   // A descriptor's owner is signalled by the kernel, and a terminal takes what is typed into it for its
   // user's.
-  filter.refuse_unless_next(SYS_fcntl, 1, F_SETOWN, self, F_SETOWN_EX);
-  filter.refuse_if(SYS_ioctl, 1, {FIOSETOWN, SIOCSPGRP, TIOCSTI, TIOCLINUX});
-  return filter;
+  filter.refuse(SCMP_SYS(fcntl), {SeccompFilter::is(1, F_SETOWN_EX)});
+  filter.refuse(SCMP_SYS(fcntl), {SeccompFilter::is(1, F_SETOWN), SeccompFilter::is_not(2, self)});
+  for (const int request : {FIOSETOWN, SIOCSPGRP, TIOCSTI, TIOCLINUX}) {
+    filter.refuse(SCMP_SYS(ioctl), {SeccompFilter::is(1, static_cast<std::uint32_t>(request))});
+  }
+  return filter.install(SeccompFilter::Threads::this_one);
 }
 
 // Answers EPERM in the kernel's stead.
@@ -177,34 +171,25 @@ void enter_child_bounds(const ChildBounds& bounds, int first_closed) noexcept {
     drop_capabilities();
   }
   // A trap ends a thread that blocks its signal, as those of network libraries do.
-  SeccompFilter filter = bounds.serves_network ? make_filter(Reach::network, SECCOMP_RET_ERRNO | EPERM)
-                                               : make_filter(Reach::nothing, SECCOMP_RET_TRAP);
-  if (!filter.install()) {
+  if (bounds.serves_network ? !install_filter(Reach::network, SCMP_ACT_ERRNO(EPERM))
+                            : !install_filter(Reach::nothing, SCMP_ACT_TRAP)) {
     limit(RLIMIT_NPROC, 0);
   }
 }
 
 bool remember_refused_calls() noexcept {
-  return make_filter(Reach::accepted_connections, SECCOMP_RET_TRAP).install();
+  return install_filter(Reach::accepted_connections, SCMP_ACT_TRAP);
 }
 
 std::string take_refused_call() {
-  const long number = refused_call;
+  const int number = refused_call;
   refused_call = -1;
   if (number < 0) {
     return {};
   }
-  const auto named = [number](const auto& calls) {
-    const auto found = std::find_if(std::begin(calls), std::end(calls),
-                                    [number](const NamedCall& call) { return call.number == number; });
-    return found == std::end(calls) ? std::string() : std::string(found->name);
-  };
-  for (std::string name : {named(kForbidden), named(kNetwork), named(kAccepting), named(kRestricted)}) {
-    if (!name.empty()) {
-      return name;
-    }
-  }
-  return "system call " + std::to_string(number);
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, number), &std::free);
+  return name == nullptr ? "system call " + std::to_string(number) : name.get();
 }
 
 }  // namespace gaitway::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace gaitway::core {
@@ -10,7 +11,7 @@ struct ChildBounds {
   std::uint64_t memory_limit_bytes =
       0;  // 0: of all this only the descriptors, the core file and the priority
   std::uint64_t descriptor_limit = 0;
-  // Opens sockets and files until network_bounds.hpp says otherwise, has no priority and few privileges.
+  // Opens sockets and files until end_set_up(), has no priority and few privileges.
   bool serves_network = false;
 };
 
@@ -28,5 +29,20 @@ void enter_child_bounds(const ChildBounds& bounds, int first_closed) noexcept;
 
 // The first refused call since the last question, for people; empty: none.
 [[nodiscard]] std::string take_refused_call();
+
+// --- The tighter bounds of one that serves the network: what reaches it from there must not reach further.
+// In two parts, since a thread that the plug-in starts while it is constructed must be bound, too.
+
+// Before the plug-in is constructed, by the only thread there is: files are created and written beneath
+// `folder` alone (empty: nowhere), by this thread and all that it starts. True: the kernel sees to it
+// (Landlock). False: it cannot; then no file may be opened once set-up is over. Throws PluginError if there
+// is no such folder.
+[[nodiscard]] bool confine_writes(const std::filesystem::path& folder);
+
+// When set-up is over, for all threads that there are and will be: no new sockets but those that are
+// accepted, no connections, no change of files or folders, no file opened but for writing, and that only if
+// `may_write`. What is refused answers EPERM, an open EACCES. Throws PluginError where the kernel cannot do
+// that: then nothing must be served.
+void end_set_up(bool may_write);
 
 }  // namespace gaitway::core

@@ -16,7 +16,6 @@
 #include "gaitway/plugin/detail/plugin_border.hpp"
 #include "last_words.hpp"
 #include "messages.hpp"
-#include "network_bounds.hpp"
 #include "plugin_declarations.hpp"
 
 namespace gaitway::core {

@@ -1,16 +1,15 @@
 // Landlock for where files are written; a seccomp filter for everything else.
-#include "network_bounds.hpp"
+#include "bounds.hpp"
 
 #include <fcntl.h>
-#include <linux/seccomp.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdint>
+#include <utility>
 
 #include "bounds.hpp"
 #include "gaitway/manager/plugin_error.hpp"
@@ -52,27 +51,64 @@ process::FileDescriptor open_folder(const std::filesystem::path& folder) {
   return opened;
 }
 
-constexpr std::array kSockets{SYS_socket, SYS_socketpair, SYS_connect, SYS_bind, SYS_listen};
-constexpr std::array kFiles {
-#if defined(__x86_64__)
-  SYS_creat, SYS_unlink, SYS_rename, SYS_mkdir, SYS_rmdir, SYS_link, SYS_symlink, SYS_chmod, SYS_chown,
-      SYS_lchown, SYS_mknod, SYS_utime, SYS_utimes, SYS_futimesat, SYS_renameat,
-#endif
-      SYS_openat2, SYS_open_by_handle_at, SYS_unlinkat, SYS_renameat2, SYS_mkdirat, SYS_linkat, SYS_symlinkat,
-      SYS_fchmod, SYS_fchmodat, SYS_fchown, SYS_fchownat, SYS_mknodat, SYS_truncate, SYS_utimensat,
-      SYS_setxattr, SYS_lsetxattr, SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr,
-      SYS_mount, SYS_umount2, SYS_chroot, SYS_pivot_root, SYS_open_tree, SYS_move_mount, SYS_fsopen,
-      SYS_fspick, SYS_fsmount, SYS_mount_setattr, SYS_chdir, SYS_fchdir
-};
+constexpr int kSockets[]{SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(connect), SCMP_SYS(bind),
+                         SCMP_SYS(listen)};
+constexpr int kFiles[]{SCMP_SYS(creat),
+                       SCMP_SYS(unlink),
+                       SCMP_SYS(rename),
+                       SCMP_SYS(mkdir),
+                       SCMP_SYS(rmdir),
+                       SCMP_SYS(link),
+                       SCMP_SYS(symlink),
+                       SCMP_SYS(chmod),
+                       SCMP_SYS(chown),
+                       SCMP_SYS(lchown),
+                       SCMP_SYS(mknod),
+                       SCMP_SYS(utime),
+                       SCMP_SYS(utimes),
+                       SCMP_SYS(futimesat),
+                       SCMP_SYS(renameat),
+                       SCMP_SYS(openat2),
+                       SCMP_SYS(open_by_handle_at),
+                       SCMP_SYS(unlinkat),
+                       SCMP_SYS(renameat2),
+                       SCMP_SYS(mkdirat),
+                       SCMP_SYS(linkat),
+                       SCMP_SYS(symlinkat),
+                       SCMP_SYS(fchmod),
+                       SCMP_SYS(fchmodat),
+                       SCMP_SYS(fchown),
+                       SCMP_SYS(fchownat),
+                       SCMP_SYS(mknodat),
+                       SCMP_SYS(truncate),
+                       SCMP_SYS(utimensat),
+                       SCMP_SYS(setxattr),
+                       SCMP_SYS(lsetxattr),
+                       SCMP_SYS(fsetxattr),
+                       SCMP_SYS(removexattr),
+                       SCMP_SYS(lremovexattr),
+                       SCMP_SYS(fremovexattr),
+                       SCMP_SYS(mount),
+                       SCMP_SYS(umount2),
+                       SCMP_SYS(chroot),
+                       SCMP_SYS(pivot_root),
+                       SCMP_SYS(open_tree),
+                       SCMP_SYS(move_mount),
+                       SCMP_SYS(fsopen),
+                       SCMP_SYS(fspick),
+                       SCMP_SYS(fsmount),
+                       SCMP_SYS(mount_setattr),
+                       SCMP_SYS(chdir),
+                       SCMP_SYS(fchdir)};
 // Other ways to other processes, and what no server does.
-constexpr std::array kOthers{
-    SYS_execve,     SYS_execveat,    SYS_memfd_create,      SYS_shmget,     SYS_shmat,
-    SYS_semget,     SYS_semop,       SYS_semtimedop,        SYS_semctl,     SYS_msgget,
-    SYS_msgsnd,     SYS_msgctl,      SYS_mq_open,           SYS_mq_unlink,  SYS_keyctl,
-    SYS_add_key,    SYS_request_key, SYS_sched_setaffinity, SYS_ioprio_set, SYS_migrate_pages,
-    SYS_move_pages, SYS_personality, SYS_userfaultfd};
-constexpr std::uint32_t kOpenMask = O_ACCMODE | O_CREAT | O_PATH;
-constexpr std::uint32_t kOpenToWrite = O_WRONLY | O_CREAT;
+constexpr int kOthers[]{SCMP_SYS(execve),      SCMP_SYS(execveat),      SCMP_SYS(memfd_create),
+                        SCMP_SYS(shmget),      SCMP_SYS(shmat),         SCMP_SYS(semget),
+                        SCMP_SYS(semop),       SCMP_SYS(semtimedop),    SCMP_SYS(semctl),
+                        SCMP_SYS(msgget),      SCMP_SYS(msgsnd),        SCMP_SYS(msgctl),
+                        SCMP_SYS(mq_open),     SCMP_SYS(mq_unlink),     SCMP_SYS(keyctl),
+                        SCMP_SYS(add_key),     SCMP_SYS(request_key),   SCMP_SYS(sched_setaffinity),
+                        SCMP_SYS(ioprio_set),  SCMP_SYS(migrate_pages), SCMP_SYS(move_pages),
+                        SCMP_SYS(personality), SCMP_SYS(userfaultfd)};
 
 }  // namespace
 
@@ -97,36 +133,32 @@ bool confine_writes(const std::filesystem::path& folder) {
 }
 
 void end_set_up(bool may_write) {
-  SeccompFilter filter(SECCOMP_RET_ERRNO | EPERM);
-  const auto refuse_all = [&filter](const auto& calls) {
-    for (const long call : calls) {
-      filter.refuse(call);
-    }
-  };
-  refuse_all(kSockets);
-  refuse_all(kFiles);
-  refuse_all(kOthers);
+  SeccompFilter filter(SCMP_ACT_ERRNO(EPERM));
+  filter.refuse_all(kSockets);
+  filter.refuse_all(kFiles);
+  filter.refuse_all(kOthers);
   // A way to connect without connect().
-  filter.refuse_unless(SYS_sendto, 3, {MSG_FASTOPEN, 0});
-  filter.refuse_unless(SYS_sendmsg, 2, {MSG_FASTOPEN, 0});
-  filter.refuse_unless(SYS_sendmmsg, 3, {MSG_FASTOPEN, 0});
-  constexpr std::uint32_t kRefusal = SECCOMP_RET_ERRNO | EACCES;
-  const auto restrict_open = [&](long call, unsigned flags) {
-    if (may_write) {
-      filter.refuse_unless(call, flags, {kOpenMask, kOpenToWrite}, kRefusal);
-    } else {
+  for (const auto& [call, flags] :
+       {std::pair{SCMP_SYS(sendto), 3U}, {SCMP_SYS(sendmsg), 2U}, {SCMP_SYS(sendmmsg), 3U}}) {
+    filter.refuse(call, {SeccompFilter::has(flags, MSG_FASTOPEN, MSG_FASTOPEN)});
+  }
+  constexpr std::uint32_t kRefusal = SCMP_ACT_ERRNO(EACCES);
+  for (const auto& [call, flags] : {std::pair{SCMP_SYS(open), 1U}, {SCMP_SYS(openat), 2U}}) {
+    if (!may_write) {
       filter.refuse(call, kRefusal);
+      continue;
     }
-  };
-#if defined(__x86_64__)
-  restrict_open(SYS_open, 1);
-#endif
-  restrict_open(SYS_openat, 2);
-  if (!filter.install_in_all_threads()) {
+    // But for O_WRONLY | O_CREAT.
+    filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_PATH, O_PATH)});
+    filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_CREAT, 0)});
+    for (const int mode : {O_RDONLY, O_RDWR, O_ACCMODE}) {
+      filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_ACCMODE, static_cast<std::uint32_t>(mode))});
+    }
+  }
+  if (!filter.install(SeccompFilter::Threads::all)) {
     throw PluginError(
         "its process cannot be closed off from files and connections: network: serve needs a kernel with "
-        "seccomp, "
-        "and a plug-in whose threads have no filters of their own");
+        "seccomp, and a plug-in whose threads have no filters of their own");
   }
   if (!remember_refused_calls()) {
     throw PluginError(std::string("its own thread cannot be bound: ") + strerror(errno));

@@ -1,56 +1,68 @@
-// A seccomp filter, call by call: what is refused, and how the refusal is answered.
+// A filter of system calls, made with libseccomp: everything is allowed but what is refused; calls of another
+// architecture end the process.
 #pragma once
 
-#include <linux/filter.h>
+#include <seccomp.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <initializer_list>
-#include <vector>
+#include <span>
 
 namespace gaitway::core {
 
-struct MaskedWord {
-  std::uint32_t mask = ~0U;
-  std::uint32_t value = 0;
-};
-
-// Everything is allowed but what is refused below; calls of another architecture end the process. Of an
-// argument only the lower word is looked at unless it is said otherwise. A call may be named once.
 class SeccompFilter {
  public:
-  // `refusal`: SECCOMP_RET_TRAP, or SECCOMP_RET_ERRNO with an error number.
-  explicit SeccompFilter(std::uint32_t refusal);
-
-  [[nodiscard]] static bool is_supported() noexcept;
-
-  void refuse(long call);
-  void refuse(long call, std::uint32_t refusal);
-  // All but the one use in which the argument has these bits.
-  void refuse_unless(long call, unsigned argument, const MaskedWord& wanted, std::uint32_t refusal);
-  void refuse_unless(long call, unsigned argument, const MaskedWord& wanted) {
-    refuse_unless(call, argument, wanted, refusal_);
+  // `refusal`: SCMP_ACT_TRAP or SCMP_ACT_ERRNO(number).
+  explicit SeccompFilter(std::uint32_t refusal) noexcept
+      : refusal_(refusal), context_(seccomp_init(SCMP_ACT_ALLOW)) {
+    sound_ = context_ != nullptr &&
+             seccomp_attr_set(context_, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS) == 0;
   }
-  // All but those in which the whole argument, both words of it, is zero: a pointer that is null.
-  void refuse_unless_null(long call, unsigned argument);
-  // Those in which the argument is one of `values`.
-  void refuse_if(long call, unsigned argument, std::initializer_list<std::uint32_t> values);
-  // Where `argument` is `selecting`, the next argument must be `wanted`; where it is one of `never`, the call
-  // is refused.
-  void refuse_unless_next(long call, unsigned argument, std::uint32_t selecting, std::uint32_t wanted,
-                          std::uint32_t never);
+  ~SeccompFilter() { seccomp_release(context_); }
+  SeccompFilter(const SeccompFilter&) = delete;
+  SeccompFilter& operator=(const SeccompFilter&) = delete;
 
-  // For the calling thread, and those that it starts from now on.
-  [[nodiscard]] bool install() noexcept;
-  // For all threads of the process. Fails where one of them has a filter that this one has not.
-  [[nodiscard]] bool install_in_all_threads() noexcept;
+  // What arguments a refusal is about. The kernel reads numbers of 32 bits from the lower word alone, which
+  // equality looks at; what is to be `value` must be so in both words.
+  static constexpr scmp_arg_cmp is_not(unsigned argument, std::uint64_t value) noexcept {
+    return {argument, SCMP_CMP_NE, value, 0};
+  }
+  static constexpr scmp_arg_cmp has(unsigned argument, std::uint32_t mask, std::uint32_t value) noexcept {
+    return {argument, SCMP_CMP_MASKED_EQ, mask, value};
+  }
+  static constexpr scmp_arg_cmp is(unsigned argument, std::uint32_t value) noexcept {
+    return has(argument, ~0U, value);
+  }
+
+  // Where all of `when` holds. More than once for a call: where any of them does.
+  void refuse(int call, std::initializer_list<scmp_arg_cmp> when = {}) noexcept {
+    refuse(call, refusal_, when);
+  }
+  void refuse(int call, std::uint32_t refusal, std::initializer_list<scmp_arg_cmp> when = {}) noexcept {
+    const int result =
+        seccomp_rule_add_array(context_, refusal, call, static_cast<unsigned>(when.size()), when.begin());
+    sound_ = sound_ && (result == 0 || result == -EDOM);  // which says that this machine has no such call
+  }
+  void refuse_all(std::span<const int> calls) noexcept {
+    for (const int call : calls) {
+      refuse(call);
+    }
+  }
+
+  // For the calling thread and those that it starts from now on, or for all threads of the process; that
+  // fails where one of them has a filter that this one has not.
+  enum class Threads : std::uint8_t { this_one, all };
+  [[nodiscard]] bool install(Threads threads) noexcept {
+    return sound_ &&
+           (threads == Threads::this_one || seccomp_attr_set(context_, SCMP_FLTATR_CTL_TSYNC, 1) == 0) &&
+           seccomp_load(context_) == 0;
+  }
 
  private:
-  using Block = std::vector<sock_filter>;
-  void on(long call, const Block& block);
-  [[nodiscard]] bool install(unsigned flags) noexcept;
-
   std::uint32_t refusal_;
-  Block code_;
+  scmp_filter_ctx context_;
+  bool sound_ = false;
 };
 
 }  // namespace gaitway::core
