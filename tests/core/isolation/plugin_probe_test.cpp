@@ -50,9 +50,10 @@ TEST(PluginProbe, TellsTopicsAndDescriptor) {
 
 TEST(PluginProbe, SurvivesWhatAPluginDoes) {
   EXPECT_THAT(complaint_of("throws_in_constructor"), HasSubstr("its constructor failed"));
-  EXPECT_THAT(complaint_of("crashes_in_constructor"), HasSubstr("crashed while it was constructed"));
+  EXPECT_THAT(complaint_of("crashes_in_constructor"),
+              HasSubstr("was ended by SIGABRT while it constructed the plug-in"));
   EXPECT_THAT(complaint_of("hangs_in_constructor", milliseconds(200)),
-              HasSubstr("did not end within 200 ms"));
+              HasSubstr("has not constructed the plug-in within 0.2 s"));
   EXPECT_THAT(complaint_of("other_abi"), HasSubstr("ABI"));
   EXPECT_THAT(complaint_of("not_there"), HasSubstr("not_there.so"));
 }

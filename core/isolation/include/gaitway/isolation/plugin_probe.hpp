@@ -51,7 +51,7 @@ struct ProbeOptions {
 
 // Constructs the entry's plug-in once, with its parameters, and destroys it. `configuration`: the file that
 // relative paths start from. Throws PluginError: it cannot be loaded or constructed, crashed or did not end.
-// For set-up, and for a process that has no other threads: it forks.
+// For set-up.
 PluginDescription probe_plugin(const PluginEntry& entry, const std::filesystem::path& configuration,
                                const ProbeOptions& options);
 
