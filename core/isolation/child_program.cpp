@@ -12,11 +12,9 @@
 #include <cstring>
 
 #include "bounds.hpp"
-#include "child_functions.hpp"
 #include "gaitway/plugin/detail/plugin_border.hpp"
 #include "last_words.hpp"
 #include "messages.hpp"
-#include "plugin_declarations.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -80,21 +78,12 @@ bool ChildProgram::load(const std::string& file, const std::filesystem::path& ba
 }
 
 bool ChildProgram::construct() {
-  host_ = Functions::table(*this);
   std::array<char, kErrorBytes> text{};
-  const gaitway_text error{text.data(), kErrorBytes, 0};
-  const gaitway_status status = library_->entry().create(&host_, &instance_, &error);
-  phase_ = Phase::idle;
+  const gaitway_status status = instance_.create(library_->entry(), {text.data(), kErrorBytes, 0});
   static_cast<void>(take_refused_call());
   if (status != GAITWAY_OK) {
     text.back() = '\0';
     tell(PacketWriter(ChildMessage::constructor_failed).text(text.data()));
-    return false;
-  }
-  if (instance_.activate == nullptr || instance_.step == nullptr || instance_.deactivate == nullptr ||
-      instance_.destroy == nullptr) {
-    tell(PacketWriter(ChildMessage::library_failed)
-             .text("create left out one of activate, step, deactivate and destroy. Fill in all four"));
     return false;
   }
   const gaitway_plugin& entry = library_->entry();
@@ -150,7 +139,7 @@ void ChildProgram::serve() {
     answered = exchange_->call.number.load();
     request = exchange_->request;
     if (request.call == ChildCall::end) {
-      instance_.destroy(instance_.context);
+      instance_.destroy();
       return;
     }
     answer(request, exchange_->reply);
@@ -193,13 +182,14 @@ gaitway_status ChildProgram::call(const ChildRequest& request, ChildReply& reply
     case ChildCall::step:
       return step(request, reply, error);
     case ChildCall::activate:
-      return instance_.activate(instance_.context, &error);
+      return instance_.activate(error);
     case ChildCall::deactivate:
-      return instance_.deactivate(instance_.context, &error);
+      return instance_.deactivate(error);
     case ChildCall::save_state:
       return save_state(reply, error);
     case ChildCall::restore_state:
-      return restore_state(request, error);
+      return instance_.restore_state(
+          {exchange_->state, PluginState::kCapacity, request.state_size, request.state_version, 0}, error);
     case ChildCall::set_parameter:
       return set_parameter(request, error);
     case ChildCall::end:
@@ -213,9 +203,7 @@ gaitway_status ChildProgram::step(const ChildRequest& request, ChildReply& reply
   for (const Port& port : ports_) {
     port.area->staged = 0;
   }
-  phase_ = Phase::stepping;
-  gaitway_status status = instance_.step(instance_.context, &request.tick, &error);
-  phase_ = Phase::idle;
+  gaitway_status status = instance_.step(request.tick, error);
   const std::string refused = take_refused_call();
   if (!refused.empty()) {
     detail::write_text(&error, ("called " + refused +
@@ -233,38 +221,94 @@ gaitway_status ChildProgram::step(const ChildRequest& request, ChildReply& reply
 }
 
 gaitway_status ChildProgram::save_state(ChildReply& reply, const gaitway_text& error) noexcept {
-  const gaitway_state_functions* const functions = detail::state_functions(instance_);
-  if (functions == nullptr) {
-    return GAITWAY_OK;
-  }
   gaitway_state state{exchange_->state, PluginState::kCapacity, 0, 0, 0};
-  const gaitway_status status = functions->save_state(instance_.context, &state, &error);
+  const gaitway_status status = instance_.save_state(state, error);
   reply.state_size = state.size;
-  reply.state_version = status == GAITWAY_OK ? state.version : 0;
+  reply.state_version = state.version;
   return status;
 }
 
-gaitway_status ChildProgram::restore_state(const ChildRequest& request, const gaitway_text& error) noexcept {
-  const gaitway_state_functions* const functions = detail::state_functions(instance_);
-  if (functions == nullptr) {
-    detail::write_text(&error, "takes no state over, but its predecessor hands some on");
-    return GAITWAY_FAILED;
-  }
-  const gaitway_state state{exchange_->state, PluginState::kCapacity, request.state_size,
-                            request.state_version, 0};
-  return functions->restore_state(instance_.context, &state, &error);
-}
-
 gaitway_status ChildProgram::set_parameter(const ChildRequest& request, const gaitway_text& error) noexcept {
-  if (instance_.set_parameter == nullptr) {
-    detail::write_text(&error, "changes no parameter while it runs");
-    return GAITWAY_FAILED;
-  }
   gaitway_value value = request.parameter;
   if (value.kind == GAITWAY_TEXT) {
     value.text = texts_.emplace_back(request.parameter_text).c_str();
   }
-  return instance_.set_parameter(instance_.context, request.parameter_name, &value, &error);
+  return instance_.set_parameter(request.parameter_name, value, error);
+}
+
+std::vector<std::byte> ChildProgram::ask(const PacketWriter& question) {
+  if (!tell(question)) {
+    throw PluginError("declares more than a message to its manager holds");
+  }
+  std::vector<std::byte> answer;
+  if (receive_packet(socket_, answer, Wait::yes) != Receipt::packet) {
+    _exit(0);  // the manager is gone
+  }
+  PacketReader packet(answer);
+  if (packet.number<ChildMessage>() == ChildMessage::refused) {
+    throw PluginError(packet.text());
+  }
+  return answer;
+}
+
+gaitway_port* ChildProgram::open_topic(const gaitway_topic& topic, gaitway_access access) {
+  PacketWriter question(ChildMessage::open_topic);
+  question.text(topic.name).text(topic.type_name).number(topic.type_hash).number(topic.size).number(access);
+  question.number(topic.float_field_count);
+  for (std::uint32_t i = 0; i < topic.float_field_count; ++i) {
+    const gaitway_float_field& field = topic.float_fields[i];
+    question.text(field.name).number(field.offset).number(field.count).number(field.bytes).number(field.rows);
+    question.number(field.lowest).number(field.highest);
+  }
+  static_cast<void>(ask(question));
+  return reinterpret_cast<gaitway_port*>(
+      &ports_.emplace_back(Port{static_cast<Access>(access), topic.size, nullptr}));
+}
+
+gaitway_value ChildProgram::declare_parameter(const gaitway_parameter& parameter) {
+  PacketWriter question(ChildMessage::parameter);
+  question.text(parameter.name).text(parameter.unit).text(parameter.doc).value(parameter.fallback);
+  question.number(parameter.lowest).number(parameter.highest).number(parameter.live);
+  const std::vector<std::byte> answer = ask(question);
+  PacketReader packet(answer);
+  packet.number<ChildMessage>();
+  return packet.value(texts_.emplace_back());
+}
+
+void ChildProgram::set_period(gaitway_period period) {
+  static_cast<void>(ask(PacketWriter(ChildMessage::set_period).number(period)));
+}
+
+gaitway_status ChildProgram::read(gaitway_port& port, void* value, gaitway_sample& sample) noexcept {
+  const auto& from = reinterpret_cast<const Port&>(port);
+  if (from.area == nullptr || from.access == Access::write) {
+    return GAITWAY_FAILED;
+  }
+  if (from.area->sequence != sample.sequence) {
+    std::memcpy(value, from.value(), from.size);
+    sample = {from.area->sequence, from.area->stamp_ns};
+  }
+  return sample.sequence == 0 ? GAITWAY_NO_VALUE : GAITWAY_OK;
+}
+
+gaitway_status ChildProgram::publish(gaitway_port& port, const void* value) noexcept {
+  const auto& to = reinterpret_cast<const Port&>(port);
+  if (to.access != Access::write) {
+    return GAITWAY_FAILED;
+  }
+  std::memcpy(to.value(), value, to.size);
+  to.area->staged = 1;
+  return GAITWAY_OK;
+}
+
+void ChildProgram::report(gaitway_severity severity, std::string_view text) noexcept {
+  if (std::this_thread::get_id() != caller_) {  // goes out with the next answer
+    posts_.post(static_cast<EventKind>(severity), {}, text);
+  } else if (exchange_ == nullptr) {
+    tell(PacketWriter(ChildMessage::report).number(severity).text(text));
+  } else {
+    put_report(severity, text);
+  }
 }
 
 }  // namespace gaitway::core

@@ -17,15 +17,16 @@
 #include "gaitway/msgclient/segment.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "messages.hpp"
+#include "plugin_instance.hpp"
 
 namespace gaitway::core {
 
 inline constexpr int kChildSocket = 3;                   // where the manager left it
 inline constexpr const char* kServesNetwork = "serves";  // last word of the child's command line, or another
 
-class ChildProgram {
+class ChildProgram final : private PluginDeclarations, private PluginSurroundings {
  public:
-  // `serves_network`: it is bound as network_bounds.hpp says.
+  // `serves_network`: it is bound as bounds.hpp says of such a one.
   ChildProgram(process::FileDescriptor socket, bool serves_network)
       : socket_(std::move(socket)), serves_network_(serves_network) {}
   ChildProgram(const ChildProgram&) = delete;
@@ -41,8 +42,19 @@ class ChildProgram {
     PortArea* area = nullptr;
     [[nodiscard]] std::byte* value() const noexcept { return reinterpret_cast<std::byte*>(area + 1); }
   };
-  struct Functions;  // of gaitway_host
-  enum class Phase : std::uint8_t { creating, idle, stepping };
+
+  // What the plug-in is offered: it declares by asking the manager, and its values lie in the segment.
+  gaitway_port* open_topic(const gaitway_topic& topic, gaitway_access access) override;
+  gaitway_value declare_parameter(const gaitway_parameter& parameter) override;
+  void set_period(gaitway_period period) override;
+  void report(gaitway_severity severity, std::string_view text) noexcept override;
+  const char* robot_directory() const noexcept override { return robot_directory_.c_str(); }
+  const char* memory_socket() const noexcept override { return memory_socket_.c_str(); }
+  const char* write_folder() const noexcept override { return write_folder_.c_str(); }
+  gaitway_status read(gaitway_port& port, void* value, gaitway_sample& sample) noexcept override;
+  gaitway_status publish(gaitway_port& port, const void* value) noexcept override;
+  // Throws PluginError with what the manager refuses it with.
+  std::vector<std::byte> ask(const PacketWriter& question);
 
   bool tell(const PacketWriter& packet) {
     return send_packet(socket_, packet.bytes(), Wait::yes) == Sent::whole;
@@ -57,7 +69,6 @@ class ChildProgram {
   gaitway_status call(const ChildRequest& request, ChildReply& reply, const gaitway_text& error) noexcept;
   gaitway_status step(const ChildRequest& request, ChildReply& reply, const gaitway_text& error) noexcept;
   gaitway_status save_state(ChildReply& reply, const gaitway_text& error) noexcept;
-  gaitway_status restore_state(const ChildRequest& request, const gaitway_text& error) noexcept;
   gaitway_status set_parameter(const ChildRequest& request, const gaitway_text& error) noexcept;
 
   process::FileDescriptor socket_;
@@ -67,9 +78,7 @@ class ChildProgram {
   std::string robot_directory_, memory_socket_, write_folder_;
   std::deque<Port> ports_;         // stable addresses: the plug-in holds them
   std::deque<std::string> texts_;  // values of parameters
-  gaitway_host host_{};
-  gaitway_instance instance_{};
-  Phase phase_ = Phase::creating;
+  PluginInstance instance_{*this, *this};
   bool hands_state_on_ = true;  // until a save shows that it does not
   std::unique_ptr<msgclient::Segment> segment_;
   ExchangeHeader* exchange_ = nullptr;

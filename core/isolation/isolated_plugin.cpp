@@ -343,7 +343,6 @@ bool IsolatedPlugin::advance(std::int64_t now_ns, std::int64_t wait_ns) {
 void IsolatedPlugin::start() {
   child_.reset();
   declared_ports_ = 0;
-  parameter_error_.reset();
   start_began_ns_ = process::monotonic_ns();
   start_.emplace(*plan_, static_cast<PluginDeclarations&>(*this));
 }
@@ -359,11 +358,7 @@ bool IsolatedPlugin::attend_start(std::int64_t wait_ns) {
       start_->child().attach(ports_);
       return attend_start(wait_ns);
     case ChildStart::Progress::failed:
-      if (parameter_error_ && parameter_error_->what() == start_->text()) {
-        throw ConfigurationError(*parameter_error_);
-      }
-      throw PluginError(fmt::format("its constructor failed: {}",
-                                    start_->text().empty() ? "it did not say why" : start_->text()));
+      fail_construction(start_->text());
     case ChildStart::Progress::attached:
       library_ = start_->library();
       child_ = start_->take_child();
@@ -376,7 +371,7 @@ bool IsolatedPlugin::attend_start(std::int64_t wait_ns) {
 gaitway_port* IsolatedPlugin::open_topic(const gaitway_topic& topic, gaitway_access access) {
   const std::size_t number = declared_ports_++;
   if (!restarts_.has_started_again()) {
-    declare_topic(&topic, access);
+    declare_topic(topic, access);
     return nullptr;  // the child has its own
   }
   const auto port = std::next(ports_.begin(), static_cast<std::ptrdiff_t>(std::min(number, ports_.size())));
@@ -394,12 +389,7 @@ gaitway_value IsolatedPlugin::declare_parameter(const gaitway_parameter& paramet
     throw PluginError(
         fmt::format("declares parameter '{}', unlike when it was first started", parameter.name));
   }
-  try {
-    return parameters_.declare(parameter);
-  } catch (const ConfigurationError& error) {
-    parameter_error_ = std::make_unique<ConfigurationError>(error);
-    throw;
-  }
+  return ManagedPlugin::declare_parameter(parameter);
 }
 
 void IsolatedPlugin::set_period(gaitway_period period) {
@@ -407,13 +397,6 @@ void IsolatedPlugin::set_period(gaitway_period period) {
     throw PluginError("sets its period, unlike when it was first started");
   }
   period_ = static_cast<Period>(period);
-}
-
-void IsolatedPlugin::report(gaitway_severity severity, std::string_view text) noexcept {
-  const EventKind kind = severity == GAITWAY_INFO      ? EventKind::info
-                         : severity == GAITWAY_WARNING ? EventKind::warning
-                                                       : EventKind::error;
-  events_.post(kind, name_, text);
 }
 
 void IsolatedPlugin::begin_activation(std::int64_t now_ns) {

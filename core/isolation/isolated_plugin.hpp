@@ -65,7 +65,9 @@ class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
   gaitway_port* open_topic(const gaitway_topic& topic, gaitway_access access) override;
   gaitway_value declare_parameter(const gaitway_parameter& parameter) override;
   void set_period(gaitway_period period) override;
-  void report(gaitway_severity severity, std::string_view text) noexcept override;
+  void report(gaitway_severity severity, std::string_view text) noexcept override {
+    post_report(severity, text);
+  }
 
   void start();
   bool attend_start(std::int64_t wait_ns);  // true: constructed and attached
@@ -86,7 +88,6 @@ class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
   const IsolationOptions options_;
   const ContainmentSettings containment_;
   std::optional<ChildPlan> plan_;
-  std::unique_ptr<ConfigurationError> parameter_error_;
   LibraryDescription library_;
   std::unique_ptr<Child> child_;
   std::optional<ChildStart> start_;                               // of the child that is being started

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "gaitway/msgclient/memory_block.hpp"
-#include "plugin_declarations.hpp"
 
 namespace gaitway::core {
 
@@ -43,23 +42,45 @@ void ManagedPlugin::fail(std::string_view what) {
       fmt::format("{}: {}: {}", place_, what, fault().empty() ? "it did not say why" : fault()));
 }
 
-void ManagedPlugin::declare_topic(const gaitway_topic* topic, gaitway_access access) {
-  check_topic(topic, access);
+void ManagedPlugin::fail_construction(std::string_view text) const {
+  if (parameter_error_ && text == parameter_error_->what()) {
+    throw ConfigurationError(*parameter_error_);
+  }
+  throw PluginError(fmt::format("its constructor failed: {}", text.empty() ? "it did not say why" : text));
+}
+
+gaitway_value ManagedPlugin::declare_parameter(const gaitway_parameter& parameter) {
+  try {
+    return parameters_.declare(parameter);
+  } catch (const ConfigurationError& error) {
+    parameter_error_ = std::make_unique<ConfigurationError>(error);
+    throw;
+  }
+}
+
+void ManagedPlugin::post_report(gaitway_severity severity, std::string_view text) noexcept {
+  const EventKind kind = severity == GAITWAY_INFO      ? EventKind::info
+                         : severity == GAITWAY_WARNING ? EventKind::warning
+                                                       : EventKind::error;
+  events_.post(kind, name_, text);
+}
+
+void ManagedPlugin::declare_topic(const gaitway_topic& topic, gaitway_access access) {
   const auto kind = static_cast<Access>(access);
-  if (kind == Access::write && uses(topic->name, kind)) {
-    throw PluginError(fmt::format("opens topic '{}' twice for writing. Keep the one Output", topic->name));
+  if (kind == Access::write && uses(topic.name, kind)) {
+    throw PluginError(fmt::format("opens topic '{}' twice for writing. Keep the one Output", topic.name));
   }
   const std::size_t bytes =
-      std::accumulate(ports_.begin(), ports_.end(), std::size_t{topic->size},
+      std::accumulate(ports_.begin(), ports_.end(), std::size_t{topic.size},
                       [](std::size_t sum, const TopicPort& port) { return sum + port.use().size; });
   if (bytes > msgclient::kMaxBlockBytes) {
     throw PluginError(
         fmt::format("opens topic '{}', and its values have {} bytes together; those of a plug-in have at "
                     "most {}. Open fewer, "
                     "or correct their types",
-                    topic->name, bytes, msgclient::kMaxBlockBytes));
+                    topic.name, bytes, msgclient::kMaxBlockBytes));
   }
-  ports_.emplace_back(*topic, kind);
+  ports_.emplace_back(topic, kind);
 }
 
 template <class Wanted>

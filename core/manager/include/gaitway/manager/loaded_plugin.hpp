@@ -32,18 +32,14 @@ class LoadedPlugin final : public ManagedPlugin {
   [[nodiscard]] std::string_view version() const noexcept override { return library_.entry().version; }
 
  private:
-  friend struct HostFunctions;
-  enum class Phase : std::uint8_t { creating, idle, active, stepping };
+  class Border;
 
   bool run(const Tick& tick) noexcept override;
-  void construct();
 
   std::string robot_directory_, memory_socket_;
   PluginLibrary library_;
-  Phase phase_ = Phase::creating;
-  std::unique_ptr<ConfigurationError> parameter_error_;  // says more than what came back through the plug-in
-  gaitway_host host_{};
-  gaitway_instance instance_{};
+  std::unique_ptr<Border> border_;
+  bool active_ = false;
 };
 
 }  // namespace gaitway::core

@@ -103,8 +103,13 @@ class ManagedPlugin {
   // why.
   virtual bool run(const Tick& tick) noexcept = 0;
 
-  // Appends a port. Throws PluginError.
-  void declare_topic(const gaitway_topic* topic, gaitway_access access);
+  // Appends a port. The topic's description was checked. Throws PluginError.
+  void declare_topic(const gaitway_topic& topic, gaitway_access access);
+  // Throws ConfigurationError.
+  gaitway_value declare_parameter(const gaitway_parameter& parameter);
+  // With what its constructor says: throws ConfigurationError if it is a parameter's error, else PluginError.
+  [[noreturn]] void fail_construction(std::string_view text) const;
+  void post_report(gaitway_severity severity, std::string_view text) noexcept;
   [[nodiscard]] gaitway_text error_text() noexcept;
   [[noreturn]] void fail(std::string_view what);
 
@@ -124,6 +129,7 @@ class ManagedPlugin {
   bool publish_in_place(std::string_view topic, std::uint64_t type_hash, const void* value,
                         std::int64_t stamp_ns) noexcept;
 
+  std::unique_ptr<ConfigurationError> parameter_error_;  // says more than what came back through the plug-in
   std::array<char, 1024> error_text_{};
 };
 
