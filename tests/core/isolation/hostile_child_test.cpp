@@ -34,11 +34,12 @@ class HostileChild : public PluginFixture {
     script(lines);
     return refusal("  - {name: it, library: relay.so, isolation: process}\n");
   }
-  // A plug-in whose child is a real one until tick 3, in which it aborts; the next one says `lines`.
+  // A plug-in whose child is a real one until it aborts in tick 3, or in the first one after it that it gets;
+  // the next one says `lines`.
   std::unique_ptr<PluginManager> load_until_it_ends(const std::string& lines) {
     script("REAL " GAITWAY_PLUGIN_CHILD_PROGRAM "\n" + lines);
     auto manager =
-        load("  - {name: it, library: misbehaves.so, isolation: process, parameters: {how: abort}}\n");
+        load("  - {name: it, library: misbehaves.so, isolation: process, parameters: {how: always}}\n");
     for (std::uint32_t i = 1; i <= 3; ++i) {
       manager->step(tick(i));
     }
