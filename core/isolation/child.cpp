@@ -23,12 +23,6 @@ namespace {
 
 constexpr std::int64_t kLook_ns = 500'000;  // between two looks whether it still lives
 
-template <std::size_t size, class... Values>
-void format_into(std::array<char, size>& text, fmt::format_string<Values...> form,
-                 const Values&... values) noexcept {
-  fmt::format_to_n(text.data(), size - 1, fmt::runtime(fmt::string_view(form)), values...).out[0] = '\0';
-}
-
 template <std::size_t size>
 std::string_view text_up_to_nul(const char (&text)[size]) noexcept {
   return {text, strnlen(text, size - 1)};

@@ -3,6 +3,8 @@
 // while all goes well.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -22,6 +24,13 @@
 #include "plugin_declarations.hpp"
 
 namespace gaitway::core {
+
+// Cut off where the array ends.
+template <std::size_t size, class... Values>
+void format_into(std::array<char, size>& text, fmt::format_string<Values...> form,
+                 const Values&... values) noexcept {
+  fmt::format_to_n(text.data(), size - 1, fmt::runtime(fmt::string_view(form)), values...).out[0] = '\0';
+}
 
 class Child {
  public:

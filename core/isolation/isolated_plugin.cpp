@@ -13,14 +13,7 @@ namespace {
 
 using facts::kMillisecond_ns;
 constexpr std::int64_t kFarewell_ns = 1'000'000'000;
-constexpr std::int64_t kBetweenSteps_ns = 10'000'000;  // real time: of a call that the tick waits for
 constexpr std::uint32_t kProven = 8;  // steps after which a restored state is not to blame for the next end
-
-template <std::size_t size, class... Values>
-void format_into(std::array<char, size>& text, fmt::format_string<Values...> form,
-                 const Values&... values) noexcept {
-  fmt::format_to_n(text.data(), size - 1, fmt::runtime(fmt::string_view(form)), values...).out[0] = '\0';
-}
 
 }  // namespace
 
@@ -83,20 +76,6 @@ void IsolatedPlugin::deactivate() noexcept {
     start_.reset();
     child_.reset();
     condition_ = Condition::given_up;
-  }
-}
-
-Recovery IsolatedPlugin::recovery() const noexcept {
-  switch (condition_) {
-    case Condition::idle:
-    case Condition::active:
-      return Recovery::not_needed;
-    case Condition::late:
-      return still_late_ ? Recovery::awaited : Recovery::not_needed;
-    case Condition::given_up:
-      return Recovery::given_up;
-    default:
-      return lost_in_step_ ? Recovery::lost : Recovery::under_way;
   }
 }
 
@@ -179,14 +158,6 @@ bool IsolatedPlugin::resume_late(const Tick& tick) noexcept {
   return false;
 }
 
-std::int64_t IsolatedPlugin::between_steps_limit_ns() const noexcept {
-  if (options_.lock_step) {
-    return options_.watchdog_ns;
-  }
-  // Whoever takes such a plug-in over must not have the ticks wait for it.
-  return settings_.serves_network ? step_budget_ns(containment_, period_ == Period::batch) : kBetweenSteps_ns;
-}
-
 // A call between two steps, or at set-up. False: it failed, and fault() says why.
 bool IsolatedPlugin::call(ChildCall what, std::int64_t limit_ns) noexcept {
   child_->begin(what);
@@ -204,8 +175,7 @@ bool IsolatedPlugin::call(ChildCall what, std::int64_t limit_ns) noexcept {
 
 bool IsolatedPlugin::save_state(PluginState& state) noexcept {
   state.size = state.version = 0;
-  if (!has_child()) {
-    restate_loss();
+  if (!require_child()) {
     return false;
   }
   if (!call(ChildCall::save_state, between_steps_limit_ns())) {
@@ -223,8 +193,7 @@ bool IsolatedPlugin::restore_state(const PluginState& state) noexcept {
   if (state.version == 0) {
     return true;  // nothing was handed on
   }
-  if (!has_child()) {
-    restate_loss();
+  if (!require_child()) {
     return false;
   }
   child_->put_state(state);
@@ -232,8 +201,7 @@ bool IsolatedPlugin::restore_state(const PluginState& state) noexcept {
 }
 
 bool IsolatedPlugin::set_parameter(const char* name, const gaitway_value& value) noexcept {
-  if (!has_child()) {
-    restate_loss();
+  if (!require_child()) {
     return false;
   }
   if (!child_->put_parameter(name, value)) {
@@ -390,13 +358,6 @@ gaitway_value IsolatedPlugin::declare_parameter(const gaitway_parameter& paramet
         fmt::format("declares parameter '{}', unlike when it was first started", parameter.name));
   }
   return ManagedPlugin::declare_parameter(parameter);
-}
-
-void IsolatedPlugin::set_period(gaitway_period period) {
-  if (restarts_.has_started_again() && period_ != static_cast<Period>(period)) {
-    throw PluginError("sets its period, unlike when it was first started");
-  }
-  period_ = static_cast<Period>(period);
 }
 
 void IsolatedPlugin::begin_activation(std::int64_t now_ns) {

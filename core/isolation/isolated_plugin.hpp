@@ -43,9 +43,24 @@ class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
 
   [[nodiscard]] std::string_view version() const noexcept override { return library_.version; }
   [[nodiscard]] const LibraryDescription& library() const noexcept { return library_; }
-  [[nodiscard]] Recovery recovery() const noexcept override;
+  [[nodiscard]] Recovery recovery() const noexcept override {
+    switch (condition_) {
+      case Condition::idle:
+      case Condition::active:
+        return Recovery::not_needed;
+      case Condition::late:
+        return still_late_ ? Recovery::awaited : Recovery::not_needed;
+      case Condition::given_up:
+        return Recovery::given_up;
+      default:
+        return lost_in_step_ ? Recovery::lost : Recovery::under_way;
+    }
+  }
 
  private:
+  static constexpr std::int64_t kBetweenSteps_ns =
+      10'000'000;  // real time: of a call that the tick waits for
+
   enum class Condition : std::uint8_t {
     idle,        // constructed
     active,      // may be stepped
@@ -64,7 +79,12 @@ class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
   // What a child declares, the first and each later one.
   gaitway_port* open_topic(const gaitway_topic& topic, gaitway_access access) override;
   gaitway_value declare_parameter(const gaitway_parameter& parameter) override;
-  void set_period(gaitway_period period) override;
+  void set_period(gaitway_period period) override {
+    if (restarts_.has_started_again() && period_ != static_cast<Period>(period)) {
+      throw PluginError("sets its period, unlike when it was first started");
+    }
+    period_ = static_cast<Period>(period);
+  }
   void report(gaitway_severity severity, std::string_view text) noexcept override {
     post_report(severity, text);
   }
@@ -76,10 +96,18 @@ class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
   void come_back(std::int64_t now_ns);
   void reapply_parameters();
 
-  [[nodiscard]] bool has_child() const noexcept {
-    return condition_ == Condition::active || condition_ == Condition::idle;
+  [[nodiscard]] bool require_child() noexcept {  // false: fault() says since when there is none
+    const bool there = condition_ == Condition::active || condition_ == Condition::idle;
+    return there || (restate_loss(), false);
   }
-  [[nodiscard]] std::int64_t between_steps_limit_ns() const noexcept;
+  [[nodiscard]] std::int64_t between_steps_limit_ns() const noexcept {
+    if (options_.lock_step) {
+      return options_.watchdog_ns;
+    }
+    // Whoever takes such a plug-in over must not have the ticks wait for it.
+    return settings_.serves_network ? step_budget_ns(containment_, period_ == Period::batch)
+                                    : kBetweenSteps_ns;
+  }
   bool call(ChildCall call, std::int64_t limit_ns) noexcept;
   void lose(std::string_view what, std::int64_t now_ns) noexcept;
   void restate_loss() noexcept;
