@@ -1,8 +1,11 @@
 // The services of the robot itself, of the recording and of the plug-ins.
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "client_message.hpp"
 #include "service_desk.hpp"
@@ -57,9 +60,11 @@ std::string text_of(const json& object, const char* field) {
 }  // namespace
 
 struct ServiceDesk::ParameterReading {
-  ros::GetParameters::Response response;
+  ros::GetParameters::Response response;  // of the plug-in that is being read
   PluginOrder order;
   std::int64_t ends_ns = 0;
+  std::vector<std::string> remaining;                             // plug-ins to be read after it
+  std::function<void(const ros::GetParameters::Response&)> done;  // of the last one
 };
 
 template <class S>
@@ -191,7 +196,8 @@ void ServiceDesk::change_plugin(PluginVerb verb, const Caller& caller) {
   order.plugin = asked.name;
   order.library = asked.library;
   require_fit(order);
-  await<ros::ChangePlugin>(caller, commands_.order(caller.claimant, order, caller.now_ns));
+  await<ros::ChangePlugin>(caller, commands_.order(caller.claimant, order, caller.now_ns),
+                           [this, name = asked.name] { read_plugins_.erase(name); });
 }
 
 void ServiceDesk::set_parameter(const Caller& caller) {
@@ -234,15 +240,36 @@ void ServiceDesk::set_rosapi_parameter(const Caller& caller) {
 void ServiceDesk::get_parameters(const Caller& caller) {
   const auto asked = request<ros::GetParameters>(caller);
   require_plugin(asked.plugin);
+  read_parameters(caller, {asked.plugin},
+                  [this, call = caller.call](const auto& response) { reply(call, response); });
+}
+
+void ServiceDesk::get_parameter_names(const Caller& caller) {
+  const auto asked = request<ros::GetParamNames>(caller);
+  std::vector<std::string> unread;
+  for (const PluginStatus& plugin : robot_.plugins()) {
+    if (!read_plugins_.contains(plugin.name)) unread.push_back(plugin.name);
+  }
+  const auto answer = [this, call = caller.call, asked](const auto&) { reply(call, rosapi_.answer(asked)); };
+  if (unread.empty()) return answer(ros::GetParameters::Response{});
+  read_parameters(caller, std::move(unread), answer);
+}
+
+void ServiceDesk::read_parameters(const Caller& caller, std::vector<std::string> plugins,
+                                  std::function<void(const ros::GetParameters::Response&)> done) {
   orders_.require_room(caller.call.client);
   ParameterReading reading;
   reading.order.verb = PluginVerb::describe_parameter;
-  reading.order.plugin = asked.plugin;
+  reading.order.plugin = std::move(plugins.back());
+  plugins.pop_back();
   reading.ends_ns = end_of_wait(caller);
+  reading.remaining = std::move(plugins);
+  reading.done = std::move(done);
   read_parameter(caller.call, std::move(reading));
 }
 
-// Asks for the parameter of the reading's index, and goes on to the next, until there is none of that index.
+// Asks for the parameter of the reading's index, and goes on to the next, until there is none of that index
+// in the last plug-in.
 void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading reading) {
   constexpr std::uint32_t kMostParameters = 256;
   const auto order = robot_.order(reading.order);
@@ -256,26 +283,36 @@ void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading readi
                    return send_(call, service_failure(call, "the robot has not told all parameters of " +
                                                                 shown(reading.order.plugin) + " in time"));
                  }
-                 auto& response = reading.response;
-                 const json parameter =
-                     result->done ? json::parse(result->text, nullptr, false) : json::object();
-                 if (!result->done || !parameter.is_object()) {
-                   response.success = !result->done;
-                   response.message = result->text;
-                   return reply(call, response);
+                 if (keep_parameter(reading, *result) && ++reading.order.index < kMostParameters) {
+                   return read_parameter(call, std::move(reading));
                  }
-                 response.names.push_back(text_of(parameter, "name"));
-                 response.values.push_back(text_of(parameter, "value"));
-                 response.units.push_back(text_of(parameter, "unit"));
-                 response.docs.push_back(text_of(parameter, "doc"));
-                 response.live.push_back(text_of(parameter, "live") == "true");
-                 parameters_[reading.order.plugin + ":" + response.names.back()] = response.values.back();
-                 if (++reading.order.index == kMostParameters) {
-                   response.success = true;
-                   return reply(call, response);
-                 }
+                 read_plugins_.insert(reading.order.plugin);
+                 if (reading.remaining.empty()) return reading.done(reading.response);
+                 reading.order.plugin = std::move(reading.remaining.back());
+                 reading.remaining.pop_back();
+                 reading.order.index = 0;
+                 reading.response = {};
                  read_parameter(call, std::move(reading));
                });
+}
+
+// False: it was none; the plug-in has told all.
+bool ServiceDesk::keep_parameter(ParameterReading& reading, const OrderResult& result) {
+  auto& response = reading.response;
+  response.success = true;
+  const json parameter = result.done ? json::parse(result.text, nullptr, false) : json::object();
+  if (!result.done || !parameter.is_object()) {
+    response.success = !result.done;
+    response.message = result.text;
+    return false;
+  }
+  response.names.push_back(text_of(parameter, "name"));
+  response.values.push_back(text_of(parameter, "value"));
+  response.units.push_back(text_of(parameter, "unit"));
+  response.docs.push_back(text_of(parameter, "doc"));
+  response.live.push_back(text_of(parameter, "live") == "true");
+  parameters_[reading.order.plugin + ":" + response.names.back()] = response.values.back();
+  return true;
 }
 
 }  // namespace gaitway::api

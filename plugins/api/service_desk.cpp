@@ -176,7 +176,7 @@ void ServiceDesk::answer_of_types(Service service, const Caller& caller) {
 void ServiceDesk::answer_of_parameters(Service service, const Caller& caller) {
   switch (service) {
     case Service::rosapi_get_param_names:
-      return reply_rosapi<Service::rosapi_get_param_names, ros::GetParamNames>(caller);
+      return get_parameter_names(caller);
     case Service::rosapi_get_param:
       return reply_rosapi<Service::rosapi_get_param, ros::GetParam>(caller);
     case Service::rosapi_has_param:

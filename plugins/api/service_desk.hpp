@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,12 @@ class ServiceDesk {
   void change_plugin(PluginVerb verb, const Caller& caller);
   void set_parameter(const Caller& caller);
   void get_parameters(const Caller& caller);
+  void get_parameter_names(const Caller& caller);
+  // One plug-in after the other, from the last one of `plugins` on; then `done`, with what the last one told.
+  void read_parameters(const Caller& caller, std::vector<std::string> plugins,
+                       std::function<void(const ros::GetParameters::Response&)> done);
   void read_parameter(const ServiceCall& call, ParameterReading reading);
+  bool keep_parameter(ParameterReading& reading, const OrderResult& result);
   void set_rosapi_parameter(const Caller& caller);
   void require_plugin(const std::string& name) const;
   void deny(Service service, const ServiceCall& call, std::string_view why) const;
@@ -96,6 +102,7 @@ class ServiceDesk {
   RobotCommands& commands_;
   Limits limits_;
   ParameterValues parameters_;
+  std::set<std::string> read_plugins_;  // whose parameters are all in parameters_
   Send send_;
   Rosapi rosapi_;
   Orders orders_;
