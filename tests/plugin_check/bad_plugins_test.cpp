@@ -49,7 +49,7 @@ const std::vector<BadPlugin>& bad_plugins() {
       {"depends_on_time", "determinism", "in another process"},
       {"too_slow", "budget", "more than its budget"},
       {"publishes_nan", "values", "trim.angle[3] is nan"},
-      {"out_of_range", "values", "allowed is -0.35 to 0.35"},
+      {"out_of_range", "values", "trim.softness is 1.5 1, allowed is 0 to 1"},
       {"jumps", "values", "jumps from"},
       {"crashes_on_missing_input", "values", "missing: in step"},
       {"crashes_on_joint_count", "values", "joint_count = 64: in step"},

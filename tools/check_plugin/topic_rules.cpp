@@ -1,4 +1,4 @@
-// Rules of range and continuity, field by field.
+// Range, by the schema, and continuity, field by field.
 #include "tools/check_plugin/topic_rules.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "gaitway/msgclient/topics.hpp"
@@ -16,53 +15,42 @@
 namespace gaitway::plugin_check {
 namespace {
 
-constexpr double kAny = std::numeric_limits<double>::infinity();
-constexpr double kPi = std::numbers::pi;
-
-struct FieldRule {
+// How far a field may move from tick to tick; of a plan from point to point and from plan to plan. Its range
+// is the schema's.
+struct LargestChange {
   std::string_view type;
   std::string_view field;
-  double lowest;
-  double highest;
-  double largest_change;  // from tick to tick; of a plan from point to point and from plan to plan
+  double value;
 };
 
 // Wide enough for any robot of this size class, and tight enough that none is harmed by what passes.
-constexpr std::array kFieldRules{
-    FieldRule{"Estimate", "foot_force", -1000.0, 5000.0, kAny},
-    FieldRule{"Estimate", "foot_zmp", -0.5, 0.5, kAny},
-    FieldRule{"Estimate", "zmp", -1.0, 1.0, kAny},
-    FieldRule{"Estimate", "com", -2.0, 2.0, 0.10},
-    FieldRule{"Estimate", "com_velocity", -5.0, 5.0, 1.0},
-    FieldRule{"Estimate", "dcm", -3.0, 3.0, 0.30},
-    FieldRule{"Estimate", "attitude", -1000.0, 1000.0, 0.30},
-    FieldRule{"Estimate", "angular_velocity", -60.0, 60.0, 10.0},
-    FieldRule{"MotionPlan", "com", -1e4, 1e4, 0.03},
-    FieldRule{"MotionPlan", "com_velocity", -5.0, 5.0, 0.5},
-    FieldRule{"MotionPlan", "zmp", -1e4, 1e4, kAny},
-    FieldRule{"MotionPlan", "hip_height", 0.05, 3.0, 0.03},
-    FieldRule{"MotionPlan", "base_yaw", -1e4, 1e4, 0.10},
-    FieldRule{"MotionPlan", "foot_position", -1e4, 1e4, 0.10},
-    FieldRule{"MotionPlan", "foot_yaw", -1e4, 1e4, 0.20},
-    FieldRule{"MotionPlan", "footstep", -1e4, 1e4, kAny},
-    FieldRule{"Correction", "com_offset", -0.20, 0.20, 0.02},
-    FieldRule{"Correction", "base_attitude_offset", -0.35, 0.35, 0.05},
-    FieldRule{"Correction", "bow", -0.70, 0.70, 0.50},
-    FieldRule{"Correction", "bow_rate", -6.0, 6.0, kAny},
-    FieldRule{"Correction", "turn_rate_offset", -2.0, 2.0, 0.50},
-    FieldRule{"Correction", "step_offset", -0.30, 0.30, 0.10},
-    FieldRule{"TrimCommand", "angle", -0.35, 0.35, 0.10},
-    FieldRule{"TrimCommand", "attitude_reference", -0.5, 0.5, 0.05},
-    FieldRule{"TrimCommand", "gain", -20.0, 20.0, kAny},
-    FieldRule{"WalkCommand", "velocity", -2.0, 2.0, kAny},
-    FieldRule{"WalkCommand", "turn_rate", -kPi, kPi, kAny},
+constexpr std::array kLargestChanges{
+    LargestChange{"Estimate", "com", 0.10},
+    LargestChange{"Estimate", "com_velocity", 1.0},
+    LargestChange{"Estimate", "dcm", 0.30},
+    LargestChange{"Estimate", "attitude", 0.30},
+    LargestChange{"Estimate", "angular_velocity", 10.0},
+    LargestChange{"MotionPlan", "com", 0.03},
+    LargestChange{"MotionPlan", "com_velocity", 0.5},
+    LargestChange{"MotionPlan", "hip_height", 0.03},
+    LargestChange{"MotionPlan", "base_yaw", 0.10},
+    LargestChange{"MotionPlan", "foot_position", 0.10},
+    LargestChange{"MotionPlan", "foot_yaw", 0.20},
+    LargestChange{"Correction", "com_offset", 0.02},
+    LargestChange{"Correction", "base_attitude_offset", 0.05},
+    LargestChange{"Correction", "bow", 0.50},
+    LargestChange{"Correction", "turn_rate_offset", 0.50},
+    LargestChange{"Correction", "step_offset", 0.10},
+    LargestChange{"TrimCommand", "angle", 0.10},
+    LargestChange{"TrimCommand", "attitude_reference", 0.05},
 };
 
-const FieldRule* rule_of(std::string_view type, std::string_view field) noexcept {
-  const auto* const found = std::find_if(kFieldRules.begin(), kFieldRules.end(), [&](const FieldRule& rule) {
-    return rule.type == type && rule.field == field;
-  });
-  return found == kFieldRules.end() ? nullptr : found;
+// Infinite: any.
+double largest_change(std::string_view type, std::string_view field) noexcept {
+  const auto* const found =
+      std::find_if(kLargestChanges.begin(), kLargestChanges.end(),
+                   [&](const LargestChange& change) { return change.type == type && change.field == field; });
+  return found == kLargestChanges.end() ? std::numeric_limits<double>::infinity() : found->value;
 }
 
 std::uint32_t count_field(const TypeDescriptor& type, const std::byte* value,
@@ -226,13 +214,12 @@ std::optional<std::string> OutputRules::out_of_range(const Port& port) const {
   return each_number(
       port,
       [&](const FieldDescriptor& field, std::uint32_t index, std::uint32_t) -> std::optional<std::string> {
-        const FieldRule* const rule = rule_of(port.standard_type->name, field.name);
         const double number = number_at(field, port.value.data(), index);
-        if (rule == nullptr || (number >= rule->lowest && number <= rule->highest)) {
+        if (!(number < field.lowest || number > field.highest)) {
           return std::nullopt;
         }
         return fmt::format("{} is {:g} {}, allowed is {:g} to {:g}", element_name(port, field, index), number,
-                           field.unit, rule->lowest, rule->highest);
+                           field.unit, field.lowest, field.highest);
       });
 }
 
@@ -275,27 +262,27 @@ std::optional<std::string> OutputRules::jump(const Port& port) {
     std::copy_n(last.position[kBatchPoints - 1], start.size(), start.begin());
     return follows ? joint_plan_fault(port, start) : std::nullopt;
   }
-  return each_number(
-      port,
-      [&](const FieldDescriptor& field, std::uint32_t index,
-          std::uint32_t row) -> std::optional<std::string> {
-        const FieldRule* const rule = rule_of(type.name, field.name);
-        const bool in_plan = is_plan && field.rank > 0 && field.extents[0] == kMaxPoints;
-        const std::uint32_t width = field.rank == 0 ? 1 : field.elements() / field.extents[0];
-        const bool has_point_before = in_plan && row > 0;
-        if (rule == nullptr || std::isinf(rule->largest_change) || (!has_point_before && !follows)) {
-          return std::nullopt;
-        }
-        const double now = number_at(field, port.value.data(), index);
-        const double then = has_point_before ? number_at(field, port.value.data(), index - width)
-                            : in_plan ? number_at(field, old.data(), (kBatchPoints - 1) * width + index)
-                                      : number_at(field, old.data(), index);
-        return std::abs(now - then) <= rule->largest_change
-                   ? std::nullopt
-                   : std::optional(fmt::format("{} jumps from {:g} to {:g} {}, allowed is a change of {:g}",
-                                               element_name(port, field, index), then, now, field.unit,
-                                               rule->largest_change));
-      });
+  return each_number(port,
+                     [&](const FieldDescriptor& field, std::uint32_t index,
+                         std::uint32_t row) -> std::optional<std::string> {
+                       const double largest = largest_change(type.name, field.name);
+                       const bool in_plan = is_plan && field.rank > 0 && field.extents[0] == kMaxPoints;
+                       const std::uint32_t width = field.rank == 0 ? 1 : field.elements() / field.extents[0];
+                       const bool has_point_before = in_plan && row > 0;
+                       if (std::isinf(largest) || (!has_point_before && !follows)) {
+                         return std::nullopt;
+                       }
+                       const double now = number_at(field, port.value.data(), index);
+                       const double then =
+                           has_point_before ? number_at(field, port.value.data(), index - width)
+                           : in_plan        ? number_at(field, old.data(), (kBatchPoints - 1) * width + index)
+                                            : number_at(field, old.data(), index);
+                       return std::abs(now - then) <= largest
+                                  ? std::nullopt
+                                  : std::optional(fmt::format(
+                                        "{} jumps from {:g} to {:g} {}, allowed is a change of {:g}",
+                                        element_name(port, field, index), then, now, field.unit, largest));
+                     });
 }
 
 }  // namespace gaitway::plugin_check

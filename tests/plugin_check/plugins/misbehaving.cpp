@@ -147,7 +147,7 @@ void Misbehaving::publish(const gaitway::Tick& tick, double lean) {
   trim.angle[4] = trim.angle[5] = publishes_nan_on_nan && !std::isfinite(lean) ? lean : angle;
   if (nan_on_parameter && !std::isfinite(filter_s_)) trim.angle[4] = filter_s_;
   if (publishes_nan && tick.tick > 20) trim.angle[3] = std::numeric_limits<double>::quiet_NaN();
-  if (out_of_range && tick.tick > 20) trim.angle[3] = 1.0;
+  if (out_of_range && tick.tick > 20) trim.softness = 1.5;
   if (jumps) trim.angle[3] = tick.tick % 64 < 32 ? 0.15 : -0.15;
   trim_.publish();
 }
