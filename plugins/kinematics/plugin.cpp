@@ -1,9 +1,9 @@
 // Connects the batch solver to its topics: motion plan and correction in, joint plan out.
 #include <string>
 
-#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/plugin/plugin.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -33,8 +33,11 @@ class Kinematics final : public Plugin {
 
  private:
   Kinematics(Setup& setup, const urdf::RobotModel& robot)
-      : solver_(robot, solver_choice(setup.parameter("solver", std::string("auto"))),
-                setup.parameter("compensate_load", true)),
+      : solver_(robot,
+                solver_choice(setup.parameter("solver", "auto",
+                                              "closed_form, kdl, or auto: the first that the legs allow")),
+                setup.parameter("compensate_load", true,
+                                "leads the joints by what the servos give way under load")),
         revision_slot_(robot.network.revision_slot),
         motion_plan_(setup.reads<MotionPlan>("motion_plan")),
         posture_plan_(setup.reads_optional<PosturePlan>("posture_plan")),

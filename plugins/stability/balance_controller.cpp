@@ -1,4 +1,4 @@
-// Who stands on what now, and is there anything to balance; then each feedback on its own.
+// One tick: the situation, which says what may be balanced and learned; then each feedback on its own.
 #include "gaitway/stability/balance_controller.hpp"
 
 #include <Eigen/Geometry>
@@ -12,7 +12,7 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr std::uint32_t kUpright = 0;  // Estimate::fall
+constexpr std::uint32_t kNoFall = 0;  // Estimate::fall
 // A trunk that is to lean further is not balanced: near 90° roll and pitch do not say which way it falls.
 constexpr double kMostLean_rad = 1.0;
 constexpr std::int64_t kNetworkLifetime_ns = 50'000'000;
@@ -36,8 +36,7 @@ bool leans_little(const PlanMoment& meant) noexcept {
          std::cos(kMostLean_rad);
 }
 
-// A push of 0.3 N·s turns the trunk faster; the sway of a robot that has just begun to stand is slower. What
-// is learned from a trunk that is being caught makes it fall.
+// A push of 0.3 N·s turns the trunk faster; the sway of a robot that has just begun to stand is slower.
 bool sways(const Estimate& estimate) noexcept {
   constexpr double kCalm_rad_per_s = 0.2;
   return !(std::hypot(estimate.angular_velocity[0], estimate.angular_velocity[1]) < kCalm_rad_per_s);
@@ -62,14 +61,53 @@ Eigen::Vector2d beyond_plan_m(const Estimate& estimate, const Eigen::Vector2d& p
 
 BalanceController::BalanceController(const urdf::RobotModel& model, const BalanceParameters& parameters)
     : parameters_(checked(parameters)),
-      trims_(model, parameters),
-      heading_(parameters),
-      speed_(parameters),
-      lean_(parameters, urdf::home_com_height_m(model)),
-      fall_reaction_(parameters.fall),
-      soles_(model, parameters),
-      centring_(parameters),
-      hips_(model, parameters) {}
+      trims_(model, parameters_),
+      heading_(parameters_),
+      speed_(parameters_),
+      lean_(parameters_, urdf::home_com_height_m(model)),
+      fall_reaction_(parameters_.fall),
+      soles_(model, parameters_),
+      centring_(parameters_),
+      hips_(model, parameters_) {}
+
+void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs, TrimCommand& trim,
+                               Correction& correction) noexcept {
+  correction = Correction{};
+  correction.stamp_ns = trim.stamp_ns = now_ns;
+  if (inputs.plan != nullptr) timeline_.take(*inputs.plan);
+  const Situation now = assess(now_ns, inputs);
+  soften(inputs.estimate, now, trim);
+  balance_trunk(now, trim);
+  learn(now);
+  soles_.add_to(trim);
+  steer(now, correction);
+  bow(now, inputs.plan, correction);
+  if (!timeline_.newest_stays_upright() || hips_.bows()) std::memset(trim.gain, 0, sizeof trim.gain);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    correction.base_attitude_offset[axis] = lean_.offset_rad()[axis];
+    correction.com_offset[axis] =
+        lean_.com_offset_m()[axis] + centring_.offset_m()[static_cast<Eigen::Index>(axis)];
+  }
+}
+
+BalanceController::Situation BalanceController::assess(std::int64_t now_ns,
+                                                       const BalanceInputs& inputs) noexcept {
+  Situation now;
+  now.moment = timeline_.at(now_ns, accepted_sequence(inputs.network, now_ns));
+  now.meant = now.moment.value_or(PlanMoment{});
+  now.bow = hips_.at(now.meant.sequence, now.meant.since_start_s);
+  now.bows = hips_.bows();
+  now.meant.trunk_attitude_rad.y() += now.bow.angle_rad;
+  now.meant.trunk_rate_rad_per_s.y() += now.bow.rate_rad_per_s;
+  if (!is_usable(inputs.estimate, now.meant, now_ns)) return now;
+  now.estimate = inputs.estimate;
+  const std::optional<std::size_t> support = support_of(now.moment, *now.estimate);
+  now.support = support.value_or(kBothFeet);
+  now.grounded = !is_airborne(*now.estimate) && support && leans_little(now.meant);
+  now.stands = now.grounded && now.moment && !now.meant.walking && !now.meant.motion;
+  now.sways = sways(*now.estimate);
+  return now;
+}
 
 bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& meant,
                                   std::int64_t now_ns) const noexcept {
@@ -80,7 +118,7 @@ bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& me
       return false;
   }
   // A motion that gets up is balanced before the robot counts as upright again.
-  return (estimate->fall == kUpright || meant.motion) &&
+  return (estimate->fall == kNoFall || meant.motion) &&
          std::abs(estimate->attitude[0] - meant.trunk_attitude_rad[0]) < parameters_.fallen_at_rad &&
          std::abs(estimate->attitude[1] - meant.trunk_attitude_rad[1]) < parameters_.fallen_at_rad;
 }
@@ -103,74 +141,56 @@ std::optional<std::size_t> BalanceController::support_of(const std::optional<Pla
   return std::nullopt;
 }
 
-void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs, TrimCommand& trim,
-                               Correction& correction) noexcept {
-  if (inputs.plan != nullptr) timeline_.take(*inputs.plan);
-  const std::optional<PlanMoment> moment = timeline_.at(now_ns, accepted_sequence(inputs.network, now_ns));
-  correction = Correction{};
-  correction.stamp_ns = now_ns;
-  trim.stamp_ns = now_ns;
-  // Without an estimate nothing is known of a fall: the softness stays.
-  if (inputs.estimate != nullptr)
-    trim.softness = fall_reaction_.update(inputs.estimate->fall,
-                                          {moment && moment->on_ground, moment && moment->fall_posture});
-  PlanMoment meant = moment.value_or(PlanMoment{});
-  const msgclient::Bow bow = hips_.at(meant.sequence, meant.since_start_s);
-  meant.trunk_attitude_rad.y() += bow.angle_rad;
-  meant.trunk_rate_rad_per_s.y() += bow.rate_rad_per_s;
-  bool stands = false;
-  if (!is_usable(inputs.estimate, meant, now_ns)) {
-    trims_.update(std::nullopt, kBothFeet, trim);
+// Without an estimate nothing is known of a fall: the softness stays.
+void BalanceController::soften(const Estimate* estimate, const Situation& now, TrimCommand& trim) noexcept {
+  if (estimate == nullptr) return;
+  trim.softness = fall_reaction_.update(
+      estimate->fall, {.on_ground = now.meant.on_ground, .fall_posture = now.meant.fall_posture});
+}
+
+void BalanceController::balance_trunk(const Situation& now, TrimCommand& trim) noexcept {
+  if (!now.grounded) return trims_.update(std::nullopt, now.support, trim);
+  msgclient::TrunkMotion trunk = motion_of(*now.estimate, now.meant);
+  if (now.bows) {
+    trunk.pitch_rate *= parameters_.bow_damping;
+  } else if (now.stands && !now.sways) {
+    trunk.pitch_rate *= parameters_.calm_damping;
+  }
+  trims_.update(trunk, now.support, trim);
+}
+
+// What is learned from a trunk that is being caught makes the robot fall.
+void BalanceController::learn(const Situation& now) noexcept {
+  if (!now.grounded) return lean_.fade();
+  if (now.meant.motion || (now.sways && !now.meant.walking)) return;
+  const Estimate& estimate = *now.estimate;
+  lean_.update(estimate.attitude[0], estimate.attitude[1] - now.bow.angle_rad, now.meant.walking);
+  if (!now.stands || now.support != kBothFeet || now.bows) return;
+  soles_.learn(estimate);
+  if (now.meant.since_start_s < kFresh_s)
+    centring_.learn(beyond_plan_m(estimate, Eigen::Vector2d(estimate.com), now.meant),
+                    beyond_plan_m(estimate, Eigen::Vector2d(estimate.dcm), now.meant));
+}
+
+void BalanceController::steer(const Situation& now, Correction& correction) noexcept {
+  if (!now.grounded || !now.moment) {
     heading_.pause();
     speed_.pause();
-    lean_.fade();
-  } else {
-    const Estimate& estimate = *inputs.estimate;
-    const std::optional<std::size_t> support = support_of(moment, estimate);
-    const bool grounded = !is_airborne(estimate) && support.has_value() && leans_little(meant);
-    stands = grounded && moment && !meant.walking && !meant.motion;
-    msgclient::TrunkMotion trunk = motion_of(estimate, meant);
-    if (hips_.bows()) {
-      trunk.pitch_rate *= parameters_.bow_damping;
-    } else if (stands && !sways(estimate)) {
-      trunk.pitch_rate *= parameters_.calm_damping;
-    }
-    trims_.update(grounded ? std::optional(trunk) : std::nullopt, support.value_or(kBothFeet), trim);
-    if (grounded && !meant.motion && (meant.walking || !sways(estimate))) {
-      lean_.update(estimate.attitude[0], estimate.attitude[1] - bow.angle_rad, meant.walking);
-      if (stands && support == kBothFeet && !hips_.bows()) {
-        soles_.learn(estimate);
-        if (meant.since_start_s < kFresh_s)
-          centring_.learn(beyond_plan_m(estimate, Eigen::Vector2d(estimate.com), meant),
-                          beyond_plan_m(estimate, Eigen::Vector2d(estimate.dcm), meant));
-      }
-    } else if (!grounded) {
-      lean_.fade();
-    }
-    if (grounded && moment) {
-      correction.turn_rate_offset =
-          heading_.update(estimate.attitude[2], moment->commanded_yaw_rad, moment->walking);
-      const Eigen::Map<const Eigen::Vector2d> com_velocity(estimate.com_velocity);
-      Eigen::Map<Eigen::Vector2d>(correction.velocity_offset) =
-          speed_.update(moment->com_velocity_m_per_s, com_velocity, moment->walking);
-    } else {
-      heading_.pause();
-      speed_.pause();
-    }
+    return;
   }
-  soles_.add_to(trim);
-  hips_.follow(stands ? std::optional(HipStrategy::Standing{inputs.estimate->dcm[0], inputs.estimate->com[0]})
-                      : std::nullopt);
-  if (inputs.plan != nullptr)
-    hips_.begin_batch(inputs.plan->sequence, inputs.plan->footstep_count > 0, inputs.plan->tail_count);
+  const Estimate& estimate = *now.estimate;
+  correction.turn_rate_offset =
+      heading_.update(estimate.attitude[2], now.meant.commanded_yaw_rad, now.meant.walking);
+  Eigen::Map<Eigen::Vector2d>(correction.velocity_offset) = speed_.update(
+      now.meant.com_velocity_m_per_s, Eigen::Vector2d(estimate.com_velocity), now.meant.walking);
+}
+
+void BalanceController::bow(const Situation& now, const MotionPlan* plan, Correction& correction) noexcept {
+  hips_.follow(now.stands ? std::optional(HipStrategy::Standing{now.estimate->dcm[0], now.estimate->com[0]})
+                          : std::nullopt);
+  if (plan != nullptr) hips_.begin_batch(plan->sequence, plan->footstep_count > 0, plan->tail_count);
   correction.bow[1] = hips_.target().angle_rad;
   correction.bow_rate[1] = hips_.target().rate_rad_per_s;
-  if (!timeline_.newest_stays_upright() || hips_.bows()) std::memset(trim.gain, 0, sizeof trim.gain);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    correction.base_attitude_offset[axis] = lean_.offset_rad()[axis];
-    correction.com_offset[axis] =
-        lean_.com_offset_m()[axis] + centring_.offset_m()[static_cast<Eigen::Index>(axis)];
-  }
 }
 
 }  // namespace gaitway::stability

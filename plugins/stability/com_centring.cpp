@@ -13,8 +13,10 @@ constexpr double kCalm_m = 0.020;       // of the DCM: a body that is off by mor
 
 void ComCentring::learn(const Eigen::Vector2d& com_error_m, const Eigen::Vector2d& dcm_error_m) noexcept {
   if (!com_error_m.allFinite() || !(dcm_error_m.norm() < kCalm_m)) return;
-  offset_m_ -= gain_per_s_ * facts::kSlot_s * com_error_m.cwiseMax(-kMostError_m).cwiseMin(kMostError_m);
-  offset_m_ = offset_m_.cwiseMax(-limit_m_).cwiseMin(limit_m_);
+  offset_m_ -= parameters_.centring_gain_per_s * facts::kSlot_s *
+               com_error_m.cwiseMax(-kMostError_m).cwiseMin(kMostError_m);
+  const double limit_m = parameters_.centring_limit_m;
+  offset_m_ = offset_m_.cwiseMax(-limit_m).cwiseMin(limit_m);
 }
 
 }  // namespace gaitway::stability

@@ -13,20 +13,17 @@ constexpr double kPlanJump_rad = 0.2;  // in one tick: the plan was placed anew,
 
 }  // namespace
 
-HeadingFeedback::HeadingFeedback(const BalanceParameters& parameters) noexcept
-    : gain_per_s_(parameters.heading_gain_per_s),
-      limit_rad_per_s_(parameters.heading_limit_rad_per_s),
-      filter_s_(parameters.heading_filter_s) {}
-
 double HeadingFeedback::update(double measured_yaw_rad, double commanded_yaw_rad, bool walking) noexcept {
   const double difference = measured_yaw_rad - commanded_yaw_rad;
   if (last_difference_rad_ && std::abs(difference - *last_difference_rad_) < kPlanJump_rad) {
     strayed_rad_ += difference - *last_difference_rad_;
   }
   last_difference_rad_ = difference;
-  error_rad_ += facts::kSlot_s / (filter_s_ + facts::kSlot_s) * (-strayed_rad_ - error_rad_);
+  error_rad_ +=
+      facts::kSlot_s / (parameters_.heading_filter_s + facts::kSlot_s) * (-strayed_rad_ - error_rad_);
   if (!walking) return 0.0;
-  return std::clamp(gain_per_s_ * error_rad_, -limit_rad_per_s_, limit_rad_per_s_);
+  const double limit_rad_per_s = parameters_.heading_limit_rad_per_s;
+  return std::clamp(parameters_.heading_gain_per_s * error_rad_, -limit_rad_per_s, limit_rad_per_s);
 }
 
 }  // namespace gaitway::stability

@@ -10,18 +10,13 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr double kUpright_rad = 0.02;  // less is no bow
+constexpr double kNoBow_rad = 0.02;  // less is no bow
 constexpr double kSways_m = 0.015;     // what the DCM lies beyond the CoM of a body that is not pushed
 
 }  // namespace
 
 HipStrategy::HipStrategy(const urdf::RobotModel& model, const BalanceParameters& parameters)
-    : middle_m_(0.5 * (model.feet[0].centre_m.x() + model.feet[1].centre_m.x())),
-      beyond_m_(parameters.bow_beyond_m),
-      gain_rad_per_m_(parameters.bow_gain_rad_per_m),
-      limit_rad_(parameters.bow_limit_rad),
-      speed_rad_per_s_(parameters.bow_speed_rad_per_s),
-      return_rad_per_s_(parameters.bow_return_rad_per_s) {}
+    : parameters_(parameters), middle_m_(0.5 * (model.feet[0].centre_m.x() + model.feet[1].centre_m.x())) {}
 
 // The body swings back over its middle before it rests: only a bow that is nearly over gives way to one to
 // the other side.
@@ -30,12 +25,13 @@ void HipStrategy::follow(const std::optional<Standing>& standing) noexcept {
   const double falling_m = standing ? standing->dcm_ahead_m - standing->com_ahead_m : 0.0;
   const bool is_pushed = std::copysign(1.0, ahead_m) * falling_m > kSways_m || wanted_rad_ * ahead_m > 0.0;
   const double beyond_m =
-      is_pushed && std::isfinite(ahead_m) ? std::max(std::abs(ahead_m) - beyond_m_, 0.0) : 0.0;
-  const double asked_rad = std::copysign(std::min(gain_rad_per_m_ * beyond_m, limit_rad_), ahead_m);
-  wanted_rad_ =
-      std::copysign(std::max(std::abs(wanted_rad_) - return_rad_per_s_ * facts::kSlot_s, 0.0), wanted_rad_);
+      is_pushed && std::isfinite(ahead_m) ? std::max(std::abs(ahead_m) - parameters_.bow_beyond_m, 0.0) : 0.0;
+  const double asked_rad =
+      std::copysign(std::min(parameters_.bow_gain_rad_per_m * beyond_m, parameters_.bow_limit_rad), ahead_m);
+  wanted_rad_ = std::copysign(
+      std::max(std::abs(wanted_rad_) - parameters_.bow_return_rad_per_s * facts::kSlot_s, 0.0), wanted_rad_);
   const bool same_side = asked_rad * wanted_rad_ > 0.0;
-  if (same_side ? std::abs(asked_rad) > std::abs(wanted_rad_) : std::abs(wanted_rad_) < kUpright_rad) {
+  if (same_side ? std::abs(asked_rad) > std::abs(wanted_rad_) : std::abs(wanted_rad_) < kNoBow_rad) {
     wanted_rad_ = asked_rad;
   }
 }
@@ -51,10 +47,12 @@ void HipStrategy::begin_batch(std::uint32_t sequence, bool steps, std::uint32_t 
   if (steps) wanted_rad_ = next.from.angle_rad + 0.5 * next.from.rate_rad_per_s * facts::kCycle_s;
   const double to_go_rad =
       wanted_rad_ - next.from.angle_rad - 0.5 * next.from.rate_rad_per_s * facts::kCycle_s;
-  next.to.rate_rad_per_s = std::clamp(to_go_rad / facts::kCycle_s, -speed_rad_per_s_, speed_rad_per_s_);
+  next.to.rate_rad_per_s = std::clamp(to_go_rad / facts::kCycle_s, -parameters_.bow_speed_rad_per_s,
+                                      parameters_.bow_speed_rad_per_s);
   // Going back quickly would throw the body to where it came from.
   const double outwards = next.from.angle_rad + wanted_rad_ >= 0.0 ? 1.0 : -1.0;
-  next.to.rate_rad_per_s = outwards * std::max(outwards * next.to.rate_rad_per_s, -return_rad_per_s_);
+  next.to.rate_rad_per_s =
+      outwards * std::max(outwards * next.to.rate_rad_per_s, -parameters_.bow_return_rad_per_s);
   next.to.angle_rad =
       next.from.angle_rad + 0.5 * (next.from.rate_rad_per_s + next.to.rate_rad_per_s) * facts::kCycle_s;
   newest_ = (newest_ + 1) % kKept;
@@ -75,7 +73,7 @@ msgclient::Bow HipStrategy::at(std::uint32_t sequence, double since_start_s) con
 
 bool HipStrategy::bows() const noexcept {
   const Batch& batch = batches_[newest_];
-  return std::max(std::abs(batch.from.angle_rad), std::abs(batch.to.angle_rad)) > kUpright_rad;
+  return std::max(std::abs(batch.from.angle_rad), std::abs(batch.to.angle_rad)) > kNoBow_rad;
 }
 
 }  // namespace gaitway::stability

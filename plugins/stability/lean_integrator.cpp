@@ -13,11 +13,13 @@ constexpr double kFadePerTick = 0.995;  // half in 1.4 s
 }  // namespace
 
 void LeanIntegrator::update(double roll_rad, double pitch_rad, bool walking) noexcept {
-  const double gain_per_s = walking ? walking_gain_per_s_ : gain_per_s_;
-  const std::array<double, 2> lean{roll_rad - reference_rad_[0], pitch_rad - reference_rad_[1]};
+  const double gain_per_s = walking ? parameters_.walking_lean_gain_per_s : parameters_.lean_gain_per_s;
+  const std::array<double, 2>& reference_rad = parameters_.attitude_reference_rad;
+  const std::array<double, 2> lean{roll_rad - reference_rad[0], pitch_rad - reference_rad[1]};
+  const double limit_rad = parameters_.lean_limit_rad;
   for (std::size_t axis = 0; axis < lean.size(); ++axis) {
     offset_rad_[axis] =
-        std::clamp(offset_rad_[axis] - gain_per_s * facts::kSlot_s * lean[axis], -limit_rad_, limit_rad_);
+        std::clamp(offset_rad_[axis] - gain_per_s * facts::kSlot_s * lean[axis], -limit_rad, limit_rad);
   }
 }
 

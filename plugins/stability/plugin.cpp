@@ -7,16 +7,15 @@
 namespace gaitway::stability {
 namespace {
 
-BalanceParameters parameters_of(Setup& setup) {
-  BalanceParameters p;
-  setup.parameters(p.numbers());
-  return p;
+const BalanceParameters& declared(Setup& setup, BalanceParameters& parameters) {
+  setup.parameters(parameters.numbers());
+  return parameters;
 }
 
 class Stability final : public Plugin {
  public:
   explicit Stability(Setup& setup)
-      : controller_(urdf::load_robot(setup.robot_directory()), parameters_of(setup)),
+      : controller_(urdf::load_robot(setup.robot_directory()), declared(setup, parameters_)),
         estimate_(setup.reads<Estimate>("estimate")),
         motion_plan_(setup.reads<MotionPlan>("motion_plan")),
         network_state_(setup.reads_optional<NetworkState>("network_state")),
@@ -43,6 +42,7 @@ class Stability final : public Plugin {
   void restore_state(StateReader& state) override { state(controller_); }
 
  private:
+  BalanceParameters parameters_;  // live: what is set between two steps is in force at the next one
   BalanceController controller_;
   Input<Estimate> estimate_;
   Input<MotionPlan> motion_plan_;

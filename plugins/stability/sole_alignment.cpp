@@ -16,9 +16,7 @@ constexpr double kLeastShare = 0.25;                    // of the load, on eithe
 }  // namespace
 
 SoleAlignment::SoleAlignment(const urdf::RobotModel& model, const BalanceParameters& parameters)
-    : gain_rad_per_m_s_(parameters.sole_gain_rad_per_m_s),
-      limit_rad_(parameters.sole_limit_rad),
-      trim_limit_rad_(std::min(parameters.trim_limit_rad, model.trim.limit_rad)) {
+    : parameters_(parameters), robot_limit_rad_(model.trim.limit_rad) {
   const urdf::ForwardKinematics home(model);
   const auto joint = [&model](std::size_t side, std::size_t which) -> const urdf::Joint& {
     return model.joints[static_cast<std::size_t>(model.legs[side].joints[which])];
@@ -43,7 +41,9 @@ void SoleAlignment::learn(const Estimate& standing) noexcept {
   const bool finite = std::isfinite(zmp[0][0] + zmp[0][1] + zmp[1][0] + zmp[1][1]);
   if (!finite || !(least_N > kLeastShare * load_N)) return;
   const auto turn = [this](double& angle_rad, double zmp_m) {
-    angle_rad = std::clamp(angle_rad + gain_rad_per_m_s_ * facts::kSlot_s * zmp_m, -limit_rad_, limit_rad_);
+    const double limit_rad = parameters_.sole_limit_rad;
+    angle_rad = std::clamp(angle_rad + parameters_.sole_gain_rad_per_m_s * facts::kSlot_s * zmp_m, -limit_rad,
+                           limit_rad);
   };
   turn(roll_rad_[0], zmp[0][1]);  // pressed on its left edge: that edge goes up
   turn(roll_rad_[1], zmp[1][1]);
@@ -51,10 +51,11 @@ void SoleAlignment::learn(const Estimate& standing) noexcept {
 }
 
 void SoleAlignment::add_to(TrimCommand& trim) const noexcept {
+  const double limit_rad = std::min(parameters_.trim_limit_rad, robot_limit_rad_);
   const auto add = [&](int channel, double angle_rad) {
     if (channel < 0) return;
     double& sum_rad = trim.angle[channel];
-    sum_rad = std::clamp(sum_rad + angle_rad, -trim_limit_rad_, trim_limit_rad_);
+    sum_rad = std::clamp(sum_rad + angle_rad, -limit_rad, limit_rad);
   };
   for (std::size_t side = 0; side < ankles_.size(); ++side) {
     add(ankles_[side].pitch_channel, ankles_[side].pitch_about_y * pitch_rad(side));

@@ -24,36 +24,41 @@ std::array<float, 4> row_of(const JointGain& gain, double about_roll, double abo
 
 }  // namespace
 
-TrimGainMatrix make_trim_gain_matrix(const urdf::RobotModel& model, const BalanceParameters& parameters) {
-  TrimGainMatrix matrix;
-  matrix.gains.attitude_reference = {static_cast<float>(parameters.attitude_reference_rad[0]),
-                                     static_cast<float>(parameters.attitude_reference_rad[1])};
+TrimGainMatrix::TrimGainMatrix(const urdf::RobotModel& model) {
   int channels = 0;
   for (const urdf::Joint& joint : model.joints) channels = std::max(channels, joint.trim_channel + 1);
-  matrix.gains.channel_count = static_cast<std::uint32_t>(std::min(channels, kTrimChannels));
+  channel_count_ = static_cast<std::uint32_t>(std::min(channels, kTrimChannels));
 
   const urdf::ForwardKinematics home(model);
-  const auto add = [&](std::size_t side, LegJoint which, const JointGain& gain, bool turns_pitch,
-                       bool is_hip) {
+  const auto add = [&](std::size_t side, LegJoint which, const JointGain BalanceParameters::*gain,
+                       bool turns_pitch, bool is_hip) {
     const urdf::Joint& joint = model.joints[static_cast<std::size_t>(model.legs[side].joints[which])];
     if (joint.trim_channel < 0 || joint.trim_channel >= kTrimChannels) return;
-    const auto channel = static_cast<std::size_t>(joint.trim_channel);
     const Eigen::Vector3d axis = axis_in_base(home, joint);
-    const auto row = row_of(gain, turns_pitch ? 0.0 : axis.x(), turns_pitch ? axis.y() : 0.0);
-    matrix.gains.gain[kBothFeet][channel] = row;
-    if (is_hip) {
-      matrix.hip_channels |= 1U << channel;
-    } else {
-      matrix.gains.gain[side][channel] = row;  // support 0 is the left leg's, 1 the right one's
-    }
+    rows_[static_cast<std::size_t>(joint.trim_channel)] = {gain, side, is_hip, turns_pitch ? 0.0 : axis.x(),
+                                                           turns_pitch ? axis.y() : 0.0};
   };
   for (std::size_t side = 0; side < model.legs.size(); ++side) {
-    add(side, ankle_pitch, parameters.ankle_pitch, true, false);
-    add(side, ankle_roll, parameters.ankle_roll, false, false);
-    add(side, hip_pitch, parameters.hip_pitch, true, true);
-    add(side, hip_roll, parameters.hip_roll, false, true);
+    add(side, ankle_pitch, &BalanceParameters::ankle_pitch, true, false);
+    add(side, ankle_roll, &BalanceParameters::ankle_roll, false, false);
+    add(side, hip_pitch, &BalanceParameters::hip_pitch, true, true);
+    add(side, hip_roll, &BalanceParameters::hip_roll, false, true);
   }
-  return matrix;
+}
+
+msgclient::TrimGains TrimGainMatrix::gains(const BalanceParameters& parameters) const noexcept {
+  msgclient::TrimGains gains{};
+  gains.channel_count = channel_count_;
+  gains.attitude_reference = {static_cast<float>(parameters.attitude_reference_rad[0]),
+                              static_cast<float>(parameters.attitude_reference_rad[1])};
+  for (std::size_t channel = 0; channel < rows_.size(); ++channel) {
+    const Row& row = rows_[channel];
+    if (row.gain == nullptr) continue;
+    gains.gain[kBothFeet][channel] = row_of(parameters.*row.gain, row.about_roll, row.about_pitch);
+    // Support 0 is the left leg's, 1 the right one's.
+    if (!row.is_hip) gains.gain[row.side][channel] = gains.gain[kBothFeet][channel];
+  }
+  return gains;
 }
 
 }  // namespace gaitway::stability

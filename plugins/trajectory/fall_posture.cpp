@@ -8,10 +8,12 @@
 #include <string>
 #include <string_view>
 
+#include "gaitway/facts/facts.hpp"
+
 namespace gaitway::trajectory {
 namespace {
 
-constexpr double kPoint_s = 0.010, kDeg = std::numbers::pi / 180.0;
+constexpr double kDeg = std::numbers::pi / 180.0;
 constexpr double kKeep = std::numeric_limits<double>::quiet_NaN();
 // Of what a joint may do: a polynomial's points lie closer than its ends say, and wire counts are rounded.
 constexpr double kSpeedShare = 0.94;
@@ -168,14 +170,14 @@ void FallPosture::begin(Stage stage, const References& references, std::span<con
   for (std::size_t j = 0; j < count; ++j) {
     Way& way = state_.ways[j];
     way.from_rad = references.at_rad[j];
-    way.speed_rad_per_s = (references.at_rad[j] - references.before_rad[j]) / kPoint_s;
+    way.speed_rad_per_s = (references.at_rad[j] - references.before_rad[j]) / facts::kSlot_s;
     way.to_rad = std::isfinite(to_rad[j]) ? to_rad[j] : way.from_rad;
     if (!std::isfinite(way.from_rad) || !std::isfinite(way.speed_rad_per_s)) return;
     // A reference that turns faster already slows down.
     const double most = std::max(std::min(most_rad_per_s, kSpeedShare * joints_[j].speed_rad_per_s),
                                  std::abs(way.speed_rad_per_s));
     for (way.time_s = kShortest_s; way.time_s < kLongest_s && way.fastest_rad_per_s() > most;) {
-      way.time_s += kPoint_s;
+      way.time_s += facts::kSlot_s;
     }
   }
   state_.stage = stage;
@@ -186,7 +188,7 @@ void FallPosture::plan(std::uint32_t sequence, std::int64_t start_ns, const Stan
   const std::size_t count = joints_.size();
   double time_s = 0.0;
   for (std::size_t j = 0; j < count; ++j) time_s = std::max(time_s, state_.ways[j].time_s);
-  const auto all = static_cast<std::uint32_t>(std::ceil(time_s / kPoint_s));
+  const auto all = static_cast<std::uint32_t>(std::ceil(time_s / facts::kSlot_s));
   const std::uint32_t played = state_.points + kBatchPoints;
   plan.sequence = posture.sequence = sequence;
   plan.start_ns = start_ns;
@@ -198,7 +200,7 @@ void FallPosture::plan(std::uint32_t sequence, std::int64_t start_ns, const Stan
   posture.from_home = 1;
   for (std::size_t i = 0; i < kBatchPoints + plan.tail_count; ++i) {
     write_stand(stand, i, plan);
-    const double since_s = static_cast<double>(state_.points + i + 1) * kPoint_s;
+    const double since_s = static_cast<double>(state_.points + i + 1) * facts::kSlot_s;
     for (std::size_t j = 0; j < count; ++j) {
       const Limits& joint = joints_[j];
       const double angle_rad = std::clamp(state_.ways[j].at(since_s), joint.lower_rad, joint.upper_rad);

@@ -11,7 +11,7 @@
 namespace gaitway::trajectory {
 namespace {
 
-constexpr auto kBatch = static_cast<std::size_t>(kBatchPoints);
+constexpr auto kBatchSize = static_cast<std::size_t>(kBatchPoints);
 // The approach: smooth from rest to rest, no joint faster than this if the time allows.
 constexpr double kApproachSpeed_rad_per_s = 2.0, kSmoothPeak = 1.875;
 
@@ -50,7 +50,7 @@ void MotionPlayer::start(std::size_t motion, const Stand& stand, std::span<const
   const double time_s =
       std::min(kSmoothPeak * farthest_rad / kApproachSpeed_rad_per_s, kMaxTailPoints * facts::kSlot_s);
   const auto batches =
-      static_cast<std::uint32_t>(std::ceil(time_s / facts::kSlot_s / static_cast<double>(kBatch)));
+      static_cast<std::uint32_t>(std::ceil(time_s / facts::kSlot_s / static_cast<double>(kBatchSize)));
   state_.approach_points = batches * kBatchPoints;
   if (batches > 0) state_.stage = MotionStage::approach;
 }
@@ -90,15 +90,15 @@ MotionPlayer::Place MotionPlayer::place_in(MotionStage stage, std::size_t batche
     const double share = static_cast<double>(point + 1) / std::max<std::uint32_t>(state_.approach_points, 1);
     return {&motion.path, 0, smooth(std::min(share, 1.0))};
   }
-  std::size_t on_path = batches * kBatch + 1 + point;
+  std::size_t on_path = batches * kBatchSize + 1 + point;
   if (stage == MotionStage::leaving) {
     const MotionExit& exit = motion.exits[batches];
-    const std::size_t going_on = exit.go_on_batches * kBatch;
+    const std::size_t going_on = exit.go_on_batches * kBatchSize;
     if (point >= going_on && exit.way >= 0) {
       const MotionWay& way = motion.ways[static_cast<std::size_t>(exit.way)];
       return {&way, std::min(point - going_on, way.size() - 1)};
     }
-    on_path = std::min(on_path, (batches + exit.go_on_batches) * kBatch);
+    on_path = std::min(on_path, (batches + exit.go_on_batches) * kBatchSize);
   }
   return {&motion.path, std::min(on_path, last)};
 }
@@ -141,18 +141,18 @@ void MotionPlayer::plan(std::uint32_t sequence, std::int64_t start_ns, MotionPla
                         PosturePlan& posture) noexcept {
   const MotionStage stage = state_.stage;
   const bool on_path = stage == MotionStage::path;
-  for (std::size_t i = 0; i < kBatch; ++i) {
+  for (std::size_t i = 0; i < kBatchSize; ++i) {
     write(place_in(stage, state_.batches, state_.points + i), i, plan, posture);
   }
   // The tail is the exit from the end of this batch, or what is left of one that has begun.
   const MotionStage tail_stage = on_path ? MotionStage::leaving : stage;
   const std::size_t tail_batches = on_path ? state_.batches + 1 : state_.batches;
-  const std::size_t played = on_path ? 0 : state_.points + kBatch;
+  const std::size_t played = on_path ? 0 : state_.points + kBatchSize;
   const std::size_t all = tail_stage == MotionStage::leaving ? table().exit_points(tail_batches)
                                                              : std::size_t{state_.approach_points};
-  const std::size_t tail = std::max(all - std::min(all, played), kBatch);
+  const std::size_t tail = std::max(all - std::min(all, played), kBatchSize);
   for (std::size_t k = 0; k < tail; ++k) {
-    write(place_in(tail_stage, tail_batches, played + k), kBatch + k, plan, posture);
+    write(place_in(tail_stage, tail_batches, played + k), kBatchSize + k, plan, posture);
   }
   plan.sequence = posture.sequence = sequence;
   plan.tail_count = posture.tail_count = static_cast<std::uint32_t>(tail);
@@ -207,7 +207,7 @@ void MotionPlayer::tell(gaitway::MotionState& state) const noexcept {
   const bool known = state_.name[0] != 0;
   state.duration = known ? static_cast<double>(table().path.size() - 1) * facts::kSlot_s : 0.0;
   const std::size_t played =
-      state_.stage == MotionStage::approach ? 0 : state_.batches * kBatch + state_.points;
+      state_.stage == MotionStage::approach ? 0 : state_.batches * kBatchSize + state_.points;
   state.time = known ? static_cast<double>(played) * facts::kSlot_s : 0.0;
 }
 

@@ -91,8 +91,7 @@ class Reader {
 
 // Every exit ends within what a safe tail holds.
 void require_exits(const MotionTable& table, const std::filesystem::path& file) {
-  constexpr std::size_t kBatch = kBatchPoints;
-  if (table.exits.size() < 2 || table.path.size() != table.batch_count() * kBatch + 1) {
+  if (table.exits.size() < 2 || table.path.size() != table.batch_count() * kBatchPoints + 1) {
     refuse(file, "its path is not whole batches");
   }
   for (std::size_t b = 0; b < table.exits.size(); ++b) {
@@ -105,7 +104,7 @@ void require_exits(const MotionTable& table, const std::filesystem::path& file) 
       refuse(file, "a way out is too long");
   }
   for (const MotionWay& way : table.ways) {
-    if (way.size() % kBatch != 0) refuse(file, "a way out is not whole batches");
+    if (way.size() % kBatchPoints != 0) refuse(file, "a way out is not whole batches");
   }
 }
 

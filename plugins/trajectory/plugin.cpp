@@ -2,19 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "gaitway/plugin/cycle.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/plugin/plugin.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/trajectory/accepted_references.hpp"
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/fall_posture.hpp"
 #include "gaitway/trajectory/limit_report.hpp"
-#include "gaitway/trajectory/motion_desk.hpp"
+#include "gaitway/trajectory/motion_admission.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
 #include "gaitway/trajectory/motion_table_file.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
@@ -27,15 +29,13 @@ namespace {
 
 constexpr std::uint32_t kFalls = 1;  // Estimate::fall
 
-// The configuration's numbers; what it leaves out comes from the robot and from GaitParameters. Throws
-// std::invalid_argument if they break a rule or a leg cannot reach the footsteps.
-GaitParameters configured(Setup& setup) {
-  const urdf::RobotModel robot = urdf::load_robot(setup.robot_directory());
-  GaitParameters p = with_standing_posture({}, robot);
-  setup.parameters(p.numbers());
-  p.validate();
-  require_reachable(p, robot);
-  return p;
+// The parameters with the configuration's numbers. Throws std::invalid_argument if they break a rule or a leg
+// cannot reach the footsteps.
+const GaitParameters& configured(Setup& setup, const urdf::RobotModel& robot, GaitParameters& parameters) {
+  setup.parameters(parameters.numbers());
+  parameters.validate();
+  require_reachable(parameters, robot);
+  return parameters;
 }
 
 // Beside the robot's description, as an installation has it; or in this code's own installation.
@@ -46,12 +46,12 @@ std::filesystem::path shipped_motions(const std::filesystem::path& robot_directo
 
 // The prepared motions of the folder that the parameter names. One that was prepared for another robot, or
 // for another stand than this configuration's, is left out, and that is reported.
-std::vector<MotionTable> motions_of(Setup& setup, const GaitParameters& parameters) {
+std::vector<MotionTable> motions_of(Setup& setup, const urdf::RobotModel& robot,
+                                    const GaitParameters& parameters) {
   const std::filesystem::path directory = setup.robot_directory();
   std::filesystem::path folder =
-      setup.parameter("motions", "", "Folder with prepared motions; empty: those that are shipped");
+      setup.parameter("motions", "", "folder with prepared motions; empty: those that are shipped");
   if (folder.empty()) folder = shipped_motions(directory);
-  const urdf::RobotModel robot = urdf::load_robot(directory);
   const std::uint64_t digest = robot_digest(directory);
   const bool own_stand = stands_as_described(parameters, with_standing_posture({}, robot));
   std::vector<MotionTable> motions;
@@ -72,21 +72,24 @@ std::vector<MotionTable> motions_of(Setup& setup, const GaitParameters& paramete
 
 class Trajectory final : public Plugin {
  public:
-  explicit Trajectory(Setup& setup) : Trajectory(setup, configured(setup)) {}
+  explicit Trajectory(Setup& setup) : Trajectory(setup, urdf::load_robot(setup.robot_directory())) {}
 
   void step(const Tick& tick) override {
     if (!tick.batch) {
       if (core::is_revision_tick(tick, revision_slot_)) revise(tick);
       return;
     }
-    see_revision_through(tick);
+    pattern_.tune(parameters_);
+    limits_.tune(parameters_);
+    take_back_refused_revision(tick);
     MotionPlan& plan = plan_.value();
     PlanDecision decision = decide(tick);
+    if (joint_plan_.has_value()) accepted_.take(joint_plan_.read(), accepted_sequence(tick));
     if (decision != PlanDecision::resume) player_.break_off();
     if (decision == PlanDecision::begin_anew) pattern_.reset_to_stand(continuity_.restart_stance());
     const WalkCommand walk = commanded(tick.now_ns);
-    heed_requests(tick, walk, decision);
-    if (heed_fall(tick, decision)) decision = PlanDecision::resume;
+    answer_motion_request(tick, walk, decision);
+    if (respond_to_fall(tick, decision)) decision = PlanDecision::resume;
     if (decision == PlanDecision::wait || (player_.lies() && !fall_.plays())) {
       plan.sequence = 0;
       plan.tail_count = 0;
@@ -111,23 +114,26 @@ class Trajectory final : public Plugin {
 
   [[nodiscard]] std::uint32_t state_version() const override { return 6; }
   void save_state(StateWriter& state) const override {
-    state(pattern_, divergence_, continuity_, player_, desk_, fall_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_);
   }
   void restore_state(StateReader& state) override {
-    state(pattern_, divergence_, continuity_, player_, desk_, fall_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_);
   }
 
  private:
-  Trajectory(Setup& setup, const GaitParameters& parameters)
-      : revision_slot_(urdf::load_robot(setup.robot_directory()).network.revision_slot),
-        pattern_(parameters),
-        divergence_(parameters),
-        player_(motions_of(setup, parameters)),
-        desk_(player_.motions(), urdf::load_robot(setup.robot_directory())),
-        fall_(urdf::load_robot(setup.robot_directory())),
-        takes_fall_posture_(setup.parameter("fall_posture", true) && fall_.exists()),
-        stand_{{}, parameters.stand_com_forward_m, parameters.hip_height_m, parameters.foot_spacing_m},
-        limits_(parameters),
+  Trajectory(Setup& setup, const urdf::RobotModel& robot)
+      : parameters_(with_standing_posture({}, robot)),
+        revision_slot_(robot.network.revision_slot),
+        pattern_(configured(setup, robot, parameters_)),
+        divergence_(parameters_),
+        player_(motions_of(setup, robot, parameters_)),
+        admission_(player_.motions(), robot),
+        fall_(robot),
+        takes_fall_posture_(
+            setup.parameter("fall_posture", true, "a falling robot takes a posture to meet the ground in") &&
+            fall_.exists()),
+        stand_{{}, parameters_.stand_com_forward_m, parameters_.hip_height_m, parameters_.foot_spacing_m},
+        limits_(parameters_),
         report_(setup.reporter()),
         walk_(setup.reads_optional<WalkCommand>("walk_command")),
         request_(setup.reads_optional<MotionRequest>("motion_command")),
@@ -164,7 +170,7 @@ class Trajectory final : public Plugin {
   }
 
   // A revision that did not reach the joints, whoever refused it, was none.
-  void see_revision_through(const Tick& tick) {
+  void take_back_refused_revision(const Tick& tick) {
     if (!accepted_before_revision_) return;
     if (accepted_hand_overs(network_.read()) == *accepted_before_revision_) {
       pattern_.take_revision_back();
@@ -195,7 +201,7 @@ class Trajectory final : public Plugin {
   }
 
   // Who commands a walk while a motion plays means the motion to end.
-  void heed_requests(const Tick& tick, const WalkCommand& walk, PlanDecision decision) {
+  void answer_motion_request(const Tick& tick, const WalkCommand& walk, PlanDecision decision) {
     if (player_.plays() && walk.walk != 0) player_.leave();
     if (!request_.has_value()) return;
     const MotionCircumstances now{.now_ns = tick.now_ns,
@@ -204,7 +210,7 @@ class Trajectory final : public Plugin {
                                   .stands = pattern_.state().phase == Phase::stand && walk.walk == 0,
                                   .estimate = estimate_.has_value() ? &estimate_.read() : nullptr,
                                   .joints = joints_.has_value() ? &joints_.read() : nullptr};
-    const std::optional<MotionOrder> order = desk_.answer(request_.read(), now, player_, state_.value());
+    const std::optional<MotionOrder> order = admission_.answer(request_.read(), now, player_, state_.value());
     if (!order || (order->kind == MotionOrder::Kind::none && state_.value().refused == 0)) return;
     report_(state_.value().refused != 0 ? Severity::warning : Severity::info,
             reinterpret_cast<const char*>(state_.value().text));
@@ -212,23 +218,22 @@ class Trajectory final : public Plugin {
     if (order->kind != MotionOrder::Kind::play) return;
     fall_.end();
     stand_.middle = middle_of(pattern_.state().feet);
-    player_.start(order->motion, stand_, desk_.offsets(now));
+    player_.start(order->motion, stand_, admission_.offsets(now));
   }
 
   // A robot that falls goes into a posture for it, be it from a safe tail. As soon as it lies, or does not
   // fall after all, its references go back to the home angles, where a stand or a motion goes on; so they do
   // after a safe tail. Whether a way begins.
-  bool heed_fall(const Tick& tick, PlanDecision decision) {
+  bool respond_to_fall(const Tick& tick, PlanDecision decision) {
     if (!estimate_.has_value()) return false;
     const Estimate& estimate = estimate_.read();
     const bool falls = takes_fall_posture_ && estimate.fall == kFalls;
     const bool anew = decision == PlanDecision::begin_anew;
     if (decision == PlanDecision::wait && (!falls || !plays_tail())) return false;
-    if (anew ? !fall_.plays() : falls == fall_.falls()) return false;
-    const bool known =
-        decision == PlanDecision::resume ? at_end_of_batch(tick.batch_sequence - 1) : at_rest();
-    if (!known) return false;
-    const FallPosture::References references{before_rad_, at_rad_};
+    // A posture that waits for its turn was not accepted, or has been cut off: it begins again.
+    const bool goes_on = decision == PlanDecision::resume && falls == fall_.falls();
+    if (anew ? !fall_.plays() : goes_on) return false;
+    const FallPosture::References references = references_before(tick, decision);
     if (anew || !falls) {
       fall_.go_home(references);
       return fall_.plays();
@@ -245,21 +250,15 @@ class Trajectory final : public Plugin {
     return network_.has_value() && static_cast<NetworkMode>(network_.read().mode) == NetworkMode::safe_tail;
   }
 
-  // Where the references are when the batch that plays ends; false if that is not known.
-  bool at_end_of_batch(std::uint32_t sequence) {
-    const JointPlan& joints = joint_plan_.read();
-    if (!joint_plan_.has_value() || joints.sequence != sequence) return false;
-    std::copy_n(joints.position[kBatchPoints - 2], before_rad_.size(), before_rad_.begin());
-    std::copy_n(joints.position[kBatchPoints - 1], at_rad_.size(), at_rad_.begin());
-    return true;
-  }
-
-  // A safe tail moves slowly: what it does in the last time slot may be left out.
-  bool at_rest() {
-    if (!joints_.has_value()) return false;
-    std::copy_n(joints_.read().reference_position, at_rad_.size(), at_rad_.begin());
-    before_rad_ = at_rad_;
-    return true;
+  // A robot that holds is where its joints say; so is one of whose batch nothing is known any more.
+  FallPosture::References references_before(const Tick& tick, PlanDecision decision) {
+    if (decision != PlanDecision::begin_anew) {
+      if (const auto played = accepted_.before(tick.batch_sequence)) return *played;
+    }
+    if (!joints_.has_value()) return {};
+    const JointStates& joints = joints_.read();
+    const std::span held(joints.reference_position, std::min<std::size_t>(joints.joint_count, kMaxJoints));
+    return {held, held};
   }
 
   // Who commands a walk for a while only must go on commanding it: if it cannot any more, the robot stands. A
@@ -282,23 +281,24 @@ class Trajectory final : public Plugin {
   }
 
   // Without a network (a plug-in check, a log replay) every batch counts as accepted.
-  PlanDecision decide(const Tick& tick) {
-    if (!network_.has_value()) {
-      const std::uint32_t before = tick.batch_sequence - 1;
-      return continuity_.decide(tick.batch_sequence, NetworkMode::holding, before);
-    }
-    const NetworkState& network = network_.read();
-    return continuity_.decide(tick.batch_sequence, static_cast<NetworkMode>(network.mode),
-                              network.accepted_sequence);
+  std::uint32_t accepted_sequence(const Tick& tick) {
+    return network_.has_value() ? network_.read().accepted_sequence : tick.batch_sequence - 1;
   }
 
-  int revision_slot_;  // of a cycle, from which its batch may be revised; 0: none is
+  PlanDecision decide(const Tick& tick) {
+    const NetworkMode mode =
+        network_.has_value() ? static_cast<NetworkMode>(network_.read().mode) : NetworkMode::holding;
+    return continuity_.decide(tick.batch_sequence, mode, accepted_sequence(tick));
+  }
+
+  GaitParameters parameters_;  // what is set live is taken over at the next batch
+  int revision_slot_;          // of a cycle, from which its batch may be revised; 0: none is
   // While a revision may be under way: how many hand-overs had been accepted before it.
   std::optional<std::uint64_t> accepted_before_revision_;
   WalkingPattern pattern_;
   DivergenceFeedback divergence_;
   MotionPlayer player_;
-  MotionDesk desk_;
+  MotionAdmission admission_;
   FallPosture fall_;
   bool takes_fall_posture_;
   Stand stand_;
@@ -312,7 +312,7 @@ class Trajectory final : public Plugin {
   Input<NetworkState> network_;
   Input<Correction> correction_;
   Input<JointPlan> joint_plan_;
-  std::array<double, kMaxJoints> before_rad_{}, at_rad_{};  // references before the next batch
+  AcceptedReferences accepted_;
   std::int64_t void_until_ns_ = -1;  // walk commands up to this stamp were given before a fall
   Output<MotionPlan> plan_;
   Output<PosturePlan> posture_;

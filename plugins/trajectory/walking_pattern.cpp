@@ -1,4 +1,4 @@
-// The walking pattern's state machine: stand, steps, settling.
+// The state machine of stand, steps and settling, and the plan that it writes: batch, footsteps, safe tail.
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 #include <algorithm>
@@ -10,12 +10,8 @@ namespace gaitway::trajectory {
 namespace {
 
 constexpr double kSameHeight_m = 1e-4;
-constexpr int kRampPoints = 6;  // of the offset that absorbs a change of footsteps
 constexpr auto kBatch = static_cast<int>(kBatchPoints);
-
-constexpr std::size_t index_of(Side side) noexcept {
-  return static_cast<std::size_t>(side);
-}
+constexpr int kShortestTail = 6 * kBatch;
 
 GaitParameters checked(GaitParameters parameters) {
   parameters.validate();
@@ -28,72 +24,107 @@ PreviewParameters preview_of(const GaitParameters& parameters) {
           parameters.jerk_weight};
 }
 
-double smooth_share(double s) noexcept {
-  return s * s * (3.0 - 2.0 * s);
-}
-
-// Reference ZMP in the step, `elapsed` points after its beginning.
-Eigen::RowVector2d zmp_in_step(const Step& step, int elapsed) noexcept {
-  if (elapsed >= step.double_support_points) return step.zmp_to;
-  const double share = static_cast<double>(elapsed) / step.double_support_points;
-  return step.zmp_from + (step.lead_in ? smooth_share(share) : share) * (step.zmp_to - step.zmp_from);
-}
-
-std::array<Pose2, 2> feet_after(const Step& step) noexcept {
-  std::array<Pose2, 2> feet;
-  feet[index_of(step.swing)] = step.landing;
-  feet[index_of(other(step.swing))] = step.stance;
-  return feet;
+// The last step has begun: the CoM is on its way to rest, and to walk on would throw the ZMP off the foot.
+// The walk begins anew while the robot settles.
+bool must_finish_stop(const PatternState& state) noexcept {
+  return state.phase == Phase::walking && state.step.last;
 }
 
 }  // namespace
 
-Pose2 middle_of(const std::array<Pose2, 2>& feet) noexcept {
-  return {0.5 * (feet[0].x_m + feet[1].x_m), 0.5 * (feet[0].y_m + feet[1].y_m),
-          0.5 * (feet[0].yaw_rad + feet[1].yaw_rad)};
-}
-
 WalkingPattern::WalkingPattern(const GaitParameters& parameters)
     : parameters_(checked(parameters)),
       controller_(preview_of(parameters_)),
-      absorber_(parameters_.com_height_m, parameters_.absorb_points(), kRampPoints),
-      planner_(parameters_),
-      adjustment_(parameters_, absorber_.omega_per_s()) {
+      schedule_(parameters_),
+      walk_(parameters_),
+      adjuster_(parameters_, walk_.absorber().omega_per_s()),
+      recovery_(parameters_, walk_.absorber().omega_per_s()) {
   reset_to_stand({});
+}
+
+void WalkingPattern::tune(const GaitParameters& changed) noexcept {
+  parameters_.tune(changed);
+  schedule_.tune(parameters_);
+  adjuster_ = FlightAdjuster(parameters_, walk_.absorber().omega_per_s());
+  recovery_ = StandRecovery(parameters_, walk_.absorber().omega_per_s());
 }
 
 void WalkingPattern::reset_to_stand(const Pose2& middle) noexcept {
   state_ = PatternState{};
   const double half = 0.5 * parameters_.foot_spacing_m;
   state_.feet = {middle.compose({0.0, half, 0.0}), middle.compose({0.0, -half, 0.0})};
-  state_.cart.motion.row(0) = stand_com(state_.feet);
+  state_.cart.motion.row(0) = walk_.stand_com(state_.feet);
   state_.hips = HipHeight(parameters_.hip_height_m);
   final_stance_ = middle;
   batch_reference_.count = 0;
 }
 
-Eigen::RowVector2d WalkingPattern::stance_zmp(Side side, const Pose2& foot) const noexcept {
-  return foot.transform(parameters_.zmp_forward_m, -sign_of(side) * parameters_.zmp_inward_m).transpose();
+void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
+                          const Correction& correction, MotionPlan& plan,
+                          const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  plan.sequence = sequence;
+  plan.start_ns = start_ns;
+  plan.motion = 0;
+  schedule(command, correction, dcm_deviation_m);
+  write_batch(0, plan);
+  write_tail(plan);
+  revisable_sequence_ = first_revised_ > 0 ? sequence : 0;
 }
 
-Eigen::RowVector2d WalkingPattern::stand_com(const std::array<Pose2, 2>& feet) const noexcept {
-  return middle_of(feet).transform(parameters_.stand_com_forward_m, 0.0).transpose();
+bool WalkingPattern::revise(const WalkCommand& command, const Correction& correction, MotionPlan& plan,
+                            const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  if (revisable_sequence_ == 0 || plan.sequence != revisable_sequence_ || plan.motion != 0) return false;
+  revisable_sequence_ = 0;
+  unrevised_state_ = state_;
+  unrevised_final_stance_ = final_stance_;
+  state_ = revisable_state_;
+  schedule(command, correction, dcm_deviation_m);
+  write_batch(first_revised_, plan);
+  write_tail(plan);
+  return true;
 }
 
-double WalkingPattern::swing_share(const PatternState& state) noexcept {
-  const int in_swing = state.elapsed_points - state.step.double_support_points;
-  return in_swing > 0 ? state.swing.share(in_swing * facts::kSlot_s) : 0.0;
+void WalkingPattern::take_revision_back() noexcept {
+  state_ = unrevised_state_;
+  final_stance_ = unrevised_final_stance_;
+}
+
+void WalkingPattern::schedule(const WalkCommand& command, const Correction& correction,
+                              const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  schedule_.forget_limits();
+  const Eigen::RowVector2d before = walk_.absorber().divergence(state_.cart);
+  Eigen::Vector2d deviation_m = dcm_deviation_m;
+  const double bow_rad = std::isfinite(correction.bow[1]) ? correction.bow[1] : 0.0;
+  if (recovery_.must_step(state_, deviation_m, bow_rad, walk_.absorber())) {
+    begin_walking(state_, {0.0, recovery_.side_to_step_to(state_, deviation_m), 0.0});
+    recovery_.take_over(state_, schedule_, walk_, deviation_m, bow_rad, batch_reference_);
+    deviation_m.setZero();  // it is the plan's now
+  }
+  Velocity2 wanted{command.velocity[0], command.velocity[1], command.turn_rate};
+  const bool finite = std::isfinite(wanted.forward_m_per_s) && std::isfinite(wanted.left_m_per_s) &&
+                      std::isfinite(wanted.turn_rad_per_s);
+  if (command.walk != 0 && finite && !must_finish_stop(state_)) {
+    const double commanded_turn_rad_per_s = wanted.turn_rad_per_s;
+    if (std::isfinite(correction.turn_rate_offset)) wanted.turn_rad_per_s += correction.turn_rate_offset;
+    if (std::isfinite(correction.velocity_offset[0] + correction.velocity_offset[1])) {
+      wanted.forward_m_per_s += correction.velocity_offset[0];
+      wanted.left_m_per_s += correction.velocity_offset[1];
+    }
+    Eigen::Vector2d offset_m(correction.step_offset[0], correction.step_offset[1]);
+    if (!offset_m.allFinite()) offset_m.setZero();
+    schedule_walk(state_, {wanted, commanded_turn_rad_per_s}, offset_m, deviation_m);
+  } else if (state_.recovery_steps > 0) {
+    schedule_walk(state_, {}, Eigen::Vector2d::Zero(), deviation_m);
+  } else {
+    schedule_stop(state_);
+    if (adjuster_.adjust(state_, schedule_, walk_, deviation_m, batch_reference_)) schedule_stop(state_);
+  }
+  answered_m_ = (walk_.absorber().divergence(state_.cart) - before).transpose();
 }
 
 bool WalkingPattern::is_open(const PatternState& state) const noexcept {
   return state.elapsed_points < state.step.double_support_points ||
-         swing_share(state) < parameters_.freeze_share;
-}
-
-// The last step has begun: the CoM is on its way to rest, and to walk on would throw the ZMP off the foot.
-// The walk begins anew while the robot settles.
-bool WalkingPattern::must_finish_stop(const PatternState& state) noexcept {
-  return state.phase == Phase::walking && state.step.last;
+         state.swing_share() < parameters_.freeze_share;
 }
 
 // The first step. It begins with the foot towards which the robot is to move, else with the left one.
@@ -106,19 +137,19 @@ void WalkingPattern::begin_walking(PatternState& state, const Velocity2& wanted)
   step.lead_in = true;
   step.stance = state.feet[index_of(other(step.swing))];
   step.zmp_from = controller_.zmp(state.cart);
-  step.zmp_to = stance_zmp(other(step.swing), step.stance);
+  step.zmp_to = schedule_.stance_zmp(other(step.swing), step.stance);
   state.step = step;
   state.phase = Phase::walking;
   state.elapsed_points = 0;
   state.cart.error_sum.setZero();
   state.yaw_correction_rad = {};
   state.zmp_offset = {};
-  state.divergence = absorber_.divergence(state.cart);
+  state.divergence = walk_.absorber().divergence(state.cart);
 }
 
 // The CoM comes to rest above the stand's point by least jerk; exactly, in a fixed time.
 void WalkingPattern::begin_settling(PatternState& state) const noexcept {
-  const Eigen::RowVector2d end = stand_com(state.feet);
+  const Eigen::RowVector2d end = walk_.stand_com(state.feet);
   const auto& now = state.cart.motion;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     state.settle[static_cast<std::size_t>(axis)] =
@@ -138,161 +169,31 @@ void WalkingPattern::aim_hips(PatternState& state, double goal_m) const noexcept
   state.hips.aim(goal_m, parameters_.settle_points());
 }
 
-Eigen::RowVector2d WalkingPattern::swing_zmp_m(const SwingFoot& swing, int in_swing) const noexcept {
-  return parameters_.swing_moment_s2 * swing.acceleration_m_per_s2(in_swing * facts::kSlot_s);
-}
-
-Step WalkingPattern::closing_step_after(const Step& before) const noexcept {
-  Step step;
-  step.swing = other(before.swing);
-  step.double_support_points = parameters_.double_support_points();
-  step.swing_points = parameters_.swing_points();
-  step.stance = before.landing;
-  step.landing = planner_.beside(step.stance, step.swing);
-  step.zmp_from = before.zmp_to;
-  step.zmp_to = stance_zmp(before.swing, step.stance);
-  return step;
-}
-
-void WalkingPattern::aim_step(Step& step, const Wanted& wanted, const Eigen::Vector2d& offset_m) noexcept {
-  step.velocity = planner_.next_velocity(step.velocity_before, wanted.velocity, applied_);
-  Velocity2 commanded = wanted.velocity, before = step.velocity_before;
-  commanded.turn_rad_per_s = wanted.commanded_turn_rad_per_s;
-  before.turn_rad_per_s = step.commanded_turn_before_rad_per_s;
-  StepLimit ignored = StepLimit::none;  // what limits the commands is told of the velocity
-  step.commanded_turn_rad_per_s = planner_.next_velocity(before, commanded, ignored).turn_rad_per_s;
-  step.landing = planner_.landing(step.stance, step.swing, step.velocity_before, step.velocity,
-                                  offset_m + step.adjustment_m, applied_);
-}
-
-Step WalkingPattern::step_after(const Step& before, const Wanted& wanted,
-                                const Eigen::Vector2d& offset_m) noexcept {
-  Step step = closing_step_after(before);
-  step.velocity_before = before.velocity;
-  step.commanded_turn_before_rad_per_s = before.commanded_turn_rad_per_s;
-  aim_step(step, wanted, offset_m);
-  return step;
-}
-
-double WalkingPattern::landing_yaw_correction_rad(const PatternState& state) const noexcept {
-  const Step& step = state.step;
-  return state.yaw_correction_rad[index_of(other(step.swing))] +
-         (step.velocity.turn_rad_per_s - step.commanded_turn_rad_per_s) * parameters_.step_time_s;
-}
-
-// Of the base, whose yaw is the mean of the feet's.
-double WalkingPattern::yaw_correction_rad(const PatternState& state) const noexcept {
-  double sum_rad = state.yaw_correction_rad[0] + state.yaw_correction_rad[1];
-  if (state.phase == Phase::walking) {
-    sum_rad += smooth_share(swing_share(state)) *
-               (landing_yaw_correction_rad(state) - state.yaw_correction_rad[index_of(state.step.swing)]);
-  }
-  return 0.5 * sum_rad;
-}
-
-void WalkingPattern::schedule_walk(PatternState& state, const Wanted& wanted, const Eigen::Vector2d& offset_m,
+void WalkingPattern::schedule_walk(PatternState& state, const WantedWalk& wanted,
+                                   const Eigen::Vector2d& offset_m,
                                    const Eigen::Vector2d& dcm_deviation_m) noexcept {
   if (state.phase != Phase::walking) begin_walking(state, wanted.velocity);
   Step& step = state.step;
-  Eigen::Vector2d offset_left = offset_m;
+  Eigen::Vector2d remaining_offset_m = offset_m;
   if (is_open(state)) {
-    aim_step(step, wanted, offset_m);
-    offset_left.setZero();
-    const int in_swing = state.elapsed_points - step.double_support_points;
-    if (in_swing > 0)
-      state.swing.aim(step.landing, in_swing * facts::kSlot_s, step.swing_points * facts::kSlot_s);
+    schedule_.aim(step, wanted, offset_m);
+    remaining_offset_m.setZero();
+    state.aim_swing();
   }
   if (state.recovery_steps == 0) {
     aim_hips(state, parameters_.hip_height_at_m(std::max(std::abs(step.velocity.forward_m_per_s),
                                                          std::abs(wanted.velocity.forward_m_per_s))));
   }
-  schedule_steps_after(step, state.elapsed_points, wanted, offset_left);
-  if (adjust_step(state, dcm_deviation_m))
-    schedule_steps_after(step, state.elapsed_points, wanted, offset_left);
+  schedule_.walk_after(step, state.elapsed_points, wanted, remaining_offset_m);
+  if (adjuster_.adjust(state, schedule_, walk_, dcm_deviation_m, batch_reference_))
+    schedule_.walk_after(step, state.elapsed_points, wanted, remaining_offset_m);
 }
 
-void WalkingPattern::schedule_steps_after(const Step& flying, int elapsed_points, const Wanted& wanted,
-                                          Eigen::Vector2d offset_m) noexcept {
-  schedule_.count = schedule_.next = 0;
-  schedule_.ends = false;
-  const int wanted_points = kBatch + parameters_.preview_points();
-  const Step* before = &flying;
-  for (int points = flying.points() - elapsed_points; points <= wanted_points && schedule_.count < kMaxSteps;
-       points += before->points()) {
-    Step& next = schedule_.steps[static_cast<std::size_t>(schedule_.count++)];
-    next = step_after(*before, wanted, offset_m);
-    offset_m.setZero();
-    before = &next;
-  }
-}
-
-// A foot on the ground becomes the closing foot; a foot in the air lands where it was to land, and the other
-// closes. Feet side by side settle at once. A step that has been adjusted stays so.
+// Feet side by side settle at once.
 void WalkingPattern::schedule_stop(PatternState& state) noexcept {
-  schedule_.count = schedule_.next = 0;
-  schedule_.ends = true;
-  if (state.phase != Phase::walking) return;
-  if (state.recovery_steps == 0) aim_hips(state, parameters_.hip_height_m);
-  Step& step = state.step;
-  if (state.elapsed_points <= step.double_support_points && step.adjustment_m.isZero()) {
-    if (planner_.is_beside(step.stance, step.swing, state.feet[index_of(step.swing)])) {
-      begin_settling(state);
-      return;
-    }
-    step.landing = planner_.beside(step.stance, step.swing);
-    step.velocity = {};
-  }
-  step.last = planner_.is_beside(step.stance, step.swing, step.landing);
-  if (step.last) return;
-  schedule_.steps[0] = closing_step_after(step);
-  schedule_.steps[0].last = true;
-  schedule_.count = 1;
-}
-
-void WalkingPattern::lay_out_reference(const PatternState& state, int points,
-                                       ZmpReference& reference) const noexcept {
-  reference.count = 0;
-  if (state.phase != Phase::walking) return;
-  const int most = std::min(points + 1, ZmpReference::kCapacity);
-  int row = 0;
-  const Step* step = &state.step;
-  int elapsed = state.elapsed_points;
-  std::array<Pose2, 2> feet = state.feet;  // where the last step left them
-  for (int i = -1; i < schedule_.count && row < most; ++i, elapsed = 0) {
-    if (i >= 0) step = &schedule_.steps[static_cast<std::size_t>(i)];
-    const bool swings = i < 0 && elapsed > step->double_support_points;
-    const SwingFoot swing =
-        swings ? state.swing
-               : SwingFoot(feet[index_of(step->swing)], step->landing, step->swing_points * facts::kSlot_s);
-    // What the leg in the air adds to the ZMP is left to it: the cart gets the rest.
-    for (; elapsed < step->points() && row < most; ++elapsed) {
-      reference.point.row(row) = zmp_in_step(*step, elapsed);
-      const int in_swing = elapsed - step->double_support_points;
-      if (in_swing > 0) reference.point.row(row) -= swing_zmp_m(swing, in_swing);
-      ++row;
-    }
-    feet = feet_after(*step);
-  }
-  if (schedule_.ends) {
-    const Eigen::RowVector2d end = stand_com(feet_after(*step));
-    const int shift = parameters_.settle_points() / 2;
-    for (int k = 0; k <= shift && row < most; ++k) {
-      reference.point.row(row++) = step->zmp_to + static_cast<double>(k) / shift * (end - step->zmp_to);
-    }
-  }
-  reference.count = row;
-}
-
-void WalkingPattern::fill_reference(PatternState& state, int points, ZmpReference& reference) const noexcept {
-  lay_out_reference(state, points, reference);
-  if (state.phase != Phase::walking) return;
-  absorber_.absorb(state.divergence, reference, state.zmp_offset);
-}
-
-void WalkingPattern::pass(PatternState& state, const ZmpReference& reference, int played) const noexcept {
-  if (reference.count == 0) return;
-  DivergenceAbsorber::shift(state.zmp_offset, played);
-  state.divergence = absorber_.required_divergence(reference, played);
+  const bool walks = state.phase == Phase::walking;
+  if (walks && state.recovery_steps == 0) aim_hips(state, parameters_.hip_height_m);
+  if (!schedule_.stop_after(state)) begin_settling(state);
 }
 
 void WalkingPattern::advance(PatternState& state, const ZmpReference& reference, int index) noexcept {
@@ -312,19 +213,19 @@ void WalkingPattern::advance_step(PatternState& state) noexcept {
     state.swing = SwingFoot(state.feet[foot], step.landing, step.swing_points * facts::kSlot_s);
   }
   ++state.elapsed_points;
-  const int in_swing = state.elapsed_points - step.double_support_points;
+  const int in_swing = state.swing_points_done();
   if (in_swing <= 0) return;
   if (in_swing < step.swing_points) {
     state.feet[foot] = state.swing.at(in_swing * facts::kSlot_s);
-    state.foot_height_m[foot] = swing_height_m(swing_share(state), parameters_.lift_m);
+    state.foot_height_m[foot] = swing_height_m(state.swing_share(), parameters_.lift_m);
     return;
   }
   if (state.recovery_steps > 0) --state.recovery_steps;
   state.feet[foot] = step.landing;
-  state.yaw_correction_rad[foot] = landing_yaw_correction_rad(state);
+  state.yaw_correction_rad[foot] = state.landing_yaw_correction_rad(parameters_.step_time_s);
   state.foot_height_m[foot] = 0.0;
-  if (schedule_.next < schedule_.count) {
-    state.step = schedule_.steps[static_cast<std::size_t>(schedule_.next++)];
+  if (const Step* const next = schedule_.begin_next()) {
+    state.step = *next;
     state.elapsed_points = 0;
   } else {
     begin_settling(state);
@@ -335,7 +236,7 @@ void WalkingPattern::advance_settling(PatternState& state) const noexcept {
   ++state.elapsed_points;
   if (state.elapsed_points >= parameters_.settle_points()) {
     state.cart = Cart{};
-    state.cart.motion.row(0) = stand_com(state.feet);
+    state.cart.motion.row(0) = walk_.stand_com(state.feet);
     state.phase = Phase::stand;
     state.elapsed_points = 0;
     return;
@@ -345,6 +246,80 @@ void WalkingPattern::advance_settling(PatternState& state) const noexcept {
         state.settle[static_cast<std::size_t>(axis)].at(state.elapsed_points * facts::kSlot_s);
     state.cart.motion.col(axis) << com.position, com.velocity, com.acceleration;
   }
+}
+
+void WalkingPattern::write_batch(int first, MotionPlan& plan) noexcept {
+  const int points = kBatch - first;
+  walk_.fill(state_, schedule_, points + parameters_.preview_points(), batch_reference_);
+  write_footsteps(first, plan);
+  for (int i = 0; i < points; ++i) {
+    if (first == 0 && i > 0 && i == first_revised_) {
+      revisable_state_ = state_;
+      walk_.pass(revisable_state_, batch_reference_, i);
+    }
+    advance(state_, batch_reference_, i);
+    write_point(state_, static_cast<std::size_t>(first) + static_cast<std::size_t>(i), plan);
+  }
+  walk_.pass(state_, batch_reference_, points);
+}
+
+// Until the stand is reached, in whole batches, and long enough for a bow to end in it.
+void WalkingPattern::write_tail(MotionPlan& plan) noexcept {
+  tail_state_ = state_;
+  schedule_stop(tail_state_);
+  walk_.fill(tail_state_, schedule_, ZmpReference::kCapacity - 1, tail_reference_);
+  int count = 0;
+  do {
+    for (int i = 0; i < kBatch; ++i, ++count) {
+      advance(tail_state_, tail_reference_, count);
+      write_point(tail_state_, static_cast<std::size_t>(kBatch) + static_cast<std::size_t>(count), plan);
+    }
+  } while ((tail_state_.phase != Phase::stand || count < kShortestTail) &&
+           count + kBatch <= static_cast<int>(kMaxTailPoints));
+  plan.tail_count = static_cast<std::uint32_t>(count);
+  final_stance_ = middle_of(tail_state_.feet);
+}
+
+void WalkingPattern::write_point(const PatternState& state, std::size_t i, MotionPlan& plan) const noexcept {
+  const bool in_the_air = state.phase == Phase::walking && state.swing_points_done() > 0;
+  Eigen::RowVector2d zmp = controller_.zmp(state.cart);
+  if (in_the_air) zmp += walk_.swing_zmp_m(state.swing, state.swing_points_done());
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto column = static_cast<Eigen::Index>(axis);
+    plan.com[i][axis] = state.cart.motion(0, column);
+    plan.com_velocity[i][axis] = state.cart.motion(1, column);
+    plan.zmp[i][axis] = zmp(column);
+    plan.trunk_attitude[i][axis] = 0.0;
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Pose2& foot = state.feet[side];
+    plan.foot_position[i][side][0] = foot.x_m;
+    plan.foot_position[i][side][1] = foot.y_m;
+    plan.foot_position[i][side][2] = state.foot_height_m[side];
+    plan.foot_yaw[i][side] = foot.yaw_rad;
+  }
+  plan.hip_height[i] = state.hips.height_m();
+  plan.base_yaw[i] = 0.5 * (state.feet[0].yaw_rad + state.feet[1].yaw_rad);
+  plan.commanded_yaw[i] = plan.base_yaw[i] - state.base_yaw_correction_rad(parameters_.step_time_s);
+  plan.support[i] = in_the_air ? static_cast<std::uint8_t>(other(state.step.swing)) : std::uint8_t{2};
+}
+
+void WalkingPattern::write_footsteps(int first, MotionPlan& plan) const noexcept {
+  plan.footstep_count = 0;
+  if (state_.phase != Phase::walking) return;
+  int points = first - state_.elapsed_points;
+  const auto write = [&](const Step& step) {
+    if (plan.footstep_count == kMaxFootsteps) return;
+    points += step.points();
+    const std::size_t k = plan.footstep_count++;
+    plan.footstep_side[k] = static_cast<std::uint32_t>(step.swing);
+    plan.footstep[k][0] = step.landing.x_m;
+    plan.footstep[k][1] = step.landing.y_m;
+    plan.footstep[k][2] = step.landing.yaw_rad;
+    plan.footstep_landing_ns[k] = plan.start_ns + points * facts::kSlot_ns;
+  };
+  write(state_.step);
+  for (const Step& step : schedule_.steps()) write(step);
 }
 
 }  // namespace gaitway::trajectory

@@ -32,10 +32,14 @@ void count(int& ticks, bool holds) noexcept {
 }  // namespace
 
 std::array<NumberParameter, 4> FallParameters::numbers() {
-  return {{{margin, "fall_margin", "1", 0.0, 2.0},
-           {confirm_s, "fall_confirm", "s", 0.0, 0.2},
-           {model.impact_tilt_rad, "fall_impact_tilt", "rad", 0.3, 1.5},
-           {model.inertia_factor, "fall_inertia", "1", 1.0, 3.0}}};
+  return {{{margin, "fall_margin", "1", 0.0, 2.0,
+            "of the tipping state, beyond which no foot can be put down in time"},
+           {confirm_s, "fall_confirm", "s", 0.0, 0.2,
+            "for so long without a break the robot tips: then it falls"},
+           {model.impact_tilt_rad, "fall_impact_tilt", "rad", 0.3, 1.5,
+            "tilt of the line from the edge to the CoM when the first link hits the ground"},
+           {model.inertia_factor, "fall_inertia", "1", 1.0, 3.0,
+            "inertia about the edge, over that of all the mass in the CoM"}}};
 }
 
 void FallParameters::validate() const {

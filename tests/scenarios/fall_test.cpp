@@ -115,6 +115,36 @@ TEST_F(FallTest, MeetsTheGroundInThePostureOutOfASafeTail) {
   EXPECT_EQ(run_.cosimulation.main_controller().statistics().refused_locally, 0U) << events();
 }
 
+TEST_F(FallTest, BeginsThePostureAgainWhenItsFirstBatchFails) {
+  fell_the_robot();
+  ASSERT_EQ(fall(), kFalls);
+  const double waist_rad = reference_rad("waist_yaw");
+  run_.cosimulation.apply({0.0, simulator::PluginFault{.plugin = "kinematics", .duration_s = 0.08}});
+  while (fall() == kFalls && run_.time_s() < told_s_ + 2.0) run_.cosimulation.advance_millisecond();
+  ASSERT_EQ(fall(), kLies);
+  EXPECT_THAT(events(), HasSubstr("kinematics")) << "the batch failed";
+  EXPECT_GT(reference_rad("waist_yaw") - waist_rad, 0.5) << "the chest turns to the ground all the same";
+}
+
+// In the middle of a swing a tail moves its joints faster than any reference that is 16 ms old can tell.
+TEST(FallOutOfAFastTail, ThePostureIsNotRefused) {
+  for (int instant = 0; instant < 6; ++instant) {
+    Fall fall;
+    fall.run_.apply(walk_at(0.0, 0.35));
+    fall.advance_to(3.0 + 0.05 * instant);
+    fall.run_.apply(
+        {0.0, simulator::PushEvent{
+                  .body = "trunk", .direction = {0.0, 1.0, 0.0}, .impulse_Ns = 9.0, .duration_s = 0.1}});
+    fall.advance_to(fall.run_.time_s() + 0.10);
+    fall.run_.cosimulation.apply({0.0, simulator::MainControllerSilentFault{0.09}});
+    while (fall.fall() != kFalls && fall.run_.time_s() < 5.0) fall.run_.cosimulation.advance_millisecond();
+    ASSERT_EQ(fall.fall(), kFalls) << instant;
+    while (fall.fall() == kFalls && fall.run_.time_s() < 6.0) fall.run_.cosimulation.advance_millisecond();
+    EXPECT_EQ(fall.run_.cosimulation.main_controller().statistics().refused_locally, 0U)
+        << instant << ": " << fall.events();
+  }
+}
+
 TEST(FallWithoutPosture, EveryJointIsSoftWithinTwoTimeSlotsAndStaysSo) {
   core::Configuration plugins =
       core::read_configuration(std::filesystem::path(GAITWAY_SOURCE_DIR) / "core/config/walk.yaml");

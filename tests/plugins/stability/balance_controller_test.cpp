@@ -54,7 +54,8 @@ class BalanceControllerTest : public ::testing::Test {
     for (const double angle : trim_.angle) EXPECT_NEAR(angle, 0.0, 1e-12);
   }
 
-  BalanceController controller_{humanoid(), BalanceParameters{}};
+  BalanceParameters parameters_;
+  BalanceController controller_{humanoid(), parameters_};
   Estimate estimate_{};
   std::unique_ptr<MotionPlan> plan_ = std::make_unique<MotionPlan>();
   NetworkState network_{};
@@ -294,6 +295,20 @@ TEST_F(BalanceControllerTest, AMotionOnTheGroundMakesTheJointsStiffAgain) {
   tick(5);
   EXPECT_EQ(trim_.softness, 0.0);
   expect_zero_trims();
+}
+
+TEST_F(BalanceControllerTest, AChangedParameterIsInForceAtTheNextUpdate) {
+  plan(0);
+  tick(40);
+  const double before_rad = trim_.angle[kLeftAnklePitch];
+  ASSERT_GT(before_rad, 0.009);
+  parameters_.trim_limit_rad = 0.004;
+  tick();
+  EXPECT_DOUBLE_EQ(trim_.angle[kLeftAnklePitch], 0.004);
+  parameters_.trim_limit_rad = 0.11;
+  parameters_.ankle_pitch.angle_rad_per_rad *= 0.5;
+  tick();
+  EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.5 * before_rad, 1e-6);
 }
 
 TEST(BalanceParametersTest, BadValuesAreRefusedByName) {

@@ -8,15 +8,19 @@
 #include <cmath>
 #include <deque>
 
+#include "test_robot.hpp"
+
 namespace gaitway::stability {
 namespace {
 
 using facts::kSlot_s;
+using test::kDefaults;
+
 constexpr double kDegree = 3.14159265358979 / 180.0;
 
 TEST(HeadingFeedback, TurnsAgainstTheErrorAndNoFasterThanItsLimit) {
   for (const double sign : {-1.0, 1.0}) {
-    HeadingFeedback feedback{BalanceParameters{}};
+    HeadingFeedback feedback{kDefaults};
     feedback.update(0.0, 0.0, true);
     double measured = 0.0, turn_rate = 0.0;
     for (int i = 0; i < 50; ++i) turn_rate = feedback.update(measured += sign * 0.001, 0.0, true);
@@ -28,7 +32,7 @@ TEST(HeadingFeedback, TurnsAgainstTheErrorAndNoFasterThanItsLimit) {
 }
 
 TEST(HeadingFeedback, HeadingsThatAgreeNeedNoCorrection) {
-  HeadingFeedback feedback{BalanceParameters{}};
+  HeadingFeedback feedback{kDefaults};
   for (int i = 0; i < 500; ++i) {
     EXPECT_NEAR(feedback.update(1.3 + 0.005 * i, 0.2 + 0.005 * i, true), 0.0, 1e-9);  // turns as planned
   }
@@ -63,14 +67,14 @@ TEST(HeadingFeedback, SlippingRobotKeepsItsHeadingWithinFiveDegrees) {
 }
 
 TEST(HeadingFeedback, WhileStandingTheErrorIsRememberedNotCorrected) {
-  HeadingFeedback feedback{BalanceParameters{}};
+  HeadingFeedback feedback{kDefaults};
   double measured = 0.0;
   for (int i = 0; i < 100; ++i) EXPECT_EQ(feedback.update(measured += 0.001, 0.0, false), 0.0);
   EXPECT_LT(feedback.update(measured, 0.0, true), -0.02);
 }
 
 TEST(HeadingFeedback, APlanPlacedAnewOrAGapIsNoSlip) {
-  HeadingFeedback feedback{BalanceParameters{}};
+  HeadingFeedback feedback{kDefaults};
   feedback.update(0.0, 0.0, true);
   feedback.update(0.0, 1.5, true);
   EXPECT_EQ(feedback.error_rad(), 0.0);

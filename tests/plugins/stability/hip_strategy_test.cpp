@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <limits>
 
 #include "test_robot.hpp"
@@ -30,6 +31,11 @@ class HipStrategyTest : public ::testing::Test {
   }
 
   BalanceParameters parameters_;
+  void begin_anew() {
+    std::destroy_at(&hips_);
+    std::construct_at(&hips_, test::humanoid(), parameters_);
+  }
+
   HipStrategy hips_{test::humanoid(), parameters_};
   std::uint32_t sequence_ = 0;
 };
@@ -54,7 +60,7 @@ TEST_F(HipStrategyTest, StandsUprightWhereItOnlyStandsAskew) {
 
 TEST_F(HipStrategyTest, BowsTowardsThePushWithinItsSpeedAndRestsAtItsLimit) {
   for (const double sense : {1.0, -1.0}) {
-    hips_ = HipStrategy(test::humanoid(), parameters_);
+    begin_anew();
     double last_rad_per_s = 0.0;
     for (int i = 0; i < 8; ++i) {
       const msgclient::Bow bow = batch(kMiddle_m + sense * 0.06);
@@ -147,7 +153,6 @@ TEST_F(HipStrategyTest, ADcmThatIsNotANumberIsNoReasonToBow) {
 
 TEST_F(HipStrategyTest, CanBeTurnedOff) {
   parameters_.bow_gain_rad_per_m = 0.0;
-  hips_ = HipStrategy(test::humanoid(), parameters_);
   EXPECT_EQ(batch(kMiddle_m + 0.07).angle_rad, 0.0);
 }
 

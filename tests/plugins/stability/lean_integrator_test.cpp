@@ -5,8 +5,12 @@
 
 #include <Eigen/Geometry>
 
+#include "test_robot.hpp"
+
 namespace gaitway::stability {
 namespace {
+
+using test::kDefaults;
 
 BalanceParameters with_gain(double gain_per_s) {
   BalanceParameters parameters;
@@ -17,14 +21,16 @@ BalanceParameters with_gain(double gain_per_s) {
 constexpr double kComHeight_m = 0.36;
 
 TEST(LeanIntegrator, IsOffWithoutGain) {
-  LeanIntegrator lean(with_gain(0.0), kComHeight_m);
+  const BalanceParameters parameters = with_gain(0.0);
+  LeanIntegrator lean(parameters, kComHeight_m);
   for (int i = 0; i < 100; ++i) lean.update(0.1, -0.1, false);
   EXPECT_EQ(lean.offset_rad()[0], 0.0);
   EXPECT_EQ(lean.offset_rad()[1], 0.0);
 }
 
 TEST(LeanIntegrator, TakesOutALeanThatTheGroundCauses) {
-  LeanIntegrator lean(with_gain(0.5), kComHeight_m);
+  const BalanceParameters parameters = with_gain(0.5);
+  LeanIntegrator lean(parameters, kComHeight_m);
   const double slope = 0.07;
   for (int i = 0; i < 1000; ++i) lean.update(0.0, slope + lean.offset_rad()[1], false);
   EXPECT_NEAR(lean.offset_rad()[1], -slope, 0.001);
@@ -34,7 +40,8 @@ TEST(LeanIntegrator, TakesOutALeanThatTheGroundCauses) {
 TEST(LeanIntegrator, BringsTheCentreOfMassAboveTheFeetOnASlope) {
   // Ground that turns the robot by roll and pitch: along its normal, the CoM is beside the feet by as much.
   const double roll = 0.06, pitch = -0.08;
-  LeanIntegrator lean(with_gain(1.0), kComHeight_m);
+  const BalanceParameters parameters = with_gain(1.0);
+  LeanIntegrator lean(parameters, kComHeight_m);
   for (int i = 0; i < 1000; ++i)
     lean.update(roll + lean.offset_rad()[0], pitch + lean.offset_rad()[1], false);
   const Eigen::Matrix3d ground =
@@ -47,7 +54,7 @@ TEST(LeanIntegrator, BringsTheCentreOfMassAboveTheFeetOnASlope) {
 }
 
 TEST(LeanIntegrator, LearnsSlowlyFromAWalk) {
-  LeanIntegrator standing{BalanceParameters{}, kComHeight_m}, walking{BalanceParameters{}, kComHeight_m};
+  LeanIntegrator standing{kDefaults, kComHeight_m}, walking{kDefaults, kComHeight_m};
   for (int i = 0; i < 10; ++i) {
     standing.update(0.05, 0.05, false);
     walking.update(0.05, 0.05, true);
@@ -59,7 +66,8 @@ TEST(LeanIntegrator, LearnsSlowlyFromAWalk) {
 }
 
 TEST(LeanIntegrator, IsLimitedAndFades) {
-  LeanIntegrator lean(with_gain(0.5), kComHeight_m);
+  const BalanceParameters parameters = with_gain(0.5);
+  LeanIntegrator lean(parameters, kComHeight_m);
   for (int i = 0; i < 2000; ++i) lean.update(-0.3, 0.3, false);
   EXPECT_DOUBLE_EQ(lean.offset_rad()[0], BalanceParameters{}.lean_limit_rad);
   EXPECT_DOUBLE_EQ(lean.offset_rad()[1], -BalanceParameters{}.lean_limit_rad);

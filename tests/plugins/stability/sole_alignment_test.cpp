@@ -13,6 +13,8 @@
 namespace gaitway::stability {
 namespace {
 
+using test::kDefaults;
+
 Estimate standing() {
   Estimate estimate{};
   estimate.foot_force[0] = estimate.foot_force[1] = 33.0;
@@ -48,7 +50,7 @@ std::array<Eigen::Vector3d, 2> turned(const urdf::RobotModel& model, const TrimC
 class SoleTurns : public ::testing::TestWithParam<bool> {
  protected:
   const urdf::RobotModel model = GetParam() ? test::robot_with_flipped_axes() : test::humanoid();
-  SoleAlignment soles{model, BalanceParameters{}};
+  SoleAlignment soles{model, kDefaults};
   TrimCommand trim{};
 };
 
@@ -67,7 +69,7 @@ TEST_P(SoleTurns, ThePressedEdgeGoesUp) {
 INSTANTIATE_TEST_SUITE_P(AxesBothWays, SoleTurns, ::testing::Bool());
 
 TEST(SoleAlignment, LeavesToTheBodyHowFarAheadItsWeightIs) {
-  SoleAlignment soles(test::humanoid(), BalanceParameters{});
+  SoleAlignment soles(test::humanoid(), kDefaults);
   Estimate estimate = standing();
   estimate.foot_zmp[0][0] = estimate.foot_zmp[1][0] = 0.03;
   learn(soles, estimate, 100);
@@ -76,7 +78,7 @@ TEST(SoleAlignment, LeavesToTheBodyHowFarAheadItsWeightIs) {
 
 TEST(SoleAlignment, LearnsNothingFromAFootThatBearsLittle) {
   const auto learned = [](const Estimate& estimate) {
-    SoleAlignment soles(test::humanoid(), BalanceParameters{});
+    SoleAlignment soles(test::humanoid(), kDefaults);
     learn(soles, estimate, 100);
     return std::abs(soles.roll_rad(0)) + std::abs(soles.roll_rad(1)) + std::abs(soles.pitch_rad(0));
   };

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <deque>
 
+#include "test_robot.hpp"
+
 namespace gaitway::stability {
 namespace {
 
 using facts::kSlot_s;
+using test::kDefaults;
 
 // The plan follows command and offset 0.6 s late; the robot goes by a share faster, and swings with its
 // steps.
@@ -40,7 +43,7 @@ TEST(SpeedFeedback, AFastRobotComesToTheCommandedSpeed) {
 }
 
 TEST(SpeedFeedback, KeepsItsLimitAndFadesWhenTheRobotStands) {
-  SpeedFeedback feedback{BalanceParameters{}};
+  SpeedFeedback feedback{kDefaults};
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();
   for (int i = 0; i < 3000; ++i) offset = feedback.update({1.0, -1.0}, {0.0, 0.0}, true);
   EXPECT_DOUBLE_EQ(offset.x(), BalanceParameters{}.speed_limit_m_per_s);

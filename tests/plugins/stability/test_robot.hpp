@@ -3,12 +3,15 @@
 
 #include <string>
 
+#include "gaitway/stability/balance_parameters.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::stability::test {
 
+inline const BalanceParameters kDefaults;
+
 inline const urdf::RobotModel& humanoid() {
-  static const urdf::RobotModel model = urdf::load_robot(std::string(GAITWAY_URDF_DIR) + "/humanoid22");
+  static const urdf::RobotModel model = urdf::load_robot(GAITWAY_URDF_DIR "/humanoid22");
   return model;
 }
 

@@ -11,6 +11,8 @@
 namespace gaitway::stability {
 namespace {
 
+using test::kDefaults;
+
 using msgclient::TrunkMotion;
 using test::channel_of;
 using test::humanoid;
@@ -19,7 +21,7 @@ using test::kLeftAnklePitch;
 const std::size_t kLeftHipPitch = channel_of(humanoid(), 0, 2);
 
 TrimFeedback in_full(std::size_t support, TrimCommand& command) {
-  TrimFeedback feedback(humanoid(), BalanceParameters{});
+  TrimFeedback feedback(humanoid(), kDefaults);
   for (int i = 0; i < 100; ++i) feedback.update(TrunkMotion{}, support, command);
   return feedback;
 }

@@ -42,7 +42,7 @@ class TrimSigns : public ::testing::TestWithParam<bool> {
 };
 
 TEST_P(TrimSigns, TrimsTurnTheTrunkAgainstItsErrorWhileTheFootStandsStill) {
-  const auto gains = make_trim_gain_matrix(model_, BalanceParameters{}).gains;
+  const auto gains = TrimGainMatrix(model_).gains({});
   for (std::size_t support = 0; support < 3; ++support) {
     for (const double error : {-0.04, 0.04}) {
       for (const urdf::Side stance : urdf::kSides) {
@@ -64,7 +64,7 @@ TEST_P(TrimSigns, TrimsTurnTheTrunkAgainstItsErrorWhileTheFootStandsStill) {
 }
 
 TEST_P(TrimSigns, RatesActLikeAngles) {
-  const auto gains = make_trim_gain_matrix(model_, BalanceParameters{}).gains;
+  const auto gains = TrimGainMatrix(model_).gains({});
   const auto angle = msgclient::trim_angles(gains, 0, {0.0, 0.0, 0.5, -0.7}, 0.1);
   const Eigen::Vector2d turn = trunk_turn(model_, angle, urdf::Side::left);
   EXPECT_NEAR(turn.x(), -0.06 * 0.5, 1e-3);  // the two turns do not quite commute
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, TrimSigns, ::testing::Values(false, true),
 TEST(TrimGainMatrix, NoseDownPressesTheToes) {
   // humanoid22's pitch axes point along +y: a trunk that is nose down turns the stance foot nose down against
   // the shin.
-  const auto gains = make_trim_gain_matrix(humanoid(), BalanceParameters{}).gains;
+  const auto gains = TrimGainMatrix(humanoid()).gains({});
   const auto& row = gains.gain[kLeftFoot][channel_of(humanoid(), 0, 4)];
   EXPECT_FLOAT_EQ(row[1], 0.25F);
   EXPECT_FLOAT_EQ(row[3], 0.03F);
@@ -85,7 +85,7 @@ TEST(TrimGainMatrix, NoseDownPressesTheToes) {
 }
 
 TEST(TrimGainMatrix, SwingLegGetsNothingAndBothAnklesWorkInDoubleSupport) {
-  const auto gains = make_trim_gain_matrix(humanoid(), BalanceParameters{}).gains;
+  const auto gains = TrimGainMatrix(humanoid()).gains({});
   EXPECT_EQ(gains.channel_count, 8U);
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t channel = 0; channel < kTrimChannels; ++channel) {
@@ -105,8 +105,7 @@ TEST(TrimGainMatrix, SwingLegGetsNothingAndBothAnklesWorkInDoubleSupport) {
 TEST(TrimGainMatrix, RobotWithoutTrimChannelsHasNoGains) {
   urdf::RobotModel model = humanoid();
   for (urdf::Joint& joint : model.joints) joint.trim_channel = -1;
-  const TrimGainMatrix matrix = make_trim_gain_matrix(model, BalanceParameters{});
-  EXPECT_EQ(matrix.gains, msgclient::TrimGains{});
+  EXPECT_EQ(TrimGainMatrix(model).gains({}), msgclient::TrimGains{});
 }
 
 }  // namespace

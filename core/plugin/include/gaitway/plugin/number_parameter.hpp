@@ -1,5 +1,5 @@
-// The numbers of a plug-in's parameters in one list: what the configuration calls each, its unit and its
-// range. Plain C++: a plug-in's algorithm may have such a list without knowing of plug-ins.
+// The numbers of a plug-in's parameters in one list: what the configuration calls each, its unit, its range,
+// what it is for, and whether it may change while the robot walks. Plain C++: a plug-in's algorithm may have such a list without knowing of plug-ins.
 #pragma once
 
 #include <array>
@@ -17,7 +17,10 @@ struct NumberParameter {
   const char* name;
   const char* unit;  // "1": none
   double lowest, highest;
+  const char* doc = "";  // one line for people
+  bool live = false;     // may change between two steps
 };
+inline constexpr bool kLive = true;
 
 namespace detail {
 

@@ -184,10 +184,13 @@ class Setup {
                                       std::string_view doc = "") {
     return parameter(name, std::string(fallback), doc);
   }
-  // Each as parameter() has it, the number itself being the fallback.
+  // Each as parameter() has it, the number itself being the fallback. A live one is written to where it is
+  // kept, between two steps: that must last as long as the plug-in.
   void parameters(std::span<const NumberParameter> numbers) {
-    for (const NumberParameter& number : numbers) {
-      number.value = parameter(number.name, number.value, number.unit, {number.lowest, number.highest, ""});
+    for (const NumberParameter& kept : numbers) {
+      const ParameterLimits limits{kept.lowest, kept.highest, kept.doc};
+      kept.value = declare(kept.name, number(kept.value), kept.unit, limits, kept.live).number;
+      if (kept.live) live_->refer(kept.name, kept.value);
     }
   }
   // A parameter that may be changed while the robot walks, between two steps.

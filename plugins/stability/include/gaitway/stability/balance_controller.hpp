@@ -29,8 +29,10 @@ struct BalanceInputs {
 // To be updated every 10 ms. Not thread-safe.
 class BalanceController {
  public:
-  // Throws std::invalid_argument (see BalanceParameters::validate).
+  // The parameters must outlive it: they may change between two updates. Throws std::invalid_argument (see
+  // BalanceParameters::validate).
   BalanceController(const urdf::RobotModel& model, const BalanceParameters& parameters);
+  BalanceController(const urdf::RobotModel& model, BalanceParameters&& parameters) = delete;
 
   // From the recognition of a fall on the joints go soft, see FallReaction. The support comes from the plan
   // that plays now; without a plan, from the estimate's contacts. Trims fade to zero while the estimate is
@@ -54,13 +56,33 @@ class BalanceController {
   }
 
  private:
+  // What there is now, and what follows from it for every feedback.
+  struct Situation {
+    std::optional<PlanMoment> moment;    // none: nothing is planned for now
+    PlanMoment meant;                    // the same, and what the bow adds to it
+    msgclient::Bow bow;                  // as it is meant to be now
+    const Estimate* estimate = nullptr;  // only one that can be balanced by
+    std::size_t support = kBothFeet;
+    bool grounded = false;  // there is an estimate, and ground to press on
+    bool stands = false;    // and the robot is to stand upon it
+    bool sways = true;
+    bool bows = false;
+  };
+
+  [[nodiscard]] Situation assess(std::int64_t now_ns, const BalanceInputs& inputs) noexcept;
+  void soften(const Estimate* estimate, const Situation& now, TrimCommand& trim) noexcept;
+  void balance_trunk(const Situation& now, TrimCommand& trim) noexcept;
+  void learn(const Situation& now) noexcept;
+  void steer(const Situation& now, Correction& correction) noexcept;
+  void bow(const Situation& now, const MotionPlan* plan, Correction& correction) noexcept;
+
   [[nodiscard]] bool is_usable(const Estimate* estimate, const PlanMoment& meant,
                                std::int64_t now_ns) const noexcept;
   [[nodiscard]] static std::optional<std::size_t> support_of(const std::optional<PlanMoment>& moment,
                                                              const Estimate& estimate) noexcept;
   [[nodiscard]] bool is_airborne(const Estimate& estimate) noexcept;
 
-  BalanceParameters parameters_;
+  const BalanceParameters& parameters_;
   PlanTimeline timeline_;
   TrimFeedback trims_;
   HeadingFeedback heading_;

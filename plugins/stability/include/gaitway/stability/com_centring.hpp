@@ -13,8 +13,7 @@ namespace gaitway::stability {
 // all batches, also in the walk that follows.
 class ComCentring {
  public:
-  explicit ComCentring(const BalanceParameters& parameters) noexcept
-      : gain_per_s_(parameters.centring_gain_per_s), limit_m_(parameters.centring_limit_m) {}
+  explicit ComCentring(const BalanceParameters& parameters) noexcept : parameters_(parameters) {}
 
   // One tick of a calm stand on both feet: the estimated CoM and DCM less the planned CoM, base axes.
   // Learns nothing while the body is being caught, and from what is not finite.
@@ -30,7 +29,7 @@ class ComCentring {
   }
 
  private:
-  double gain_per_s_, limit_m_;
+  const BalanceParameters& parameters_;
   Eigen::Vector2d offset_m_ = Eigen::Vector2d::Zero();
 };
 

@@ -35,7 +35,7 @@ class FallReaction {
   }
 
  private:
-  FallSoftness softness_;
+  const FallSoftness& softness_;
   int rising_ticks_ = 0;   // left to stand up
   int falling_ticks_ = 0;  // since the recognition, up to the longest wait
 };

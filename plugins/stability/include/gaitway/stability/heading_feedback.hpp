@@ -11,7 +11,7 @@ namespace gaitway::stability {
 // its own goal. The reference is the plan's `commanded_yaw`; turn rate = gain * (commanded - measured).
 class HeadingFeedback {
  public:
-  explicit HeadingFeedback(const BalanceParameters& parameters) noexcept;
+  explicit HeadingFeedback(const BalanceParameters& parameters) noexcept : parameters_(parameters) {}
 
   // One tick. measured: integrated yaw of the trunk; commanded: the plan's at the same time. Returns the turn
   // rate to add, rad/s, counter-clockwise; zero unless walking, when a correction would change nothing.
@@ -29,7 +29,7 @@ class HeadingFeedback {
   }
 
  private:
-  double gain_per_s_, limit_rad_per_s_, filter_s_;
+  const BalanceParameters& parameters_;
   std::optional<double> last_difference_rad_;  // measured - commanded
   double strayed_rad_ = 0.0;                   // the same since the start, without the plan's jumps
   double error_rad_ = 0.0;

@@ -54,8 +54,8 @@ class HipStrategy {
   };
   static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
 
-  double middle_m_, beyond_m_, gain_rad_per_m_, limit_rad_;
-  double speed_rad_per_s_, return_rad_per_s_;
+  const BalanceParameters& parameters_;
+  double middle_m_;          // of the soles, ahead of their frames
   double wanted_rad_ = 0.0;  // forward is positive
   std::array<Batch, kKept> batches_{};
   std::size_t newest_ = 0;

@@ -14,11 +14,7 @@ class LeanIntegrator {
  public:
   // com_height_m: of the CoM above the ground.
   LeanIntegrator(const BalanceParameters& parameters, double com_height_m) noexcept
-      : gain_per_s_(parameters.lean_gain_per_s),
-        walking_gain_per_s_(parameters.walking_lean_gain_per_s),
-        limit_rad_(parameters.lean_limit_rad),
-        com_height_m_(com_height_m),
-        reference_rad_(parameters.attitude_reference_rad) {}
+      : parameters_(parameters), com_height_m_(com_height_m) {}
 
   // One tick with the trunk's measured roll and pitch, rad.
   void update(double roll_rad, double pitch_rad, bool walking) noexcept;
@@ -41,8 +37,8 @@ class LeanIntegrator {
   }
 
  private:
-  double gain_per_s_, walking_gain_per_s_, limit_rad_, com_height_m_;
-  std::array<double, 2> reference_rad_;
+  const BalanceParameters& parameters_;
+  double com_height_m_;
   std::array<double, 2> offset_rad_{};
 };
 

@@ -46,7 +46,8 @@ class SoleAlignment {
     double pitch_about_y = 0.0, roll_about_x = 0.0;  // of the joints' axes, in base axes at the home posture
   };
 
-  double gain_rad_per_m_s_, limit_rad_, trim_limit_rad_;
+  const BalanceParameters& parameters_;
+  double robot_limit_rad_;  // of its trims
   std::array<Ankle, 2> ankles_;
   std::array<double, 2> roll_rad_{};
   double pitch_rad_ = 0.0;  // of the left sole; the right one is turned the other way

@@ -12,11 +12,10 @@ namespace gaitway::stability {
 // robot goes slower than it is told: that is what the command must be raised by.
 class SpeedFeedback {
  public:
-  explicit SpeedFeedback(const BalanceParameters& parameters) noexcept
-      : filter_s_(parameters.speed_filter_s), limit_m_per_s_(parameters.speed_limit_m_per_s) {}
+  explicit SpeedFeedback(const BalanceParameters& parameters) noexcept : parameters_(parameters) {}
 
-  // One tick; CoM velocities forward and left, of the plan at this time and estimated. Returns the offset of
-  // the commanded velocity; while the robot does not walk it fades.
+  // One tick; CoM velocities forward and left of the base, of the plan at this time and estimated. Returns
+  // the offset of the commanded velocity; while the robot does not walk it fades.
   Eigen::Vector2d update(const Eigen::Vector2d& planned_m_per_s, const Eigen::Vector2d& estimated_m_per_s,
                          bool walking) noexcept;
   void pause() noexcept { update(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), false); }
@@ -28,7 +27,7 @@ class SpeedFeedback {
   }
 
  private:
-  double filter_s_, limit_m_per_s_;
+  const BalanceParameters& parameters_;
   Eigen::Vector2d offset_m_per_s_ = Eigen::Vector2d::Zero();
 };
 

@@ -25,8 +25,7 @@ class TrimFeedback {
 
   [[nodiscard]] double share() const noexcept { return share_; }          // 0 faded out .. 1 in full
   [[nodiscard]] double hip_share() const noexcept { return hip_share_; }  // likewise, of the hips
-  [[nodiscard]] const msgclient::TrimGains& gains() const noexcept { return matrix_.gains; }
-  [[nodiscard]] double limit_rad() const noexcept { return limit_rad_; }
+  [[nodiscard]] double limit_rad() const noexcept;  // of the robot and of the parameters, the smaller one
 
   // What a successor goes on from.
   template <class Self, class Archive>
@@ -36,11 +35,11 @@ class TrimFeedback {
 
  private:
   void update_hip_share(bool both_feet) noexcept;
+  [[nodiscard]] double ramp_step() const noexcept;  // of a share in one tick
 
+  const BalanceParameters& parameters_;
+  double robot_limit_rad_;
   TrimGainMatrix matrix_;
-  double limit_rad_;
-  double ramp_step_;
-  double standing_after_s_;
   double standing_s_ = 0.0;
   double share_ = 0.0;
   double hip_share_ = 0.0;

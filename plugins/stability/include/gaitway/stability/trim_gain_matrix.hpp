@@ -21,13 +21,25 @@ inline constexpr std::size_t kBothFeet = 2;
 // e about the unit vector u (roll: x, pitch: y) takes q = k e (a . u): so an axis along +y turns by +k for a
 // trunk that is nose down, the toes press, the ZMP moves forward and pushes the trunk back; an axis along -y
 // turns by -k. An axis that lies in between gets its share.
-struct TrimGainMatrix {
-  msgclient::TrimGains gains;      // the standing robot's; what is handed over
-  std::uint32_t hip_channels = 0;  // bit c: channel c is a hip joint, which only helps while standing
-};
+class TrimGainMatrix {
+ public:
+  // A leg joint without trim channel gets no gain; a trim channel of another joint gets zeros.
+  explicit TrimGainMatrix(const urdf::RobotModel& model);
 
-// A leg joint without trim channel gets no gain; a trim channel of another joint gets zeros.
-[[nodiscard]] TrimGainMatrix make_trim_gain_matrix(const urdf::RobotModel& model,
-                                                   const BalanceParameters& parameters);
+  // The standing robot's; what is handed over. No allocation, 0.1 us.
+  [[nodiscard]] msgclient::TrimGains gains(const BalanceParameters& parameters) const noexcept;
+  // Such a channel only helps while standing.
+  [[nodiscard]] bool is_hip(std::size_t channel) const noexcept { return rows_[channel].is_hip; }
+
+ private:
+  struct Row {
+    const JointGain BalanceParameters::*gain = nullptr;  // none: zeros
+    std::size_t side = 0;
+    bool is_hip = false;
+    double about_roll = 0.0, about_pitch = 0.0;
+  };
+  std::uint32_t channel_count_ = 0;
+  std::array<Row, kTrimChannels> rows_{};
+};
 
 }  // namespace gaitway::stability

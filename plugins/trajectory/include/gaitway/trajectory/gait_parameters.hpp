@@ -2,7 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
+#include <array>
+#include <cstddef>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/plugin/number_parameter.hpp"
@@ -115,7 +116,10 @@ struct GaitParameters {
   [[nodiscard]] int longest_tail_points() const noexcept;
 
   // As the configuration has them; all but the sole, which is the robot's.
-  [[nodiscard]] std::vector<NumberParameter> numbers();
+  static constexpr std::size_t kNumbers = 48;
+  [[nodiscard]] std::array<NumberParameter, kNumbers> numbers();
+  // The live numbers of `changed`; the others stay as they are. No allocation.
+  void tune(GaitParameters changed) noexcept;
 
   // Throws std::invalid_argument naming the parameter, its value, the rule and the remedy.
   void validate() const;

@@ -16,6 +16,9 @@ class LimitReport {
   explicit LimitReport(const GaitParameters& parameters) noexcept
       : parameters_(parameters), planner_(parameters) {}
 
+  // The live numbers of the parameters.
+  void tune(const GaitParameters& changed) noexcept { parameters_.tune(changed); }
+
   // The rules in `applied` that have not been told since the command last changed.
   [[nodiscard]] StepLimit news(const WalkCommand& command, StepLimit applied) noexcept;
 

@@ -33,6 +33,8 @@ class LiveParameters {
     entries_.push_back({std::string(name), std::make_unique<T>(value)});
     return std::get<std::unique_ptr<T>>(entries_.back().value).get();
   }
+  // A number that the plug-in keeps itself.
+  void refer(std::string_view name, double& value) { entries_.push_back({std::string(name), &value}); }
   // False: there is no such parameter.
   bool set(std::string_view name, const gaitway_value& value) noexcept {
     bool found = false;
@@ -52,7 +54,7 @@ class LiveParameters {
   }
   struct Entry {
     std::string name;
-    std::variant<std::unique_ptr<double>, std::unique_ptr<std::int64_t>, std::unique_ptr<bool>> value;
+    std::variant<double*, std::unique_ptr<double>, std::unique_ptr<std::int64_t>, std::unique_ptr<bool>> value;
   };
   std::vector<Entry> entries_;
 };

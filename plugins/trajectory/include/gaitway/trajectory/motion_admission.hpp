@@ -31,9 +31,9 @@ struct MotionOrder {
   std::size_t motion = 0;  // of play
 };
 
-class MotionDesk {
+class MotionAdmission {
  public:
-  MotionDesk(const std::vector<MotionTable>& motions, const urdf::RobotModel& robot);
+  MotionAdmission(const std::vector<MotionTable>& motions, const urdf::RobotModel& robot);
 
   // Answers a request that has not been answered yet, in `state`; nothing for one that has, or that is older
   // than kLifetime_ns: who asked has gone, or this plug-in has just begun. No allocation.

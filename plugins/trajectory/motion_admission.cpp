@@ -1,5 +1,5 @@
 // One request, one answer.
-#include "gaitway/trajectory/motion_desk.hpp"
+#include "gaitway/trajectory/motion_admission.hpp"
 
 #include <fmt/format.h>
 
@@ -34,15 +34,15 @@ bool lies_the_other_way(const MotionTable& motion, const Estimate* estimate) noe
 
 }  // namespace
 
-MotionDesk::MotionDesk(const std::vector<MotionTable>& motions, const urdf::RobotModel& robot) {
+MotionAdmission::MotionAdmission(const std::vector<MotionTable>& motions, const urdf::RobotModel& robot) {
   for (const MotionTable& motion : motions) known_ += (known_.empty() ? "" : ", ") + motion.name;
   for (const urdf::Joint& joint : robot.joints) home_rad_.push_back(joint.home_rad);
   offset_rad_.resize(home_rad_.size());
 }
 
-std::optional<MotionOrder> MotionDesk::answer(const MotionRequest& request, const MotionCircumstances& now,
-                                              const MotionPlayer& player,
-                                              gaitway::MotionState& state) noexcept {
+std::optional<MotionOrder> MotionAdmission::answer(const MotionRequest& request,
+                                                   const MotionCircumstances& now, const MotionPlayer& player,
+                                                   gaitway::MotionState& state) noexcept {
   if (request.number == 0 || request.number == seen_) return std::nullopt;
   seen_ = request.number;
   if (now.now_ns - request.stamp_ns > kLifetime_ns) return std::nullopt;
@@ -80,8 +80,8 @@ std::optional<MotionOrder> MotionDesk::answer(const MotionRequest& request, cons
   return MotionOrder{MotionOrder::Kind::play, *motion};
 }
 
-std::string_view MotionDesk::objection(const MotionTable& motion, const MotionCircumstances& now,
-                                       const MotionPlayer& player) const noexcept {
+std::string_view MotionAdmission::objection(const MotionTable& motion, const MotionCircumstances& now,
+                                            const MotionPlayer& player) const noexcept {
   if (player.plays()) return "another motion plays. Wait for its end, or have it left";
   if (!now.follows) return "the robot plays its safe tail or is stopped. Wait until it stands";
   if (now.falls) return "the robot falls. Wait until it lies";
@@ -95,7 +95,7 @@ std::string_view MotionDesk::objection(const MotionTable& motion, const MotionCi
   return {};
 }
 
-std::span<const double> MotionDesk::offsets(const MotionCircumstances& now) noexcept {
+std::span<const double> MotionAdmission::offsets(const MotionCircumstances& now) noexcept {
   if (now.joints == nullptr || now.joints->joint_count != home_rad_.size()) return {};
   for (std::size_t j = 0; j < home_rad_.size(); ++j) {
     const double offset = now.joints->reference_position[j] - home_rad_[j];

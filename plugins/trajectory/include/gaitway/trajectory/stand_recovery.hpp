@@ -1,0 +1,41 @@
+// From the stand into a step, when the body is pushed off its feet.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "gaitway/trajectory/gait_parameters.hpp"
+#include "gaitway/trajectory/pattern_state.hpp"
+#include "gaitway/trajectory/step_adjustment.hpp"
+#include "gaitway/trajectory/step_schedule.hpp"
+#include "gaitway/trajectory/walk_reference.hpp"
+
+namespace gaitway::trajectory {
+
+class StandRecovery {
+ public:
+  StandRecovery(const GaitParameters& parameters, double omega_per_s)
+      : parameters_(parameters), adjustment_(parameters, omega_per_s) {}
+
+  // A standing robot whose DCM has left its soles steps after it, where a bow that has begun does not catch
+  // it. dcm_deviation_m: in the plan's frame.
+  [[nodiscard]] bool must_step(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
+                               double bow_rad, const DivergenceAbsorber& absorber) const noexcept;
+  // The feet stand side by side: whichever is lifted, the body falls to its side meanwhile. > 0: the left
+  // one.
+  [[nodiscard]] double side_to_step_to(const PatternState& state,
+                                       const Eigen::Vector2d& dcm_deviation_m) const noexcept;
+  // Makes the first step of a walk that has begun with that side the recovery's. reference: room to lay one
+  // out.
+  void take_over(PatternState& state, StepSchedule& schedule, const WalkReference& walk,
+                 const Eigen::Vector2d& dcm_deviation_m, double bow_rad,
+                 ZmpReference& reference) const noexcept;
+
+ private:
+  // Where the hips are to be when the first step of a recovery lands.
+  [[nodiscard]] double hip_height_m(const Step& step, double bow_rad) const noexcept;
+
+  GaitParameters parameters_;
+  StepAdjustment adjustment_;
+};
+
+}  // namespace gaitway::trajectory
