@@ -50,6 +50,12 @@ msgclient::TrunkMotion motion_of(const Estimate& estimate, const PlanMoment& mea
           estimate.angular_velocity[1] - meant.trunk_rate_rad_per_s[1]};
 }
 
+// The estimate's CoM velocity, forward and left of the base: it is told in the support foot's frame.
+Eigen::Vector2d com_velocity_m_per_s(const Estimate& estimate, const PlanMoment& meant) noexcept {
+  const std::size_t foot = std::min<std::size_t>(estimate.support, 1);
+  return Eigen::Rotation2Dd(meant.foot_turn_rad[foot]) * Eigen::Vector2d(estimate.com_velocity);
+}
+
 // A point of the estimate, in its support foot's frame, less the planned CoM; base axes.
 Eigen::Vector2d beyond_plan_m(const Estimate& estimate, const Eigen::Vector2d& point_m,
                               const PlanMoment& meant) noexcept {
@@ -182,7 +188,7 @@ void BalanceController::steer(const Situation& now, Correction& correction) noex
   correction.turn_rate_offset =
       heading_.update(estimate.attitude[2], now.meant.commanded_yaw_rad, now.meant.walking);
   Eigen::Map<Eigen::Vector2d>(correction.velocity_offset) = speed_.update(
-      now.meant.com_velocity_m_per_s, Eigen::Vector2d(estimate.com_velocity), now.meant.walking);
+      now.meant.com_velocity_m_per_s, com_velocity_m_per_s(estimate, now.meant), now.meant.walking);
 }
 
 void BalanceController::bow(const Situation& now, const MotionPlan* plan, Correction& correction) noexcept {

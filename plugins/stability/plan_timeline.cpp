@@ -41,6 +41,8 @@ void PlanTimeline::take(const MotionPlan& plan) noexcept {
     const Eigen::Vector2d velocity =
         to_base * Eigen::Vector2d(plan.com_velocity[i][0], plan.com_velocity[i][1]);
     excerpt.com_velocity_m_per_s[i] = {velocity.x(), velocity.y()};
+    excerpt.foot_turn_rad[i] = {plan.foot_yaw[i][0] - plan.base_yaw[i],
+                                plan.foot_yaw[i][1] - plan.base_yaw[i]};
     excerpt.trunk_attitude_rad[i] = {plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]};
     upright_ = upright_ && std::hypot(plan.trunk_attitude[i][0], plan.trunk_attitude[i][1]) < kUpright_rad;
   }
@@ -73,6 +75,7 @@ std::optional<PlanMoment> PlanTimeline::at(std::int64_t now_ns,
     const auto reached = static_cast<std::size_t>(std::clamp<std::int64_t>(slot - 1, 0, last));
     moment.commanded_yaw_rad = excerpt.commanded_yaw_rad[reached];
     moment.com_velocity_m_per_s = Eigen::Vector2d(excerpt.com_velocity_m_per_s[reached].data());
+    moment.foot_turn_rad = excerpt.foot_turn_rad[reached];
     for (std::size_t side = 0; side < 2; ++side) {
       const std::array<double, 3>& com = excerpt.com_in_foot[side];
       moment.com_in_foot_m[side] = {com[0], com[1]};

@@ -37,7 +37,7 @@ class Stability final : public Plugin {
     correction_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 5; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 6; }
   void save_state(StateWriter& state) const override { state(controller_); }
   void restore_state(StateReader& state) override { state(controller_); }
 

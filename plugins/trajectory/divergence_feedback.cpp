@@ -14,8 +14,13 @@ constexpr std::int64_t kOldest_ns = 60'000'000;
 }  // namespace
 
 DivergenceFeedback::DivergenceFeedback(const GaitParameters& parameters) noexcept
-    : omega_per_s_(std::sqrt(facts::kGravity_m_per_s2 / parameters.com_height_m)),
+    : com_above_hips_m_(parameters.com_height_m - parameters.hip_height_m),
       lag_ns_(std::llround(parameters.response_lag_s * 1e9)) {}
+
+// The estimate's pendulum is as high as the body is, so the planned one must be.
+double DivergenceFeedback::omega_per_s(double hip_height_m) const noexcept {
+  return std::sqrt(facts::kGravity_m_per_s2 / (hip_height_m + com_above_hips_m_));
+}
 
 void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
   const bool revises = points_[newest_].time_ns > plan.start_ns;
@@ -24,7 +29,8 @@ void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
     newest_ = (newest_ + 1) % kKept;
     Point& point = points_[newest_];
     point.time_ns = plan.start_ns + static_cast<std::int64_t>(i + 1) * facts::kSlot_ns;
-    point.dcm_m = Eigen::Vector2d(plan.com[i]) + Eigen::Vector2d(plan.com_velocity[i]) / omega_per_s_;
+    point.omega_per_s = omega_per_s(plan.hip_height[i]);
+    point.dcm_m = Eigen::Vector2d(plan.com[i]) + Eigen::Vector2d(plan.com_velocity[i]) / point.omega_per_s;
     point.zmp_m = Eigen::Vector2d(plan.zmp[i]);
     for (std::size_t side = 0; side < point.foot_m.size(); ++side) {
       point.foot_m[side] = Eigen::Vector2d(plan.foot_position[i][side]);
@@ -51,8 +57,8 @@ Eigen::Vector2d DivergenceFeedback::deviation_m(const Estimate& estimate,
   const Eigen::Rotation2Dd to_plan(planned->foot_yaw_rad[estimate.support]);
   const Eigen::Vector2d dcm = foot + to_plan * Eigen::Vector2d(estimate.dcm) - planned->dcm_m;
   const Eigen::Vector2d zmp = foot + to_plan * Eigen::Vector2d(estimate.zmp) - planned->zmp_m;
-  const auto growth_over = [this](std::int64_t time_ns) {
-    return std::exp(omega_per_s_ * static_cast<double>(time_ns) * 1e-9);
+  const auto growth_over = [planned](std::int64_t time_ns) {
+    return std::exp(planned->omega_per_s * static_cast<double>(time_ns) * 1e-9);
   };
   Eigen::Vector2d deviation = zmp + growth_over(ahead_ns) * (dcm - zmp);
   if (planned->time_ns <= answered_ns_) deviation -= growth_over(start_ns - answered_ns_) * answered_m_;

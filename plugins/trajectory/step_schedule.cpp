@@ -28,8 +28,11 @@ void StepSchedule::aim(Step& step, const WantedWalk& wanted, const Eigen::Vector
   before.turn_rad_per_s = step.commanded_turn_before_rad_per_s;
   StepLimit ignored = StepLimit::none;  // what limits the commands is told of the velocity
   step.commanded_turn_rad_per_s = planner_.next_velocity(before, commanded, ignored).turn_rad_per_s;
-  step.landing = planner_.landing(step.stance, step.swing, step.velocity_before, step.velocity,
-                                  offset_m + step.adjustment_m, applied_);
+  step.landing =
+      step.adjustment_m.isZero()
+          ? planner_.landing(step.stance, step.swing, step.velocity_before, step.velocity, offset_m, applied_)
+          : planner_.adjusted_landing(step.stance, step.swing, step.velocity_before, step.velocity,
+                                      offset_m + step.adjustment_m);
 }
 
 void StepSchedule::walk_after(const Step& flying, int elapsed_points, const WantedWalk& wanted,

@@ -311,6 +311,23 @@ TEST_F(BalanceControllerTest, AChangedParameterIsInForceAtTheNextUpdate) {
   EXPECT_NEAR(trim_.angle[kLeftAnklePitch], 0.5 * before_rad, 1e-6);
 }
 
+// Seen from a foot that is turned against the base, the body moves another way than it does in the base's
+// axes.
+TEST_F(BalanceControllerTest, ABodyThatMovesAsPlannedOverATurnedFootIsNotTooSlow) {
+  constexpr double kTurned_rad = 0.4, kSpeed_m_per_s = 0.2;
+  for (std::size_t i = 0; i < kMaxPoints; ++i) {
+    plan_->com_velocity[i][0] = kSpeed_m_per_s;
+    plan_->foot_yaw[i][0] = kTurned_rad;
+  }
+  plan(0);
+  estimate_.support = 0;
+  estimate_.com_velocity[0] = kSpeed_m_per_s * std::cos(kTurned_rad);
+  estimate_.com_velocity[1] = -kSpeed_m_per_s * std::sin(kTurned_rad);
+  tick(100);
+  EXPECT_NEAR(correction_.velocity_offset[0], 0.0, 1e-9);
+  EXPECT_NEAR(correction_.velocity_offset[1], 0.0, 1e-9);
+}
+
 TEST(BalanceParametersTest, BadValuesAreRefusedByName) {
   BalanceParameters parameters;
   parameters.ankle_pitch.angle_rad_per_rad = -0.25;

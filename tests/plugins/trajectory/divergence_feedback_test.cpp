@@ -22,6 +22,7 @@ class Deviation : public ::testing::Test {
     plan->start_ns = kCycle_ns;
     for (std::size_t i = 0; i < kBatchPoints; ++i) {
       plan->com[i][0] = plan->zmp[i][0] = 0.01;
+      plan->hip_height[i] = parameters.hip_height_m;
       plan->foot_position[i][0][1] = 0.05;
       plan->foot_position[i][1][1] = -0.05;
       plan->foot_yaw[i][0] = plan->foot_yaw[i][1] = 0.3;
@@ -61,6 +62,20 @@ TEST_F(Deviation, GrowsAwayFromTheZmpUntilTheBatchBegins) {
   EXPECT_NEAR(deviation.y(), -0.01 * growth, 1e-12);
   see({0.03, -0.01}, {0.03, -0.01});  // a ZMP below it holds it where it is
   EXPECT_LT((feedback.deviation_m(*estimate, start_ns) - Eigen::Vector2d(0.02, -0.01)).norm(), 1e-12);
+}
+
+// The estimate's pendulum is as high as the body is.
+TEST_F(Deviation, IsNothingForABodyOnItsPlanWithLowHips) {
+  constexpr double kLower_m = 0.05, kSpeed_m_per_s = 0.5;
+  for (std::size_t i = 0; i < kBatchPoints; ++i) {
+    plan->hip_height[i] = parameters.hip_height_m - kLower_m;
+    plan->com_velocity[i][0] = kSpeed_m_per_s;
+  }
+  DivergenceFeedback low{parameters};
+  low.take(*plan);
+  const double low_omega_per_s = std::sqrt(facts::kGravity_m_per_s2 / (parameters.com_height_m - kLower_m));
+  see({0.01 + kSpeed_m_per_s / low_omega_per_s, 0.0}, {0.01, 0.0});
+  EXPECT_LT(low.deviation_m(*estimate, start_ns).norm(), 1e-12);
 }
 
 TEST_F(Deviation, IsNothingThatCanBeActedOnWithoutAFreshUprightFiniteEstimate) {

@@ -135,6 +135,26 @@ TEST_F(AdjustedWalk, TakesOverTheDivergenceWithoutAJumpOfTheCentreOfMass) {
   EXPECT_NEAR(faster.y(), 0.0, 0.15 * taken_over);
 }
 
+// A command that comes after a push moves the footstep again: not further than the push may.
+TEST_F(AdjustedWalk, ACommandBringsTheFeetOfAnAdjustedStepNoFurtherApart) {
+  parameters.freeze_share = 0.9;
+  pattern = WalkingPattern(parameters);
+  run_into_a_swing(Side::left);
+  run(1, {0.0, 0.2});
+  ASSERT_GT(pattern.state().step.adjustment_m.y(), 0.01);
+  const auto spacing_m = [this] {
+    const Step& step = pattern.state().step;
+    return step.stance.relative_of(step.landing).y_m;
+  };
+  ASSERT_LE(spacing_m(), parameters.adjust_spacing_m + 1e-9);
+  ASSERT_GT(spacing_m(), parameters.adjust_spacing_m - 0.005);
+  command_walk(0.15, 0.1, 0.0);
+  const Side swing = pattern.state().step.swing;
+  run(1);
+  ASSERT_EQ(pattern.state().step.swing, swing) << "the same step";
+  EXPECT_LE(spacing_m(), parameters.adjust_spacing_m + 1e-9);
+}
+
 TEST_F(AdjustedWalk, KeepsTheFootstepsLimitsWhateverTheDeviation) {
   for (const Eigen::Vector2d& deviation : {Eigen::Vector2d(0.5, 0.0), Eigen::Vector2d(-0.5, 0.0),
                                            Eigen::Vector2d(0.0, 0.5), Eigen::Vector2d(0.3, -0.5)}) {

@@ -21,8 +21,9 @@ struct PlanMoment {
   // the base.
   std::array<Eigen::Vector2d, 2> com_in_foot_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   std::array<double, 2> foot_from_base_rad{};
-  bool walking = false;  // the plan has footsteps to come
-  bool motion = false;   // a key-frame motion plays
+  std::array<double, 2> foot_turn_rad{};  // of each foot against the base, now
+  bool walking = false;                   // the plan has footsteps to come
+  bool motion = false;                    // a key-frame motion plays
   // Of the trunk, roll and pitch, as they are meant to be now; and their rates.
   Eigen::Vector2d trunk_attitude_rad = Eigen::Vector2d::Zero(),
                   trunk_rate_rad_per_s = Eigen::Vector2d::Zero();
@@ -59,7 +60,8 @@ class PlanTimeline {
     bool walking = false, motion = false, fall_posture = false;
     std::array<std::uint8_t, kMaxPoints> support{};
     std::array<double, kMaxPoints> commanded_yaw_rad{};
-    std::array<std::array<double, 2>, kMaxPoints> com_velocity_m_per_s{}, trunk_attitude_rad{};
+    std::array<std::array<double, 2>, kMaxPoints> com_velocity_m_per_s{}, foot_turn_rad{},
+        trunk_attitude_rad{};
     // At the tail's end, by foot: m, m; and the foot's turn, rad.
     std::array<std::array<double, 3>, 2> com_in_foot{};
   };

@@ -43,19 +43,21 @@ class DivergenceFeedback {
  private:
   struct Point {
     std::int64_t time_ns = -1;
+    double omega_per_s = 0.0;  // of the pendulum, as high as the hips have it
     Eigen::Vector2d dcm_m = Eigen::Vector2d::Zero(), zmp_m = Eigen::Vector2d::Zero();
     std::array<Eigen::Vector2d, 2> foot_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  // [Side]
     std::array<double, 2> foot_yaw_rad{};
     template <class Self, class Archive>
     static void visit_state(Self& self, Archive& archive) {
-      archive(self.time_ns, self.dcm_m, self.zmp_m, self.foot_m, self.foot_yaw_rad);
+      archive(self.time_ns, self.omega_per_s, self.dcm_m, self.zmp_m, self.foot_m, self.foot_yaw_rad);
     }
   };
   static constexpr std::size_t kKept = 2UL * kBatchPoints;
 
   [[nodiscard]] const Point* planned_for(std::int64_t time_ns) const noexcept;
+  [[nodiscard]] double omega_per_s(double hip_height_m) const noexcept;
 
-  double omega_per_s_;
+  double com_above_hips_m_;
   std::int64_t lag_ns_;
   std::array<Point, kKept> points_{};
   std::size_t newest_ = 0;
