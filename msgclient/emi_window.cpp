@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "gaitway/msgclient/crc32.hpp"
+#include "gaitway/msgclient/hand_over.hpp"
 
 namespace gaitway::msgclient {
 namespace {

@@ -31,7 +31,7 @@ std::string_view reason_text(Reason reason) noexcept {
       return "a joint is moving by a manual command, or was left away from where the plan has it: move it "
              "back";
     case Reason::emergency_stopped:
-      return "the robot is in emergency stop";
+      return "the robot is in emergency stop, which /release ends";
     case Reason::not_standing:
       return "joints are commanded by hand only while the robot stands";
     case Reason::unknown_joint:
@@ -42,6 +42,10 @@ std::string_view reason_text(Reason reason) noexcept {
       return "a local controller that is needed is missing or reports a fault";
     case Reason::nothing_to_revise:
       return "it revises a batch that doesn't run, or from a time slot from which this network revises none";
+    case Reason::not_stopped:
+      return "the robot is not in emergency stop";
+    case Reason::releasing:
+      return "the emergency stop is being released already";
   }
   return "unknown reason";
 }

@@ -1,7 +1,11 @@
 // The server's side of set-up: requests in, descriptors out.
 #include "gaitway/msgclient/memory_block_server.hpp"
 
+#include <sys/socket.h>
+
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "block_protocol.hpp"
 #include "topic_registry.hpp"
@@ -82,6 +86,8 @@ Reply reply_to(TopicRegistry& registry, Asker& asker, const protocol::Request& r
 struct MemoryBlockServer::Connection {
   process::FileDescriptor socket;
   Asker asker;
+  pid_t process = 0;
+  std::int64_t silent_until_ns = 0;  // 0: it has asked for something
 };
 
 MemoryBlockServer::MemoryBlockServer(const MemoryBlock& block, std::filesystem::path socket)
@@ -97,25 +103,56 @@ std::size_t MemoryBlockServer::client_count() const noexcept {
   return connections_.size();
 }
 
-void MemoryBlockServer::step() {
+void MemoryBlockServer::step(std::int64_t now_ns) {
   // Old connections first: who died has given its claims back before a successor asks for them.
   for (auto connection = connections_.begin(); connection != connections_.end();) {
     const auto current = connection++;
-    if (!serve(*current)) {
+    const bool lives = serve(*current);
+    if (!lives || (current->silent_until_ns != 0 && now_ns >= current->silent_until_ns)) {
       drop(current);
     }
   }
-  accept_clients();
+  accept_clients(now_ns);
 }
 
-void MemoryBlockServer::accept_clients() {
+std::int64_t MemoryBlockServer::due_ns() const noexcept {
+  std::int64_t due_ns = std::numeric_limits<std::int64_t>::max();
+  for (const Connection& connection : connections_) {
+    due_ns = connection.silent_until_ns == 0 ? due_ns : std::min(due_ns, connection.silent_until_ns);
+  }
+  return due_ns;
+}
+
+bool MemoryBlockServer::has_room_for(pid_t process) const noexcept {
+  const auto of_process = std::count_if(connections_.begin(), connections_.end(),
+                                        [process](const Connection& one) { return one.process == process; });
+  return connections_.size() < kMostClients && static_cast<std::size_t>(of_process) < kMostOfOneProcess;
+}
+
+void MemoryBlockServer::accept_clients(std::int64_t now_ns) {
   for (int i = 0; i < kClientsAStep; ++i) {
     process::FileDescriptor socket = listener_.accept();
     if (!socket) {
       return;
     }
+    ucred peer{};
+    socklen_t size = sizeof peer;
+    if (getsockopt(socket.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0 || !has_room_for(peer.pid)) {
+      protocol::Answer refusal;
+      refusal.refused = 1;
+      std::snprintf(
+          refusal.error, sizeof refusal.error,
+          "process %d: the memory block serves at most %zu connections of a process and %zu in all: "
+          "close some first",
+          static_cast<int>(peer.pid), kMostOfOneProcess, kMostClients);
+      static_cast<void>(protocol::send_answer(socket.get(), refusal, {}));
+      continue;
+    }
     listener_.watch(socket);
-    connections_.push_back({std::move(socket), {.id = registry_->new_client()}});
+    connections_.push_back({.socket = std::move(socket),
+                            .asker = {.id = registry_->new_client()},
+                            .process = peer.pid,
+                            .silent_until_ns = now_ns + kSilence_ns});
     if (!serve(connections_.back())) {
       drop(std::prev(connections_.end()));
     }
@@ -134,6 +171,7 @@ bool MemoryBlockServer::serve(Connection& connection) {
       case protocol::Received::nothing:
         return true;
       case protocol::Received::packet:
+        connection.silent_until_ns = 0;
         break;
       case protocol::Received::closed:
       case protocol::Received::malformed:

@@ -1,8 +1,10 @@
-// A client in another process than the memory block: asks the server, maps what it gives.
+// Opening of topics, and the client in another process than the memory block: asks the server, maps what it
+// gives.
 #include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <mutex>
@@ -42,7 +44,9 @@ class Connection {
     const std::scoped_lock lock(mutex_);
     copy_name(client_name_, request.client);
     protocol::ReceivedAnswer received;
-    if (broken_ || !protocol::send_request(socket_.get(), request)) {
+    // A server that has turned this client away says why, and hangs up.
+    const bool sent = !broken_ && protocol::send_request(socket_.get(), request);
+    if (broken_) {
       fail("the message controller is gone");
     }
     switch (protocol::receive_answer(socket_.get(), received)) {
@@ -52,7 +56,7 @@ class Connection {
         broken_ = true;  // the answer may still come and would be taken for that of the next request
         fail(fmt::format("no answer within {} ms; is the message controller hanging?", timeout_.count()));
       case protocol::Received::closed:
-        fail("the message controller closed the connection");
+        fail(sent ? "the message controller closed the connection" : "the message controller is gone");
       case protocol::Received::malformed:
         fail("the answer is malformed; is it another program's socket, or another release?");
     }
@@ -165,6 +169,33 @@ Client Client::connect(const std::filesystem::path& socket, const std::string& c
                        std::chrono::milliseconds timeout) {
   return Client(std::make_shared<RemoteSource>(std::make_shared<Connection>(socket, client_name, timeout)),
                 client_name);
+}
+
+UntypedWriter Client::write_untyped(const TopicDescriptor& descriptor) {
+  return UntypedWriter(source_->open(descriptor, Role::writer));
+}
+UntypedReader Client::read_untyped(const TopicDescriptor& descriptor) {
+  return UntypedReader(source_->open(descriptor, Role::reader));
+}
+UntypedStreamReader Client::read_stream_untyped(const TopicDescriptor& descriptor, bool from_oldest) {
+  return UntypedStreamReader(source_->open(descriptor, Role::reader), from_oldest);
+}
+UntypedQueueWriter Client::write_queue_untyped(const TopicDescriptor& descriptor) {
+  return UntypedQueueWriter(source_->open(descriptor, Role::writer));
+}
+UntypedQueueReader Client::read_queue_untyped(const TopicDescriptor& descriptor) {
+  return UntypedQueueReader(source_->open(descriptor, Role::reader));
+}
+
+TopicGrant Client::open_window(std::string_view name, std::uint32_t bytes, Role role) {
+  return source_->open({std::string(name), "window", 0, bytes, TopicKind::window, 0}, role);
+}
+
+std::optional<TopicInfo> Client::find(std::string_view topic) const {
+  auto rows = source_->directory();
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const TopicInfo& row) { return row.descriptor.name == topic; });
+  return found == rows.end() ? std::nullopt : std::optional(std::move(*found));
 }
 
 }  // namespace gaitway::msgclient

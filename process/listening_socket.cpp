@@ -44,6 +44,7 @@ ListeningSocket::ListeningSocket(std::filesystem::path path, std::string_view ow
   lock(owner);
   listen();
   watch(listener_);
+  spare_ = take_spare();
 }
 
 ListeningSocket::~ListeningSocket() {
@@ -83,8 +84,23 @@ void ListeningSocket::listen() {
   }
 }
 
-FileDescriptor ListeningSocket::accept() const noexcept {
-  return FileDescriptor(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+FileDescriptor ListeningSocket::take_spare() const noexcept {
+  return FileDescriptor(fcntl(listener_.get(), F_DUPFD_CLOEXEC, 0));
+}
+
+FileDescriptor ListeningSocket::accept() noexcept {
+  while (true) {
+    FileDescriptor client(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    if (client || (errno != EMFILE && errno != ENFILE) || !spare_) {
+      return client;
+    }
+    spare_ = FileDescriptor();
+    const bool turned_away(FileDescriptor(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC)));
+    spare_ = take_spare();
+    if (!turned_away) {
+      return client;  // nobody waits: that, too, is told only with a descriptor left
+    }
+  }
 }
 
 void ListeningSocket::watch(const FileDescriptor& connection) const {

@@ -184,7 +184,7 @@ void BusServer::step() {
   while (true) {
     process::FileDescriptor connection = listener_.accept();
     if (!connection) {
-      break;  // nobody waits, or the system has no descriptor left, and then they wait on
+      break;  // nobody waits, or the system has no descriptor left and they were turned away
     }
     if (clients_.size() == kMostClients) {
       ++statistics_.refused;

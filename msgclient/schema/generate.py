@@ -20,7 +20,7 @@ SCALARS = {
     "int32": ("int32_t", 4), "uint32": ("uint32_t", 4), "int64": ("int64_t", 8), "uint64": ("uint64_t", 8),
     "float32": ("float", 4), "float64": ("double", 8),
 }
-FIELD_KEYS = {"name", "type", "shape", "unit", "frame", "doc", "limit"}
+FIELD_KEYS = {"name", "type", "shape", "unit", "frame", "doc", "limit", "values"}
 MAX_RANK = 4
 MAX_TYPE_BYTES = 1 << 20
 RESERVED = set(keyword.kwlist) | {"double", "float", "int", "char", "struct", "default", "switch", "namespace", "template"}
@@ -67,6 +67,7 @@ class Field:
             require(isinstance(value, str) and "\n" not in value and "*/" not in value, f"{where}: {key} must be one line of text")
             setattr(self, key, value)
         self.limit = self.read_limit(where, raw.get("limit"))
+        self.values = self.read_values(where, raw.get("values", []))
         shape = raw.get("shape", [])
         require(isinstance(shape, list) and len(shape) <= MAX_RANK, f"{where}: shape must be a list of at most {MAX_RANK} extents")
         self.extents, self.c_extents = [], []
@@ -91,6 +92,15 @@ class Field:
         require(numbers and limit[0] < limit[1], f"{where}: limit {limit!r} must be [lowest, highest], two finite numbers in rising order")
         return tuple(map(float, limit))
 
+    # Names of the numbers 0, 1, ... that the field may have.
+    def read_values(self, where, values):
+        named = isinstance(values, list) and all(isinstance(value, str) and re.fullmatch(r"[a-z][a-z0-9_]*", value) and value not in RESERVED
+                                                 for value in values)
+        require(named and len(set(values)) == len(values),
+                f"{where}: values {values!r} must be a list of different lower_case names that are no keywords; the first stands for 0")
+        require(not values or self.type in ("uint8", "uint32"), f"{where}: values belong to uint8 and uint32; leave them out")
+        return values
+
     def canonical(self):
         return f"{self.name}:{self.type}[{','.join(map(str, self.extents))}]|{self.unit}|{self.frame};"
 
@@ -98,7 +108,11 @@ class Field:
         frame = f"in {self.frame}" if self.frame else ""
         unit = f"[{self.unit}]" if self.unit else ""
         limit = f"{self.limit[0]:g} to {self.limit[1]:g}" if self.limit else ""
-        return ", ".join(part for part in (" ".join(p for p in (unit, frame) if p), self.doc, limit) if part)
+        return ", ".join(part for part in (" ".join(p for p in (unit, frame) if p), self.full_doc(), limit) if part)
+
+    def full_doc(self):
+        values = ", ".join(f"{number} {value.replace('_', ' ')}" for number, value in enumerate(self.values))
+        return "; ".join(part for part in (values, self.doc) if part)
 
 
 class Type:
@@ -184,6 +198,8 @@ def c_header(schema, source):
             comment = f" /* {member.comment()} */" if member.comment() else ""
             lines.append(f"  {SCALARS[member.type][0]} {member.name}{extents};{comment}")
         lines.append(f"}} {entry.c_name};")
+        lines += [f"#define {entry.c_name.upper()}_{field.name.upper()}_{value.upper()} {number}u"
+                  for field in entry.fields for number, value in enumerate(field.values)]
         lines.append(f"#define {entry.c_name.upper()}_TYPE_HASH UINT64_C(0x{entry.hash:016x})")
     return "\n".join(lines) + "\n"
 
@@ -201,7 +217,7 @@ def cpp_type(entry):
         extents = ", ".join(map(str, field.extents))
         limit = f", {field.limit[0]!r}, {field.limit[1]!r}" if field.limit else ""
         lines.append(f"      {{{quoted(field.name)}, ScalarType::{field.type}_value, {len(field.extents)}, {{{extents}}}, "
-                     f"{quoted(field.unit)}, {quoted(field.frame)}, {quoted(field.doc)}, {field.offset}{limit}}},")
+                     f"{quoted(field.unit)}, {quoted(field.frame)}, {quoted(field.full_doc())}, {field.offset}{limit}}},")
     lines += ["  }};",
               f"  static constexpr TypeDescriptor descriptor{{name, hash, {entry.size}, fields, {quoted(entry.doc)}}};",
               "};",
@@ -219,6 +235,9 @@ def cpp_header(schema, source, c_include, prefix):
              "", "namespace gaitway {", ""]
     lines += [f"inline constexpr int {name} = {value};" for name, value in schema.constants.items()]
     lines += [""] + [f"using {entry.name} = ::{entry.c_name};  // {entry.doc}" for entry in schema.types]
+    lines += [f"namespace {snake(entry.name)}::{field.name} {{ inline constexpr {SCALARS[field.type][0]} "
+              + ", ".join(f"{value} = {number}" for number, value in enumerate(field.values)) + "; }"
+              for entry in schema.types for field in entry.fields if field.values]
     for entry in schema.types:
         lines += [""] + cpp_type(entry)
     lines += ["", f"inline constexpr std::array<const TypeDescriptor*, {len(schema.types)}> k{prefix}Types = {{{{"]

@@ -82,7 +82,7 @@ class MainControllerProcess : public testing::Test {
     const std::int64_t end_ns = monotonic_ns() + static_cast<std::int64_t>(at_most_s * 1e9);
     while (monotonic_ns() < end_ns && !done()) {
       const std::int64_t now_ns = monotonic_ns();
-      server.step();
+      server.step(0);
       if (beating) {
         block.beat(now_ns);
       }

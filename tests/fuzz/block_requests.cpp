@@ -65,7 +65,7 @@ class Server {
   void connect() {
     if (clients_.size() < kMostClients) {
       clients_.emplace_back(path_);
-      server_.step();  // else those that wait for it fill its backlog
+      server_.step(0);  // else those that wait for it fill its backlog
     }
   }
   void disconnect(std::size_t client) {
@@ -97,7 +97,7 @@ class Server {
 
   void check_that_claims_end() {
     clients_.clear();
-    server_.step();
+    server_.step(0);
     require(server_.client_count() == 0, "who has gone is no client any more");
     Client successor = block_.local_client("successor");
     for (const TopicInfo& topic : successor.directory()) {
@@ -110,7 +110,7 @@ class Server {
  private:
   void send(std::size_t client, std::span<const std::byte> packet) {
     at(client).send(packet);
-    server_.step();
+    server_.step(0);
   }
   BareClient& at(std::size_t client) {
     return *std::next(clients_.begin(), static_cast<std::ptrdiff_t>(client % clients_.size()));

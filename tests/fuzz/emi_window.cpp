@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fuzz_input.hpp"
-#include "gaitway/msgclient/crc32.hpp"
+#include "gaitway/msgclient/hand_over.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "msgclient/emi_window.hpp"
 

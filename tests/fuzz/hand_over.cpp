@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fuzz_input.hpp"
-#include "gaitway/msgclient/crc32.hpp"
 
 namespace gaitway::fuzz {
 

@@ -37,6 +37,17 @@ class GenerateTest(unittest.TestCase):
     def test_unknown_type_is_refused(self):
         self.refused('{name = "a", type = "float63"}', "'Sample'", "'a'", "float63")
 
+    def test_values_get_names(self):
+        schema = schema_of('{name = "fall", type = "uint32", values = ["upright", "falls"]}')
+        self.assertIn("namespace sample::fall { inline constexpr uint32_t upright = 0, falls = 1; }", generate.cpp_header(schema, "s", "s.h", "Test"))
+        self.assertIn("#define GAITWAY_SAMPLE_FALL_FALLS 1u", generate.c_header(schema, "s"))
+        self.assertEqual(self.hash_of('{name = "fall", type = "uint32", values = ["upright"]}'), self.hash_of('{name = "fall", type = "uint32"}'))
+
+    def test_values_that_cannot_be_names_are_refused(self):
+        self.refused('{name = "fall", type = "uint32", values = ["Upright"]}', "'fall'", "Upright", "lower_case")
+        self.refused('{name = "fall", type = "uint32", values = ["lies", "lies"]}', "'fall'", "different")
+        self.refused('{name = "fall", type = "float64", values = ["lies"]}', "'fall'", "uint32")
+
     def test_unknown_constant_is_refused(self):
         self.refused('{name = "a", type = "int8", shape = ["kMissing"]}', "'a'", "kMissing", "[constants]")
 

@@ -7,8 +7,6 @@
 #include <random>
 #include <vector>
 
-#include "gaitway/msgclient/crc32.hpp"
-
 namespace gaitway::msgclient {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -18,6 +19,8 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <limits>
+#include <list>
 #include <string>
 #include <vector>
 
@@ -25,6 +28,7 @@
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/process/listening_socket.hpp"
 #include "gaitway/process/working_copy.hpp"
 #include "topic_error.hpp"
 
@@ -98,7 +102,7 @@ void serve_forever(const std::filesystem::path& socket) {
     pollfd wake{server.wake_fd(), POLLIN, 0};
     poll(&wake, 1, 1000);
     block.beat(beat);
-    server.step();
+    server.step(beat);
   }
 }
 
@@ -342,6 +346,83 @@ TEST_F(Processes, MissingAndHangingServersAreNamed) {
   EXPECT_THAT(error_of([&] { (void)Client::connect(socket, "a", std::chrono::milliseconds(20)); }),
               HasSubstr("no answer within 20 ms"));
   EXPECT_THROW(MemoryBlockServer(block, socket), process::SocketError) << "one serves it already";
+}
+
+// A connection that asks for nothing; or a hello, which is enough to be taken for a client.
+class RawClient {
+ public:
+  explicit RawClient(const std::filesystem::path& path) : socket_(::socket(AF_UNIX, SOCK_SEQPACKET, 0)) {
+    const sockaddr_un address = process::socket_address(path);
+    connected_ = connect(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  }
+  [[nodiscard]] bool connected() const noexcept { return connected_; }
+  // Whether the other side has hung up.
+  [[nodiscard]] bool dropped() const noexcept {
+    pollfd end{socket_.get(), POLLIN, 0};
+    return poll(&end, 1, 0) == 1 && (end.revents & POLLHUP) != 0;
+  }
+
+ private:
+  process::FileDescriptor socket_;
+  bool connected_ = false;
+};
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+TEST_F(Processes, OneProcessCannotTakeTheConnectionsOfAllOthers) {
+  MemoryBlock block;
+  MemoryBlockServer memory(block, socket);
+  std::list<RawClient> leaked;
+  for (int i = 0; i < 300; ++i) {
+    leaked.emplace_back(socket);
+    ASSERT_TRUE(leaked.back().connected());
+    memory.step(0);
+  }
+  EXPECT_LE(memory.client_count(), 32U);
+  Process other([this] { (void)Client::connect(socket, "other").read<Imu>("imu"); });
+  const process::FileDescriptor watched(dup(memory.wake_fd()));
+  for (int i = 0; i < 1000 && !block.local_client("test").find("imu"); ++i) {
+    pollfd wake{watched.get(), POLLIN, 0};
+    poll(&wake, 1, 10);
+    memory.step(0);
+  }
+  EXPECT_TRUE(block.local_client("test").find("imu")) << "another process was served";
+}
+
+TEST_F(Processes, AClientThatAsksForNothingIsDroppedInTime) {
+  MemoryBlock block;
+  MemoryBlockServer memory(block, socket);
+  const RawClient silent(socket);
+  memory.step(5 * kSecond_ns);
+  ASSERT_EQ(memory.client_count(), 1U);
+  EXPECT_EQ(memory.due_ns(), 7 * kSecond_ns);
+  memory.step(7 * kSecond_ns - 1);
+  EXPECT_FALSE(silent.dropped());
+  memory.step(7 * kSecond_ns);
+  EXPECT_TRUE(silent.dropped());
+  EXPECT_EQ(memory.client_count(), 0U);
+  EXPECT_EQ(memory.due_ns(), std::numeric_limits<std::int64_t>::max());
+}
+
+TEST_F(Processes, WithoutADescriptorLeftTheServerTurnsClientsAwayAndSleepsOn) {
+  MemoryBlock block;
+  MemoryBlockServer memory(block, socket);
+  const RawClient client(socket);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const int next = dup(0);  // the lowest that is free
+  close(next);
+  const rlimit none{static_cast<rlim_t>(next), before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  memory.step(0);
+  pollfd wake{memory.wake_fd(), POLLIN, 0};
+  const int readable = poll(&wake, 1, 0);
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_EQ(readable, 0) << "nothing is left to do";
+  EXPECT_TRUE(client.dropped());
+  const RawClient later(socket);
+  memory.step(0);
+  EXPECT_EQ(memory.client_count(), 1U);
 }
 
 TEST_F(Processes, AClientThatTalksNonsenseIsDroppedAlone) {

@@ -252,6 +252,67 @@ TEST(Queue, RefusesWhenFullAndDeliversInOrder) {
   EXPECT_EQ(writer.refused(), 5u);
 }
 
+// A writer may put what it likes into its own memory before it dies.
+class RogueQueueWriter : public UntypedQueueWriter {
+ public:
+  explicit RogueQueueWriter(UntypedQueueWriter writer) : UntypedQueueWriter(std::move(writer)) {}
+  void publish_up_to(std::uint64_t sequence) noexcept { base_->store(sequence); }
+};
+
+TEST(Queue, AWriterThatLeavesNonsenseBehindHarmsNoSuccessor) {
+  for (const std::uint64_t nonsense :
+       {std::uint64_t{2}, std::uint64_t{5}, std::uint64_t{1} << 63U, std::uint64_t{0}, ~std::uint64_t{0}}) {
+    MemoryBlock block;
+    Client client = block.local_client("api");
+    UntypedQueueReader reader =
+        block.local_client("message_controller").read_queue_untyped(descriptor_of(TopicKind::queue, 4));
+    Value value;
+    {
+      RogueQueueWriter rogue(client.write_queue_untyped(descriptor_of(TopicKind::queue)));
+      value.fill(1);
+      ASSERT_TRUE(rogue.push(&value, 0));
+      ASSERT_TRUE(reader.pop(&value));
+      rogue.publish_up_to(nonsense);
+    }
+    UntypedQueueWriter successor = client.write_queue_untyped(descriptor_of(TopicKind::queue));
+    EXPECT_NE(reader.pop(&value).status, ReadStatus::value) << nonsense;
+    for (std::uint64_t i = 10; i < 20; ++i) {
+      value.fill(i);
+      ASSERT_TRUE(successor.push(&value, 0)) << nonsense;
+      ASSERT_TRUE(reader.pop(&value)) << nonsense;
+      EXPECT_EQ(value.word[0], i) << nonsense;
+    }
+  }
+}
+
+class RogueStreamWriter : public UntypedWriter {
+ public:
+  explicit RogueStreamWriter(UntypedWriter writer) : UntypedWriter(std::move(writer)) {}
+  void publish_up_to(std::uint64_t sequence) noexcept { base_->store(sequence); }
+};
+
+TEST(Stream, AWriterThatGoesBackHarmsNoReaderOfItsSuccessor) {
+  MemoryBlock block;
+  Client client = block.local_client("a");
+  UntypedStreamReader reader = client.read_stream_untyped(descriptor_of(TopicKind::stream, 4));
+  Value value;
+  {
+    RogueStreamWriter rogue(client.write_untyped(descriptor_of(TopicKind::stream)));
+    for (std::uint64_t i = 1; i <= 9; ++i) {
+      value.fill(i);
+      rogue.publish(&value, 0);
+      ASSERT_TRUE(reader.read(&value));
+    }
+    rogue.publish_up_to(2);
+  }
+  EXPECT_FALSE(reader.read(&value));
+  UntypedWriter successor = client.write_untyped(descriptor_of(TopicKind::stream));
+  value.fill(77);
+  successor.publish(&value, 0);
+  ASSERT_TRUE(reader.read(&value));
+  EXPECT_EQ(value.word[0], 77u);
+}
+
 TEST(Queue, HasOneReaderAtATimeAndANewOneGoesOn) {
   MemoryBlock block;
   Client client = block.local_client("ctl");

@@ -51,7 +51,7 @@ class ListeningSocketTest : public testing::Test {
 };
 
 TEST_F(ListeningSocketTest, WakesForAClientForItsDataAndForItsEnd) {
-  const ListeningSocket server(path, "bus");
+  ListeningSocket server(path, "bus");
   EXPECT_FALSE(server.accept()) << "nobody waits";
   EXPECT_FALSE(readable(server.wake_fd()));
   {
@@ -72,12 +72,12 @@ TEST_F(ListeningSocketTest, WakesForAClientForItsDataAndForItsEnd) {
 
 TEST_F(ListeningSocketTest, RefusesASecondServerAndServesAgainAfterTheFirst) {
   {
-    const ListeningSocket first(path, "bus");
-    EXPECT_THAT(refusal([&] { const ListeningSocket second(path, "bus"); }),
+    ListeningSocket first(path, "bus");
+    EXPECT_THAT(refusal([&] { ListeningSocket second(path, "bus"); }),
                 AllOf(HasSubstr(path.string()), HasSubstr("another bus serves it")));
   }
   EXPECT_FALSE(std::filesystem::exists(path));
-  const ListeningSocket third(path, "bus");
+  ListeningSocket third(path, "bus");
   EXPECT_TRUE(std::filesystem::exists(path));
 }
 
@@ -87,21 +87,21 @@ TEST_F(ListeningSocketTest, ReplacesASocketThatADeadServerLeft) {
     const sockaddr_un address = socket_address(path);
     ASSERT_EQ(bind(dead.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   }
-  const ListeningSocket server(path, "bus");
+  ListeningSocket server(path, "bus");
   EXPECT_TRUE(connect_to(path));
 }
 
 TEST_F(ListeningSocketTest, LeavesAFileThatIsNoSocketAlone) {
   std::ofstream(path) << "precious";
-  EXPECT_THAT(refusal([&] { const ListeningSocket server(path, "bus"); }), HasSubstr("cannot bind"));
+  EXPECT_THAT(refusal([&] { ListeningSocket server(path, "bus"); }), HasSubstr("cannot bind"));
   EXPECT_EQ(std::filesystem::file_size(path), 8U);
 }
 
 TEST_F(ListeningSocketTest, RefusesPathsThatTheSystemCannotTake) {
-  EXPECT_THAT(refusal([&] { const ListeningSocket server(folder / std::string(120, 'x'), "bus"); }),
+  EXPECT_THAT(refusal([&] { ListeningSocket server(folder / std::string(120, 'x'), "bus"); }),
               AllOf(HasSubstr("107 characters"), HasSubstr("choose another one")));
   EXPECT_THAT(refusal([] { (void)socket_address(""); }), HasSubstr("this one has 0"));
-  EXPECT_THAT(refusal([&] { const ListeningSocket server(folder / "missing" / "s", "bus"); }),
+  EXPECT_THAT(refusal([&] { ListeningSocket server(folder / "missing" / "s", "bus"); }),
               AllOf(HasSubstr("cannot make"), HasSubstr("No such file")));
 }
 

@@ -91,7 +91,7 @@ class BlockThread {
           std::array<pollfd, 1> wakes{pollfd{server_.wake_fd(), POLLIN, 0}};
           while (!stop.stop_requested()) {
             poll(wakes.data(), wakes.size(), kLook_ms);
-            server_.step();
+            server_.step(process::monotonic_ns());
           }
         }) {}
 

@@ -216,7 +216,7 @@ TEST_F(NetworkChild, IsAClientOfTheMemoryBlockThatClaimsNothingMore) {
     while (serving) {
       pollfd wake{memory.wake_fd(), POLLIN, 0};
       poll(&wake, 1, 10);
-      memory.step();
+      memory.step(0);
     }
   });
   manager = load(server(writes() + ", parameters: {client: true}"));

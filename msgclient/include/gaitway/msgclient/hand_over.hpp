@@ -43,6 +43,10 @@ struct HandOver {
 [[nodiscard]] bool make_hand_over(const JointPlan& plan, const TrimCommand& trim, HandOver& hand_over,
                                   std::uint32_t first_slot = 0) noexcept;
 
+// CRC-32 (IEEE 802.3, as zlib's) over the words' bytes, least significant byte first. For the cycle: no
+// allocation.
+[[nodiscard]] std::uint32_t crc32(std::span<const std::uint32_t> words) noexcept;
+
 // Words, 32 bits each, of the packed form; only what is used travels:
 //   0 format | 1 sequence | 2 joint count, channel count << 8, first slot << 12, point count << 16 | 3..
 //   attitude reference (2), gains (3 x channels x 4) | supports, 2 bits a point, 16 a word | positions

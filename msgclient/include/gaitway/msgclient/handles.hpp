@@ -126,6 +126,7 @@ class UntypedStreamReader : public CopyingReader {
   ReadResult read(void* value) noexcept {
     for (int attempt = 0; attempt < ring::kMaxAttempts; ++attempt) {
       const std::uint64_t newest = ring::published(base_);
+      next_ = std::min(next_, newest + 1);  // a writer that breaks the rules may have gone back
       if (next_ > newest) {
         return {};
       }
@@ -180,17 +181,24 @@ class UntypedQueueReader : public CopyingReader {
  public:
   explicit UntypedQueueReader(TopicGrant grant)
       : CopyingReader(std::move(grant)), taken_(words(*grant_.cursor)) {}
-  // The oldest value that waits, or `none`.
+  // The oldest value that waits, or `none`. What a writer that broke the rules has left behind (more values
+  // than there are slots, or values that are not whole) is passed over, so that its successor's queue is
+  // not full for ever.
   ReadResult pop(void* value) noexcept {
-    const std::uint64_t taken = taken_->load(std::memory_order_relaxed);
-    if (ring::published(base_) == taken) {
-      return {};
+    const std::uint64_t newest = ring::published(base_);
+    std::uint64_t taken = taken_->load(std::memory_order_relaxed);
+    if (newest - taken > grant_.geometry.slots) {
+      taken = newest;
+      taken_->store(taken, std::memory_order_release);
     }
-    if (!copy(taken + 1)) {
-      return {ReadStatus::overtaken, 0, 0};  // only a writer that breaks the rules brings this about
+    while (taken != newest) {
+      const bool whole = copy(++taken);
+      taken_->store(taken, std::memory_order_release);
+      if (whole) {
+        return deliver(taken, value);
+      }
     }
-    taken_->store(taken + 1, std::memory_order_release);
-    return deliver(taken + 1, value);
+    return {};
   }
 
  private:

@@ -24,7 +24,8 @@ enum class UserCommandKind : std::uint32_t {
   stop = 0,                 // play the safe tail now: finish the step and stand
   emergency_stop_hold = 1,  // all joints hold at once
   emergency_stop_soft = 2,  // all joints without torque at once
-  manual_joint = 3          // one joint moves to a position while the robot stands
+  manual_joint = 3,         // one joint moves to a position while the robot stands
+  release = 4  // ends an emergency stop: the joints hold where they are, and batches are taken again
 };
 
 // Host to message controller, at any time; answered.
@@ -60,8 +61,10 @@ enum class Reason : std::uint32_t {
   not_standing,       // a manual joint command while the robot moves
   unknown_joint,
   unknown_command,
-  node_fault,        // a local controller that is needed is missing or reports a fault
-  nothing_to_revise  // a revision of a batch that doesn't run, or of what cannot be revised
+  node_fault,         // a local controller that is needed is missing or reports a fault
+  nothing_to_revise,  // a revision of a batch that doesn't run, or of what cannot be revised
+  not_stopped,        // a release without an emergency stop
+  releasing           // a release while another one is being carried out
 };
 // One sentence for people.
 std::string_view reason_text(Reason reason) noexcept;

@@ -2,7 +2,10 @@
 // returns.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <list>
 
@@ -13,7 +16,8 @@ namespace gaitway::msgclient {
 
 // A client gets descriptors of shared memory: writable for what it writes, read-only for the rest. Its claims
 // end with its connection, so that a process that was killed can be started again. Clients speak to the
-// server during set-up only.
+// server during set-up only. One process may have kMostOfOneProcess connections, all together kMostClients,
+// and who connects must ask for something within kSilence_ns: further ones are turned away.
 class MemoryBlockServer {
  public:
   // Listens on `socket`; a stale socket file is replaced. Only this user can connect. Throws
@@ -23,10 +27,17 @@ class MemoryBlockServer {
   MemoryBlockServer(const MemoryBlockServer&) = delete;
   MemoryBlockServer& operator=(const MemoryBlockServer&) = delete;
 
+  static constexpr std::size_t kMostOfOneProcess = 32;
+  static constexpr std::size_t kMostClients = 256;
+  static constexpr std::int64_t kSilence_ns = 2'000'000'000;
+
   // Takes new clients in, answers requests, releases the claims of clients that went. Never blocks; makes
   // system calls (one when nothing has come, and one a client) and allocates only when somebody asks for a
-  // topic.
-  void step();
+  // topic. `now_ns`: of any clock that doesn't go back.
+  void step(std::int64_t now_ns);
+  // When step() must be called even if nothing has come: a client that has asked for nothing is to be
+  // dropped. Never, as the largest number.
+  [[nodiscard]] std::int64_t due_ns() const noexcept;
 
   [[nodiscard]] std::size_t client_count() const noexcept;
   // For those that want to sleep until something comes: readable when step() has something to do (an epoll
@@ -36,7 +47,8 @@ class MemoryBlockServer {
  private:
   struct Connection;
 
-  void accept_clients();
+  void accept_clients(std::int64_t now_ns);
+  [[nodiscard]] bool has_room_for(pid_t process) const noexcept;
   // False: the client is gone or broke the protocol.
   bool serve(Connection& connection);
   void drop(std::list<Connection>::iterator connection);

@@ -2,24 +2,27 @@
 // in which nothing but atomic 64-bit words lies; the geometry comes from the directory, never from memory
 // that the other side writes.
 //
+// clang-format off
 // Memory orders. Writer of value n (slot n mod slots):       Reader:
 //   W1 slot.sequence = 0        relaxed                        R1 p = published             acquire
 //   W2 slot.words[i] = ...      release                        R2 slot(p).sequence == p ?   acquire
 //   W3 slot.sequence = n        release                        R3 read slot(p).words[i]     acquire
 //   W4 published = n            release                        R4 slot(p).sequence == p ?   relaxed
 //
-//  a) Whole: R2 sees W3 of value p, so W3 synchronises with R2 and every W2 of p happens before R3: R3 sees
-//  words of p or newer. b) Not newer: suppose an R3 sees a word that W2 of a later value q stored. That W2
-//  (release) synchronises with R3 (acquire),
-//     so W1 of q happens before R4, and R4 sees 0 or something later, never p again: sequences don't repeat
-//     in 64 bits. So if R4 still sees p, all words are of p. Acquire on R3 also keeps R4 behind the words.
-//  Words with relaxed order would need a release fence after W1 and an acquire fence before R4; fences are
-//  invisible to the thread sanitizer. Release stores and acquire loads are the same plain moves as relaxed
-//  ones on x86. c) W1 may be relaxed: each W2 is a release and so cannot become visible without it. d) Killed
-//  between any two of these steps, the writer leaves `published` at n - 1, whose slot it has not touched
-//  (slots >= 2).
-//     Its successor begins with n again.
+//  a) Whole: R2 sees W3 of value p, so W3 synchronises with R2 and every W2 of p happens before R3:
+//     R3 sees words of p or newer.
+//  b) Not newer: suppose an R3 sees a word that W2 of a later value q stored. That W2 (release)
+//     synchronises with R3 (acquire), so W1 of q happens before R4, and R4 sees 0 or something later,
+//     never p again: sequences don't repeat in 64 bits. So if R4 still sees p, all words are of p.
+//     Acquire on R3 also keeps R4 behind the words.
+//     Words with relaxed order would need a release fence after W1 and an acquire fence before R4;
+//     fences are invisible to the thread sanitizer. Release stores and acquire loads are the same plain
+//     moves as relaxed ones on x86.
+//  c) W1 may be relaxed: each W2 is a release and so cannot become visible without it.
+//  d) Killed between any two of these steps, the writer leaves `published` at n - 1, whose slot it has
+//     not touched (slots >= 2). Its successor begins with n again.
 //  e) A reader is overtaken only if slots - 1 further values are published while it copies one.
+// clang-format on
 #pragma once
 
 #include <array>

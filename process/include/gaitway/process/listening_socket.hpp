@@ -29,8 +29,10 @@ class ListeningSocket {
   ListeningSocket(const ListeningSocket&) = delete;
   ListeningSocket& operator=(const ListeningSocket&) = delete;
 
-  // The next client that waits, or an empty descriptor; does not block, nor will the connection.
-  [[nodiscard]] FileDescriptor accept() const noexcept;
+  // The next client that waits, or an empty descriptor; does not block, nor will the connection. When the
+  // process has no descriptor left, clients are turned away: one that went on waiting would keep wake_fd()
+  // readable for ever.
+  [[nodiscard]] FileDescriptor accept() noexcept;
   // Has wake_fd() tell of this connection, too, until it is closed. Throws SocketError.
   void watch(const FileDescriptor& connection) const;
   // Readable when a client waits, or a watched connection has data or has ended.
@@ -38,12 +40,14 @@ class ListeningSocket {
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
+  [[nodiscard]] FileDescriptor take_spare() const noexcept;
   void lock(std::string_view owner);
   void listen();
   [[noreturn]] void fail(std::string_view what) const;
 
   std::filesystem::path path_;
   FileDescriptor lock_, listener_, epoll_;
+  FileDescriptor spare_;  // given up for a client that is to be turned away
 };
 
 }  // namespace gaitway::process
