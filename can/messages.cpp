@@ -171,7 +171,7 @@ Frame encode(const Profile& profile, const Heartbeat& message) noexcept {
 std::optional<EmergencyStop> decode_emergency_stop(const Profile& profile, const Frame& frame) noexcept {
   FieldReader reader(profile, frame, MessageKind::emergency_stop);
   const auto mode = reader.take<std::uint8_t>();
-  if (!reader.fits() || mode > static_cast<std::uint8_t>(StopMode::soft)) {
+  if (!reader.fits() || mode > static_cast<std::uint8_t>(StopMode::release)) {
     return std::nullopt;
   }
   return EmergencyStop{static_cast<StopMode>(mode)};
@@ -185,8 +185,8 @@ std::optional<UserCommand> decode_user_command(const Profile& profile, const Fra
   message.duration_slots = reader.take<std::uint8_t>();
   // Node 0 is all of them: the emergency stop of a profile that has no message of its own for it.
   const bool stop = message.node == 0 && !profile.has(MessageKind::emergency_stop) &&
-                    (message.target_count == static_cast<int>(StopMode::hold) ||
-                     message.target_count == static_cast<int>(StopMode::soft));
+                    message.target_count >= static_cast<int>(StopMode::hold) &&
+                    message.target_count <= static_cast<int>(StopMode::release);
   if (!reader.fits() || (message.node == 0 && !stop) || message.node > profile.largest_node) {
     return std::nullopt;
   }

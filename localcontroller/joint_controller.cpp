@@ -117,6 +117,12 @@ void JointController::on_user_command(const can::UserCommand& command, std::int6
 
 // A joint that has gone soft may lie anywhere by now: a later `hold` must not pull it back.
 void JointController::on_stop(can::StopMode mode, std::int64_t now_ns) noexcept {
+  if (mode == can::StopMode::release) {
+    if (soft_ || player_.frozen()) {
+      reset();
+    }
+    return;
+  }
   soft_ = soft_ || mode == can::StopMode::soft;
   player_.freeze(now_ns);
   trim_.freeze();

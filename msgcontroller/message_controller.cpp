@@ -1,13 +1,11 @@
-// Slot by slot: SYNC, trajectory frames of the next cycle, feedback, repairs, trims and the safe tail.
+// Slot by slot: SYNC, batches, feedback, people's commands and the safe tail, each by the part that it
+// belongs to.
 #include "gaitway/msgcontroller/message_controller.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/msgclient/trim_law.hpp"
-#include "gaitway/msgcontroller/network_profile.hpp"
-#include "gaitway/msgcontroller/network_proof.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
@@ -15,22 +13,21 @@ namespace {
 using facts::kMillisecond_ns;
 using facts::kSlot_ns;
 using facts::kSlotsPerCycle;
+using msgclient::Reason;
 
-constexpr int kLastSlot = kSlotsPerCycle - 1;
 // Feedback that has not come by then is taken as missing for this slot; the main controller's tick follows.
 constexpr std::int64_t kPublishInSlot_ns = 4 * kMillisecond_ns;
-// No trim from the main controller by then: the message controller makes its own. Once the main controller
-// has been silent for two slots, it does so as soon as the feedback is in, since every millisecond costs
-// stability.
-constexpr std::int64_t kOwnTrimInSlot_ns = 7 * kMillisecond_ns;
-constexpr std::uint32_t kSilentSlots = 2;
+// Feedback that has not come by then, its deadline, does not come any more in this slot.
+constexpr std::int64_t kFeedbackInSlot_ns = 7 * kMillisecond_ns;
+// Longer than the longest frame with a station's time to react: nobody had anything more urgent to send.
+constexpr std::int64_t kQuietBus_ns = 200'000;
 // A leg whose joint has been silent for so long cannot be relied on: the robot stops.
 constexpr std::uint32_t kSilentSlotsOfALeg = 10;
 
-std::uint32_t least_urgent_feedback(const can::Profile& profile, const std::vector<can::NodeId>& nodes) {
+std::uint32_t least_urgent_feedback(const BusLink& link) {
   const can::NodeId last_node =
-      nodes.empty() ? can::NodeId{0} : *std::max_element(nodes.begin(), nodes.end());
-  return profile.id_of(can::MessageKind::feedback, last_node);
+      link.node.empty() ? can::NodeId{0} : *std::max_element(link.node.begin(), link.node.end());
+  return link.profile.id_of(can::MessageKind::feedback, last_node);
 }
 
 std::vector<std::int32_t> home_counts(const urdf::RobotModel& robot) {
@@ -42,78 +39,57 @@ std::vector<std::int32_t> home_counts(const urdf::RobotModel& robot) {
   return counts;
 }
 
+// The count nearest to a measured angle whose low four bits the joint has reported.
+std::int32_t count_at(double measured_rad, double count_rad, std::uint8_t low) noexcept {
+  const auto nearest = static_cast<std::int32_t>(std::lround(measured_rad / count_rad));
+  const std::int32_t off = (low - nearest) & 0xF;
+  return nearest + (off < 8 ? off : off - 16);
+}
+
 }  // namespace
 
 MessageController::MessageController(const urdf::RobotModel& robot, msgclient::Client& client,
                                      msgclient::EmiMessage& adapter)
-    : profile_(network_profile(robot)),
-      hand_over_lead_ns_(hand_over_lead_ns(robot)),
-      revision_slot_(static_cast<std::uint32_t>(robot.network.revision_slot)),
-      joint_count_(static_cast<int>(robot.joints.size())),
-      node_(joint_nodes(robot, profile_)),
+    : link_(robot),
+      playback_(home_counts(robot)),
+      feedback_(robot, link_.node),
+      emergency_stop_(link_),
+      supervision_(link_, playback_),
+      hand_(robot, link_, playback_, supervision_),
+      intake_(robot, link_, playback_, supervision_, hand_, adapter),
+      trims_(robot, link_),
+      commands_(client, adapter),
       in_a_leg_(robot.joints.size(), false),
-      trim_settings_(robot.trim),
+      feedback_id_(least_urgent_feedback(link_)),
       adapter_(adapter),
       joint_states_writer_(client.write<JointStates>("joint_states")),
       foot_forces_writer_(client.write<FootForces>("foot_forces")),
       imu_writer_(client.write<Imu>("imu")),
       state_writer_(client.write<NetworkState>("network_state")),
-      health_writer_(client.write<NetworkHealth>("network_health")),
-      user_commands_(client.read_queue<UserCommand>("user_command")),
-      user_command_answers_(client.write_stream<UserCommandAnswer>("user_command_answer")),
-      watch_(profile_, node_),
-      playback_(home_counts(robot)),
-      feedback_(robot, node_),
-      hand_over_(std::make_unique<msgclient::HandOver>()),
-      incoming_(std::make_unique<CountPlan>()),
-      feedback_id_(least_urgent_feedback(profile_, node_)) {
-  for (int joint = 0; joint < joint_count_; ++joint) {
-    const urdf::Joint& description = robot.joints[static_cast<std::size_t>(joint)];
-    count_rad_.push_back(description.count_rad);
-    lower_rad_.push_back(description.lower_rad);
-    upper_rad_.push_back(description.upper_rad);
-  }
+      health_writer_(client.write<NetworkHealth>("network_health")) {
   for (const urdf::Leg& leg : robot.legs) {
     for (const int joint : leg.joints) {
       in_a_leg_[static_cast<std::size_t>(joint)] = true;
     }
   }
-  set_mode(Mode::holding);
-  state_writer_.publish(state_, 0);
-  health_writer_.publish(watch_.health(), 0);
+  state_writer_.publish(link_.state, 0);
+  health_writer_.publish(link_.watch.health(), 0);
 }
 
 void MessageController::step(std::int64_t now_ns) noexcept {
   const std::int64_t in_slot_ns = now_ns % kSlot_ns;
-  watch_.count(Incident::expired, 0, queue_.expire(now_ns));
+  link_.watch.count(Incident::expired, 0, link_.queue.expire(now_ns));
   if (in_slot_ns == 0) {
     enter_slot(now_ns);
   }
   take_mails(now_ns);
-  if (now_ns % facts::kCycle_ns == facts::kCycle_ns - hand_over_lead_ns_) {
+  if (now_ns % facts::kCycle_ns == facts::kCycle_ns - intake_.lead_ns()) {
     prepare_tail();
   }
   if (!feedback_published_ && in_slot_ns >= kPublishInSlot_ns) {
     publish_feedback(now_ns);
   }
-  const bool host_is_silent = slots_since_start_ - last_host_trim_slot_ > kSilentSlots;
-  if (!trim_sent_this_slot_ && (host_is_silent ? feedback_published_ : in_slot_ns == kOwnTrimInSlot_ns)) {
-    send_own_trim();
-  }
-}
-
-void MessageController::prepare_tail() noexcept {
-  if (!playback_.prepared() && mode() != Mode::emergency_stop && playback_.prepare_from_tail()) {
-    send_tail();
-  }
-}
-
-void MessageController::send_tail() noexcept {
-  set_mode(Mode::safe_tail);
-  ++state_.tail_played;
-  if (profile_.has(can::MessageKind::sync)) {
-    send_waiting();
-  }
+  trims_.stand_in(in_slot_ns, feedback_published_, feedback_.imu(), playback_.support());
 }
 
 void MessageController::enter_slot(std::int64_t now_ns) noexcept {
@@ -122,39 +98,39 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   if (!feedback_published_) {
     publish_feedback(now_ns);
   }
-  slot_start_ns_ = now_ns;
+  link_.slot_start_ns = now_ns;
   if (slot == 0) {
     begin_cycle();
   }
-  if (playback_.enter_slot(slot)) {
-    covered_until_.fill(kLastSlot);
-    if (stop_requested_) {
-      prepare_tail();  // the revision's
-    }
+  const bool revised = playback_.enter_slot(slot);
+  if (revised && stop_requested_) {
+    prepare_tail();  // the revision's
   }
-  waits_for_next_slot_ = playback_.waiting_segment() != nullptr && playback_.waiting_from() == slot + 1;
-  state_.cycle = static_cast<std::uint32_t>(slot_index / kSlotsPerCycle);
-  state_.slot = static_cast<std::uint32_t>(slot);
-  state_.stamp_ns = now_ns;
+  supervision_.enter_slot(slot, revised);
+  link_.state.cycle = static_cast<std::uint32_t>(slot_index / kSlotsPerCycle);
+  link_.state.slot = static_cast<std::uint32_t>(slot);
+  link_.state.stamp_ns = now_ns;
+  follow_release(now_ns);
   send_sync(now_ns);
-  ++slots_since_start_;
-  watch_.begin_slot(slots_since_start_);
-  feedback_.begin_slot(slots_since_start_);
-  for (int joint = 0; joint < joint_count_; ++joint) {
-    if (in_a_leg_[static_cast<std::size_t>(joint)] && watch_.silent_slots(joint) == kSilentSlotsOfALeg) {
+  hand_.enter_slot();
+  ++link_.slots_since_start;
+  link_.watch.begin_slot(link_.slots_since_start);
+  feedback_.begin_slot(link_.slots_since_start);
+  for (int joint = 0; joint < link_.joint_count; ++joint) {
+    if (in_a_leg_[static_cast<std::size_t>(joint)] && link_.watch.silent_slots(joint) == kSilentSlotsOfALeg) {
       stop_safely();
     }
   }
   feedback_published_ = false;
-  trim_sent_this_slot_ = false;
-  state_writer_.publish(state_, now_ns);
-  watch_.health().stamp_ns = now_ns;
-  health_writer_.publish(watch_.health(), now_ns);
+  trims_.begin_slot();
+  state_writer_.publish(link_.state, now_ns);
+  link_.watch.health().stamp_ns = now_ns;
+  health_writer_.publish(link_.watch.health(), now_ns);
 }
 
 void MessageController::begin_cycle() noexcept {
   const bool was_tail = mode() == Mode::safe_tail;
-  covered_until_.fill(kLastSlot);
+  supervision_.begin_cycle();
   playback_.begin_cycle();
   if (mode() == Mode::emergency_stop) {
     return;
@@ -163,11 +139,113 @@ void MessageController::begin_cycle() noexcept {
     prepare_tail();  // as early as can be
   }
   if (!playback_.running_segment().active) {
-    set_mode(Mode::holding);
+    link_.set_mode(Mode::holding);
     stop_requested_ = false;
   } else if (!was_tail && !stop_requested_) {
-    set_mode(Mode::batches);
+    link_.set_mode(Mode::batches);
   }
+}
+
+// The slot's edge on the bus. Without a SYNC in the profile, the trajectory frames themselves start the
+// batch.
+void MessageController::send_sync(std::int64_t now_ns) noexcept {
+  const Segment& running = playback_.running_segment();
+  const NetworkState& state = link_.state;
+  if (link_.synchronised()) {
+    link_.send(can::encode(link_.profile, can::Sync{.cycle = static_cast<std::uint16_t>(state.cycle),
+                                                    .slot = static_cast<std::uint8_t>(state.slot),
+                                                    .batch_committed = running.active,
+                                                    .toggle = running.toggle,
+                                                    .softness = trims_.softness()}),
+               now_ns + kSlot_ns);
+  } else if (state.slot == 0 && running.active) {
+    supervision_.send_running();
+  }
+  if (state.slot == 0 && link_.profile.has(can::MessageKind::heartbeat)) {
+    link_.send(can::encode(link_.profile, can::Heartbeat{.mode = static_cast<std::uint8_t>(state.mode),
+                                                         .cycle = state.cycle}),
+               now_ns + facts::kCycle_ns);
+  }
+}
+
+void MessageController::on_bus_state(can::BusState state, can::ErrorCounters errors,
+                                     std::int64_t now_ns) noexcept {
+  const bool was_off = link_.off_the_bus();
+  link_.watch.on_bus_state(state, errors);
+  const bool is_off = link_.off_the_bus();
+  if (is_off && !was_off) {
+    link_.watch.count(Incident::flushed, 0, link_.queue.clear());
+  }
+  if (was_off && !is_off) {
+    if (mode() == Mode::emergency_stop) {
+      emergency_stop_.repeat();
+    } else if (link_.synchronised()) {
+      supervision_.send_waiting();
+    }
+  }
+  link_.watch.health().stamp_ns = now_ns;
+}
+
+bool MessageController::next_finds_quiet_bus(std::int64_t now_ns) const noexcept {
+  if (!link_.synchronised() || link_.queue.next_id() <= feedback_id_) {
+    return true;
+  }
+  if (now_ns - link_.slot_start_ns >= kFeedbackInSlot_ns) {
+    return true;
+  }
+  return feedback_.complete() && now_ns - last_heard_ns_ >= kQuietBus_ns;
+}
+
+void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {
+  last_heard_ns_ = now_ns;
+  const NetworkWatch::Arrival arrival = link_.watch.take(frame);
+  switch (arrival.heard) {
+    case NetworkWatch::Heard::feedback:
+      take_feedback(arrival, now_ns);
+      break;
+    case NetworkWatch::Heard::forged:
+      on_forged(arrival);
+      break;
+    case NetworkWatch::Heard::fault_report:  // a restart shows in the next feedback, too
+    case NetworkWatch::Heard::nothing:
+      break;
+  }
+}
+
+void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept {
+  const int joint = arrival.joint;
+  const auto j = static_cast<std::size_t>(joint);
+  feedback_.take(joint, arrival.feedback, now_ns);
+  feedback_.joint_states().reference_position[j] = expected_count(joint) * link_.count_rad[j];
+  if (mode() == Mode::emergency_stop) {
+    emergency_stop_.supervise(joint, arrival.feedback);
+  } else {
+    supervision_.take_feedback(joint, arrival);
+    if (link_.synchronised() && link_.watch.has_second_sender(joint)) {
+      stop_safely();
+    }
+  }
+  if (feedback_.complete() && !feedback_published_) {
+    publish_feedback(now_ns);
+  }
+}
+
+// Nobody can tell on a bus who sent a frame, but it was not this controller: the joints may do anything now.
+// What they hold is put right, and the robot stops.
+void MessageController::on_forged(const NetworkWatch::Arrival& arrival) noexcept {
+  if (arrival.message.kind == can::MessageKind::emergency_stop) {
+    if (emergency_stop_.holds()) {
+      emergency_stop_.repeat();
+    } else {
+      emergency_stop(false);
+    }
+    return;
+  }
+  if (arrival.message.kind == can::MessageKind::trajectory && arrival.joint >= 0 &&
+      playback_.waiting_segment() != nullptr && mode() != Mode::emergency_stop && link_.synchronised()) {
+    supervision_.repair_waiting(arrival.joint);
+  }
+  stop_safely();
 }
 
 void MessageController::publish_feedback(std::int64_t now_ns) noexcept {
@@ -178,31 +256,108 @@ void MessageController::publish_feedback(std::int64_t now_ns) noexcept {
   feedback_published_ = true;
 }
 
-void MessageController::send_trim(std::span<const double> angle_rad) noexcept {
-  if (!profile_.has(can::MessageKind::trim)) {
-    return;
+void MessageController::take_mails(std::int64_t now_ns) noexcept {
+  commands_.take(*this, now_ns);
+  if (const msgclient::TrimGains* const gains = intake_.take(now_ns, stop_requested_)) {
+    trims_.set_gains(*gains);
   }
-  can::Trim trim;
-  for (std::size_t channel = 0; channel < trim.count.size(); ++channel) {
-    const double limited =
-        std::clamp(angle_rad[channel], -trim_settings_.limit_rad, trim_settings_.limit_rad);
-    trim.count[channel] =
-        static_cast<std::int8_t>(std::clamp(std::lround(limited / trim_settings_.count_rad), -127L, 127L));
+  msgclient::TrimUpdate update;
+  if (adapter_.take_trim(update, now_ns) == msgclient::TakeStatus::mail && mode() != Mode::emergency_stop) {
+    trims_.take(update);
   }
-  send(can::encode(profile_, trim), slot_start_ns_ + 2 * kSlot_ns);
-  trim_sent_this_slot_ = true;
 }
 
-void MessageController::send_own_trim() noexcept {
-  if (!profile_.has(can::MessageKind::trim) || gains_.channel_count == 0 || mode() == Mode::emergency_stop) {
+Reason MessageController::obey(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept {
+  using Kind = msgclient::UserCommandKind;
+  switch (mail.kind) {
+    case Kind::stop:
+      stop_early(now_ns);
+      return Reason::none;
+    case Kind::emergency_stop_hold:
+    case Kind::emergency_stop_soft:
+      emergency_stop(mail.kind == Kind::emergency_stop_soft);
+      return Reason::none;
+    case Kind::manual_joint:
+      return hand_.move(mail, now_ns);
+    case Kind::release:
+      return emergency_stop_.release();
+  }
+  return Reason::unknown_command;
+}
+
+void MessageController::emergency_stop(bool soft) noexcept {
+  hand_.stop();
+  emergency_stop_.stop(soft);
+}
+
+// Whoever asked for a release is answered when every joint has confirmed it, or when it has failed.
+void MessageController::follow_release(std::int64_t now_ns) noexcept {
+  const bool last_slot = link_.state.slot == kSlotsPerCycle - 1;
+  if (last_slot && mode() == Mode::emergency_stop) {
+    return;  // in it no joint can be given its count
+  }
+  const EmergencyStop::Outcome outcome = emergency_stop_.take_outcome();
+  if (outcome == EmergencyStop::Outcome::none) {
     return;
   }
-  const Imu& imu = feedback_.imu();
-  const msgclient::TrunkMotion motion{.roll = imu.inclination[0],
-                                      .pitch = imu.inclination[1],
-                                      .roll_rate = imu.angular_velocity[0],
-                                      .pitch_rate = imu.angular_velocity[1]};
-  send_trim(msgclient::trim_angles(gains_, playback_.support(), motion, trim_settings_.limit_rad));
+  const bool released = outcome == EmergencyStop::Outcome::released;
+  if (released) {
+    start_from_measured();
+  }
+  commands_.answer_release(released ? Reason::none : Reason::emergency_stopped, now_ns);
+}
+
+// As at the start, but where the joints are: nothing of before the stop is played on.
+void MessageController::start_from_measured() noexcept {
+  JointStates& states = feedback_.joint_states();
+  std::array<std::int32_t, kMaxJoints> counts{};
+  for (std::size_t j = 0; j < link_.node.size(); ++j) {
+    const int joint = static_cast<int>(j);
+    counts[j] = link_.node[j] == 0
+                    ? expected_count(joint)
+                    : count_at(states.position[j], link_.count_rad[j], emergency_stop_.reference_low(joint));
+    states.reference_position[j] = counts[j] * link_.count_rad[j];
+  }
+  playback_.restart(std::span(counts).first(link_.node.size()));
+  supervision_.set_counts();
+  hand_.forget();
+  trims_.set_gains({});
+  stop_requested_ = false;
+  link_.set_mode(Mode::holding);
+}
+
+// Long enough before the next cycle, the running batch's tail takes the place of what is prepared; later,
+// that plays, and its tail follows. On the joints 10 ms after the request, one way or the other.
+void MessageController::stop_early(std::int64_t now_ns) noexcept {
+  constexpr std::int64_t kSend_ns = 3'500'000;  // a batch to 22 joints while nobody else speaks takes 3 ms
+  hand_.stop();
+  stop_safely();
+  const std::int64_t left_ns = facts::kCycle_ns - now_ns % facts::kCycle_ns;
+  if (!stop_requested_ || left_ns < kSend_ns || !link_.synchronised()) {
+    return;
+  }
+  if (playback_.return_to_running_tail()) {
+    supervision_.drop_waiting();
+    if (playback_.prepared()) {
+      send_tail();
+    }
+  } else {
+    prepare_tail();
+  }
+}
+
+void MessageController::prepare_tail() noexcept {
+  if (!playback_.prepared() && mode() != Mode::emergency_stop && playback_.prepare_from_tail()) {
+    send_tail();
+  }
+}
+
+void MessageController::send_tail() noexcept {
+  link_.set_mode(Mode::safe_tail);
+  ++link_.state.tail_played;
+  if (link_.synchronised()) {
+    supervision_.send_waiting();
+  }
 }
 
 }  // namespace gaitway::msgcontroller

@@ -19,9 +19,8 @@
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/bus_timeline.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
-#include "gaitway/msgcontroller/motion_requests.hpp"
 #include "gaitway/msgcontroller/network_proof.hpp"
-#include "gaitway/msgcontroller/walk_requests.hpp"
+#include "gaitway/msgcontroller/peoples_requests.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -157,8 +156,8 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
       break;
     }
     block.beat(now_ns);
-    if (wakes[1].revents != 0) {
-      server.step();
+    if (wakes[1].revents != 0 || now_ns >= server.due_ns()) {
+      server.step(now_ns);
     }
     if (walk) {
       walk->step(now_ns);

@@ -2,6 +2,7 @@
 #include "gaitway/msgcontroller/playback.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace gaitway::msgcontroller {
 
@@ -97,10 +98,15 @@ void Playback::begin_cycle() noexcept {
   plan_waits_ = false;
 }
 
-bool Playback::rests() const noexcept {
+bool Playback::rests(std::span<const std::int32_t> tolerance) const noexcept {
   const auto& here = running_.active ? running_.count[static_cast<std::size_t>(slot_)] : held_;
-  const auto stays = [this, &here](const std::array<std::int32_t, kMaxJoints>& point) {
-    return std::equal(here.begin(), here.begin() + joint_count_, point.begin());
+  const auto stays = [&](const std::array<std::int32_t, kMaxJoints>& point) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(joint_count_); ++j) {
+      if (std::abs(point[j] - here[j]) > tolerance[j]) {
+        return false;
+      }
+    }
+    return true;
   };
   const auto first = running_.active ? running_.count.begin() + slot_ : running_.count.end();
   const bool prepared_stays =
@@ -110,6 +116,17 @@ bool Playback::rests() const noexcept {
   return std::all_of(first, running_.count.end(), stays) && prepared_stays && revision_stays &&
          std::all_of(plan_.count.begin() + std::min(cursor_, plan_.point_count),
                      plan_.count.begin() + plan_.point_count, stays);
+}
+
+void Playback::restart(std::span<const std::int32_t> count) noexcept {
+  std::copy(count.begin(), count.end(), held_.begin());
+  running_.active = prepared_.active = revision_.active = false;
+  running_.toggle = false;
+  next_toggle_ = true;
+  plan_waits_ = false;
+  plan_.sequence = 0;
+  cursor_ = plan_.point_count;
+  running_from_ = 0;
 }
 
 void Playback::hold(int joint, std::int32_t count) noexcept {

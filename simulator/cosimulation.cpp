@@ -242,6 +242,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     }
     void operator()(const MotionEvent& motion) const { self.ask(motion); }
     void operator()(const StopEvent&) const { post(msgclient::UserCommandKind::stop); }
+    void operator()(const ReleaseEvent&) const { post(msgclient::UserCommandKind::release); }
     void operator()(const EmergencyStopEvent& stop) const {
       post(stop.soft ? msgclient::UserCommandKind::emergency_stop_soft
                      : msgclient::UserCommandKind::emergency_stop_hold);

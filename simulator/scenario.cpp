@@ -231,9 +231,9 @@ MotionEvent read_motion_name(const YamlValue& value) {
 }
 
 ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 11> kKeys{"at_s",       "asked",        "walk", "stand",
-                                                   "motion",     "leave_motion", "stop", "emergency_stop",
-                                                   "move_joint", "push",         "fault"};
+  constexpr std::array<std::string_view, 12> kKeys{"at_s",    "asked",        "walk", "stand",
+                                                   "motion",  "leave_motion", "stop", "emergency_stop",
+                                                   "release", "move_joint",   "push", "fault"};
   value.require_map(kKeys);
   ScenarioEvent event{.at_s = value.at("at_s").number({0.0, kLongestRun_s, "s"}), .action = StopEvent{}};
   if (const auto asked = value.find("asked")) {
@@ -259,6 +259,9 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
       event.action = MotionEvent{};
     } else if (key == "stop") {
       require_true(*action);
+    } else if (key == "release") {
+      require_true(*action);
+      event.action = ReleaseEvent{};
     } else if (key == "move_joint") {
       event.action = read_move(*action, robot);
     } else if (key == "push") {
@@ -276,7 +279,7 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
   if (actions != 1) {
     value.refuse(
         "an event has at_s and exactly one of walk, stand, motion, leave_motion, stop, emergency_stop, "
-        "move_joint, push, "
+        "release, move_joint, push, "
         "fault",
         "Write one event for each action.");
   }

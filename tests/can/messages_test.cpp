@@ -109,7 +109,7 @@ TEST(PaperProfile, HasThePublishedTwentyFiveMessages) {
 
 TEST(Codecs, EveryMessageComesBackAsItWas) {
   for (int i = 0; i < 2000; ++i) {
-    expect_round_trip(EmergencyStop{draw(0, 1) == 0 ? StopMode::hold : StopMode::soft}, decode_emergency_stop,
+    expect_round_trip(EmergencyStop{static_cast<StopMode>(draw(0, 2))}, decode_emergency_stop,
                       MessageKind::emergency_stop);
     expect_round_trip(UserCommand{draw_node(), draw_any<std::int16_t>(), draw_any<std::uint8_t>()},
                       decode_user_command, MessageKind::user_command);

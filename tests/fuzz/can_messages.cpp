@@ -107,7 +107,7 @@ void check_messages_of_joints(const Profile& profile, can::NodeId node, Input& i
 void check_messages(const Profile& profile, Input& input) {
   const auto node = static_cast<can::NodeId>(1 + input.choose(profile.largest_node));
   check_encoded(profile, MessageKind::emergency_stop,
-                can::EmergencyStop{static_cast<can::StopMode>(input.choose(2))}, can::decode_emergency_stop);
+                can::EmergencyStop{static_cast<can::StopMode>(input.choose(3))}, can::decode_emergency_stop);
   check_encoded(profile, MessageKind::user_command,
                 can::UserCommand{node, input.take<std::int16_t>(), input.take<std::uint8_t>()},
                 can::decode_user_command);

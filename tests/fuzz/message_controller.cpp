@@ -61,7 +61,7 @@ class Controller {
     }
     require(answers_ <= mails_, "nothing is answered twice");
     const bool stopped = controller_.mode() == Mode::emergency_stop;
-    require(stopped || !stopped_, "nothing ends an emergency stop");
+    require(stopped || !stopped_ || release_asked_, "nothing but a release ends an emergency stop");
     stopped_ = stopped;
   }
   void check_that_all_is_answered() {
@@ -108,6 +108,7 @@ class Controller {
                                .joint = static_cast<std::uint32_t>(input.choose(24)),
                                .position = input.flag() ? input.take_float() : 0.0F,
                                .duration_slots = input.take<std::uint16_t>()};
+    release_asked_ = release_asked_ || mail.kind == UserCommandKind::release;
     mails_ += adapter_.host().post(mail, now_ns_) ? 1U : 0U;
   }
   // Trims of the main controller are judged alone: there are no trim gains in this.
@@ -161,6 +162,7 @@ class Controller {
   std::int64_t now_ns_ = 0;
   std::uint64_t mails_ = 0, answers_ = 0;
   bool stopped_ = false;
+  bool release_asked_ = false;
   std::array<bool, kTrimChannels> may_be_positive_{}, may_be_negative_{};
 };
 

@@ -234,6 +234,21 @@ TEST_F(JointControllerTest, AResetStartsAgainFromWhereTheJointIs) {
   EXPECT_EQ(joint.reference_count(), before + 10);
 }
 
+TEST_F(JointControllerTest, AReleaseEndsAnEmergencyStopWhereTheJointIsAndNothingElse) {
+  send(can::EmergencyStop{can::StopMode::soft});
+  sensors.encoder_count = 5000;
+  run(10);
+  send(can::EmergencyStop{can::StopMode::release});
+  EXPECT_EQ(joint.state(), can::JointState::holding);
+  EXPECT_NEAR(step(), 0.0, 300.0 * config().count_rad) << "within a count: no jerk";
+  const std::int32_t here = joint.reference_count();
+  EXPECT_NE(here, 0);
+  sensors.encoder_count = 5400;
+  run(10);
+  send(can::EmergencyStop{can::StopMode::release});
+  EXPECT_EQ(joint.reference_count(), here) << "it was not stopped";
+}
+
 TEST_F(JointControllerTest, FollowsItsBatchesOnASimulatedJoint) {
   constexpr double kInertia_kgm2 = 0.03;
   double position = 0.0, speed = 0.0, largest_error = 0.0;

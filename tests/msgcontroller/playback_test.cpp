@@ -118,11 +118,11 @@ TEST(Playback, ARevisionThatMovesIsNoRest) {
   }
   playback.accept(*still);
   playback.begin_cycle();
-  ASSERT_TRUE(playback.rests());
+  ASSERT_TRUE(playback.rests(std::array<std::int32_t, kMaxJoints>{}));
   auto revision = revision_of(*still);
   revision->count[7][0] = 0;
   playback.accept_revision(*revision);
-  EXPECT_FALSE(playback.rests());
+  EXPECT_FALSE(playback.rests(std::array<std::int32_t, kMaxJoints>{}));
 }
 
 }  // namespace

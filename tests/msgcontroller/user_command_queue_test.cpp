@@ -38,6 +38,24 @@ class UserCommandQueueTest : public MessageControllerTest {
     return static_cast<Reason>(answer.reason);
   }
 
+  // Hands over a batch and a tail in which every joint is so many counts from its home; 10 ms before it
+  // plays.
+  Reason give(
+      std::uint32_t sequence, const std::function<int(int point)>& from_home = [](int) { return 0; }) {
+    run_until(std::int64_t{sequence} * kCycle_ns - 10 * kMillisecond_ns);
+    auto mail = std::make_unique<msgclient::HandOver>(batch(sequence));
+    for (int point = 0; point < static_cast<int>(mail->point_count); ++point) {
+      for (int joint = 0; joint < static_cast<int>(robot_.joints.size()); ++joint) {
+        const urdf::Joint& description = robot_.joints[static_cast<std::size_t>(joint)];
+        const int count = JointsOnABus::home_count(description) + from_home(point);
+        mail->set_position(point, joint, static_cast<float>(count * description.count_rad));
+      }
+    }
+    EXPECT_TRUE(adapter_.host().post(*mail, now_ns_));
+    run_until(now_ns_ + 2 * kMillisecond_ns);
+    return adapter_.host().take_answer(now_ns_)->reason;
+  }
+
   msgclient::Client api_ = block_.local_client("api");
   msgclient::QueueWriter<UserCommand> queue_ = api_.write_queue<UserCommand>("user_command");
   msgclient::StreamReader<UserCommandAnswer> answers_ =
@@ -102,29 +120,6 @@ TEST_F(UserCommandQueueTest, AStopInsideABatchWithoutASuccessorSendsItsTailAtOnc
   EXPECT_EQ(controller_.state().resynchronised, 0U);
 }
 
-TEST_F(UserCommandQueueTest, AFloodOfEmergencyStopsLoadsTheBusNoMoreThanOne) {
-  run_until(kCycle_ns);
-  for (int ms = 0; ms < 100; ++ms) {
-    while (push(Kind::emergency_stop_hold)) {
-    }
-    run_until(now_ns_ + kMillisecond_ns);
-  }
-  EXPECT_EQ(bus_.sent[can::MessageKind::emergency_stop], 1);
-  ASSERT_TRUE(push(Kind::emergency_stop_soft));
-  run_until(now_ns_ + kMillisecond_ns);
-  EXPECT_EQ(bus_.sent[can::MessageKind::emergency_stop], 2) << "soft is more than hold";
-}
-
-TEST_F(UserCommandQueueTest, AnEmergencyStopIsHeardWhileOtherCommandsFillTheQueue) {
-  run_until(kCycle_ns);
-  while (push(move(1, 0.0))) {
-  }
-  run_until(now_ns_ + kMillisecond_ns);
-  ASSERT_TRUE(push(Kind::emergency_stop_hold));
-  run_until(now_ns_ + kMillisecond_ns);
-  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
-}
-
 TEST_F(UserCommandQueueTest, AJointMovesWithinItsLimitsOnly) {
   run_until(kCycle_ns);
   ASSERT_TRUE(push(move(3, robot_.joints[3].upper_rad + 0.01)));
@@ -143,23 +138,6 @@ TEST_F(UserCommandQueueTest, AJointMovesWithinItsLimitsOnly) {
 
 // What a standing robot plays: batches that leave it where it is.
 TEST_F(UserCommandQueueTest, AJointMovesWhileBatchesLeaveTheRobotWhereItIs) {
-  const auto still = [this](std::uint32_t sequence) {
-    auto mail = std::make_unique<msgclient::HandOver>(batch(sequence));
-    for (int point = 0; point < static_cast<int>(mail->point_count); ++point) {
-      for (int joint = 0; joint < static_cast<int>(robot_.joints.size()); ++joint) {
-        const urdf::Joint& description = robot_.joints[static_cast<std::size_t>(joint)];
-        const double home = JointsOnABus::home_count(description) * description.count_rad;
-        mail->set_position(point, joint, static_cast<float>(home));
-      }
-    }
-    return mail;
-  };
-  const auto give = [this, &still](std::uint32_t sequence) {
-    run_until(std::int64_t{sequence} * kCycle_ns - 10 * kMillisecond_ns);
-    EXPECT_TRUE(adapter_.host().post(*still(sequence), now_ns_));
-    run_until(now_ns_ + 2 * kMillisecond_ns);
-    return adapter_.host().take_answer(now_ns_)->reason;
-  };
   EXPECT_EQ(give(2), Reason::none);
   run_until(2 * kCycle_ns + 5 * kMillisecond_ns);
   EXPECT_EQ(give(3), Reason::none);
@@ -179,6 +157,38 @@ TEST_F(UserCommandQueueTest, AJointMovesWhileBatchesLeaveTheRobotWhereItIs) {
   expect_moved(0);
 }
 
+// A robot that keeps its balance never repeats its counts.
+TEST_F(UserCommandQueueTest, AJointThatSwaysInTheStandMovesAsSoonAsItsBatchIsOver) {
+  const auto sway = [](int point) { return point % 5 - 2; };
+  EXPECT_EQ(give(2, sway), Reason::none);
+  run_until(2 * kCycle_ns + 5 * kMillisecond_ns);
+  EXPECT_EQ(give(3, sway), Reason::none);
+  ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad + 20 * robot_.joints[3].count_rad)));
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(bus_.sent[can::MessageKind::user_command], 0) << "the joint would not take it yet";
+  ASSERT_TRUE(push(move(4, robot_.joints[4].home_rad)));
+  EXPECT_EQ(outcome(), Reason::moving_by_hand);
+  EXPECT_EQ(give(4, sway), Reason::moving_by_hand);
+  run_until(5 * kCycle_ns);
+  EXPECT_EQ(bus_.sent[can::MessageKind::user_command], 1);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  EXPECT_EQ(bus_.count(3) - JointsOnABus::home_count(robot_.joints[3]), 20);
+  EXPECT_EQ(controller_.state().resynchronised, 0U);
+}
+
+TEST_F(UserCommandQueueTest, AStopTakesBackTheMovementThatWaits) {
+  const auto sway = [](int point) { return point % 5 - 2; };
+  EXPECT_EQ(give(2, sway), Reason::none);
+  run_until(2 * kCycle_ns + 5 * kMillisecond_ns);
+  ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad + 20 * robot_.joints[3].count_rad)));
+  EXPECT_EQ(outcome(), Reason::none);
+  ASSERT_TRUE(push(Kind::stop));
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(5 * kCycle_ns);
+  EXPECT_EQ(bus_.sent[can::MessageKind::user_command], 0);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+}
+
 TEST_F(UserCommandQueueTest, AJointDoesNotMoveByHandWhileABatchOrItsTailMoves) {
   hand_over(2);
   run_until(2 * kCycle_ns + 5 * kMillisecond_ns);
@@ -188,7 +198,7 @@ TEST_F(UserCommandQueueTest, AJointDoesNotMoveByHandWhileABatchOrItsTailMoves) {
 
 TEST_F(UserCommandQueueTest, WhatNobodyKnowsIsRefused) {
   run_until(kCycle_ns);
-  ASSERT_TRUE(push(command_of(4)));
+  ASSERT_TRUE(push(command_of(5)));
   EXPECT_EQ(outcome(), Reason::unknown_command);
   EXPECT_EQ(controller_.mode(), Mode::holding);
 }

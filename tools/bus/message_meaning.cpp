@@ -35,8 +35,10 @@ constexpr std::array<std::string_view, can::kMessageKinds> kMessages{
     "Repairs one joint: its absolute count at the end of a time slot, and the changes of the slots after it.",
     "The message controller's sign of life, once a cycle."};
 
-constexpr std::array kStopModes{named(can::StopMode::hold, "hold", "keeps its place"),
-                                named(can::StopMode::soft, "soft", "no torque any more")};
+constexpr std::array kStopModes{
+    named(can::StopMode::hold, "hold", "keeps its place"),
+    named(can::StopMode::soft, "soft", "no torque any more"),
+    named(can::StopMode::release, "release", "holds where it is, and takes batches again")};
 constexpr std::array kJointStates{
     named(can::JointState::running, "running", "plays a batch"),
     named(can::JointState::holding, "holding", "has no batch to play and holds its last reference"),
@@ -69,7 +71,7 @@ constexpr FieldText kFields[]{
     {MessageKind::emergency_stop, "mode", "what the joints do", kStopModes},
     {MessageKind::user_command, "node",
      "the joint that moves; 0, in a profile without an emergency stop of its "
-     "own: all stop at once, as the target says (0 hold, 1 soft)"},
+     "own: all stop at once, as the target says (0 hold, 1 soft, 2 release)"},
     {MessageKind::user_command, "target_count", "where the joint moves to, in its counts"},
     {MessageKind::user_command, "duration_slots", "over how many time slots it moves there"},
     {MessageKind::sync, "cycle", "low 16 bits of the cycle's number, which is its batch's sequence number"},

@@ -35,6 +35,7 @@ struct Yaml {
   std::string operator()(const simulator::EmergencyStopEvent& stop) const {
     return fmt::format("asked: true, emergency_stop: {}", stop.soft ? "soft" : "hold");
   }
+  std::string operator()(const simulator::ReleaseEvent&) const { return "asked: true, release: true"; }
   std::string operator()(const simulator::ManualJointEvent& move) const {
     return fmt::format("asked: true, move_joint: {{joint: {}, position_rad: {}, duration_slots: {}}}",
                        robot.joints[static_cast<std::size_t>(move.joint)].name, move.position_rad,
@@ -49,7 +50,9 @@ struct Yaml {
 }  // namespace
 
 CommandLog::CommandLog(simulator::Cosimulation& run)
-    : run_(run), answers_(run.client().read_stream<UserCommandAnswer>("user_command_answer")) {}
+    : run_(run),
+      answers_(run.client().read_stream<UserCommandAnswer>("user_command_answer")),
+      stops_(run.client().read<StopRequest>("stop_answer")) {}
 
 void CommandLog::on_walk_request(const WalkCommand& command, std::int64_t now_ns) {
   const simulator::WalkEvent walk{.velocity_m_per_s = {command.velocity[0], command.velocity[1]},
@@ -84,9 +87,26 @@ void CommandLog::on_millisecond(std::int64_t began_ns) {
         event.action = simulator::ManualJointEvent{static_cast<int>(answer.joint), answer.position,
                                                    static_cast<int>(answer.duration_slots)};
         break;
+      case Kind::release:
+        event.action = simulator::ReleaseEvent{};
+        break;
     }
     events_.push_back(event);
   }
+  // In the order in which the message controller obeys them.
+  StopRequest obeyed;
+  if (!stops_.read(obeyed)) {
+    return;
+  }
+  const bool soft = obeyed.softs != stops_logged_.softs;
+  if (soft || obeyed.holds != stops_logged_.holds) {
+    events_.push_back(
+        {.at_s = seconds_of(began_ns), .action = simulator::EmergencyStopEvent{soft}, .asked = true});
+  }
+  if (obeyed.stops != stops_logged_.stops) {
+    events_.push_back({.at_s = seconds_of(began_ns), .action = simulator::StopEvent{}, .asked = true});
+  }
+  stops_logged_ = obeyed;
 }
 
 std::string CommandLog::scenario(double seconds) const {

@@ -27,6 +27,8 @@ class CommandLog {
  private:
   simulator::Cosimulation& run_;
   msgclient::StreamReader<UserCommandAnswer> answers_;
+  msgclient::Reader<StopRequest> stops_;
+  StopRequest stops_logged_{};
   std::vector<simulator::ScenarioEvent> events_;
 };
 

@@ -56,8 +56,8 @@ class JointController {
   // One servo period (1 ms): returns the motor torque in N·m.
   double step(std::int64_t now_ns, const JointSensors& sensors) noexcept;
 
-  // Ends an emergency stop, by the user's order only: the joint holds where it was measured last, without
-  // trim, and takes batches again from the next SYNC on. Nothing on the bus does this.
+  // Ends an emergency stop, by a person's order only, which comes as the release of an emergency stop: the
+  // joint holds where it was measured last, without trim, and takes batches again from the next SYNC on.
   void reset() noexcept;
 
   // The next frame to send, highest priority first; false when there is none.

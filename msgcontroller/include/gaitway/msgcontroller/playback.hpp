@@ -37,8 +37,11 @@ class Playback {
   void begin_cycle() noexcept;
   // True when the revision begins with this slot.
   bool enter_slot(int slot) noexcept;
-  // Whether nothing of what is left to play, with its tail, moves any joint.
-  [[nodiscard]] bool rests() const noexcept;
+  // Whether all that is left to play, with its tail, keeps each joint within its tolerance of where it is
+  // now.
+  [[nodiscard]] bool rests(std::span<const std::int32_t> tolerance_counts) const noexcept;
+  // Leaves all of it behind, as at the start; the joints stand at `count`.
+  void restart(std::span<const std::int32_t> count) noexcept;
   // A joint is moved by hand while nothing runs or all of it rests: from now on it stands there, and nothing
   // follows what runs.
   void hold(int joint, std::int32_t count) noexcept;

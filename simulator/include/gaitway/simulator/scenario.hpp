@@ -8,6 +8,7 @@
 //     - {at_s: 8.5, motion: wave}                  # a key-frame motion; leave_motion: true ends it early
 //     - {at_s: 9.0, stop: true}                    # user command: the message controller plays the safe tail
 //     - {at_s: 9.5, emergency_stop: hold}          # or: soft
+//     - {at_s: 9.8, release: true}                 # of the emergency stop: the joints hold where they are
 //     - {at_s: 10.0, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}
 //     - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3.0}}
 //     - {at_s: 15.0, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}
@@ -44,6 +45,7 @@ struct MotionEvent {
   std::string name;
 };
 struct StopEvent {};
+struct ReleaseEvent {};
 struct EmergencyStopEvent {
   bool soft = false;
 };
@@ -104,8 +106,8 @@ struct PluginFault {
 
 struct ScenarioEvent {
   double at_s = 0.0;
-  std::variant<WalkEvent, MotionEvent, StopEvent, EmergencyStopEvent, ManualJointEvent, PushEvent,
-               MainControllerSilentFault, LoseFramesFault, DisturbBusFault, JamFault, BusOffFault,
+  std::variant<WalkEvent, MotionEvent, StopEvent, ReleaseEvent, EmergencyStopEvent, ManualJointEvent,
+               PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault, JamFault, BusOffFault,
                JointRestartsFault, ForeignFrameFault, PluginFault>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge

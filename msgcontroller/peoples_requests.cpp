@@ -1,5 +1,5 @@
 // Newest request in, command out, and a stand when its time is over.
-#include "gaitway/msgcontroller/walk_requests.hpp"
+#include "gaitway/msgcontroller/peoples_requests.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -62,6 +62,22 @@ void WalkRequests::end(std::int64_t now_ns) noexcept {
 void WalkRequests::command(const WalkCommand& command, std::int64_t now_ns) noexcept {
   current_ = command;
   commands_.publish(command, now_ns);
+}
+
+MotionRequests::MotionRequests(msgclient::Client& client)
+    : requests_(client.read<MotionRequest>("motion_request")),
+      commands_(client.write<MotionRequest>("motion_command")) {}
+
+std::optional<MotionRequest> MotionRequests::step(std::int64_t now_ns) noexcept {
+  if (ended_ || requests_.newest_sequence() == seen_) return std::nullopt;
+  MotionRequest request;
+  const auto read = requests_.read(request);
+  if (!read) return std::nullopt;
+  seen_ = read.sequence;
+  request.stamp_ns = now_ns;
+  request.name[sizeof request.name - 1] = 0;  // another process wrote it
+  commands_.publish(request, now_ns);
+  return request;
 }
 
 }  // namespace gaitway::msgcontroller

@@ -1,0 +1,130 @@
+// Hand-overs, each answered.
+#include "gaitway/msgcontroller/batch_intake.hpp"
+
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/msgcontroller/network_proof.hpp"
+
+namespace gaitway::msgcontroller {
+
+using facts::kSlotsPerCycle;
+
+BatchIntake::BatchIntake(const urdf::RobotModel& robot, BusLink& link, Playback& playback,
+                         JointSupervision& supervision, HandMovement& hand, msgclient::EmiMessage& adapter)
+    : link_(link),
+      playback_(playback),
+      supervision_(supervision),
+      hand_(hand),
+      adapter_(adapter),
+      lead_ns_(hand_over_lead_ns(robot)),
+      revision_slot_(static_cast<std::uint32_t>(robot.network.revision_slot)),
+      hand_over_(std::make_unique<msgclient::HandOver>()),
+      plan_(std::make_unique<CountPlan>()) {}
+
+const msgclient::TrimGains* BatchIntake::take(std::int64_t now_ns, bool stopping) noexcept {
+  NetworkState& state = link_.state;
+  const msgclient::TakeStatus taken = adapter_.take_hand_over(*hand_over_, now_ns);
+  if (taken == msgclient::TakeStatus::none) {
+    return nullptr;
+  }
+  ++state.handed_over;
+  if (taken == msgclient::TakeStatus::corrupt) {
+    ++state.refused;  // the adapter has answered
+    return nullptr;
+  }
+  msgclient::Answer answer{.mail = msgclient::MailKind::hand_over, .sequence = hand_over_->sequence};
+  judge(now_ns, stopping, answer);
+  state.late += answer.verdict == msgclient::Verdict::late ? 1U : 0U;
+  state.refused += answer.verdict == msgclient::Verdict::refused ? 1U : 0U;
+  const bool accepted = answer.verdict == msgclient::Verdict::accepted;
+  if (accepted) {
+    hand_.forget();
+    plan_->first_point > 0 ? playback_.accept_revision(*plan_) : playback_.accept(*plan_);
+    state.accepted_sequence = plan_->sequence;
+    link_.set_mode(Mode::batches);
+    if (link_.synchronised()) {
+      supervision_.send_waiting();
+    }
+  }
+  // A main controller that reads no answers has others to worry about than this one.
+  static_cast<void>(adapter_.answer(answer));
+  return accepted ? &hand_over_->trim : nullptr;
+}
+
+void BatchIntake::judge(std::int64_t now_ns, bool stopping, msgclient::Answer& answer) noexcept {
+  using msgclient::Reason;
+  using msgclient::Verdict;
+  const auto refuse = [&answer](Reason reason) {
+    answer.verdict = reason == Reason::too_late ? Verdict::late : Verdict::refused;
+    answer.reason = reason;
+  };
+  if (link_.mode() == Mode::emergency_stop) {
+    return refuse(Reason::emergency_stopped);
+  }
+  if (stopping) {
+    return refuse(Reason::stopping);
+  }
+  if (const Reason reason = untimely(now_ns); reason != Reason::none) {
+    return refuse(reason);
+  }
+  const std::span<const std::int32_t> start =
+      hand_over_->first_slot == 0 ? playback_.next_start() : playback_.reached_before(hand_over_->first_slot);
+  CountPlanProblem problem = to_counts(*hand_over_, link_.count_rad, start, *plan_);
+  if (problem.reason == Reason::none) {
+    problem = motion_without_node(start);
+  }
+  if (problem.reason == Reason::none) {
+    problem = hand_.pulled_back_by(*plan_, start);
+  }
+  if (problem.reason != Reason::none) {
+    refuse(problem.reason);
+    answer.joint = problem.joint;
+    answer.point = problem.point;
+    answer.value = static_cast<float>(problem.counts);
+  }
+}
+
+// Whether it comes at the wrong time: a batch for another cycle than the next, a revision of another batch
+// than the running one, or one of them with too little time left to send it.
+msgclient::Reason BatchIntake::untimely(std::int64_t now_ns) const noexcept {
+  using msgclient::Reason;
+  const msgclient::HandOver& hand_over = *hand_over_;
+  const bool revises = hand_over.first_slot != 0;
+  const std::uint32_t cycle = revises ? link_.state.cycle : link_.state.cycle + 1;
+  const std::uint32_t slot = link_.state.slot;
+  const std::uint32_t slots_to_start = (revises ? hand_over.first_slot : kSlotsPerCycle) - slot;
+  const std::int64_t start_ns =
+      (std::int64_t{cycle} * kSlotsPerCycle + hand_over.first_slot) * facts::kSlot_ns;
+  if (revises && (hand_over.first_slot != revision_slot_ || hand_over.sequence > cycle)) {
+    return Reason::nothing_to_revise;
+  }
+  // A batch begins where its joints stand, so a joint that moves by hand must have arrived by then.
+  if (hand_.moves_in(slots_to_start)) {
+    return Reason::moving_by_hand;
+  }
+  if (hand_over.sequence < cycle || now_ns > start_ns - lead_ns_) {
+    return Reason::too_late;
+  }
+  if (revises) {
+    return playback_.revisable(cycle) ? Reason::none : Reason::nothing_to_revise;
+  }
+  if (hand_over.sequence > cycle) {
+    return Reason::early_sequence;
+  }
+  return playback_.waiting_segment() != nullptr ? Reason::old_sequence : Reason::none;
+}
+
+// A joint that is not on the bus cannot move.
+CountPlanProblem BatchIntake::motion_without_node(std::span<const std::int32_t> start) const noexcept {
+  for (int point = plan_->first_point; point < plan_->point_count; ++point) {
+    for (std::size_t j = 0; j < link_.node.size(); ++j) {
+      const std::int32_t moved = plan_->count[static_cast<std::size_t>(point)][j] - start[j];
+      if (link_.node[j] == 0 && moved != 0) {
+        return {msgclient::Reason::node_fault, static_cast<std::int32_t>(j), point,
+                static_cast<double>(moved)};
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace gaitway::msgcontroller

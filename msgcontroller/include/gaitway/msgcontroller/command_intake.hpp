@@ -1,0 +1,50 @@
+// People's commands, whichever way they come: through the mailbox, the queue `user_command` and, for stops,
+// the topic `stop_request`. Each is answered the way that it came.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gaitway/msgclient/client.hpp"
+#include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/msgclient/topics.hpp"
+
+namespace gaitway::msgcontroller {
+
+// Who carries commands out.
+class CommandTaker {
+ public:
+  // Reason::none: done, or of a release: begun, and CommandIntake::answer_release() tells how it ended.
+  virtual msgclient::Reason obey(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept = 0;
+
+ protected:
+  ~CommandTaker() = default;
+};
+
+class CommandIntake {
+ public:
+  CommandIntake(msgclient::Client& client, msgclient::EmiMessage& adapter);
+
+  // Stops come last, so that they have the last word.
+  void take(CommandTaker& taker, std::int64_t now_ns) noexcept;
+  void answer_release(msgclient::Reason problem, std::int64_t now_ns) noexcept;
+
+ private:
+  void take_mail(CommandTaker& taker, std::int64_t now_ns) noexcept;
+  void take_queue(CommandTaker& taker, std::int64_t now_ns) noexcept;
+  void take_stops(CommandTaker& taker, std::int64_t now_ns) noexcept;
+  void answer_mail(std::uint32_t sequence, msgclient::Reason problem) noexcept;
+  void answer_command(const UserCommand& command, msgclient::Reason problem, std::int64_t now_ns) noexcept;
+
+  msgclient::EmiMessage& adapter_;
+  msgclient::QueueReader<UserCommand> commands_;
+  msgclient::Writer<UserCommandAnswer> command_answers_;
+  msgclient::Reader<StopRequest> stop_requests_;
+  msgclient::Writer<StopRequest> stop_answers_;
+  std::uint64_t stop_request_seen_ = 0;
+  StopRequest stops_obeyed_{};
+  std::optional<UserCommand> release_command_;  // that has no answer yet
+  std::optional<std::uint32_t> release_mail_;   // likewise: its sequence
+};
+
+}  // namespace gaitway::msgcontroller

@@ -1,0 +1,58 @@
+// Keeps each joint at what it is meant to play: sends it its batches, compares its feedback, and repairs what
+// was lost.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "gaitway/can/messages.hpp"
+#include "gaitway/msgcontroller/bus_link.hpp"
+#include "gaitway/msgcontroller/playback.hpp"
+
+namespace gaitway::msgcontroller {
+
+class JointSupervision {
+ public:
+  JointSupervision(BusLink& link, const Playback& playback) noexcept : link_(link), playback_(playback) {}
+
+  void begin_cycle() noexcept;
+  // After the playback has entered the slot. `revised`: the revision begins with it.
+  void enter_slot(int slot, bool revised) noexcept;
+  void take_feedback(int joint, const NetworkWatch::Arrival& arrival) noexcept;
+
+  // The batch, or revision, that has not started, to every joint.
+  void send_waiting() noexcept;
+  // The same to one joint, whose frame somebody may have replaced.
+  void repair_waiting(int joint) noexcept;
+  void drop_waiting() noexcept;
+  // What runs, where there is no SYNC and the trajectory frames themselves start it.
+  void send_running() noexcept;
+  // The joint moves by itself for so many slots from now on: its count may differ.
+  void leave_alone(int joint, std::uint32_t slots) noexcept;
+  [[nodiscard]] std::uint32_t left_alone_until(int joint) const noexcept {
+    return resync_until_[static_cast<std::size_t>(joint)];
+  }
+  // Every joint gets its absolute count at the end of this slot, whatever it has reported. Not in the last
+  // slot of a cycle.
+  void set_counts() noexcept;
+
+ private:
+  void send_waiting_trajectory(int joint) noexcept;
+  [[nodiscard]] bool plays_as_expected(int joint, const can::Feedback& feedback) const noexcept;
+  void resynchronise(int joint) noexcept;
+  void restart_points(int joint) noexcept;
+  [[nodiscard]] std::int32_t expected_count(int joint) const noexcept {
+    return playback_.expected_count(joint, playback_.slot());
+  }
+
+  BusLink& link_;
+  const Playback& playback_;
+  bool waits_for_next_slot_ = false;  // sent before this slot: its feedback can tell whether it has arrived
+  // Until this slot since start a joint's count may differ: a repair is on its way, or a manual movement.
+  std::array<std::uint32_t, kMaxJoints> resync_until_{};
+  // The last slot of the running cycle whose point the joint has after a repair.
+  std::array<int, kMaxJoints> covered_until_{};
+};
+
+}  // namespace gaitway::msgcontroller

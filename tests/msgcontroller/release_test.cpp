@@ -1,0 +1,172 @@
+// The release of an emergency stop: what it starts from, what it waits for, and what it refuses.
+#include "message_controller_fixture.hpp"
+
+namespace gaitway::msgcontroller {
+namespace {
+
+using Kind = msgclient::UserCommandKind;
+using msgclient::Reason;
+
+class ReleaseTest : public MessageControllerTest {
+ protected:
+  void push(Kind kind) {
+    UserCommand command{};
+    command.number = ++commands_;
+    command.kind = static_cast<std::uint32_t>(kind);
+    ASSERT_TRUE(queue_.push(command, now_ns_));
+  }
+  // The next answer, which must come within a fifth of a second.
+  Reason outcome() {
+    UserCommandAnswer answer{};
+    for (int ms = 0; ms < 200; ++ms) {
+      run_until(now_ns_ + kMillisecond_ns);
+      if (answers_.read(answer)) {
+        EXPECT_EQ(answer.number, commands_);
+        return static_cast<Reason>(answer.reason);
+      }
+    }
+    ADD_FAILURE() << "no answer";
+    return Reason::none;
+  }
+  void stop(Kind kind = Kind::emergency_stop_hold) {
+    push(kind);
+    ASSERT_EQ(outcome(), Reason::none);
+    run_until(now_ns_ + 3 * kSlot_ns);
+  }
+  void expect_all(can::JointState state) {
+    for (std::size_t joint = 0; joint < bus_.size(); ++joint) {
+      EXPECT_EQ(bus_.joint(joint).state(), state) << "joint " << joint;
+    }
+  }
+  // Batches that leave every joint where the robot holds it.
+  Reason hand_over_where_it_stands(std::uint32_t sequence) {
+    auto mail = std::make_unique<msgclient::HandOver>(batch(sequence));
+    for (int point = 0; point < static_cast<int>(mail->point_count); ++point) {
+      for (int joint = 0; joint < static_cast<int>(robot_.joints.size()); ++joint) {
+        mail->set_position(point, joint,
+                           static_cast<float>(controller_.expected_count(joint) *
+                                              robot_.joints[static_cast<std::size_t>(joint)].count_rad));
+      }
+    }
+    run_until(std::int64_t{sequence} * kCycle_ns - 16 * kMillisecond_ns);
+    EXPECT_TRUE(adapter_.host().post(*mail, now_ns_));
+    run_until(now_ns_ + 3 * kMillisecond_ns);
+    return adapter_.host().take_answer(now_ns_)->reason;
+  }
+
+  msgclient::Client api_ = block_.local_client("api");
+  msgclient::QueueWriter<UserCommand> queue_ = api_.write_queue<UserCommand>("user_command");
+  msgclient::StreamReader<UserCommandAnswer> answers_ =
+      api_.read_stream<UserCommandAnswer>("user_command_answer");
+};
+
+TEST_F(ReleaseTest, TheRobotHoldsWhereItsJointsAreMeasuredAndTakesBatchesAgain) {
+  hand_over(2);
+  run_until(2 * kCycle_ns + 35 * kMillisecond_ns);
+  stop(Kind::emergency_stop_soft);
+  EXPECT_EQ(hand_over(4).reason, Reason::emergency_stopped);
+  push(Kind::release);
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  run_until(now_ns_ + 5 * kSlot_ns);
+  expect_all(can::JointState::holding);
+  for (std::size_t joint = 0; joint < bus_.size(); ++joint) {  // these joints' encoders read 0
+    EXPECT_EQ(bus_.count(joint), 0) << "joint " << joint;
+    EXPECT_EQ(controller_.expected_count(static_cast<int>(joint)), 0) << "joint " << joint;
+  }
+  const std::uint64_t repaired = controller_.state().resynchronised;
+  EXPECT_EQ(hand_over_where_it_stands(static_cast<std::uint32_t>(now_ns_ / kCycle_ns) + 2), Reason::none);
+  run_until(now_ns_ + 3 * kCycle_ns);
+  EXPECT_EQ(controller_.state().resynchronised, repaired) << "joints and controller agree";
+}
+
+TEST_F(ReleaseTest, WithoutAnEmergencyStopItIsRefused) {
+  run_until(kCycle_ns);
+  push(Kind::release);
+  EXPECT_EQ(outcome(), Reason::not_stopped);
+  EXPECT_EQ(bus_.sent[can::MessageKind::emergency_stop], 0);
+}
+
+TEST_F(ReleaseTest, AReleaseThatSomeJointsDoNotHearIsRepeated) {
+  run_until(kCycle_ns);
+  stop();
+  int lost = 3;
+  bus_.drop = [&lost](const can::Frame& frame) {
+    return can::kFullProfile.identify(frame.id)->kind == can::MessageKind::emergency_stop && lost-- > 0;
+  };
+  push(Kind::release);
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(now_ns_ + kSlot_ns);
+  expect_all(can::JointState::holding);
+}
+
+TEST_F(ReleaseTest, WhatCannotBeReleasedAsAWholeStaysStopped) {
+  run_until(kCycle_ns);
+  stop();
+  bus_.drop = [](const can::Frame& frame) {
+    return can::kFullProfile.identify(frame.id)->kind == can::MessageKind::emergency_stop &&
+           frame.data[0] == 2;
+  };
+  push(Kind::release);
+  EXPECT_EQ(outcome(), Reason::emergency_stopped);
+  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
+  expect_all(can::JointState::stopped);
+}
+
+TEST_F(ReleaseTest, AStopDuringTheReleaseWins) {
+  run_until(kCycle_ns);
+  stop();
+  push(Kind::release);
+  run_until(now_ns_ + 2 * kMillisecond_ns);
+  push(Kind::release);
+  run_until(now_ns_ + kMillisecond_ns);
+  UserCommandAnswer answer{};
+  ASSERT_TRUE(answers_.read(answer));
+  EXPECT_EQ(static_cast<Reason>(answer.reason), Reason::releasing);
+  msgclient::Writer<StopRequest> stops = api_.write<StopRequest>("stop_request");
+  StopRequest asked{};
+  asked.holds = 1;
+  stops.publish(asked, now_ns_);
+  run_until(now_ns_ + 5 * kSlot_ns);
+  ASSERT_TRUE(answers_.read(answer));
+  EXPECT_EQ(answer.number, commands_ - 1);
+  EXPECT_EQ(static_cast<Reason>(answer.reason), Reason::emergency_stopped);
+  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
+  expect_all(can::JointState::stopped);
+}
+
+TEST_F(ReleaseTest, AJointThatIsMissingKeepsTheRobotStopped) {
+  run_until(kCycle_ns);
+  stop();
+  bus_.drop_from_joint = [](const can::Frame& frame) {
+    return can::kFullProfile.identify(frame.id)->node == 5;
+  };
+  run_until(now_ns_ + 5 * kSlot_ns);
+  push(Kind::release);
+  EXPECT_EQ(outcome(), Reason::node_fault);
+  expect_all(can::JointState::stopped);
+}
+
+// In the profile without a message of its own for it, too.
+class PaperReleaseTest : public MessageControllerTest {
+ protected:
+  PaperReleaseTest() : MessageControllerTest("paper") {}
+};
+
+TEST_F(PaperReleaseTest, TheJointsHoldAgain) {
+  run_until(kCycle_ns);
+  command(Kind::emergency_stop_hold);
+  run_until(now_ns_ + 3 * kSlot_ns);
+  EXPECT_EQ(bus_.joint(0).state(), can::JointState::stopped);
+  const msgclient::UserCommandMail mail{.sequence = ++commands_, .kind = Kind::release};
+  ASSERT_TRUE(adapter_.host().post(mail, now_ns_));
+  run_until(now_ns_ + 8 * kSlot_ns);
+  const auto answer = adapter_.host().take_answer(now_ns_);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->verdict, Verdict::accepted);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  EXPECT_EQ(bus_.joint(0).state(), can::JointState::holding);
+}
+
+}  // namespace
+}  // namespace gaitway::msgcontroller
