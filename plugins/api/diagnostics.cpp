@@ -95,7 +95,7 @@ constexpr std::array kModes{
     Mode{Level::ok, "plays batches"},
     Mode{Level::warning, "plays a safe tail"},
     Mode{Level::ok, "holds, and waits for a batch"},
-    Mode{Level::error, "emergency stop"},
+    Mode{Level::error, "emergency stop: /release ends it"},
 };
 
 constexpr std::array<std::string_view, 5> kNodeFaults{"position limit", "torque saturated", "SYNC lost",

@@ -37,12 +37,16 @@ std::unique_ptr<Session> Hub::open(Connection& connection, std::string peer, boo
 }
 
 void Hub::step(std::int64_t wall_ns) {
-  state_->now_ns = wall_ns;
+  answer(wall_ns);
   state_->commands.step(wall_ns);
-  state_->desk.step(wall_ns);
   for (const auto& [number, session] : state_->sessions) {
     session->step(wall_ns);
   }
+}
+
+void Hub::answer(std::int64_t wall_ns) {
+  state_->now_ns = wall_ns;
+  state_->desk.step(wall_ns);
 }
 
 bool Hub::wanted(Topic topic) const noexcept {

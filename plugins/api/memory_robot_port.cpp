@@ -63,17 +63,23 @@ MemoryRobotPort::MemoryRobotPort(msgclient::Client& client, const urdf::RobotMod
     : client_(client),
       recorder_(recorder),
       walk_requests_(client.write<WalkCommand>("walk_request")),
+      stop_requests_(client.write<StopRequest>("stop_request")),
+      stop_answers_(client.read<StopRequest>("stop_answer")),
       commands_(client.write_queue<UserCommand>("user_command")),
       command_answers_(client.read_stream<UserCommandAnswer>("user_command_answer")),
       orders_(client.write_queue<PluginRequest>("api_plugin_request")),
       order_answers_(client.read_stream<PluginAnswer>("plugin_answer")),
       statistics_(client.read<PluginStatistics>("plugin_statistics")),
+      network_(client.read<NetworkState>("network_state")),
       motion_requests_(client.write<MotionRequest>("motion_request")),
       motion_states_(client.read<MotionState>("motion_state")),
       last_number_(std::random_device{}()) {  // answers to a process before this one are not ours
   for (const urdf::Joint& joint : robot.joints) {
     joints_.push_back({joint.name, joint.lower_rad, joint.upper_rad});
   }
+  // Goes on from what was obeyed, never from what a process before this one has left in its own topic.
+  static_cast<void>(stop_answers_.read(stops_asked_));
+  stop_requests_.publish(stops_asked_, now_ns());
 }
 
 void MemoryRobotPort::observe(std::int64_t wall_ns) noexcept {
@@ -113,9 +119,27 @@ void MemoryRobotPort::stand() {
   walk_requests_.publish(request, request.stamp_ns);
 }
 
-std::optional<std::uint32_t> MemoryRobotPort::push(UserCommand command) {
+std::uint32_t MemoryRobotPort::next_number() noexcept {
   last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
-  command.number = last_number_;
+  return last_number_;
+}
+
+std::uint32_t MemoryRobotPort::ask(std::uint32_t StopRequest::*kind) {
+  constexpr std::size_t kMostAwaited = 65536;  // while nobody answers: the oldest run out of time unanswered
+  stops_asked_.stamp_ns = now_ns();
+  stops_awaited_.push_back({next_number(), kind, ++(stops_asked_.*kind)});
+  stop_requests_.publish(stops_asked_, stops_asked_.stamp_ns);
+  if (stops_awaited_.size() > kMostAwaited) {
+    stops_awaited_.pop_front();
+  }
+  return last_number_;
+}
+
+// No answer is overwritten: the stream holds as many as the queue, whose commands alone can be without one
+// when the stream has just been read.
+std::optional<std::uint32_t> MemoryRobotPort::push(UserCommand command) {
+  collect();
+  command.number = next_number();
   if (!commands_.push(command, now_ns())) {
     return std::nullopt;
   }
@@ -124,11 +148,20 @@ std::optional<std::uint32_t> MemoryRobotPort::push(UserCommand command) {
 }
 
 std::optional<std::uint32_t> MemoryRobotPort::stop() {
-  return push(command_of(Kind::stop));
+  return ask(&StopRequest::stops);
 }
 
 std::optional<std::uint32_t> MemoryRobotPort::emergency_stop(bool soft) {
-  return push(command_of(soft ? Kind::emergency_stop_soft : Kind::emergency_stop_hold));
+  return ask(soft ? &StopRequest::softs : &StopRequest::holds);
+}
+
+std::optional<std::uint32_t> MemoryRobotPort::release() {
+  return push(command_of(Kind::release));
+}
+
+bool MemoryRobotPort::emergency_stopped() const {
+  NetworkState state;
+  return network_.read(state) && state.mode == network_state::mode::emergency_stop;
 }
 
 std::optional<std::uint32_t> MemoryRobotPort::move_joint(int joint, double position_rad, double duration_s) {
@@ -150,9 +183,8 @@ std::optional<std::uint32_t> MemoryRobotPort::play_motion(std::string_view name)
     }
   }
   MotionRequest request{};
-  last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
   request.stamp_ns = now_ns();
-  request.number = last_number_;
+  request.number = next_number();
   if (!copy_text(std::string(name), request.name)) {
     return std::nullopt;
   }
@@ -185,9 +217,9 @@ std::optional<OrderResult> MemoryRobotPort::take_motion_answer() {
 }
 
 std::optional<std::uint32_t> MemoryRobotPort::order(const PluginOrder& order) {
+  collect();
   PluginRequest request{};
-  last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
-  request.number = last_number_;
+  request.number = next_number();
   request.verb = number_of(order.verb);
   request.index = order.index;
   const bool fits = copy_text(order.plugin, request.plugin) && copy_text(order.library, request.library) &&
@@ -203,22 +235,43 @@ std::optional<OrderResult> MemoryRobotPort::take_result() {
   if (const auto answer = take_motion_answer()) {
     return answer;
   }
+  collect();
+  if (results_.empty()) {
+    return std::nullopt;
+  }
+  OrderResult result = std::move(results_.front());
+  results_.pop_front();
+  return result;
+}
+
+// Reads every answer that has come.
+void MemoryRobotPort::collect() {
+  StopRequest obeyed;
+  if (!stops_awaited_.empty() && stop_answers_.read(obeyed)) {
+    std::erase_if(stops_awaited_, [&](const AwaitedStop& stop) {
+      const bool done = static_cast<std::int32_t>(obeyed.*stop.kind - stop.count) >= 0;
+      if (done) {
+        results_.push_back({stop.number, true,
+                            stop.kind == &StopRequest::stops ? "" : "the joints are stopped until /release"});
+      }
+      return done;
+    });
+  }
   UserCommandAnswer answer;
   while (command_answers_.read(answer)) {
     if (awaited_.erase(answer.number) != 0) {
       const auto reason = static_cast<msgclient::Reason>(answer.reason);
-      return OrderResult{
-          answer.number, reason == msgclient::Reason::none,
-          reason == msgclient::Reason::none ? "" : std::string(msgclient::reason_text(reason))};
+      results_.push_back(
+          {answer.number, reason == msgclient::Reason::none,
+           reason == msgclient::Reason::none ? "" : std::string(msgclient::reason_text(reason))});
     }
   }
   PluginAnswer done;
   while (order_answers_.read(done)) {
     if (awaited_.erase(done.number) != 0) {
-      return OrderResult{done.number, done.done != 0, text_of(done.text)};
+      results_.push_back({done.number, done.done != 0, text_of(done.text)});
     }
   }
-  return std::nullopt;
 }
 
 std::vector<PluginStatus> MemoryRobotPort::plugins() const {

@@ -103,6 +103,7 @@ class Door {
   }
   void on_poll(std::int64_t wall_ns) {
     port_.observe(wall_ns);
+    hub_.answer(wall_ns);
     GenericSink sink([this](Topic topic) { return hub_.wanted(topic) || records(topic); },
                      [this](Topic topic, const auto& message, std::int64_t robot_ns) {
                        hub_.publish(topic, message);

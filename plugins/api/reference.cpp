@@ -206,11 +206,12 @@ std::string api_examples() {
     add(service.name, call_of(service), answer_of(service));
   };
   for (const ServiceRow& one : kServices) {
-    if (one.service != Service::emergency_stop) {
+    if (one.service != Service::emergency_stop && one.service != Service::release) {
       add_service(one);
     }
   }
-  add_service(row(Service::emergency_stop));  // nothing moves after it
+  add_service(row(Service::emergency_stop));  // nothing moves after it,
+  add_service(row(Service::release));         // until this
   return text + "\n]\n";
 }
 

@@ -42,13 +42,13 @@ Velocity velocity_of(const ros::Twist& twist, const Limits& limits) {
 
 void RobotCommands::walk(Claimant& claimant, const ros::Twist& twist, std::int64_t now_ns) {
   const Velocity velocity = velocity_of(twist, limits_);
-  demand(claimant, now_ns);
+  demand_movement(claimant, now_ns);
   walks_ = true;
   robot_.walk(velocity, limits_.velocity_ns);
 }
 
 void RobotCommands::stand(Claimant& claimant, std::int64_t now_ns) {
-  demand(claimant, now_ns);
+  demand_movement(claimant, now_ns);
   walks_ = false;
   robot_.stand();
   static_cast<void>(robot_.play_motion(""));
@@ -56,13 +56,13 @@ void RobotCommands::stand(Claimant& claimant, std::int64_t now_ns) {
 
 std::optional<std::uint32_t> RobotCommands::play_motion(Claimant& claimant, const std::string& name,
                                                         std::int64_t now_ns) {
-  demand(claimant, now_ns);
+  demand_movement(claimant, now_ns);
   return robot_.play_motion(name);
 }
 
 std::optional<std::uint32_t> RobotCommands::move_joint(Claimant& claimant, int joint, double position_rad,
                                                        double duration_s, std::int64_t now_ns) {
-  demand(claimant, now_ns);
+  demand_movement(claimant, now_ns);
   return robot_.move_joint(joint, position_rad, duration_s);
 }
 
@@ -70,6 +70,18 @@ std::optional<std::uint32_t> RobotCommands::order(Claimant& claimant, const Plug
                                                   std::int64_t now_ns) {
   demand(claimant, now_ns);
   return robot_.order(order);
+}
+
+std::optional<std::uint32_t> RobotCommands::end_emergency_stop(Claimant& claimant, std::int64_t now_ns) {
+  demand(claimant, now_ns);
+  return robot_.release();
+}
+
+void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns) {
+  demand(claimant, now_ns);
+  if (robot_.emergency_stopped()) {
+    throw CommandDenied(kEmergencyStopped);
+  }
 }
 
 void RobotCommands::demand(Claimant& claimant, std::int64_t now_ns) {

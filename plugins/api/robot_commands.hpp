@@ -16,18 +16,23 @@ namespace gaitway::api {
 // Commands throw CommandDenied to who may not give them, and when the robot is not there. Orders give their
 // number, or nothing when the way to the robot is full. Whoever drove the robot and has the command no more:
 // the robot is told to stand.
+inline constexpr const char* kEmergencyStopped =
+    "the robot is in emergency stop and stays where it is: call /release to end that";
+
 class RobotCommands {
  public:
   RobotCommands(RobotPort& robot, const Limits& limits)
       : robot_(robot), limits_(limits), authority_(limits.lease_ns) {}
 
-  // Throws Refused for a velocity that the robot cannot walk.
+  // What moves the robot is denied while an emergency stop holds. Throws Refused for a velocity that the
+  // robot cannot walk.
   void walk(Claimant& claimant, const ros::Twist& twist, std::int64_t now_ns);
   void stand(Claimant& claimant, std::int64_t now_ns);
   std::optional<std::uint32_t> move_joint(Claimant& claimant, int joint, double position_rad,
                                           double duration_s, std::int64_t now_ns);
   std::optional<std::uint32_t> play_motion(Claimant& claimant, const std::string& name, std::int64_t now_ns);
   std::optional<std::uint32_t> order(Claimant& claimant, const PluginOrder& order, std::int64_t now_ns);
+  std::optional<std::uint32_t> end_emergency_stop(Claimant& claimant, std::int64_t now_ns);
 
   // For everybody: nobody else has the command afterwards, and nothing walks on.
   std::optional<std::uint32_t> stop(Claimant& by);
@@ -46,6 +51,7 @@ class RobotCommands {
 
  private:
   void demand(Claimant& claimant, std::int64_t now_ns);
+  void demand_movement(Claimant& claimant, std::int64_t now_ns);
   void end_walk();
 
   RobotPort& robot_;

@@ -95,7 +95,11 @@ void ServiceDesk::stand(const Caller& caller) {
 
 // A stop is carried out whatever is wrong with its arguments, and however many answers are waited for.
 void ServiceDesk::stop(const Caller& caller) {
-  await<ros::Trigger>(caller, commands_.stop(caller.claimant));
+  const auto order = commands_.stop(caller.claimant);
+  if (robot_.emergency_stopped()) {
+    return reply(caller.call, ros::Trigger::Response{false, kEmergencyStopped});
+  }
+  await<ros::Trigger>(caller, order);
 }
 
 void ServiceDesk::emergency_stop(const Caller& caller) {
@@ -106,6 +110,12 @@ void ServiceDesk::emergency_stop(const Caller& caller) {
     // Hold, then.
   }
   await<ros::SetBool>(caller, commands_.emergency_stop(caller.claimant, soft));
+}
+
+void ServiceDesk::release(const Caller& caller) {
+  static_cast<void>(request<ros::Trigger>(caller));
+  orders_.require_room(caller.call.client);
+  await<ros::Trigger>(caller, commands_.end_emergency_stop(caller.claimant, caller.now_ns));
 }
 
 void ServiceDesk::move_joint(const Caller& caller) {

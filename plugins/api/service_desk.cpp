@@ -1,5 +1,7 @@
 #include "service_desk.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "client_message.hpp"
@@ -53,141 +55,102 @@ void ServiceDesk::deny(Service service, const ServiceCall& call, std::string_vie
   }
 }
 
+// Which member answers which service.
+struct ServiceDesk::Row {
+  Service service;
+  void (ServiceDesk::*answer)(const Caller& caller);
+};
+
 void ServiceDesk::answer(Service service, const Caller& caller) {
-  switch (service) {
-    case Service::stand:
-      return stand(caller);
-    case Service::stop:
-      return stop(caller);
-    case Service::emergency_stop:
-      return emergency_stop(caller);
-    case Service::move_joint:
-      return move_joint(caller);
-    case Service::play_motion:
-      return play_motion(caller);
-    case Service::start_recording:
-      return start_recording(caller);
-    case Service::stop_recording:
-      return stop_recording(caller);
-    default:
-      return answer_of_plugins(service, caller);
-  }
+  static constexpr std::array kRows{
+      Row{Service::stand, &ServiceDesk::stand},
+      Row{Service::stop, &ServiceDesk::stop},
+      Row{Service::emergency_stop, &ServiceDesk::emergency_stop},
+      Row{Service::release, &ServiceDesk::release},
+      Row{Service::move_joint, &ServiceDesk::move_joint},
+      Row{Service::play_motion, &ServiceDesk::play_motion},
+      Row{Service::list_plugins, &ServiceDesk::list_plugins},
+      Row{Service::get_parameters, &ServiceDesk::get_parameters},
+      Row{Service::set_parameter, &ServiceDesk::set_parameter},
+      Row{Service::reload_plugin, &ServiceDesk::change_plugin<PluginVerb::reload>},
+      Row{Service::unload_plugin, &ServiceDesk::change_plugin<PluginVerb::unload>},
+      Row{Service::load_plugin, &ServiceDesk::change_plugin<PluginVerb::load>},
+      Row{Service::start_recording, &ServiceDesk::start_recording},
+      Row{Service::stop_recording, &ServiceDesk::stop_recording},
+      Row{Service::acquire_command, &ServiceDesk::acquire_command},
+      Row{Service::keep_alive, &ServiceDesk::keep_alive},
+      Row{Service::release_command, &ServiceDesk::release_command},
+      Row{Service::rosapi_topics, &ServiceDesk::reply_rosapi<Service::rosapi_topics, ros::Topics>},
+      Row{Service::rosapi_topic_type, &ServiceDesk::reply_rosapi<Service::rosapi_topic_type, ros::TopicType>},
+      Row{Service::rosapi_topics_for_type,
+          &ServiceDesk::reply_rosapi<Service::rosapi_topics_for_type, ros::TopicsForType>},
+      Row{Service::rosapi_topics_and_raw_types,
+          &ServiceDesk::reply_rosapi<Service::rosapi_topics_and_raw_types, ros::TopicsAndRawTypes>},
+      Row{Service::rosapi_publishers,
+          &ServiceDesk::reply_rosapi<Service::rosapi_publishers, ros::Publishers>},
+      Row{Service::rosapi_subscribers,
+          &ServiceDesk::reply_rosapi<Service::rosapi_subscribers, ros::Subscribers>},
+      Row{Service::rosapi_interfaces,
+          &ServiceDesk::reply_rosapi<Service::rosapi_interfaces, ros::Interfaces>},
+      Row{Service::rosapi_services, &ServiceDesk::reply_rosapi<Service::rosapi_services, ros::Services>},
+      Row{Service::rosapi_service_type,
+          &ServiceDesk::reply_rosapi<Service::rosapi_service_type, ros::ServiceType>},
+      Row{Service::rosapi_services_for_type,
+          &ServiceDesk::reply_rosapi<Service::rosapi_services_for_type, ros::ServicesForType>},
+      Row{Service::rosapi_service_node,
+          &ServiceDesk::reply_rosapi<Service::rosapi_service_node, ros::ServiceNode>},
+      Row{Service::rosapi_service_providers,
+          &ServiceDesk::reply_rosapi<Service::rosapi_service_providers, ros::ServiceProviders>},
+      Row{Service::rosapi_service_request_details,
+          &ServiceDesk::reply_rosapi<Service::rosapi_service_request_details, ros::ServiceRequestDetails>},
+      Row{Service::rosapi_service_response_details,
+          &ServiceDesk::reply_rosapi<Service::rosapi_service_response_details, ros::ServiceResponseDetails>},
+      Row{Service::rosapi_message_details,
+          &ServiceDesk::reply_rosapi<Service::rosapi_message_details, ros::MessageDetails>},
+      Row{Service::rosapi_nodes, &ServiceDesk::reply_rosapi<Service::rosapi_nodes, ros::Nodes>},
+      Row{Service::rosapi_node_details,
+          &ServiceDesk::reply_rosapi<Service::rosapi_node_details, ros::NodeDetails>},
+      Row{Service::rosapi_action_servers,
+          &ServiceDesk::reply_rosapi<Service::rosapi_action_servers, ros::GetActionServers>},
+      Row{Service::rosapi_get_time, &ServiceDesk::reply_rosapi<Service::rosapi_get_time, ros::GetTime>},
+      Row{Service::rosapi_get_ros_version,
+          &ServiceDesk::reply_rosapi<Service::rosapi_get_ros_version, ros::GetROSVersion>},
+      Row{Service::rosapi_get_param_names, &ServiceDesk::get_parameter_names},
+      Row{Service::rosapi_get_param, &ServiceDesk::reply_rosapi<Service::rosapi_get_param, ros::GetParam>},
+      Row{Service::rosapi_set_param, &ServiceDesk::set_rosapi_parameter},
+      Row{Service::rosapi_has_param, &ServiceDesk::reply_rosapi<Service::rosapi_has_param, ros::HasParam>},
+      Row{Service::rosapi_delete_param, &ServiceDesk::refuse_deletion},
+  };
+  static_assert(kRows.size() == kServiceCount);
+  static_assert(std::ranges::is_sorted(kRows, {}, &Row::service), "in the order of the services");
+  (this->*kRows[static_cast<std::size_t>(service)].answer)(caller);
 }
 
-void ServiceDesk::answer_of_plugins(Service service, const Caller& caller) {
-  switch (service) {
-    case Service::list_plugins:
-      return list_plugins(caller);
-    case Service::load_plugin:
-      return change_plugin(PluginVerb::load, caller);
-    case Service::reload_plugin:
-      return change_plugin(PluginVerb::reload, caller);
-    case Service::unload_plugin:
-      return change_plugin(PluginVerb::unload, caller);
-    case Service::get_parameters:
-      return get_parameters(caller);
-    case Service::set_parameter:
-      return set_parameter(caller);
-    default:
-      return answer_of_command(service, caller);
-  }
-}
-
-void ServiceDesk::answer_of_command(Service service, const Caller& caller) {
+void ServiceDesk::acquire_command(const Caller& caller) {
   constexpr double kKeepAlivesInLease = 3.0;
-  const auto& [call, claimant, now_ns] = caller;
-  switch (service) {
-    case Service::acquire_command: {
-      const auto asked = request<ros::AcquireCommand>(caller);
-      if (asked.name.size() > kMostNameBytes) {
-        throw Refused("name is " + shown(asked.name) + ", but must be a text of at most " +
-                      std::to_string(kMostNameBytes) + " bytes");
-      }
-      claimant.name = asked.name.empty() ? claimant.name : asked.name;
-      const std::string lease = commands_.acquire(claimant, now_ns);
-      const double period_s = static_cast<double>(limits_.lease_ns) * 1e-9 / kKeepAlivesInLease;
-      return reply(call, ros::AcquireCommand::Response{true, "you have the command", lease, period_s});
-    }
-    case Service::keep_alive:
-      commands_.keep_alive(claimant, request<ros::Lease>(caller).lease, now_ns);
-      return reply(call, ros::Lease::Response{true, "you have the command"});
-    case Service::release_command:
-      commands_.release(claimant, request<ros::Lease>(caller).lease, now_ns);
-      return reply(call, ros::Lease::Response{true, "nobody has the command"});
-    default:
-      return answer_of_topics(service, caller);
+  const auto asked = request<ros::AcquireCommand>(caller);
+  if (asked.name.size() > kMostNameBytes) {
+    throw Refused("name is " + shown(asked.name) + ", but must be a text of at most " +
+                  std::to_string(kMostNameBytes) + " bytes");
   }
+  caller.claimant.name = asked.name.empty() ? caller.claimant.name : asked.name;
+  const std::string lease = commands_.acquire(caller.claimant, caller.now_ns);
+  const double period_s = static_cast<double>(limits_.lease_ns) * 1e-9 / kKeepAlivesInLease;
+  reply(caller.call, ros::AcquireCommand::Response{true, "you have the command", lease, period_s});
 }
 
-void ServiceDesk::answer_of_topics(Service service, const Caller& caller) {
-  switch (service) {
-    case Service::rosapi_topics:
-      return reply_rosapi<Service::rosapi_topics, ros::Topics>(caller);
-    case Service::rosapi_topic_type:
-      return reply_rosapi<Service::rosapi_topic_type, ros::TopicType>(caller);
-    case Service::rosapi_topics_for_type:
-      return reply_rosapi<Service::rosapi_topics_for_type, ros::TopicsForType>(caller);
-    case Service::rosapi_topics_and_raw_types:
-      return reply_rosapi<Service::rosapi_topics_and_raw_types, ros::TopicsAndRawTypes>(caller);
-    case Service::rosapi_publishers:
-      return reply_rosapi<Service::rosapi_publishers, ros::Publishers>(caller);
-    case Service::rosapi_subscribers:
-      return reply_rosapi<Service::rosapi_subscribers, ros::Subscribers>(caller);
-    case Service::rosapi_nodes:
-      return reply_rosapi<Service::rosapi_nodes, ros::Nodes>(caller);
-    case Service::rosapi_node_details:
-      return reply_rosapi<Service::rosapi_node_details, ros::NodeDetails>(caller);
-    case Service::rosapi_action_servers:
-      return reply_rosapi<Service::rosapi_action_servers, ros::GetActionServers>(caller);
-    case Service::rosapi_get_time:
-      return reply_rosapi<Service::rosapi_get_time, ros::GetTime>(caller);
-    case Service::rosapi_get_ros_version:
-      return reply_rosapi<Service::rosapi_get_ros_version, ros::GetROSVersion>(caller);
-    default:
-      return answer_of_types(service, caller);
-  }
+void ServiceDesk::keep_alive(const Caller& caller) {
+  commands_.keep_alive(caller.claimant, request<ros::Lease>(caller).lease, caller.now_ns);
+  reply(caller.call, ros::Lease::Response{true, "you have the command"});
 }
 
-void ServiceDesk::answer_of_types(Service service, const Caller& caller) {
-  switch (service) {
-    case Service::rosapi_interfaces:
-      return reply_rosapi<Service::rosapi_interfaces, ros::Interfaces>(caller);
-    case Service::rosapi_services:
-      return reply_rosapi<Service::rosapi_services, ros::Services>(caller);
-    case Service::rosapi_service_type:
-      return reply_rosapi<Service::rosapi_service_type, ros::ServiceType>(caller);
-    case Service::rosapi_services_for_type:
-      return reply_rosapi<Service::rosapi_services_for_type, ros::ServicesForType>(caller);
-    case Service::rosapi_service_node:
-      return reply_rosapi<Service::rosapi_service_node, ros::ServiceNode>(caller);
-    case Service::rosapi_service_providers:
-      return reply_rosapi<Service::rosapi_service_providers, ros::ServiceProviders>(caller);
-    case Service::rosapi_service_request_details:
-      return reply_rosapi<Service::rosapi_service_request_details, ros::ServiceRequestDetails>(caller);
-    case Service::rosapi_service_response_details:
-      return reply_rosapi<Service::rosapi_service_response_details, ros::ServiceResponseDetails>(caller);
-    case Service::rosapi_message_details:
-      return reply_rosapi<Service::rosapi_message_details, ros::MessageDetails>(caller);
-    default:
-      return answer_of_parameters(service, caller);
-  }
+void ServiceDesk::release_command(const Caller& caller) {
+  commands_.release(caller.claimant, request<ros::Lease>(caller).lease, caller.now_ns);
+  reply(caller.call, ros::Lease::Response{true, "nobody has the command"});
 }
 
-void ServiceDesk::answer_of_parameters(Service service, const Caller& caller) {
-  switch (service) {
-    case Service::rosapi_get_param_names:
-      return get_parameter_names(caller);
-    case Service::rosapi_get_param:
-      return reply_rosapi<Service::rosapi_get_param, ros::GetParam>(caller);
-    case Service::rosapi_has_param:
-      return reply_rosapi<Service::rosapi_has_param, ros::HasParam>(caller);
-    case Service::rosapi_set_param:
-      return set_rosapi_parameter(caller);
-    case Service::rosapi_delete_param:
-      throw CommandDenied("parameters cannot be deleted: they belong to their plug-ins");
-    default:
-      throw Refused("service is " + shown(caller.call.service) + ", which this robot does not answer");
-  }
+void ServiceDesk::refuse_deletion(const Caller&) {
+  throw CommandDenied("parameters cannot be deleted: they belong to their plug-ins");
 }
 
 }  // namespace gaitway::api

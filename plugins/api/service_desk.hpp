@@ -46,23 +46,24 @@ class ServiceDesk {
     Claimant& claimant;
     std::int64_t now_ns;
   };
+  struct Row;
   struct ParameterReading;  // of a plug-in's parameters: one order each
 
   void answer(Service service, const Caller& caller);
-  void answer_of_plugins(Service service, const Caller& caller);
-  void answer_of_command(Service service, const Caller& caller);
-  void answer_of_topics(Service service, const Caller& caller);
-  void answer_of_types(Service service, const Caller& caller);
-  void answer_of_parameters(Service service, const Caller& caller);
 
   void stand(const Caller& caller);
   void stop(const Caller& caller);
   void emergency_stop(const Caller& caller);
+  void release(const Caller& caller);
   void move_joint(const Caller& caller);
   void play_motion(const Caller& caller);
   void start_recording(const Caller& caller);
   void stop_recording(const Caller& caller);
   void list_plugins(const Caller& caller);
+  template <PluginVerb verb>
+  void change_plugin(const Caller& caller) {
+    change_plugin(verb, caller);
+  }
   void change_plugin(PluginVerb verb, const Caller& caller);
   void set_parameter(const Caller& caller);
   void get_parameters(const Caller& caller);
@@ -73,6 +74,10 @@ class ServiceDesk {
   void read_parameter(const ServiceCall& call, ParameterReading reading);
   bool keep_parameter(ParameterReading& reading, const OrderResult& result);
   void set_rosapi_parameter(const Caller& caller);
+  void refuse_deletion(const Caller& caller);
+  void acquire_command(const Caller& caller);
+  void keep_alive(const Caller& caller);
+  void release_command(const Caller& caller);
   void require_plugin(const std::string& name) const;
   void deny(Service service, const ServiceCall& call, std::string_view why) const;
 
@@ -86,7 +91,7 @@ class ServiceDesk {
   }
   // `service` is of rosapi, and S its type.
   template <Service service, class S>
-  void reply_rosapi(const Caller& caller) const {
+  void reply_rosapi(const Caller& caller) {
     static_assert(row(service).type == S::kName);
     reply(caller.call, rosapi_.answer(request<S>(caller)));
   }

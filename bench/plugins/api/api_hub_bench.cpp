@@ -26,6 +26,8 @@ class DeafRobot final : public RobotPort {
   void stand() override {}
   std::optional<std::uint32_t> stop() override { return std::nullopt; }
   std::optional<std::uint32_t> emergency_stop(bool) override { return std::nullopt; }
+  std::optional<std::uint32_t> release() override { return std::nullopt; }
+  [[nodiscard]] bool emergency_stopped() const override { return false; }
   std::optional<std::uint32_t> move_joint(int, double, double) override { return std::nullopt; }
   std::optional<std::uint32_t> play_motion(std::string_view) override { return std::nullopt; }
   std::optional<std::uint32_t> order(const PluginOrder&) override { return std::nullopt; }

@@ -161,6 +161,29 @@ TEST_F(CommandTest, AnybodyMayStopInAnEmergency) {
   EXPECT_EQ(robot.told[3], "emergency_stop hold");
 }
 
+TEST_F(CommandTest, WhatMovesTheRobotIsRefusedWhileItIsEmergencyStopped) {
+  robot.is_emergency_stopped = true;
+  EXPECT_THAT(refusal(anna->call("/stand")), HasSubstr("call /release"));
+  EXPECT_THAT(refusal(anna->call("/play_motion", {{"motion", "wave"}})), HasSubstr("call /release"));
+  EXPECT_THAT(
+      refusal(anna->call("/move_joint", {{"joint", "neck_yaw"}, {"position", 0.1}, {"duration", 1.0}})),
+      HasSubstr("call /release"));
+  anna->drive(0.1);
+  EXPECT_THAT(anna->receive_one().value("msg", ""), HasSubstr("call /release"));
+  EXPECT_THAT(robot.told, IsEmpty());
+  EXPECT_THAT(refusal(bert->call("/stop")), HasSubstr("call /release"));
+  EXPECT_THAT(robot.told, ElementsAre("stop", "stand")) << "carried out all the same";
+}
+
+TEST_F(CommandTest, TheCommanderAloneReleases) {
+  robot.is_emergency_stopped = true;
+  acquire(*anna, "anna");
+  EXPECT_THAT(refusal(bert->call("/release")), HasSubstr("\"anna\" has the command"));
+  EXPECT_THAT(robot.told, IsEmpty());
+  anna->send({{"op", "call_service"}, {"service", "/release"}});
+  EXPECT_THAT(robot.told, ElementsAre("release"));
+}
+
 TEST_F(CommandTest, AnEmergencyStopIsCarriedOutWhateverItsArguments) {
   for (const char* const arguments : {R"({"data": "now!"})", R"({"date": true})", "7", "null", "[1, 2, 3]"}) {
     robot.told.clear();

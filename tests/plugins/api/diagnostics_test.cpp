@@ -121,7 +121,7 @@ TEST_F(DiagnosticsTest, NodesAreNamedByTheirJoints) {
 TEST_F(DiagnosticsTest, TheLoopSaysItsModeAndWhatWasLate) {
   const std::array levels{DiagnosticLevel::ok, DiagnosticLevel::warning, DiagnosticLevel::ok,
                           DiagnosticLevel::error};
-  const std::array<std::string_view, 4> texts{"batches", "safe tail", "holds", "emergency stop"};
+  const std::array<std::string_view, 4> texts{"batches", "safe tail", "holds", "/release ends it"};
   for (std::uint32_t mode = 0; mode < 4; ++mode) {
     network.mode = mode;
     expect(status("loop"), levels[mode], texts[mode]);

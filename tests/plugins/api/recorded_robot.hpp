@@ -27,12 +27,14 @@ class RecordedRobot final : public RobotPort {
   std::int64_t time_ns = 0;
   bool is_connected = true;
   bool is_blocked = false;  // takes no orders
-  bool walking = false;     // told to walk, and not told to stop since
+  bool is_emergency_stopped = false;
+  bool walking = false;  // told to walk, and not told to stop since
   bool recording = false;
   std::uint32_t last_number = 0;
 
   [[nodiscard]] std::int64_t now_ns() const override { return time_ns; }
   [[nodiscard]] bool connected() const override { return is_connected; }
+  [[nodiscard]] bool emergency_stopped() const override { return is_emergency_stopped; }
 
   void walk(const Velocity& velocity, std::int64_t valid_ns) override {
     told.emplace_back("walk");
@@ -48,6 +50,7 @@ class RecordedRobot final : public RobotPort {
   std::optional<std::uint32_t> emergency_stop(bool soft) override {
     return note(soft ? "emergency_stop soft" : "emergency_stop hold");
   }
+  std::optional<std::uint32_t> release() override { return note("release"); }
   std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) override {
     moved_joint =
         std::to_string(joint) + " " + std::to_string(position_rad) + " " + std::to_string(duration_s);

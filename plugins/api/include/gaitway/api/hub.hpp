@@ -56,6 +56,8 @@ class Hub final : public SessionHub {
   std::unique_ptr<Session> open(Connection& connection, std::string peer, bool authorised,
                                 std::int64_t wall_ns) override;
   void step(std::int64_t wall_ns) override;
+  // Passes on the answers of the robot; step() does so, too.
+  void answer(std::int64_t wall_ns);
 
   // A message for all who subscribe to `topic`: encoded at most once per encoding, and not at all for nobody,
   // unless the topic is latched. Throws std::logic_error when M is not the topic's type.

@@ -14,8 +14,8 @@ namespace gaitway::api {
 
 class Recorder;
 
-// Writes `walk_request`, `motion_request` and the queues `user_command` and `api_plugin_request`. For one
-// thread.
+// Writes `walk_request`, `stop_request`, `motion_request` and the queues `user_command` and
+// `api_plugin_request`. For one thread.
 class MemoryRobotPort final : public RobotPort {
  public:
   // Opens the topics: throws msgclient::TopicError. All references outlive it. `recorder`: nullptr: recording
@@ -27,10 +27,12 @@ class MemoryRobotPort final : public RobotPort {
 
   [[nodiscard]] std::int64_t now_ns() const override;
   [[nodiscard]] bool connected() const override { return connected_; }
+  [[nodiscard]] bool emergency_stopped() const override;
   void walk(const Velocity& velocity, std::int64_t valid_ns) override;
   void stand() override;
   std::optional<std::uint32_t> stop() override;
   std::optional<std::uint32_t> emergency_stop(bool soft) override;
+  std::optional<std::uint32_t> release() override;
   std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) override;
   std::optional<std::uint32_t> play_motion(std::string_view name) override;
   std::optional<std::uint32_t> order(const PluginOrder& order) override;
@@ -41,22 +43,37 @@ class MemoryRobotPort final : public RobotPort {
   std::string stop_recording() override;
 
  private:
+  // Stops that wait for their answer: the count of their kind that `stop_answer` must have reached.
+  struct AwaitedStop {
+    std::uint32_t number;
+    std::uint32_t StopRequest::*kind;
+    std::uint32_t count;
+  };
+  std::uint32_t next_number() noexcept;
+  std::uint32_t ask(std::uint32_t StopRequest::*kind);
   std::optional<std::uint32_t> push(UserCommand command);
+  void collect();
   std::optional<OrderResult> take_motion_answer();
 
   msgclient::Client& client_;
   Recorder* recorder_;
   std::vector<JointLimits> joints_;
   msgclient::Writer<WalkCommand> walk_requests_;
+  msgclient::Writer<StopRequest> stop_requests_;
+  msgclient::Reader<StopRequest> stop_answers_;
   msgclient::QueueWriter<UserCommand> commands_;
   msgclient::StreamReader<UserCommandAnswer> command_answers_;
   msgclient::QueueWriter<PluginRequest> orders_;
   msgclient::StreamReader<PluginAnswer> order_answers_;
   mutable msgclient::Reader<PluginStatistics> statistics_;
+  mutable msgclient::Reader<NetworkState> network_;
   msgclient::Writer<MotionRequest> motion_requests_;
   msgclient::Reader<MotionState> motion_states_;
   std::uint32_t last_number_;
+  StopRequest stops_asked_{};
+  std::deque<AwaitedStop> stops_awaited_;      // oldest first
   std::set<std::uint32_t> awaited_;            // numbers of the orders that have no answer yet
+  std::deque<OrderResult> results_;            // that nobody has taken yet
   std::deque<std::uint32_t> motions_awaited_;  // likewise; the newest alone is answered by the robot
   std::uint64_t motion_state_seen_ = 0;
   std::int64_t heartbeat_ns_ = 0;

@@ -55,6 +55,8 @@ class RobotPort {
   [[nodiscard]] virtual std::int64_t now_ns() const = 0;
   // Whether the message controller is alive.
   [[nodiscard]] virtual bool connected() const = 0;
+  // Whether an emergency stop holds: all that moves the robot is in vain until it is released.
+  [[nodiscard]] virtual bool emergency_stopped() const = 0;
 
   // Walk with this velocity until so much robot time has passed without a new command.
   virtual void walk(const Velocity& velocity, std::int64_t valid_ns) = 0;
@@ -62,9 +64,11 @@ class RobotPort {
   virtual void stand() = 0;
 
   // Orders: the number under which take_result() tells of it, or nothing when the way is blocked (a full
-  // queue).
+  // queue). The way of a stop never is.
   virtual std::optional<std::uint32_t> stop() = 0;  // plays the safe tail at once
   virtual std::optional<std::uint32_t> emergency_stop(bool soft) = 0;
+  // Ends an emergency stop: the joints hold where they are, and the robot goes to its stand from there.
+  virtual std::optional<std::uint32_t> release() = 0;
   virtual std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) = 0;
   // An empty name: leave the motion that plays, if any. Answered when it begins, or is refused.
   virtual std::optional<std::uint32_t> play_motion(std::string_view name) = 0;

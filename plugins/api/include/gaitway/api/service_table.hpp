@@ -16,6 +16,7 @@ enum class Service : std::uint8_t {
   stand,
   stop,
   emergency_stop,
+  release,
   move_joint,
   play_motion,
   list_plugins,
@@ -75,6 +76,10 @@ inline constexpr std::array kServices{
                "Stop every joint at once. `data` true: they go soft, false: they hold. The robot may fall. "
                "For everybody who is let in",
                R"({"data": false})"},
+    ServiceRow{Service::release, "/release", ros::Trigger::kName, true,
+               "End an emergency stop: every joint holds where it is, and the robot goes to its stand from "
+               "there, so stay clear of it. Until then all that would move the robot is refused",
+               "{}"},
     ServiceRow{Service::move_joint, "/move_joint", ros::MoveJoint::kName, true,
                "Move one joint to `position` [rad] within `duration` [s], while the robot stands; it walks "
                "again when the joint is back",
