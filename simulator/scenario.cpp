@@ -12,7 +12,7 @@
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/msgcontroller/walk_requests.hpp"
+#include "gaitway/msgcontroller/peoples_requests.hpp"
 #include "gaitway/simulator/conditions.hpp"
 
 namespace gaitway::simulator {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "gaitway/msgclient/crc32.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/msgclient/hand_over.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
