@@ -151,7 +151,7 @@ TEST(PluginInterfaceDocument, EverySnippetIsBuilt) {
     }
   };
   const std::string project =
-      plain(plain(plain(text_of("tools/templates/CMakeLists.txt"), "plugin_components", "plugin simulator"),
+      plain(plain(plain(text_of("tools/new_plugin/templates/CMakeLists.txt"), "plugin_components", "plugin simulator"),
                   " plugin_links", ""),
             "plugin_name", "sway");
   expect_parts("cpp", text_of("docs/examples/reference.cpp"), 10);
@@ -250,7 +250,7 @@ TEST_F(PluginInterfaceTest, DocumentHasEveryStandardTopic) {
 // The texts of the tables of refusals are in the code: between the ellipses, word by word.
 TEST_F(PluginInterfaceTest, EveryRefusalIsOneOfTheCode) {
   std::string sources;
-  for (const char* const folder : {"core", "input", "msgclient", "urdf"}) {
+  for (const char* const folder : {"core", "input", "msgclient", "tools", "urdf"}) {
     for (const auto& file :
          std::filesystem::recursive_directory_iterator(std::filesystem::path(GAITWAY_SOURCE_DIR) / folder)) {
       const std::string extension = file.path().extension();
