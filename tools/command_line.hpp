@@ -21,6 +21,7 @@ namespace gaitway::tools {
 inline constexpr int kExitFine = 0;
 inline constexpr int kExitBadInput = 1;  // nothing moved
 inline constexpr int kExitFell = 2;      // the simulated robot fell
+inline constexpr int kExitNotDone = 3;   // it stayed up, but did not do what it was asked
 
 // One option; what is said about it holds before the command runs.
 class Option {

@@ -308,7 +308,7 @@ int run(const RunOptions& options) {
     fmt::print("{}  results                   {}\n", summary_table(result),
                (options.out / "report.html").string());
   }
-  return recorder.metrics().fell ? kExitFell : kExitFine;
+  return exit_code(outcome_of(cosimulation, recorder).verdict);
 }
 
 }  // namespace
@@ -349,7 +349,11 @@ void add_run(const CommandLine& program) {
       "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
       "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
       "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
-      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
+      "Exit code: 0 the robot stayed up and did what it was asked, 2 it fell, 3 it stayed up, but walked or "
+      "turned less than\n"
+      "half of what was commanded, or more than a tenth of its batches were refused, or it had none; 1 the "
+      "input was bad\n"
+      "and nothing moved.");
   command.runs([given] { return run(*given); });
 }
 

@@ -54,6 +54,19 @@ class CentreOfPressureMean {
   Sum open_, closed_;
 };
 
+// What was commanded, and how far it was carried out.
+struct CommandedMotion {
+  double commanded = 0.0;  // integral of the commanded rate
+  double due = 0.0;        // the same, without the first two seconds of each walk
+  double done = 0.0;       // motion in the commanded direction while it was commanded
+
+  void add(double commanded_by, double moved_by, bool started) noexcept {
+    commanded += commanded_by;
+    due += started ? commanded_by : 0.0;
+    done += moved_by;
+  }
+};
+
 struct RunMetrics {
   bool fell = false;
   double fell_at_s = 0.0;
@@ -62,8 +75,9 @@ struct RunMetrics {
   Eigen::Vector2d start_m = Eigen::Vector2d::Zero();
   double start_yaw_rad = 0.0;
   Eigen::Vector2d end_m = Eigen::Vector2d::Zero();
-  double end_yaw_rad = 0.0;        // unwrapped
-  double commanded_yaw_rad = 0.0;  // integral of the commanded turn rate
+  double end_yaw_rad = 0.0;         // unwrapped
+  double commanded_yaw_rad = 0.0;   // integral of the commanded turn rate
+  CommandedMotion way_m, turn_rad;  // unsigned
   // From two seconds after the first walk command to its end: for the mean speed.
   double path_m = 0.0;      // along the heading that the robot has at each instant
   double sideways_m = 0.0;  // to its left

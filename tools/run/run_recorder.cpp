@@ -121,14 +121,15 @@ const MotionPlan* RunRecorder::running_plan(std::uint32_t cycle) const noexcept 
 
 void RunRecorder::on_event(const simulator::ScenarioEvent& event, std::int64_t now_ns) {
   if (const auto* const walk = std::get_if<simulator::WalkEvent>(&event.action)) {
-    on_command(walk->walk, walk->turn_rate_rad_per_s, now_ns);
+    on_command(walk->walk, walk->velocity_m_per_s, walk->turn_rate_rad_per_s, now_ns);
   } else if (std::holds_alternative<simulator::StopEvent>(event.action)) {
-    walking_ = false;
-    commanded_turn_rate_rad_per_s_ = 0.0;
+    on_command(false, {}, 0.0, now_ns);
   }
 }
 
-void RunRecorder::on_command(bool walk, double turn_rate_rad_per_s, std::int64_t now_ns) {
+void RunRecorder::on_command(bool walk, const Eigen::Vector2d& velocity_m_per_s, double turn_rate_rad_per_s,
+                             std::int64_t now_ns) {
+  commanded_velocity_m_per_s_ = walk ? velocity_m_per_s : Eigen::Vector2d::Zero();
   commanded_turn_rate_rad_per_s_ = walk ? turn_rate_rad_per_s : 0.0;
   if (walk != walking_) {
     walking_ = walk;
@@ -140,7 +141,7 @@ void RunRecorder::on_command(bool walk, double turn_rate_rad_per_s, std::int64_t
 void RunRecorder::follow_walk_command(std::int64_t now_ns) {
   WalkCommand command{};
   if (run_.others_command_walk() && walk_command_.read(command).status == msgclient::ReadStatus::value) {
-    on_command(command.walk != 0, command.turn_rate, now_ns);
+    on_command(command.walk != 0, {command.velocity[0], command.velocity[1]}, command.turn_rate, now_ns);
   }
 }
 
@@ -187,13 +188,21 @@ void RunRecorder::measure_progress(std::int64_t now_ns, const RunSample& sample)
     metrics_.start_yaw_rad = metrics_.end_yaw_rad = yaw;
   }
   const Eigen::Vector2d moved = Eigen::Rotation2Dd(-metrics_.end_yaw_rad) * (position - metrics_.end_m);
-  if (walking_ && now_ns - walking_since_ns_ > kStartUp_ns) {
+  const bool started = walking_ && now_ns - walking_since_ns_ > kStartUp_ns;
+  if (started) {
     metrics_.path_m += moved.x();
     metrics_.sideways_m += moved.y();
     metrics_.walked_s += kSlot_s;
   }
+  const double turned = std::remainder(yaw - metrics_.end_yaw_rad, 2.0 * std::numbers::pi);
+  if (const double speed = commanded_velocity_m_per_s_.norm(); speed > 0.0) {
+    metrics_.way_m.add(speed * kSlot_s, moved.dot(commanded_velocity_m_per_s_) / speed, started);
+  }
+  if (const double rate = commanded_turn_rate_rad_per_s_; rate != 0.0) {
+    metrics_.turn_rad.add(std::abs(rate) * kSlot_s, std::copysign(1.0, rate) * turned, started);
+  }
   metrics_.end_m = position;
-  metrics_.end_yaw_rad += std::remainder(yaw - metrics_.end_yaw_rad, 2.0 * std::numbers::pi);
+  metrics_.end_yaw_rad += turned;
   metrics_.commanded_yaw_rad += commanded_turn_rate_rad_per_s_ * kSlot_s;
 }
 

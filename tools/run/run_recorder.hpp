@@ -41,7 +41,8 @@ class RunRecorder final : public simulator::CosimulationObserver {
  private:
   void read_plan();
   void follow_walk_command(std::int64_t now_ns);
-  void on_command(bool walk, double turn_rate_rad_per_s, std::int64_t now_ns);
+  void on_command(bool walk, const Eigen::Vector2d& velocity_m_per_s, double turn_rate_rad_per_s,
+                  std::int64_t now_ns);
   void add_sample(std::int64_t now_ns);
   [[nodiscard]] const MotionPlan* running_plan(std::uint32_t cycle) const noexcept;
   void measure_progress(std::int64_t now_ns, const RunSample& sample);
@@ -68,6 +69,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   std::int64_t cycle_start_ns_ = 0;
   bool walking_ = false;
   std::int64_t walking_since_ns_ = 0;
+  Eigen::Vector2d commanded_velocity_m_per_s_ = Eigen::Vector2d::Zero();
   double commanded_turn_rate_rad_per_s_ = 0.0;
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "tools/run/run_outcome.hpp"
+
 namespace gaitway::tools {
 namespace {
 
@@ -92,10 +94,19 @@ nlohmann::ordered_json events(const simulator::Cosimulation& run) {
 
 }  // namespace
 
+RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& recorder) {
+  const NetworkState& state = run.message_controller().state();
+  return outcome_of(recorder.metrics(),
+                    {.handed_over = state.handed_over,
+                     .refused = state.refused + run.main_controller().statistics().refused_locally},
+                    static_cast<double>(run.now_ns()) * 1e-9);
+}
+
 nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,
                                const RunTiming& timing, std::uint64_t seed, double mismatch) {
   const RunMetrics& metrics = recorder.metrics();
   const double virtual_s = static_cast<double>(run.now_ns()) * 1e-9;
+  const RunOutcome outcome = outcome_of(run, recorder);
   nlohmann::ordered_json result = {
       {"robot", run.robot().name},
       {"profile", run.message_controller().profile().name},
@@ -108,6 +119,10 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
                                             ? nlohmann::ordered_json(virtual_s / timing.physics_only_wall_s)
                                             : nlohmann::ordered_json(nullptr)},
       {"fell", metrics.fell},
+      {"outcome", name(outcome.verdict)},
+      {"result", outcome.text},
+      {"commanded_m", metrics.way_m.commanded},
+      {"commanded_and_done_m", metrics.way_m.done},
       {"distance_m", metrics.distance_m()},
       {"mean_speed_m_s", metrics.mean_speed_m_per_s()},
       {"mean_side_speed_m_s", metrics.mean_side_speed_m_per_s()},
@@ -142,8 +157,7 @@ std::string summary_table(const nlohmann::ordered_json& s) {
   const auto row = [&text](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<26}{}\n", label, value);
   };
-  row("result",
-      s["fell"].get<bool>() ? fmt::format("FELL at {:.2f} s", number(s["fell_at_s"])) : "stayed up");
+  row("result", s["result"].get<std::string>());
   row("distance",
       fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
   row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),

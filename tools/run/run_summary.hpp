@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gaitway/simulator/cosimulation.hpp"
+#include "tools/run/run_outcome.hpp"
 #include "tools/run/run_recorder.hpp"
 
 namespace gaitway::tools {
@@ -14,6 +15,8 @@ struct RunTiming {
   double wall_s = 0.0;               // of the whole chain with its logs, without pictures and report
   double physics_only_wall_s = 0.0;  // of the bare replay of the same torques
 };
+
+[[nodiscard]] RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& recorder);
 
 nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,
                                const RunTiming& timing, std::uint64_t seed, double mismatch);

@@ -292,7 +292,7 @@ int serve(const ServeOptions& options) {
     loop.stand();
   }
   write_results(options, run, observer, pace, static_cast<double>(process::monotonic_ns() - began_ns) * 1e-9);
-  return observer.recorder.metrics().fell ? kExitFell : kExitFine;
+  return exit_code(outcome_of(run, observer.recorder).verdict);
 }
 
 void declare(const CommandLine& app) {
@@ -330,7 +330,9 @@ void declare(const CommandLine& app) {
       "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
       "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
       "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"
-      "Exit code: 0 the robot stayed up, 2 it fell, 1 the input was bad and nothing moved.");
+      "Exit code: 0 the robot stayed up, 2 it fell, 3 more than a tenth of its batches were refused, or it "
+      "had none; 1 the\n"
+      "input was bad and nothing moved.");
   command.runs([given] { return serve(*given); });
 }
 
