@@ -123,7 +123,7 @@ void RunRecorder::on_event(const simulator::ScenarioEvent& event, std::int64_t n
   if (const auto* const walk = std::get_if<simulator::WalkEvent>(&event.action)) {
     on_command(walk->walk, walk->velocity_m_per_s, walk->turn_rate_rad_per_s, now_ns);
   } else if (std::holds_alternative<simulator::StopEvent>(event.action)) {
-    on_command(false, {}, 0.0, now_ns);
+    on_command(false, Eigen::Vector2d::Zero(), 0.0, now_ns);
   }
 }
 
