@@ -185,7 +185,6 @@ TEST_F(EmergencyStopTest, AJointMovesWhileTheRobotKeepsItsBalance) {
                     robot_.joints[static_cast<std::size_t>(neck_yaw())].count_rad,
                 target_rad, 0.002)
         << "trial " << trial;
-    std::fprintf(stderr, "trial %d mode %d\n", trial, static_cast<int>(mode()));
   }
   EXPECT_FALSE(run_.plant().fallen());
 }
