@@ -228,6 +228,8 @@ void require_known_motions(const simulator::Scenario& scenario, const RunOptions
       known.push_back(entry.path().stem().string());
     }
   }
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
   for (const simulator::ScenarioEvent& event : scenario.events) {
     const auto* const motion = std::get_if<simulator::MotionEvent>(&event.action);
     if (motion != nullptr && !motion->name.empty() &&
