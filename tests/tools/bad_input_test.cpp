@@ -343,6 +343,7 @@ TEST_F(BadInput, ServersThatMayNotBe) {
 
 TEST_F(BadInput, CommandsThatDoNotExist) {
   expect_refused_line("", {"subcommand is required"});
+  expect_refused_line("rnu", {"Did you mean 'run'?"});
   expect_refused_line("rum", {"'rum': there is no such command or option", "Did you mean 'run'?"});
   EXPECT_EQ(std::count(complaint_.begin(), complaint_.end(), '\n'), 1) << complaint_;
   expect_refused_line("ctl reload sway", {"'gaitway ctl reload' is called 'gaitway ctl plugin reload'"});

@@ -9,7 +9,7 @@
 
 namespace gaitway::input {
 
-// Edits (insert, remove, replace one character) between two names: the Levenshtein distance.
+// Edits (insert, remove, replace one character, swap two neighbours) between two names.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
 // The candidate with the fewest edits, if at most half of the name's characters differ; nothing otherwise.
