@@ -189,11 +189,15 @@ TEST_F(UserCommandQueueTest, AStopTakesBackTheMovementThatWaits) {
   EXPECT_EQ(controller_.mode(), Mode::holding);
 }
 
+// Three counts a time slot: within 0.3 s each joint is 4 degrees away.
 TEST_F(UserCommandQueueTest, AJointDoesNotMoveByHandWhileABatchOrItsTailMoves) {
-  hand_over(2);
+  EXPECT_EQ(give(2, [](int point) { return 3 * point; }), Reason::none);
   run_until(2 * kCycle_ns + 5 * kMillisecond_ns);
   ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad)));
   EXPECT_EQ(outcome(), Reason::not_standing);
+  run_until(3 * kCycle_ns + 5 * kMillisecond_ns);
+  ASSERT_TRUE(push(move(3, robot_.joints[3].home_rad)));
+  EXPECT_EQ(outcome(), Reason::not_standing) << "its tail";
 }
 
 TEST_F(UserCommandQueueTest, WhatNobodyKnowsIsRefused) {
