@@ -165,14 +165,14 @@ TEST(Codecs, WhatIsNotTheMessageIsRefused) {
   EXPECT_FALSE(decode_sync(kFullProfile, {sync.id, sync.size, sync.data, true, false})) << "extended";
   EXPECT_FALSE(decode_sync(kFullProfile, {sync.id, sync.size, sync.data, false, true})) << "remote";
   EXPECT_FALSE(decode_sync(kPaperProfile, sync)) << "not in that profile";
-  EXPECT_FALSE(decode_emergency_stop(kFullProfile, Frame{0x001, 1, {2}})) << "no such mode";
+  EXPECT_FALSE(decode_emergency_stop(kFullProfile, Frame{0x001, 1, {3}})) << "no such mode";
   EXPECT_FALSE(decode_user_command(kFullProfile, Frame{0x002, 4, {0, 0, 0, 1}})) << "no such node";
   EXPECT_FALSE(decode_user_command(kFullProfile, Frame{0x002, 4, {65, 0, 0, 1}})) << "no such node";
   EXPECT_FALSE(decode_feedback(kFullProfile, Frame{kFullProfile.id_of(MessageKind::feedback, 65), 8, {}}));
   for (unsigned mode = 0; mode < 256; ++mode) {
     EXPECT_EQ(
         decode_emergency_stop(kFullProfile, Frame{0x001, 1, {static_cast<std::uint8_t>(mode)}}).has_value(),
-        mode <= 1);
+        mode <= 2);
     EXPECT_EQ(
         decode_user_command(kFullProfile, Frame{0x002, 4, {static_cast<std::uint8_t>(mode)}}).has_value(),
         mode >= 1 && mode <= kLargestNode);
