@@ -14,7 +14,7 @@ namespace {
 // has been silent for two slots, it does so as soon as the feedback is in, since every millisecond costs
 // stability.
 constexpr std::int64_t kOwnTrimInSlot_ns = 7 * facts::kMillisecond_ns;
-constexpr std::uint32_t kSilentSlots = 2;
+constexpr std::uint32_t kSlotsWithoutTrims = 2;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void TrimSender::take(const msgclient::TrimUpdate& update) noexcept {
 
 void TrimSender::stand_in(std::int64_t in_slot_ns, bool heard, const Imu& imu,
                           std::uint8_t support) noexcept {
-  const bool silent = link_.slots_since_start - last_taken_slot_ > kSilentSlots;
+  const bool silent = link_.slots_since_start - last_taken_slot_ > kSlotsWithoutTrims;
   const bool due = silent ? heard : in_slot_ns == kOwnTrimInSlot_ns;
   if (sent_in_this_slot_ || !due || gains_.channel_count == 0 || link_.mode() == Mode::emergency_stop) {
     return;
