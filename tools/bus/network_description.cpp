@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <string_view>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/sensor_channels.hpp"
 
 namespace gaitway::tools {
@@ -17,8 +17,6 @@ namespace {
 
 using can::IdRule;
 using can::MessageKind;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 // The nearest C identifier.
 std::string identifier(std::string_view text) {
@@ -166,7 +164,7 @@ class Describer {
       signal.factor = 0.125;
       signal.unit = "Nm";
     } else if (field.unit == "count" && field.is_signed && joint != nullptr) {
-      signal.factor = joint->count_rad * kDegrees;
+      signal.factor = joint->count_rad * facts::kDegreePerRad;
       signal.unit = "deg";
     } else if (field.unit == "trim count") {
       describe_trim(static_cast<int>(index_of(field.name)), signal);
@@ -175,8 +173,8 @@ class Describer {
     }
     set_range(signal);
     if (joint != nullptr && kind == MessageKind::feedback && field.name == "position") {
-      signal.lowest = joint->lower_rad * kDegrees;
-      signal.highest = joint->upper_rad * kDegrees;
+      signal.lowest = joint->lower_rad * facts::kDegreePerRad;
+      signal.highest = joint->upper_rad * facts::kDegreePerRad;
     }
     return signal;
   }
@@ -192,7 +190,7 @@ class Describer {
   }
 
   void describe_trim(int channel, DescribedSignal& signal) const {
-    signal.factor = robot_.trim.count_rad * kDegrees;
+    signal.factor = robot_.trim.count_rad * facts::kDegreePerRad;
     signal.unit = "deg";
     for (const DescribedNode& node : description_.nodes) {
       if (robot_.joints[static_cast<std::size_t>(node.joint)].trim_channel == channel) {

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <set>
 #include <span>
 #include <string_view>
 #include <utility>
 
 #include "gaitway/can/frame.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "tools/bus/network_document_text.hpp"
 
 namespace gaitway::tools {
@@ -156,9 +156,9 @@ class Document {
         }
       }
       const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(node.joint)];
-      constexpr double kDegrees = 180.0 / std::numbers::pi;
-      put(" {}° | {:.1f}° to {:.1f}° | {} |\n", number_text(joint.count_rad * kDegrees),
-          joint.lower_rad * kDegrees, joint.upper_rad * kDegrees, channels(network, node.node));
+      put(" {}° | {:.1f}° to {:.1f}° | {} |\n", number_text(joint.count_rad * facts::kDegreePerRad),
+          joint.lower_rad * facts::kDegreePerRad, joint.upper_rad * facts::kDegreePerRad,
+          channels(network, node.node));
     }
   }
 

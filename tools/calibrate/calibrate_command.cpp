@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/process/installation.hpp"
@@ -110,7 +111,7 @@ SimulatedCalibration simulate(const CalibrateOptions& options, const urdf::Robot
       robot, poses,
       {.seed = seed,
        .mismatch = options.mismatch,
-       .play_rad = options.play_deg * kDegree_rad,
+       .play_rad = options.play_deg * facts::kRadPerDegree,
        .rounds = options.rounds,
        .measured_s = options.measure_s,
        .weighing_deviation_kg = options.weighed_deviation_kg,
@@ -169,8 +170,8 @@ int from_measurements(const CalibrateOptions& options, const urdf::RobotModel& r
   CalibrationSettings settings;
   settings.weighing = measured.weighing;
   if (options.weighed_kg) settings.weighing = Weighing{*options.weighed_kg, options.weighed_deviation_kg};
-  if (options.play_deg > 0.0) allow_play(options.play_deg * kDegree_rad, settings.standing);
-  settings.standing.floor_tilt_rad = options.floor_deg * kDegree_rad;
+  if (options.play_deg > 0.0) allow_play(options.play_deg * facts::kRadPerDegree, settings.standing);
+  settings.standing.floor_tilt_rad = options.floor_deg * facts::kRadPerDegree;
   if (!options.record.empty()) {
     process::write_text_file(options.record, measurement_text({settings.weighing, measured.poses}, robot));
   }

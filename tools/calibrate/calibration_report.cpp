@@ -1,5 +1,6 @@
 // Tables in plain text, and YAML.
 #include "tools/calibrate/calibration_report.hpp"
+#include "gaitway/facts/facts.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,6 @@
 namespace gaitway::calibration {
 namespace {
 
-constexpr double kRad_deg = 1.0 / kDegree_rad;
 constexpr double kMm = 1000.0, kPercent = 100.0;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, kCells> kCellNames{"front left", "front right", "rear left", "rear right"};
@@ -34,8 +34,9 @@ ReportSection zero_section(const urdf::RobotModel& robot, const Calibration& cal
   ReportSection section{of_legs ? "Joint zeros: legs" : "Joint zeros: others", {}};
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     if (is_of_a_leg(robot, j) != of_legs) continue;
-    section.rows.push_back({robot.joints[j].name, "deg", scaled(calibration.zero_rad[j], kRad_deg),
-                            truth != nullptr ? kRad_deg * truth->zero_rad[j] : kUnknown});
+    section.rows.push_back({robot.joints[j].name, "deg",
+                            scaled(calibration.zero_rad[j], facts::kDegreePerRad),
+                            truth != nullptr ? facts::kDegreePerRad * truth->zero_rad[j] : kUnknown});
   }
   return section;
 }
@@ -71,7 +72,7 @@ ReportSection posture_section(const urdf::RobotModel& robot, const Calibration& 
   for (std::size_t i = 0; i < calibration.posture.size(); ++i) {
     const PostureError& error = calibration.posture[i];
     const bool is_length = error.unit == "m";
-    const double factor = is_length ? kMm : kRad_deg;
+    const double factor = is_length ? kMm : facts::kDegreePerRad;
     section.rows.push_back(
         {error.name, is_length ? "mm" : "deg", scaled(error.estimate, factor), factor * real[i]});
   }
@@ -141,7 +142,7 @@ std::string calibration_text(const urdf::RobotModel& robot, const Calibration& c
     const Estimate& zero = calibration.zero_rad[j];
     if (!is_told(zero)) continue;
     text += fmt::format("  {}: {{value: {:.4f}, deviation: {:.4f}}}\n", robot.joints[j].name,
-                        kRad_deg * zero.value, kRad_deg * zero.deviation);
+                        facts::kDegreePerRad * zero.value, facts::kDegreePerRad * zero.deviation);
   }
   return text + fmt::format(
                     "trunk_com_offset_m: {}\nforce_cell_gains:  # front left, front right, rear left, rear "

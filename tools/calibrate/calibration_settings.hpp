@@ -2,18 +2,17 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include <Eigen/Core>
 
-namespace gaitway::calibration {
+#include "gaitway/facts/facts.hpp"
 
-inline constexpr double kDegree_rad = std::numbers::pi / 180.0;
+namespace gaitway::calibration {
 
 // Standard deviations of a robot from its description, as they are manufactured.
 struct ManufacturingDeviations {
-  double joint_zero_rad = 0.4 * kDegree_rad;
+  double joint_zero_rad = 0.4 * facts::kRadPerDegree;
   Eigen::Vector3d trunk_com_m{0.006, 0.004, 0.006};
   double link_mass = 0.05;  // share
   double cell_gain = 0.03;  // share
@@ -24,23 +23,23 @@ struct ManufacturingDeviations {
 struct StandingDeviations {
   // Of an angle from what its encoder says, beyond its zero: in each pose anew, and the same in all of them,
   // as where the load holds a joint with play on one side.
-  double joint_rad = 0.002 * kDegree_rad;
+  double joint_rad = 0.002 * facts::kRadPerDegree;
   double lasting_joint_rad = 0.0;
   // Soles and floor give way like springs below the corners of the soles. How much is found with the rest,
   // about this mean.
   double sole_compliance_m_per_N = 5e-6;  // of a whole sole
   double sole_compliance_deviation_m_per_N = 5e-6;
-  double sole_unevenness = 0.05;               // share by which one sole in one pose gives otherwise
-  double sole_tilt_rad = 0.003 * kDegree_rad;  // of a sole against the floor, beyond that
-  double sole_height_m = 0.00001;              // of one sole against the other, beyond that
-  double creep_ahead_m = 0.0001;               // of a foot from pose to pose
-  double creep_aside_m = 0.0002;               // the same: legs press sideways against each other
-  double creep_rad = 0.08 * kDegree_rad;       // about the vertical
-  double floor_tilt_rad = 0.0;                 // of the floor against the horizontal; 0: it is level
-  double plate_unevenness = 0.0003;            // of a foot's force: springs of its cells are not quite equal
+  double sole_unevenness = 0.05;                        // share by which one sole in one pose gives otherwise
+  double sole_tilt_rad = 0.003 * facts::kRadPerDegree;  // of a sole against the floor, beyond that
+  double sole_height_m = 0.00001;                       // of one sole against the other, beyond that
+  double creep_ahead_m = 0.0001;                        // of a foot from pose to pose
+  double creep_aside_m = 0.0002;                        // the same: legs press sideways against each other
+  double creep_rad = 0.08 * facts::kRadPerDegree;       // about the vertical
+  double floor_tilt_rad = 0.0;                          // of the floor against the horizontal; 0: it is level
+  double plate_unevenness = 0.0003;  // of a foot's force: springs of its cells are not quite equal
   // A sole whose centre of pressure is this near to its edge may stand on the edge.
   double edge_m = 0.004;
-  double edge_tilt_rad = 1.0 * kDegree_rad;
+  double edge_tilt_rad = 1.0 * facts::kRadPerDegree;
   double edge_height_m = 0.001;
 };
 

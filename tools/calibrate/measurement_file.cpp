@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
@@ -44,7 +45,8 @@ std::vector<double> read_joints(const YamlValue& map, const urdf::RobotModel& ro
                    input::suggest(name, missing));
     }
     missing.erase(found);
-    joint_rad[static_cast<std::size_t>(robot.joint_index(name))] = value.number(kAngle) * kDegree_rad;
+    joint_rad[static_cast<std::size_t>(robot.joint_index(name))] =
+        value.number(kAngle) * facts::kRadPerDegree;
   }
   if (!missing.empty()) {
     map.refuse(fmt::format("the angle of '{}' is missing", missing.front()), "Give each joint's.");
@@ -73,8 +75,8 @@ StandingMeasurement read_pose(const YamlValue& map, const urdf::RobotModel& robo
   pose.specific_force_deviation_m_per_s2 = Eigen::Vector3d(force.deviation.data());
   if (const auto inclination = map.find("inclination_deg")) {
     const auto tilt = read_pair<2>(*inclination, kAngle);
-    pose.inclination_rad = Eigen::Vector2d(kDegree_rad * Eigen::Vector2d(tilt.value.data()));
-    pose.inclination_deviation_rad = kDegree_rad * Eigen::Vector2d(tilt.deviation.data());
+    pose.inclination_rad = Eigen::Vector2d(facts::kRadPerDegree * Eigen::Vector2d(tilt.value.data()));
+    pose.inclination_deviation_rad = facts::kRadPerDegree * Eigen::Vector2d(tilt.deviation.data());
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const auto cells = read_pair<kCells>(map.at(side == 0 ? "left_cells_N" : "right_cells_N"), kForce);
@@ -100,7 +102,6 @@ std::string pair_text(const Values& values, const Values& deviations, double fac
 }
 
 std::string pose_text(const StandingMeasurement& pose, const urdf::RobotModel& robot) {
-  constexpr double kRad_deg = 1.0 / kDegree_rad;
   std::string text =
       fmt::format("  - name: {}\n    stands: {}\n    placement: {}\n    joints_deg:\n", pose.pose,
                   pose.stands[0] && pose.stands[1] ? "both"
@@ -108,13 +109,13 @@ std::string pose_text(const StandingMeasurement& pose, const urdf::RobotModel& r
                                                    : "right",
                   pose.placement);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    text += fmt::format("      {}: {:.5f}\n", robot.joints[j].name, pose.joint_rad[j] * kRad_deg);
+    text += fmt::format("      {}: {:.5f}\n", robot.joints[j].name, pose.joint_rad[j] * facts::kDegreePerRad);
   }
   text += "    specific_force_m_per_s2: " +
           pair_text(pose.specific_force_m_per_s2, pose.specific_force_deviation_m_per_s2, 1.0, 7);
   if (pose.inclination_rad) {
     text += "    inclination_deg: " +
-            pair_text(*pose.inclination_rad, pose.inclination_deviation_rad, kRad_deg, 7);
+            pair_text(*pose.inclination_rad, pose.inclination_deviation_rad, facts::kDegreePerRad, 7);
   }
   text += "    left_cells_N: " + pair_text(pose.force_N[0], pose.force_deviation_N[0], 1.0, 6);
   return text + "    right_cells_N: " + pair_text(pose.force_N[1], pose.force_deviation_N[1], 1.0, 6);

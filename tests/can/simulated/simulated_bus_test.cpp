@@ -125,10 +125,10 @@ TEST_F(SimulatedBusTest, StatisticsCountEightByteFramesWithTheirInterframeSpace)
 
 // 22 joints and the message controller, each with a new frame as soon as its last one is out.
 std::vector<SimulatedBus::Delivery> saturate(int frames_each) {
-  constexpr int kStations = 23;
+  constexpr int kSaturating = 23;
   SimulatedBus bus;
   std::mt19937 random(5);
-  std::vector<int> left(kStations, frames_each);
+  std::vector<int> left(kSaturating, frames_each);
   const auto offer = [&](int station, std::int64_t now_ns) {
     int& rest = left[static_cast<std::size_t>(station)];
     if (rest > 0) {
@@ -138,7 +138,7 @@ std::vector<SimulatedBus::Delivery> saturate(int frames_each) {
       EXPECT_TRUE(bus.transmit(station, frame_of(id, size, static_cast<std::uint8_t>(rest)), now_ns));
     }
   };
-  for (int station = 0; station < kStations; ++station) {
+  for (int station = 0; station < kSaturating; ++station) {
     offer(bus.attach(), 0);
   }
   std::vector<SimulatedBus::Delivery> all;

@@ -32,7 +32,7 @@ std::vector<KeyPosture> postures_of(const std::string& keys) {
   return key_postures(humanoid22(), of_keys(keys), {});
 }
 
-std::string complaint_about(const std::string& keys) {
+std::string posture_complaint(const std::string& keys) {
   try {
     postures_of(keys);
   } catch (const MotionError& error) {
@@ -79,24 +79,24 @@ TEST(KeyPostures, LegAnglesAreTakenWhenTheyLeaveBothSolesFlat) {
       postures_of("  - {name: a, symmetric: {hip_pitch: -30, knee: 60, ankle_pitch: -30}}\n");
   EXPECT_NEAR(postures.at(1).joint_rad[humanoid22().joint_index("right_knee")], 60.0 * kDegree, 1e-12);
   EXPECT_THAT(
-      complaint_about("  - {name: a, joints: {left_knee: 60}}\n"),
+      posture_complaint("  - {name: a, joints: {left_knee: 60}}\n"),
       ::testing::AllOf(HasSubstr("test.yaml:4: key 'a'"), HasSubstr("right sole"), HasSubstr("pelvis")));
 }
 
 TEST(KeyPostures, NameTheKeyThatCannotBe) {
   EXPECT_THAT(
-      complaint_about("  - {name: tall, pelvis: {hip_height_m: 0.6}}\n"),
+      posture_complaint("  - {name: tall, pelvis: {hip_height_m: 0.6}}\n"),
       ::testing::AllOf(HasSubstr("key 'tall'"), HasSubstr("out of reach"), HasSubstr("lower hip_height_m")));
-  EXPECT_THAT(complaint_about("  - {name: far, pelvis: {hip_height_m: 0.3, forward_m: 0.07}}\n"),
+  EXPECT_THAT(posture_complaint("  - {name: far, pelvis: {hip_height_m: 0.3, forward_m: 0.07}}\n"),
               ::testing::AllOf(HasSubstr("key 'far'"), HasSubstr("edge of the support")));
-  EXPECT_THAT(complaint_about("  - {name: one leg, contact: left}\n"),
+  EXPECT_THAT(posture_complaint("  - {name: one leg, contact: left}\n"),
               HasSubstr("standing on the left foot"));
   EXPECT_THAT(
-      complaint_about("  - {name: over, pelvis: {hip_height_m: 0.345, over: left}}\n"
-                      "  - {name: up, contact: left, right_foot: {up_m: 0.05}}\n"
-                      "  - {name: home, from: home}\n"),
+      posture_complaint("  - {name: over, pelvis: {hip_height_m: 0.345, over: left}}\n"
+                        "  - {name: up, contact: left, right_foot: {up_m: 0.05}}\n"
+                        "  - {name: home, from: home}\n"),
       ::testing::AllOf(HasSubstr("key 'home'"), HasSubstr("not flat on the ground"), HasSubstr("50.0 mm")));
-  EXPECT_THAT(complaint_about("  - {name: elbow, joints: {left_elbow: 0}}\n"), HasSubstr("left_elbow"));
+  EXPECT_THAT(posture_complaint("  - {name: elbow, joints: {left_elbow: 0}}\n"), HasSubstr("left_elbow"));
 }
 
 }  // namespace
