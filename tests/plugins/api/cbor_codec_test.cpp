@@ -81,14 +81,14 @@ void expect_typed_array(const json& item, std::span<const T> numbers) {
 }
 
 template <class T>
-void expect_same(const json& item, const T& value) {
+void expect_decoded(const json& item, const T& value) {
   if constexpr (Message<T>) {
     std::size_t fields = 0;
     value.fields([&](std::string_view name, const auto& field) {
       ++fields;
       SCOPED_TRACE(name);
       ASSERT_TRUE(item.contains(name));
-      expect_same(item.at(std::string(name)), field);
+      expect_decoded(item.at(std::string(name)), field);
     });
     EXPECT_EQ(item.size(), fields);
   } else if constexpr (Array<T>) {
@@ -98,7 +98,7 @@ void expect_same(const json& item, const T& value) {
     } else {
       ASSERT_EQ(item.size(), value.size());
       for (std::size_t i = 0; i < value.size(); ++i) {
-        expect_same<Element>(item[i], value[i]);
+        expect_decoded<Element>(item[i], value[i]);
       }
     }
   } else if constexpr (std::floating_point<T>) {
@@ -173,7 +173,7 @@ TEST(CborCodec, HoldsEveryValueOfRandomMessages) {
     SCOPED_TRACE(seed);
     RandomMessage random(seed, Text::utf8);
     const auto message = random.make<EveryKind>();
-    expect_same(decoded(bytes_of(message)), message);
+    expect_decoded(decoded(bytes_of(message)), message);
   }
 }
 
@@ -182,11 +182,11 @@ TEST(CborCodec, HoldsEveryValueOfTheMessagesOfTheRobot) {
     SCOPED_TRACE(seed);
     RandomMessage random(seed, Text::utf8);
     const auto odometry = random.make<ros::Odometry>();
-    expect_same(decoded(bytes_of(odometry)), odometry);
+    expect_decoded(decoded(bytes_of(odometry)), odometry);
     const auto transforms = random.make<ros::TFMessage>();
-    expect_same(decoded(bytes_of(transforms)), transforms);
+    expect_decoded(decoded(bytes_of(transforms)), transforms);
     const auto parameters = random.make<ros::GetParameters::Response>();
-    expect_same(decoded(bytes_of(parameters)), parameters);
+    expect_decoded(decoded(bytes_of(parameters)), parameters);
   }
 }
 

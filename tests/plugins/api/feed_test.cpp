@@ -20,7 +20,7 @@ namespace {
 using test::humanoid;
 
 using facts::kMillisecond_ns;
-constexpr std::int64_t kSlot_ns = 10 * kMillisecond_ns;
+using facts::kSlot_ns;
 
 ros::Time time_of(std::int64_t time_ns) {
   return {static_cast<std::int32_t>(time_ns / 1'000'000'000),

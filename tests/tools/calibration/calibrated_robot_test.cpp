@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tools/calibrate/calibration_report.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "tools/calibrate/calibration_report.hpp"
 
 namespace gaitway::calibration {
 namespace {
@@ -88,8 +89,8 @@ TEST_P(CalibratedRobot, KnowsItsJointsAndStandsUpright) {
   const SimulatedCalibration found = calibrate_simulated(described, poses, {.seed = GetParam()});
   std::ofstream(folder_ / "calibration.yaml") << calibration_text(described, found.calibration);
   const Errors after = stand();
-  EXPECT_GT(before.joint_rad, 0.25 * kDegree_rad);
-  EXPECT_LT(after.joint_rad, 0.08 * kDegree_rad);
+  EXPECT_GT(before.joint_rad, 0.25 * facts::kRadPerDegree);
+  EXPECT_LT(after.joint_rad, 0.08 * facts::kRadPerDegree);
   EXPECT_LT(after.tilt_rad, 0.5 * before.tilt_rad);
   EXPECT_LT(after.force_N, before.force_N);
 }

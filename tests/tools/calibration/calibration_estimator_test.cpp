@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tools/calibrate/calibration_report.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "synthetic_stances.hpp"
+#include "tools/calibrate/calibration_report.hpp"
 
 namespace gaitway::calibration {
 namespace {
@@ -66,7 +67,7 @@ TEST_F(CalibrationEstimator, says_what_the_poses_cannot_tell) {
     return simulated.calibration.zero_rad[static_cast<std::size_t>(robot_.joint_index(joint))];
   };
   EXPECT_LT(zero("left_elbow").learned(), 0.01);  // arms never move in these poses
-  EXPECT_NEAR(zero("left_elbow").value, 0.0, 0.02 * kDegree_rad);
+  EXPECT_NEAR(zero("left_elbow").value, 0.0, 0.02 * facts::kRadPerDegree);
   EXPECT_GT(zero("left_hip_roll").learned(), 0.9);
   const std::string report = report_text(robot_, simulated.calibration, nullptr);
   EXPECT_THAT(report, testing::ContainsRegex("left_elbow[^\n]*the poses cannot tell"));
@@ -106,9 +107,9 @@ TEST_F(CalibrationEstimator, a_foot_on_a_pebble_does_not_fit) {
   SimulatedCalibration simulated = simulate(9);
   for (std::size_t i = 0; i < simulated.measurements.size(); i += 2) {
     auto& joint_rad = simulated.measurements[i].joint_rad;
-    joint_rad[static_cast<std::size_t>(robot_.legs[1].joints[3])] += 2.0 * kDegree_rad;
-    joint_rad[static_cast<std::size_t>(robot_.legs[1].joints[2])] -= 1.0 * kDegree_rad;
-    joint_rad[static_cast<std::size_t>(robot_.legs[1].joints[4])] -= 1.0 * kDegree_rad;
+    joint_rad[static_cast<std::size_t>(robot_.legs[1].joints[3])] += 2.0 * facts::kRadPerDegree;
+    joint_rad[static_cast<std::size_t>(robot_.legs[1].joints[2])] -= 1.0 * facts::kRadPerDegree;
+    joint_rad[static_cast<std::size_t>(robot_.legs[1].joints[4])] -= 1.0 * facts::kRadPerDegree;
   }
   EXPECT_GT(calibrate(robot_, simulated.measurements, simulated.settings).misfit, kLargestMisfit);
 }
