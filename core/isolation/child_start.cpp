@@ -1,4 +1,4 @@
-// Spawns, answers, waits.
+// Starts the child's process, answers what it asks, and waits for it without blocking the ticks.
 #include "child_start.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Layout, spinning, futex.
+// Layout of the shared memory; how both sides wait: they look for a while, then sleep on a futex.
 //
 // No wake-up is lost. Ringing: A1 number = n, A2 read asleep. Sleeping: B1 asleep = 1, B2 read number (the
 // kernel reads it again under its own lock before it sleeps). All four are sequentially consistent, so in

@@ -1,4 +1,4 @@
-// From the preparation to the end of the trial.
+// A change from its preparation to the end of its trial.
 #include "gaitway/manager/change_control.hpp"
 
 #include <fmt/format.h>

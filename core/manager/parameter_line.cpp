@@ -1,4 +1,4 @@
-// Written again with less until it fits.
+// A parameter as one line of JSON: its longest texts are shortened until the line fits.
 #include "gaitway/manager/parameter_set.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Who writes what decides who goes.
+// A library that comes takes the place of the plug-ins that write one of its topics.
 #include "gaitway/manager/plugin_exchange.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// A plug-in without a library.
+// Takes the place of a plug-in that is stopped, with its topics and without its library.
 #include "stand_in.hpp"
 
 #include <algorithm>

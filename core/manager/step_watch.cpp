@@ -1,4 +1,4 @@
-// A page of a memfd.
+// One shared page of memory (memfd), which the supervisor maps, too.
 #include "gaitway/manager/step_watch.hpp"
 
 #include <sys/mman.h>

@@ -1,4 +1,4 @@
-// Counts the points that have been played since.
+// Counts the points that have been played since the batch that was accepted last began.
 #include "gaitway/trajectory/accepted_references.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One request, one answer.
+// Answers each request for a motion: taken, or refused with its reason.
 #include "gaitway/trajectory/motion_admission.hpp"
 
 #include <fmt/format.h>

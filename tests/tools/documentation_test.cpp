@@ -44,8 +44,8 @@ std::string example(const std::string& name) {
 }
 
 TEST(FirstPlugin, EverySnippetIsBuilt) {
-  const std::vector<std::string> built{as_dance(text_of("tools/templates/trajectory.cpp")),
-                                       as_dance(text_of("tools/templates/trajectory_test.cpp")),
+  const std::vector<std::string> built{as_dance(text_of("tools/new_plugin/templates/trajectory.cpp")),
+                                       as_dance(text_of("tools/new_plugin/templates/trajectory_test.cpp")),
                                        text_of("docs/examples/dance.cpp")};
   const std::vector<std::string> snippets = blocks(text_of("docs/first-plugin.md"), "cpp");
   ASSERT_GE(snippets.size(), 6U);

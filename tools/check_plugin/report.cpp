@@ -1,4 +1,4 @@
-// What people and machines read.
+// The findings of a check as text and as JSON.
 #include <fmt/format.h>
 
 #include <algorithm>

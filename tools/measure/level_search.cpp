@@ -1,4 +1,4 @@
-// Up from the floor, or down from it.
+// Tries levels upwards from the floor; downwards where the floor does not hold.
 #include "tools/measure/level_search.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Builds trials.
+// Which trials each row of the gait table consists of, level by level.
 #include "tools/measure/trial_lists.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Made, and tried with a file.
+// Makes the folder, and tries whether a file can be made in it.
 #include "tools/run/output_folder.hpp"
 
 #include <fmt/format.h>
