@@ -331,6 +331,9 @@ void MessageController::start_from_measured() noexcept {
 void MessageController::stop_early(std::int64_t now_ns) noexcept {
   constexpr std::int64_t kSend_ns = 3'500'000;  // a batch to 22 joints while nobody else speaks takes 3 ms
   hand_.stop();
+  if (mode() == Mode::emergency_stop) {
+    return;
+  }
   stop_safely();
   const std::int64_t left_ns = facts::kCycle_ns - now_ns % facts::kCycle_ns;
   if (!stop_requested_ || left_ns < kSend_ns || !link_.synchronised()) {

@@ -147,6 +147,20 @@ TEST_F(ReleaseTest, AJointThatIsMissingKeepsTheRobotStopped) {
   expect_all(can::JointState::stopped);
 }
 
+TEST_F(ReleaseTest, AStopAfterAnEmergencyStopDoesNotEndIt) {
+  hand_over(2);
+  ASSERT_EQ(hand_over(3).verdict, Verdict::accepted);  // waits while batch 2 runs
+  bus_.intrude(controller_, can::encode(can::kFullProfile, can::Trajectory{.node = 5}), now_ns_);  // forged
+  push(Kind::emergency_stop_hold);
+  EXPECT_EQ(outcome(), Reason::none);
+  push(Kind::stop);
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
+  run_until(4 * kCycle_ns);
+  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
+  EXPECT_EQ(controller_.state().tail_played, 0U);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:
