@@ -158,7 +158,7 @@ void MessageController::send_sync(std::int64_t now_ns) noexcept {
                                                     .toggle = running.toggle,
                                                     .softness = trims_.softness()}),
                now_ns + kSlot_ns);
-  } else if (state.slot == 0 && running.active) {
+  } else if (state.slot == 0 && running.active && mode() != Mode::emergency_stop) {
     supervision_.send_running();
   }
   if (state.slot == 0 && link_.profile.has(can::MessageKind::heartbeat)) {
@@ -287,6 +287,7 @@ Reason MessageController::obey(const msgclient::UserCommandMail& mail, std::int6
 
 void MessageController::emergency_stop(bool soft) noexcept {
   hand_.stop();
+  supervision_.drop_waiting();  // a joint that is released soon would play it
   emergency_stop_.stop(soft);
 }
 

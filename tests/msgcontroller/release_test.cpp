@@ -161,6 +161,26 @@ TEST_F(ReleaseTest, AStopAfterAnEmergencyStopDoesNotEndIt) {
   EXPECT_EQ(controller_.state().tail_played, 0U);
 }
 
+TEST_F(ReleaseTest, WhatWaitsToBeSentIsDroppedByAnEmergencyStop) {
+  run_until(2 * kCycle_ns - 16 * kMillisecond_ns);
+  ASSERT_TRUE(adapter_.host().post(*std::make_unique<msgclient::HandOver>(batch(2)), now_ns_));
+  for (const std::int64_t end_ns = now_ns_ + 3 * kMillisecond_ns; now_ns_ < end_ns;
+       now_ns_ += kMillisecond_ns) {
+    controller_.step(now_ns_);  // the bus is busy: nobody takes frames
+  }
+  ASSERT_FALSE(controller_.queue().empty());
+  push(Kind::emergency_stop_hold);
+  controller_.step(now_ns_);
+  int stops = 0;
+  can::Frame frame;
+  while (controller_.take_frame(frame)) {
+    const can::MessageKind kind = can::kFullProfile.identify(frame.id)->kind;
+    EXPECT_NE(kind, can::MessageKind::trajectory) << "a joint that is released soon would play it";
+    stops += kind == can::MessageKind::emergency_stop ? 1 : 0;
+  }
+  EXPECT_EQ(stops, 1);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:
@@ -180,6 +200,31 @@ TEST_F(PaperReleaseTest, TheJointsHoldAgain) {
   EXPECT_EQ(answer->verdict, Verdict::accepted);
   EXPECT_EQ(controller_.mode(), Mode::holding);
   EXPECT_EQ(bus_.joint(0).state(), can::JointState::holding);
+}
+
+// The next cycle begins before the joints, which move again, have confirmed their release.
+TEST_F(PaperReleaseTest, NothingOfBeforeTheStopIsPlayed) {
+  msgclient::HandOver plan = batch(2);
+  for (int point = 0; point < static_cast<int>(plan.point_count); ++point) {
+    for (std::size_t joint = 0; joint < robot_.joints.size(); ++joint) {
+      if (robot_.joints[joint].node > 12) {
+        plan.set_position(point, static_cast<int>(joint), static_cast<float>(robot_.joints[joint].home_rad));
+      }
+    }
+  }
+  run_until(2 * kCycle_ns - 16 * kMillisecond_ns);
+  ASSERT_TRUE(adapter_.host().post(plan, now_ns_));
+  run_until(now_ns_ + 3 * kMillisecond_ns);
+  ASSERT_EQ(adapter_.host().take_answer(now_ns_)->verdict, Verdict::accepted);
+  command(Kind::emergency_stop_hold);
+  run_until(2 * kCycle_ns - 7 * kMillisecond_ns);
+  ASSERT_TRUE(adapter_.host().post(msgclient::UserCommandMail{.sequence = ++commands_, .kind = Kind::release},
+                                   now_ns_));
+  run_until(4 * kCycle_ns);
+  EXPECT_EQ(adapter_.host().take_answer(now_ns_)->verdict, Verdict::accepted);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  EXPECT_EQ(bus_.sent[can::MessageKind::trajectory], 0);
+  EXPECT_EQ(bus_.count(0), 0) << "these joints' encoders read 0";
 }
 
 }  // namespace
