@@ -63,7 +63,7 @@ void EmergencyStop::supervise(int joint, const can::Feedback& feedback) noexcept
     if (stopped) {
       send(can::StopMode::release);
     }
-  } else if (!stopped) {
+  } else if (!stopped || (soft_ && feedback.state != can::JointState::soft)) {
     link_.watch.count(Incident::stop_repeated, feedback.node);
     repeat();
   }

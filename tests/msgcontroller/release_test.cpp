@@ -181,6 +181,17 @@ TEST_F(ReleaseTest, WhatWaitsToBeSentIsDroppedByAnEmergencyStop) {
   EXPECT_EQ(stops, 1);
 }
 
+TEST_F(ReleaseTest, AJointThatDoesNotHearThatItIsToGoSoftIsToldAgain) {
+  run_until(kCycle_ns);
+  stop();
+  int lost = 1;
+  bus_.drop = [&lost](const can::Frame& frame) {
+    return can::kFullProfile.identify(frame.id)->kind == can::MessageKind::emergency_stop && lost-- > 0;
+  };
+  stop(Kind::emergency_stop_soft);
+  expect_all(can::JointState::soft);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:
