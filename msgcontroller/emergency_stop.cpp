@@ -1,6 +1,9 @@
 // Stops, confirmations and releases, slot by slot.
 #include "gaitway/msgcontroller/emergency_stop.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gaitway::msgcontroller {
 namespace {
 
@@ -52,21 +55,33 @@ msgclient::Reason EmergencyStop::release() noexcept {
   return msgclient::Reason::none;
 }
 
-void EmergencyStop::supervise(int joint, const can::Feedback& feedback) noexcept {
+void EmergencyStop::supervise(int joint, const can::Feedback& feedback, double measured_rad) noexcept {
+  const auto j = static_cast<std::size_t>(joint);
   const bool stopped = feedback.state == can::JointState::soft || feedback.state == can::JointState::stopped;
   if (sent_in_slot_ >= link_.slots_since_start) {
     return;  // what was measured before the frame arrived says nothing
   }
   if (phase_ == Phase::releasing) {
-    confirmed_[static_cast<std::size_t>(joint)] = !stopped;
-    reference_low_[static_cast<std::size_t>(joint)] = feedback.reference_low;
     if (stopped) {
+      confirmed_[j] = false;
       send(can::StopMode::release);
+    } else if (!confirmed_[j]) {
+      confirm(j, feedback.reference_low, measured_rad);
     }
   } else if (!stopped || (soft_ && feedback.state != can::JointState::soft)) {
     link_.watch.count(Incident::stop_repeated, feedback.node);
     repeat();
   }
+}
+
+// It holds where it was measured at its release, within its limits; later it may sag. Of its count it tells
+// the low four bits.
+void EmergencyStop::confirm(std::size_t joint, std::uint8_t reference_low, double measured_rad) noexcept {
+  const double held_rad = std::clamp(measured_rad, link_.lower_rad[joint], link_.upper_rad[joint]);
+  const auto nearest = static_cast<std::int32_t>(std::lround(held_rad / link_.count_rad[joint]));
+  const std::int32_t off = (reference_low - nearest) & 0xF;
+  released_count_[joint] = nearest + (off < 8 ? off : off - 16);
+  confirmed_[joint] = true;
 }
 
 bool EmergencyStop::all_confirmed() const noexcept {

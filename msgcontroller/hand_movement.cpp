@@ -14,8 +14,6 @@ HandMovement::HandMovement(const urdf::RobotModel& robot, BusLink& link, Playbac
                            JointSupervision& supervision)
     : link_(link), playback_(playback), supervision_(supervision) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    lower_rad_.push_back(robot.joints[j].lower_rad);
-    upper_rad_.push_back(robot.joints[j].upper_rad);
     sway_counts_[j] = static_cast<std::int32_t>(kStandingSway_rad / robot.joints[j].count_rad);
   }
 }
@@ -61,7 +59,7 @@ msgclient::Reason HandMovement::move(const msgclient::UserCommandMail& mail, std
     return Reason::moving_by_hand;
   }
   const double position = static_cast<double>(mail.position);
-  if (!(position >= lower_rad_[j] && position <= upper_rad_[j])) {
+  if (!(position >= link_.lower_rad[j] && position <= link_.upper_rad[j])) {
     return Reason::beyond_limits;
   }
   constexpr std::uint32_t kLongestMove_slots = 255;

@@ -39,13 +39,6 @@ std::vector<std::int32_t> home_counts(const urdf::RobotModel& robot) {
   return counts;
 }
 
-// The count nearest to a measured angle whose low four bits the joint has reported.
-std::int32_t count_at(double measured_rad, double count_rad, std::uint8_t low) noexcept {
-  const auto nearest = static_cast<std::int32_t>(std::lround(measured_rad / count_rad));
-  const std::int32_t off = (low - nearest) & 0xF;
-  return nearest + (off < 8 ? off : off - 16);
-}
-
 }  // namespace
 
 MessageController::MessageController(const urdf::RobotModel& robot, msgclient::Client& client,
@@ -218,7 +211,7 @@ void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std:
   feedback_.take(joint, arrival.feedback, now_ns);
   feedback_.joint_states().reference_position[j] = expected_count(joint) * link_.count_rad[j];
   if (mode() == Mode::emergency_stop) {
-    emergency_stop_.supervise(joint, arrival.feedback);
+    emergency_stop_.supervise(joint, arrival.feedback, feedback_.joint_states().position[j]);
   } else {
     supervision_.take_feedback(joint, arrival);
     if (link_.synchronised() && link_.watch.has_second_sender(joint)) {
@@ -314,9 +307,7 @@ void MessageController::start_from_measured() noexcept {
   std::array<std::int32_t, kMaxJoints> counts{};
   for (std::size_t j = 0; j < link_.node.size(); ++j) {
     const int joint = static_cast<int>(j);
-    counts[j] = link_.node[j] == 0
-                    ? expected_count(joint)
-                    : count_at(states.position[j], link_.count_rad[j], emergency_stop_.reference_low(joint));
+    counts[j] = link_.node[j] == 0 ? expected_count(joint) : emergency_stop_.released_count(joint);
     states.reference_position[j] = counts[j] * link_.count_rad[j];
   }
   playback_.restart(std::span(counts).first(link_.node.size()));

@@ -39,6 +39,7 @@ class JointsOnABus {
       config.initial_reference_count = home_count(joint);
       joints_.emplace_back(config);
     }
+    sensors.resize(joints_.size());
   }
   static std::int32_t home_count(const urdf::Joint& joint) {
     return static_cast<std::int32_t>(std::lround(joint.home_rad / joint.count_rad));
@@ -48,10 +49,11 @@ class JointsOnABus {
   std::function<bool(const can::Frame&)> drop = [](const can::Frame&) { return false; };
   std::function<bool(const can::Frame&)> drop_from_joint = [](const can::Frame&) { return false; };
   std::map<can::MessageKind, int> sent;
+  std::vector<localcontroller::JointSensors> sensors;  // of each joint
 
   void millisecond(MessageController& controller, std::int64_t now_ns) {
-    for (localcontroller::JointController& joint : joints_) {
-      joint.step(now_ns, {});
+    for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+      joints_[joint].step(now_ns, sensors[joint]);
     }
     controller.step(now_ns);
     std::int64_t at_ns = now_ns;

@@ -192,6 +192,41 @@ TEST_F(ReleaseTest, AJointThatDoesNotHearThatItIsToGoSoftIsToldAgain) {
   expect_all(can::JointState::soft);
 }
 
+TEST_F(ReleaseTest, AJointThatHangsBeyondItsLimitIsHeldAtIt) {
+  constexpr std::size_t kJoint = 3;
+  const urdf::Joint& joint = robot_.joints[kJoint];
+  run_until(kCycle_ns);
+  stop(Kind::emergency_stop_soft);
+  bus_.sensors[kJoint].encoder_count = static_cast<std::int32_t>(
+      std::lround((joint.upper_rad + 20 * joint.count_rad) / joint.encoder_count_rad));
+  run_until(now_ns_ + 2 * kSlot_ns);
+  push(Kind::release);
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(now_ns_ + 2 * kSlot_ns);
+  EXPECT_EQ(bus_.count(kJoint), static_cast<std::int32_t>(joint.upper_rad / joint.count_rad));
+  EXPECT_EQ(controller_.expected_count(kJoint), bus_.count(kJoint));
+}
+
+TEST_F(ReleaseTest, AJointThatSagsBeforeTheOthersHaveConfirmedIsHeldWhereItWasReleased) {
+  constexpr std::size_t kJoint = 3;
+  const urdf::Joint& joint = robot_.joints[kJoint];
+  run_until(kCycle_ns);
+  stop();
+  bus_.drop_from_joint = [](const can::Frame& frame) {
+    return can::kFullProfile.identify(frame.id)->node == 5;
+  };
+  push(Kind::release);
+  run_until(now_ns_ + 2 * kSlot_ns);
+  bus_.sensors[kJoint].encoder_count =
+      static_cast<std::int32_t>(std::lround(12 * joint.count_rad / joint.encoder_count_rad));
+  run_until(now_ns_ + 2 * kSlot_ns);
+  bus_.drop_from_joint = [](const can::Frame&) { return false; };
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(now_ns_ + 2 * kSlot_ns);
+  EXPECT_EQ(controller_.expected_count(kJoint), 0);
+  EXPECT_EQ(bus_.count(kJoint), 0);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:

@@ -31,6 +31,8 @@ class BusLink {
         watch(profile, node) {
     for (const urdf::Joint& joint : robot.joints) {
       count_rad.push_back(joint.count_rad);
+      lower_rad.push_back(joint.lower_rad);
+      upper_rad.push_back(joint.upper_rad);
     }
     set_mode(Mode::holding);
   }
@@ -53,6 +55,7 @@ class BusLink {
   int joint_count;
   std::vector<can::NodeId> node;  // of each joint; 0: not on the bus, holds still
   std::vector<double> count_rad;  // of each joint
+  std::vector<double> lower_rad, upper_rad;
   TransmitQueue queue;
   NetworkWatch watch;
   std::int64_t slot_start_ns = 0;

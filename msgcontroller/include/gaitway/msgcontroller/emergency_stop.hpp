@@ -30,20 +30,21 @@ class EmergencyStop {
   // Takes back the stop: the joints hold where they are measured. Refused while nothing is stopped, and while
   // a joint is missing, which would stay stopped alone. What becomes of it: take_outcome().
   msgclient::Reason release() noexcept;
-  // A joint's feedback while it is not free.
-  void supervise(int joint, const can::Feedback& feedback) noexcept;
+  // A joint's feedback while it is not free, and where it is measured.
+  void supervise(int joint, const can::Feedback& feedback, double measured_rad) noexcept;
 
   enum class Outcome : std::uint8_t { none, released, failed };
   // At the edge of a slot: what has become of a release, once. After `failed` the robot is stopped as before.
   [[nodiscard]] Outcome take_outcome() noexcept;
-  // Low four bits of the reference count that a released joint has reported.
-  [[nodiscard]] std::uint8_t reference_low(int joint) const noexcept {
-    return reference_low_[static_cast<std::size_t>(joint)];
+  // The reference count of a released joint.
+  [[nodiscard]] std::int32_t released_count(int joint) const noexcept {
+    return released_count_[static_cast<std::size_t>(joint)];
   }
 
  private:
   enum class Phase : std::uint8_t { free, stopped, releasing };
   void send(can::StopMode mode) noexcept;
+  void confirm(std::size_t joint, std::uint8_t reference_low, double measured_rad) noexcept;
   [[nodiscard]] bool all_confirmed() const noexcept;
 
   BusLink& link_;
@@ -53,7 +54,7 @@ class EmergencyStop {
   std::uint32_t sent_in_slot_ = 0;            // slot since start in which a stop or a release was last sent
   std::uint32_t release_until_ = 0;           // slot since start
   std::array<bool, kMaxJoints> confirmed_{};  // the release
-  std::array<std::uint8_t, kMaxJoints> reference_low_{};
+  std::array<std::int32_t, kMaxJoints> released_count_{};
 };
 
 }  // namespace gaitway::msgcontroller

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "gaitway/msgclient/mails.hpp"
 #include "gaitway/msgcontroller/bus_link.hpp"
@@ -49,7 +48,6 @@ class HandMovement {
   BusLink& link_;
   Playback& playback_;
   JointSupervision& supervision_;
-  std::vector<double> lower_rad_, upper_rad_;
   std::array<std::int32_t, kMaxJoints> sway_counts_{};
   struct Waiting {
     can::UserCommand command;
