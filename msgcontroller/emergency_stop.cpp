@@ -24,6 +24,11 @@ void EmergencyStop::stop(bool soft) noexcept {
 }
 
 void EmergencyStop::repeat() noexcept {
+  if (phase_ == Phase::releasing) {
+    confirmed_.fill(false);
+    send(can::StopMode::release);
+    return;
+  }
   send(soft_ ? can::StopMode::soft : can::StopMode::hold);
 }
 

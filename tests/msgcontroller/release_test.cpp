@@ -227,6 +227,20 @@ TEST_F(ReleaseTest, AJointThatSagsBeforeTheOthersHaveConfirmedIsHeldWhereItWasRe
   EXPECT_EQ(bus_.count(kJoint), 0);
 }
 
+TEST_F(ReleaseTest, ATimeOffTheBusDuringTheReleaseDoesNotStopTheJointsAgain) {
+  run_until(kCycle_ns);
+  stop();
+  run_until((now_ns_ / kSlot_ns + 1) * kSlot_ns + 5 * kMillisecond_ns);
+  push(Kind::release);
+  run_until(now_ns_ + 6 * kMillisecond_ns);  // every joint has confirmed it, but the slot is not over
+  controller_.on_bus_state(can::BusState::bus_off, {256, 0}, now_ns_);
+  controller_.on_bus_state(can::BusState::error_active, {0, 0}, now_ns_);
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(now_ns_ + 2 * kSlot_ns);
+  EXPECT_EQ(controller_.mode(), Mode::holding);
+  expect_all(can::JointState::holding);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:

@@ -25,7 +25,8 @@ class EmergencyStop {
   void stop(bool soft) noexcept;
   // Neither free nor being released.
   [[nodiscard]] bool holds() const noexcept { return phase_ == Phase::stopped; }
-  // Sends the stop once more, as when somebody else has sent one, or after a time off the bus.
+  // Sends the stop, or its release, once more, as when somebody else has sent one, or after a time off the
+  // bus.
   void repeat() noexcept;
   // Takes back the stop: the joints hold where they are measured. Refused while nothing is stopped, and while
   // a joint is missing, which would stay stopped alone. What becomes of it: take_outcome().
