@@ -208,6 +208,11 @@ void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) n
 void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept {
   const int joint = arrival.joint;
   const auto j = static_cast<std::size_t>(joint);
+  const bool soft = arrival.feedback.state == can::JointState::soft;
+  const bool stopped = soft || arrival.feedback.state == can::JointState::stopped;
+  if (stopped && mode() == Mode::holding && link_.state.accepted_sequence == 0) {
+    emergency_stop(soft);  // the joints were stopped before this controller started
+  }
   feedback_.take(joint, arrival.feedback, now_ns);
   feedback_.joint_states().reference_position[j] = expected_count(joint) * link_.count_rad[j];
   if (mode() == Mode::emergency_stop) {

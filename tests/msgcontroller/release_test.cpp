@@ -241,6 +241,30 @@ TEST_F(ReleaseTest, ATimeOffTheBusDuringTheReleaseDoesNotStopTheJointsAgain) {
   expect_all(can::JointState::holding);
 }
 
+TEST_F(ReleaseTest, AMessageControllerThatFindsTheJointsStoppedReleasesThem) {
+  run_until(kCycle_ns);
+  stop();
+  msgclient::MemoryBlock block;
+  msgclient::EmiAdapter adapter{block};
+  msgclient::Client client = block.local_client("message_controller");
+  MessageController restarted{robot_, client, adapter.message()};
+  const auto run_slots = [&](int slots) {
+    for (const std::int64_t end_ns = now_ns_ + slots * kSlot_ns; now_ns_ < end_ns;
+         now_ns_ += kMillisecond_ns) {
+      bus_.millisecond(restarted, now_ns_);
+    }
+  };
+  run_slots(3);
+  EXPECT_EQ(restarted.mode(), Mode::emergency_stop);
+  ASSERT_TRUE(adapter.host().post(msgclient::UserCommandMail{.sequence = 1, .kind = Kind::release}, now_ns_));
+  run_slots(8);
+  const auto answer = adapter.host().take_answer(now_ns_);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->verdict, Verdict::accepted);
+  EXPECT_EQ(restarted.mode(), Mode::holding);
+  expect_all(can::JointState::holding);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:
