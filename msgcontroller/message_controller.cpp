@@ -197,7 +197,7 @@ void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) n
       take_feedback(arrival, now_ns);
       break;
     case NetworkWatch::Heard::forged:
-      on_forged(arrival);
+      on_forged(arrival, frame);
       break;
     case NetworkWatch::Heard::fault_report:  // a restart shows in the next feedback, too
     case NetworkWatch::Heard::nothing:
@@ -230,8 +230,10 @@ void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std:
 
 // Nobody can tell on a bus who sent a frame, but it was not this controller: the joints may do anything now.
 // What they hold is put right, and the robot stops.
-void MessageController::on_forged(const NetworkWatch::Arrival& arrival) noexcept {
-  if (arrival.message.kind == can::MessageKind::emergency_stop) {
+void MessageController::on_forged(const NetworkWatch::Arrival& arrival, const can::Frame& frame) noexcept {
+  // A profile without a message of its own for an emergency stop has a user command to all nodes instead.
+  const auto command = can::decode_user_command(link_.profile, frame);
+  if (arrival.message.kind == can::MessageKind::emergency_stop || (command && command->node == 0)) {
     if (emergency_stop_.holds()) {
       emergency_stop_.repeat();
     } else {

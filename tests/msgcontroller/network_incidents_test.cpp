@@ -356,5 +356,20 @@ TEST_F(PaperNetwork, TheEmergencyStopIsAUserCommandToAllNodes) {
   }
 }
 
+TEST_F(PaperNetwork, AForgedEmergencyStopHoldsAndAForgedMovementEndsInASafeStop) {
+  ASSERT_EQ(hand_over_plan(2, leg_batch(2)).verdict, Verdict::accepted);
+  run_until(2 * kCycle_ns + 2 * kSlot_ns);
+  const auto forge = [this](can::NodeId node) {
+    const can::UserCommand command{.node = node,
+                                   .target_count = static_cast<std::int16_t>(can::StopMode::hold)};
+    bus_.intrude(controller_, can::encode(controller_.profile(), command), now_ns_);
+  };
+  forge(5);
+  EXPECT_NE(controller_.mode(), Mode::emergency_stop);
+  EXPECT_EQ(hand_over_plan(3, leg_batch(3)).reason, msgclient::Reason::stopping);
+  forge(0);
+  EXPECT_EQ(controller_.mode(), Mode::emergency_stop);
+}
+
 }  // namespace
 }  // namespace gaitway::msgcontroller

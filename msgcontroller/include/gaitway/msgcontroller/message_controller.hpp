@@ -66,7 +66,7 @@ class MessageController final : private CommandTaker {
   void begin_cycle() noexcept;
   void send_sync(std::int64_t now_ns) noexcept;
   void take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept;
-  void on_forged(const NetworkWatch::Arrival& arrival) noexcept;
+  void on_forged(const NetworkWatch::Arrival& arrival, const can::Frame& frame) noexcept;
   void publish_feedback(std::int64_t now_ns) noexcept;
 
   msgclient::Reason obey(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept override;
