@@ -120,6 +120,7 @@ CountPlanProblem HandMovement::pulled_back_by(const CountPlan& plan,
 
 void HandMovement::forget() noexcept {
   moved_.fill(false);
+  moving_until_ = 0;
   waiting_.reset();
 }
 

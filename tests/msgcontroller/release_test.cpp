@@ -265,6 +265,23 @@ TEST_F(ReleaseTest, AMessageControllerThatFindsTheJointsStoppedReleasesThem) {
   expect_all(can::JointState::holding);
 }
 
+TEST_F(ReleaseTest, AMovementByHandThatWasStoppedHoldsUpNoBatch) {
+  run_until(kCycle_ns);
+  const double target = robot_.joints[3].home_rad + 20 * robot_.joints[3].count_rad;
+  ASSERT_TRUE(adapter_.host().post(msgclient::UserCommandMail{.sequence = 1,
+                                                              .kind = Kind::manual_joint,
+                                                              .joint = 3,
+                                                              .position = static_cast<float>(target),
+                                                              .duration_slots = 250},
+                                   now_ns_));
+  run_until(now_ns_ + 2 * kMillisecond_ns);
+  ASSERT_EQ(adapter_.host().take_answer(now_ns_)->verdict, Verdict::accepted);
+  stop();
+  push(Kind::release);
+  EXPECT_EQ(outcome(), Reason::none);
+  EXPECT_EQ(hand_over_where_it_stands(static_cast<std::uint32_t>(now_ns_ / kCycle_ns) + 2), Reason::none);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:

@@ -37,7 +37,7 @@ class HandMovement {
   // Whoever moved a joint brings it back before batches go on: none pulls it back in a time slot.
   [[nodiscard]] CountPlanProblem pulled_back_by(const CountPlan& plan,
                                                 std::span<const std::int32_t> start) const noexcept;
-  // A batch was accepted, or every reference is new: no joint is away any more.
+  // A batch was accepted, or every reference is new: no joint moves or is away any more.
   void forget() noexcept;
 
  private:
