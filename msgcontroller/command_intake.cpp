@@ -31,6 +31,7 @@ void CommandIntake::take_mail(CommandTaker& taker, std::int64_t now_ns) noexcept
   }
   const Reason problem = taker.obey(mail, now_ns);
   if (mail.kind == Kind::release && problem == Reason::none) {
+    answer_release(Reason::emergency_stopped, now_ns);  // a stop has ended the one before
     release_mail_ = mail.sequence;
   } else {
     answer_mail(mail.sequence, problem);
@@ -48,6 +49,7 @@ void CommandIntake::take_queue(CommandTaker& taker, std::int64_t now_ns) noexcep
                                        .duration_slots = command.duration_slots},
                                       now_ns);
     if (kind == Kind::release && problem == Reason::none) {
+      answer_release(Reason::emergency_stopped, now_ns);  // a stop has ended the one before
       release_command_ = command;
     } else {
       answer_command(command, problem, now_ns);

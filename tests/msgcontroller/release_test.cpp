@@ -282,6 +282,22 @@ TEST_F(ReleaseTest, AMovementByHandThatWasStoppedHoldsUpNoBatch) {
   EXPECT_EQ(hand_over_where_it_stands(static_cast<std::uint32_t>(now_ns_ / kCycle_ns) + 2), Reason::none);
 }
 
+TEST_F(ReleaseTest, TwoReleasesWithAStopBetweenThemAreBothAnswered) {
+  run_until(kCycle_ns);
+  stop();
+  push(Kind::release);
+  push(Kind::emergency_stop_hold);
+  push(Kind::release);
+  run_until(now_ns_ + 10 * kSlot_ns);
+  std::map<std::uint32_t, Reason> answers;
+  for (UserCommandAnswer answer{}; answers_.read(answer);) {
+    answers[answer.number] = static_cast<Reason>(answer.reason);
+  }
+  EXPECT_EQ(answers, (std::map<std::uint32_t, Reason>{{commands_ - 2, Reason::emergency_stopped},
+                                                      {commands_ - 1, Reason::none},
+                                                      {commands_, Reason::none}}));
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:
