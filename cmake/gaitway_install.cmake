@@ -71,6 +71,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${GAITWAY_MUJOCO_DIR}")
 set(gaitway_recommended g++ cmake make libgtest-dev libgmock-dev libeigen3-dev liborocos-kdl-dev liburdfdom-dev
-    libyaml-cpp-dev libfmt-dev libegl1 libgl1-mesa-dri)
+    libyaml-cpp-dev libfmt-dev zlib1g-dev libegl1 libgl1-mesa-dri)
 list(JOIN gaitway_recommended ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 include(CPack)

@@ -296,7 +296,7 @@ void CommandLine::renamed(const std::string& old_name, const std::string& new_na
   old.group("");  // not in --help
   old.prefix_command();
   CommandLine(old, *action_).runs([path = app_->get_name() + " " + old_name, new_name] {
-    fmt::print(stderr, "gaitway: '{}' is called 'gaitway {}'\n", path, new_name);
+    fmt::print(stderr, "gaitway: 'gaitway {}' is called 'gaitway {}'\n", path, new_name);
     return kExitBadInput;
   });
 }

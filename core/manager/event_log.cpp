@@ -65,7 +65,8 @@ void EventLog::post(EventKind kind, std::string_view source, std::string_view te
 }
 
 void EventLog::collect() noexcept {
-  while (true) {
+  // No more than the queue holds: whoever posts without end must not keep the tick, nor run over its ring.
+  for (std::size_t i = 0; i < kPosts; ++i) {
     Cell& cell = cells_[collected_ % kPosts];
     if (cell.turn.load(std::memory_order_acquire) != collected_ + 1) {
       break;

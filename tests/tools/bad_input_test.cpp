@@ -201,7 +201,7 @@ TEST_F(BadInput, ParametersInWrongUnitsOrOutOfRange) {
 
 TEST_F(BadInput, PluginsThatCannotBeLoaded) {
   expect_plugin_refused("{name: other, library: " + test_plugin("other_abi") + "}",
-                        {"plug-in 'other' (", "walk.yaml:12)", "built for plug-in ABI 5", "speaks ABI 4"});
+                        {"plug-in 'other' (", "walk.yaml:12)", "built for plug-in ABI 6", "speaks ABI 5.0"});
   expect_plugin_refused("{name: other, library: " + test_plugin("wrong_size") + "}",
                         {"plug-in 'other' (", "its gaitway_tick has"});
   expect_plugin_refused("{name: other, library: " + test_plugin("missing_symbol") + "}",
