@@ -144,14 +144,15 @@ void MessageController::begin_cycle() noexcept {
 void MessageController::send_sync(std::int64_t now_ns) noexcept {
   const Segment& running = playback_.running_segment();
   const NetworkState& state = link_.state;
+  const bool plays = running.active && mode() != Mode::emergency_stop;
   if (link_.synchronised()) {
     link_.send(can::encode(link_.profile, can::Sync{.cycle = static_cast<std::uint16_t>(state.cycle),
                                                     .slot = static_cast<std::uint8_t>(state.slot),
-                                                    .batch_committed = running.active,
+                                                    .batch_committed = plays,
                                                     .toggle = running.toggle,
                                                     .softness = trims_.softness()}),
                now_ns + kSlot_ns);
-  } else if (state.slot == 0 && running.active && mode() != Mode::emergency_stop) {
+  } else if (state.slot == 0 && plays) {
     supervision_.send_running();
   }
   if (state.slot == 0 && link_.profile.has(can::MessageKind::heartbeat)) {

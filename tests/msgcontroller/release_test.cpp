@@ -298,6 +298,27 @@ TEST_F(ReleaseTest, TwoReleasesWithAStopBetweenThemAreBothAnswered) {
                                                       {commands_, Reason::none}}));
 }
 
+TEST_F(ReleaseTest, ABatchThatArrivesLateAfterTheReleaseIsNotPlayed) {
+  constexpr std::size_t kJoint = 4;
+  can::Frame late;
+  bus_.drop = [&late](const can::Frame& frame) {
+    const auto trajectory = can::decode_trajectory(can::kFullProfile, frame);
+    late = trajectory && trajectory->node == 5 ? frame : late;
+    return false;
+  };
+  hand_over(2);
+  push(Kind::emergency_stop_hold);
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(2 * kCycle_ns - 7 * kMillisecond_ns);
+  push(Kind::release);
+  run_until(now_ns_ + kMillisecond_ns);
+  ASSERT_EQ(bus_.joint(kJoint).state(), can::JointState::holding);
+  bus_.joint(kJoint).on_frame(late, now_ns_);
+  every_millisecond = [&] { ASSERT_EQ(bus_.count(kJoint), 0) << "this joint's encoder reads 0"; };
+  EXPECT_EQ(outcome(), Reason::none);
+  run_until(3 * kCycle_ns);
+}
+
 // In the profile without a message of its own for it, too.
 class PaperReleaseTest : public MessageControllerTest {
  protected:
