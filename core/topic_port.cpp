@@ -74,11 +74,17 @@ TopicPort::TopicPort(const gaitway_topic& topic, Access access)
   for (std::uint32_t i = 0; i < topic.float_field_count; ++i) {
     const gaitway_float_field& field = topic.float_fields[i];
     const std::uint64_t end = std::uint64_t{field.offset} + std::uint64_t{field.count} * field.bytes;
-    if ((field.bytes != 4 && field.bytes != 8) || end > topic.size || field.rows == 0 || field.count == 0) {
+    if ((field.bytes != 4 && field.bytes != 8) || end > topic.size || field.count == 0) {
       throw PluginError(fmt::format(
           "topic '{}': the floating-point field '{}' ({} x {} bytes at {}) does not lie in a value "
           "of {} bytes. Correct the plug-in's field table",
           topic.name, field.name, field.count, field.bytes, field.offset, topic.size));
+    }
+    if (field.rows == 0 || field.count % field.rows != 0) {
+      throw PluginError(
+          fmt::format("topic '{}': the floating-point field '{}' has {} numbers in {} rows; the rows must "
+                      "divide them. Correct the plug-in's field table",
+                      topic.name, field.name, field.count, field.rows));
     }
     const bool limited = (field.lowest != 0.0 || field.highest != 0.0) && has_limits(use_);
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

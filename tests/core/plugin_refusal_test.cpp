@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "gaitway/core/topic_port.hpp"
 #include "plugin_fixture.hpp"
 
 namespace gaitway::core {
@@ -184,6 +185,27 @@ TEST_F(PluginRefusal, OtherTypeHashThanAnotherProcess) {
   EXPECT_THAT(
       refusal("  - {name: b, library: other_type_hash.so}\n"),
       AllOf(HasSubstr("plug-in 'b' (test.yaml:2)"), HasSubstr("topic 'out'"), HasSubstr("type hash")));
+}
+
+// Numbers past the last whole row would escape the check of what is published.
+TEST_F(PluginRefusal, RowsThatDoNotDivideTheNumbersOfTheirField) {
+  for (const std::uint32_t rows : {0U, 2U, 4U}) {
+    const gaitway_float_field field{
+        .name = "angle", .offset = 0, .count = 3, .bytes = 8, .rows = rows, .lowest = 0.0, .highest = 0.0};
+    const gaitway_topic topic{.name = "arm",
+                              .type_name = "Arm",
+                              .type_hash = 1,
+                              .size = 24,
+                              .float_field_count = 1,
+                              .float_fields = &field};
+    try {
+      const TopicPort port(topic, Access::write);
+      ADD_FAILURE() << rows << " rows were taken";
+    } catch (const PluginError& error) {
+      EXPECT_THAT(error.what(), AllOf(HasSubstr("topic 'arm'"), HasSubstr("'angle'"),
+                                      HasSubstr(std::to_string(rows) + " rows")));
+    }
+  }
 }
 
 TEST_F(PluginRefusal, UnknownParameterNamesTheNearest) {
