@@ -155,6 +155,7 @@ void ChildProgram::answer(const ChildRequest& request, ChildReply& reply) noexce
   const gaitway_text error{reply.text, kErrorBytes, 0};
   reply.status = call(request, reply, error);
   posts_.collect();
+  passed_on_ = std::max(passed_on_, posts_.first());  // after a burst the oldest are gone
   for (; passed_on_ < posts_.total() && reply.reports < kExchangeReports; ++passed_on_) {
     const Event& post = posts_[passed_on_];
     put_report(static_cast<gaitway_severity>(post.kind), post.text());

@@ -76,6 +76,22 @@ TEST_F(IsolatedPluginTest, ParametersAndReportsCross) {
   EXPECT_EQ(manager->events()[0].text(), "battery is low");
 }
 
+// More than it can pass on, step by step: the oldest are lost, and none comes twice or out of turn.
+TEST_F(IsolatedPluginTest, ABurstOfReportsCrossesInItsOrder) {
+  const auto manager = load(isolated("reports_from_a_thread"));
+  for (std::uint32_t i = 1; i <= 10; ++i) {
+    ASSERT_EQ(manager->step(tick(i)), 0);
+  }
+  const EventLog& events = manager->events();
+  ASSERT_GT(events.total(), 100U);
+  int last = 0;
+  for (std::uint64_t i = events.first(); i < events.total(); ++i) {
+    const int number = std::stoi(std::string(events[i].text()));
+    EXPECT_GT(number, last);
+    last = number;
+  }
+}
+
 // Whatever is refused in-process is refused with the same words.
 TEST_F(IsolatedPluginTest, ErrorsAreThoseOfAPluginInProcess) {
   for (const char* const entry :
