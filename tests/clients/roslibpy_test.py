@@ -125,10 +125,10 @@ class Roslibpy(unittest.TestCase):
         self.assertTrue(call(self.ros, "/stop", "std_srvs/Trigger")["success"])
         listing = call(self.ros, "/plugins/list", "gaitway_msgs/ListPlugins")
         self.assertTrue({"trajectory", "kinematics", "zmp", "stability", "api"} <= {plugin["name"] for plugin in listing["plugins"]})
-        parameters = call(self.ros, "/plugins/get_parameters", "gaitway_msgs/GetParameters", plugin="stability")
+        parameters = call(self.ros, "/plugins/get_parameters", "gaitway_msgs/GetParameters", plugin="zmp")
         self.assertTrue(parameters["success"], parameters)
         self.assertTrue(parameters["names"])
-        fixed = call(self.ros, "/plugins/set_parameter", "gaitway_msgs/SetParameter", plugin="stability",
+        fixed = call(self.ros, "/plugins/set_parameter", "gaitway_msgs/SetParameter", plugin="zmp",
                      parameter=parameters["names"][0], value=parameters["values"][0])
         self.assertFalse(fixed["success"], "none of its parameters may change while it runs")
         self.assertIn(parameters["names"][0], fixed["message"])

@@ -10,7 +10,7 @@ from pathlib import Path
 from served_robot import COMMAND, ServedRobot, until
 
 SEED = "3"
-POSES = Path(__file__).parents[2] / "tools" / "calibration" / "poses" / "standing.yaml"
+POSES = Path(__file__).parents[2] / "tools" / "calibrate" / "poses" / "standing.yaml"
 SERVE = Path(os.environ["GAITWAY_CONFIG"]).parent / "serve.yaml"
 
 

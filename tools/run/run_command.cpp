@@ -209,7 +209,7 @@ core::PluginExchange plugins_of(const RunOptions& options) {
 }
 
 // What the scenario plays must be among the motions that the shipped planner finds; other planners know their
-// own.
+// own. People may ask for what there is not, and a record of that plays again.
 void require_known_motions(const simulator::Scenario& scenario, const RunOptions& options,
                            const core::Configuration& configuration) {
   std::vector<std::filesystem::path> folders{process::prepared_motion_directory(),
@@ -232,7 +232,7 @@ void require_known_motions(const simulator::Scenario& scenario, const RunOptions
   known.erase(std::unique(known.begin(), known.end()), known.end());
   for (const simulator::ScenarioEvent& event : scenario.events) {
     const auto* const motion = std::get_if<simulator::MotionEvent>(&event.action);
-    if (motion != nullptr && !motion->name.empty() &&
+    if (motion != nullptr && !event.asked && !motion->name.empty() &&
         std::find(known.begin(), known.end(), motion->name) == known.end()) {
       throw std::invalid_argument(fmt::format("{}: the event at {:g} s: there is no motion '{}'. {}",
                                               options.scenario->string(), event.at_s, motion->name,

@@ -28,7 +28,7 @@ struct Yaml {
   std::string operator()(const simulator::MotionEvent& motion) const {
     return motion.name.empty()
                ? "leave_motion: true"
-               : "motion: " + nlohmann::json(motion.name)
+               : "asked: true, motion: " + nlohmann::json(motion.name)
                                   .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
   std::string operator()(const simulator::StopEvent&) const { return "asked: true, stop: true"; }
