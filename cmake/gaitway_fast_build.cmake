@@ -30,12 +30,6 @@ set(gaitway_large_headers
   <span> <stdexcept> <string> <string_view> <utility> <variant> <vector> <fmt/format.h> <Eigen/Core> <Eigen/Geometry>)
 function(gaitway_declare_precompiled_headers)  # once the dependencies are known
   gaitway_precompiled_headers(gaitway_precompiled HEADERS ${gaitway_large_headers} LINKS fmt::fmt Eigen3::Eigen)
-  if(GAITWAY_SANITIZE)
-    gaitway_precompiled_headers(gaitway_precompiled_unoptimised HEADERS ${gaitway_large_headers} LINKS fmt::fmt Eigen3::Eigen)
-    if(GAITWAY_PRECOMPILED_HEADERS)
-      target_compile_options(gaitway_precompiled_unoptimised PRIVATE -O0)
-    endif()
-  endif()
   if(GAITWAY_PART STREQUAL "tests")
     gaitway_precompiled_headers(gaitway_precompiled_tests HEADERS ${gaitway_large_headers} <gmock/gmock.h> <gtest/gtest.h>
       LINKS fmt::fmt Eigen3::Eigen GTest::gtest GTest::gmock)
