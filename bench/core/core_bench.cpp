@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::core {
 namespace {

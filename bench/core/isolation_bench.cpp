@@ -7,9 +7,9 @@
 #include <string>
 
 #include "echo_process.hpp"
-#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "rivals.hpp"
 
 namespace gaitway::core {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "direct_host.hpp"
-#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "rivals.hpp"
 
 namespace gaitway::core {

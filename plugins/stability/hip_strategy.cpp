@@ -11,7 +11,7 @@ namespace gaitway::stability {
 namespace {
 
 constexpr double kNoBow_rad = 0.02;  // less is no bow
-constexpr double kSways_m = 0.015;     // what the DCM lies beyond the CoM of a body that is not pushed
+constexpr double kSways_m = 0.015;   // what the DCM lies beyond the CoM of a body that is not pushed
 
 }  // namespace
 

@@ -150,10 +150,10 @@ TEST(PluginInterfaceDocument, EverySnippetIsBuilt) {
       EXPECT_NE(file.find(snippet), std::string::npos) << snippet;
     }
   };
-  const std::string project =
-      plain(plain(plain(text_of("tools/new_plugin/templates/CMakeLists.txt"), "plugin_components", "plugin simulator"),
-                  " plugin_links", ""),
-            "plugin_name", "sway");
+  const std::string project = plain(plain(plain(text_of("tools/new_plugin/templates/CMakeLists.txt"),
+                                                "plugin_components", "plugin simulator"),
+                                          " plugin_links", ""),
+                                    "plugin_name", "sway");
   expect_parts("cpp", text_of("docs/examples/reference.cpp"), 10);
   expect_parts("c", text_of("docs/examples/reference.c"), 5);
   expect_parts("yaml", text_of("docs/examples/reference.yaml"), 1);

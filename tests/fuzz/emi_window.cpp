@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fuzz_input.hpp"
-#include "gaitway/msgclient/hand_over.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
+#include "gaitway/msgclient/hand_over.hpp"
 #include "msgclient/emi_window.hpp"
 
 namespace gaitway::fuzz {

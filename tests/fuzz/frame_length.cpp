@@ -1,5 +1,5 @@
-// CRC-15, exact length and bits of frames of all formats (can/frame.hpp, can/simulated/wire_frame.hpp) against a
-// slow reference; and never longer than the worst case.
+// CRC-15, exact length and bits of frames of all formats (can/frame.hpp, can/simulated/wire_frame.hpp)
+// against a slow reference; and never longer than the worst case.
 #include "gaitway/can/frame.hpp"
 
 #include <cstdint>

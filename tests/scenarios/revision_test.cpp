@@ -8,8 +8,8 @@
 #include <string>
 
 #include "gaitway/simulator/cosimulation.hpp"
-#include "tools/run/run_recorder.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "tools/run/run_recorder.hpp"
 
 namespace gaitway::scenarios {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
-#include "tools/run/run_recorder.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "tools/run/run_recorder.hpp"
 
 namespace gaitway::scenarios {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/trajectory/gait_parameters.hpp"
 #include "tools/measure/gait_measurement.hpp"
 #include "tools/measure/level_search.hpp"
-#include "gaitway/trajectory/gait_parameters.hpp"
 
 namespace gaitway::tools {
 namespace {

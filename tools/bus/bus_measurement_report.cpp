@@ -31,7 +31,6 @@ constexpr std::array<std::string_view, can::kMessageKinds> kContents{"hold or go
                                                                      "absolute count, 5 points",
                                                                      "mode, cycle"};
 
-
 std::string number(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : std::string("-");
 }

@@ -15,7 +15,6 @@ namespace {
 
 using can::MessageKind;
 
-
 std::string range(const Spread& spread, int decimals) {
   return spread.count == 0 ? std::string("-")
                            : fmt::format("{:.{}f}..{:.{}f}", spread.min, decimals, spread.max, decimals);

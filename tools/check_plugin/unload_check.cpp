@@ -15,8 +15,8 @@ namespace {
 constexpr int kRounds = 100;
 constexpr int kFullRounds = 1000;
 constexpr int kWarmUp = 20;
-constexpr std::uint64_t kTicksPerLoad = 16;                     // two batches
-constexpr double kLeakPerLoad_bytes = 16.0;             // less is the allocator's own housekeeping
+constexpr std::uint64_t kTicksPerLoad = 16;              // two batches
+constexpr double kLeakPerLoad_bytes = 16.0;              // less is the allocator's own housekeeping
 constexpr std::int64_t kResidentGrowth_bytes = 8 << 20;  // what no fragmentation explains
 constexpr auto kThreadGrace = std::chrono::milliseconds(300);
 

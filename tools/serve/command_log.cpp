@@ -26,10 +26,10 @@ struct Yaml {
                      : "stand: true";
   }
   std::string operator()(const simulator::MotionEvent& motion) const {
-    return motion.name.empty()
-               ? "leave_motion: true"
-               : "asked: true, motion: " + nlohmann::json(motion.name)
-                                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return motion.name.empty() ? "leave_motion: true"
+                               : "asked: true, motion: " +
+                                     nlohmann::json(motion.name)
+                                         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
   std::string operator()(const simulator::StopEvent&) const { return "asked: true, stop: true"; }
   std::string operator()(const simulator::EmergencyStopEvent& stop) const {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <limits>
+#include <memory>
 
 #include "test_robot.hpp"
 

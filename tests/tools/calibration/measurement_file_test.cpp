@@ -7,8 +7,8 @@
 
 #include <fstream>
 
-#include "tools/calibrate/calibration_estimator.hpp"
 #include "synthetic_stances.hpp"
+#include "tools/calibrate/calibration_estimator.hpp"
 
 namespace gaitway::calibration {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/calibrate/calibration_report.hpp"
-#include "tools/calibrate/pose_performer.hpp"
 #include "gaitway/motion/motion_file.hpp"
 #include "gaitway/motion/motion_planner.hpp"
+#include "tools/calibrate/calibration_report.hpp"
+#include "tools/calibrate/pose_performer.hpp"
 
 namespace gaitway::calibration {
 namespace {

@@ -20,9 +20,9 @@ inline constexpr int kResyncDeltas = 5;      // points that follow the absolute 
 inline constexpr int kTrimChannels = 8;      // signed corrections in the trim frame
 inline constexpr int kFeedbackChannels = 2;  // 16-bit sensor channels in a feedback frame
 
-// What the joints do on an emergency stop, or when it is released: they hold where they are measured, and take
-// batches again. A profile without a message of its own for it sends a user command
-// to node 0, with the mode as its target.
+// What the joints do on an emergency stop, or when it is released: they hold where they are measured, and
+// take batches again. A profile without a message of its own for it sends a user command to node 0, with the
+// mode as its target.
 enum class StopMode : std::uint8_t { hold = 0, soft = 1, release = 2 };
 
 // Highest priority: all joints at once.

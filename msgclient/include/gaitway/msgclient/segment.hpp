@@ -14,8 +14,8 @@ enum class Access : std::uint32_t { read_only = 0, read_write = 1 };
 // A mapping of shared memory; whoever made it keeps the descriptor behind it. Cannot be truncated or grown by
 // anybody: the size is sealed. A segment has exactly one writing side; all others get a descriptor opened
 // read-only, which the kernel refuses to map writable, and which is closed once it is mapped. The file may be
-// opened by its owner's user alone, and by nobody for writing (mode 0400), so that what is still open cannot be
-// reopened for writing through /proc either; of one user's processes only one that changes the mode, or is
+// opened by its owner's user alone, and by nobody for writing (mode 0400), so that what is still open cannot
+// be reopened for writing through /proc either; of one user's processes only one that changes the mode, or is
 // root, can.
 class Segment {
  public:

@@ -1,5 +1,6 @@
 // The numbers of a plug-in's parameters in one list: what the configuration calls each, its unit, its range,
-// what it is for, and whether it may change while the robot walks. Plain C++: a plug-in's algorithm may have such a list without knowing of plug-ins.
+// what it is for, and whether it may change while the robot walks. Plain C++: a plug-in's algorithm may have
+// such a list without knowing of plug-ins.
 #pragma once
 
 #include <array>

@@ -54,7 +54,8 @@ class LiveParameters {
   }
   struct Entry {
     std::string name;
-    std::variant<double*, std::unique_ptr<double>, std::unique_ptr<std::int64_t>, std::unique_ptr<bool>> value;
+    std::variant<double*, std::unique_ptr<double>, std::unique_ptr<std::int64_t>, std::unique_ptr<bool>>
+        value;
   };
   std::vector<Entry> entries_;
 };
