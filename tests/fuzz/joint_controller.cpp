@@ -1,9 +1,8 @@
 // A joint's local controller (localcontroller/joint_controller.hpp) under any frames, at any times, with any
 // sensor readings. Whatever comes:
-// - torque and references are numbers; the torque is within its limit, the reference within the joint's
-// limits,
+// - torque and references are numbers; the torque is within its limit, the reference within the joint's limits,
 //   the trim within its own,
-// - soft means no torque, and a stopped joint stays stopped,
+// - soft means no torque, and a stopped joint stays stopped until its release comes,
 // - its frames are ones that the profile gives this node; at most one feedback comes for each SYNC (or batch,
 //   where there is no SYNC) and each time slot of its own clock.
 #include "gaitway/localcontroller/joint_controller.hpp"
@@ -58,6 +57,7 @@ class Joint {
          (identified->kind == can::MessageKind::trajectory && !config_.profile.has(can::MessageKind::sync)));
     allowed_feedback_ += starts_slots ? 1 : 0;
     controller_.on_frame(frame, now_ns_);
+    stopped_ = stopped_ && !is_release(frame);
     check_stop();
   }
 
@@ -108,8 +108,16 @@ class Joint {
   void check_stop() {
     const can::JointState state = controller_.state();
     const bool stopped = state == can::JointState::soft || state == can::JointState::stopped;
-    require(stopped || !stopped_, "nothing on the bus ends a stop");
+    require(stopped || !stopped_, "nothing on the bus but its release ends a stop");
     stopped_ = stopped;
+  }
+
+  bool is_release(const can::Frame& frame) const {
+    if (const auto stop = can::decode_emergency_stop(config_.profile, frame)) {
+      return stop->mode == can::StopMode::release;
+    }
+    const auto command = can::decode_user_command(config_.profile, frame);
+    return command && command->node == 0 && command->target_count == static_cast<int>(can::StopMode::release);
   }
 
   JointConfig config_;
