@@ -14,10 +14,8 @@ install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
 install(DIRECTORY core/config tools/scenarios tools/new_plugin/templates plugins/trajectory/motions DESTINATION share/gaitway)
 install(DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway/prepared_motions" DESTINATION share/gaitway)
 install(DIRECTORY tools/calibrate/poses/ DESTINATION share/gaitway/calibration)
-install(FILES docs/first-plugin.md docs/plugin-interface.md docs/plugin-check.md docs/architecture.md docs/real_time.md docs/socketcan.md
-              docs/hardware.md docs/gait.md docs/gait-measurement.md docs/motions.md docs/calibration.md docs/network.md docs/gaitway.dbc docs/bus-tools.md
-              docs/api.md docs/api_examples.json docs/api_schemas.json LICENSE DESTINATION share/doc/gaitway)
-install(DIRECTORY docs/examples DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY docs/ DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
+install(FILES LICENSE DESTINATION share/doc/gaitway)
 
 # Programs and what they load.
 get_property(gaitway_programs GLOBAL PROPERTY gaitway_programs)
