@@ -11,7 +11,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "link_poses.hpp"
 #include "test_robot.hpp"
 #include "walking_plan.hpp"
 

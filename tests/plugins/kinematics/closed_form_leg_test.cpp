@@ -1,12 +1,11 @@
 // The closed form against forward kinematics, over geometries, reach and limits.
-#include "gaitway/kinematics/closed_form_leg.hpp"
+#include "gaitway/kinematics/leg_solver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "leg_sampler.hpp"
-#include "link_poses.hpp"
 #include "test_robot.hpp"
 
 namespace gaitway::kinematics {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "gaitway/kinematics/batch_solver.hpp"
-#include "link_poses.hpp"
+#include "test_robot.hpp"
 #include "walking_plan.hpp"
 
 namespace gaitway::kinematics {

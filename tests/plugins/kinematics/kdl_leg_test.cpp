@@ -1,11 +1,9 @@
 // The general solver against the closed form, and alone on legs that have none.
-#include "gaitway/kinematics/kdl_leg.hpp"
+#include "gaitway/kinematics/leg_solver.hpp"
 
 #include <gtest/gtest.h>
 
-#include "gaitway/kinematics/closed_form_leg.hpp"
 #include "leg_sampler.hpp"
-#include "link_poses.hpp"
 #include "test_robot.hpp"
 
 namespace gaitway::kinematics {

@@ -7,7 +7,7 @@
 
 #include "gaitway/kinematics/leg_geometry.hpp"
 #include "gaitway/kinematics/leg_solution.hpp"
-#include "link_poses.hpp"
+#include "test_robot.hpp"
 
 namespace gaitway::kinematics::test {
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "leg_sampler.hpp"
-#include "link_poses.hpp"
 #include "test_robot.hpp"
 
 namespace gaitway::kinematics {
