@@ -7,7 +7,7 @@
 #include <random>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/zmp/foot_pressure.hpp"
+#include "gaitway/zmp/foot_contact.hpp"
 #include "synthetic_robot.hpp"
 
 namespace gaitway::zmp {

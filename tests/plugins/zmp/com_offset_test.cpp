@@ -1,6 +1,6 @@
 // The CoM's offset, learned from what the pendulum does not explain.
-#include "gaitway/zmp/com_offset.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/zmp/com_filter.hpp"
 
 #include <gtest/gtest.h>
 

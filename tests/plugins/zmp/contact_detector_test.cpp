@@ -1,5 +1,5 @@
 // Contacts and support foot under noisy loads.
-#include "gaitway/zmp/contact_detector.hpp"
+#include "gaitway/zmp/foot_contact.hpp"
 
 #include <gtest/gtest.h>
 

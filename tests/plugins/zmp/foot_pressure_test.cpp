@@ -1,5 +1,5 @@
 // Measured ZMP of one foot.
-#include "gaitway/zmp/foot_pressure.hpp"
+#include "gaitway/zmp/foot_contact.hpp"
 
 #include <gtest/gtest.h>
 

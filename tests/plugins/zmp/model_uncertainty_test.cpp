@@ -1,12 +1,11 @@
 // What errors of the description do to CoM and feet.
-#include "gaitway/zmp/model_uncertainty.hpp"
+#include "gaitway/zmp/support_kinematics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "gaitway/zmp/support_kinematics.hpp"
 #include "synthetic_robot.hpp"
 
 namespace gaitway::zmp {

@@ -1,6 +1,6 @@
 // When feet stand, and how firmly.
-#include "gaitway/zmp/planted_feet.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/zmp/foot_contact.hpp"
 
 #include <gtest/gtest.h>
 

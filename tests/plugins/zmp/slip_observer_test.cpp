@@ -1,6 +1,6 @@
 // Slip of a foot from the acceleration of its sole.
-#include "gaitway/zmp/slip_observer.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/zmp/foot_contact.hpp"
 
 #include <gtest/gtest.h>
 

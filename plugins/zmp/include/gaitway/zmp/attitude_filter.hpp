@@ -45,7 +45,6 @@ class AttitudeFilter {
   [[nodiscard]] const Eigen::Vector3d& bias_rad_per_s() const noexcept { return bias_; }
   // Of the last prediction, without bias, in trunk axes.
   [[nodiscard]] Eigen::Vector3d rate_rad_per_s() const noexcept { return gyro_ - bias_; }
-  [[nodiscard]] bool holds_heading() const noexcept { return feet_heading_rad_.has_value(); }
 
   // Standard deviations: of roll, pitch and yaw, and of the bias in trunk axes.
   [[nodiscard]] Eigen::Vector3d attitude_deviation_rad() const noexcept;

@@ -11,15 +11,10 @@
 #include "gaitway/zmp/attitude_filter.hpp"
 #include "gaitway/zmp/cell_calibration.hpp"
 #include "gaitway/zmp/com_filter.hpp"
-#include "gaitway/zmp/com_offset.hpp"
-#include "gaitway/zmp/contact_detector.hpp"
 #include "gaitway/zmp/estimator_parameters.hpp"
 #include "gaitway/zmp/fall_recognition.hpp"
-#include "gaitway/zmp/foot_pressure.hpp"
-#include "gaitway/zmp/model_uncertainty.hpp"
-#include "gaitway/zmp/planted_feet.hpp"
+#include "gaitway/zmp/foot_contact.hpp"
 #include "gaitway/zmp/sensor_inputs.hpp"
-#include "gaitway/zmp/slip_observer.hpp"
 #include "gaitway/zmp/support_kinematics.hpp"
 
 namespace gaitway::zmp {

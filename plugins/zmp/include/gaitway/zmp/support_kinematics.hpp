@@ -1,7 +1,7 @@
-// Where the CoM and the feet are, seen from a sole: forward kinematics of the measured joints, levelled with
-// the attitude.
+// Where the CoM and the feet are, seen from a sole, and how well the description of the robot knows it.
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
 #include <span>
@@ -9,6 +9,7 @@
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/zmp/attitude_filter.hpp"
+#include "gaitway/zmp/estimator_parameters.hpp"
 
 namespace gaitway::zmp {
 
@@ -58,5 +59,17 @@ class SupportKinematics {
   std::array<double, 2> heading_rad_{};
   double yaw_rad_ = 0.0;  // of the trunk, with which the headings were computed
 };
+
+// What the robot's description does not know about the robot, and what that does to CoM and feet.
+// Standard deviations at the home posture, in the level frame of a foot. No filter makes them smaller: they
+// are the same in every sample.
+struct ModelUncertainty {
+  Eigen::Vector3d com_m = Eigen::Vector3d::Zero();   // from joint zeros, link masses, the trunk's CoM
+  Eigen::Vector3d foot_m = Eigen::Vector3d::Zero();  // of the other foot's sole, from joint zeros
+};
+
+// Perturbs one joint zero after another, and adds up the squares. Not for real-time paths.
+[[nodiscard]] ModelUncertainty model_uncertainty(const urdf::RobotModel& model,
+                                                 const EstimatorParameters& parameters);
 
 }  // namespace gaitway::zmp
