@@ -12,7 +12,6 @@
 namespace gaitway::stability {
 namespace {
 
-constexpr std::uint32_t kNoFall = 0;  // Estimate::fall
 // A trunk that is to lean further is not balanced: near 90° roll and pitch do not say which way it falls.
 constexpr double kMostLean_rad = 1.0;
 constexpr std::int64_t kNetworkLifetime_ns = 50'000'000;
@@ -124,7 +123,7 @@ bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& me
       return false;
   }
   // A motion that gets up is balanced before the robot counts as upright again.
-  return (estimate->fall == kNoFall || meant.motion) &&
+  return (estimate->fall == estimate::fall::upright || meant.motion) &&
          std::abs(estimate->attitude[0] - meant.trunk_attitude_rad[0]) < parameters_.fallen_at_rad &&
          std::abs(estimate->attitude[1] - meant.trunk_attitude_rad[1]) < parameters_.fallen_at_rad;
 }

@@ -26,12 +26,9 @@ class Stability final : public Plugin {
 
   void step(const Tick& tick) override {
     BalanceInputs inputs;
-    inputs.estimate = &estimate_.read();
-    if (!estimate_.has_value()) inputs.estimate = nullptr;
-    inputs.plan = &motion_plan_.read();
-    if (!motion_plan_.has_value()) inputs.plan = nullptr;
-    inputs.network = &network_state_.read();
-    if (!network_state_.has_value()) inputs.network = nullptr;
+    if (estimate_.has_value()) inputs.estimate = &estimate_.read();
+    if (motion_plan_.has_value()) inputs.plan = &motion_plan_.read();
+    if (network_state_.has_value()) inputs.network = &network_state_.read();
     controller_.update(tick.now_ns, inputs, trim_.value(), correction_.value());
     trim_.publish();
     correction_.publish();

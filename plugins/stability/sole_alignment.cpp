@@ -5,32 +5,22 @@
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/stability/trim_feedback.hpp"
 
 namespace gaitway::stability {
 namespace {
 
-constexpr std::size_t kAnklePitch = 4, kAnkleRoll = 5;  // of a leg's joints, from the hip down
-constexpr double kLeastShare = 0.25;                    // of the load, on either foot
+constexpr double kLeastShare = 0.25;  // of the load, on either foot
 
 }  // namespace
 
 SoleAlignment::SoleAlignment(const urdf::RobotModel& model, const BalanceParameters& parameters)
     : parameters_(parameters), robot_limit_rad_(model.trim.limit_rad) {
   const urdf::ForwardKinematics home(model);
-  const auto joint = [&model](std::size_t side, std::size_t which) -> const urdf::Joint& {
-    return model.joints[static_cast<std::size_t>(model.legs[side].joints[which])];
-  };
-  const auto axis = [&home](const urdf::Joint& of) {
-    return (home.link_rotation(of.child_link) * of.axis).eval();
-  };
-  const auto channel = [](const urdf::Joint& of) {
-    return of.trim_channel < kTrimChannels ? of.trim_channel : -1;
-  };
   for (std::size_t side = 0; side < ankles_.size(); ++side) {
-    const urdf::Joint& pitch = joint(side, kAnklePitch);
-    const urdf::Joint& roll = joint(side, kAnkleRoll);
-    ankles_[side] = {channel(pitch), channel(roll), axis(pitch).y(), axis(roll).x()};
+    const TrimJoint pitch = trim_joint(model, home, side, LegJoint::ankle_pitch);
+    const TrimJoint roll = trim_joint(model, home, side, LegJoint::ankle_roll);
+    ankles_[side] = {pitch.channel, roll.channel, pitch.axis.y(), roll.axis.x()};
   }
 }
 

@@ -1,4 +1,5 @@
-// Law, hips' share, fading.
+// One row of gains for each support and channel, whose signs come from the joints' axes; law, hips' share,
+// fading.
 #include "gaitway/stability/trim_feedback.hpp"
 
 #include <algorithm>
@@ -6,6 +7,61 @@
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::stability {
+namespace {
+
+std::array<float, 4> row_of(const JointGain& gain, double about_roll, double about_pitch) {
+  return {static_cast<float>(gain.angle_rad_per_rad * about_roll),
+          static_cast<float>(gain.angle_rad_per_rad * about_pitch),
+          static_cast<float>(gain.rate_rad_per_rad_per_s * about_roll),
+          static_cast<float>(gain.rate_rad_per_rad_per_s * about_pitch)};
+}
+
+}  // namespace
+
+// A joint's axis is the same in the frame of its child link.
+TrimJoint trim_joint(const urdf::RobotModel& model, const urdf::ForwardKinematics& home, std::size_t side,
+                     LegJoint which) {
+  const int index = model.legs[side].joints[static_cast<std::size_t>(which)];
+  const urdf::Joint& joint = model.joints[static_cast<std::size_t>(index)];
+  return {joint.trim_channel < kTrimChannels ? joint.trim_channel : -1,
+          home.link_rotation(joint.child_link) * joint.axis};
+}
+
+TrimGainMatrix::TrimGainMatrix(const urdf::RobotModel& model) {
+  int channels = 0;
+  for (const urdf::Joint& joint : model.joints) channels = std::max(channels, joint.trim_channel + 1);
+  channel_count_ = static_cast<std::uint32_t>(std::min(channels, kTrimChannels));
+
+  const urdf::ForwardKinematics home(model);
+  const auto add = [&](std::size_t side, LegJoint which, const JointGain BalanceParameters::*gain,
+                       bool turns_pitch, bool is_hip) {
+    const auto [channel, axis] = trim_joint(model, home, side, which);
+    if (channel < 0) return;
+    rows_[static_cast<std::size_t>(channel)] = {gain, side, is_hip, turns_pitch ? 0.0 : axis.x(),
+                                                turns_pitch ? axis.y() : 0.0};
+  };
+  for (std::size_t side = 0; side < model.legs.size(); ++side) {
+    add(side, LegJoint::ankle_pitch, &BalanceParameters::ankle_pitch, true, false);
+    add(side, LegJoint::ankle_roll, &BalanceParameters::ankle_roll, false, false);
+    add(side, LegJoint::hip_pitch, &BalanceParameters::hip_pitch, true, true);
+    add(side, LegJoint::hip_roll, &BalanceParameters::hip_roll, false, true);
+  }
+}
+
+msgclient::TrimGains TrimGainMatrix::gains(const BalanceParameters& parameters) const noexcept {
+  msgclient::TrimGains gains{};
+  gains.channel_count = channel_count_;
+  gains.attitude_reference = {static_cast<float>(parameters.attitude_reference_rad[0]),
+                              static_cast<float>(parameters.attitude_reference_rad[1])};
+  for (std::size_t channel = 0; channel < rows_.size(); ++channel) {
+    const Row& row = rows_[channel];
+    if (row.gain == nullptr) continue;
+    gains.gain[kBothFeet][channel] = row_of(parameters.*row.gain, row.about_roll, row.about_pitch);
+    // Support 0 is the left leg's, 1 the right one's.
+    if (!row.is_hip) gains.gain[row.side][channel] = gains.gain[kBothFeet][channel];
+  }
+  return gains;
+}
 
 TrimFeedback::TrimFeedback(const urdf::RobotModel& model, const BalanceParameters& parameters)
     : parameters_(parameters), robot_limit_rad_(model.trim.limit_rad), matrix_(model) {}

@@ -1,5 +1,5 @@
 // What is learned of a CoM that is not where it is planned, and what is not.
-#include "gaitway/stability/com_centring.hpp"
+#include "gaitway/stability/batch_feedback.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Heading feedback against a robot whose feet slip.
-#include "gaitway/stability/heading_feedback.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/stability/batch_feedback.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The slow correction of a lasting lean.
-#include "gaitway/stability/lean_integrator.hpp"
+#include "gaitway/stability/batch_feedback.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Speed feedback against a robot that walks faster than its plan.
-#include "gaitway/stability/speed_feedback.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/stability/batch_feedback.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Signs and places of the gains, checked by forward kinematics.
-#include "gaitway/stability/trim_gain_matrix.hpp"
+#include "gaitway/stability/trim_feedback.hpp"
 
 #include <gtest/gtest.h>
 

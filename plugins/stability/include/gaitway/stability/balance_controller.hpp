@@ -6,14 +6,11 @@
 
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/stability/balance_parameters.hpp"
-#include "gaitway/stability/com_centring.hpp"
+#include "gaitway/stability/batch_feedback.hpp"
 #include "gaitway/stability/fall_reaction.hpp"
-#include "gaitway/stability/heading_feedback.hpp"
 #include "gaitway/stability/hip_strategy.hpp"
-#include "gaitway/stability/lean_integrator.hpp"
 #include "gaitway/stability/plan_timeline.hpp"
 #include "gaitway/stability/sole_alignment.hpp"
-#include "gaitway/stability/speed_feedback.hpp"
 #include "gaitway/stability/trim_feedback.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 

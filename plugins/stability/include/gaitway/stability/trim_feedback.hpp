@@ -1,17 +1,63 @@
-// The trims of one tick: the shared law, faded in while it has ground to stand on and out when that is gone.
+// The trims of one tick: the gains of the robot's joints, and the shared law, faded in while it has ground to
+// stand on and out when that is gone.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/msgclient/trim_law.hpp"
 #include "gaitway/stability/balance_parameters.hpp"
-#include "gaitway/stability/trim_gain_matrix.hpp"
+#include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::stability {
 
+// Supports of a gain matrix, as in the topics.
+inline constexpr std::size_t kLeftFoot = 0;
+inline constexpr std::size_t kRightFoot = 1;
+inline constexpr std::size_t kBothFeet = 2;
+
+// A joint of a leg, from the hip down; its trim channel (-1: none), and its axis in base axes at the home
+// posture.
+enum class LegJoint : std::size_t { hip_roll = 1, hip_pitch = 2, ankle_pitch = 4, ankle_roll = 5 };
+struct TrimJoint {
+  int channel = -1;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+};
+[[nodiscard]] TrimJoint trim_joint(const urdf::RobotModel& model, const urdf::ForwardKinematics& home,
+                                   std::size_t side, LegJoint which);
+
+// Which joint turns which way against a roll or pitch of the trunk.
+//
+// Signs: let a be a leg joint's unit axis, in base axes at the home posture. While the foot stands still,
+// turning the joint by q turns all that is above it by -q about a. To turn the trunk by -k e against an error
+// e about the unit vector u (roll: x, pitch: y) takes q = k e (a . u): so an axis along +y turns by +k for a
+// trunk that is nose down, the toes press, the ZMP moves forward and pushes the trunk back; an axis along -y
+// turns by -k. An axis that lies in between gets its share.
+class TrimGainMatrix {
+ public:
+  // A leg joint without trim channel gets no gain; a trim channel of another joint gets zeros.
+  explicit TrimGainMatrix(const urdf::RobotModel& model);
+
+  // The standing robot's; what is handed over. No allocation, 0.1 us.
+  [[nodiscard]] msgclient::TrimGains gains(const BalanceParameters& parameters) const noexcept;
+  // Such a channel only helps while standing.
+  [[nodiscard]] bool is_hip(std::size_t channel) const noexcept { return rows_[channel].is_hip; }
+
+ private:
+  struct Row {
+    const JointGain BalanceParameters::*gain = nullptr;  // none: zeros
+    std::size_t side = 0;
+    bool is_hip = false;
+    double about_roll = 0.0, about_pitch = 0.0;
+  };
+  std::uint32_t channel_count_ = 0;
+  std::array<Row, kTrimChannels> rows_{};
+};
+
+// The trims of one tick: the shared law, faded in while it has ground to stand on and out when that is gone.
 class TrimFeedback {
  public:
   TrimFeedback(const urdf::RobotModel& model, const BalanceParameters& parameters);
@@ -23,8 +69,7 @@ class TrimFeedback {
   void update(const std::optional<msgclient::TrunkMotion>& motion, std::size_t support,
               TrimCommand& command) noexcept;
 
-  [[nodiscard]] double share() const noexcept { return share_; }          // 0 faded out .. 1 in full
-  [[nodiscard]] double hip_share() const noexcept { return hip_share_; }  // likewise, of the hips
+  [[nodiscard]] double share() const noexcept { return share_; }  // 0 faded out .. 1 in full
   [[nodiscard]] double limit_rad() const noexcept;  // of the robot and of the parameters, the smaller one
 
   // What a successor goes on from.
