@@ -4,8 +4,7 @@
 
 #include "gaitway/plugin/plugin.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
-#include "gaitway/trajectory/reach_check.hpp"
-#include "gaitway/trajectory/standing_posture.hpp"
+#include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace trajectory = gaitway::trajectory;
@@ -24,9 +23,7 @@ class Dance final : public gaitway::Plugin {
 
   // Every 80 ms: the next eight points, and the safe tail that brings the robot to a stand.
   void step(const gaitway::Tick& tick) override {
-    const gaitway::NetworkState& network = network_.read();
-    const auto decision = continuity_.decide(
-        tick.batch_sequence, static_cast<trajectory::NetworkMode>(network.mode), network.accepted_sequence);
+    const auto decision = continuity_.decide(tick.batch_sequence, network_.read());
     if (decision == trajectory::PlanDecision::wait) {
       plan_.value() = {};
       return plan_.publish();

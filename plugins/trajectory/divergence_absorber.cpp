@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/trajectory/gait_parameters.hpp"
 
 namespace gaitway::trajectory {
 

@@ -1,4 +1,4 @@
-// The postures, and a polynomial of fifth degree for each joint.
+// The postures, a polynomial of fifth degree for each joint, and the points that have been played.
 #include "gaitway/trajectory/fall_posture.hpp"
 
 #include <algorithm>
@@ -61,26 +61,18 @@ bool is_mirrored(std::string_view joint) noexcept {
   return joint.ends_with("_roll") || joint.ends_with("_yaw");
 }
 
-std::size_t index_of(const urdf::RobotModel& robot, const std::string& name) noexcept {
-  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                  [&name](const urdf::Joint& joint) { return joint.name == name; });
-  return static_cast<std::size_t>(found - robot.joints.begin());
-}
-
 // Empty if the robot has not all of its joints.
 std::vector<double> angles_of(const urdf::RobotModel& robot, std::span<const PostureAngle> posture,
                               bool left_is_near) {
   std::vector<double> angles(robot.joints.size(), kKeep);
   bool complete = true;
   const auto set = [&](const std::string& name, double angle_rad) {
-    const std::size_t joint = index_of(robot, name);
-    if (joint == robot.joints.size()) {
-      complete = false;
-      return;
-    }
-    const urdf::Joint& limits = robot.joints[joint];
-    angles[joint] =
-        std::max(limits.lower_rad + kFromLimit_rad, std::min(limits.upper_rad - kFromLimit_rad, angle_rad));
+    const auto limits = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                     [&name](const urdf::Joint& joint) { return joint.name == name; });
+    complete = complete && limits != robot.joints.end();
+    if (!complete) return;
+    angles[static_cast<std::size_t>(limits - robot.joints.begin())] =
+        std::max(limits->lower_rad + kFromLimit_rad, std::min(limits->upper_rad - kFromLimit_rad, angle_rad));
   };
   for (const PostureAngle& angle : posture) {
     const std::string name(angle.joint);
@@ -97,7 +89,7 @@ std::vector<double> angles_of(const urdf::RobotModel& robot, std::span<const Pos
 
 // The stand that the fall began in: nothing is planned for the body as a whole.
 void write_stand(const Stand& stand, std::size_t i, MotionPlan& plan) noexcept {
-  const Eigen::Vector2d com = stand.middle.transform(stand.com_forward_m, 0.0);
+  const Eigen::Vector2d com = stand.com_m();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     plan.com[i][axis] = plan.zmp[i][axis] = com[static_cast<Eigen::Index>(axis)];
     plan.com_velocity[i][axis] = plan.trunk_attitude[i][axis] = 0.0;
@@ -105,8 +97,7 @@ void write_stand(const Stand& stand, std::size_t i, MotionPlan& plan) noexcept {
   plan.hip_height[i] = stand.hip_height_m;
   plan.base_yaw[i] = plan.commanded_yaw[i] = stand.middle.yaw_rad;
   for (std::size_t side = 0; side < 2; ++side) {
-    const double left_m = (side == 0 ? 0.5 : -0.5) * stand.foot_spacing_m;
-    const Eigen::Vector2d foot = stand.middle.transform(0.0, left_m);
+    const Eigen::Vector2d foot = stand.foot_m(side);
     plan.foot_position[i][side][0] = foot.x();
     plan.foot_position[i][side][1] = foot.y();
     plan.foot_position[i][side][2] = 0.0;
@@ -117,26 +108,18 @@ void write_stand(const Stand& stand, std::size_t i, MotionPlan& plan) noexcept {
 
 }  // namespace
 
-// From speed to rest, from no acceleration to none.
 double FallPosture::Way::at(double since_start_s) const noexcept {
-  if (since_start_s >= time_s) return to_rad;
-  const double s = since_start_s / time_s, v = speed_rad_per_s * time_s, d = to_rad - from_rad;
-  return from_rad + v * s +
-         s * s * s * (10.0 * d - 6.0 * v + s * (8.0 * v - 15.0 * d + s * (6.0 * d - 3.0 * v)));
+  return since_start_s < time_s ? path().at(since_start_s).position : to_rad;
 }
 
 double FallPosture::Way::fastest_rad_per_s() const noexcept {
   constexpr int kPlaces = 16;
-  const double v = speed_rad_per_s * time_s, d = to_rad - from_rad;
+  const Quintic to_rest = path();
   double fastest = 0.0;
   for (int place = 0; place < kPlaces; ++place) {
-    const double s = static_cast<double>(place) / kPlaces;
-    const double rate = v + s * s *
-                                (3.0 * (10.0 * d - 6.0 * v) +
-                                 s * (4.0 * (8.0 * v - 15.0 * d) + s * 5.0 * (6.0 * d - 3.0 * v)));
-    fastest = std::max(fastest, std::abs(rate));
+    fastest = std::max(fastest, std::abs(to_rest.at(time_s * place / kPlaces).velocity));
   }
-  return fastest / time_s;
+  return fastest;
 }
 
 FallPosture::FallPosture(const urdf::RobotModel& robot)
@@ -209,6 +192,19 @@ void FallPosture::plan(std::uint32_t sequence, std::int64_t start_ns, const Stan
   }
   state_.points = played;
   if (state_.stage == Stage::goes_home && played >= all) state_.stage = Stage::none;
+}
+
+// After the tail's last point the references stay there.
+std::optional<FallPosture::References> AcceptedReferences::before(std::uint32_t sequence) noexcept {
+  if (accepted_.sequence == 0 || sequence <= accepted_.sequence) return std::nullopt;
+  const std::size_t points = kBatchPoints + std::min<std::size_t>(accepted_.tail_count, kMaxTailPoints);
+  const std::size_t played = kBatchPoints * std::size_t{sequence - accepted_.sequence};
+  const std::size_t at = std::min(played, points) - 1;
+  const std::size_t before = played > points ? at : at - 1;
+  const std::size_t joints = std::min<std::size_t>(accepted_.joint_count, kMaxJoints);
+  std::copy_n(accepted_.position[before], joints, before_rad_.begin());
+  std::copy_n(accepted_.position[at], joints, at_rad_.begin());
+  return FallPosture::References{before_rad_, at_rad_};
 }
 
 }  // namespace gaitway::trajectory

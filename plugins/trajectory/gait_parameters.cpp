@@ -13,43 +13,12 @@ namespace {
 constexpr int kMostTailPoints = 192;     // what a plan can carry, in whole batches
 constexpr int kMostPreviewPoints = 300;  // room of the reference ZMP
 
-int whole_points(double time_s) noexcept {
-  return static_cast<int>(std::lround(time_s / facts::kSlot_s));
-}
-
 }  // namespace
 
-int GaitParameters::step_points() const noexcept {
-  return whole_points(step_time_s);
-}
-int GaitParameters::double_support_points() const noexcept {
-  return std::max(1, whole_points(step_time_s * double_support_share));
-}
-int GaitParameters::lead_in_points() const noexcept {
-  return whole_points(lead_in_s);
-}
-int GaitParameters::recover_lead_in_points() const noexcept {
-  return whole_points(recover_lead_in_s);
-}
-int GaitParameters::recover_swing_points() const noexcept {
-  return whole_points(recover_swing_s);
-}
-int GaitParameters::settle_points() const noexcept {
-  return whole_points(settle_s);
-}
-int GaitParameters::preview_points() const noexcept {
-  return whole_points(preview_s);
-}
-int GaitParameters::absorb_points() const noexcept {
-  return whole_points(absorb_s);
-}
 double GaitParameters::hip_height_at_m(double forward_m_per_s) const noexcept {
   const double share =
       (std::abs(forward_m_per_s) - slow_speed_m_per_s) / (fast_speed_m_per_s - slow_speed_m_per_s);
   return hip_height_m - std::clamp(share, 0.0, 1.0) * (hip_height_m - fast_hip_height_m);
-}
-int GaitParameters::longest_tail_points() const noexcept {
-  return swing_points() + step_points() + settle_points();
 }
 
 std::array<NumberParameter, GaitParameters::kNumbers> GaitParameters::numbers() {

@@ -162,14 +162,13 @@ void MotionPlayer::plan(std::uint32_t sequence, std::int64_t start_ns, MotionPla
   posture.joint_count = static_cast<std::uint32_t>(table().joint_count);
   posture.from_home = table().on_ground ? 1 : 0;
   const Stand& stand = state_.stand;
-  const Eigen::Vector2d com = stand.middle.transform(stand.com_forward_m, 0.0);
+  const Eigen::Vector2d com = stand.com_m();
   posture.stand_com[0] = com.x();
   posture.stand_com[1] = com.y();
   posture.stand_hip_height = stand.hip_height_m;
   posture.stand_yaw = stand.middle.yaw_rad;
   for (std::size_t side = 0; side < 2; ++side) {
-    const double left_m = (side == 0 ? 0.5 : -0.5) * stand.foot_spacing_m;
-    const Eigen::Vector2d foot = stand.middle.transform(0.0, left_m);
+    const Eigen::Vector2d foot = stand.foot_m(side);
     posture.stand_foot[side][0] = foot.x();
     posture.stand_foot[side][1] = foot.y();
     posture.stand_foot[side][2] = stand.middle.yaw_rad;

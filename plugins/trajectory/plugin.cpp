@@ -12,22 +12,18 @@
 #include "gaitway/plugin/cycle.hpp"
 #include "gaitway/plugin/plugin.hpp"
 #include "gaitway/process/installation.hpp"
-#include "gaitway/trajectory/accepted_references.hpp"
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/fall_posture.hpp"
-#include "gaitway/trajectory/limit_report.hpp"
+#include "gaitway/trajectory/footstep_planner.hpp"
 #include "gaitway/trajectory/motion_admission.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
-#include "gaitway/trajectory/motion_table_file.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
-#include "gaitway/trajectory/reach_check.hpp"
-#include "gaitway/trajectory/standing_posture.hpp"
+#include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
 namespace {
-
-constexpr std::uint32_t kFalls = 1;  // Estimate::fall
 
 // The parameters with the configuration's numbers. Throws std::invalid_argument if they break a rule or a leg
 // cannot reach the footsteps.
@@ -83,8 +79,9 @@ class Trajectory final : public Plugin {
     limits_.tune(parameters_);
     take_back_refused_revision(tick);
     MotionPlan& plan = plan_.value();
-    PlanDecision decision = decide(tick);
-    if (joint_plan_.has_value()) accepted_.take(joint_plan_.read(), accepted_sequence(tick));
+    const NetworkState network = network_at(tick);
+    PlanDecision decision = continuity_.decide(tick.batch_sequence, network);
+    if (joint_plan_.has_value()) accepted_.take(joint_plan_.read(), network.accepted_sequence);
     if (decision != PlanDecision::resume) player_.break_off();
     if (decision == PlanDecision::begin_anew) pattern_.reset_to_stand(continuity_.restart_stance());
     const WalkCommand walk = commanded(tick.now_ns);
@@ -155,9 +152,7 @@ class Trajectory final : public Plugin {
     MotionPlan& plan = plan_.value();
     if (!network_.has_value() || plan.sequence != running) return;
     const NetworkState& network = network_.read();
-    if (static_cast<NetworkMode>(network.mode) != NetworkMode::batches ||
-        network.accepted_sequence != running)
-      return;
+    if (network.mode != network_state::mode::batches || network.accepted_sequence != running) return;
     const std::int64_t start_ns = plan.start_ns + revision_slot_ * facts::kSlot_ns;
     const WalkCommand walk = commanded(tick.now_ns);
     if (!pattern_.revise(walk, correction(), plan, deviation_m(start_ns))) return;
@@ -227,7 +222,7 @@ class Trajectory final : public Plugin {
   bool respond_to_fall(const Tick& tick, PlanDecision decision) {
     if (!estimate_.has_value()) return false;
     const Estimate& estimate = estimate_.read();
-    const bool falls = takes_fall_posture_ && estimate.fall == kFalls;
+    const bool falls = takes_fall_posture_ && estimate.fall == estimate::fall::falls;
     const bool anew = decision == PlanDecision::begin_anew;
     if (decision == PlanDecision::wait && (!falls || !plays_tail())) return false;
     // A posture that waits for its turn was not accepted, or has been cut off: it begins again.
@@ -246,9 +241,7 @@ class Trajectory final : public Plugin {
     return true;
   }
 
-  bool plays_tail() {
-    return network_.has_value() && static_cast<NetworkMode>(network_.read().mode) == NetworkMode::safe_tail;
-  }
+  bool plays_tail() { return network_.has_value() && network_.read().mode == network_state::mode::safe_tail; }
 
   // A robot that holds is where its joints say; so is one of whose batch nothing is known any more.
   FallPosture::References references_before(const Tick& tick, PlanDecision decision) {
@@ -281,14 +274,12 @@ class Trajectory final : public Plugin {
   }
 
   // Without a network (a plug-in check, a log replay) every batch counts as accepted.
-  std::uint32_t accepted_sequence(const Tick& tick) {
-    return network_.has_value() ? network_.read().accepted_sequence : tick.batch_sequence - 1;
-  }
-
-  PlanDecision decide(const Tick& tick) {
-    const NetworkMode mode =
-        network_.has_value() ? static_cast<NetworkMode>(network_.read().mode) : NetworkMode::holding;
-    return continuity_.decide(tick.batch_sequence, mode, accepted_sequence(tick));
+  NetworkState network_at(const Tick& tick) {
+    if (network_.has_value()) return network_.read();
+    NetworkState assumed{};
+    assumed.mode = network_state::mode::holding;
+    assumed.accepted_sequence = tick.batch_sequence - 1;
+    return assumed;
   }
 
   GaitParameters parameters_;  // what is set live is taken over at the next batch

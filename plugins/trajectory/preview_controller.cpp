@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/trajectory/gait_parameters.hpp"
 
 namespace gaitway::trajectory {
 namespace {

@@ -1,9 +1,31 @@
-// Steps that walk on, and steps that bring the feet together.
+// Steps that walk on, steps that bring the feet together; and the reference over the stance feet.
 #include "gaitway/trajectory/step_schedule.hpp"
 
+#include <algorithm>
+
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
 namespace gaitway::trajectory {
+namespace {
+
+constexpr int kRampPoints = 6;  // of the offset that absorbs a change of footsteps
+
+// Reference ZMP in the step, `elapsed` points after its beginning.
+Eigen::RowVector2d zmp_in_step(const Step& step, int elapsed) noexcept {
+  if (elapsed >= step.double_support_points) return step.zmp_to;
+  const double share = static_cast<double>(elapsed) / step.double_support_points;
+  return step.zmp_from + (step.lead_in ? smooth_share(share) : share) * (step.zmp_to - step.zmp_from);
+}
+
+std::array<Pose2, 2> feet_after(const Step& step) noexcept {
+  std::array<Pose2, 2> feet;
+  feet[index_of(step.swing)] = step.landing;
+  feet[index_of(other(step.swing))] = step.stance;
+  return feet;
+}
+
+}  // namespace
 
 Eigen::RowVector2d StepSchedule::stance_zmp(Side side, const Pose2& foot) const noexcept {
   return foot.transform(parameters_.zmp_forward_m, -sign_of(side) * parameters_.zmp_inward_m).transpose();
@@ -69,6 +91,70 @@ bool StepSchedule::stop_after(PatternState& state) noexcept {
   steps_[0].last = true;
   count_ = 1;
   return true;
+}
+
+WalkReference::WalkReference(const GaitParameters& parameters)
+    : swing_moment_s2_(parameters.swing_moment_s2),
+      stand_com_forward_m_(parameters.stand_com_forward_m),
+      settle_points_(parameters.settle_points()),
+      absorber_(parameters.com_height_m, parameters.absorb_points(), kRampPoints) {}
+
+Eigen::RowVector2d WalkReference::swing_zmp_m(const SwingFoot& swing, int in_swing) const noexcept {
+  return swing_moment_s2_ * swing.acceleration_m_per_s2(in_swing * facts::kSlot_s);
+}
+
+Eigen::RowVector2d WalkReference::stand_com(const std::array<Pose2, 2>& feet) const noexcept {
+  return middle_of(feet).transform(stand_com_forward_m_, 0.0).transpose();
+}
+
+void WalkReference::lay_out(const PatternState& state, const StepSchedule& schedule, int points,
+                            ZmpReference& reference) const noexcept {
+  reference.count = 0;
+  if (state.phase != Phase::walking) return;
+  const int most = std::min(points + 1, ZmpReference::kCapacity);
+  int row = 0;
+  std::array<Pose2, 2> feet = state.feet;  // where the last step left them
+  const auto lay_out_step = [&](const Step& step, int elapsed, bool in_flight) {
+    const SwingFoot swing =
+        in_flight ? state.swing
+                  : SwingFoot(feet[index_of(step.swing)], step.landing, step.swing_points * facts::kSlot_s);
+    // What the leg in the air adds to the ZMP is left to it: the cart gets the rest.
+    for (; elapsed < step.points() && row < most; ++elapsed) {
+      reference.point.row(row) = zmp_in_step(step, elapsed);
+      const int in_swing = elapsed - step.double_support_points;
+      if (in_swing > 0) reference.point.row(row) -= swing_zmp_m(swing, in_swing);
+      ++row;
+    }
+    feet = feet_after(step);
+  };
+  lay_out_step(state.step, state.elapsed_points, state.swing_points_done() > 0);
+  const Step* last = &state.step;
+  for (const Step& step : schedule.steps()) {
+    if (row >= most) break;
+    lay_out_step(step, 0, false);
+    last = &step;
+  }
+  if (schedule.ends()) {
+    const Eigen::RowVector2d end = stand_com(feet_after(*last));
+    const int shift = settle_points_ / 2;
+    for (int k = 0; k <= shift && row < most; ++k) {
+      reference.point.row(row++) = last->zmp_to + static_cast<double>(k) / shift * (end - last->zmp_to);
+    }
+  }
+  reference.count = row;
+}
+
+void WalkReference::fill(PatternState& state, const StepSchedule& schedule, int points,
+                         ZmpReference& reference) const noexcept {
+  lay_out(state, schedule, points, reference);
+  if (state.phase != Phase::walking) return;
+  absorber_.absorb(state.divergence, reference, state.zmp_offset);
+}
+
+void WalkReference::pass(PatternState& state, const ZmpReference& reference, int played) const noexcept {
+  if (reference.count == 0) return;
+  DivergenceAbsorber::shift(state.zmp_offset, played);
+  state.divergence = absorber_.required_divergence(reference, played);
 }
 
 }  // namespace gaitway::trajectory

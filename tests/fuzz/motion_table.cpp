@@ -8,7 +8,7 @@
 
 #include "fuzz_input.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
-#include "gaitway/trajectory/motion_table_file.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 #include "memory_file.hpp"
 
 namespace gaitway::fuzz {

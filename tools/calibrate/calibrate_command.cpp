@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"

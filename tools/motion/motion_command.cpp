@@ -14,11 +14,10 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/nearest_name.hpp"
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
-#include "gaitway/motion/motion_preparation.hpp"
 #include "gaitway/process/installation.hpp"
-#include "gaitway/trajectory/motion_table_file.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 #include "tools/command_line.hpp"
 #include "tools/motion/motion_picture.hpp"
 

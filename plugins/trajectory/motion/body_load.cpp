@@ -1,9 +1,11 @@
-// Differences of postures, inverse dynamics, and how two feet share what the ground gives.
+// Differences of postures, inverse dynamics, how two feet share what the ground gives; and the lag of servos.
 #include "gaitway/motion/body_load.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "gaitway/motion/support_area.hpp"
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/motion/stance_map.hpp"
 
 namespace gaitway::motion {
 namespace {
@@ -75,6 +77,53 @@ void BodyLoadCalculator::stand(const std::array<BodyPosture, 3>& posture, double
   dynamics_.torques({share_of(ground, left, centre[0] + beside, yaw_Nm),
                      share_of(ground, 1.0 - left, centre[1] + beside, yaw_Nm)},
                     load_.torque_Nm);
+}
+
+// Where only one of two neighbours stands, the robot rests, so that its pelvis is that of the other.
+BodyPosture PlanLoads::posture(std::size_t at, std::size_t point) const {
+  const std::span<const double> angles = plan_.point(at);
+  return {Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size())),
+          plan_.pelvis[plan_.contact[at] == Contact::none ? point : at]};
+}
+
+const BodyLoad& PlanLoads::at(std::size_t point) {
+  const std::size_t before = point == 0 ? 0 : point - 1;
+  const std::size_t after = std::min(point + 1, plan_.point_count() - 1);
+  if (plan_.contact[point] != Contact::none) {
+    kinematics_.compute(plan_.point(point));
+    for (const urdf::Side side : urdf::kSides) {
+      soles_[static_cast<std::size_t>(side)] = plan_.pelvis[point] * kinematics_.sole_pose(side);
+    }
+  }
+  return loads_.compute({posture(before, point), posture(point, point), posture(after, point)},
+                        facts::kSlot_s, plan_.contact[point], soles_);
+}
+
+std::vector<double> leading_references(const urdf::RobotModel& robot, const MotionPlan& plan) {
+  const auto joints = static_cast<Eigen::Index>(plan.joint_count);
+  Eigen::VectorXd compliance(joints), share(joints);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    const urdf::Servo& servo = robot.joints[static_cast<std::size_t>(j)].servo;
+    compliance[j] = 1.0 / servo.stiffness_Nm_per_rad;
+    share[j] = 1.0 - std::exp(-facts::kSlot_s * servo.stiffness_Nm_per_rad / servo.damping_Nms_per_rad);
+  }
+  std::vector<double> reference = plan.joint_rad;
+  PlanLoads loads(robot, plan);
+  Eigen::VectorXd lead = Eigen::VectorXd::Zero(joints), standing_torque = lead;
+  // A motion stands at home at its start, or else at its end.
+  const std::size_t at_home = plan.contact.front() != Contact::none ? 0 : plan.point_count() - 1;
+  if (plan.contact[at_home] != Contact::none) standing_torque = loads.at(at_home).torque_Nm;
+  for (std::size_t i = 0; i < plan.point_count(); ++i) {
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(joints);
+    if (plan.contact[i] != Contact::none) {
+      wanted = compliance.cwiseProduct(loads.at(i).torque_Nm - standing_torque);
+    }
+    lead += share.cwiseProduct(wanted - lead);
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      reference[i * plan.joint_count + static_cast<std::size_t>(j)] += lead[j];
+    }
+  }
+  return reference;
 }
 
 }  // namespace gaitway::motion

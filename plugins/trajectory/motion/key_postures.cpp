@@ -1,5 +1,5 @@
 // Solves each key for a whole posture, and checks it while there is still a key to complain about.
-#include "gaitway/motion/key_postures.hpp"
+#include "gaitway/motion/motion_path.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include "gaitway/kinematics/leg_geometry.hpp"
 #include "gaitway/motion/body_load.hpp"
 #include "gaitway/motion/stance_map.hpp"
-#include "gaitway/motion/support_area.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::motion {

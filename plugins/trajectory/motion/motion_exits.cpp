@@ -1,5 +1,5 @@
 // A quintic in the coordinates of StanceMap for each batch's end and each duration, checked as a motion is.
-#include "gaitway/motion/motion_exits.hpp"
+#include "gaitway/motion/motion_planner.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,9 @@
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/motion/key_postures.hpp"
+#include "gaitway/motion/body_load.hpp"
+#include "gaitway/motion/motion_limits.hpp"
 #include "gaitway/motion/motion_path.hpp"
-#include "gaitway/motion/plan_check.hpp"
-#include "gaitway/motion/servo_lead.hpp"
 #include "gaitway/motion/stance_map.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "segment_cost.hpp"

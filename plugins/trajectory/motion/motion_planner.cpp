@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/motion/body_load.hpp"
 #include "gaitway/motion/motion_path.hpp"
-#include "gaitway/motion/servo_lead.hpp"
 #include "segment_cost.hpp"
 
 namespace gaitway::motion {

@@ -1,17 +1,15 @@
 // What the other plug-ins want to know of each point, from the points alone.
-#include "gaitway/motion/motion_preparation.hpp"
+#include "gaitway/motion/motion_planner.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/motion/motion_exits.hpp"
-#include "gaitway/motion/plan_loads.hpp"
-#include "gaitway/motion/servo_lead.hpp"
+#include "gaitway/motion/body_load.hpp"
 #include "gaitway/motion/stance_map.hpp"
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/trajectory/motion_table_file.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::motion {

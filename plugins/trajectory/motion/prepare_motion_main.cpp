@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "gaitway/motion/motion_file.hpp"
-#include "gaitway/motion/motion_preparation.hpp"
-#include "gaitway/trajectory/motion_table_file.hpp"
+#include "gaitway/motion/motion.hpp"
+#include "gaitway/motion/motion_planner.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 4) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/trajectory/gait_parameters.hpp"  // gravity
 
 namespace gaitway::motion {
 namespace {

@@ -8,7 +8,7 @@
 #include "gaitway/core/joint_plan_check.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/kinematics/batch_solver.hpp"
-#include "gaitway/trajectory/standing_posture.hpp"
+#include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 

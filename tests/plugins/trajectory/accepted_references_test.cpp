@@ -1,5 +1,5 @@
 // Where the references are when a batch begins: in the batch before it, in a safe tail, after its end.
-#include "gaitway/trajectory/accepted_references.hpp"
+#include "gaitway/trajectory/fall_posture.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A limited command is told once, with the rule and its value.
-#include "gaitway/trajectory/limit_report.hpp"
+#include "gaitway/trajectory/footstep_planner.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-#include "gaitway/trajectory/motion_table_file.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 
 namespace gaitway::trajectory {
 namespace {

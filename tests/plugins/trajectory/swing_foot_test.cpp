@@ -1,5 +1,5 @@
 // The swing foot starts and lands at rest, and changes its target without a jump.
-#include "gaitway/trajectory/swing_foot.hpp"
+#include "gaitway/trajectory/step_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "tools/calibrate/calibration_report.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "tools/calibrate/calibration_report.hpp"
 #include "tools/calibrate/pose_performer.hpp"

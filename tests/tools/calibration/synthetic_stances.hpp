@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/motion/key_postures.hpp"
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
+#include "gaitway/motion/motion_path.hpp"
 #include "gaitway/motion/stance_map.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "tools/calibrate/calibration_estimator.hpp"

@@ -1,12 +1,11 @@
 // From wishes to postures: feet in their places, the centre of mass where it was wanted, or a complaint.
-#include "gaitway/motion/key_postures.hpp"
+#include "gaitway/motion/motion_path.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "gaitway/kinematics/leg_geometry.hpp"
 #include "gaitway/motion/stance_map.hpp"
-#include "gaitway/motion/support_area.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "motion_fixture.hpp"
 

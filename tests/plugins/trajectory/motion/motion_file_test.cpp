@@ -1,5 +1,5 @@
 // What a motion's file may say, and what is said about one that is wrong.
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 
 namespace gaitway::motion {

@@ -1,5 +1,5 @@
 // Ways out of motions: from every batch, within every limit, and home.
-#include "gaitway/motion/motion_preparation.hpp"
+#include "gaitway/motion/motion_planner.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/motion/plan_loads.hpp"
+#include "gaitway/motion/body_load.hpp"
 #include "gaitway/simulator/plant.hpp"
 
 namespace gaitway::motion {

@@ -1,5 +1,5 @@
 // The dense check notices each limit that is broken, at its joint and time.
-#include "gaitway/motion/plan_check.hpp"
+#include "gaitway/motion/motion_limits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,14 +1,16 @@
-// The posture in which a falling robot meets the ground, and the way back from it.
+// The posture in which a falling robot meets the ground, the way back from it, and where such ways begin.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
+#include "gaitway/trajectory/quintic.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::trajectory {
@@ -56,6 +58,8 @@ class FallPosture {
   struct Way {
     double from_rad = 0.0, speed_rad_per_s = 0.0, to_rad = 0.0, time_s = 0.0;
 
+    // From speed to rest, from no acceleration to none.
+    [[nodiscard]] Quintic path() const noexcept { return {{from_rad, speed_rad_per_s}, {to_rad}, time_s}; }
     [[nodiscard]] double at(double since_start_s) const noexcept;
     [[nodiscard]] double fastest_rad_per_s() const noexcept;
   };
@@ -78,6 +82,23 @@ class FallPosture {
   std::array<Angles, 4> postures_rad_;  // ahead, to the left, back, to the right
   bool exists_ = true;
   State state_;
+};
+
+// Where the joints' references are when the next batch begins: on the batch that was accepted last, or on its
+// safe tail.
+class AcceptedReferences {
+ public:
+  // Once a batch, with the newest joint plan: it is kept if it is the one that was accepted. 5 us.
+  void take(const JointPlan& newest, std::uint32_t accepted_sequence) noexcept {
+    if (newest.sequence != 0 && newest.sequence == accepted_sequence) accepted_ = newest;
+  }
+  // At the two points before the batch of that sequence; nothing: the accepted plan is not known. Valid until
+  // the next call.
+  [[nodiscard]] std::optional<FallPosture::References> before(std::uint32_t sequence) noexcept;
+
+ private:
+  JointPlan accepted_{};
+  std::array<double, kMaxJoints> before_rad_{}, at_rad_{};
 };
 
 }  // namespace gaitway::trajectory

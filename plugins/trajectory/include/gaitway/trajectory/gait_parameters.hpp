@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "gaitway/facts/facts.hpp"
@@ -97,15 +98,17 @@ struct GaitParameters {
   double zmp_error_weight = 1.0;
   double jerk_weight = 1e-6;
 
-  [[nodiscard]] int step_points() const noexcept;
-  [[nodiscard]] int double_support_points() const noexcept;
+  [[nodiscard]] int step_points() const noexcept { return whole_points(step_time_s); }
+  [[nodiscard]] int double_support_points() const noexcept {
+    return std::max(1, whole_points(step_time_s * double_support_share));
+  }
   [[nodiscard]] int swing_points() const noexcept { return step_points() - double_support_points(); }
-  [[nodiscard]] int lead_in_points() const noexcept;
-  [[nodiscard]] int recover_lead_in_points() const noexcept;
-  [[nodiscard]] int recover_swing_points() const noexcept;
-  [[nodiscard]] int settle_points() const noexcept;
-  [[nodiscard]] int preview_points() const noexcept;
-  [[nodiscard]] int absorb_points() const noexcept;
+  [[nodiscard]] int lead_in_points() const noexcept { return whole_points(lead_in_s); }
+  [[nodiscard]] int recover_lead_in_points() const noexcept { return whole_points(recover_lead_in_s); }
+  [[nodiscard]] int recover_swing_points() const noexcept { return whole_points(recover_swing_s); }
+  [[nodiscard]] int settle_points() const noexcept { return whole_points(settle_s); }
+  [[nodiscard]] int preview_points() const noexcept { return whole_points(preview_s); }
+  [[nodiscard]] int absorb_points() const noexcept { return whole_points(absorb_s); }
   // Of the hip axes above the ground at a speed forward or backward.
   [[nodiscard]] double hip_height_at_m(double forward_m_per_s) const noexcept;
   // Of how far ahead or back the first step of a recovery is to go, what it may.
@@ -113,7 +116,9 @@ struct GaitParameters {
     return std::clamp(ahead_m, -recover_step_m, recover_step_m);
   }
   // Points of the longest safe tail: a swing just begun, the closing step, the settling.
-  [[nodiscard]] int longest_tail_points() const noexcept;
+  [[nodiscard]] int longest_tail_points() const noexcept {
+    return swing_points() + step_points() + settle_points();
+  }
 
   // As the configuration has them; all but the sole, which is the robot's.
   static constexpr std::size_t kNumbers = 48;
@@ -123,6 +128,11 @@ struct GaitParameters {
 
   // Throws std::invalid_argument naming the parameter, its value, the rule and the remedy.
   void validate() const;
+
+ private:
+  static int whole_points(double time_s) noexcept {
+    return static_cast<int>(std::lround(time_s / facts::kSlot_s));
+  }
 };
 
 }  // namespace gaitway::trajectory

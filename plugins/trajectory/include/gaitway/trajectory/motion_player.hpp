@@ -18,6 +18,11 @@ namespace gaitway::trajectory {
 struct Stand {
   Pose2 middle;  // between the sole origins
   double com_forward_m = 0.0, hip_height_m = 0.0, foot_spacing_m = 0.0;
+
+  [[nodiscard]] Eigen::Vector2d com_m() const noexcept { return middle.transform(com_forward_m, 0.0); }
+  [[nodiscard]] Eigen::Vector2d foot_m(std::size_t side) const noexcept {
+    return middle.transform(0.0, (side == 0 ? 0.5 : -0.5) * foot_spacing_m);
+  }
 };
 
 // Values of MotionState::state and MotionState::result.

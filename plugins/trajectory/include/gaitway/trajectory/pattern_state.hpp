@@ -6,17 +6,21 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/divergence_absorber.hpp"
 #include "gaitway/trajectory/footstep_planner.hpp"
-#include "gaitway/trajectory/hip_height.hpp"
 #include "gaitway/trajectory/preview_controller.hpp"
 #include "gaitway/trajectory/quintic.hpp"
-#include "gaitway/trajectory/swing_foot.hpp"
+#include "gaitway/trajectory/step_motion.hpp"
 
 namespace gaitway::trajectory {
 
 [[nodiscard]] constexpr std::size_t index_of(Side side) noexcept {
   return static_cast<std::size_t>(side);
+}
+
+[[nodiscard]] constexpr double smooth_share(double share) noexcept {
+  return share * share * (3.0 - 2.0 * share);
 }
 
 enum class Phase : std::uint8_t {
@@ -74,19 +78,35 @@ struct PatternState {
   // Of the step in flight: points since the lift, 0 or less in the double support.
   [[nodiscard]] int swing_points_done() const noexcept { return elapsed_points - step.double_support_points; }
   // Of the swing, what is done: 0 in the double support.
-  [[nodiscard]] double swing_share() const noexcept;
+  [[nodiscard]] double swing_share() const noexcept {
+    const int in_swing = swing_points_done();
+    return in_swing > 0 ? swing.share(in_swing * facts::kSlot_s) : 0.0;
+  }
   // Aims the foot at the step's landing place, if it is in the air.
-  void aim_swing() noexcept;
+  void aim_swing() noexcept {
+    const int in_swing = swing_points_done();
+    if (in_swing > 0) swing.aim(step.landing, in_swing * facts::kSlot_s, step.swing_points * facts::kSlot_s);
+  }
   // By how much the yaw feedback will have turned the foot in the air when it has landed.
-  [[nodiscard]] double landing_yaw_correction_rad(double step_time_s) const noexcept;
+  [[nodiscard]] double landing_yaw_correction_rad(double step_time_s) const noexcept {
+    return yaw_correction_rad[index_of(other(step.swing))] +
+           (step.velocity.turn_rad_per_s - step.commanded_turn_rad_per_s) * step_time_s;
+  }
   // The same of the base, now: its yaw is the mean of the feet's.
-  [[nodiscard]] double base_yaw_correction_rad(double step_time_s) const noexcept;
+  [[nodiscard]] double base_yaw_correction_rad(double step_time_s) const noexcept {
+    double sum_rad = yaw_correction_rad[0] + yaw_correction_rad[1];
+    if (phase == Phase::walking) {
+      sum_rad += smooth_share(swing_share()) *
+                 (landing_yaw_correction_rad(step_time_s) - yaw_correction_rad[index_of(step.swing)]);
+    }
+    return 0.5 * sum_rad;
+  }
 };
 
-[[nodiscard]] constexpr double smooth_share(double share) noexcept {
-  return share * share * (3.0 - 2.0 * share);
-}
 // The middle between two feet.
-[[nodiscard]] Pose2 middle_of(const std::array<Pose2, 2>& feet) noexcept;
+[[nodiscard]] inline Pose2 middle_of(const std::array<Pose2, 2>& feet) noexcept {
+  return {0.5 * (feet[0].x_m + feet[1].x_m), 0.5 * (feet[0].y_m + feet[1].y_m),
+          0.5 * (feet[0].yaw_rad + feet[1].yaw_rad)};
+}
 
 }  // namespace gaitway::trajectory

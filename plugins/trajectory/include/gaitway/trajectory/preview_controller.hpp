@@ -51,7 +51,6 @@ class PreviewController {
     return cart.motion.row(0) - height_over_gravity_s2_ * cart.motion.row(2);
   }
 
-  [[nodiscard]] double integral_gain() const noexcept { return integral_gain_; }
   [[nodiscard]] const Eigen::RowVector3d& state_gain() const noexcept { return state_gain_; }
   [[nodiscard]] const Eigen::VectorXd& preview_gain() const noexcept {
     return preview_gain_;

@@ -5,13 +5,11 @@
 #include <cstdint>
 
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/trajectory/flight_adjuster.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 #include "gaitway/trajectory/pattern_state.hpp"
 #include "gaitway/trajectory/preview_controller.hpp"
-#include "gaitway/trajectory/stand_recovery.hpp"
+#include "gaitway/trajectory/push_recovery.hpp"
 #include "gaitway/trajectory/step_schedule.hpp"
-#include "gaitway/trajectory/walk_reference.hpp"
 
 namespace gaitway::trajectory {
 

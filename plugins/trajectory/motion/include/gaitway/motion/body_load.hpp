@@ -1,11 +1,15 @@
-// What one instant of a motion asks of motors and ground, from three postures in a row.
+// What a motion asks of motors and ground, instant by instant, and how far references must lead compliant
+// servos.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <array>
+#include <vector>
 
 #include "gaitway/motion/motion.hpp"
+#include "gaitway/motion/motion_plan.hpp"
 #include "gaitway/motion/whole_body_dynamics.hpp"
+#include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::motion {
 
@@ -43,5 +47,33 @@ class BodyLoadCalculator {
   BodyMotion motion_;
   BodyLoad load_;
 };
+
+// What a planned motion asks of motors and ground, point by point, from the points alone.
+class PlanLoads {
+ public:
+  // Keeps references to both.
+  PlanLoads(const urdf::RobotModel& robot, const MotionPlan& plan)
+      : plan_(plan), kinematics_(robot), loads_(robot) {}
+
+  // Holds until the next call.
+  const BodyLoad& at(std::size_t point);
+  // [Side], of the point last asked for, where the robot stands.
+  [[nodiscard]] const std::array<Eigen::Isometry3d, 2>& soles() const noexcept { return soles_; }
+  [[nodiscard]] double weight_N() const noexcept { return loads_.weight_N(); }
+
+ private:
+  [[nodiscard]] BodyPosture posture(std::size_t at, std::size_t point) const;
+
+  const MotionPlan& plan_;
+  urdf::ForwardKinematics kinematics_;
+  BodyLoadCalculator loads_;
+  std::array<Eigen::Isometry3d, 2> soles_{Eigen::Isometry3d::Identity(), Eigen::Isometry3d::Identity()};
+};
+
+// The references with which compliant servos move as planned.
+// A servo gives a torque only by lagging behind its reference. So that the joint and not the reference is
+// where the plan wants it, the reference leads by what the planned torque takes, beyond what standing at home
+// takes: rows as the plan's, equal to them where the robot stands at home, and where its contact is none.
+[[nodiscard]] std::vector<double> leading_references(const urdf::RobotModel& robot, const MotionPlan& plan);
 
 }  // namespace gaitway::motion

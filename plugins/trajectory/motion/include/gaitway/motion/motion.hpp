@@ -1,16 +1,17 @@
-// A key-frame motion as its file describes it: postures to pass through, and what stands on the ground
-// meanwhile.
+// A key-frame motion as its file describes it, and the reading of such files: postures to pass through, and
+// what stands on the ground meanwhile.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "gaitway/trajectory/lying_side.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::motion {
@@ -73,5 +74,17 @@ struct Motion {
   std::optional<trajectory::LyingSide> lies_on;  // there, on which side; not said: any
   std::vector<Key> keys;
 };
+
+// Reads motions from YAML files, strictly.
+// Throws urdf::RobotError with file, line, field, value, rule and remedy.
+[[nodiscard]] Motion read_motion(const std::filesystem::path& file, const urdf::RobotModel& robot);
+
+// The same of a text; `file` is what complaints call it.
+[[nodiscard]] Motion parse_motion(const std::string& text, const std::filesystem::path& file,
+                                  const urdf::RobotModel& robot);
+
+// The motions of a folder: its *.yaml files, in the order of their names. Throws
+// urdf::RobotError if it is none.
+[[nodiscard]] std::vector<std::filesystem::path> motion_files(const std::filesystem::path& folder);
 
 }  // namespace gaitway::motion

@@ -1,9 +1,13 @@
-// What a planned motion may ask of the robot: shares of what the robot can, so that feedback has the rest.
+// What a planned motion may ask of the robot, and the check of every point against it.
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/motion/motion_plan.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::motion {
@@ -34,5 +38,40 @@ struct JointLimits {
   Eigen::VectorXd acceleration_rad_per_s2;
   Eigen::VectorXd standstill_torque_Nm, motor_speed_rad_per_s;
 };
+
+enum class LimitKind : std::uint8_t {
+  position,
+  speed,
+  acceleration,
+  torque,
+  zmp,
+  friction,
+  weight,
+  foot_place,
+};
+
+// How near the motion comes to a limit: the worst point.
+struct LimitUse {
+  LimitKind kind = LimitKind::position;
+  std::string what;  // the joint, or what else is limited
+  std::string unit;
+  double time_s = 0.0;
+  double value = 0.0, limit = 0.0;  // in the unit
+  double excess = -1e9;             // in the unit; > 0: the limit does not hold
+};
+
+struct PlanReport {
+  std::vector<LimitUse> uses;  // one for each kind that could be checked
+
+  [[nodiscard]] const LimitUse* broken() const noexcept;  // the first limit that does not hold, or none
+};
+
+[[nodiscard]] std::string_view name_of(LimitKind kind) noexcept;
+// E.g. "left_knee: torque 9.1 N·m at 1.23 s, limit 6.4 N·m".
+[[nodiscard]] std::string describe(const LimitUse& use);
+
+// At every point, from the points alone: whatever made them.
+[[nodiscard]] PlanReport check_plan(const urdf::RobotModel& robot, const MotionPlan& plan,
+                                    const MotionLimits& limits);
 
 }  // namespace gaitway::motion

@@ -1,17 +1,37 @@
-// A motion as splines: quintic polynomials from knot to knot, with rests at the knots that are held.
+// From a motion's keys to whole postures, and between them to splines: quintic polynomials from knot to knot,
+// with rests at the knots that are held.
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "gaitway/motion/key_postures.hpp"
 #include "gaitway/motion/motion.hpp"
-#include "gaitway/motion/support_area.hpp"
+#include "gaitway/motion/motion_limits.hpp"
 #include "gaitway/trajectory/quintic.hpp"
 
 namespace gaitway::motion {
+
+// Why a motion cannot be played: names file, line and key, or joint and time, with value, limit and remedy.
+class MotionError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct KeyPosture {
+  Eigen::VectorXd joint_rad;
+  // As StanceMap has it; none where the robot does not stand on flat feet.
+  std::optional<Eigen::VectorXd> stance;
+};
+
+// The posture that the motion starts from, and one for each key (not for the first if the motion starts
+// there). Throws MotionError where a key is out of reach or limits, out of balance, or moves a foot that it
+// stands on.
+[[nodiscard]] std::vector<KeyPosture> key_postures(const urdf::RobotModel& robot, const Motion& motion,
+                                                   const MotionLimits& limits);
 
 // Coordinates at a key as seen by the segments on both sides, with their derivatives. At rest where `moving`
 // is empty.

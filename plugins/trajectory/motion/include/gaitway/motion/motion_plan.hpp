@@ -8,7 +8,6 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/motion.hpp"
-#include "gaitway/motion/motion_limits.hpp"
 
 namespace gaitway::motion {
 

@@ -1,9 +1,14 @@
-// From a motion's keys to points: the fastest smooth way that the limits allow.
+// From a motion's keys to the table that the robot plays: points, ways out from every batch, rows.
 #pragma once
 
-#include "gaitway/motion/key_postures.hpp"
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "gaitway/motion/motion_limits.hpp"
+#include "gaitway/motion/motion_path.hpp"
 #include "gaitway/motion/motion_plan.hpp"
-#include "gaitway/motion/plan_check.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
 
 namespace gaitway::motion {
 
@@ -24,5 +29,36 @@ struct PlannedMotion {
 // way.
 [[nodiscard]] PlannedMotion plan_motion(const urdf::RobotModel& robot, const Motion& motion,
                                         const PlannerOptions& options);
+
+// How a motion is left before its end: from each batch's end a way to rest that keeps the limits, too.
+// From the end of the batch: so many points further, then along `way`.
+struct PlannedExit {
+  std::size_t go_on_points = 0;
+  std::optional<std::size_t> way;  // index into ExitPlan::ways; none: on to the motion's end
+};
+
+struct ExitPlan {
+  std::vector<PlannedExit> exits;  // one for each batch of the motion, and one for its end
+  std::vector<MotionPlan> ways;    // whole batches; only their points, without keys
+};
+
+// `plan`: whole batches after its first point. Where both feet stand, the fastest way home that the limits
+// allow is looked for, from the posture and the speed of that point; the exit is the sooner of it and of
+// going on to where there is one. Where nothing stands, the joints come to rest where they are. Throws
+// MotionError when from some point the robot would not rest within `longest_points`.
+[[nodiscard]] ExitPlan plan_exits(const urdf::RobotModel& robot, const MotionPlan& plan,
+                                  const MotionLimits& limits, std::size_t batch_points,
+                                  std::size_t longest_points);
+
+struct PreparedMotion {
+  trajectory::MotionTable table;
+  PlannedMotion planned;
+  std::size_t longest_exit_points = 0;
+};
+
+// Throws MotionError if the motion, or a way out of it, breaks a limit; std::runtime_error if the robot's
+// description cannot be read.
+[[nodiscard]] PreparedMotion prepare_motion(const urdf::RobotModel& robot, const Motion& motion,
+                                            const PlannerOptions& options);
 
 }  // namespace gaitway::motion

@@ -1,13 +1,13 @@
-// The coordinates in which a standing motion is planned: poses of pelvis and soles and the joints outside the
-// legs. While a foot's coordinates rest, the foot stays in its place, whatever the others do; the legs'
-// angles follow.
+// The coordinates in which a standing motion is planned, and the area under the soles that stand.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <array>
 #include <vector>
 
+#include "gaitway/geometry/convex_hull.hpp"
 #include "gaitway/kinematics/leg_solver.hpp"
+#include "gaitway/motion/motion.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::motion {
@@ -48,5 +48,14 @@ class StanceMap {
 
 // The pose in the six coordinates that begin at `first`.
 [[nodiscard]] Eigen::Isometry3d pose_at(const Eigen::VectorXd& coordinates, Eigen::Index first);
+
+// The area between and under the soles that stand, within which the ZMP must stay.
+// On the ground; empty where nothing stands.
+using SupportArea = geometry::ConvexHull<>;
+[[nodiscard]] SupportArea support_area(const urdf::RobotModel& robot, Contact contact,
+                                       const std::array<Eigen::Isometry3d, 2>& sole);
+
+// Middle of the sole rectangle on the ground.
+[[nodiscard]] Eigen::Vector2d sole_centre(const urdf::Foot& foot, const Eigen::Isometry3d& sole);
 
 }  // namespace gaitway::motion

@@ -1,5 +1,5 @@
 // Reads motions strictly: what isn't understood is refused with file, line, field, value and rule.
-#include "gaitway/motion/motion_file.hpp"
+#include "gaitway/motion/motion.hpp"
 
 #include <fmt/format.h>
 
@@ -83,10 +83,14 @@ void add_both_sides(const YamlValue& value, const std::string& name, const urdf:
   add_joint(value, "right_" + name, sign * angle, robot, angles);
 }
 
-void read_angle(const YamlValue& map, std::string_view key, std::optional<double>& target) {
-  if (const auto value = map.find(key)) {
-    target = value->number(kTilt) * kRadPerDegree;
-  }
+std::optional<double> number_in(const YamlValue& map, std::string_view key, const input::Range& range) {
+  const auto value = map.find(key);
+  return value ? std::optional(value->number(range)) : std::nullopt;
+}
+
+std::optional<double> angle_in(const YamlValue& map, std::string_view key) {
+  const std::optional<double> angle_deg = number_in(map, key, kTilt);
+  return angle_deg ? std::optional(*angle_deg * kRadPerDegree) : std::nullopt;
 }
 
 PelvisWish read_pelvis(const YamlValue& value) {
@@ -94,22 +98,13 @@ PelvisWish read_pelvis(const YamlValue& value) {
                                                   "over",         "forward_m", "left_m"};
   value.require_map(kKeys);
   PelvisWish wish;
-  if (const auto height = value.find("hip_height_m")) {
-    wish.hip_height_m = height->number(kHipHeight);
-  }
-  read_angle(value, "roll_deg", wish.attitude_rad[0]);
-  read_angle(value, "pitch_deg", wish.attitude_rad[1]);
-  read_angle(value, "yaw_deg", wish.attitude_rad[2]);
+  wish.hip_height_m = number_in(value, "hip_height_m", kHipHeight);
+  wish.attitude_rad = {angle_in(value, "roll_deg"), angle_in(value, "pitch_deg"), angle_in(value, "yaw_deg")};
   if (const auto over = value.find("over")) {
     constexpr std::array<std::string_view, 3> kOver{"both", "left", "right"};
     wish.over = static_cast<Over>(choice(*over, kOver));
   }
-  if (const auto forward = value.find("forward_m")) {
-    wish.com_offset_m[0] = forward->number(kShift);
-  }
-  if (const auto left = value.find("left_m")) {
-    wish.com_offset_m[1] = left->number(kShift);
-  }
+  wish.com_offset_m = {number_in(value, "forward_m", kShift), number_in(value, "left_m", kShift)};
   return wish;
 }
 
@@ -120,9 +115,8 @@ FootWish read_foot(const YamlValue& value) {
   FootWish wish;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    if (const auto shift = value.find(kKeys[i])) wish.position_m[axis] = shift->number(kShift);
-    if (const auto angle = value.find(kKeys[i + 3]))
-      wish.attitude_rad[axis] = angle->number(kTilt) * kRadPerDegree;
+    wish.position_m[axis] = number_in(value, kKeys[i], kShift).value_or(0.0);
+    wish.attitude_rad[axis] = angle_in(value, kKeys[i + 3]).value_or(0.0);
   }
   if (wish.position_m.z() < 0.0) {
     value.at("up_m").refuse("the foot would be in the ground", "Choose 0 or more.");
@@ -192,8 +186,8 @@ Key read_key(const YamlValue& value, const urdf::RobotModel& robot) {
   if (const auto contact = value.find("contact")) {
     key.contact = static_cast<Contact>(choice(*contact, kContactNames));
   }
-  if (const auto hold = value.find("hold_s")) key.hold_s = hold->number(kTime);
-  if (const auto least = value.find("min_time_s")) key.min_time_s = least->number(kTime);
+  key.hold_s = number_in(value, "hold_s", kTime).value_or(0.0);
+  key.min_time_s = number_in(value, "min_time_s", kTime).value_or(0.0);
   read_joints(value, robot, key);
   read_stance(value, robot, key);
   return key;

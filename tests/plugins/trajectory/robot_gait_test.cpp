@@ -1,5 +1,6 @@
-// Footsteps that a leg cannot reach are refused before anything moves.
-#include "gaitway/trajectory/reach_check.hpp"
+// The pattern's numbers come from the robot's own description; footsteps that a leg cannot reach are refused
+// before anything moves.
+#include "gaitway/trajectory/robot_gait.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gaitway/trajectory/standing_posture.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
 namespace gaitway::trajectory {
@@ -65,6 +65,15 @@ double farthest_in_walk_m(const GaitParameters& p, const WalkCommand& command) {
     }
   }
   return farthest_m;
+}
+
+TEST(StandingPosture, HumanoidStandsAsItsDescriptionSays) {
+  const GaitParameters p = with_standing_posture({}, humanoid22());
+  EXPECT_NO_THROW(p.validate());
+  EXPECT_EQ(p.hip_height_m, humanoid22().hip_height_m);
+  EXPECT_NEAR(p.foot_spacing_m, 0.100, 0.005);
+  EXPECT_NEAR(p.com_height_m, 0.378, 0.02);
+  EXPECT_NEAR(p.sole.length_m, 0.135, 1e-9);
 }
 
 TEST(ReachCheck, MeasuresTheLegFromItsJoints) {

@@ -1,5 +1,7 @@
-// The swing foot's polynomials.
-#include "gaitway/trajectory/swing_foot.hpp"
+// Polynomials of fifth degree to each new goal.
+#include "gaitway/trajectory/step_motion.hpp"
+
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::trajectory {
 
@@ -37,6 +39,19 @@ Pose2 SwingFoot::at(double time_s) const noexcept {
 Eigen::RowVector2d SwingFoot::acceleration_m_per_s2(double time_s) const noexcept {
   const double since = time_s - aimed_s_;
   return {x_.at(since).acceleration, y_.at(since).acceleration};
+}
+
+void HipHeight::aim(double goal_m, int points) noexcept {
+  goal_m_ = goal_m;
+  path_ = Quintic(now_, {goal_m}, points * facts::kSlot_s);
+  gone_points_ = 0;
+  path_points_ = points;
+}
+
+void HipHeight::advance() noexcept {
+  if (now_.position == goal_m_) return;
+  ++gone_points_;
+  now_ = gone_points_ < path_points_ ? path_.at(gone_points_ * facts::kSlot_s) : MotionState{goal_m_};
 }
 
 }  // namespace gaitway::trajectory

@@ -1,5 +1,4 @@
-// The motion of the foot in the air: at rest at lift and at touch-down, and smooth when its target changes on
-// the way.
+// How the foot in the air and the hips move in a step: smooth, also when their goal changes on the way.
 #pragma once
 
 #include "gaitway/trajectory/footstep_planner.hpp"
@@ -11,6 +10,7 @@ namespace gaitway::trajectory {
 // both ends.
 [[nodiscard]] double swing_height_m(double share, double lift_m) noexcept;
 
+// The foot in the air: at rest at lift and at touch-down, and smooth when its target changes on the way.
 class SwingFoot {
  public:
   SwingFoot() = default;
@@ -32,6 +32,32 @@ class SwingFoot {
   double aimed_s_ = 0.0;  // when the polynomials begin
   double swing_s_ = 1.0;
   double landing_rate_per_s_ = 1.0;  // of the share
+};
+
+// The hips' height above the ground, on its way from one to another.
+class HipHeight {
+ public:
+  HipHeight() = default;
+  // At rest at a height.
+  explicit HipHeight(double height_m) noexcept : now_{height_m}, goal_m_(height_m) {}
+
+  // Heads for another height, to be there after `points` points, without a jump in speed or acceleration.
+  void aim(double goal_m, int points) noexcept;
+  void advance() noexcept;  // by a point
+
+  [[nodiscard]] double height_m() const noexcept { return now_.position; }
+  [[nodiscard]] double goal_m() const noexcept { return goal_m_; }
+
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    archive(self.now_, self.goal_m_, self.path_, self.gone_points_, self.path_points_);
+  }
+
+ private:
+  MotionState now_;
+  double goal_m_ = 0.0;
+  Quintic path_;  // to the goal
+  int gone_points_ = 0, path_points_ = 0;
 };
 
 }  // namespace gaitway::trajectory

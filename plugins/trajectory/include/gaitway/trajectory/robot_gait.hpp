@@ -1,4 +1,5 @@
-// Whether the legs can reach every footstep that the gait parameters allow.
+// The gait of one robot: what the pattern takes from its description, and whether its legs reach every
+// footstep.
 #pragma once
 
 #include <array>
@@ -7,6 +8,15 @@
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::trajectory {
+
+// `parameters` with CoM height and place, hip height, foot spacing and sole of the robot in its standing
+// posture (all joints at home_rad), so that the nominal stand of the plans is the posture that the joints
+// hold. The ZMP is put below the middle of the sole.
+[[nodiscard]] GaitParameters with_standing_posture(GaitParameters parameters, const urdf::RobotModel& robot);
+
+// Whether a robot with `parameters` stands as one with `described` does: CoM, hips and feet.
+[[nodiscard]] bool stands_as_described(const GaitParameters& parameters,
+                                       const GaitParameters& described) noexcept;
 
 // The part of a leg that reaches for a footstep: from the hip pitch axis over the knee to the ankle pitch
 // axis. Lengths in m; measured in the zero posture.
