@@ -8,7 +8,6 @@
 #include "gaitway_target/emulated_board.hpp"
 #include "gaitway_target/joint_firmware.hpp"
 #include "gaitway_target/semihosting.hpp"
-#include "gaitway_target/stack_use.hpp"
 
 namespace gaitway::target {
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/firmware/joint.hpp"
 #include "gaitway_target/core_registers.hpp"
 #include "gaitway_target/emulated_board.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 constexpr std::uint8_t kHighPriority = 0x40, kLowPriority = 0x80;
 constexpr std::uint32_t kServoRate_Hz = facts::kSecond_ns / localcontroller::kServoPeriod_ns;
-constexpr double kDegree_rad = 3.141592653589793 / 180.0;
 
 struct Firmware {
   EmulatedBoard board;
@@ -27,18 +27,18 @@ std::optional<Firmware> running;  // made before interrupts are enabled, and nev
 localcontroller::JointConfig joint_configuration() noexcept {
   localcontroller::JointConfig config;
   config.node = 5;
-  config.count_rad = 0.05 * kDegree_rad;
-  config.encoder_count_rad = 360.0 / 200'000.0 * kDegree_rad;
+  config.count_rad = 0.05 * facts::kRadPerDegree;
+  config.encoder_count_rad = 360.0 / 200'000.0 * facts::kRadPerDegree;
   config.stiffness_Nm_per_rad = 300.0;
   config.damping_Nms_per_rad = 4.0;
   config.torque_limit_Nm = 8.0;
   config.speed_limit_rad_per_s = 8.0;
-  config.lower_rad = -60.0 * kDegree_rad;
-  config.upper_rad = 60.0 * kDegree_rad;
+  config.lower_rad = -60.0 * facts::kRadPerDegree;
+  config.upper_rad = 60.0 * facts::kRadPerDegree;
   config.trim_channel = 4;
-  config.trim_count_rad = 0.05 * kDegree_rad;
-  config.trim_slew_rad_per_s = 200.0 * kDegree_rad;
-  config.trim_limit_rad = 6.35 * kDegree_rad;
+  config.trim_count_rad = 0.05 * facts::kRadPerDegree;
+  config.trim_slew_rad_per_s = 200.0 * facts::kRadPerDegree;
+  config.trim_limit_rad = 6.35 * facts::kRadPerDegree;
   config.channel_scale[0] = config.channel_scale[1] = 0.01F;  // N
   return config;
 }

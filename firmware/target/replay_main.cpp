@@ -8,7 +8,6 @@
 #include "gaitway/firmware/trace_replay.hpp"
 #include "gaitway_target/core_registers.hpp"
 #include "gaitway_target/semihosting.hpp"
-#include "gaitway_target/stack_use.hpp"
 
 namespace gaitway::target {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "gaitway_target/stack_use.hpp"
+#include "gaitway_target/core_registers.hpp"
 
 extern "C" {
 

@@ -1,5 +1,5 @@
 // What goes out is the mean of the last ten samples, rounded, within 16 bits.
-#include "gaitway/localcontroller/sensor_filter.hpp"
+#include "gaitway/localcontroller/joint_controller.hpp"
 
 #include <gtest/gtest.h>
 
