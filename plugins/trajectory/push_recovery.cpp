@@ -11,9 +11,9 @@
 
 namespace gaitway::trajectory {
 
-StepInFlight FlightAdjuster::step_in_flight(const PatternState& state, const FootstepPlanner& planner,
-                                            const DivergenceAbsorber& absorber,
-                                            const ZmpReference& reference) const noexcept {
+StepInFlight PushRecovery::step_in_flight(const PatternState& state, const FootstepPlanner& planner,
+                                          const DivergenceAbsorber& absorber,
+                                          const ZmpReference& reference) const noexcept {
   const Step& step = state.step;
   const Eigen::Rotation2Dd to_stance(-step.stance.yaw_rad);
   StepInFlight flight;
@@ -44,8 +44,8 @@ StepInFlight FlightAdjuster::step_in_flight(const PatternState& state, const Foo
 
 // The plan's DCM moves to the body's by a change of the CoM's velocity: its place stays, and goes over to
 // where the body is within 1/ω.
-bool FlightAdjuster::adjust(PatternState& state, const StepSchedule& schedule, const WalkReference& walk,
-                            const Eigen::Vector2d& dcm_deviation_m, ZmpReference& reference) const noexcept {
+bool PushRecovery::adjust(PatternState& state, const StepSchedule& schedule, const WalkReference& walk,
+                          const Eigen::Vector2d& dcm_deviation_m, ZmpReference& reference) const noexcept {
   if (state.phase != Phase::walking) return false;
   Step& step = state.step;
   const Eigen::Rotation2Dd to_plan(step.stance.yaw_rad);
@@ -66,8 +66,8 @@ bool FlightAdjuster::adjust(PatternState& state, const StepSchedule& schedule, c
   return true;
 }
 
-bool StandRecovery::must_step(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
-                              double bow_rad, const DivergenceAbsorber& absorber) const noexcept {
+bool PushRecovery::must_step(const PatternState& state, const Eigen::Vector2d& dcm_deviation_m,
+                             double bow_rad, const DivergenceAbsorber& absorber) const noexcept {
   if (state.phase == Phase::walking || dcm_deviation_m.isZero()) return false;
   const Pose2 middle = middle_of(state.feet);
   const Eigen::Vector2d dcm = absorber.divergence(state.cart).transpose() + dcm_deviation_m;
@@ -85,15 +85,15 @@ bool StandRecovery::must_step(const PatternState& state, const Eigen::Vector2d& 
   return std::max(along, aside) > 0.0;
 }
 
-double StandRecovery::side_to_step_to(const PatternState& state,
-                                      const Eigen::Vector2d& dcm_deviation_m) const noexcept {
+double PushRecovery::side_to_step_to(const PatternState& state,
+                                     const Eigen::Vector2d& dcm_deviation_m) const noexcept {
   return (Eigen::Rotation2Dd(-middle_of(state.feet).yaw_rad) * dcm_deviation_m).y();
 }
 
 // The step is as wide as the fall to its side asks for.
-void StandRecovery::take_over(PatternState& state, StepSchedule& schedule, const WalkReference& walk,
-                              const Eigen::Vector2d& dcm_deviation_m, double bow_rad,
-                              ZmpReference& reference) const noexcept {
+void PushRecovery::take_over(PatternState& state, StepSchedule& schedule, const WalkReference& walk,
+                             const Eigen::Vector2d& dcm_deviation_m, double bow_rad,
+                             ZmpReference& reference) const noexcept {
   const DivergenceAbsorber& absorber = walk.absorber();
   const FootstepPlanner& planner = schedule.planner();
   state.recovery_steps = kRecoverySteps;
@@ -123,7 +123,7 @@ void StandRecovery::take_over(PatternState& state, StepSchedule& schedule, const
 
 // The CoM gets half way to the landing place meanwhile; a bow to the same side leaves the hips behind it.
 // With one to the other side, the stance leg is as long at the end as the swing leg without.
-double StandRecovery::hip_height_m(const Step& step, double bow_rad) const noexcept {
+double PushRecovery::hip_height_m(const Step& step, double bow_rad) const noexcept {
   const double ahead_m = step.adjustment_m.x();
   const double hips_behind_m =
       bow_rad * ahead_m > 0.0 ? parameters_.hips_in_bow_m_per_rad * std::abs(bow_rad) : 0.0;

@@ -37,7 +37,6 @@ WalkingPattern::WalkingPattern(const GaitParameters& parameters)
       controller_(preview_of(parameters_)),
       schedule_(parameters_),
       walk_(parameters_),
-      adjuster_(parameters_, walk_.absorber().omega_per_s()),
       recovery_(parameters_, walk_.absorber().omega_per_s()) {
   reset_to_stand({});
 }
@@ -45,8 +44,7 @@ WalkingPattern::WalkingPattern(const GaitParameters& parameters)
 void WalkingPattern::tune(const GaitParameters& changed) noexcept {
   parameters_.tune(changed);
   schedule_.tune(parameters_);
-  adjuster_ = FlightAdjuster(parameters_, walk_.absorber().omega_per_s());
-  recovery_ = StandRecovery(parameters_, walk_.absorber().omega_per_s());
+  recovery_ = PushRecovery(parameters_, walk_.absorber().omega_per_s());
 }
 
 void WalkingPattern::reset_to_stand(const Pose2& middle) noexcept {
@@ -117,7 +115,7 @@ void WalkingPattern::schedule(const WalkCommand& command, const Correction& corr
     schedule_walk(state_, {}, Eigen::Vector2d::Zero(), deviation_m);
   } else {
     schedule_stop(state_);
-    if (adjuster_.adjust(state_, schedule_, walk_, deviation_m, batch_reference_)) schedule_stop(state_);
+    if (recovery_.adjust(state_, schedule_, walk_, deviation_m, batch_reference_)) schedule_stop(state_);
   }
   answered_m_ = (walk_.absorber().divergence(state_.cart) - before).transpose();
 }
@@ -185,7 +183,7 @@ void WalkingPattern::schedule_walk(PatternState& state, const WantedWalk& wanted
                                                          std::abs(wanted.velocity.forward_m_per_s))));
   }
   schedule_.walk_after(step, state.elapsed_points, wanted, remaining_offset_m);
-  if (adjuster_.adjust(state, schedule_, walk_, dcm_deviation_m, batch_reference_))
+  if (recovery_.adjust(state, schedule_, walk_, dcm_deviation_m, batch_reference_))
     schedule_.walk_after(step, state.elapsed_points, wanted, remaining_offset_m);
 }
 

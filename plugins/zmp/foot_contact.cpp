@@ -45,15 +45,6 @@ void ContactDetector::update(const std::array<double, 2>& force_N) noexcept {
   if (!contact_[support] || force_N[other] > change_at) support_ = static_cast<urdf::Side>(other);
 }
 
-PlantedFeet::PlantedFeet(const EstimatorParameters& parameters, double weight_N) noexcept
-    : weight_N_(weight_N),
-      least_force_N_(parameters.planted_share * weight_N),
-      least_s_(parameters.planted_time_s),
-      creep_(parameters.creep_rad_rts),
-      settling_creep_(parameters.settling_creep_rad_rts),
-      rattle_creep_(parameters.rattle_creep_rad_rts),
-      moved_creep_(parameters.moved_creep_rts) {}
-
 void PlantedFeet::update(const std::array<double, 2>& force_N, double angle_rad, double leg_rate_rad_per_s,
                          double dt_s) noexcept {
   double change = 0.0;
@@ -63,15 +54,17 @@ void PlantedFeet::update(const std::array<double, 2>& force_N, double angle_rad,
   last_force_N_ = force_N;
   leg_rate_rad_per_s_ = leg_rate_rad_per_s;
   rattle_ += dt_s / (kRattleTime_s + dt_s) * (change * change - rattle_);
-  const bool loaded = force_N[0] > least_force_N_ && force_N[1] > least_force_N_;
+  const double least_force_N = parameters_.planted_share * weight_N_;
+  const bool loaded = force_N[0] > least_force_N && force_N[1] > least_force_N;
   const bool turned = planted() && std::abs(angle_rad - angle_rad_) > kTurnedFoot_rad;
   planted_s_ = loaded && !turned ? std::min(planted_s_ + dt_s, kLongestPlanted_s) : 0.0;
-  if (planted_s_ < least_s_ + dt_s) angle_rad_ = angle_rad;
+  if (planted_s_ < parameters_.planted_time_s + dt_s) angle_rad_ = angle_rad;
 }
 
 double PlantedFeet::creep_rad_rts() const noexcept {
-  return creep_ + settling_creep_ * std::exp(-planted_s_ / kSettling_s) + rattle_creep_ * rattle_ +
-         moved_creep_ * leg_rate_rad_per_s_;
+  const EstimatorParameters& p = parameters_;
+  return p.creep_rad_rts + p.settling_creep_rad_rts * std::exp(-planted_s_ / kSettling_s) +
+         p.rattle_creep_rad_rts * rattle_ + p.moved_creep_rts * leg_rate_rad_per_s_;
 }
 
 SlipObserver::SlipObserver(const EstimatorParameters& parameters) noexcept

@@ -12,26 +12,21 @@
 #include "gaitway/motion/motion_limits.hpp"
 #include "gaitway/motion/motion_path.hpp"
 #include "gaitway/motion/stance_map.hpp"
+#include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "segment_cost.hpp"
 
 namespace gaitway::motion {
 namespace {
 
+constexpr std::size_t kBatch = kBatchPoints, kLongestTail = kMaxTailPoints;
 constexpr std::array kDurations_s{0.3, 0.4, 0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 1.8};
 constexpr double kHalt_s = 0.3;  // in which joints on the ground come to rest
 
 class ExitPlanner {
  public:
-  ExitPlanner(const urdf::RobotModel& robot, const MotionPlan& plan, const MotionLimits& limits,
-              std::size_t batch)
-      : robot_(robot),
-        plan_(plan),
-        limits_(limits),
-        batch_(batch),
-        map_(robot),
-        sampler_(robot),
-        kinematics_(robot) {}
+  ExitPlanner(const urdf::RobotModel& robot, const MotionPlan& plan, const MotionLimits& limits)
+      : robot_(robot), plan_(plan), limits_(limits), map_(robot), sampler_(robot), kinematics_(robot) {}
 
   // Of a robot that stands on both feet at `point`.
   std::optional<MotionPlan> way_home(std::size_t point) {
@@ -74,9 +69,7 @@ class ExitPlanner {
   }
 
  private:
-  [[nodiscard]] std::size_t whole(std::size_t points) const {
-    return (points + batch_ - 1) / batch_ * batch_;
-  }
+  static std::size_t whole(std::size_t points) { return (points + kBatch - 1) / kBatch * kBatch; }
 
   [[nodiscard]] bool both_stand_around(std::size_t point) const {
     if (point == 0 || point + 1 >= plan_.point_count()) return false;
@@ -141,7 +134,6 @@ class ExitPlanner {
   const urdf::RobotModel& robot_;
   const MotionPlan& plan_;
   MotionLimits limits_;
-  std::size_t batch_;
   StanceMap map_;
   SegmentSampler sampler_;
   urdf::ForwardKinematics kinematics_;
@@ -149,34 +141,33 @@ class ExitPlanner {
 
 }  // namespace
 
-ExitPlan plan_exits(const urdf::RobotModel& robot, const MotionPlan& plan, const MotionLimits& limits,
-                    std::size_t batch_points, std::size_t longest_points) {
-  ExitPlanner planner(robot, plan, limits, batch_points);
-  const std::size_t batches = (plan.point_count() - 1) / batch_points;
+ExitPlan plan_exits(const urdf::RobotModel& robot, const MotionPlan& plan, const MotionLimits& limits) {
+  ExitPlanner planner(robot, plan, limits);
+  const std::size_t batches = (plan.point_count() - 1) / kBatch;
   ExitPlan result;
   result.exits.resize(batches + 1);
   std::vector<std::size_t> length(batches + 1, 0);
   for (std::size_t b = batches; b-- > 0;) {
-    const std::size_t point = b * batch_points;
-    PlannedExit& exit = result.exits[b];
+    const std::size_t point = b * kBatch;
+    trajectory::MotionExit& exit = result.exits[b];
     exit = result.exits[b + 1];
-    exit.go_on_points += batch_points;
-    length[b] = length[b + 1] + batch_points;
+    ++exit.go_on_batches;
+    length[b] = length[b + 1] + kBatch;
     std::optional<MotionPlan> way =
         plan.contact[point] == Contact::none ? planner.halt(point) : planner.way_home(point);
     if (way && (way->point_count() < length[b] || plan.contact[point] == Contact::none)) {
       length[b] = way->point_count();
-      exit = {0, result.ways.size()};
+      exit = {0, static_cast<std::int32_t>(result.ways.size())};
       result.ways.push_back(*std::move(way));
     }
-    if (b > 0 && length[b] > longest_points) {
+    if (b > 0 && length[b] > kLongestTail) {
       throw MotionError(fmt::format(
           "motion '{}': from {:.2f} s on it takes {:.2f} s until the robot can stand at rest, but a safe "
           "tail lasts {:.2f} s "
           "at most. Put both feet down in between, or be quicker there",
           plan.name, static_cast<double>(point) * facts::kSlot_s,
           static_cast<double>(length[b]) * facts::kSlot_s,
-          static_cast<double>(longest_points) * facts::kSlot_s));
+          static_cast<double>(kLongestTail) * facts::kSlot_s));
     }
   }
   return result;

@@ -16,7 +16,6 @@ namespace gaitway::motion {
 namespace {
 
 constexpr auto kBatch = static_cast<std::size_t>(kBatchPoints);
-constexpr auto kLongestTail = static_cast<std::size_t>(kMaxTailPoints);
 constexpr std::size_t kLongestName = 47;
 
 // Whole batches after the first point: it rests at its end for a little longer.
@@ -140,7 +139,7 @@ PreparedMotion prepare_motion(const urdf::RobotModel& robot, const Motion& motio
   PreparedMotion result;
   result.planned = plan_motion(robot, motion, options);
   const MotionPlan plan = in_whole_batches(robot, result.planned.plan);
-  const ExitPlan exits = plan_exits(robot, plan, options.limits, kBatch, kLongestTail);
+  const ExitPlan exits = plan_exits(robot, plan, options.limits);
   trajectory::MotionTable& table = result.table;
   table.name = motion.name;
   table.description = motion.description;
@@ -151,10 +150,7 @@ PreparedMotion prepare_motion(const urdf::RobotModel& robot, const Motion& motio
   TableWriter writer(robot);
   table.path = writer.way(plan);
   for (const MotionPlan& way : exits.ways) table.ways.push_back(writer.way(way));
-  for (const PlannedExit& exit : exits.exits) {
-    table.exits.push_back({static_cast<std::uint32_t>(exit.go_on_points / kBatch),
-                           exit.way ? static_cast<std::int32_t>(*exit.way) : -1});
-  }
+  table.exits = exits.exits;
   for (std::size_t b = 1; b < table.exits.size(); ++b) {
     result.longest_exit_points = std::max(result.longest_exit_points, table.exit_points(b));
   }

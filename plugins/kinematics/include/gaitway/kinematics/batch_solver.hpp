@@ -59,8 +59,6 @@ class BatchSolver {
   // A failure in words: which side, at which point, by how much. Allocates.
   [[nodiscard]] std::string describe(const BatchOutcome& outcome) const;
 
-  [[nodiscard]] const WholeBodyPlacement& placement() const noexcept { return placement_; }
-
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {

@@ -98,10 +98,6 @@ class WholeBodyPlacement {
 
   // Offset of the base in the standing posture: a guess where there is no better one.
   [[nodiscard]] const Eigen::Vector2d& standing_offset_m() const noexcept { return standing_offset_m_; }
-  [[nodiscard]] const LegSolver& leg(urdf::Side side) const noexcept {
-    return legs_[static_cast<std::size_t>(side)];
-  }
-  [[nodiscard]] const BodyMass& mass() const noexcept { return mass_; }
 
  private:
   void measure_sensitivity(const urdf::RobotModel& model);

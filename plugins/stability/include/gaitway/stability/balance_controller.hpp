@@ -40,10 +40,8 @@ class BalanceController {
   void update(std::int64_t now_ns, const BalanceInputs& inputs, TrimCommand& trim,
               Correction& correction) noexcept;
 
-  [[nodiscard]] const TrimFeedback& trims() const noexcept { return trims_; }
   [[nodiscard]] const SoleAlignment& soles() const noexcept { return soles_; }
   [[nodiscard]] const HipStrategy& hips() const noexcept { return hips_; }
-  [[nodiscard]] const HeadingFeedback& heading() const noexcept { return heading_; }
 
   // What a successor goes on from.
   template <class Self, class Archive>

@@ -90,8 +90,7 @@ class WalkingPattern {
   PreviewController controller_;
   StepSchedule schedule_;
   WalkReference walk_;
-  FlightAdjuster adjuster_;
-  StandRecovery recovery_;
+  PushRecovery recovery_;
   PatternState state_, tail_state_;
   // Of the last batch: where it may be revised, and, once it is, how it ended as it was planned first.
   int first_revised_ = 0;  // 0: it may not

@@ -78,7 +78,6 @@ class FallRecognition {
   // Where to it falls, or fell: against the trunk's heading, 0 ahead, π/2 to the left.
   [[nodiscard]] double direction_rad() const noexcept { return direction_rad_; }
   [[nodiscard]] double time_to_impact_s() const noexcept { return time_to_impact_s_; }  // while it falls
-  [[nodiscard]] const Tipping& tipping() const noexcept { return tipping_; }
 
   // What a successor goes on from.
   template <class Self, class Archive>

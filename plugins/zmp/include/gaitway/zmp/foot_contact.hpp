@@ -61,14 +61,15 @@ class ContactDetector {
 // creep: while they settle, as long as play makes the load rattle between them, and when the legs are moved.
 class PlantedFeet {
  public:
-  PlantedFeet(const EstimatorParameters& parameters, double weight_N) noexcept;
+  PlantedFeet(const EstimatorParameters& parameters, double weight_N) noexcept
+      : parameters_(parameters), weight_N_(weight_N) {}
 
   // force_N: on each foot. angle_rad: between the soles' headings. leg_rate: of the fastest leg joint, as
   // asked for.
   void update(const std::array<double, 2>& force_N, double angle_rad, double leg_rate_rad_per_s,
               double dt_s) noexcept;
 
-  [[nodiscard]] bool planted() const noexcept { return planted_s_ >= least_s_; }
+  [[nodiscard]] bool planted() const noexcept { return planted_s_ >= parameters_.planted_time_s; }
   // Random walk of their heading, per square root of a second.
   [[nodiscard]] double creep_rad_rts() const noexcept;
 
@@ -79,7 +80,8 @@ class PlantedFeet {
   }
 
  private:
-  double weight_N_, least_force_N_, least_s_, creep_, settling_creep_, rattle_creep_, moved_creep_;
+  EstimatorParameters parameters_;
+  double weight_N_;
   std::array<double, 2> last_force_N_{};
   double rattle_ = 0.0;  // mean square of the load's change from sample to sample, as a share of the weight
   double leg_rate_rad_per_s_ = 0.0;
