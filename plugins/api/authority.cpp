@@ -1,10 +1,38 @@
 #include "gaitway/api/authority.hpp"
 
+#include <openssl/crypto.h>
+#include <sys/random.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
-#include "secrets.hpp"
-
 namespace gaitway::api {
+namespace {
+
+// 32 hexadecimal digits that nobody can foresee. Throws std::system_error when the system gives no random
+// bytes.
+std::string random_id() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    throw std::system_error(errno, std::generic_category(), "no random bytes for a lease");
+  }
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string id;
+  for (const unsigned char byte : bytes) {
+    id += kDigits[byte >> 4U];
+    id += kDigits[byte & 15U];
+  }
+  return id;
+}
+
+// Takes the same time wherever the two differ. Their length is no secret.
+bool same_id(std::string_view a, std::string_view b) noexcept {
+  return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+}  // namespace
 
 std::string Authority::acquire(Claimant& claimant, std::int64_t now_ns) {
   expire(now_ns);
@@ -90,7 +118,7 @@ void Authority::grant(const Claimant& claimant, std::int64_t now_ns) {
 
 void Authority::require(const Claimant& claimant, std::string_view lease, std::int64_t now_ns) {
   expire(now_ns);
-  if (!held_by(claimant) || !same_secret(lease_->id, lease)) {
+  if (!held_by(claimant) || !same_id(lease_->id, lease)) {
     throw CommandDenied("this lease is not, or no longer, this connection's: call /command/acquire");
   }
 }

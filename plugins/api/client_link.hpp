@@ -2,7 +2,10 @@
 // writing derives from it.
 #pragma once
 
+#include <boost/asio/basic_stream_socket.hpp>
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -94,5 +97,16 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   std::int64_t heard_ns_ = 0, pinged_ns_ = 0, front_ns_ = 0, second_ns_ = 0;
   unsigned control_frames_ = 0;
 };
+
+using TcpSocket =
+    boost::asio::basic_stream_socket<boost::asio::ip::tcp, boost::asio::io_context::executor_type>;
+
+// `surplus`: it gets a 503 for its request.
+[[nodiscard]] std::shared_ptr<ClientLink> make_plain_connection(ServerCore& core, TcpSocket socket,
+                                                                const ClientLink::Endpoint& peer,
+                                                                bool surplus);
+[[nodiscard]] std::shared_ptr<ClientLink> make_tls_connection(ServerCore& core, TcpSocket socket,
+                                                              const ClientLink::Endpoint& peer, bool surplus,
+                                                              boost::asio::ssl::context& tls);
 
 }  // namespace gaitway::api

@@ -7,8 +7,8 @@
 #include <array>
 #include <string_view>
 
-#include "gaitway/api/fixed_text.hpp"
-#include "gaitway/api/ros_time.hpp"
+#include "gaitway/api/ros_messages.hpp"
+#include "gaitway/api/state_messages.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -65,37 +65,30 @@ constexpr std::array kIncidents{
     Counter{"stops_repeated", &NetworkHealth::stops_repeated},
 };
 
-struct PluginCondition {
+// How something is, and how that is to be taken.
+struct Condition {
   Level level;
   std::string_view text;
 };
 constexpr std::array kPluginConditions{
-    PluginCondition{Level::ok, "works"},
-    PluginCondition{Level::warning, "failed in its last step"},
-    PluginCondition{Level::error, "out of service"},
-    PluginCondition{Level::warning, "stopped"},
+    Condition{Level::ok, "works"},
+    Condition{Level::warning, "failed in its last step"},
+    Condition{Level::error, "out of service"},
+    Condition{Level::warning, "stopped"},
 };
 
-struct BusCondition {
-  Level level;
-  std::string_view text;
-};
 constexpr std::array kBusConditions{
-    BusCondition{Level::ok, "error-active"},
-    BusCondition{Level::warning, "error-passive"},
-    BusCondition{Level::error, "bus-off"},
-    BusCondition{Level::error, "down"},
+    Condition{Level::ok, "error-active"},
+    Condition{Level::warning, "error-passive"},
+    Condition{Level::error, "bus-off"},
+    Condition{Level::error, "down"},
 };
 
-struct Mode {
-  Level level;
-  std::string_view text;
-};
 constexpr std::array kModes{
-    Mode{Level::ok, "plays batches"},
-    Mode{Level::warning, "plays a safe tail"},
-    Mode{Level::ok, "holds, and waits for a batch"},
-    Mode{Level::error, "emergency stop: /release ends it"},
+    Condition{Level::ok, "plays batches"},
+    Condition{Level::warning, "plays a safe tail"},
+    Condition{Level::ok, "holds, and waits for a batch"},
+    Condition{Level::error, "emergency stop: /release ends it"},
 };
 
 constexpr std::array<std::string_view, 5> kNodeFaults{"position limit", "torque saturated", "SYNC lost",
@@ -142,7 +135,7 @@ void Diagnostics::add_plugins(const PluginStatistics& plugins, std::vector<ros::
       before_.plugin_faults.size() == count;  // the same plug-ins as before, as far as one sees
   for (std::size_t i = 0; i < count; ++i) {
     ros::DiagnosticStatus status = status_of("plugin/" + text_of(plugins.name[i]), robot_);
-    const PluginCondition& state = row_of(kPluginConditions, plugins.state[i]);
+    const Condition& state = row_of(kPluginConditions, plugins.state[i]);
     say(status, state.level, state.text);
     if (state.level == Level::ok && known && plugins.faults[i] > before_.plugin_faults[i]) {
       say(status, Level::warning,
@@ -169,7 +162,7 @@ ros::DiagnosticStatus Diagnostics::bus(const NetworkHealth* health) {
     say(status, Level::stale, kNotThere);
     return status;
   }
-  const BusCondition& state = row_of(kBusConditions, health->bus_state);
+  const Condition& state = row_of(kBusConditions, health->bus_state);
   say(status, state.level, state.text);
   add(status, "transmit_errors", health->transmit_errors);
   add(status, "receive_errors", health->receive_errors);
@@ -214,7 +207,7 @@ ros::DiagnosticStatus Diagnostics::loop(const RobotCondition& condition) {
   if (state == nullptr) {
     say(status, Level::stale, kNotThere);
   } else {
-    const Mode& mode = row_of(kModes, state->mode);
+    const Condition& mode = row_of(kModes, state->mode);
     say(status, mode.level, mode.text);
     const std::uint64_t refusals = state->late + state->refused;
     if (mode.level == Level::ok && refusals > before_.refusals.value_or(refusals)) {

@@ -8,13 +8,11 @@
 #include <span>
 
 #include "gaitway/api/diagnostics.hpp"
-#include "gaitway/api/event_message.hpp"
 #include "gaitway/api/frame_messages.hpp"
-#include "gaitway/api/motion_message.hpp"
 #include "gaitway/api/planned_motion.hpp"
 #include "gaitway/api/robot_frames.hpp"
-#include "gaitway/api/ros_time.hpp"
-#include "gaitway/api/sensor_messages.hpp"
+#include "gaitway/api/ros_messages.hpp"
+#include "gaitway/api/state_messages.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {

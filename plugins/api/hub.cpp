@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "client_session.hpp"
-#include "hub_state.hpp"
 
 namespace gaitway::api {
 

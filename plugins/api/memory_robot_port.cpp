@@ -7,11 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <random>
 #include <stdexcept>
 
-#include "gaitway/api/fixed_text.hpp"
 #include "gaitway/api/recorder.hpp"
+#include "gaitway/api/state_messages.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/mails.hpp"
 
@@ -295,19 +296,31 @@ std::vector<PluginStatus> MemoryRobotPort::plugins() const {
   return list;
 }
 
-std::string MemoryRobotPort::start_recording(std::string_view name) {
+Recorder& MemoryRobotPort::recorder() const {
   if (recorder_ == nullptr) {
-    throw std::runtime_error(
-        "this robot records nothing: the plug-in's parameter `recordings` names no folder");
+    throw std::runtime_error("this robot records nothing: its configuration names no folder to write to");
   }
-  return recorder_->start(name, now_ns());
+  return *recorder_;
+}
+
+std::string MemoryRobotPort::start_recording(std::string_view name) {
+  if (!name.empty()) {
+    return recorder().start(name, now_ns());
+  }
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  return recorder().start({text.data(), std::strftime(text.data(), text.size(), "%Y%m%dT%H%M%SZ", &utc)},
+                          now_ns());
 }
 
 std::string MemoryRobotPort::stop_recording() {
-  if (recorder_ == nullptr) {
-    throw std::runtime_error("no recording is under way");
-  }
-  return recorder_->stop();
+  return recorder().stop();
+}
+
+RecordingList MemoryRobotPort::recordings(std::size_t most) const {
+  return recorder().list(most);
 }
 
 }  // namespace gaitway::api

@@ -3,15 +3,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "gaitway/api/message_definition.hpp"
+#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -19,6 +22,7 @@ namespace {
 constexpr std::size_t kLongestName = 100;
 constexpr std::int64_t kFlushPeriod_ns = 1'000'000'000;
 constexpr mode_t kFileMode = 0640;
+constexpr unsigned kAbout = STATX_TYPE | STATX_SIZE | STATX_MTIME | STATX_BTIME;
 
 std::vector<McapChannel> channels() {
   std::vector<McapChannel> result;
@@ -39,8 +43,8 @@ bool is_recording_name(std::string_view name) noexcept {
 
 Recorder::Recorder(std::filesystem::path folder, std::uint64_t limit_bytes)
     : folder_(std::move(folder)), limit_bytes_(limit_bytes) {
-  folder_file_ = ::open(folder_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
-  if (folder_file_ < 0) {
+  opened_.reset(::opendir(folder_.c_str()));
+  if (!opened_) {
     throw std::runtime_error(
         fmt::format("the recordings folder '{}' cannot be opened: {}; make it, or name another one",
                     folder_.string(), std::strerror(errno)));
@@ -49,7 +53,6 @@ Recorder::Recorder(std::filesystem::path folder, std::uint64_t limit_bytes)
 
 Recorder::~Recorder() {
   if (writer_) writer_->finish();
-  ::close(folder_file_);
 }
 
 std::string Recorder::path() const {
@@ -66,7 +69,7 @@ std::string Recorder::start(std::string_view name, std::int64_t robot_ns) {
         name.substr(0, kLongestName), kLongestName));
   }
   file_name_ = fmt::format("{}.mcap", name);
-  const int file = ::openat(folder_file_, file_name_.c_str(),
+  const int file = ::openat(::dirfd(opened_.get()), file_name_.c_str(),
                             O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kFileMode);
   if (file < 0) {
     throw std::runtime_error(
@@ -99,6 +102,31 @@ std::string Recorder::stop() {
         "the end of '{}' could not be written: {}; what is before it can be read", path(), error));
   }
   return path();
+}
+
+RecordingList Recorder::list(std::size_t most) const {
+  constexpr std::string_view kEnding = ".mcap";
+  RecordingList list;
+  ::rewinddir(opened_.get());
+  while (const dirent* const entry = ::readdir(opened_.get())) {
+    const std::string_view name = entry->d_name;
+    struct statx about {};
+    if (!name.ends_with(kEnding) || !is_recording_name(name.substr(0, name.size() - kEnding.size())) ||
+        ::statx(::dirfd(opened_.get()), entry->d_name, AT_SYMLINK_NOFOLLOW, kAbout, &about) != 0 ||
+        !S_ISREG(about.stx_mode)) {
+      continue;
+    }
+    // Not every file system keeps when a file was made.
+    const statx_timestamp& start = (about.stx_mask & STATX_BTIME) != 0 ? about.stx_btime : about.stx_mtime;
+    list.newest.push_back({(folder_ / name).string(), about.stx_size,
+                           start.tv_sec * facts::kSecond_ns + std::int64_t{start.tv_nsec}});
+  }
+  list.count = list.newest.size();
+  std::sort(list.newest.begin(), list.newest.end(), [](const RecordingStatus& a, const RecordingStatus& b) {
+    return std::tie(b.start_ns, a.file) < std::tie(a.start_ns, b.file);
+  });
+  list.newest.resize(std::min(most, list.count));
+  return list;
 }
 
 void Recorder::step(std::int64_t wall_ns) {

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "gaitway/api/limit_table.hpp"
+#include "gaitway/api/limits.hpp"
 #include "gaitway/api/message_definition.hpp"
 #include "gaitway/api/operation_table.hpp"
 #include "gaitway/api/publication.hpp"
@@ -206,12 +206,12 @@ std::string api_examples() {
     add(service.name, call_of(service), answer_of(service));
   };
   for (const ServiceRow& one : kServices) {
-    if (one.service != Service::emergency_stop && one.service != Service::release) {
+    if (one.name != "/emergency_stop" && one.name != "/release") {
       add_service(one);
     }
   }
-  add_service(row(Service::emergency_stop));  // nothing moves after it,
-  add_service(row(Service::release));         // until this
+  add_service(*find_service("/emergency_stop"));  // nothing moves after it,
+  add_service(*find_service("/release"));         // until this
   return text + "\n]\n";
 }
 

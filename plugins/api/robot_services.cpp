@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client_message.hpp"
+#include "gaitway/api/ros_messages.hpp"
 #include "service_desk.hpp"
 
 namespace gaitway::api {
@@ -172,6 +173,25 @@ void ServiceDesk::stop_recording(const Caller& caller) {
     reply(caller.call, ros::Trigger::Response{true, robot_.stop_recording()});
   } catch (const std::runtime_error& error) {
     reply(caller.call, ros::Trigger::Response{false, error.what()});
+  }
+}
+
+void ServiceDesk::list_recordings(const Caller& caller) {
+  constexpr std::size_t kMostListed = 100;
+  static_cast<void>(request<ros::ListRecordings>(caller));
+  try {
+    const RecordingList found = robot_.recordings(kMostListed);
+    ros::ListRecordings::Response response{true, "", {}};
+    if (found.count != found.newest.size()) {
+      response.message = "the newest " + std::to_string(found.newest.size()) + " of " +
+                         std::to_string(found.count) + " recordings";
+    }
+    for (const RecordingStatus& recording : found.newest) {
+      response.recordings.push_back({recording.file, recording.bytes, ros_time(recording.start_ns)});
+    }
+    reply(caller.call, response);
+  } catch (const std::runtime_error& error) {
+    reply(caller.call, ros::ListRecordings::Response{false, error.what(), {}});
   }
 }
 

@@ -29,7 +29,7 @@ constexpr auto kAllTopics = [] {
 }();
 
 constexpr auto kAllServices = [] {
-  std::array<NamedType, kServiceCount> all{};
+  std::array<NamedType, kServices.size()> all{};
   std::size_t count = 0;
   for (const ServiceRow& row : kServices) {
     all[count++] = {row.name, row.type};
@@ -178,7 +178,7 @@ ros::NodeDetails::Response Rosapi::answer(const ros::NodeDetails::Request& reque
   if (request.node != kNode) {
     return {};
   }
-  return {{std::string(kVelocityTopic)}, published(), all_names(kAllServices)};
+  return {{{std::string(kVelocityTopic)}, published(), all_names(kAllServices)}};
 }
 
 ros::GetActionServers::Response Rosapi::answer(const ros::GetActionServers::Request&) const {

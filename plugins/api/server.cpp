@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "client_link.hpp"
-#include "connection_factory.hpp"
 #include "server_core.hpp"
 
 namespace gaitway::api {

@@ -1,4 +1,4 @@
-// A client's call of a service, and the frames that answer clients.
+// A client's call of a service: its arguments, and the frames that answer clients.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,30 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gaitway/api/cbor_codec.hpp"
-#include "gaitway/api/encoding.hpp"
 #include "gaitway/api/json_codec.hpp"
+#include "gaitway/api/json_reader.hpp"
+#include "gaitway/api/publication.hpp"
 #include "gaitway/api/session.hpp"
 
 namespace gaitway::api {
+
+// Arguments by name: an object as it is, a list by the order of `fields`, null as nothing. Throws Refused for
+// anything else, and for a list that is too long.
+[[nodiscard]] nlohmann::json named_arguments(const nlohmann::json& arguments,
+                                             const std::vector<std::string_view>& fields);
+
+// Throws Refused or MessageError.
+template <Message Request>
+[[nodiscard]] Request request_of(const nlohmann::json& arguments) {
+  Request request;
+  std::vector<std::string_view> fields;
+  request.fields([&fields](std::string_view name, const auto&) { fields.push_back(name); });
+  api::from_json(named_arguments(arguments, fields), request);
+  return request;
+}
 
 struct ServiceCall {
   std::uint64_t client = 0;     // Claimant::number

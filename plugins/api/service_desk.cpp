@@ -1,20 +1,52 @@
+// Which service is answered by whom; orders whose answers are waited for.
 #include "service_desk.hpp"
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "client_message.hpp"
+#include "gaitway/api/authority.hpp"
 
 namespace gaitway::api {
 
-const ServiceRow* find_service(std::string_view name) noexcept {
-  for (const ServiceRow& row : kServices) {
-    if (row.name == name || row.name.substr(1) == name) {
-      return &row;
+void Orders::require_room(std::uint64_t client) const {
+  const auto count = std::count_if(waiting_.begin(), waiting_.end(),
+                                   [client](const auto& order) { return order.second.client == client; });
+  if (static_cast<std::size_t>(count) >= kMostOfOneClient) {
+    throw CommandDenied("this connection waits for " + std::to_string(count) +
+                        " answers already: wait for one of them first");
+  }
+}
+
+void Orders::wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish) {
+  waiting_.insert_or_assign(number, Waiting{client, ends_ns, std::move(finish)});
+}
+
+void Orders::step(std::int64_t now_ns) {
+  // What is finished may give the next order, so it is taken out first.
+  while (const auto result = robot_.take_result()) {
+    if (const auto order = waiting_.extract(result->number)) {
+      order.mapped().finish(&*result);
     }
   }
-  return nullptr;
+  std::vector<Finish> late;
+  std::erase_if(waiting_, [&](auto& order) {
+    const bool over = now_ns >= order.second.ends_ns;
+    if (over) {
+      late.push_back(std::move(order.second.finish));
+    }
+    return over;
+  });
+  for (const Finish& finish : late) {
+    finish(nullptr);
+  }
+}
+
+void Orders::forget(std::uint64_t client) {
+  std::erase_if(waiting_, [client](const auto& order) { return order.second.client == client; });
 }
 
 ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits,
@@ -35,95 +67,82 @@ void ServiceDesk::call(const ServiceCall& call, Claimant& claimant, std::int64_t
     return;
   }
   try {
-    answer(row->service, {call, claimant, now_ns});
+    answer(*row, {call, claimant, now_ns});
   } catch (const CommandDenied& denied) {
-    deny(row->service, call, denied.what());
+    deny(*row, call, denied.what());
   } catch (const std::exception& error) {
     send_(call, service_failure(call, error.what()));
   }
 }
 
-void ServiceDesk::deny(Service service, const ServiceCall& call, std::string_view why) const {
-  switch (service) {
-    case Service::rosapi_set_param:
-    case Service::rosapi_delete_param:
-      return reply(call, ros::SetParam::Response{false, std::string(why)});
-    case Service::acquire_command:
-      return reply(call, ros::AcquireCommand::Response{false, std::string(why), "", 0.0});
-    default:
-      return reply(call, ros::Trigger::Response{false, std::string(why)});
+void ServiceDesk::deny(const ServiceRow& row, const ServiceCall& call, std::string_view why) const {
+  if (row.type == ros::SetParam::kName || row.type == ros::DeleteParam::kName) {
+    return reply(call, ros::SetParam::Response{false, std::string(why)});
   }
+  if (row.type == ros::AcquireCommand::kName) {
+    return reply(call, ros::AcquireCommand::Response{false, std::string(why), "", 0.0});
+  }
+  reply(call, ros::Trigger::Response{false, std::string(why)});
 }
 
-// Which member answers which service.
-struct ServiceDesk::Row {
-  Service service;
-  void (ServiceDesk::*answer)(const Caller& caller);
+// Which member answers which service: an entry for each row of the table.
+struct ServiceDesk::Answers {
+  using Answer = void (ServiceDesk::*)(const Caller& caller);
+
+  constexpr Answers& add(std::string_view name, Answer answer) {
+    members[place(find_service(name))] = answer;
+    return *this;
+  }
+  // Those of rosapi that are answered at once.
+  template <class... S>
+  constexpr Answers& add_rosapi() {
+    const auto row_of = [](std::string_view type) {
+      return std::find_if(kServices.begin(), kServices.end(), [type](const ServiceRow& row) {
+        return row.type == type && row.name.starts_with("/rosapi/");
+      });
+    };
+    ((members[place(row_of(S::kName))] = &ServiceDesk::reply_rosapi<S>), ...);
+    return *this;
+  }
+  static constexpr std::size_t place(const ServiceRow* row) {
+    return static_cast<std::size_t>(row - kServices.data());
+  }
+
+  std::array<Answer, kServices.size()> members{};
 };
 
-void ServiceDesk::answer(Service service, const Caller& caller) {
-  static constexpr std::array kRows{
-      Row{Service::stand, &ServiceDesk::stand},
-      Row{Service::stop, &ServiceDesk::stop},
-      Row{Service::emergency_stop, &ServiceDesk::emergency_stop},
-      Row{Service::release, &ServiceDesk::release},
-      Row{Service::move_joint, &ServiceDesk::move_joint},
-      Row{Service::play_motion, &ServiceDesk::play_motion},
-      Row{Service::list_plugins, &ServiceDesk::list_plugins},
-      Row{Service::get_parameters, &ServiceDesk::get_parameters},
-      Row{Service::set_parameter, &ServiceDesk::set_parameter},
-      Row{Service::reload_plugin, &ServiceDesk::change_plugin<PluginVerb::reload>},
-      Row{Service::unload_plugin, &ServiceDesk::change_plugin<PluginVerb::unload>},
-      Row{Service::load_plugin, &ServiceDesk::change_plugin<PluginVerb::load>},
-      Row{Service::start_recording, &ServiceDesk::start_recording},
-      Row{Service::stop_recording, &ServiceDesk::stop_recording},
-      Row{Service::acquire_command, &ServiceDesk::acquire_command},
-      Row{Service::keep_alive, &ServiceDesk::keep_alive},
-      Row{Service::release_command, &ServiceDesk::release_command},
-      Row{Service::rosapi_topics, &ServiceDesk::reply_rosapi<Service::rosapi_topics, ros::Topics>},
-      Row{Service::rosapi_topic_type, &ServiceDesk::reply_rosapi<Service::rosapi_topic_type, ros::TopicType>},
-      Row{Service::rosapi_topics_for_type,
-          &ServiceDesk::reply_rosapi<Service::rosapi_topics_for_type, ros::TopicsForType>},
-      Row{Service::rosapi_topics_and_raw_types,
-          &ServiceDesk::reply_rosapi<Service::rosapi_topics_and_raw_types, ros::TopicsAndRawTypes>},
-      Row{Service::rosapi_publishers,
-          &ServiceDesk::reply_rosapi<Service::rosapi_publishers, ros::Publishers>},
-      Row{Service::rosapi_subscribers,
-          &ServiceDesk::reply_rosapi<Service::rosapi_subscribers, ros::Subscribers>},
-      Row{Service::rosapi_interfaces,
-          &ServiceDesk::reply_rosapi<Service::rosapi_interfaces, ros::Interfaces>},
-      Row{Service::rosapi_services, &ServiceDesk::reply_rosapi<Service::rosapi_services, ros::Services>},
-      Row{Service::rosapi_service_type,
-          &ServiceDesk::reply_rosapi<Service::rosapi_service_type, ros::ServiceType>},
-      Row{Service::rosapi_services_for_type,
-          &ServiceDesk::reply_rosapi<Service::rosapi_services_for_type, ros::ServicesForType>},
-      Row{Service::rosapi_service_node,
-          &ServiceDesk::reply_rosapi<Service::rosapi_service_node, ros::ServiceNode>},
-      Row{Service::rosapi_service_providers,
-          &ServiceDesk::reply_rosapi<Service::rosapi_service_providers, ros::ServiceProviders>},
-      Row{Service::rosapi_service_request_details,
-          &ServiceDesk::reply_rosapi<Service::rosapi_service_request_details, ros::ServiceRequestDetails>},
-      Row{Service::rosapi_service_response_details,
-          &ServiceDesk::reply_rosapi<Service::rosapi_service_response_details, ros::ServiceResponseDetails>},
-      Row{Service::rosapi_message_details,
-          &ServiceDesk::reply_rosapi<Service::rosapi_message_details, ros::MessageDetails>},
-      Row{Service::rosapi_nodes, &ServiceDesk::reply_rosapi<Service::rosapi_nodes, ros::Nodes>},
-      Row{Service::rosapi_node_details,
-          &ServiceDesk::reply_rosapi<Service::rosapi_node_details, ros::NodeDetails>},
-      Row{Service::rosapi_action_servers,
-          &ServiceDesk::reply_rosapi<Service::rosapi_action_servers, ros::GetActionServers>},
-      Row{Service::rosapi_get_time, &ServiceDesk::reply_rosapi<Service::rosapi_get_time, ros::GetTime>},
-      Row{Service::rosapi_get_ros_version,
-          &ServiceDesk::reply_rosapi<Service::rosapi_get_ros_version, ros::GetROSVersion>},
-      Row{Service::rosapi_get_param_names, &ServiceDesk::get_parameter_names},
-      Row{Service::rosapi_get_param, &ServiceDesk::reply_rosapi<Service::rosapi_get_param, ros::GetParam>},
-      Row{Service::rosapi_set_param, &ServiceDesk::set_rosapi_parameter},
-      Row{Service::rosapi_has_param, &ServiceDesk::reply_rosapi<Service::rosapi_has_param, ros::HasParam>},
-      Row{Service::rosapi_delete_param, &ServiceDesk::refuse_deletion},
-  };
-  static_assert(kRows.size() == kServiceCount);
-  static_assert(std::ranges::is_sorted(kRows, {}, &Row::service), "in the order of the services");
-  (this->*kRows[static_cast<std::size_t>(service)].answer)(caller);
+void ServiceDesk::answer(const ServiceRow& row, const Caller& caller) {
+  static constexpr Answers kAnswers =
+      Answers()
+          .add("/stand", &ServiceDesk::stand)
+          .add("/stop", &ServiceDesk::stop)
+          .add("/emergency_stop", &ServiceDesk::emergency_stop)
+          .add("/release", &ServiceDesk::release)
+          .add("/move_joint", &ServiceDesk::move_joint)
+          .add("/play_motion", &ServiceDesk::play_motion)
+          .add("/plugins/list", &ServiceDesk::list_plugins)
+          .add("/plugins/get_parameters", &ServiceDesk::get_parameters)
+          .add("/plugins/set_parameter", &ServiceDesk::set_parameter)
+          .add("/plugins/reload", &ServiceDesk::change_plugin<PluginVerb::reload>)
+          .add("/plugins/unload", &ServiceDesk::change_plugin<PluginVerb::unload>)
+          .add("/plugins/load", &ServiceDesk::change_plugin<PluginVerb::load>)
+          .add("/recording/start", &ServiceDesk::start_recording)
+          .add("/recording/stop", &ServiceDesk::stop_recording)
+          .add("/recording/list", &ServiceDesk::list_recordings)
+          .add("/command/acquire", &ServiceDesk::acquire_command)
+          .add("/command/keep_alive", &ServiceDesk::keep_alive)
+          .add("/command/release", &ServiceDesk::release_command)
+          .add("/rosapi/get_param_names", &ServiceDesk::get_parameter_names)
+          .add("/rosapi/set_param", &ServiceDesk::set_rosapi_parameter)
+          .add("/rosapi/delete_param", &ServiceDesk::refuse_deletion)
+          .add_rosapi<ros::Topics, ros::TopicType, ros::TopicsForType, ros::TopicsAndRawTypes,
+                      ros::Publishers, ros::Subscribers, ros::Interfaces, ros::Services, ros::ServiceType,
+                      ros::ServicesForType, ros::ServiceNode, ros::ServiceProviders,
+                      ros::ServiceRequestDetails, ros::ServiceResponseDetails, ros::MessageDetails,
+                      ros::Nodes, ros::NodeDetails, ros::GetActionServers, ros::GetTime, ros::GetROSVersion,
+                      ros::GetParam, ros::HasParam>();
+  static_assert(std::ranges::count(kAnswers.members, nullptr) == 0, "every service has its answer");
+  (this->*kAnswers.members[Answers::place(&row)])(caller);
 }
 
 void ServiceDesk::acquire_command(const Caller& caller) {

@@ -2,26 +2,51 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "gaitway/api/limits.hpp"
 #include "gaitway/api/robot_port.hpp"
 #include "gaitway/api/service_table.hpp"
-#include "orders.hpp"
 #include "robot_commands.hpp"
 #include "rosapi.hpp"
-#include "service_arguments.hpp"
 #include "service_call.hpp"
 
 namespace gaitway::api {
 
-// The row of `name`; a client may leave the leading / out. Null: there is none.
-[[nodiscard]] const ServiceRow* find_service(std::string_view name) noexcept;
+// Orders that the robot has been given and has not answered yet.
+class Orders {
+ public:
+  // One client may wait for so many answers at once.
+  static constexpr std::size_t kMostOfOneClient = 32;
+  // `result`: null when none has come in time.
+  using Finish = std::function<void(const OrderResult* result)>;
+
+  explicit Orders(RobotPort& robot) noexcept : robot_(robot) {}
+
+  // Throws CommandDenied when the client waits for too many answers already; before it gives another order.
+  void require_room(std::uint64_t client) const;
+  void wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish);
+  // Finishes what the robot has told of, and what has waited for too long.
+  void step(std::int64_t now_ns);
+  // The client is gone: its orders are finished without a word.
+  void forget(std::uint64_t client);
+
+ private:
+  struct Waiting {
+    std::uint64_t client = 0;
+    std::int64_t ends_ns = 0;
+    Finish finish;
+  };
+  RobotPort& robot_;
+  std::unordered_map<std::uint32_t, Waiting> waiting_;
+};
 
 class ServiceDesk {
  public:
@@ -46,10 +71,10 @@ class ServiceDesk {
     Claimant& claimant;
     std::int64_t now_ns;
   };
-  struct Row;
+  struct Answers;
   struct ParameterReading;  // of a plug-in's parameters: one order each
 
-  void answer(Service service, const Caller& caller);
+  void answer(const ServiceRow& row, const Caller& caller);
 
   void stand(const Caller& caller);
   void stop(const Caller& caller);
@@ -59,6 +84,7 @@ class ServiceDesk {
   void play_motion(const Caller& caller);
   void start_recording(const Caller& caller);
   void stop_recording(const Caller& caller);
+  void list_recordings(const Caller& caller);
   void list_plugins(const Caller& caller);
   template <PluginVerb verb>
   void change_plugin(const Caller& caller) {
@@ -79,7 +105,7 @@ class ServiceDesk {
   void keep_alive(const Caller& caller);
   void release_command(const Caller& caller);
   void require_plugin(const std::string& name) const;
-  void deny(Service service, const ServiceCall& call, std::string_view why) const;
+  void deny(const ServiceRow& row, const ServiceCall& call, std::string_view why) const;
 
   template <class S>
   [[nodiscard]] static typename S::Request request(const Caller& caller) {
@@ -89,10 +115,9 @@ class ServiceDesk {
   void reply(const ServiceCall& call, const M& response) const {
     send_(call, service_response(call, response));
   }
-  // `service` is of rosapi, and S its type.
-  template <Service service, class S>
+  // S is a service of rosapi.
+  template <class S>
   void reply_rosapi(const Caller& caller) {
-    static_assert(row(service).type == S::kName);
     reply(caller.call, rosapi_.answer(request<S>(caller)));
   }
   // When the caller has waited long enough.

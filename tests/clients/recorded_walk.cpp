@@ -11,7 +11,7 @@
 #include "gaitway/api/feed.hpp"
 #include "gaitway/api/json_codec.hpp"
 #include "gaitway/api/recorder.hpp"
-#include "gaitway/api/ros_time.hpp"
+#include "gaitway/api/ros_messages.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 

@@ -31,6 +31,7 @@ class ServedCommands(unittest.TestCase):
                 self.ctl("walk", "0.12,0,0.1", "--seconds", "2")
                 self.ctl("recording", "start", "walk")
                 self.ctl("recording", "stop")
+                self.assertRegex(self.ctl("recording", "list"), r"\A\d{4}-\d\d-\d\d .* MB  \S*/walk\.mcap\n\Z")
                 self.assertIn("there is no motion 'jump'", self.ctl("play", "jump", code=2))
                 # It may still be taking its last steps, and is asked again then.
                 until(lambda: self.run_ctl("play", "wave").returncode == 0, "the wave's beginning")

@@ -1,7 +1,9 @@
 // `gaitway ctl`: orders to a robot that is running, to its plug-ins and its recordings.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -33,8 +35,11 @@ void print_table(const json& values) {
                shown_text(values["values"][i]), shown_text(values["units"][i]),
                values["live"][i].get<bool>() ? "live" : "", shown_text(values["docs"][i]));
   }
-  for (std::size_t i = 0; values.contains("files") && i < values["files"].size(); ++i) {
-    fmt::print("{}\n", shown_text(values["files"][i]));
+  for (std::size_t i = 0; values.contains("recordings") && i < values["recordings"].size(); ++i) {
+    const json& recording = values["recordings"][i];
+    fmt::print("{:%Y-%m-%d %H:%M:%S} {:>9.1f} MB  {}\n",
+               fmt::localtime(recording["start"]["sec"].get<std::time_t>()),
+               recording["bytes"].get<double>() / 1e6, shown_text(recording["file"]));
   }
 }
 

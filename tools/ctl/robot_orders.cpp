@@ -30,7 +30,9 @@ constexpr std::array kRobotWords{
     Word{"release", "/release", "After an emergency stop: hold the joints where they are, and obey again",
          "  gaitway ctl release && gaitway ctl stand\n"}};
 constexpr std::array kRecordingWords{
-    Word{"stop", "/recording/stop", "End the recording", "  gaitway ctl recording stop\n"}};
+    Word{"stop", "/recording/stop", "End the recording", "  gaitway ctl recording stop\n"},
+    Word{"list", "/recording/list", "List the recordings: start, size and file, newest first",
+         "  gaitway ctl recording list\n"}};
 
 // While it walks, the command is renewed so often.
 constexpr std::int64_t kRenew_ns = 100'000'000;
@@ -179,12 +181,14 @@ void add_motions(const CommandLine& ctl, const SharedCtlOptions& options) {
 }
 
 void add_recordings(const CommandLine& ctl, const SharedCtlOptions& options) {
-  const CommandLine recording = ctl.subcommand("recording", "Record the topics into MCAP files: start, stop");
+  const CommandLine recording =
+      ctl.subcommand("recording", "Record the topics into MCAP files: start, stop, list");
   recording.needs_subcommand();
   recording.footer(
       "Examples:\n"
       "  gaitway ctl recording start walk1\n"
-      "  gaitway ctl recording stop");
+      "  gaitway ctl recording stop\n"
+      "  gaitway ctl recording list");
   const auto name = std::make_shared<std::string>();
   const CommandLine start = add_order(recording, options, "start", "Start a recording (MCAP)",
                                       "  gaitway ctl recording start walk1\n");

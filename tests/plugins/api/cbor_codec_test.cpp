@@ -157,7 +157,7 @@ TEST(CborCodec, TagsArraysOfNumbersAsRosbridgeDoes) {
 
 struct Picture {
   std::vector<std::uint8_t> data;
-  GAITWAY_ROS_MESSAGE("test_msgs/msg/Picture") { visit("data", self.data); }
+  GAITWAY_ROS_MESSAGE("test_msgs/msg/Picture", data);
 };
 
 TEST(CborCodec, WritesBytesAsAByteStringWithoutTag) {

@@ -1,5 +1,5 @@
 // Events as log messages.
-#include "gaitway/api/event_message.hpp"
+#include "gaitway/api/state_messages.hpp"
 
 #include <gtest/gtest.h>
 

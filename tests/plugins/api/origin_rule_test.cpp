@@ -1,10 +1,8 @@
 // Which web pages may connect.
-#include "gaitway/api/origin_rule.hpp"
+#include "gaitway/api/admission.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "gaitway/api/access_token.hpp"
 
 namespace gaitway::api {
 namespace {

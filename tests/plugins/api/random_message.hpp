@@ -42,34 +42,9 @@ struct EveryKind {
   std::array<double, 3> three{};
   std::vector<std::string> texts;
   std::array<ros::Header, 2> headers;
-  GAITWAY_ROS_MESSAGE("test_msgs/msg/EveryKind") {
-    visit("flag", self.flag);
-    visit("i8", self.i8);
-    visit("i16", self.i16);
-    visit("i32", self.i32);
-    visit("i64", self.i64);
-    visit("u8", self.u8);
-    visit("u16", self.u16);
-    visit("u32", self.u32);
-    visit("u64", self.u64);
-    visit("f32", self.f32);
-    visit("f64", self.f64);
-    visit("text", self.text);
-    visit("pose", self.pose);
-    visit("flags", self.flags);
-    visit("i8s", self.i8s);
-    visit("i16s", self.i16s);
-    visit("i32s", self.i32s);
-    visit("i64s", self.i64s);
-    visit("u16s", self.u16s);
-    visit("u32s", self.u32s);
-    visit("u64s", self.u64s);
-    visit("f32s", self.f32s);
-    visit("f64s", self.f64s);
-    visit("three", self.three);
-    visit("texts", self.texts);
-    visit("headers", self.headers);
-  }
+  GAITWAY_ROS_MESSAGE("test_msgs/msg/EveryKind", flag, i8, i16, i32, i64, u8, u16, u32, u64, f32, f64, text,
+                      pose, flags, i8s, i16s, i32s, i64s, u16s, u32s, u64s, f32s, f64s, three, texts,
+                      headers);
 };
 
 enum class Text { any_bytes, utf8 };

@@ -1,6 +1,7 @@
 // A robot that writes down what it is told, and answers orders when the test says so.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -30,6 +31,7 @@ class RecordedRobot final : public RobotPort {
   bool is_emergency_stopped = false;
   bool walking = false;  // told to walk, and not told to stop since
   bool recording = false;
+  std::vector<RecordingStatus> recording_list;
   std::uint32_t last_number = 0;
 
   [[nodiscard]] std::int64_t now_ns() const override { return time_ns; }
@@ -91,6 +93,11 @@ class RecordedRobot final : public RobotPort {
     }
     recording = false;
     return "/recordings/walk.mcap";
+  }
+  [[nodiscard]] RecordingList recordings(std::size_t most) const override {
+    RecordingList list{recording_list, recording_list.size()};
+    list.newest.resize(std::min(most, list.count));
+    return list;
   }
 
  private:

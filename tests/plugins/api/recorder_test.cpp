@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "gaitway/api/ros_time.hpp"
+#include "gaitway/api/ros_messages.hpp"
 #include "mcap_outline.hpp"
 
 namespace gaitway::api {
@@ -97,6 +97,37 @@ TEST_F(RecorderTest, OverwritesNothing) {
   EXPECT_FALSE(fs::exists(folder / "elsewhere"));
   EXPECT_EQ(fs::file_size(folder / "kept.mcap"), 8U);
   EXPECT_FALSE(recorder.recording());
+}
+
+TEST_F(RecorderTest, ListsTheFoldersRecordingsNewestFirst) {
+  Recorder recorder(folder);
+  EXPECT_EQ(recorder.list(10).count, 0U);
+  for (const char* const name : {"c", "a", "b"}) {
+    recorder.start(name, 0);
+    clocks(recorder, 3);
+    recorder.stop();
+  }
+  // None of these is a recording.
+  std::ofstream(folder / "notes.txt") << "notes";
+  std::ofstream(folder / ".hidden.mcap") << "hidden";
+  std::ofstream(folder / "a b.mcap") << "space";
+  fs::create_directory(folder / "folder.mcap");
+  fs::create_symlink(folder / "a.mcap", folder / "link.mcap");
+  const RecordingList all = recorder.list(10);
+  ASSERT_EQ(all.count, 3U);
+  ASSERT_EQ(all.newest.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(all.newest[i].bytes, fs::file_size(all.newest[i].file)) << all.newest[i].file;
+    if (i > 0) {
+      EXPECT_GE(all.newest[i - 1].start_ns, all.newest[i].start_ns);
+    }
+  }
+  const RecordingList two = recorder.list(2);
+  EXPECT_EQ(two.count, 3U);
+  ASSERT_EQ(two.newest.size(), 2U);
+  EXPECT_EQ(two.newest[1].file, all.newest[1].file);
+  fs::remove(folder / "a.mcap");
+  EXPECT_EQ(recorder.list(10).count, 2U) << "the folder as it is now";
 }
 
 TEST_F(RecorderTest, RecordsOneFileAtATime) {

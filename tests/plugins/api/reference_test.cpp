@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "gaitway/api/json_reader.hpp"
-#include "gaitway/api/limit_table.hpp"
+#include "gaitway/api/limits.hpp"
 #include "gaitway/api/message_definition.hpp"
 #include "gaitway/api/operation_table.hpp"
 #include "gaitway/api/publication.hpp"

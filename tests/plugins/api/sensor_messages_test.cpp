@@ -1,11 +1,11 @@
 // Joint states, trunk sensors and feet, against values worked out by hand.
-#include "gaitway/api/sensor_messages.hpp"
+#include "gaitway/api/state_messages.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "gaitway/api/ros_time.hpp"
+#include "gaitway/api/ros_messages.hpp"
 #include "humanoid.hpp"
 
 namespace gaitway::api {

@@ -13,15 +13,16 @@ namespace {
 
 using nlohmann::json;
 
-TEST(ServiceTable, HasARowForEachServiceAtItsPlaceAndEachNameOnce) {
+TEST(ServiceTable, HasEachNameOnceAndFindsItWithAndWithoutTheSlash) {
   std::set<std::string_view> names;
-  for (std::size_t i = 0; i < kServiceCount; ++i) {
-    EXPECT_EQ(static_cast<std::size_t>(kServices[i].service), i) << kServices[i].name;
-    EXPECT_EQ(&row(kServices[i].service), &kServices[i]);
-    EXPECT_TRUE(names.insert(kServices[i].name).second) << kServices[i].name;
-    EXPECT_EQ(kServices[i].name.front(), '/');
-    EXPECT_FALSE(kServices[i].doc.empty()) << kServices[i].name;
+  for (const ServiceRow& service : kServices) {
+    EXPECT_TRUE(names.insert(service.name).second) << service.name;
+    EXPECT_EQ(service.name.front(), '/');
+    EXPECT_EQ(find_service(service.name), &service);
+    EXPECT_EQ(find_service(service.name.substr(1)), &service);
+    EXPECT_FALSE(service.doc.empty()) << service.name;
   }
+  EXPECT_EQ(find_service("/none"), nullptr);
 }
 
 TEST(ServiceTable, ExamplesNameFieldsOfTheirRequestsOnly) {
@@ -36,12 +37,12 @@ TEST(ServiceTable, ExamplesNameFieldsOfTheirRequestsOnly) {
 }
 
 TEST(ServiceTable, EverybodyMayStopTheRobotAndOnlyWhoCommandsMayMoveIt) {
-  EXPECT_FALSE(row(Service::emergency_stop).needs_command);
-  EXPECT_FALSE(row(Service::stop).needs_command);
-  for (const Service moves :
-       {Service::stand, Service::move_joint, Service::play_motion, Service::load_plugin,
-        Service::reload_plugin, Service::unload_plugin, Service::set_parameter, Service::rosapi_set_param}) {
-    EXPECT_TRUE(row(moves).needs_command) << row(moves).name;
+  EXPECT_FALSE(find_service("/emergency_stop")->needs_command);
+  EXPECT_FALSE(find_service("/stop")->needs_command);
+  for (const std::string_view moves :
+       {"/stand", "/move_joint", "/play_motion", "/plugins/load", "/plugins/reload", "/plugins/unload",
+        "/plugins/set_parameter", "/rosapi/set_param"}) {
+    EXPECT_TRUE(find_service(moves)->needs_command) << moves;
   }
 }
 

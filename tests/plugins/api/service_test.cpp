@@ -306,6 +306,22 @@ TEST_F(ServiceTest, RecordsUnderPlainNamesOnly) {
   EXPECT_FALSE(robot.recording);
 }
 
+TEST_F(ServiceTest, ListsTheNewestRecordingsAndSaysHowManyThereAre) {
+  EXPECT_THAT(values(client->call("/recording/list"))["recordings"], IsEmpty());
+  robot.recording_list = {{"/recordings/b.mcap", 2'000, 1'700'000'000'500'000'000},
+                          {"/recordings/a.mcap", 1'000, 1'600'000'000'000'000'000}};
+  json answer = values(client->call("/recording/list"));
+  EXPECT_EQ(answer["success"], true);
+  EXPECT_EQ(answer["message"], "");
+  EXPECT_EQ(answer["recordings"], json::parse(R"([
+      {"file": "/recordings/b.mcap", "bytes": 2000, "start": {"sec": 1700000000, "nanosec": 500000000}},
+      {"file": "/recordings/a.mcap", "bytes": 1000, "start": {"sec": 1600000000, "nanosec": 0}}])"));
+  robot.recording_list.resize(250);
+  answer = values(client->call("/recording/list"));
+  EXPECT_THAT(answer["recordings"], SizeIs(100));
+  EXPECT_EQ(answer["message"], "the newest 100 of 250 recordings");
+}
+
 TEST_F(ServiceTest, EveryServiceAnswersItsExample) {
   for (const ServiceRow& row : kServices) {
     client->send({{"op", "call_service"}, {"service", row.name}, {"args", json::parse(row.example)}});
@@ -337,7 +353,7 @@ TEST_F(ServiceTest, RosapiTellsTopicsAndTypes) {
 }
 
 TEST_F(ServiceTest, RosapiTellsServicesNodesAndDetails) {
-  EXPECT_EQ(values(client->call("/rosapi/services"))["services"].size(), kServiceCount);
+  EXPECT_EQ(values(client->call("/rosapi/services"))["services"].size(), kServices.size());
   EXPECT_EQ(values(client->call("/rosapi/service_type", {{"service", "/stop"}}))["type"],
             "std_srvs/srv/Trigger");
   EXPECT_THAT(values(client->call("/rosapi/services_for_type", {{"type", "std_srvs/Trigger"}}))["services"],

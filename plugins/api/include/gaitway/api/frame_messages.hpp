@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "gaitway/api/robot_frames.hpp"
@@ -12,6 +14,11 @@
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::api {
+
+// Fixed to the ground, z = 0 on it; origin between the feet at the start (robot_frames.hpp).
+inline constexpr std::string_view kOdomFrame = "odom";
+// [Side]: below the ankle on the sole, as the robot's description has it; children of the feet's links.
+inline constexpr std::array<std::string_view, 2> kSoleFrames{"left_sole", "right_sole"};
 
 [[nodiscard]] ros::Odometry make_odometry(const urdf::RobotModel& model);
 // Covariances are not known: 0.

@@ -13,7 +13,6 @@
 
 #include "gaitway/api/cbor_codec.hpp"
 #include "gaitway/api/cdr_codec.hpp"
-#include "gaitway/api/encoding.hpp"
 #include "gaitway/api/json_codec.hpp"
 #include "gaitway/api/limits.hpp"
 #include "gaitway/api/publication.hpp"

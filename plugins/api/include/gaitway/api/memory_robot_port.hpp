@@ -41,8 +41,10 @@ class MemoryRobotPort final : public RobotPort {
   [[nodiscard]] std::vector<PluginStatus> plugins() const override;
   std::string start_recording(std::string_view name) override;
   std::string stop_recording() override;
+  [[nodiscard]] RecordingList recordings(std::size_t most) const override;
 
  private:
+  [[nodiscard]] Recorder& recorder() const;
   // Stops that wait for their answer: the count of their kind that `stop_answer` must have reached.
   struct AwaitedStop {
     std::uint32_t number;

@@ -1,7 +1,8 @@
-// What kinds of fields there are in a message of ros_messages.hpp or service_types.hpp. The codecs and the
-// definitions distinguish them by these concepts alone.
+// How a message's struct names its type and its fields, once, and what kinds of fields there are: all that
+// the codecs and the definitions know of messages.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -10,6 +11,47 @@
 #include <vector>
 
 namespace gaitway::api {
+
+[[nodiscard]] consteval std::size_t count_names(std::string_view list) {
+  return list.empty() ? 0 : static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
+}
+
+// The names in "position, orientation".
+template <std::size_t count>
+[[nodiscard]] consteval std::array<std::string_view, count> names_in(std::string_view list) {
+  std::array<std::string_view, count> names;
+  for (std::string_view& name : names) {
+    list.remove_prefix(std::min(list.find_first_not_of(", "), list.size()));
+    name = list.substr(0, list.find(','));
+    list.remove_prefix(name.size());
+  }
+  return names;
+}
+
+template <class Visitor, class... Members>
+void visit_named([[maybe_unused]] const std::array<std::string_view, sizeof...(Members)>& names,
+                 [[maybe_unused]] Visitor& visit, Members&... members) {
+  [[maybe_unused]] std::size_t i = 0;
+  (visit(names[i++], members), ...);
+}
+
+// Gives `fields(visit)` as visit("name", member) for each member, const or not.
+#define GAITWAY_FIELDS(...)                                                              \
+  static constexpr auto kFieldNames =                                                    \
+      ::gaitway::api::names_in<::gaitway::api::count_names(#__VA_ARGS__)>(#__VA_ARGS__); \
+  template <class Visitor>                                                               \
+  void fields(Visitor&& visit) {                                                         \
+    ::gaitway::api::visit_named(kFieldNames, visit __VA_OPT__(, ) __VA_ARGS__);          \
+  }                                                                                      \
+  template <class Visitor>                                                               \
+  void fields(Visitor&& visit) const {                                                   \
+    ::gaitway::api::visit_named(kFieldNames, visit __VA_OPT__(, ) __VA_ARGS__);          \
+  }
+
+// The same of a message, which has a type's name, too.
+#define GAITWAY_ROS_MESSAGE(type_name, ...) \
+  GAITWAY_FIELDS(__VA_ARGS__)               \
+  static constexpr std::string_view kName = type_name
 
 // A struct that names its type and its fields.
 template <class T>

@@ -1,7 +1,8 @@
-// What the robot publishes: the table of topics, and a message of one of them on its way to subscribers.
+// What the robot publishes: the table of topics, and the forms in which their messages go out.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -73,6 +74,17 @@ inline constexpr std::size_t kTopicCount = kTopics.size();
 
 [[nodiscard]] constexpr const TopicRow& row(Topic topic) noexcept {
   return kTopics[static_cast<std::size_t>(topic)];
+}
+
+enum class Encoding : std::uint8_t {
+  json,
+  cbor,
+  cbor_raw  // an envelope of CBOR around the message in ROS 2's own encoding (CDR)
+};
+inline constexpr std::size_t kEncodings = 3;
+
+[[nodiscard]] constexpr bool is_binary(Encoding encoding) noexcept {
+  return encoding != Encoding::json;
 }
 
 }  // namespace gaitway::api

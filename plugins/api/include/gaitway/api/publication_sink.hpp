@@ -3,13 +3,18 @@
 
 #include <cstdint>
 #include <utility>
+#include <variant>
 
 #include "gaitway/api/publication.hpp"
 
 namespace gaitway::api {
 
-// One overload for each message type of kTopics. `robot_ns`: the robot's clock when the message was made; the
-// header's stamp is the measurement's. The message is the feed's own and holds during the call only.
+// A message of one of kTopics.
+using AnyMessage =
+    std::variant<const ros::JointState*, const ros::Imu*, const ros::WrenchStamped*, const ros::PointStamped*,
+                 const ros::Odometry*, const ros::TFMessage*, const ros::PoseArray*, const ros::MotionState*,
+                 const ros::String*, const ros::Clock*, const ros::DiagnosticArray*, const ros::Log*>;
+
 // Called from within Feed::poll(); must not throw.
 class PublicationSink {
  public:
@@ -17,19 +22,14 @@ class PublicationSink {
   // Whether publish() would make use of a message of this topic; asked before anything is computed for it. A
   // sink that keeps the last message of latched topics wants these always.
   [[nodiscard]] virtual bool wants(Topic topic) const = 0;
+  // `robot_ns`: the robot's clock when the message was made; the header's stamp is the measurement's. The
+  // message is the feed's own and holds during the call only.
+  virtual void take(Topic topic, AnyMessage message, std::int64_t robot_ns) = 0;
 
-  virtual void publish(Topic topic, const ros::JointState& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::Imu& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::WrenchStamped& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::PointStamped& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::Odometry& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::TFMessage& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::PoseArray& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::MotionState& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::String& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::Clock& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::DiagnosticArray& message, std::int64_t robot_ns) = 0;
-  virtual void publish(Topic topic, const ros::Log& message, std::int64_t robot_ns) = 0;
+  template <class M>
+  void publish(Topic topic, const M& message, std::int64_t robot_ns) {
+    take(topic, &message, robot_ns);
+  }
 };
 
 // A sink that does the same with messages of every type: calls take(topic, message, robot_ns), and asks
@@ -41,41 +41,8 @@ class GenericSink final : public PublicationSink {
 
   [[nodiscard]] bool wants(Topic topic) const override { return wanted_(topic); }
 
-  void publish(Topic topic, const ros::JointState& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::Imu& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::WrenchStamped& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::PointStamped& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::Odometry& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::TFMessage& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::PoseArray& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::MotionState& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::String& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::Clock& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::DiagnosticArray& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
-  }
-  void publish(Topic topic, const ros::Log& message, std::int64_t robot_ns) override {
-    take_(topic, message, robot_ns);
+  void take(Topic topic, AnyMessage message, std::int64_t robot_ns) override {
+    std::visit([&](const auto* known) { take_(topic, *known, robot_ns); }, message);
   }
 
  private:

@@ -1,6 +1,8 @@
 // Records what the feed publishes into MCAP files in one folder.
 #pragma once
 
+#include <dirent.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +14,7 @@
 #include "gaitway/api/cdr_codec.hpp"
 #include "gaitway/api/mcap_writer.hpp"
 #include "gaitway/api/publication.hpp"
+#include "gaitway/api/robot_port.hpp"
 
 namespace gaitway::api {
 
@@ -39,6 +42,8 @@ class Recorder {
   // end could not be written (none is then under way, either).
   std::string stop();
   [[nodiscard]] bool recording() const noexcept { return writer_ != nullptr; }
+  // The folder's recordings, also of others: at most so many, the newest. Opens nothing.
+  [[nodiscard]] RecordingList list(std::size_t most) const;
 
   // Time passes: once a second what waits is written. To be called every 100 ms or so.
   void step(std::int64_t wall_ns);
@@ -68,8 +73,12 @@ class Recorder {
   void end(std::string_view reason);
   [[nodiscard]] std::string path() const;
 
+  struct CloseFolder {
+    void operator()(DIR* folder) const noexcept { ::closedir(folder); }
+  };
+
   std::filesystem::path folder_;
-  int folder_file_ = -1;
+  std::unique_ptr<DIR, CloseFolder> opened_;
   std::uint64_t limit_bytes_;
   std::unique_ptr<McapWriter> writer_;  // while recording
   std::string file_name_;

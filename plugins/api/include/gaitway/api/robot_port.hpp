@@ -2,6 +2,7 @@
 // a recorder in tests.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +38,17 @@ struct PluginStatus {
 struct JointLimits {
   std::string name;
   double lower_rad = 0.0, upper_rad = 0.0;
+};
+
+// A recording in the recordings folder.
+struct RecordingStatus {
+  std::string file;           // its path
+  std::uint64_t bytes = 0;    // as far as it has been written
+  std::int64_t start_ns = 0;  // by the computer's clock, since 1970
+};
+struct RecordingList {
+  std::vector<RecordingStatus> newest;  // the newest first
+  std::size_t count = 0;                // in the folder
 };
 
 // What became of an order that takes time.
@@ -79,10 +91,12 @@ class RobotPort {
   [[nodiscard]] virtual std::vector<PluginStatus> plugins() const = 0;
 
   // Throws std::runtime_error: why it cannot be, for people. `name`: of the file, without folder; checked by
-  // the caller to be a plain name. Gives the file's path.
+  // the caller to be a plain name; empty: after the time. Gives the file's path.
   virtual std::string start_recording(std::string_view name) = 0;
   // Gives the path of the finished file. Throws when none is under way.
   virtual std::string stop_recording() = 0;
+  // At most so many. Throws as start_recording() does.
+  [[nodiscard]] virtual RecordingList recordings(std::size_t most) const = 0;
 };
 
 }  // namespace gaitway::api

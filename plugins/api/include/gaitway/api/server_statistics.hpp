@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 namespace gaitway::api {
 
@@ -36,9 +35,6 @@ enum class Closing : std::uint8_t {
   shut_down        // the server stops
 };
 inline constexpr std::size_t kClosingCount = 10;
-
-[[nodiscard]] std::string_view name(Refusal cause) noexcept;
-[[nodiscard]] std::string_view name(Closing cause) noexcept;
 
 struct ServerStatistics {
   std::uint64_t accepted = 0;  // TCP connections

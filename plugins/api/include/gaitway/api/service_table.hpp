@@ -2,8 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <string_view>
 
 #include "gaitway/api/rosapi_types.hpp"
@@ -11,55 +9,7 @@
 
 namespace gaitway::api {
 
-enum class Service : std::uint8_t {
-  // Of the robot.
-  stand,
-  stop,
-  emergency_stop,
-  release,
-  move_joint,
-  play_motion,
-  list_plugins,
-  get_parameters,
-  set_parameter,
-  reload_plugin,
-  unload_plugin,
-  load_plugin,
-  start_recording,
-  stop_recording,
-  acquire_command,
-  keep_alive,
-  release_command,
-  // Of rosapi: what there is, for clients.
-  rosapi_topics,
-  rosapi_topic_type,
-  rosapi_topics_for_type,
-  rosapi_topics_and_raw_types,
-  rosapi_publishers,
-  rosapi_subscribers,
-  rosapi_interfaces,
-  rosapi_services,
-  rosapi_service_type,
-  rosapi_services_for_type,
-  rosapi_service_node,
-  rosapi_service_providers,
-  rosapi_service_request_details,
-  rosapi_service_response_details,
-  rosapi_message_details,
-  rosapi_nodes,
-  rosapi_node_details,
-  rosapi_action_servers,
-  rosapi_get_time,
-  rosapi_get_ros_version,
-  rosapi_get_param_names,
-  rosapi_get_param,
-  rosapi_set_param,
-  rosapi_has_param,
-  rosapi_delete_param
-};
-
 struct ServiceRow {
-  Service service;
   std::string_view name;
   std::string_view type;
   bool needs_command;  // refused to all but the one who has the command
@@ -68,118 +18,115 @@ struct ServiceRow {
 };
 
 inline constexpr std::array kServices{
-    ServiceRow{Service::stand, "/stand", ros::Trigger::kName, true,
-               "End the walk by the next steps, and stand", "{}"},
-    ServiceRow{Service::stop, "/stop", ros::Trigger::kName, false,
+    ServiceRow{"/stand", ros::Trigger::kName, true, "End the walk by the next steps, and stand", "{}"},
+    ServiceRow{"/stop", ros::Trigger::kName, false,
                "Play the safe tail now: finish the step and stand. For everybody who is let in", "{}"},
-    ServiceRow{Service::emergency_stop, "/emergency_stop", ros::SetBool::kName, false,
+    ServiceRow{"/emergency_stop", ros::SetBool::kName, false,
                "Stop every joint at once. `data` true: they go soft, false: they hold. The robot may fall. "
                "For everybody who is let in",
                R"({"data": false})"},
-    ServiceRow{Service::release, "/release", ros::Trigger::kName, true,
+    ServiceRow{"/release", ros::Trigger::kName, true,
                "End an emergency stop: every joint holds where it is, and the robot goes to its stand from "
                "there, so stay clear of it. Until then all that would move the robot is refused",
                "{}"},
-    ServiceRow{Service::move_joint, "/move_joint", ros::MoveJoint::kName, true,
+    ServiceRow{"/move_joint", ros::MoveJoint::kName, true,
                "Move one joint to `position` [rad] within `duration` [s], while the robot stands; it walks "
                "again when the joint is back",
                R"({"joint": "neck_yaw", "position": 0.2, "duration": 1.0})"},
     ServiceRow{
-        Service::play_motion, "/play_motion", ros::PlayMotion::kName, true,
+        "/play_motion", ros::PlayMotion::kName, true,
         "Play a key-frame motion by its name, from the stand; the answer comes when it begins, /motion_state "
         "tells how it goes on",
         R"({"motion": "wave"})"},
-    ServiceRow{Service::list_plugins, "/plugins/list", ros::ListPlugins::kName, false,
+    ServiceRow{"/plugins/list", ros::ListPlugins::kName, false,
                "The plug-ins, their state and what their steps cost [us]", "{}"},
-    ServiceRow{Service::get_parameters, "/plugins/get_parameters", ros::GetParameters::kName, false,
+    ServiceRow{"/plugins/get_parameters", ros::GetParameters::kName, false,
                "The parameters of a plug-in: one entry each in `names`, `values`, `units`, `docs` and `live` "
                "(may be changed while the plug-in works)",
                R"({"plugin": "stability"})"},
-    ServiceRow{Service::set_parameter, "/plugins/set_parameter", ros::SetParameter::kName, true,
+    ServiceRow{"/plugins/set_parameter", ros::SetParameter::kName, true,
                "Set a live parameter. `value` with its unit, as in the configuration",
                R"({"plugin": "stability", "parameter": "trim_limit", "value": "0.1 rad"})"},
-    ServiceRow{Service::reload_plugin, "/plugins/reload", ros::ChangePlugin::kName, true,
+    ServiceRow{"/plugins/reload", ros::ChangePlugin::kName, true,
                "Replace the plug-in `name` by what its library, or `library`, holds now",
                R"({"name": "stability", "library": ""})"},
-    ServiceRow{Service::unload_plugin, "/plugins/unload", ros::ChangePlugin::kName, true,
-               "Take the plug-in `name` out of service", R"({"name": "stability"})"},
-    ServiceRow{Service::load_plugin, "/plugins/load", ros::ChangePlugin::kName, true,
+    ServiceRow{"/plugins/unload", ros::ChangePlugin::kName, true, "Take the plug-in `name` out of service",
+               R"({"name": "stability"})"},
+    ServiceRow{"/plugins/load", ros::ChangePlugin::kName, true,
                "Load the plug-in `name`, from `library` when that is not empty",
                R"({"name": "stability", "library": ""})"},
-    ServiceRow{Service::start_recording, "/recording/start", ros::StartRecording::kName, false,
+    ServiceRow{"/recording/start", ros::StartRecording::kName, false,
                "Record every topic into an MCAP file `name`, or named by the time when that is empty. "
                "`file`: its path",
                R"({"name": "walk"})"},
-    ServiceRow{Service::stop_recording, "/recording/stop", ros::Trigger::kName, false,
+    ServiceRow{"/recording/stop", ros::Trigger::kName, false,
                "End the recording. `message`: the path of the finished file", "{}"},
-    ServiceRow{Service::acquire_command, "/command/acquire", ros::AcquireCommand::kName, false,
+    ServiceRow{"/recording/list", ros::ListRecordings::kName, false,
+               "The recordings, newest first and 100 at most: each one's path, size and start", "{}"},
+    ServiceRow{"/command/acquire", ros::AcquireCommand::kName, false,
                "Become the one who commands. Keep the `lease` alive at least every `keep_alive_period` [s]. "
                "Refused while somebody else has it",
                R"({"name": "dashboard"})"},
-    ServiceRow{Service::keep_alive, "/command/keep_alive", ros::Lease::kName, false,
-               "Keep the lease of the command", R"({"lease": "0123456789abcdef"})"},
-    ServiceRow{Service::release_command, "/command/release", ros::Lease::kName, false,
-               "Give the command back", R"({"lease": "0123456789abcdef"})"},
-    ServiceRow{Service::rosapi_topics, "/rosapi/topics", ros::Topics::kName, false,
-               "Every topic and its type", "{}"},
-    ServiceRow{Service::rosapi_topic_type, "/rosapi/topic_type", ros::TopicType::kName, false,
+    ServiceRow{"/command/keep_alive", ros::Lease::kName, false, "Keep the lease of the command",
+               R"({"lease": "0123456789abcdef"})"},
+    ServiceRow{"/command/release", ros::Lease::kName, false, "Give the command back",
+               R"({"lease": "0123456789abcdef"})"},
+    ServiceRow{"/rosapi/topics", ros::Topics::kName, false, "Every topic and its type", "{}"},
+    ServiceRow{"/rosapi/topic_type", ros::TopicType::kName, false,
                "The type of a topic; empty when there is none of that name", R"({"topic": "/joint_states"})"},
-    ServiceRow{Service::rosapi_topics_for_type, "/rosapi/topics_for_type", ros::TopicsForType::kName, false,
-               "The topics of a type", R"({"type": "geometry_msgs/msg/PointStamped"})"},
-    ServiceRow{Service::rosapi_topics_and_raw_types, "/rosapi/topics_and_raw_types",
-               ros::TopicsAndRawTypes::kName, false,
+    ServiceRow{"/rosapi/topics_for_type", ros::TopicsForType::kName, false, "The topics of a type",
+               R"({"type": "geometry_msgs/msg/PointStamped"})"},
+    ServiceRow{"/rosapi/topics_and_raw_types", ros::TopicsAndRawTypes::kName, false,
                "Every topic, its type and the whole text of its definition", "{}"},
-    ServiceRow{Service::rosapi_publishers, "/rosapi/publishers", ros::Publishers::kName, false,
-               "The nodes that publish a topic", R"({"topic": "/joint_states"})"},
-    ServiceRow{Service::rosapi_subscribers, "/rosapi/subscribers", ros::Subscribers::kName, false,
-               "The nodes that subscribe to a topic", R"({"topic": "/cmd_vel"})"},
-    ServiceRow{Service::rosapi_interfaces, "/rosapi/interfaces", ros::Interfaces::kName, false,
-               "Every message and service type", "{}"},
-    ServiceRow{Service::rosapi_services, "/rosapi/services", ros::Services::kName, false, "Every service",
-               "{}"},
-    ServiceRow{Service::rosapi_service_type, "/rosapi/service_type", ros::ServiceType::kName, false,
+    ServiceRow{"/rosapi/publishers", ros::Publishers::kName, false, "The nodes that publish a topic",
+               R"({"topic": "/joint_states"})"},
+    ServiceRow{"/rosapi/subscribers", ros::Subscribers::kName, false, "The nodes that subscribe to a topic",
+               R"({"topic": "/cmd_vel"})"},
+    ServiceRow{"/rosapi/interfaces", ros::Interfaces::kName, false, "Every message and service type", "{}"},
+    ServiceRow{"/rosapi/services", ros::Services::kName, false, "Every service", "{}"},
+    ServiceRow{"/rosapi/service_type", ros::ServiceType::kName, false,
                "The type of a service; empty when there is none of that name", R"({"service": "/stand"})"},
-    ServiceRow{Service::rosapi_services_for_type, "/rosapi/services_for_type", ros::ServicesForType::kName,
-               false, "The services of a type", R"({"type": "std_srvs/srv/Trigger"})"},
-    ServiceRow{Service::rosapi_service_node, "/rosapi/service_node", ros::ServiceNode::kName, false,
-               "The node that offers a service", R"({"service": "/stand"})"},
-    ServiceRow{Service::rosapi_service_providers, "/rosapi/service_providers", ros::ServiceProviders::kName,
-               false, "The nodes that offer services of a type", R"({"service": "std_srvs/srv/Trigger"})"},
-    ServiceRow{Service::rosapi_service_request_details, "/rosapi/service_request_details",
-               ros::ServiceRequestDetails::kName, false, "The fields of a service type's request",
-               R"({"type": "gaitway_msgs/srv/MoveJoint"})"},
-    ServiceRow{Service::rosapi_service_response_details, "/rosapi/service_response_details",
-               ros::ServiceResponseDetails::kName, false, "The fields of a service type's response",
-               R"({"type": "gaitway_msgs/srv/ListPlugins"})"},
-    ServiceRow{Service::rosapi_message_details, "/rosapi/message_details", ros::MessageDetails::kName, false,
+    ServiceRow{"/rosapi/services_for_type", ros::ServicesForType::kName, false, "The services of a type",
+               R"({"type": "std_srvs/srv/Trigger"})"},
+    ServiceRow{"/rosapi/service_node", ros::ServiceNode::kName, false, "The node that offers a service",
+               R"({"service": "/stand"})"},
+    ServiceRow{"/rosapi/service_providers", ros::ServiceProviders::kName, false,
+               "The nodes that offer services of a type", R"({"service": "std_srvs/srv/Trigger"})"},
+    ServiceRow{"/rosapi/service_request_details", ros::ServiceRequestDetails::kName, false,
+               "The fields of a service type's request", R"({"type": "gaitway_msgs/srv/MoveJoint"})"},
+    ServiceRow{"/rosapi/service_response_details", ros::ServiceResponseDetails::kName, false,
+               "The fields of a service type's response", R"({"type": "gaitway_msgs/srv/ListPlugins"})"},
+    ServiceRow{"/rosapi/message_details", ros::MessageDetails::kName, false,
                "The fields of a message type, and of those within it",
                R"({"type": "sensor_msgs/msg/JointState"})"},
-    ServiceRow{Service::rosapi_nodes, "/rosapi/nodes", ros::Nodes::kName, false,
-               "Every node: the robot is one", "{}"},
-    ServiceRow{Service::rosapi_node_details, "/rosapi/node_details", ros::NodeDetails::kName, false,
+    ServiceRow{"/rosapi/nodes", ros::Nodes::kName, false, "Every node: the robot is one", "{}"},
+    ServiceRow{"/rosapi/node_details", ros::NodeDetails::kName, false,
                "What a node publishes, subscribes to and offers", R"({"node": "/gaitway"})"},
-    ServiceRow{Service::rosapi_action_servers, "/rosapi/action_servers", ros::GetActionServers::kName, false,
+    ServiceRow{"/rosapi/action_servers", ros::GetActionServers::kName, false,
                "Action servers: the robot has none", "{}"},
-    ServiceRow{Service::rosapi_get_time, "/rosapi/get_time", ros::GetTime::kName, false, "The robot's clock",
-               "{}"},
-    ServiceRow{Service::rosapi_get_ros_version, "/rosapi/get_ros_version", ros::GetROSVersion::kName, false,
+    ServiceRow{"/rosapi/get_time", ros::GetTime::kName, false, "The robot's clock", "{}"},
+    ServiceRow{"/rosapi/get_ros_version", ros::GetROSVersion::kName, false,
                "2, since types are those of ROS 2", "{}"},
-    ServiceRow{Service::rosapi_get_param_names, "/rosapi/get_param_names", ros::GetParamNames::kName, false,
+    ServiceRow{"/rosapi/get_param_names", ros::GetParamNames::kName, false,
                "Every parameter, as plug-in:parameter", "{}"},
-    ServiceRow{Service::rosapi_get_param, "/rosapi/get_param", ros::GetParam::kName, false,
-               "A parameter, its value as JSON text", R"({"name": "stability:trim_limit"})"},
-    ServiceRow{Service::rosapi_set_param, "/rosapi/set_param", ros::SetParam::kName, true,
-               "Set a live parameter of a plug-in",
+    ServiceRow{"/rosapi/get_param", ros::GetParam::kName, false, "A parameter, its value as JSON text",
+               R"({"name": "stability:trim_limit"})"},
+    ServiceRow{"/rosapi/set_param", ros::SetParam::kName, true, "Set a live parameter of a plug-in",
                R"({"name": "stability:trim_limit", "value": "\"0.1 rad\""})"},
-    ServiceRow{Service::rosapi_has_param, "/rosapi/has_param", ros::HasParam::kName, false,
-               "Whether there is such a parameter", R"({"name": "stability:trim_limit"})"},
-    ServiceRow{Service::rosapi_delete_param, "/rosapi/delete_param", ros::DeleteParam::kName, true,
-               "Parameters cannot be deleted: says so", R"({"name": "stability:trim_limit"})"},
+    ServiceRow{"/rosapi/has_param", ros::HasParam::kName, false, "Whether there is such a parameter",
+               R"({"name": "stability:trim_limit"})"},
+    ServiceRow{"/rosapi/delete_param", ros::DeleteParam::kName, true, "Parameters cannot be deleted: says so",
+               R"({"name": "stability:trim_limit"})"},
 };
-inline constexpr std::size_t kServiceCount = kServices.size();
 
-[[nodiscard]] constexpr const ServiceRow& row(Service service) noexcept {
-  return kServices[static_cast<std::size_t>(service)];
+// The row of `name`; a client may leave the leading / out. Null: there is none.
+[[nodiscard]] constexpr const ServiceRow* find_service(std::string_view name) noexcept {
+  for (const ServiceRow& row : kServices) {
+    if (row.name == name || row.name.substr(1) == name) {
+      return &row;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace gaitway::api

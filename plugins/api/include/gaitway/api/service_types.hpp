@@ -1,7 +1,9 @@
-// The services that the API offers for the robot, as plain structs in the style of ros_messages.hpp: a
-// service has a name, a Request and a Response. Every response says whether it worked, and if not, why.
+// The services that the API offers for the robot, in the style of ros_messages.hpp: a service has a name, a
+// Request and a Response. Every response says whether it worked, and if not, why.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -10,6 +12,72 @@
 #include "gaitway/api/ros_messages.hpp"
 
 namespace gaitway::api::ros {
+
+// A type's name as a template argument.
+template <std::size_t size>
+struct TypeName {
+  // Not explicit: a literal stands for it.
+  consteval TypeName(const char (&text)[size]) { std::copy_n(text, size, characters); }
+  consteval TypeName(std::string_view start, std::string_view end) {
+    std::copy(end.begin(), end.end(), std::copy(start.begin(), start.end(), characters));
+  }
+  [[nodiscard]] constexpr std::string_view text() const noexcept { return {characters, size - 1}; }
+
+  char characters[size]{};
+};
+
+template <std::size_t a, std::size_t b>
+consteval TypeName<a + b - 1> operator+(const TypeName<a>& start, const TypeName<b>& end) {
+  return {start.text(), end.text()};
+}
+
+template <TypeName name>
+inline constexpr std::string_view kTypeName = name.text();
+
+// A service's type. Its request and its response are messages named after it.
+template <TypeName name, class RequestFields, class ResponseFields>
+struct RosService {
+  static constexpr std::string_view kName = kTypeName<name>;
+  struct Request : RequestFields {
+    static constexpr std::string_view kName = kTypeName<name + TypeName("_Request")>;
+  };
+  struct Response : ResponseFields {
+    static constexpr std::string_view kName = kTypeName<name + TypeName("_Response")>;
+  };
+};
+
+struct Nothing {
+  GAITWAY_FIELDS()
+};
+
+struct Outcome {
+  bool success = false;
+  std::string message;
+  GAITWAY_FIELDS(success, message)
+};
+
+using Trigger = RosService<"std_srvs/srv/Trigger", Nothing, Outcome>;
+
+struct Truth {
+  bool data = false;
+  GAITWAY_FIELDS(data)
+};
+using SetBool = RosService<"std_srvs/srv/SetBool", Truth, Outcome>;
+
+// One joint to `position` [rad] in `duration` [s], while the robot stands.
+struct JointMove {
+  std::string joint;
+  double position = 0.0;
+  double duration = 0.0;
+  GAITWAY_FIELDS(joint, position, duration)
+};
+using MoveJoint = RosService<"gaitway_msgs/srv/MoveJoint", JointMove, Outcome>;
+
+struct MotionName {
+  std::string motion;
+  GAITWAY_FIELDS(motion)
+};
+using PlayMotion = RosService<"gaitway_msgs/srv/PlayMotion", MotionName, Outcome>;
 
 // One plug-in as the manager sees it.
 struct PluginState {
@@ -21,230 +89,97 @@ struct PluginState {
   double p50_step_us = 0.0;
   double p99_step_us = 0.0;
   double worst_step_us = 0.0;
-  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/PluginState") {
-    visit("name", self.name);
-    visit("state", self.state);
-    visit("steps", self.steps);
-    visit("faults", self.faults);
-    visit("overruns", self.overruns);
-    visit("p50_step_us", self.p50_step_us);
-    visit("p99_step_us", self.p99_step_us);
-    visit("worst_step_us", self.worst_step_us);
-  }
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/PluginState", name, state, steps, faults, overruns, p50_step_us,
+                      p99_step_us, worst_step_us);
 };
-
-struct Trigger {
-  static constexpr std::string_view kName = "std_srvs/srv/Trigger";
-  struct Request {
-    GAITWAY_ROS_MESSAGE("std_srvs/srv/Trigger_Request") {}
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    GAITWAY_ROS_MESSAGE("std_srvs/srv/Trigger_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-    }
-  };
+struct PluginList {
+  bool success = false;
+  std::string message;
+  std::vector<PluginState> plugins;
+  GAITWAY_FIELDS(success, message, plugins)
 };
-
-struct SetBool {
-  static constexpr std::string_view kName = "std_srvs/srv/SetBool";
-  struct Request {
-    bool data = false;
-    GAITWAY_ROS_MESSAGE("std_srvs/srv/SetBool_Request") { visit("data", self.data); }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    GAITWAY_ROS_MESSAGE("std_srvs/srv/SetBool_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-    }
-  };
-};
-
-// One joint to `position` [rad] in `duration` [s], while the robot stands.
-struct MoveJoint {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/MoveJoint";
-  struct Request {
-    std::string joint;
-    double position = 0.0;
-    double duration = 0.0;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/MoveJoint_Request") {
-      visit("joint", self.joint);
-      visit("position", self.position);
-      visit("duration", self.duration);
-    }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/MoveJoint_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-    }
-  };
-};
-
-struct PlayMotion {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/PlayMotion";
-  struct Request {
-    std::string motion;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/PlayMotion_Request") { visit("motion", self.motion); }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/PlayMotion_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-    }
-  };
-};
-
-struct ListPlugins {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/ListPlugins";
-  struct Request {
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/ListPlugins_Request") {}
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    std::vector<PluginState> plugins;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/ListPlugins_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-      visit("plugins", self.plugins);
-    }
-  };
-};
+using ListPlugins = RosService<"gaitway_msgs/srv/ListPlugins", Nothing, PluginList>;
 
 // Load, reload or unload. `library`: the file; empty: where the plug-in was. Not used to unload.
-struct ChangePlugin {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/ChangePlugin";
-  struct Request {
-    std::string name;
-    std::string library;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/ChangePlugin_Request") {
-      visit("name", self.name);
-      visit("library", self.library);
-    }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/ChangePlugin_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-    }
-  };
+struct PluginChange {
+  std::string name;
+  std::string library;
+  GAITWAY_FIELDS(name, library)
 };
+using ChangePlugin = RosService<"gaitway_msgs/srv/ChangePlugin", PluginChange, Outcome>;
 
-// One entry a parameter in each array. `live`: may be changed while the plug-in works.
-struct GetParameters {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/GetParameters";
-  struct Request {
-    std::string plugin;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/GetParameters_Request") { visit("plugin", self.plugin); }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    std::vector<std::string> names;
-    std::vector<std::string> values;
-    std::vector<std::string> units;
-    std::vector<std::string> docs;
-    std::vector<bool> live;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/GetParameters_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-      visit("names", self.names);
-      visit("values", self.values);
-      visit("units", self.units);
-      visit("docs", self.docs);
-      visit("live", self.live);
-    }
-  };
+struct PluginName {
+  std::string plugin;
+  GAITWAY_FIELDS(plugin)
 };
+// One entry a parameter in each array. `live`: may be changed while the plug-in works.
+struct ParameterList {
+  bool success = false;
+  std::string message;
+  std::vector<std::string> names;
+  std::vector<std::string> values;
+  std::vector<std::string> units;
+  std::vector<std::string> docs;
+  std::vector<bool> live;
+  GAITWAY_FIELDS(success, message, names, values, units, docs, live)
+};
+using GetParameters = RosService<"gaitway_msgs/srv/GetParameters", PluginName, ParameterList>;
 
 // `value`: with its unit, as in the configuration.
-struct SetParameter {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/SetParameter";
-  struct Request {
-    std::string plugin;
-    std::string parameter;
-    std::string value;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/SetParameter_Request") {
-      visit("plugin", self.plugin);
-      visit("parameter", self.parameter);
-      visit("value", self.value);
-    }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/SetParameter_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-    }
-  };
+struct ParameterChange {
+  std::string plugin;
+  std::string parameter;
+  std::string value;
+  GAITWAY_FIELDS(plugin, parameter, value)
 };
+using SetParameter = RosService<"gaitway_msgs/srv/SetParameter", ParameterChange, Outcome>;
 
 // `name`: of the file, without folder; empty: named after the time.
-struct StartRecording {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/StartRecording";
-  struct Request {
-    std::string name;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/StartRecording_Request") { visit("name", self.name); }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    std::string file;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/StartRecording_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-      visit("file", self.file);
-    }
-  };
+struct RecordingName {
+  std::string name;
+  GAITWAY_FIELDS(name)
 };
+struct RecordingFile {
+  bool success = false;
+  std::string message;
+  std::string file;
+  GAITWAY_FIELDS(success, message, file)
+};
+using StartRecording = RosService<"gaitway_msgs/srv/StartRecording", RecordingName, RecordingFile>;
+
+// One recording in the recorder's folder.
+struct Recording {
+  std::string file;         // its path
+  std::uint64_t bytes = 0;  // as far as it has been written
+  Time start;               // by the computer's clock
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/Recording", file, bytes, start);
+};
+struct RecordingList {
+  bool success = false;
+  std::string message;
+  std::vector<Recording> recordings;
+  GAITWAY_FIELDS(success, message, recordings)
+};
+using ListRecordings = RosService<"gaitway_msgs/srv/ListRecordings", Nothing, RecordingList>;
 
 // `name`: of who commands, for people. `keep_alive_period` [s]: keep the lease alive at least this often.
-struct AcquireCommand {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/AcquireCommand";
-  struct Request {
-    std::string name;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/AcquireCommand_Request") { visit("name", self.name); }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    std::string lease;
-    double keep_alive_period = 0.0;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/AcquireCommand_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-      visit("lease", self.lease);
-      visit("keep_alive_period", self.keep_alive_period);
-    }
-  };
+struct CommanderName {
+  std::string name;
+  GAITWAY_FIELDS(name)
 };
+struct CommandLease {
+  bool success = false;
+  std::string message;
+  std::string lease;
+  double keep_alive_period = 0.0;
+  GAITWAY_FIELDS(success, message, lease, keep_alive_period)
+};
+using AcquireCommand = RosService<"gaitway_msgs/srv/AcquireCommand", CommanderName, CommandLease>;
 
-struct Lease {
-  static constexpr std::string_view kName = "gaitway_msgs/srv/Lease";
-  struct Request {
-    std::string lease;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/Lease_Request") { visit("lease", self.lease); }
-  };
-  struct Response {
-    bool success = false;
-    std::string message;
-    GAITWAY_ROS_MESSAGE("gaitway_msgs/srv/Lease_Response") {
-      visit("success", self.success);
-      visit("message", self.message);
-    }
-  };
+struct LeaseName {
+  std::string lease;
+  GAITWAY_FIELDS(lease)
 };
+using Lease = RosService<"gaitway_msgs/srv/Lease", LeaseName, Outcome>;
 
 }  // namespace gaitway::api::ros

@@ -1,11 +1,15 @@
-// The secret that lets a client in, read from a file that only its owner can read.
+// Whom the server lets in: who shows the token, out of a file that only its owner can read, and web pages of
+// origins that may connect.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace gaitway::api {
 
@@ -14,7 +18,7 @@ class ServerSetupError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Keeps the token's SHA-256 digest only.
+// The secret that lets a client in. Keeps the token's SHA-256 digest only.
 class AccessToken {
  public:
   static constexpr std::size_t kShortest = 16;
@@ -31,6 +35,20 @@ class AccessToken {
 
  private:
   std::array<std::uint8_t, 32> digest_{};
+};
+
+// Which web pages may connect.
+class OriginRule {
+ public:
+  // None listed: http and https pages of localhost, 127.0.0.1 and [::1], on any port. Throws ServerSetupError
+  // for an entry that is not `http(s)://host` or `http(s)://host:port`.
+  explicit OriginRule(std::span<const std::string> allowed = {});
+
+  // `origin`: the header's value. Anything else than a web origin, such as `null` or `file://`, is refused.
+  [[nodiscard]] bool allows(std::string_view origin) const;
+
+ private:
+  std::vector<std::string> allowed_;
 };
 
 }  // namespace gaitway::api

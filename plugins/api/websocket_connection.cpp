@@ -1,6 +1,4 @@
 // The reading and writing of one connection, over plain TCP or TLS.
-#pragma once
-
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/socket_base.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -15,7 +13,6 @@
 #include <utility>
 
 #include "client_link.hpp"
-#include "connection_factory.hpp"
 #include "gathering_stream.hpp"
 #include "handshake_check.hpp"
 
@@ -287,6 +284,18 @@ void WebSocketConnection<Stream>::widen_send_buffer() noexcept {
   tcp().set_option(
       boost::asio::socket_base::send_buffer_size(static_cast<int>(2 * core().options.send_buffer_bytes)),
       ignored_);
+}
+
+std::shared_ptr<ClientLink> make_plain_connection(ServerCore& core, TcpSocket socket,
+                                                  const ClientLink::Endpoint& peer, bool surplus) {
+  return std::make_shared<WebSocketConnection<TcpSocket>>(core, peer, surplus, std::move(socket));
+}
+
+std::shared_ptr<ClientLink> make_tls_connection(ServerCore& core, TcpSocket socket,
+                                                const ClientLink::Endpoint& peer, bool surplus,
+                                                boost::asio::ssl::context& tls) {
+  return std::make_shared<WebSocketConnection<TlsStream>>(core, peer, surplus,
+                                                          TlsStream(std::move(socket), tls));
 }
 
 }  // namespace gaitway::api

@@ -1,6 +1,12 @@
-// The sensors' topics as ROS messages. Each message is made once, with all that never changes (names, frames,
-// sizes), and filled for every value: filling does not allocate.
+// The state of the robot as ROS messages: joints, IMU, foot forces, motion, events. Messages of the sensors
+// are made once, with all that never changes (names, frames, sizes), and filled for every value: filling does
+// not allocate.
 #pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -24,5 +30,16 @@ void fill(ros::Imu& message, const gaitway::Imu& imu, const Estimate* estimate) 
 // The cells measure vertical forces only: force z = Σ f, torque x = Σ y·f, torque y = −Σ x·f; the rest is 0.
 void fill(ros::WrenchStamped& message, const FootForces& forces, const urdf::RobotModel& model,
           urdf::Side side) noexcept;
+
+[[nodiscard]] ros::MotionState motion_state_of(const gaitway::MotionState& motion);
+
+[[nodiscard]] ros::Log log_of(const Event& event);
+// Of events that came faster than they were read.
+[[nodiscard]] ros::Log log_of_missed(std::uint64_t count, std::int64_t stamp_ns);
+
+template <std::size_t size>
+[[nodiscard]] std::string text_of(const std::uint8_t (&bytes)[size]) {
+  return {bytes, std::find(bytes, bytes + size, std::uint8_t{0})};
+}
 
 }  // namespace gaitway::api
