@@ -1,6 +1,6 @@
 // Asks the kernel about a CAN interface and its bit rate: one question and one answer over rtnetlink, with
 // libmnl.
-#include "can_link.hpp"
+#include "can_socket.hpp"
 
 #include <libmnl/libmnl.h>
 #include <linux/can/netlink.h>

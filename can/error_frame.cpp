@@ -1,5 +1,5 @@
 // Reads the kernel's CAN error frames: bits of linux/can/error.h, one by one.
-#include "gaitway/can/error_frame.hpp"
+#include "gaitway/can/socketcan_port.hpp"
 
 #include <linux/can/error.h>
 

@@ -9,7 +9,6 @@
 #include <cstring>
 #include <utility>
 
-#include "can_link.hpp"
 #include "can_socket.hpp"
 #include "gaitway/can/frame.hpp"
 

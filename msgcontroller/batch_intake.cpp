@@ -2,7 +2,7 @@
 #include "gaitway/msgcontroller/batch_intake.hpp"
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 
 namespace gaitway::msgcontroller {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "gaitway/can/analysis/network_messages.hpp"
-#include "gaitway/can/analysis/priority_assignment.hpp"
 #include "gaitway/can/analysis/response_time.hpp"
 
 namespace gaitway::can {

@@ -1,5 +1,5 @@
 // The search for an order of priorities: Audsley's algorithm over transmit queues.
-#include "gaitway/can/analysis/priority_assignment.hpp"
+#include "gaitway/can/analysis/response_time.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,5 +1,5 @@
 // The kernel's error frames, as linux/can/error.h defines their bits.
-#include "gaitway/can/error_frame.hpp"
+#include "gaitway/can/socketcan_port.hpp"
 
 #include <gtest/gtest.h>
 #include <linux/can/error.h>

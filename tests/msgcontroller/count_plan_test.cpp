@@ -1,5 +1,5 @@
 // Counts: rounding never accumulates, and what a byte cannot hold is refused with joint and point.
-#include "gaitway/msgcontroller/count_plan.hpp"
+#include "gaitway/msgcontroller/playback.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,8 @@
 // The profile that a robot's network file makes, and whether its bus can be proven.
-#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "gaitway/msgcontroller/network_profile.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {

@@ -16,11 +16,9 @@
 #include <vector>
 
 #include "gaitway/can/analysis/network_messages.hpp"
-#include "gaitway/can/analysis/priority_assignment.hpp"
 #include "gaitway/can/analysis/response_time.hpp"
 #include "gaitway/can/frame.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
-#include "gaitway/msgcontroller/network_proof.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "tools/bus/bus_command.hpp"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "gaitway/can/candump_log.hpp"
-#include "gaitway/can/error_frame.hpp"
 #include "gaitway/can/frame.hpp"
+#include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "tools/bus/bus_command.hpp"

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "gaitway/manager/plugin_exchange.hpp"
-#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"

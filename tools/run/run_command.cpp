@@ -20,7 +20,7 @@
 
 #include "gaitway/input/nearest_name.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
-#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/camera.hpp"

@@ -23,7 +23,7 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
-#include "gaitway/msgcontroller/network_proof.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"

@@ -1,5 +1,5 @@
 // Audsley's order against all orders, and the breakdown load against the speeds around it.
-#include "gaitway/can/analysis/priority_assignment.hpp"
+#include "gaitway/can/analysis/response_time.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gaitway/can/analysis/network_messages.hpp"
-#include "gaitway/can/analysis/response_time.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "random_messages.hpp"
 

@@ -13,10 +13,28 @@
 
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/candump_log.hpp"
-#include "gaitway/can/error_frame.hpp"
 #include "gaitway/can/frame_heap.hpp"
 
 namespace gaitway::can {
+
+// What a SocketCAN error frame tells: the kernel reports the state of the CAN controller and what went wrong
+// on the bus in frames of their own (linux/can/error.h).
+struct ErrorReport {
+  std::optional<BusState> state;  // the controller's new state, if the frame tells of a change
+  std::optional<ErrorCounters> counters;
+  bool restarted = false;
+  bool no_acknowledge = false;      // nobody else was there to acknowledge a frame
+  bool lost_arbitration = false;    // to a more urgent frame: it is sent again
+  bool protocol_violation = false;  // a bit, stuff, form or check sum error, of whatever sender
+  bool transceiver_fault = false;   // as of a cut wire
+  bool transmit_timeout = false;    // the driver gave up a frame
+  bool receive_overflow = false;    // the controller had no room for a frame, which is lost
+  bool transmit_overflow = false;   // the controller's transmit buffer was full
+};
+
+// `error_class`: the frame's identifier without its flags; `data`: its eight bytes.
+[[nodiscard]] ErrorReport read_error_frame(std::uint32_t error_class,
+                                           const std::array<std::uint8_t, 8>& data) noexcept;
 
 // Lets those frames of one format through whose identifier equals `id` in all bits of `mask`.
 struct IdFilter {

@@ -8,7 +8,6 @@
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/hand_over.hpp"
 #include "gaitway/msgcontroller/bus_link.hpp"
-#include "gaitway/msgcontroller/count_plan.hpp"
 #include "gaitway/msgcontroller/hand_movement.hpp"
 #include "gaitway/msgcontroller/joint_supervision.hpp"
 #include "gaitway/msgcontroller/playback.hpp"

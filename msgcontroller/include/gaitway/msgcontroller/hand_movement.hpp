@@ -8,7 +8,6 @@
 
 #include "gaitway/msgclient/mails.hpp"
 #include "gaitway/msgcontroller/bus_link.hpp"
-#include "gaitway/msgcontroller/count_plan.hpp"
 #include "gaitway/msgcontroller/joint_supervision.hpp"
 #include "gaitway/msgcontroller/playback.hpp"
 

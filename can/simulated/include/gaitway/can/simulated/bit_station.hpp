@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "gaitway/can/simulated/fault_confinement.hpp"
-#include "gaitway/can/simulated/frame_reader.hpp"
 #include "gaitway/can/simulated/wire_frame.hpp"
 
 namespace gaitway::can {
