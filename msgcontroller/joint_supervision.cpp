@@ -26,10 +26,11 @@ void JointSupervision::enter_slot(int slot, bool revised) noexcept {
   waits_for_next_slot_ = playback_.waiting_segment() != nullptr && playback_.waiting_from() == slot + 1;
 }
 
-void JointSupervision::drop_waiting() noexcept {
+void JointSupervision::drop(can::MessageKind kind) noexcept {
   const can::Profile& profile = link_.profile;
-  link_.queue.drop_identifiers(profile.row(can::MessageKind::trajectory).base_id,
-                               profile.id_of(can::MessageKind::trajectory, profile.largest_node, true));
+  if (profile.has(kind)) {
+    link_.queue.drop_identifiers(profile.row(kind).base_id, profile.id_of(kind, profile.largest_node, true));
+  }
 }
 
 void JointSupervision::leave_alone(int joint, std::uint32_t slots) noexcept {

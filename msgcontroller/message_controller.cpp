@@ -288,7 +288,12 @@ Reason MessageController::obey(const msgclient::UserCommandMail& mail, std::int6
 
 void MessageController::emergency_stop(bool soft) noexcept {
   hand_.stop();
-  supervision_.drop_waiting();  // a joint that is released soon would play it
+  // A joint that is released soon would play them.
+  supervision_.drop_waiting();
+  supervision_.drop(can::MessageKind::resynchronisation);
+  if (link_.profile.has(can::MessageKind::emergency_stop)) {  // else a user command is the stop itself
+    supervision_.drop(can::MessageKind::user_command);
+  }
   emergency_stop_.stop(soft);
 }
 
@@ -321,7 +326,7 @@ void MessageController::start_from_measured() noexcept {
   playback_.restart(std::span(counts).first(link_.node.size()));
   supervision_.set_counts();
   hand_.forget();
-  trims_.set_gains({});
+  trims_.forget();
   stop_requested_ = false;
   link_.set_mode(Mode::holding);
 }

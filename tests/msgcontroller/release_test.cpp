@@ -1,4 +1,7 @@
 // The release of an emergency stop: what it starts from, what it waits for, and what it refuses.
+#include <algorithm>
+#include <optional>
+
 #include "message_controller_fixture.hpp"
 
 namespace gaitway::msgcontroller {
@@ -37,6 +40,35 @@ class ReleaseTest : public MessageControllerTest {
     for (std::size_t joint = 0; joint < bus_.size(); ++joint) {
       EXPECT_EQ(bus_.joint(joint).state(), state) << "joint " << joint;
     }
+  }
+  // The first frame of this kind from now on, which the bus is offered and which is taken back. No batch
+  // arrives meanwhile.
+  std::shared_ptr<std::optional<can::Frame>> take_back(can::MessageKind kind) {
+    auto taken = std::make_shared<std::optional<can::Frame>>();
+    bus_.drop = [taken, kind](const can::Frame& frame) {
+      const auto is = can::kFullProfile.identify(frame.id)->kind;
+      if (is == kind && !*taken) {
+        *taken = frame;
+      }
+      return is == kind || is == can::MessageKind::trajectory;
+    };
+    return taken;
+  }
+  // It waits again as the robot is stopped and, in the same millisecond, released.
+  void expect_nothing_after_a_stop_and_its_release(const can::Frame& frame) {
+    bus_.drop = [](const can::Frame&) { return false; };
+    controller_.put_back(frame);
+    push(Kind::emergency_stop_hold);
+    push(Kind::release);
+    every_millisecond = [this] {
+      for (std::size_t joint = 0; joint < bus_.size(); ++joint) {
+        EXPECT_EQ(bus_.count(joint), 0)
+            << "joint " << joint << " leaves where its encoder reads, " << now_ns_;
+      }
+    };
+    run_until(now_ns_ + 10 * kSlot_ns);
+    EXPECT_EQ(controller_.mode(), Mode::holding);
+    expect_all(can::JointState::holding);
   }
   // Batches that leave every joint where the robot holds it.
   Reason hand_over_where_it_stands(std::uint32_t sequence) {
@@ -78,6 +110,49 @@ TEST_F(ReleaseTest, TheRobotHoldsWhereItsJointsAreMeasuredAndTakesBatchesAgain) 
   EXPECT_EQ(hand_over_where_it_stands(static_cast<std::uint32_t>(now_ns_ / kCycle_ns) + 2), Reason::none);
   run_until(now_ns_ + 3 * kCycle_ns);
   EXPECT_EQ(controller_.state().resynchronised, repaired) << "joints and controller agree";
+}
+
+TEST_F(ReleaseTest, NoRepairFromBeforeTheStopMovesAReleasedJoint) {
+  hand_over(2);
+  run_until(2 * kCycle_ns);
+  const auto repair = take_back(can::MessageKind::resynchronisation);
+  hand_over(3);
+  run_until(3 * kCycle_ns + 5 * kMillisecond_ns);
+  ASSERT_TRUE(*repair) << "a joint that got no batch is given its count";
+  expect_nothing_after_a_stop_and_its_release(**repair);
+}
+
+TEST_F(ReleaseTest, NoMovementByHandFromBeforeTheStopMovesAReleasedJoint) {
+  run_until(kCycle_ns);
+  const auto movement = take_back(can::MessageKind::user_command);
+  UserCommand command{};
+  command.number = ++commands_;
+  command.kind = static_cast<std::uint32_t>(Kind::manual_joint);
+  command.position = robot_.joints.front().home_rad + 0.05;
+  command.duration_slots = 50;
+  ASSERT_TRUE(queue_.push(command, now_ns_));
+  run_until(now_ns_ + kMillisecond_ns);
+  ASSERT_TRUE(*movement);
+  expect_nothing_after_a_stop_and_its_release(**movement);
+}
+
+TEST_F(ReleaseTest, NoJointStaysSoftThatWasSoftBeforeTheStop) {
+  std::uint8_t softness = 0;
+  bus_.drop = [&softness](const can::Frame& frame) {
+    if (const auto sync = can::decode_sync(can::kFullProfile, frame)) {
+      softness = sync->softness;
+    }
+    return false;
+  };
+  run_until(kCycle_ns);
+  ASSERT_TRUE(adapter_.host().post(msgclient::TrimUpdate{.softness = 1.0F}, now_ns_));
+  run_until(now_ns_ + 2 * kSlot_ns);
+  ASSERT_EQ(softness, can::kMostSoftness);
+  stop();
+  push(Kind::release);
+  ASSERT_EQ(outcome(), Reason::none);
+  run_until(now_ns_ + 2 * kSlot_ns);
+  EXPECT_EQ(softness, 0) << "the main controller has sent nothing since";
 }
 
 TEST_F(ReleaseTest, WithoutAnEmergencyStopItIsRefused) {

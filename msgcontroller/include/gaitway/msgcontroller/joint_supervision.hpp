@@ -25,14 +25,13 @@ class JointSupervision {
   void send_waiting() noexcept;
   // The same to one joint, whose frame somebody may have replaced.
   void repair_waiting(int joint) noexcept;
-  void drop_waiting() noexcept;
+  // Frames of this kind that have not been sent yet.
+  void drop(can::MessageKind kind) noexcept;
+  void drop_waiting() noexcept { drop(can::MessageKind::trajectory); }
   // What runs, where there is no SYNC and the trajectory frames themselves start it.
   void send_running() noexcept;
   // The joint moves by itself for so many slots from now on: its count may differ.
   void leave_alone(int joint, std::uint32_t slots) noexcept;
-  [[nodiscard]] std::uint32_t left_alone_until(int joint) const noexcept {
-    return resync_until_[static_cast<std::size_t>(joint)];
-  }
   // Every joint gets its absolute count at the end of this slot, whatever it has reported. Not in the last
   // slot of a cycle.
   void set_counts() noexcept;

@@ -22,6 +22,11 @@ class TrimSender {
   // controller has sent none for too long. `heard`: this slot's feedback is in `imu`.
   void stand_in(std::int64_t in_slot_ns, bool heard, const Imu& imu, std::uint8_t support) noexcept;
   void set_gains(const msgclient::TrimGains& gains) noexcept { gains_ = gains; }
+  // Gains and softness of before: as at the start.
+  void forget() noexcept {
+    gains_ = {};
+    softness_ = 0;
+  }
   // Of all joints, as heard last: a main controller that falls silent leaves it.
   [[nodiscard]] std::uint8_t softness() const noexcept { return softness_; }
 
