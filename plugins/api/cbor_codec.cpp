@@ -1,8 +1,11 @@
 // Items of CBOR: heads, texts and numbers (RFC 8949, 3).
 #include "gaitway/api/cbor_codec.hpp"
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gaitway/api/json_codec.hpp"
 #include "gaitway/facts/facts.hpp"
-#include "utf8.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -32,12 +35,14 @@ void append_cbor_head(std::string& out, CborKind kind, std::uint64_t value) {
 }
 
 void append_cbor_text(std::string& out, std::string_view text) {
-  if (!is_utf8(text)) {
-    append_cbor_text(out, to_utf8(text));
+  if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) {
+    append_cbor_head(out, CborKind::text, text.size());
+    out += text;
     return;
   }
-  append_cbor_head(out, CborKind::text, text.size());
-  out += text;
+  std::string json;
+  append_json_string(json, text);
+  nlohmann::json::to_cbor(nlohmann::json::parse(json), out);
 }
 
 void append_cbor_bool(std::string& out, bool value) {

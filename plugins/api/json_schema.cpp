@@ -29,25 +29,17 @@ std::string pointer(std::string_view type) {
 }
 
 Json integer_schema(std::string_view type) {
-  if (type == "int8") {
-    return range<std::int8_t>();
+  const bool is_signed = type.starts_with("int");
+  if (type.ends_with("64")) {
+    return is_signed ? range<std::int64_t>() : range<std::uint64_t>();
   }
-  if (type == "uint8" || type == "byte") {
-    return range<std::uint8_t>();
+  if (type.ends_with("32")) {
+    return is_signed ? range<std::int32_t>() : range<std::uint32_t>();
   }
-  if (type == "int16") {
-    return range<std::int16_t>();
+  if (type.ends_with("16")) {
+    return is_signed ? range<std::int16_t>() : range<std::uint16_t>();
   }
-  if (type == "uint16") {
-    return range<std::uint16_t>();
-  }
-  if (type == "int32") {
-    return range<std::int32_t>();
-  }
-  if (type == "uint32") {
-    return range<std::uint32_t>();
-  }
-  return type == "int64" ? range<std::int64_t>() : range<std::uint64_t>();
+  return is_signed ? range<std::int8_t>() : range<std::uint8_t>();  // or "byte"
 }
 
 Json element_schema(const FieldDescription& field, Sender sender) {
