@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace gaitway::msgclient::protocol {
 namespace {
@@ -69,9 +70,12 @@ Received receive_answer(int socket, ReceivedAnswer& received) noexcept {
   message.msg_control = control.bytes;
   message.msg_controllen = sizeof control.bytes;
   ssize_t bytes = 0;
+  bool reset = false;
   do {
     bytes = recvmsg(socket, &message, MSG_CMSG_CLOEXEC);
-  } while (bytes < 0 && errno == EINTR);
+    // A server that hangs up without having read all resets the connection, and what it has said before is
+    // there once that has been told.
+  } while (bytes < 0 && (errno == EINTR || (errno == ECONNRESET && !std::exchange(reset, true))));
   std::size_t count = 0;
   for (cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr; header = CMSG_NXTHDR(&message, header)) {
     if (header->cmsg_level == SOL_SOCKET && header->cmsg_type == SCM_RIGHTS) {

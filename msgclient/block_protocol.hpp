@@ -50,8 +50,6 @@ struct ReceivedAnswer {
   std::array<process::FileDescriptor, kMaxFds> fds;
 };
 
-// Throws TopicError for a path that doesn't fit a socket address.
-
 // One packet, never waiting and without SIGPIPE. False: not sent.
 bool send_request(int socket, const Request& request) noexcept;
 bool send_answer(int socket, const Answer& answer, const std::array<int, kMaxFds>& fds) noexcept;

@@ -1,6 +1,7 @@
 // The server's side of set-up: requests in, descriptors out.
 #include "gaitway/msgclient/memory_block_server.hpp"
 
+#include <fmt/format.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -140,11 +141,12 @@ void MemoryBlockServer::accept_clients(std::int64_t now_ns) {
     if (getsockopt(socket.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0 || !has_room_for(peer.pid)) {
       protocol::Answer refusal;
       refusal.refused = 1;
-      std::snprintf(
-          refusal.error, sizeof refusal.error,
-          "process %d: the memory block serves at most %zu connections of a process and %zu in all: "
-          "close some first",
-          static_cast<int>(peer.pid), kMostOfOneProcess, kMostClients);
+      const std::string who = peer.pid != 0 ? fmt::format("process {}", peer.pid)
+                                            : "processes of other PID namespaces, which count as one";
+      const std::string text = fmt::format(
+          "{}: the memory block serves at most {} connections of a process and {} in all: close some first",
+          who, kMostOfOneProcess, kMostClients);
+      std::strncpy(refusal.error, text.c_str(), sizeof refusal.error - 1);
       static_cast<void>(protocol::send_answer(socket.get(), refusal, {}));
       continue;
     }

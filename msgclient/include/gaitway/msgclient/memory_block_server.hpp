@@ -17,7 +17,8 @@ namespace gaitway::msgclient {
 // A client gets descriptors of shared memory: writable for what it writes, read-only for the rest. Its claims
 // end with its connection, so that a process that was killed can be started again. Clients speak to the
 // server during set-up only. One process may have kMostOfOneProcess connections, all together kMostClients,
-// and who connects must ask for something within kSilence_ns: further ones are turned away.
+// and who connects must ask for something within kSilence_ns: further ones are turned away. Processes that
+// the kernel cannot name here, since they live in another PID namespace, count as one.
 class MemoryBlockServer {
  public:
   // Listens on `socket`; a stale socket file is replaced. Only this user can connect. Throws
