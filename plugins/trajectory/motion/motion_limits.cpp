@@ -21,7 +21,7 @@ constexpr double kLargestStep_counts = facts::kLargestByte_counts - 1;
 constexpr std::array<std::string_view, 8> kNames{"position", "speed",    "acceleration", "torque",
                                                  "ZMP",      "friction", "weight",       "place"};
 constexpr double kPlaceLimit_m = 0.0005;
-constexpr double kRounding = 1e-9;  // of sums, not a tolerance
+constexpr double kSumRounding = 1e-9;  // of sums, not a tolerance
 
 class PlanChecker {
  public:
@@ -30,7 +30,6 @@ class PlanChecker {
         plan_(plan),
         limits_(limits),
         joints_(robot, limits),
-
         loads_(robot, plan),
         worst_(kNames.size()) {}
 
@@ -58,7 +57,7 @@ class PlanChecker {
   }
   void at_most(LimitKind kind, std::string_view what, std::string_view unit, std::size_t point, double value,
                double limit) {
-    note(kind, what, unit, point, value, limit, value - limit - kRounding * std::abs(limit));
+    note(kind, what, unit, point, value, limit, value - limit - kSumRounding * std::abs(limit));
   }
 
   void check_point(std::size_t point);
@@ -108,7 +107,7 @@ void PlanChecker::check_way(std::size_t point, std::size_t joint, const std::vec
   const double angle = rows[at], before = point == 0 ? angle : rows[at - plan_.joint_count];
   const double above = angle - upper_rad, below = lower_rad - angle;
   note(LimitKind::position, name, "rad", point, angle, above > below ? upper_rad : lower_rad,
-       std::max(above, below) - kRounding);
+       std::max(above, below) - kSumRounding);
   at_most(LimitKind::speed, name, "rad/s", point, std::abs(angle - before) / facts::kSlot_s,
           joints_.speed_rad_per_s[static_cast<Eigen::Index>(joint)]);
 }

@@ -15,13 +15,13 @@
 namespace gaitway::motion {
 namespace {
 
-constexpr auto kBatch = static_cast<std::size_t>(kBatchPoints);
+constexpr auto kPointsOfBatch = static_cast<std::size_t>(kBatchPoints);
 constexpr std::size_t kLongestName = 47;
 
 // Whole batches after the first point: it rests at its end for a little longer.
 MotionPlan in_whole_batches(const urdf::RobotModel& robot, MotionPlan plan) {
   std::size_t missing = kRestPoints;
-  while ((plan.point_count() - 1 + missing) % kBatch != 0) ++missing;
+  while ((plan.point_count() - 1 + missing) % kPointsOfBatch != 0) ++missing;
   const std::span<const double> row = plan.point(plan.point_count() - 1);
   const std::vector<double> last(row.begin(), row.end());
   for (std::size_t i = 0; i < missing; ++i) {
