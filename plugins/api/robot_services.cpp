@@ -182,7 +182,9 @@ void ServiceDesk::list_recordings(const Caller& caller) {
   try {
     const RecordingList found = robot_.recordings(kMostListed);
     ros::ListRecordings::Response response{true, "", {}};
-    if (found.count != found.newest.size()) {
+    if (found.count == 0) {
+      response.message = "there are no recordings";
+    } else if (found.count != found.newest.size()) {
       response.message = "the newest " + std::to_string(found.newest.size()) + " of " +
                          std::to_string(found.count) + " recordings";
     }

@@ -1,5 +1,5 @@
-// Clients of the API and the simulated robot: a flood of stops, what an emergency stop leaves possible, its
-// release, and a joint that is moved by hand while the robot keeps its balance.
+// Clients of the API and the simulated robot: a flood of stops and of orders, what an emergency stop leaves
+// possible, its release, and a joint that is moved by hand while the robot keeps its balance.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -108,6 +109,32 @@ TEST_F(EmergencyStopTest, EveryStopOfAFloodIsDoneAndAnswered) {
       EXPECT_TRUE(said) << answer.dump();
     }
   }
+}
+
+TEST_F(EmergencyStopTest, StopsFindTheirWayWhereNoOtherOrderDoes) {
+  run_for(0.5);
+  while (port_.move_joint(neck_yaw(), 0.0, 0.5)) {
+  }
+  EXPECT_TRUE(port_.stop());
+  EXPECT_TRUE(port_.emergency_stop(false));
+  run_.advance_millisecond();
+  EXPECT_EQ(mode(), Mode::emergency_stop);
+}
+
+// More answers come than their stream holds before anybody looks for one.
+TEST_F(EmergencyStopTest, NoAnswerIsLostHoweverLateItIsTaken) {
+  run_for(0.5);
+  std::set<std::uint32_t> unanswered;
+  for (int ms = 0; ms < 60; ++ms) {
+    const auto order = port_.move_joint(neck_yaw(), 0.0, 0.5);
+    ASSERT_TRUE(order) << ms;
+    unanswered.insert(*order);
+    run_.advance_millisecond();
+  }
+  while (const auto result = port_.take_result()) {
+    unanswered.erase(result->number);
+  }
+  EXPECT_THAT(unanswered, ::testing::IsEmpty());
 }
 
 TEST_F(EmergencyStopTest, NothingMovesTheRobotUntilItIsReleasedAndThenItWalks) {
