@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitFine : kExitBadInput;
+    return input::exit_code_of(app, error);
   }
   process::stop_on_signals();
   try {

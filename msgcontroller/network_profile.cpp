@@ -9,7 +9,7 @@
 #include <string>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {

@@ -1,7 +1,6 @@
 // Reads from a scenario what a trial does to ground and body.
 
 #include <array>
-#include <numbers>
 #include <string_view>
 
 #include "gaitway/facts/facts.hpp"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::simulator {
 namespace {

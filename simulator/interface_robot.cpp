@@ -1,12 +1,14 @@
-// The virtual robot on a CAN interface: frames in, a millisecond of the body, frames out; and its run in real
+// Figures and log of a walk; on a CAN interface frames in, a millisecond of the body, frames out, in real
 // time.
 #include "interface_robot.hpp"
 
 #include <fmt/format.h>
+
 #include <array>
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/candump_log.hpp"
@@ -17,13 +19,62 @@
 #include "gaitway/process/text_file.hpp"
 
 namespace gaitway::simulator {
-
-using facts::kMillisecond_ns;
 namespace {
 
+using facts::kMillisecond_ns;
+
+constexpr std::int64_t kLogPeriod_ns = 10 * kMillisecond_ns;
 constexpr std::int64_t kEverything = std::numeric_limits<std::int64_t>::max();
 
 }  // namespace
+
+WalkWatch::WalkWatch(const Plant& plant, bool log_wanted, std::int64_t start_ns)
+    : log_wanted_(log_wanted), start_ns_(start_ns), start_m_(plant.truth().base.translation()) {}
+
+void WalkWatch::look(const Plant& plant, std::int64_t now_ns) {
+  if (!fell_at_s_ && plant.fallen()) {
+    fell_at_s_ = time_s(now_ns);
+    fmt::print(stderr, "virtual_robot: fell after {:.2f} s\n", *fell_at_s_);
+  }
+  if (log_wanted_ && (now_ns - start_ns_) % kLogPeriod_ns == 0) {
+    const PlantTruth truth = plant.truth();
+    log_.push_back({time_s(now_ns), truth.base.translation(), truth.trunk_tilt_rad});
+  }
+}
+
+nlohmann::ordered_json WalkWatch::summary(const Plant& plant, std::int64_t now_ns,
+                                          const WalkTiming& timing) const {
+  const process::DurationSummary late = timing.lateness.summary();
+  nlohmann::ordered_json summary = {
+      {"fell", fell_at_s_.has_value()},
+      {"distance_m", (plant.truth().base.translation() - start_m_).head<2>().norm()},
+      {"seconds", time_s(now_ns)},
+      {"wall_seconds", timing.wall_s},
+      {"overruns", timing.overruns},
+      {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
+  if (fell_at_s_) {
+    summary["fell_at_s"] = *fell_at_s_;
+  }
+  return summary;
+}
+
+void WalkWatch::write(const nlohmann::ordered_json& summary, const std::filesystem::path& summary_file,
+                      const std::filesystem::path& log_file) const {
+  if (summary_file.empty()) {
+    fmt::print("{}\n", summary.dump(2));
+  } else {
+    process::write_text_file(summary_file, summary.dump(2) + "\n");
+  }
+  if (!log_wanted_) {
+    return;
+  }
+  std::string text = "time_s,base_x_m,base_y_m,base_z_m,trunk_tilt_rad\n";
+  for (const Row& row : log_) {
+    text += fmt::format("{:.3f},{:.5f},{:.5f},{:.5f},{:.5f}\n", row.time_s, row.base_m.x(), row.base_m.y(),
+                        row.base_m.z(), row.trunk_tilt_rad);
+  }
+  process::write_text_file(log_file, text);
+}
 
 InterfaceRobot::InterfaceRobot(const urdf::RobotModel& robot, const PlantOptions& plant,
                                can::SocketCanPort& port, bool log_wanted, std::int64_t start_ns)
@@ -74,16 +125,8 @@ void InterfaceRobot::speak(std::int64_t now_ns) {
 
 namespace {
 
-using facts::kMillisecond_ns;
-
-struct LoopResult {
-  double wall_s = 0.0;
-  std::uint64_t overruns = 0;  // milliseconds that were made up for, since the process woke too late for them
-  process::DurationHistogram lateness;
-};
-
-LoopResult run_loop(InterfaceRobot& robot, can::SocketCanPort& port, double seconds) {
-  LoopResult result;
+WalkTiming run_loop(InterfaceRobot& robot, can::SocketCanPort& port, double seconds) {
+  WalkTiming result;
   can::SocketCanReporter reporter;
   const std::int64_t begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = begin_ns + static_cast<std::int64_t>(seconds * 1e9);
@@ -94,8 +137,7 @@ LoopResult run_loop(InterfaceRobot& robot, can::SocketCanPort& port, double seco
     process::wait_until(due_ns, wakes);
     now_ns = process::monotonic_ns();
     if (now_ns >= due_ns) {
-      result.lateness.add(now_ns - due_ns);
-      result.overruns += static_cast<std::uint64_t>((now_ns - due_ns) / kMillisecond_ns);
+      result.woke(now_ns - due_ns);
     }
     robot.advance_to(now_ns);
     if (const std::string news = reporter.news(port); !news.empty()) {
@@ -107,21 +149,12 @@ LoopResult run_loop(InterfaceRobot& robot, can::SocketCanPort& port, double seco
 }
 
 nlohmann::ordered_json summary_of(const InterfaceRobot& robot, const can::SocketCanPort& port,
-                                  const LoopResult& loop) {
-  const process::DurationSummary late = loop.lateness.summary();
-  nlohmann::ordered_json summary = {
-      {"fell", robot.watch().fell_at_s().has_value()},
-      {"distance_m", robot.distance_m()},
-      {"seconds", robot.watch().time_s(robot.next_ns() - kMillisecond_ns)},
-      {"wall_seconds", loop.wall_s},
-      {"overruns", loop.overruns},
-      {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}},
-      {"can", {{"interface", port.interface()}, {"state", can::name_of(port.state())}}}};
+                                  const WalkTiming& loop) {
+  nlohmann::ordered_json summary =
+      robot.watch().summary(robot.plant(), robot.next_ns() - kMillisecond_ns, loop);
+  summary["can"] = {{"interface", port.interface()}, {"state", can::name_of(port.state())}};
   for (const auto& [name, count] : can::counters(port.statistics())) {
     summary["can"][std::string(name)] = count;
-  }
-  if (robot.watch().fell_at_s()) {
-    summary["fell_at_s"] = *robot.watch().fell_at_s();
   }
   return summary;
 }
@@ -139,17 +172,9 @@ void run_on_interface(const urdf::RobotModel& robot, const InterfaceRun& options
   const std::int64_t start_ns = process::monotonic_ns() / kMillisecond_ns * kMillisecond_ns;
   InterfaceRobot body(robot, options.plant, port, !options.walk_log.empty(), start_ns);
   process::ask_for_real_time("virtual_robot", options.priority);
-  const LoopResult loop = run_loop(body, port, options.seconds);
+  const WalkTiming loop = run_loop(body, port, options.seconds);
   can::finish_sending(port);
-  const std::string summary = summary_of(body, port, loop).dump(2) + "\n";
-  if (options.summary.empty()) {
-    fmt::print("{}", summary);
-  } else {
-    process::write_text_file(options.summary, summary);
-  }
-  if (!options.walk_log.empty()) {
-    body.watch().write_log(options.walk_log);
-  }
+  body.watch().write(summary_of(body, port, loop), options.summary, options.walk_log);
   if (sent_log) {
     sent_log->close();
   }

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <utility>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/msgcontroller/peoples_requests.hpp"
@@ -41,15 +41,21 @@ WalkEvent read_walk(const YamlValue& value) {
   return {.velocity_m_per_s = command.head<2>(), .turn_rate_rad_per_s = command.z()};
 }
 
+// One of the robot's names.
+std::string read_name(const YamlValue& value, const urdf::RobotModel& robot, const char* what,
+                      const std::vector<std::string>& known) {
+  const std::string name = value.text();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    value.refuse(fmt::format("the robot '{}' has no such {}", robot.name, what), input::suggest(name, known));
+  }
+  return name;
+}
+
 std::string read_body(const YamlValue& value, const urdf::RobotModel& robot) {
   std::vector<std::string> known;
   std::transform(robot.links.begin(), robot.links.end(), std::back_inserter(known),
                  [](const urdf::Link& link) { return link.name; });
-  const std::string body = value.text();
-  if (std::find(known.begin(), known.end(), body) == known.end()) {
-    value.refuse(fmt::format("the robot '{}' has no such link", robot.name), input::suggest(body, known));
-  }
-  return body;
+  return read_name(value, robot, "link", known);
 }
 
 PushEvent read_push(const YamlValue& value, const urdf::RobotModel& robot) {
@@ -137,11 +143,7 @@ std::string read_node(const YamlValue& value, const urdf::RobotModel& robot, boo
   if (or_message_controller) {
     known.emplace_back("message_controller");
   }
-  const std::string node = value.text();
-  if (std::find(known.begin(), known.end(), node) == known.end()) {
-    value.refuse(fmt::format("the robot '{}' has no such node", robot.name), input::suggest(node, known));
-  }
-  return node;
+  return read_name(value, robot, "node", known);
 }
 
 ForeignFrameFault read_foreign_frame(const YamlValue& value) {

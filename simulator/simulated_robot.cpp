@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/simulator/cosimulation.hpp"

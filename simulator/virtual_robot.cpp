@@ -17,14 +17,11 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/number_option.hpp"
 #include "gaitway/input/text.hpp"
-#include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
-#include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "interface_robot.hpp"
-#include "walk_watch.hpp"
 
 namespace {
 
@@ -107,8 +104,7 @@ class VirtualRobot {
   }
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   [[nodiscard]] double time_s() const noexcept { return watch_.time_s(now_ns_); }
-  [[nodiscard]] const std::optional<double>& fell_at_s() const noexcept { return watch_.fell_at_s(); }
-  [[nodiscard]] double distance_m() const { return watch_.distance_m(plant_); }
+  [[nodiscard]] const simulator::Plant& plant() const noexcept { return plant_; }
   [[nodiscard]] const simulator::WalkWatch& watch() const noexcept { return watch_; }
 
  private:
@@ -137,12 +133,9 @@ class VirtualRobot {
   std::vector<can::StationTransmitter> transmitters_;
 };
 
-struct LoopResult {
-  double wall_s = 0.0;
-  std::uint64_t overruns = 0;  // milliseconds that were made up for, since the process woke too late for them
-  std::uint64_t waited = 0;    // milliseconds that waited for the message controller
+struct LoopResult : simulator::WalkTiming {
+  std::uint64_t waited = 0;       // milliseconds that waited for the message controller
   std::uint64_t not_awaited = 0;  // milliseconds that went on without it, since it took too long
-  process::DurationHistogram lateness;
 };
 
 // Steps all milliseconds that have come, unless a client whose pace the bus keeps is behind: then the body
@@ -180,8 +173,7 @@ LoopResult run_loop(VirtualRobot& robot, const Options& options) {
       continue;  // a client spoke; its frames wait for their millisecond
     }
     if (!waiting) {
-      result.lateness.add(now_ns - due_ns);
-      result.overruns += static_cast<std::uint64_t>((now_ns - due_ns) / kMillisecond_ns);
+      result.woke(now_ns - due_ns);
     }
     const bool stepped = step_due(robot, now_ns, result);
     robot.answer();
@@ -195,22 +187,12 @@ LoopResult run_loop(VirtualRobot& robot, const Options& options) {
 
 void write_results(const Options& options, const VirtualRobot& robot, const can::BusServer& server,
                    const LoopResult& loop) {
-  const process::DurationSummary late = loop.lateness.summary();
-  nlohmann::ordered_json summary = {
-      {"fell", robot.fell_at_s().has_value()},
-      {"distance_m", robot.distance_m()},
-      {"seconds", robot.time_s()},
-      {"wall_seconds", loop.wall_s},
-      {"overruns", loop.overruns},
-      {"waits_for_the_message_controller", loop.waited},
-      {"milliseconds_without_it", loop.not_awaited},
-      {"frames", server.bus().statistics().frames},
-      {"bus_load", server.bus().statistics().load(static_cast<std::int64_t>(robot.time_s() * 1e9))},
-      {"late_frames", server.statistics().late_frames},
-      {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
-  if (robot.fell_at_s()) {
-    summary["fell_at_s"] = *robot.fell_at_s();
-  }
+  nlohmann::ordered_json summary = robot.watch().summary(robot.plant(), robot.now_ns(), loop);
+  summary["waits_for_the_message_controller"] = loop.waited;
+  summary["milliseconds_without_it"] = loop.not_awaited;
+  summary["frames"] = server.bus().statistics().frames;
+  summary["bus_load"] = server.bus().statistics().load(static_cast<std::int64_t>(robot.time_s() * 1e9));
+  summary["late_frames"] = server.statistics().late_frames;
   if (robot.socketcand()) {
     const can::SocketcandStatistics& clients = robot.socketcand()->statistics();
     summary["socketcand"] = {
@@ -218,14 +200,7 @@ void write_results(const Options& options, const VirtualRobot& robot, const can:
         {"not_reading", clients.not_reading}, {"rejected_commands", clients.rejected_commands},
         {"frames", clients.frames},           {"untold_remote_frames", clients.untold_remote_frames}};
   }
-  if (options.summary.empty()) {
-    fmt::print("{}\n", summary.dump(2));
-  } else {
-    process::write_text_file(options.summary, summary.dump(2) + "\n");
-  }
-  if (!options.walk_log.empty()) {
-    robot.watch().write_log(options.walk_log);
-  }
+  robot.watch().write(summary, options.summary, options.walk_log);
 }
 
 int run(const Options& options) {
@@ -302,7 +277,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitFine : kExitBadInput;
+    return input::exit_code_of(app, error);
   }
   process::stop_on_signals();
   try {

@@ -3,6 +3,7 @@
 #include "tools/command_line.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -17,7 +19,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/number.hpp"
 #include "gaitway/input/text.hpp"
 
@@ -41,7 +43,7 @@ struct Element<std::vector<Value>> {
 };
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& rule) {
-  throw CLI::ValidationError(fmt::format("{} {}: {}", option, text, rule));
+  throw CLI::ConversionError(fmt::format("{} {}: {}", option, text, rule));  // it names the option itself
 }
 
 template <class Number>
@@ -154,13 +156,13 @@ void add_names(const CLI::App& app, std::vector<std::string>& known) {
 void explain(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> rest = app.remaining(true);
   if (rest.empty()) {
-    fmt::print(stderr, "gaitway: {}. See --help\n", error.what());
+    fmt::print(stderr, "gaitway: {}. See --help\n", input::terminal_text(error.what()));
     return;
   }
   std::vector<std::string> known;
   add_names(app, known);
-  fmt::print(stderr, "gaitway: '{}': there is no such command or option. {}\n", rest.front(),
-             input::suggest(rest.front(), known));
+  fmt::print(stderr, "gaitway: '{}': there is no such command or option. {}\n",
+             input::terminal_text(rest.front()), input::suggest(rest.front(), known));
 }
 
 int parse_and_run(int argc, char** argv, void (*declare)(const CommandLine& program)) {
@@ -325,6 +327,28 @@ int run_program(int argc, char** argv, void (*declare)(const CommandLine& progra
     fmt::print(stderr, "gaitway: {}\n", input::terminal_text(error.what()));
     return kExitBadInput;
   }
+}
+
+ProgressLine::ProgressLine(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {}
+
+void ProgressLine::show(const std::string& text) const {
+  if (shown_) {
+    fmt::print(stderr, "\r{:78}\r{}", "", text);
+    std::fflush(stderr);
+  }
+}
+
+void prepare_output(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const std::filesystem::path probe = folder / ".gaitway_writable";
+  const bool writable = !error && std::ofstream(probe).is_open();
+  if (!writable) {
+    throw std::invalid_argument(
+        fmt::format("--out {}: must be a folder that can be written to{}. Choose another one",
+                    folder.string(), error ? " (" + error.message() + ")" : ""));
+  }
+  std::filesystem::remove(probe, error);
 }
 
 }  // namespace gaitway::tools

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,6 +66,13 @@ class CommandLine {
   void needs_subcommand() const;
   // What is done once the whole line is understood; the result is the exit code.
   void runs(std::function<int()> action) const;
+  // The same with options of its own, which live as long as the program parses and runs.
+  template <class Options>
+  [[nodiscard]] Options& runs(int (*run)(const Options&)) const {
+    const auto options = std::make_shared<Options>();
+    runs([options, run] { return run(*options); });
+    return *options;
+  }
 
  private:
   CLI::App* app_;
@@ -96,5 +105,26 @@ inline constexpr std::array kCommands{
 // Parses the line by what `declare` adds to the program, and runs the command that was given. Returns the
 // exit code.
 int run_program(int argc, char** argv, void (*declare)(const CommandLine& program));
+
+// A line that rewrites itself on a terminal, and nothing where output goes to a file or is not wanted.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted);
+  ~ProgressLine() { show(""); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const std::string& text) const;
+
+ private:
+  bool shown_;
+};
+
+// The folder is there and a file can be made in it. Throws std::invalid_argument, to be called before
+// anything moves.
+void prepare_output(const std::filesystem::path& folder);
+
+// `gaitway run`: the one command that is part of `gaitway` itself.
+void add_run(const CommandLine& program);
 
 }  // namespace gaitway::tools

@@ -7,11 +7,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 #include "tools/command_line.hpp"
-#include "tools/run/run_command.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::urdf {

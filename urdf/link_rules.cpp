@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <cmath>
 
 #include "gaitway/input/complaint.hpp"
 

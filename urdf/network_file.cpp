@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
-#include "gaitway/urdf/sensor_channels.hpp"
+#include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::urdf {
 namespace {

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "gaitway/input/complaint.hpp"
-#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "robot_files.hpp"
 

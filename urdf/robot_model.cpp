@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::urdf {
 namespace {

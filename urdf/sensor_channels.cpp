@@ -1,5 +1,5 @@
 // The complete list of channel names, built once.
-#include "gaitway/urdf/sensor_channels.hpp"
+#include "gaitway/urdf/robot_model.hpp"
 
 #include <array>
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "gaitway/input/complaint.hpp"
-#include "gaitway/input/nearest_name.hpp"
 #include "gaitway/input/number.hpp"
 
 namespace gaitway::urdf {

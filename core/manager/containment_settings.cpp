@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::core {

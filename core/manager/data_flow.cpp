@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::core {
 namespace {

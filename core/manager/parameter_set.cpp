@@ -8,7 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/number.hpp"
 
 namespace gaitway::core {

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::core {
 

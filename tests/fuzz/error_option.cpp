@@ -1,7 +1,7 @@
-// Disturbances of the bus as written on the command line (tools/error_option.hpp). Whatever the text: it is
-// refused with std::invalid_argument and nothing else, or gives a source whose hits can be counted in any
+// Disturbances of the bus as written on the command line (tools/bus/bus_options.hpp). Whatever the text: it
+// is refused with std::invalid_argument and nothing else, or gives a source whose hits can be counted in any
 // window.
-#include "tools/bus/error_option.hpp"
+#include "tools/bus/bus_options.hpp"
 
 #include <cstdint>
 #include <optional>

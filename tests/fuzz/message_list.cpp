@@ -1,7 +1,7 @@
-// Lists of messages as users write them for the bus analysis (tools/message_list.hpp). Whatever the text: it
-// is refused with std::invalid_argument and nothing else, or gives messages that the analysis takes, with a
-// response for each that is no shorter than its own frame.
-#include "tools/bus/message_list.hpp"
+// Lists of messages as users write them for the bus analysis (tools/bus/bus_options.hpp). Whatever the text:
+// it is refused with std::invalid_argument and nothing else, or gives messages that the analysis takes, with
+// a response for each that is no shorter than its own frame.
+#include "tools/bus/bus_options.hpp"
 
 #include <cstdint>
 #include <span>

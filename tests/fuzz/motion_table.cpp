@@ -1,4 +1,4 @@
-// Files with prepared motions (plugins/trajectory/motion_table_file.hpp). Whatever the bytes: they are
+// Files with prepared motions (trajectory/motion_table_file.hpp). Whatever the bytes: they are
 // refused with MotionTableError and nothing else, or are a motion that plays to its end, from every batch of
 // which a safe tail leads out.
 #include <cstddef>

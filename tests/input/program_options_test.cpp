@@ -81,5 +81,14 @@ TEST(ProgramOptions, NamesOfFilesReachTheTerminalWithoutEscapeSequences) {
   }
 }
 
+TEST(ProgramOptions, AWrongLineReachesTheTerminalWithoutEscapeSequences) {
+  for (const std::string& program : {kMessageController, kVirtualRobot, kMainController}) {
+    for (const char* const words : {"\"$(printf '\\033[2J')\"", "--seconds \"$(printf '1\\033[2J')\""}) {
+      EXPECT_THAT(complaint(program + words), AllOf(HasSubstr("\\x1B[2J"), testing::Not(HasSubstr("\x1B"))))
+          << program << words;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gaitway::input

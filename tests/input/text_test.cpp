@@ -1,5 +1,6 @@
 // Files up to a size, and text that a terminal may show.
 #include "gaitway/input/text.hpp"
+#include "gaitway/input/complaint.hpp"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -7,8 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-
-#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::input {
 namespace {

@@ -117,6 +117,15 @@ TEST_F(BadInput, GoodInputOfTheSameKindRuns) {
   }
 }
 
+TEST_F(BadInput, AWrongLineReachesTheTerminalWithoutEscapeSequences) {
+  const std::string clear = "\"$(printf '\\033[2J')\"";
+  for (const std::string& line :
+       {clear, "run " + clear, "run --seed " + clear, "run --" + clear + "=3", "run --quiet=" + clear}) {
+    expect_refused_line(line, {"\\x1B[2J"});
+    EXPECT_THAT(complaint_, testing::Not(testing::HasSubstr("\x1B"))) << line;
+  }
+}
+
 TEST_F(BadInput, MissingRobotFiles) {
   expect_refused("--robot /nowhere", {"/nowhere/robot.urdf", "missing"});
   robot_.remove("robot.yaml");

@@ -12,8 +12,6 @@
 #include <string>
 
 #include "gaitway/process/installation.hpp"
-#include "tools/bus/bus_measurement_report.hpp"
-#include "tools/bus/bus_picture.hpp"
 #include "tools/bus/bus_watch_text.hpp"
 
 namespace gaitway::tools {

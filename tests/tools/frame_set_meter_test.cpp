@@ -1,5 +1,5 @@
 // When a set of frames is whole, and what it took.
-#include "tools/bus/frame_set_meter.hpp"
+#include "tools/bus/bus_measurement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,9 +19,8 @@
 #include <vector>
 
 #include "tools/measure/gait_measurement.hpp"
-#include "tools/measure/gait_report.hpp"
-#include "tools/measure/pinned_plugins.hpp"
-#include "tools/measure/trial_series.hpp"
+#include "tools/measure/trial_run.hpp"
+#include "tools/measure/trial_store.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -12,8 +12,6 @@
 
 #include "gaitway/can/messages.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
-#include "tools/bus/dbc_file.hpp"
-#include "tools/bus/network_document.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -1,5 +1,5 @@
 // What a run says of itself: stayed up is not enough where the robot did not do what it was asked.
-#include "tools/run/run_outcome.hpp"
+#include "tools/run/run_metrics.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // `gaitway api`: what concerns the robot API without a robot.
 
 #include <filesystem>
-#include <memory>
 
 #include "gaitway/api/reference.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -22,11 +21,10 @@ int document_api(const ApiOptions& options) {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<ApiOptions>();
-  ApiOptions& options = *given;
   const CommandLine command = add_command(app, "api");
   const CommandLine document = command.subcommand(
       "document", "Write api.md, api_examples.json and api_schemas.json, as this version speaks");
+  ApiOptions& options = document.runs(document_api);
   document.option("--out", options.out, "Folder");
   command.needs_subcommand();
   document.footer(
@@ -34,7 +32,6 @@ void declare(const CommandLine& app) {
       "  gaitway api document --out docs\n"
       "Exit code: 0 written, 1 the folder cannot be written to.");
   command.footer("Example:\n  gaitway api document --out docs");
-  document.runs([given] { return document_api(*given); });
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -21,9 +20,7 @@
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/urdf/robot_model.hpp"
-#include "tools/bus/bus_command.hpp"
-#include "tools/bus/error_option.hpp"
-#include "tools/bus/message_list.hpp"
+#include "tools/bus/bus_options.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -32,11 +29,11 @@ constexpr int kExitMisses = 3;  // a message may miss its deadline
 
 struct BusAnalyzeOptions {
   std::filesystem::path robot;                    // folder with robot.urdf and robot.yaml
-  std::optional<std::filesystem::path> messages;  // instead of a robot: see message_list.hpp
+  std::optional<std::filesystem::path> messages;  // instead of a robot: see read_message_list()
   std::string profile;                            // instead of what the robot's network file says
   std::optional<double> jitter_ms;  // of every message of the robot; as `gaitway run` asks for when left out
   // They add up. When both are left out: of a robot, what `gaitway run` asks for, and none of messages.
-  std::vector<std::string> errors;    // see error_option.hpp
+  std::vector<std::string> errors;    // see parse_errors()
   std::optional<double> jam_ms;       // one jam at the worst instant
   std::int64_t bit_rate = 1'000'000;  // bit/s
   bool priorities = false;            // print the best order even if it is not needed
@@ -228,10 +225,9 @@ int analyze_bus(const BusAnalyzeOptions& options) {
 }  // namespace
 
 void add_bus_analyze(const CommandLine& bus) {
-  const auto given = std::make_shared<BusAnalyzeOptions>();
-  BusAnalyzeOptions& options = *given;
   const CommandLine command = bus.subcommand(
       "analyze", "Worst response of every message against its deadline, and what else would fit");
+  BusAnalyzeOptions& options = command.runs(analyze_bus);
   options.robot = process::default_robot_directory();
   const Option robot = command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   const Option profile =
@@ -266,7 +262,6 @@ void add_bus_analyze(const CommandLine& bus) {
       "  gaitway bus analyze --errors jam:2ms,interval:500ms --errors interval:5ms --priorities\n"
       "  gaitway bus analyze --messages car.json --bit-rate 125000 --json\n"
       "Exit code: 0 every message meets its deadline, 3 one may miss it, 1 the input was bad.");
-  command.runs([given] { return analyze_bus(*given); });
 }
 
 }  // namespace gaitway::tools

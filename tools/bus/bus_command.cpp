@@ -1,5 +1,5 @@
 // `gaitway bus`: everything about the robot's CAN bus, each thing a subcommand of its own.
-#include "tools/bus/bus_command.hpp"
+#include "tools/bus/bus_options.hpp"
 
 namespace gaitway::tools {
 namespace {

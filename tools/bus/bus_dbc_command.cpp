@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <memory>
 #include <string_view>
 
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/bus/bus_command.hpp"
-#include "tools/bus/dbc_file.hpp"
-#include "tools/bus/network_document.hpp"
+#include "tools/bus/bus_options.hpp"
+#include "tools/bus/network_description.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -58,10 +55,9 @@ int write_network_document(const BusDocumentOptions& options) {
 }  // namespace
 
 void add_bus_dbc(const CommandLine& bus) {
-  const auto given = std::make_shared<BusDbcOptions>();
-  BusDbcOptions& options = *given;
   const CommandLine command =
       bus.subcommand("dbc", "Write the robot's messages as a .dbc file, which bus tools decode with");
+  BusDbcOptions& options = command.runs(write_dbc);
   options.robot = process::default_robot_directory();
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--profile", options.profile, "full or paper; default: what robot.yaml says")
@@ -72,14 +68,12 @@ void add_bus_dbc(const CommandLine& bus) {
       "  gaitway bus dbc --out robot.dbc\n"
       "  gaitway bus dbc --robot my_robot --profile paper\n"
       "Exit code: 0 written, 1 the input was bad.");
-  command.runs([given] { return write_dbc(*given); });
 }
 
 void add_bus_document(const CommandLine& bus) {
-  const auto given = std::make_shared<BusDocumentOptions>();
-  BusDocumentOptions& options = *given;
   const CommandLine command =
       bus.subcommand("document", "Write the page that describes the network and its messages (Markdown)");
+  BusDocumentOptions& options = command.runs(write_network_document);
   options.robot = process::default_robot_directory();
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--out", options.out, "File to write; default: the terminal");
@@ -87,7 +81,6 @@ void add_bus_document(const CommandLine& bus) {
       "Example:\n"
       "  gaitway bus document --out docs/network.md\n"
       "Exit code: 0 written, 1 the input was bad.");
-  command.runs([given] { return write_network_document(*given); });
 }
 
 }  // namespace gaitway::tools

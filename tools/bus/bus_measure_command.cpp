@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -15,12 +14,9 @@
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/bus/bus_command.hpp"
 #include "tools/bus/bus_listener.hpp"
 #include "tools/bus/bus_measurement.hpp"
-#include "tools/bus/bus_measurement_report.hpp"
-#include "tools/bus/bus_picture.hpp"
-#include "tools/bus/bus_robot.hpp"
+#include "tools/bus/bus_options.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -97,10 +93,9 @@ int measure_bus(const BusMeasureOptions& options) {
 }  // namespace
 
 void add_bus_measure(const CommandLine& bus) {
-  const auto given = std::make_shared<BusMeasureOptions>();
-  BusMeasureOptions& options = *given;
   const CommandLine command =
       bus.subcommand("measure", "Rerun the published experiment: what the messages take, measured");
+  BusMeasureOptions& options = command.runs(measure_bus);
   options.config = process::default_config_file();
   add_robot_options(command, options.robot);
   command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
@@ -125,7 +120,6 @@ void add_bus_measure(const CommandLine& bus) {
       "  gaitway bus measure --profile paper --can can0 --seconds 10\n"
       "Where the bus has no bit timing of its own (vcan), lengths are computed from the frames' content.\n"
       "Exit code: 0 measured, 3 no frame was heard, 1 the input was bad or the robot fell.");
-  command.runs([given] { return measure_bus(*given); });
 }
 
 }  // namespace gaitway::tools

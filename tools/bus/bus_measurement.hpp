@@ -1,20 +1,54 @@
-// The published experiment, rerun: what the messages of a walking robot's bus take, by the bus's own clock.
+// The published experiment, rerun: what the messages of a walking robot's bus take, by the bus's own clock;
+// as tables beside the published ones, and as pictures.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "gaitway/can/bus_port.hpp"
-#include "tools/bus/bus_robot.hpp"
+#include "gaitway/can/messages.hpp"
+#include "tools/bus/bus_options.hpp"
 #include "tools/bus/bus_watch.hpp"
-#include "tools/bus/frame_set_meter.hpp"
 
 namespace gaitway::tools {
+
+// How long the bus needs for one message of every node: the published experiment's "12 messages". A set is
+// one frame of each node, in whatever order. A node that comes again before the others have, or a frame that
+// comes half a period after the first, begins a new set.
+class FrameSetMeter {
+ public:
+  // `nodes`: how many frames make a set. `period_ns`: from set to set.
+  FrameSetMeter(std::size_t nodes, std::int64_t period_ns) : nodes_(nodes), period_ns_(period_ns) {}
+
+  // One frame of the message that is metered: its first bit's start, and its length with interframe space.
+  void take(can::NodeId node, std::int64_t start_ns, std::int64_t length_ns);
+
+  // Bus time of a set: the sum of its frames, interframe spaces included.
+  [[nodiscard]] const Spread& bus_time_ms() const noexcept { return bus_time_ms_; }
+  // From the first bit of a set to the end of its last interframe space, of the sets whose frames followed
+  // each other without a gap: the same, read from the bus's clock.
+  [[nodiscard]] const Spread& back_to_back_ms() const noexcept { return back_to_back_ms_; }
+  // From the first bit of a set to the end of its last interframe space, whatever lies in between.
+  [[nodiscard]] const Spread& span_ms() const noexcept { return span_ms_; }
+  [[nodiscard]] std::uint64_t incomplete() const noexcept { return incomplete_; }
+
+ private:
+  std::size_t nodes_;
+  std::int64_t period_ns_;
+  std::set<can::NodeId> seen_;  // of the set that is under way
+  std::int64_t first_ns_ = 0, last_ns_ = 0;
+  std::int64_t bus_time_ns_ = 0;
+  Spread bus_time_ms_, back_to_back_ms_, span_ms_;
+  std::uint64_t incomplete_ = 0;
+};
 
 // What was published of the robot with twelve local controllers: the bus at 1 Mb/s, frames of eight bytes.
 struct PublishedTimes {
@@ -77,5 +111,29 @@ inline constexpr double kNotMeasured_s = 3.0;
 // Walks, and then sends user commands to a robot that stands. Throws std::runtime_error when the robot falls,
 // and what the co-simulation throws.
 [[nodiscard]] BusMeasurement measure_simulated_bus(const BusRobot& robot, const BusExperiment& experiment);
+
+// Tables 6 and 7 of the published experiment, measured and published values beside each other.
+//
+// Which messages the bus carries, and what was measured of each.
+[[nodiscard]] std::string message_table(const BusMeasurement& measurement, const BusRobot& robot);
+
+// What the bus needs for one message of every node, and for a user command.
+[[nodiscard]] std::string time_table(const BusMeasurement& measurement, const BusRobot& robot);
+
+// Both tables.
+[[nodiscard]] nlohmann::ordered_json to_json(const BusMeasurement& measurement, const BusRobot& robot);
+
+// By how much a measured time is longer than the published one.
+[[nodiscard]] constexpr double difference_percent(double measured, double published) noexcept {
+  return 100.0 * (measured / published - 1.0);
+}
+
+// Who has the bus when: one time slot with a row for every identifier, and a whole cycle with a row for every
+// message. Stand-alone SVG files.
+//
+// The fullest time slot of the newest whole cycle. Marks how late each frame might have come, by the
+// analysis, where its release is known. Both are empty when there was no whole cycle.
+[[nodiscard]] std::string slot_picture(const BusMeasurement& measurement, const BusRobot& robot);
+[[nodiscard]] std::string cycle_picture(const BusMeasurement& measurement, const BusRobot& robot);
 
 }  // namespace gaitway::tools

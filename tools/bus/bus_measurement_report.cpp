@@ -1,5 +1,5 @@
 // Lays out the tables.
-#include "tools/bus/bus_measurement_report.hpp"
+#include "tools/bus/bus_measurement.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "gaitway/can/frame.hpp"

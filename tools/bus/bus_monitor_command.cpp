@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,9 +15,8 @@
 #include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
-#include "tools/bus/bus_command.hpp"
 #include "tools/bus/bus_listener.hpp"
-#include "tools/bus/bus_robot.hpp"
+#include "tools/bus/bus_options.hpp"
 #include "tools/bus/bus_watch_text.hpp"
 
 namespace gaitway::tools {
@@ -122,10 +120,9 @@ int monitor_bus(const BusMonitorOptions& options) {
 }  // namespace
 
 void add_bus_monitor(const CommandLine& bus) {
-  const auto given = std::make_shared<BusMonitorOptions>();
-  BusMonitorOptions& options = *given;
   const CommandLine command = bus.subcommand(
       "monitor", "Show a bus in the terminal: load, rates, worst responses, unknown frames, errors");
+  BusMonitorOptions& options = command.runs(monitor_bus);
   const CommandLine source = command.group("What to listen to", true);
   source.option("--bus", options.socket, "Socket of virtual_robot's bus");
   source.option("--can", options.interface, "CAN interface of this machine");
@@ -142,7 +139,6 @@ void add_bus_monitor(const CommandLine& bus) {
       "Exit code: 0 all responses within what is proven, 3 one was longer or nothing was heard, 1 the input "
       "was\n"
       "bad or nobody serves the bus.");
-  command.runs([given] { return monitor_bus(*given); });
 }
 
 }  // namespace gaitway::tools

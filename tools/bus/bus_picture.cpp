@@ -1,5 +1,5 @@
 // Bars for frames, over time.
-#include "tools/bus/bus_picture.hpp"
+#include "tools/bus/bus_measurement.hpp"
 
 #include <fmt/format.h>
 

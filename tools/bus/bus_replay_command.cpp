@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,8 +14,7 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/bus/bus_command.hpp"
-#include "tools/bus/bus_robot.hpp"
+#include "tools/bus/bus_options.hpp"
 #include "tools/bus/log_replay.hpp"
 
 namespace gaitway::tools {
@@ -167,10 +165,9 @@ int replay_bus_log(const BusReplayOptions& options) {
 }  // namespace
 
 void add_bus_replay(const CommandLine& bus) {
-  const auto given = std::make_shared<BusReplayOptions>();
-  BusReplayOptions& options = *given;
   const CommandLine command =
       bus.subcommand("replay", "Feed a recorded log to the local controllers and compare what they answer");
+  BusReplayOptions& options = command.runs(replay_bus_log);
   command.option("log", options.log, "Bus log in candump's format").required();
   add_robot_options(command, options.robot);
   command.option("--seed", options.seed, "Seed of the recorded run");
@@ -188,7 +185,6 @@ void add_bus_replay(const CommandLine& bus) {
       "  gaitway bus replay paper.log --profile paper --out joints.csv\n"
       "  gaitway bus replay robot.log --references       a log of another body\n"
       "Exit code: 0 equal, 3 different, 1 the input was bad and nothing was fed.");
-  command.runs([given] { return replay_bus_log(*given); });
 }
 
 }  // namespace gaitway::tools

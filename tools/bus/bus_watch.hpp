@@ -16,8 +16,10 @@
 // that the response can have been.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -27,9 +29,25 @@
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/profile.hpp"
 #include "gaitway/facts/facts.hpp"
-#include "tools/bus/spread.hpp"
 
 namespace gaitway::tools {
+
+// How a quantity is spread: how often it was seen, its mean and its extremes.
+struct Spread {
+  std::uint64_t count = 0;
+  double sum = 0.0;
+  double min = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
+
+  void add(double value) noexcept {
+    ++count;
+    sum += value;
+    min = std::min(min, value);
+    max = std::max(max, value);
+  }
+  // Only of a quantity that was seen.
+  [[nodiscard]] double mean() const noexcept { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
+};
 
 // Where the times of the frames come from.
 enum class BusClock : std::uint8_t {
@@ -130,7 +148,6 @@ class BusWatch {
   std::int64_t busy_in_window_ns_ = 0;
   std::optional<std::int64_t> window_start_ns_;
 
-  std::optional<std::int64_t> sync_end_ns_;
   std::map<can::NodeId, std::int64_t> unanswered_since_ns_;  // what the node's next feedback answers
   std::map<can::NodeId, bool> in_batch_;                     // nodes whose frame of this batch has come
   std::int64_t batch_start_ns_ = 0;

@@ -1,12 +1,10 @@
 // Section after section, in the order that the format prescribes.
-#include "tools/bus/dbc_file.hpp"
+#include "tools/bus/network_description.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <set>
-#include <string_view>
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"

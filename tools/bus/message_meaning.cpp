@@ -1,5 +1,5 @@
 // The texts, in the order of the message table.
-#include "tools/bus/message_meaning.hpp"
+#include "tools/bus/network_description.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/urdf/sensor_channels.hpp"
+#include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -1,12 +1,10 @@
 // `gaitway calibrate`: joint zeros, trunk and force cells from standing poses.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -16,8 +14,7 @@
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "tools/calibrate/calibration_report.hpp"
-#include "tools/calibrate/measurement_file.hpp"
-#include "tools/calibrate/standing_log.hpp"
+#include "tools/calibrate/standing_measurement.hpp"
 #include "tools/command_line.hpp"
 
 namespace gaitway::calibration {
@@ -25,6 +22,7 @@ namespace {
 
 using tools::add_command;
 using tools::CommandLine;
+using tools::ProgressLine;
 
 constexpr int kExitMisfit = 3;  // the measurements do not fit the robot
 
@@ -54,22 +52,6 @@ void check(const CalibrateOptions& o) {
   require(
       sources == 1,
       "calibrate: give either --simulate or --measurements FILE or --bus-log FILE, and one of them alone");
-  require(o.mismatch >= 0.0 && o.mismatch <= 10.0,
-          fmt::format("--mismatch {}: must lie between 0 and 10", o.mismatch));
-  require(o.seeds >= 1 && o.seeds <= kMostSeeds,
-          fmt::format("--seeds {}: must lie between 1 and {}", o.seeds, kMostSeeds));
-  require(o.rounds >= 1 && o.rounds <= kMostRounds,
-          fmt::format("--rounds {}: must lie between 1 and {}", o.rounds, kMostRounds));
-  require(o.measure_s >= 0.1 && o.measure_s <= 60.0,
-          fmt::format("--measure-s {}: must lie between 0.1 and 60", o.measure_s));
-  require(o.play_deg >= 0.0 && o.play_deg <= 2.0,
-          fmt::format("--play-deg {}: must lie between 0 and 2", o.play_deg));
-  require(o.floor_deg >= 0.0 && o.floor_deg <= 5.0,
-          fmt::format("--floor-deg {}: must lie between 0 and 5", o.floor_deg));
-  require(!o.weighed_kg || (*o.weighed_kg > 0.0 && *o.weighed_kg < 1000.0),
-          fmt::format("--weighed-kg {}: must lie between 0 and 1000", o.weighed_kg.value_or(0.0)));
-  require(o.weighed_deviation_kg > 0.0 && o.weighed_deviation_kg <= 100.0,
-          fmt::format("--weighed-deviation-kg {}: must be above 0, at most 100", o.weighed_deviation_kg));
   require(!(o.simulate && o.weighed_kg),
           "--weighed-kg: the simulated robot is weighed by itself. Leave it out");
   require(o.measurements.empty() || o.record.empty(),
@@ -77,24 +59,6 @@ void check(const CalibrateOptions& o) {
   require(o.seeds == 1 || (o.out.empty() && o.record.empty()),
           "--out, --record: these are of one robot. Leave --seeds out");
 }
-
-// A line that rewrites itself on a terminal, and nothing where output goes to a file.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
-  ~ProgressLine() { show(""); }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void show(const std::string& text) const {
-    if (!shown_) return;
-    fmt::print(stderr, "\r{:76}\r{}", "", text);
-    std::fflush(stderr);
-  }
-
- private:
-  bool shown_;
-};
 
 motion::MotionPlan plan_poses(const CalibrateOptions& options, const urdf::RobotModel& robot) {
   const motion::Motion poses = motion::read_motion(options.poses, robot);
@@ -146,7 +110,7 @@ int from_simulation(const CalibrateOptions& options, const urdf::RobotModel& rob
   CalibrationStatistics statistics;
   std::optional<SimulatedCalibration> last;
   {
-    const ProgressLine line(options.quiet);
+    const ProgressLine line(!options.quiet);
     for (int i = 0; i < options.seeds; ++i) {
       last = simulate(options, robot, poses, options.seed + static_cast<std::uint64_t>(i), line);
       statistics.add(robot, *last);
@@ -206,12 +170,17 @@ void add_inputs(const CommandLine& command, CalibrateOptions& options) {
   command.option("--bus-log", options.bus_log,
                  "Log of a robot's bus (candump -L, or bus.log of a run) while it took the poses");
   command.option("--robot", options.robot, "Folder of the robot's description");
-  command.option("--weighed-kg", options.weighed_kg, "What the robot weighs, if the file does not say it");
-  command.option("--weighed-deviation-kg", options.weighed_deviation_kg, "How far that may be off");
-  command.option("--play-deg", options.play_deg, "Play of each joint, whole width");
-  command.option("--floor-deg", options.floor_deg,
-                 "How far the floor may lean (standard deviation; with --measurements)");
-  command.option("--measure-s", options.measure_s, "How long each pose is measured, at the end of its hold");
+  command.option("--weighed-kg", options.weighed_kg, "What the robot weighs, if the file does not say it")
+      .between(0.001, 1000.0);
+  command.option("--weighed-deviation-kg", options.weighed_deviation_kg, "How far that may be off")
+      .between(1e-6, 100.0);
+  command.option("--play-deg", options.play_deg, "Play of each joint, whole width").between(0.0, 2.0);
+  command
+      .option("--floor-deg", options.floor_deg,
+              "How far the floor may lean (standard deviation; with --measurements)")
+      .between(0.0, 5.0);
+  command.option("--measure-s", options.measure_s, "How long each pose is measured, at the end of its hold")
+      .between(0.1, 60.0);
   command.option("--record", options.record,
                  "File for the measurements (of the last round), as --measurements reads them");
   command.option("--out", options.out, "File for the calibration, such as calibration.yaml");
@@ -221,10 +190,13 @@ void add_inputs(const CommandLine& command, CalibrateOptions& options) {
 void add_simulation(const CommandLine& command, CalibrateOptions& options) {
   command.option("--poses", options.poses, "The poses: a motion that holds its keys");
   command.option("--seed", options.seed, "Which robot: its deviations and its noise");
-  command.option("--seeds", options.seeds, "Calibrate that many robots and show how well it goes");
-  command.option("--mismatch", options.mismatch, "Scale of the robot's deviations");
-  command.option("--rounds", options.rounds,
-                 "How often the poses are taken at most, with the zeros found before");
+  command.option("--seeds", options.seeds, "Calibrate that many robots and show how well it goes")
+      .between(1, kMostSeeds);
+  command.option("--mismatch", options.mismatch, "Scale of the robot's deviations").between(0.0, 10.0);
+  command
+      .option("--rounds", options.rounds,
+              "How often the poses are taken at most, with the zeros found before")
+      .between(1, kMostRounds);
 }
 
 int calibrate_command(const CalibrateOptions& options) {
@@ -237,9 +209,8 @@ int calibrate_command(const CalibrateOptions& options) {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<CalibrateOptions>();
-  CalibrateOptions& options = *given;
   const CommandLine command = add_command(app, "calibrate");
+  CalibrateOptions& options = command.runs(calibrate_command);
   options.robot = process::default_robot_directory();
   options.poses = process::calibration_directory() / "standing.yaml";
   add_inputs(command, options);
@@ -251,7 +222,6 @@ void declare(const CommandLine& app) {
       "  gaitway calibrate --bus-log out/serve/bus.log --weighed-kg 6.87 --out calibration.yaml\n"
       "  gaitway calibrate --measurements standing.yaml --weighed-kg 6.87 --out calibration.yaml\n"
       "Exit code: 0 found, 3 the measurements do not fit the robot, 1 the input was bad.");
-  command.runs([given] { return calibrate_command(*given); });
 }
 
 }  // namespace

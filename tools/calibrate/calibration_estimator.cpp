@@ -5,14 +5,12 @@
 #include <ceres/normal_prior.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
 
 #include "tools/calibrate/parameter_layout.hpp"
-#include "tools/calibrate/posture_errors.hpp"
 #include "tools/calibrate/standing_model.hpp"
 
 namespace gaitway::calibration {

@@ -6,10 +6,10 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/calibrate/calibration_settings.hpp"
-#include "tools/calibrate/robot_deviations.hpp"
 #include "tools/calibrate/standing_measurement.hpp"
 
 namespace gaitway::calibration {
@@ -66,5 +66,13 @@ inline constexpr double kLargestMisfit = 2.0;
 // The posture errors of a robot with these deviations.
 [[nodiscard]] std::vector<double> posture_errors(const urdf::RobotModel& robot,
                                                  const RobotDeviations& deviations);
+
+inline constexpr std::size_t kPostureErrors = 10;
+
+struct NamedQuantity {
+  std::string_view name, unit;
+};
+
+[[nodiscard]] const std::array<NamedQuantity, kPostureErrors>& posture_quantities();
 
 }  // namespace gaitway::calibration

@@ -1,12 +1,12 @@
 // Reads strictly; writes so many digits that nothing is lost that matters.
-#include "tools/calibrate/measurement_file.hpp"
+#include "tools/calibrate/standing_measurement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::calibration {

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include "tools/calibrate/calibration_settings.hpp"
-#include "tools/calibrate/robot_deviations.hpp"
 #include "tools/calibrate/standing_model.hpp"
 
 namespace gaitway::calibration {

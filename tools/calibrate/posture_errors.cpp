@@ -1,7 +1,5 @@
 // Forward kinematics at the angles that the encoders would say at home.
-#include "tools/calibrate/posture_errors.hpp"
-
-#include <cmath>
+#include "tools/calibrate/calibration_estimator.hpp"
 
 #include "tools/calibrate/standing_model.hpp"
 

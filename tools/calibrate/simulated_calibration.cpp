@@ -1,12 +1,143 @@
 // Draws a robot, lets it take the poses, and asks it for its deviations in the end.
 #include "tools/calibrate/simulated_calibration.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "tools/calibrate/pose_performer.hpp"
+#include "gaitway/facts/facts.hpp"
+#include "tools/calibrate/standing_measurement.hpp"
 
 namespace gaitway::calibration {
+namespace {
+
+constexpr double kZeroBlend_s = 0.5;
+// Ankles' speed for each metre between where the two soles press.
+constexpr double kRelaxing_rad_per_s_m = 0.7;
+constexpr double kMostRelaxed_rad = 0.06;
+constexpr double kLoaded_N = 5.0;
+
+}  // namespace
+
+PosePerformer::PosePerformer(const urdf::RobotModel& robot, simulator::Plant& plant, double measured_s)
+    : robot_(robot),
+      plant_(plant),
+      measured_s_(measured_s),
+      zero_rad_(robot.joints.size(), 0.0),
+      relaxed_rad_(robot.joints.size(), 0.0) {
+  for (const urdf::Joint& joint : robot.joints) {
+    servos_.emplace_back(
+        localcontroller::ServoGains{joint.servo.stiffness_Nm_per_rad, joint.servo.damping_Nms_per_rad,
+                                    joint.motor.torque_limit_Nm, joint.motor.speed_limit_rad_per_s});
+  }
+}
+
+void PosePerformer::take(const simulator::PlantSensors& sensors, StandingReading& reading) const {
+  std::vector<double> joint_rad(robot_.joints.size());
+  for (std::size_t j = 0; j < joint_rad.size(); ++j) {
+    joint_rad[j] = sensors.encoder_count[j] * robot_.joints[j].encoder_count_rad;
+  }
+  reading.take(joint_rad, sensors.acceleration_m_per_s2, sensors.inclination_rad, sensors.force_N);
+}
+
+void PosePerformer::play_point(std::span<const double> from, std::span<const double> to,
+                               StandingReading* reading) {
+  const int steps = static_cast<int>(std::lround(facts::kSlot_s / robot_.physics_step_s));
+  std::vector<double> torque_Nm(robot_.joints.size());
+  moment_Nm_.fill(Eigen::Vector2d::Zero());
+  force_N_.fill(0.0);
+  for (int step = 1; step <= steps; ++step) {
+    const double share = static_cast<double>(step) / steps;
+    for (std::size_t j = 0; j < torque_Nm.size(); ++j) {
+      const double measured_rad =
+          plant_.sensors().encoder_count[j] * robot_.joints[j].encoder_count_rad - zero_rad_[j];
+      torque_Nm[j] = servos_[j].step(std::lerp(from[j], to[j], share) + relaxed_rad_[j],
+                                     (to[j] - from[j]) / facts::kSlot_s, measured_rad, robot_.physics_step_s);
+    }
+    plant_.step(torque_Nm);
+    if (reading != nullptr) take(plant_.sensors(), *reading);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const urdf::Foot& foot = robot_.feet[side];
+      for (std::size_t cell = 0; cell < kCells; ++cell) {
+        const double cell_N = plant_.sensors().force_N[side][cell];
+        force_N_[side] += cell_N;
+        moment_Nm_[side] += cell_N * (foot.cell_m[cell] - foot.centre_m);
+      }
+    }
+  }
+}
+
+void PosePerformer::relax_ankles() {
+  const double steps = facts::kSlot_s / robot_.physics_step_s;
+  if (std::min(force_N_[0], force_N_[1]) < kLoaded_N * steps) return;
+  const Eigen::Vector2d apart = moment_Nm_[0] / force_N_[0] - moment_Nm_[1] / force_N_[1];
+  const Eigen::Vector2d turn = 0.5 * kRelaxing_rad_per_s_m * facts::kSlot_s * apart;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double sign = side == 0 ? 1.0 : -1.0;
+    // Toes down presses ahead, the left edge up presses to the right.
+    const auto add = [this](int joint, double angle_rad) {
+      double& relaxed = relaxed_rad_[static_cast<std::size_t>(joint)];
+      relaxed = std::clamp(relaxed + angle_rad, -kMostRelaxed_rad, kMostRelaxed_rad);
+    };
+    const int pitch = robot_.legs[side].joints[4], roll = robot_.legs[side].joints[5];
+    add(pitch, -sign * turn.x() * robot_.joints[static_cast<std::size_t>(pitch)].axis.y());
+    add(roll, sign * turn.y() * robot_.joints[static_cast<std::size_t>(roll)].axis.x());
+  }
+}
+
+// Gently: a joint's zero is not to change faster than its reference would.
+void PosePerformer::take_zeros(std::span<const double> posture, std::span<const double> zero_rad) {
+  const std::vector<double> before = zero_rad_;
+  const int points = static_cast<int>(std::lround(kZeroBlend_s / facts::kSlot_s));
+  for (int point = 1; point <= points; ++point) {
+    const double share = static_cast<double>(point) / points;
+    for (std::size_t j = 0; j < zero_rad_.size(); ++j) {
+      zero_rad_[j] = std::lerp(before[j], zero_rad[j], share);
+    }
+    play_point(posture, posture, nullptr);
+    relax_ankles();
+  }
+}
+
+std::vector<StandingMeasurement> PosePerformer::perform(
+    const motion::MotionPlan& plan, std::span<const double> zero_rad,
+    const std::function<void(const std::string&)>& progress) {
+  const auto measured = static_cast<std::size_t>(std::lround(measured_s_ / facts::kSlot_s));
+  take_zeros(plan.reference(0), zero_rad);
+  std::vector<StandingMeasurement> poses;
+  const int samples = static_cast<int>(std::lround(measured_s_ / robot_.physics_step_s));
+  std::size_t point = 0;
+  for (const motion::KeyTime& key : plan.keys) {
+    const bool is_pose = key.left - key.reached >= measured;
+    const std::size_t begin = is_pose ? key.left - measured : key.left;
+    StandingReading reading(robot_.joints.size(), samples);
+    for (; point < key.left; ++point) {
+      if (plan.contact[point] != motion::Contact::both)
+        placement_ += plan.contact[point - 1] == motion::Contact::both;
+      const bool reads = point >= begin;
+      play_point(plan.reference(point), plan.reference(point + 1), reads ? &reading : nullptr);
+      if (!reads) relax_ankles();
+      if (plant_.fallen()) {
+        throw PerformanceError(
+            fmt::format("the simulated robot fell on the way to pose '{}'. Choose poses "
+                        "that are nearer to the middle of the feet",
+                        key.name));
+      }
+    }
+    if (!is_pose) continue;
+    if (progress) progress(key.name);
+    StandingMeasurement& pose = poses.emplace_back(reading.result());
+    pose.pose = key.name;
+    pose.placement = placement_;
+    for (const urdf::Side side : urdf::kSides) {
+      pose.stands[static_cast<std::size_t>(side)] = motion::stands_on(plan.contact[key.reached], side);
+    }
+  }
+  return poses;
+}
+
 namespace {
 
 constexpr double kCellGainDeviation = 0.03;

@@ -1,5 +1,5 @@
 // One sample a time slot, from SYNC to SYNC; what is still is found afterwards.
-#include "tools/calibrate/standing_log.hpp"
+#include "tools/calibrate/standing_measurement.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgcontroller/feedback_collector.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
-#include "tools/calibrate/standing_reading.hpp"
 
 namespace gaitway::calibration {
 namespace {

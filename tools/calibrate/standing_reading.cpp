@@ -1,5 +1,5 @@
 // One mean a channel, in the order in which they are taken.
-#include "tools/calibrate/standing_reading.hpp"
+#include "tools/calibrate/standing_measurement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -53,9 +52,8 @@ int check_plugin(const CheckPluginOptions& options) {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<CheckPluginOptions>();
-  CheckPluginOptions& options = *given;
   const CommandLine command = add_command(app, "check-plugin");
+  CheckPluginOptions& options = command.runs(check_plugin);
   plugin_check::CheckOptions& check = options.check;
   check.robot = process::default_robot_directory();
   check.walk_config = process::default_config_file();
@@ -74,7 +72,6 @@ void declare(const CommandLine& app) {
       "  gaitway check-plugin libgaitway_plugin_ankle_trim.so\n"
       "  gaitway check-plugin libgaitway_plugin_ankle_trim.so --full --json check.json\n"
       "Exit code: 0 no finding, 2 findings, 1 the input was bad.");
-  command.runs([given] { return check_plugin(*given); });
 }
 
 }  // namespace

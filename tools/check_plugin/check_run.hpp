@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "tools/check_plugin/board.hpp"
-#include "tools/check_plugin/job.hpp"
 #include "tools/check_plugin/nominal_record.hpp"
 #include "tools/check_plugin/specimen.hpp"
+#include "tools/check_plugin/worker_process.hpp"
 
 namespace gaitway::plugin_check {
 
@@ -51,6 +51,16 @@ class CheckRun {
   int findings_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+// What this process holds at the moment: memory, descriptors, threads.
+struct ProcessResources {
+  // Allocated and not freed since the count began; 0 in a build with a sanitizer.
+  std::int64_t heap_bytes = 0;
+  std::int64_t resident_bytes = 0;
+  int descriptors = 0;
+  int threads = 0;
+};
+ProcessResources process_resources();
 
 // The parameters of a job with one of them set anew.
 Job with_parameter(const Job& job, const std::string& name, const std::string& text);

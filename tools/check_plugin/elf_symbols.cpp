@@ -10,7 +10,6 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <string_view>
 
 namespace gaitway::plugin_check {
 namespace {

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "tools/check_plugin/check_run.hpp"
-#include "tools/check_plugin/process_resources.hpp"
 
 namespace gaitway::plugin_check {
 namespace {

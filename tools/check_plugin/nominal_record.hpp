@@ -10,6 +10,7 @@
 
 #include "gaitway/msgclient/type_descriptor.hpp"
 #include "gaitway/plugin/tick.hpp"
+#include "tools/check_plugin/worker_process.hpp"
 
 namespace gaitway::plugin_check {
 
@@ -56,5 +57,11 @@ class NominalRecord {
   std::uint32_t ticks_ = 0;  // a multiple of a cycle's
   std::vector<RecordedTopic> topics_;
 };
+
+// Lets the simulated robot walk for some seconds and records what the plug-ins see.
+// Throws what the robot, the configuration or a plug-in of it is refused with, and std::runtime_error when
+// the robot falls.
+NominalRecord record_nominal_walk(const std::filesystem::path& robot, const std::filesystem::path& config,
+                                  const std::vector<std::filesystem::path>& plugin_path, std::uint64_t seed);
 
 }  // namespace gaitway::plugin_check

@@ -1,7 +1,6 @@
 // Stands for half a second, walks forward, sideways and turning, and stops: every topic moves.
-#include "tools/check_plugin/nominal_walk.hpp"
+#include "tools/check_plugin/nominal_record.hpp"
 
-#include <optional>
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"

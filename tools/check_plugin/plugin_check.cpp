@@ -10,15 +10,11 @@
 #include <chrono>
 #include <cstring>
 #include <future>
-#include <memory>
 #include <mutex>
-#include <numeric>
-#include <thread>
 
 #include "gaitway/manager/configuration.hpp"
 #include "tools/check_plugin/board.hpp"
-#include "tools/check_plugin/job.hpp"
-#include "tools/check_plugin/nominal_walk.hpp"
+#include "tools/check_plugin/nominal_record.hpp"
 #include "tools/check_plugin/worker_process.hpp"
 
 namespace gaitway::plugin_check {

@@ -3,9 +3,11 @@
 #include <cxxabi.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <seccomp.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 
+#include <cstdlib>
+#include <memory>
 #include <set>
 
 #include "tools/check_plugin/call_guard.hpp"
@@ -20,44 +22,16 @@ constexpr std::uint64_t kFullWatchedSteps = 100'000;
 constexpr std::uint64_t kWarmUpTicks = 160;
 constexpr int kMostCalls = 6;
 constexpr std::int64_t kToleratedFaults = 8;  // the kernel's own: reclaimed or moved pages
-constexpr int kNamedCalls = 20;
-
-struct SystemCallName {
-  long number;
-  const char* name;
-};
-constexpr std::array<SystemCallName, kNamedCalls> kSystemCalls{{{SYS_read, "read"},
-                                                                {SYS_write, "write"},
-                                                                {SYS_openat, "openat"},
-                                                                {SYS_close, "close"},
-                                                                {SYS_fstat, "fstat"},
-                                                                {SYS_mmap, "mmap"},
-                                                                {SYS_munmap, "munmap"},
-                                                                {SYS_brk, "brk"},
-                                                                {SYS_madvise, "madvise"},
-                                                                {SYS_futex, "futex"},
-                                                                {SYS_nanosleep, "nanosleep"},
-                                                                {SYS_clock_nanosleep, "clock_nanosleep"},
-                                                                {SYS_clock_gettime, "clock_gettime"},
-                                                                {SYS_sched_yield, "sched_yield"},
-                                                                {SYS_getpid, "getpid"},
-                                                                {SYS_gettid, "gettid"},
-                                                                {SYS_getrandom, "getrandom"},
-                                                                {SYS_ioctl, "ioctl"},
-                                                                {SYS_sendto, "sendto"},
-                                                                {SYS_recvfrom, "recvfrom"}}};
 
 std::string call_text(const CaughtCall& call) {
   if (call.function != nullptr) {
     return std::string_view(call.function) == "throw" ? "throws an exception"
                                                       : fmt::format("calls {}()", call.function);
   }
-  for (const SystemCallName& known : kSystemCalls) {
-    if (known.number == call.system_call) {
-      return fmt::format("makes the system call {}", known.name);
-    }
-  }
-  return fmt::format("makes the system call number {}", call.system_call);
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, call.system_call), &std::free);
+  return name != nullptr ? fmt::format("makes the system call {}", name.get())
+                         : fmt::format("makes the system call number {}", call.system_call);
 }
 
 const char* remedy_of(const CaughtCall& call) {

@@ -14,8 +14,8 @@
 #include "gaitway/manager/parameter_set.hpp"
 #include "gaitway/plugin/abi.h"
 #include "gaitway/plugin/tick.hpp"
-#include "tools/check_plugin/job.hpp"
 #include "tools/check_plugin/nominal_record.hpp"
+#include "tools/check_plugin/worker_process.hpp"
 
 namespace gaitway::plugin_check {
 

@@ -3,7 +3,6 @@
 
 #include <alloca.h>
 #include <dlfcn.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>

@@ -62,7 +62,6 @@ class Specimen {
                                   const InputFault& fault = {}) noexcept;
   bool run_step() noexcept;
 
-  [[nodiscard]] bool is_created() const noexcept { return created_; }
   [[nodiscard]] std::string_view error() const noexcept { return error_.data(); }
   [[nodiscard]] ReplayHost& host() noexcept { return host_; }
   [[nodiscard]] const gaitway_instance& functions() const noexcept { return instance_; }

@@ -1,13 +1,17 @@
 // Check `unload`: a plug-in that was loaded and used a hundred times has left nothing behind.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <thread>
 
+#include "tools/check_plugin/call_guard.hpp"
 #include "tools/check_plugin/check_run.hpp"
 #include "tools/check_plugin/elf_symbols.hpp"
-#include "tools/check_plugin/process_resources.hpp"
 
 namespace gaitway::plugin_check {
 namespace {
@@ -19,6 +23,21 @@ constexpr std::uint64_t kTicksPerLoad = 16;              // two batches
 constexpr double kLeakPerLoad_bytes = 16.0;              // less is the allocator's own housekeeping
 constexpr std::int64_t kResidentGrowth_bytes = 8 << 20;  // what no fragmentation explains
 constexpr auto kThreadGrace = std::chrono::milliseconds(300);
+
+int entries(const char* folder) {
+  return static_cast<int>(
+      std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
+}
+
+bool is_mapped(const std::filesystem::path& file) {
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    if (line.ends_with(file.string())) {
+      return true;
+    }
+  }
+  return false;
+}
 
 // Threads that were told to end may need a moment.
 int threads_after_grace(int expected) {
@@ -102,6 +121,17 @@ void compare(CheckRun& run, const ProcessResources& first, const ProcessResource
 }
 
 }  // namespace
+
+ProcessResources process_resources() {
+  ProcessResources now;
+  now.descriptors = entries("/proc/self/fd");
+  now.threads = entries("/proc/self/task");
+  std::int64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages >> pages;
+  now.resident_bytes = pages * sysconf(_SC_PAGESIZE);
+  now.heap_bytes = live_memory_bytes();
+  return now;
+}
 
 void check_unload(CheckRun& run) {
   if (!run.begin("load, use, unload")) {

@@ -12,11 +12,20 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "gaitway/process/file_descriptor.hpp"
 #include "tools/check_plugin/plugin_check.hpp"
 
+namespace gaitway::core {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ParameterEntry, name, text, line)
+}
+
 namespace gaitway::plugin_check {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, check, variant, plugin, robot, configuration, parameters, seed, full,
+                                   budget_ms, first_case)
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -102,6 +111,14 @@ WorkerEnding run_forked(Board& board, const WatchLimits& limits, const std::func
     _exit(0);
   }
   return watch(child, board, limits);
+}
+
+std::string to_text(const Job& job) {
+  return nlohmann::json(job).dump();
+}
+
+Job read_job(const std::string& text) {
+  return nlohmann::json::parse(text).get<Job>();
 }
 
 }  // namespace gaitway::plugin_check

@@ -1,15 +1,37 @@
-// Starts a process of a check, watches over it, and says how it ended.
+// What one process of a check is asked to do, and how it is started, watched over and ended.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "gaitway/manager/configuration.hpp"
 #include "tools/check_plugin/board.hpp"
-#include "tools/check_plugin/job.hpp"
 
 namespace gaitway::plugin_check {
+
+struct Job {
+  std::string check;
+  std::string variant;  // of a check that runs more than once
+  std::filesystem::path plugin;
+  std::filesystem::path robot;
+  std::filesystem::path configuration;  // the file of `parameters`
+  std::vector<core::ParameterEntry> parameters;
+  std::uint64_t seed = 1;
+  bool full = false;
+  double budget_ms = 0.0;
+  std::uint32_t first_case = 0;  // those before were done by a process that died
+};
+
+std::string to_text(const Job& job);
+Job read_job(const std::string& text);
+
+// Numbers of the two descriptors that the process is born with.
+inline constexpr int kBoardDescriptor = 100;
+inline constexpr int kRecordDescriptor = 101;
 
 enum class Ending : std::uint8_t { finished, crashed, hung };
 

@@ -1,4 +1,5 @@
-// A client of the robot API for programs that ask one thing after the other.
+// What every order of `gaitway ctl` uses: where the robot is, and a client of its API that asks one thing
+// after the other.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +8,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 
@@ -50,5 +53,29 @@ class ApiClient {
   std::unique_ptr<Link> link_;
   unsigned last_id_ = 0;
 };
+
+inline constexpr int kExitRefused = 2;
+inline constexpr int kExitNoAnswer = 3;
+
+struct CtlOptions {
+  ApiAddress api;
+  std::optional<std::string> url;
+  std::optional<int> port;       // of the API on this computer
+  std::filesystem::path socket;  // of the memory block: orders to plug-ins without the API
+};
+using SharedCtlOptions = std::shared_ptr<CtlOptions>;
+
+void add_address(const CommandLine& command, CtlOptions& options);
+// One order below `parent`, with its examples; the robot's address may stand behind it, too.
+CommandLine add_order(const CommandLine& parent, const SharedCtlOptions& options, const char* name,
+                      const char* help, const char* examples);
+
+// Throws ApiError, or std::invalid_argument for options that contradict each other.
+[[nodiscard]] ApiClient connect(const CtlOptions& options);
+// Calls a service that answers `success` and `message`, prints the answer, and returns the exit code.
+int call_and_print(ApiClient& client, const std::string& service, const nlohmann::json& arguments);
+
+void add_robot_orders(const CommandLine& ctl, const SharedCtlOptions& options);
+void add_plugin_orders(const CommandLine& ctl, const SharedCtlOptions& options);
 
 }  // namespace gaitway::tools

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "gaitway/input/text.hpp"
-#include "tools/ctl/ctl_options.hpp"
+#include "tools/ctl/api_client.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -17,7 +17,7 @@
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/real_time.hpp"
-#include "tools/ctl/ctl_options.hpp"
+#include "tools/ctl/api_client.hpp"
 
 namespace gaitway::tools {
 namespace {

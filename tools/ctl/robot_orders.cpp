@@ -10,7 +10,7 @@
 
 #include "gaitway/input/text.hpp"
 #include "gaitway/process/real_time.hpp"
-#include "tools/ctl/ctl_options.hpp"
+#include "tools/ctl/api_client.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -37,14 +37,19 @@ constexpr std::array kRecordingWords{
 // While it walks, the command is renewed so often.
 constexpr std::int64_t kRenew_ns = 100'000'000;
 
+// Calls the service once; returns the exit code.
+int order(const CtlOptions& options, const std::string& service, const json& arguments) {
+  ApiClient client = connect(options);
+  return call_and_print(client, service, arguments);
+}
+
 // One subcommand without arguments for each word.
 template <std::size_t size>
 void add_words(const CommandLine& parent, const SharedCtlOptions& options,
                const std::array<Word, size>& words) {
   for (const Word& word : words) {
     add_order(parent, options, word.name, word.help, word.examples).runs([options, service = word.service] {
-      ApiClient client = connect(*options);
-      return call_and_print(client, service, json::object());
+      return order(*options, service, json::object());
     });
   }
 }
@@ -122,18 +127,14 @@ void add_stops(const CommandLine& ctl, const SharedCtlOptions& options) {
                       "plugin stop {}'",
                       *name));
     }
-    ApiClient client = connect(*options);
-    return call_and_print(client, "/stop", json::object());
+    return order(*options, "/stop", json::object());
   });
   const CommandLine emergency_stop = add_order(
       ctl, options, "emergency-stop", "Hold all joints at once, wherever they are: the robot may fall",
       "  gaitway ctl emergency-stop\n  gaitway ctl emergency-stop --soft\n  gaitway ctl release\n");
   const auto soft = std::make_shared<bool>(false);
   emergency_stop.option("--soft", *soft, "Let go instead");
-  emergency_stop.runs([options, soft] {
-    ApiClient client = connect(*options);
-    return call_and_print(client, "/emergency_stop", {{"data", *soft}});
-  });
+  emergency_stop.runs([options, soft] { return order(*options, "/emergency_stop", {{"data", *soft}}); });
 }
 
 void add_walk(const CommandLine& ctl, const SharedCtlOptions& options) {
@@ -158,10 +159,7 @@ void add_motions(const CommandLine& ctl, const SharedCtlOptions& options) {
   const CommandLine play = add_order(ctl, options, "play", "Play a motion; 'gaitway motion list' names them",
                                      "  gaitway ctl play wave\n");
   play.option("motion", *motion, "Its name").required();
-  play.runs([options, motion] {
-    ApiClient client = connect(*options);
-    return call_and_print(client, "/play_motion", {{"motion", *motion}});
-  });
+  play.runs([options, motion] { return order(*options, "/play_motion", {{"motion", *motion}}); });
   struct Move {
     std::string joint;
     double position_rad = 0.0, duration_s = 1.0;
@@ -173,9 +171,8 @@ void add_motions(const CommandLine& ctl, const SharedCtlOptions& options) {
   move.option("position", asked->position_rad, "Where to [rad]").required();
   move.option("--duration", asked->duration_s, "How long it takes [s]");
   move.runs([options, asked] {
-    ApiClient client = connect(*options);
-    return call_and_print(
-        client, "/move_joint",
+    return order(
+        *options, "/move_joint",
         {{"joint", asked->joint}, {"position", asked->position_rad}, {"duration", asked->duration_s}});
   });
 }
@@ -193,10 +190,7 @@ void add_recordings(const CommandLine& ctl, const SharedCtlOptions& options) {
   const CommandLine start = add_order(recording, options, "start", "Start a recording (MCAP)",
                                       "  gaitway ctl recording start walk1\n");
   start.option("name", *name, "Of the file, without folder and ending").required();
-  start.runs([options, name] {
-    ApiClient client = connect(*options);
-    return call_and_print(client, "/recording/start", {{"name", *name}});
-  });
+  start.runs([options, name] { return order(*options, "/recording/start", {{"name", *name}}); });
   add_words(recording, options, kRecordingWords);
 }
 

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,7 +20,6 @@
 #include "gaitway/simulator/scenario.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dev/project_build.hpp"
-#include "tools/dev/source_watch.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -241,9 +239,8 @@ int develop(const DevOptions& options) {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<DevOptions>();
-  DevOptions& options = *given;
   const CommandLine command = add_command(app, "dev");
+  DevOptions& options = command.runs(develop);
   command.option("project", options.project, "Folder with the plug-in's CMakeLists.txt")
       .required()
       .existing_folder();
@@ -262,7 +259,6 @@ void declare(const CommandLine& app) {
       "the robot walks on. A version that does not build, load, or stand its first step leaves the one "
       "before\n"
       "it where it is.");
-  command.runs([given] { return develop(*given); });
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Builds a plug-in's project with CMake in a process of its own.
+// A plug-in's project: tells when a source file of it was saved, and builds it with CMake in a process of its
+// own.
 #pragma once
 
 #include <sys/types.h>
@@ -37,6 +38,22 @@ class ProjectBuild {
   std::filesystem::path project_, build_, log_;
   pid_t process_ = 0;
   process::FileDescriptor ended_;
+};
+
+class SourceWatch {
+ public:
+  // The project's folder and those below it, but for hidden ones and `build`. Throws std::runtime_error.
+  SourceWatch(const std::filesystem::path& project, const std::filesystem::path& build);
+
+  // Readable when something was saved.
+  [[nodiscard]] int wake_fd() const noexcept { return inotify_.get(); }
+  // Whether a source file was saved since the last call.
+  [[nodiscard]] bool take_change() const;
+
+ private:
+  void watch(const std::filesystem::path& folder) const;
+
+  process::FileDescriptor inotify_;
 };
 
 }  // namespace gaitway::tools

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <deque>
-#include <limits>
 #include <list>
 #include <map>
 #include <memory>
@@ -19,7 +18,7 @@
 
 #include "gaitway/process/working_copy.hpp"
 #include "tools/measure/level_search.hpp"
-#include "tools/measure/trial_series.hpp"
+#include "tools/measure/trial_run.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,5 +74,32 @@ struct GaitMeasurementOptions {
 // std::runtime_error with what a trial threw, or with how its process came to its end; the others end, too.
 GaitMeasurement measure_gait(const TrialRobot& robot, const std::vector<GaitRow>& rows, TrialStore& store,
                              const GaitMeasurementOptions& options);
+
+// The measured gait table as JSON, as Markdown and as a page with plots.
+//
+// What was measured, for the results' heads.
+struct GaitReportHead {
+  std::string robot;
+  std::string configuration;
+  int seeds = 0;
+  std::uint64_t first_seed = 1;
+  bool quick = false;
+};
+
+nlohmann::ordered_json gait_json(const GaitReportHead& head, const GaitMeasurement& measurement);
+std::string gait_markdown(const GaitReportHead& head, const GaitMeasurement& measurement);
+std::string gait_page(const GaitReportHead& head, const GaitMeasurement& measurement);
+
+// A figure of the row in its unit: "0.35 m/s".
+std::string shown(const GaitRow& row, double value);
+std::string shown_limit(const RowResult& result);
+// "20 of 20", with a word where it does not hold.
+std::string shown_floor(const RowResult& result);
+std::string shown_head(const GaitReportHead& head);
+
+// A map of pushes: sectors are directions, rings are phases of the gait cycle, the colour says which share
+// survived.
+// Of one level of a row of pushes, as inline SVG.
+std::string push_map(const RowResult& row, const LevelResult& level);
 
 }  // namespace gaitway::tools

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "tools/measure/gait_report.hpp"
-#include "tools/measure/gait_text.hpp"
-#include "tools/measure/push_map.hpp"
+#include "tools/measure/gait_measurement.hpp"
 #include "tools/run/svg_plot.hpp"
 
 namespace gaitway::tools {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 #include "tools/measure/trial_lists.hpp"
 

@@ -1,5 +1,5 @@
 // The gait table in words, Markdown and JSON.
-#include "tools/measure/gait_text.hpp"
+#include "tools/measure/gait_measurement.hpp"
 
 #include <fmt/format.h>
 

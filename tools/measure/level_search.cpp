@@ -2,7 +2,6 @@
 #include "tools/measure/level_search.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 

@@ -1,14 +1,11 @@
 // `gaitway measure gait`: how well the robot walks, as a table.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -23,9 +20,7 @@
 #include "gaitway/simulator/cosimulation.hpp"
 #include "tools/command_line.hpp"
 #include "tools/measure/gait_measurement.hpp"
-#include "tools/measure/gait_report.hpp"
-#include "tools/measure/pinned_plugins.hpp"
-#include "tools/run/output_folder.hpp"
+#include "tools/measure/trial_store.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -39,7 +34,7 @@ struct MeasureGaitOptions {
   std::filesystem::path out = "out/gait";
   std::optional<int> seeds;  // 20, or fewer with --quick
   std::uint64_t first_seed = 1;
-  int jobs = 0;                     // 0: all cores
+  std::optional<int> jobs;          // none: all cores
   std::vector<std::string> rows;    // none: all
   std::vector<std::string> except;  // of these
   bool quick = false;
@@ -50,19 +45,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kSeeds = 20, kQuickSeeds = 3, kMostSeeds = 1000, kMostJobs = 1024;
 
-void check(const MeasureGaitOptions& options) {
-  if (options.seeds && !(*options.seeds >= 1 && *options.seeds <= kMostSeeds)) {
-    throw std::invalid_argument(
-        fmt::format("--seeds {}: must lie between 1 and {}", *options.seeds, kMostSeeds));
-  }
-  if (options.jobs < 0 || options.jobs > kMostJobs) {
-    throw std::invalid_argument(fmt::format(
-        "--jobs {}: must lie between 1 and {}, or be left out for all cores", options.jobs, kMostJobs));
-  }
-}
-
 int jobs_of(const MeasureGaitOptions& options) {
-  return options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return options.jobs ? *options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 // Loads everything once, so that what is wrong with it is said before the first trial.
@@ -91,34 +75,26 @@ std::string duration_text(double seconds) {
                        : fmt::format("{}:{:02} min", whole / 60, whole % 60);
 }
 
-// A line that rewrites itself on a terminal, and nothing where output goes to a file.
-class ProgressLine {
+// How far the measurement is, shown now and then.
+class MeasureProgress {
  public:
-  explicit ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
-  ~ProgressLine() {
-    if (shown_) {
-      fmt::print(stderr, "\r{:78}\r", "");
-    }
-  }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
+  explicit MeasureProgress(bool wanted) : line_(wanted) {}
 
   void show(const GaitProgress& progress) {
-    if (!shown_ || Clock::now() < next_) {
+    if (Clock::now() < next_) {
       return;
     }
     next_ = Clock::now() + std::chrono::milliseconds(200);
     constexpr std::uint64_t kWidth = 24;
     const std::uint64_t filled =
         progress.trials_planned == 0 ? 0 : kWidth * progress.trials_done / progress.trials_planned;
-    fmt::print(stderr, "\r  [{:#<{}}{:.<{}}] {:<16} {} / {} trials, {} ", "", filled, "", kWidth - filled,
-               progress.row, progress.trials_done, progress.trials_planned,
-               progress.remaining_s ? duration_text(*progress.remaining_s) + " left" : "");
-    std::fflush(stderr);
+    line_.show(fmt::format("  [{:#<{}}{:.<{}}] {:<16} {} / {} trials, {} ", "", filled, "", kWidth - filled,
+                           progress.row, progress.trials_done, progress.trials_planned,
+                           progress.remaining_s ? duration_text(*progress.remaining_s) + " left" : ""));
   }
 
  private:
-  bool shown_;
+  ProgressLine line_;
   Clock::time_point next_ = Clock::now();
 };
 
@@ -130,7 +106,6 @@ void write_results(const MeasureGaitOptions& options, const GaitReportHead& head
 }
 
 int measure_gait_table(const MeasureGaitOptions& options) {
-  check(options);
   const auto started = Clock::now();
   const core::Configuration plugins = core::read_configuration(options.config);
   const std::vector<GaitRow> rows =
@@ -145,7 +120,7 @@ int measure_gait_table(const MeasureGaitOptions& options) {
   const int seeds = options.seeds.value_or(options.quick ? kQuickSeeds : kSeeds);
   GaitMeasurement measurement;
   {
-    ProgressLine line(options.quiet);
+    MeasureProgress line(!options.quiet);
     measurement = measure_gait(robot, rows, store,
                                {.seeds = seeds,
                                 .first_seed = options.first_seed,
@@ -175,19 +150,19 @@ std::string row_list() {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<MeasureGaitOptions>();
   const CommandLine measure = add_command(app, "measure");
   measure.needs_subcommand();
-  MeasureGaitOptions& gait = *given;
   gait.robot = process::default_robot_directory();
   gait.config = process::default_config_file();
   const CommandLine command = measure.subcommand(
       "gait", "How fast the robot walks, what pushes and what ground it survives: a table, with plots");
+  MeasureGaitOptions& gait = command.runs(measure_gait_table);
   command.option("--quick", gait.quick,
                  "Fewer seeds, shorter walks, coarser levels: some minutes on two cores");
-  command.option("--seeds", gait.seeds, "Robots to try, each with its own deviations (default 20, quick 3)");
+  command.option("--seeds", gait.seeds, "Robots to try, each with its own deviations (default 20, quick 3)")
+      .between(1, kMostSeeds);
   command.option("--first-seed", gait.first_seed, "The first of them");
-  command.option("--jobs", gait.jobs, "Trials side by side (default: one a core)");
+  command.option("--jobs", gait.jobs, "Trials side by side (default: one a core)").between(1, kMostJobs);
   command.option("--rows", gait.rows, "Rows of the table, by name; default: all");
   command.option("--except", gait.except, "Rows to leave out");
   command.option("--robot", gait.robot, "Folder with robot.urdf and robot.yaml");
@@ -203,7 +178,6 @@ void declare(const CommandLine& app) {
                  "An interrupted measurement goes on where it was when it is given the same --out.\n"
                  "Exit code: 0 each floor holds, 3 one does not, 1 the input was bad.");
   measure.footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
-  command.runs([given] { return measure_gait_table(*given); });
 }
 
 }  // namespace

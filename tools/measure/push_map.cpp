@@ -1,5 +1,5 @@
 // Draws the map.
-#include "tools/measure/push_map.hpp"
+#include "tools/measure/gait_measurement.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,6 @@
 #include <set>
 #include <utility>
 #include <vector>
-
-#include "tools/measure/gait_text.hpp"
 
 namespace gaitway::tools {
 namespace {

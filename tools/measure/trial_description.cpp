@@ -1,5 +1,6 @@
 // Trials and outcomes as JSON. What a trial leaves at its default is left out.
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "tools/measure/gait_trial.hpp"
 
@@ -8,11 +9,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A value that may be missing has no field then.
+void put(Json& json, const char* name, const std::optional<double>& value) {
+  if (value) {
+    json[name] = *value;
+  }
+}
+
+std::optional<double> taken(const Json& json, const char* name) {
+  return json.contains(name) ? std::optional(json.at(name).get<double>()) : std::nullopt;
+}
+
 Json ground_of(const simulator::GroundConditions& ground) {
   Json json = Json::object();
-  if (ground.friction) {
-    json["friction"] = *ground.friction;
-  }
+  put(json, "friction", ground.friction);
   if (!ground.slope_rad.isZero(0.0)) {
     json["slope_rad"] = {ground.slope_rad.x(), ground.slope_rad.y()};
   }
@@ -28,17 +38,17 @@ Json ground_of(const simulator::GroundConditions& ground) {
 Json body_of(const simulator::BodyConditions& body) {
   const simulator::BodyConditions plain;
   Json json = Json::object();
-  const auto put = [&json](const char* name, double value, double usual) {
+  const auto put_unusual = [&json](const char* name, double value, double usual) {
     if (value != usual) {
       json[name] = value;
     }
   };
-  put("trunk_mass_factor", body.trunk_mass_factor, plain.trunk_mass_factor);
-  put("torque_factor", body.torque_factor, plain.torque_factor);
-  put("backlash_rad", body.backlash_rad, plain.backlash_rad);
-  put("gyro_bias_deviation_rad_per_s", body.gyro_bias_deviation_rad_per_s,
-      plain.gyro_bias_deviation_rad_per_s);
-  put("cell_gain_deviation", body.cell_gain_deviation, plain.cell_gain_deviation);
+  put_unusual("trunk_mass_factor", body.trunk_mass_factor, plain.trunk_mass_factor);
+  put_unusual("torque_factor", body.torque_factor, plain.torque_factor);
+  put_unusual("backlash_rad", body.backlash_rad, plain.backlash_rad);
+  put_unusual("gyro_bias_deviation_rad_per_s", body.gyro_bias_deviation_rad_per_s,
+              plain.gyro_bias_deviation_rad_per_s);
+  put_unusual("cell_gain_deviation", body.cell_gain_deviation, plain.cell_gain_deviation);
   if (body.dead_cell) {
     json["dead_cell"] = {body.dead_cell->foot == urdf::Side::left ? "left" : "right", body.dead_cell->cell};
   }
@@ -47,12 +57,8 @@ Json body_of(const simulator::BodyConditions& body) {
 
 Json fall_json(const FallOutcome& fall) {
   Json json = {{"hardest_force_N", fall.hardest_force_N}, {"trunk_speed_m_per_s", fall.trunk_speed_m_per_s}};
-  if (fall.told_s) {
-    json["told_s"] = *fall.told_s;
-  }
-  if (fall.impact_s) {
-    json["impact_s"] = *fall.impact_s;
-  }
+  put(json, "told_s", fall.told_s);
+  put(json, "impact_s", fall.impact_s);
   return json;
 }
 
@@ -60,12 +66,8 @@ FallOutcome fall_from(const Json& json) {
   FallOutcome fall;
   fall.hardest_force_N = json.at("hardest_force_N").get<double>();
   fall.trunk_speed_m_per_s = json.at("trunk_speed_m_per_s").get<double>();
-  if (json.contains("told_s")) {
-    fall.told_s = json.at("told_s").get<double>();
-  }
-  if (json.contains("impact_s")) {
-    fall.impact_s = json.at("impact_s").get<double>();
-  }
+  fall.told_s = taken(json, "told_s");
+  fall.impact_s = taken(json, "impact_s");
   return fall;
 }
 
@@ -122,15 +124,11 @@ Json to_json(const TrialOutcome& outcome) {
       {"heading_deg", outcome.heading_deg},
       {"foot_moved_m", outcome.foot_moved_m},
       {"foot_lifted_m", outcome.foot_lifted_m}};
-  if (outcome.zmp_error_rms_m) {
-    json["zmp_error_rms_m"] = *outcome.zmp_error_rms_m;
-  }
+  put(json, "zmp_error_rms_m", outcome.zmp_error_rms_m);
   if (outcome.fall) {
     json["fall"] = fall_json(*outcome.fall);
   }
-  if (outcome.stands_since_s) {
-    json["stands_since_s"] = *outcome.stands_since_s;
-  }
+  put(json, "stands_since_s", outcome.stands_since_s);
   if (outcome.batch_compute_p99_us > 0.0) {
     json["batch_compute_p99_us"] = outcome.batch_compute_p99_us;
   }
@@ -148,15 +146,11 @@ TrialOutcome outcome_from_json(const Json& json) {
   outcome.heading_deg = json.at("heading_deg").get<std::vector<float>>();
   outcome.foot_moved_m = json.at("foot_moved_m").get<double>();
   outcome.foot_lifted_m = json.at("foot_lifted_m").get<double>();
-  if (json.contains("zmp_error_rms_m")) {
-    outcome.zmp_error_rms_m = json.at("zmp_error_rms_m").get<double>();
-  }
+  outcome.zmp_error_rms_m = taken(json, "zmp_error_rms_m");
   if (json.contains("fall")) {
     outcome.fall = fall_from(json.at("fall"));
   }
-  if (json.contains("stands_since_s")) {
-    outcome.stands_since_s = json.at("stands_since_s").get<double>();
-  }
+  outcome.stands_since_s = taken(json, "stands_since_s");
   outcome.batch_compute_p99_us = json.value("batch_compute_p99_us", 0.0);
   return outcome;
 }

@@ -1,22 +1,103 @@
-// Appends lines, and reads them back.
+// Hashes and copies files; appends outcomes.
 #include "tools/measure/trial_store.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <link.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "tools/measure/content_hash.hpp"
+#include "gaitway/manager/plugin_library.hpp"
 
 namespace gaitway::tools {
+namespace {
+
+// The program and the libraries that it was linked with; the plug-ins are not loaded yet.
+std::vector<std::filesystem::path> own_code() {
+  std::vector<std::filesystem::path> files{"/proc/self/exe"};
+  dl_iterate_phdr(
+      [](dl_phdr_info* object, std::size_t, void* out) {
+        const std::filesystem::path name = object->dlpi_name;
+        if (name.is_absolute() && std::filesystem::exists(name)) {  // the kernel's own object is no file
+          static_cast<std::vector<std::filesystem::path>*>(out)->push_back(name);
+        }
+        return 0;
+      },
+      &files);
+  return files;
+}
+
+}  // namespace
+
+void ContentHash::add_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open() || in.bad()) {
+    throw std::runtime_error(fmt::format("{}: cannot be read ({})", file.string(), std::strerror(errno)));
+  }
+  add(content);
+  add(std::string_view("\0", 1));  // so that two files are not one
+}
+
+std::uint64_t fingerprint_of(const TrialRobot& robot) {
+  ContentHash hash;
+  for (const std::filesystem::path& file : own_code()) {
+    hash.add_file(file);
+  }
+  hash.add_file(robot.model.directory / "robot.urdf");
+  hash.add_file(robot.model.directory / "robot.yaml");
+  hash.add_file(robot.plugins.file);
+  for (const core::PluginEntry& plugin : robot.plugins.plugins) {
+    const core::PluginLibrary library(plugin.library, robot.plugins.file.parent_path(),
+                                      core::plugin_search_path(robot.plugin_path));
+    hash.add_file(library.file());
+  }
+  return hash.value();
+}
+
+void pin_plugins(core::Configuration& plugins, const core::SearchPath& plugin_path,
+                 const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (core::PluginEntry& plugin : plugins.plugins) {
+    const std::filesystem::path original =
+        core::PluginLibrary(plugin.library, plugins.file.parent_path(), core::plugin_search_path(plugin_path))
+            .file();
+    const std::filesystem::path draft = folder / fmt::format("draft_{}", getpid());
+    std::filesystem::copy_file(original, draft, std::filesystem::copy_options::overwrite_existing);
+    ContentHash hash;
+    hash.add_file(draft);  // of the copy: the original may change at any instant
+    const std::filesystem::path pinned =
+        folder / fmt::format("{}_{:016x}.so", original.stem().string(), hash.value());
+    std::filesystem::rename(draft, pinned);
+    plugin.library = std::filesystem::absolute(pinned).string();
+  }
+}
+
+void remove_other_plugins(const core::Configuration& plugins, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> others;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string file = std::filesystem::absolute(entry.path()).string();
+    if (std::none_of(plugins.plugins.begin(), plugins.plugins.end(),
+                     [&file](const core::PluginEntry& plugin) { return plugin.library == file; })) {
+      others.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path& other : others) {
+    std::filesystem::remove(other);
+  }
+}
+
 namespace {
 
 std::string processor_name() {

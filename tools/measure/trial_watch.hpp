@@ -55,7 +55,6 @@ class TrialWatch {
   int stand_samples_ = 0;
   Eigen::Vector3d progress_ = Eigen::Vector3d::Zero();  // along the heading: m, m, rad
   double progress_s_ = 0.0;
-  double next_progress_s_ = 0.0;
   Pose progress_from_;
   bool progressing_ = false;
   bool feet_noted_ = false;

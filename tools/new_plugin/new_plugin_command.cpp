@@ -9,13 +9,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "tools/command_line.hpp"
@@ -221,9 +220,8 @@ int write_new_plugin(const NewPluginOptions& options) {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<NewPluginOptions>();
-  NewPluginOptions& options = *given;
   const CommandLine command = add_command(app, "new-plugin");
+  NewPluginOptions& options = command.runs(write_new_plugin);
   command.option("NAME", options.name, "Name of the plug-in, as an identifier of C: ankle_feedback")
       .required();
   command.option("--kind", options.kind, "What it begins as; see below");
@@ -233,7 +231,6 @@ void declare(const CommandLine& app) {
                  "  gaitway new-plugin square --kind behavior\n"
                  "  gaitway new-plugin my_gait --kind trajectory --dir ~/robot/my_gait\n"
                  "Exit code: 0 written, 1 the input was bad and nothing was.");
-  command.runs([given] { return write_new_plugin(*given); });
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -147,9 +146,8 @@ int list_plugins(const PluginsOptions& options) {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<PluginsOptions>();
-  PluginsOptions& options = *given;
   const CommandLine command = add_command(app, "plugins");
+  PluginsOptions& options = command.runs(list_plugins);
   options.robot = process::default_robot_directory();
   command.repeated("--plugin-path", options.plugin_path,
                    "Folder to look in, instead of GAITWAY_PLUGIN_PATH and the shipped plug-ins; may be given "
@@ -161,7 +159,6 @@ void declare(const CommandLine& app) {
       "  gaitway plugins\n"
       "  gaitway plugins --plugin-path build --json\n"
       "Exit code: 0 all are usable, 1 one is not, or the input was bad.");
-  command.runs([given] { return list_plugins(*given); });
 }
 
 }  // namespace

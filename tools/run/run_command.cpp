@@ -1,8 +1,7 @@
 // `gaitway run`: reads the inputs, lets the co-simulation run with a progress line, writes the results.
-#include "tools/run/run_command.hpp"
+#include "tools/command_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,7 +9,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -18,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
@@ -26,10 +24,8 @@
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
-#include "tools/run/output_folder.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
-#include "tools/run/run_summary.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -39,7 +35,7 @@ struct RunOptions {
   std::string profile;                      // of the bus; empty: what the robot's network file says
   bool accept_unproven = false;             // run even if the bus cannot be proven
   std::filesystem::path config;             // plug-ins of the main controller
-  std::vector<std::filesystem::path> with;  // libraries put into it; see core/plugin_exchange.hpp
+  std::vector<std::filesystem::path> with;  // libraries put into it; see manager/plugin_exchange.hpp
   std::optional<std::filesystem::path> scenario;
   std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
   std::optional<double> seconds;
@@ -98,26 +94,6 @@ void leave_walk_to(const std::string& plugin, const RunOptions& options, simulat
   std::erase_if(scenario.events, walks);
 }
 
-// A line that rewrites itself on a terminal, and nothing where output goes to a file.
-class Progress {
- public:
-  explicit Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
-  void show(double virtual_s, double of_s, double wall_s, double walked_m) const {
-    if (shown_) {
-      fmt::print(stderr, "\r  {:6.1f} / {:.1f} s   {:5.1f} x real time   x = {:+.2f} m ", virtual_s, of_s,
-                 wall_s > 0.0 ? virtual_s / wall_s : 0.0, walked_m);
-    }
-  }
-  void done() const {
-    if (shown_) {
-      fmt::print(stderr, "\r{:70}\r", "");
-    }
-  }
-
- private:
-  bool shown_;
-};
-
 // The poses for the film strip, taken during the run and drawn after it.
 class Snapshots {
  public:
@@ -153,7 +129,7 @@ bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
 // Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot; returns the
 // wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
-                RunRecorder& recorder, Snapshots& snapshots, const Progress& progress) {
+                RunRecorder& recorder, Snapshots& snapshots, const ProgressLine& progress) {
   const auto started = Clock::now();
   const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
   auto next_event = scenario.events.begin();
@@ -171,11 +147,14 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
     }
     if (cosimulation.now_ns() % 100'000'000 == 0) {
-      progress.show(now_s, scenario.seconds, seconds_since(started), cosimulation.plant().positions()[0]);
+      const double wall_s = seconds_since(started);
+      progress.show(fmt::format("  {:6.1f} / {:.1f} s   {:5.1f} x real time   x = {:+.2f} m ", now_s,
+                                scenario.seconds, wall_s > 0.0 ? now_s / wall_s : 0.0,
+                                cosimulation.plant().positions()[0]));
     }
   }
   recorder.finish();
-  progress.done();
+  progress.show("");
   return seconds_since(started);
 }
 
@@ -183,16 +162,9 @@ void check(const RunOptions& options) {
   if (options.walk && (options.walk->empty() || options.walk->size() > 3)) {
     throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.15,0,0.1");
   }
-  if (options.seconds && !(*options.seconds >= 0.001 && *options.seconds <= 86400.0)) {
-    throw std::invalid_argument(
-        fmt::format("--seconds {}: must lie between 0.001 and 86400", *options.seconds));
-  }
   if (options.film && !(options.film->size() == 2 && (*options.film)[0] >= 0.0 &&
                         (*options.film)[1] > (*options.film)[0] && std::isfinite((*options.film)[1]))) {
     throw std::invalid_argument("--film: wants FROM,TO in s, the second one later, for example 3.5,5");
-  }
-  if (!(options.mismatch >= 0.0 && options.mismatch <= 10.0)) {
-    throw std::invalid_argument(fmt::format("--mismatch {}: must lie between 0 and 10", options.mismatch));
   }
 }
 
@@ -286,7 +258,7 @@ int run(const RunOptions& options) {
                                                  ((*options.film)[1] - (*options.film)[0]) / (kPictures - 1))
                                      : Snapshots(kFirstPicture_s, scenario.seconds / kPictures);
   RunTiming timing;
-  timing.wall_s = simulate(cosimulation, scenario, recorder, snapshots, Progress(options.quiet));
+  timing.wall_s = simulate(cosimulation, scenario, recorder, snapshots, ProgressLine(!options.quiet));
   const auto csv_started = Clock::now();
   write_states_csv(options.out / "states.csv", robot, recorder.samples());
   timing.wall_s += seconds_since(csv_started);
@@ -316,9 +288,8 @@ int run(const RunOptions& options) {
 }  // namespace
 
 void add_run(const CommandLine& program) {
-  const auto given = std::make_shared<RunOptions>();
-  RunOptions& options = *given;
   const CommandLine command = add_command(program, "run");
+  RunOptions& options = command.runs(run);
   options.robot = process::default_robot_directory();
   options.config = process::default_config_file();
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
@@ -332,13 +303,15 @@ void add_run(const CommandLine& program) {
   command
       .option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
       .excludes(scenario);
-  command.option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)");
+  command.option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)")
+      .between(0.001, 86400.0);
   command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
   command.option("--profile", options.profile,
                  "Messages of the bus: full or paper. Without it, what the robot's network file says");
   command.option("--accept-unproven", options.accept_unproven,
                  "Run even if some message of the bus may miss its deadline");
-  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot");
+  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+      .between(0.0, 10.0);
   command.option("--out", options.out, "Folder for the results");
   command.option("!--no-pictures", options.pictures, "Draw no film strip");
   command.option("--film", options.film,
@@ -356,7 +329,6 @@ void add_run(const CommandLine& program) {
       "half of what was commanded, or more than a tenth of its batches were refused, or it had none; 1 the "
       "input was bad\n"
       "and nothing moved.");
-  command.runs([given] { return run(*given); });
 }
 
 }  // namespace gaitway::tools

@@ -1,5 +1,9 @@
-// Means of the centre of pressure over time slots.
+// Means over a time slot, and the verdict on a run.
 #include "tools/run/run_metrics.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 
@@ -34,6 +38,69 @@ bool CentreOfPressureMean::in_sole_frame(int side, Eigen::Vector2d& cop_m) const
   }
   cop_m = closed_.moment[static_cast<std::size_t>(side)] / closed_.force;
   return true;
+}
+
+namespace {
+
+using Verdict = RunOutcome::Verdict;
+
+constexpr double kLeastShare = 0.5;          // of the commanded way
+constexpr double kLeastWay_m = 0.2;          // shorter ones tell nothing
+constexpr double kLeastTurn_rad = 0.3;       // 〃
+constexpr std::uint64_t kRefusedOneOf = 10;  // of so many batches one may be refused
+constexpr double kBatchesWithin_s = 1.0;     // a shorter run may end before the first batch
+
+void add(std::string& text, const std::string& part) {
+  text += (text.empty() ? "" : ", ") + part;
+}
+
+// What was asked and not done; empty: nothing.
+std::string missing(const RunMetrics& metrics, const BatchCount& batches, double virtual_s) {
+  std::string text;
+  const CommandedMotion& way = metrics.way_m;
+  const CommandedMotion& turn = metrics.turn_rad;
+  if (way.due >= kLeastWay_m && way.done < kLeastShare * way.due) {
+    add(text, fmt::format("walked {:.2f} m of the commanded {:.2f} m", way.done, way.commanded));
+  }
+  if (turn.due >= kLeastTurn_rad && turn.done < kLeastShare * turn.due) {
+    add(text, fmt::format("turned {:.2f} rad of the commanded {:.2f} rad", turn.done, turn.commanded));
+  }
+  const std::uint64_t all = batches.handed_over + batches.refused;
+  if (batches.refused * kRefusedOneOf > all) {
+    add(text, fmt::format("refused batches: {} of {}", batches.refused, all));
+  } else if (all == 0 && virtual_s >= kBatchesWithin_s) {
+    add(text, "no plug-in gave a batch");
+  }
+  return text;
+}
+
+}  // namespace
+
+RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s) {
+  if (metrics.fell) {
+    return {Verdict::fell, fmt::format("FELL at {:.2f} s", metrics.fell_at_s)};
+  }
+  if (const std::string text = missing(metrics, batches, virtual_s); !text.empty()) {
+    return {Verdict::not_done, "stayed up, but DID NOT DO WHAT WAS ASKED: " + text};
+  }
+  std::string text = "stayed up";
+  if (metrics.way_m.commanded > 0.0) {
+    add(text, fmt::format("walked {:.2f} m of the commanded {:.2f} m", metrics.way_m.done,
+                          metrics.way_m.commanded));
+  }
+  if (batches.refused > 0) {
+    add(text,
+        fmt::format("refused batches: {} of {}", batches.refused, batches.refused + batches.handed_over));
+  }
+  return {Verdict::done, text};
+}
+
+int exit_code(Verdict verdict) noexcept {
+  return verdict == Verdict::done ? kExitFine : verdict == Verdict::fell ? kExitFell : kExitNotDone;
+}
+
+const char* name(Verdict verdict) noexcept {
+  return verdict == Verdict::done ? "done" : verdict == Verdict::fell ? "fell" : "not done";
 }
 
 }  // namespace gaitway::tools

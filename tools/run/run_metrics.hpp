@@ -1,4 +1,5 @@
-// The figures of a run that its summary states.
+// The figures of a run, and what they say became of what it was asked: whether the robot stayed up, and
+// whether it went where it was told to go.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "gaitway/simulator/plant.hpp"
 
@@ -99,5 +101,24 @@ struct RunMetrics {
   }
   [[nodiscard]] double heading_drift_rad() const { return end_yaw_rad - start_yaw_rad - commanded_yaw_rad; }
 };
+
+struct BatchCount {
+  std::uint64_t handed_over = 0, refused = 0;
+};
+
+struct RunOutcome {
+  enum class Verdict { done, not_done, fell };
+  Verdict verdict = Verdict::done;
+  std::string text;  // one line, for people
+};
+
+// Not done: less than half of the commanded way or turn (start-ups not counted), more than a tenth of the
+// batches refused, or none handed over at all.
+[[nodiscard]] RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s);
+
+// Of the program.
+[[nodiscard]] int exit_code(RunOutcome::Verdict verdict) noexcept;
+// For summary.json.
+[[nodiscard]] const char* name(RunOutcome::Verdict verdict) noexcept;
 
 }  // namespace gaitway::tools

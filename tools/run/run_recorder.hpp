@@ -2,21 +2,72 @@
 // one 80 ms cycle of the bus, applied torques for the bare replay, and the digest.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "gaitway/can/candump_log.hpp"
+#include "gaitway/can/frame.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
-#include "tools/run/run_digest.hpp"
 #include "tools/run/run_metrics.hpp"
-#include "tools/run/run_sample.hpp"
 
 namespace gaitway::tools {
+
+// One row of a run's record, every 10 ms: what the robot did, what it was asked for and what its sensors
+// said.
+struct RunSample {
+  double time_s = 0.0;
+  std::uint32_t mode = 0;  // of the message controller
+  // truth, world frame
+  Eigen::Vector3d base_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d base_rpy_rad = Eigen::Vector3d::Zero();
+  Eigen::Vector3d com_m = Eigen::Vector3d::Zero();
+  Eigen::Vector2d cop_m = Eigen::Vector2d::Zero();  // centre of pressure of the physics engine
+  std::array<Eigen::Vector4d, 2> foot{};            // x, y, z, yaw of each sole
+  // measured and reference, laid into the world at the true support foot; NaN where there is none
+  Eigen::Vector2d measured_zmp_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d reference_zmp_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d reference_com_m = Eigen::Vector2d::Zero();
+  // measured, as the topics carry it
+  std::array<double, 3> angular_velocity_rad_per_s{};
+  std::array<double, 3> acceleration_m_per_s2{};
+  std::array<double, 2> inclination_rad{};
+  std::array<std::array<double, 4>, 2> force_N{};
+  std::array<double, 8> trim_rad{};
+  std::vector<float> joint_position_rad, joint_velocity_rad_per_s, joint_reference_rad, joint_torque_Nm;
+};
+
+// A 64-bit hash over everything that a run did: two runs are the same to the bit when their digests are.
+class RunDigest {
+ public:
+  void add(std::uint64_t word) noexcept {
+    // One round of a multiply-xorshift mix (Steele, Lea, Flood 2014) a word, chained.
+    state_ ^= word;
+    state_ *= 0xBF58'476D'1CE4'E5B9ULL;
+    state_ ^= state_ >> 29U;
+  }
+  void add(std::span<const double> values) noexcept {
+    for (const double value : values) {
+      add(std::bit_cast<std::uint64_t>(value));
+    }
+  }
+  void add(const can::Frame& frame, std::int64_t start_ns) noexcept {
+    add(std::bit_cast<std::uint64_t>(frame.data));
+    add((std::uint64_t{frame.id} << 8U) | frame.size);
+    add(static_cast<std::uint64_t>(start_ns));
+  }
+  [[nodiscard]] std::uint64_t value() const noexcept { return state_; }
+
+ private:
+  std::uint64_t state_ = 0x9E37'79B9'7F4A'7C15ULL;
+};
 
 class RunRecorder final : public simulator::CosimulationObserver {
  public:

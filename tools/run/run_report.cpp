@@ -14,7 +14,6 @@
 #include "gaitway/can/profile.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "tools/run/run_summary.hpp"
 #include "tools/run/svg_plot.hpp"
 
 namespace gaitway::tools {

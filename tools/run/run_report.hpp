@@ -1,15 +1,31 @@
-// report.html: one page that carries everything in itself, for people who would rather look than read.
+// What a run leaves behind, from one set of figures: summary.json and the table for people, report.html (one
+// page that carries everything in itself), states.csv.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
+#include <string>
 
+#include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "tools/run/run_metrics.hpp"
 #include "tools/run/run_recorder.hpp"
-#include "tools/run/run_sample.hpp"
 
 namespace gaitway::tools {
+
+struct RunTiming {
+  double wall_s = 0.0;               // of the whole chain with its logs, without pictures and report
+  double physics_only_wall_s = 0.0;  // of the bare replay of the same torques
+};
+
+[[nodiscard]] RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& recorder);
+
+nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,
+                               const RunTiming& timing, std::uint64_t seed, double mismatch);
+
+// Lines for a terminal.
+std::string summary_table(const nlohmann::ordered_json& summary);
 
 struct ReportInput {
   const urdf::RobotModel& robot;

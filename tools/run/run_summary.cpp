@@ -1,12 +1,12 @@
 // The figures of a run as JSON and as a table.
-#include "tools/run/run_summary.hpp"
+#include "tools/run/run_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tools/run/run_outcome.hpp"
+#include "tools/run/run_metrics.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -1,11 +1,10 @@
 // Writes the samples of a run as CSV with units in the column names.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <iterator>
-#include <memory>
-#include <stdexcept>
+#include <string>
 
+#include "gaitway/process/text_file.hpp"
 #include "tools/run/run_report.hpp"
 
 namespace gaitway::tools {
@@ -71,26 +70,11 @@ void append_sample(std::string& line, const RunSample& s) {
 
 void write_states_csv(const std::filesystem::path& file, const urdf::RobotModel& robot,
                       std::span<const RunSample> samples) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "w"), std::fclose);
-  if (!out) {
-    throw std::runtime_error(fmt::format("{}: cannot be written; is the folder writable?", file.string()));
-  }
   std::string text = header(robot);
-  bool written = true;
-  const auto flush = [&] {
-    written = written && std::fwrite(text.data(), 1, text.size(), out.get()) == text.size();
-    text.clear();
-  };
   for (const RunSample& sample : samples) {
     append_sample(text, sample);
-    if (text.size() > 1U << 16U) {
-      flush();
-    }
   }
-  flush();
-  if (!written) {
-    throw std::runtime_error(fmt::format("{}: could not be written whole; is the disk full?", file.string()));
-  }
+  process::write_text_file(file, text);
 }
 
 }  // namespace gaitway::tools

@@ -8,16 +8,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "gaitway/core/event_printer.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -29,9 +26,8 @@
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "tools/command_line.hpp"
-#include "tools/run/output_folder.hpp"
 #include "tools/run/run_recorder.hpp"
-#include "tools/run/run_summary.hpp"
+#include "tools/run/run_report.hpp"
 #include "tools/serve/command_log.hpp"
 
 namespace gaitway::tools {
@@ -159,20 +155,6 @@ core::Configuration configuration_of(const ServeOptions& options) {
   return configuration;
 }
 
-void check(const ServeOptions& options) {
-  if (!(options.speed >= 0.01 && options.speed <= 100.0)) {
-    throw std::invalid_argument(fmt::format("--speed {}: must lie between 0.01 and 100", options.speed));
-  }
-  if (options.seconds && !(*options.seconds >= 0.001 && *options.seconds <= 86400.0 * 365.0)) {
-    throw std::invalid_argument(
-        fmt::format("--seconds {}: must lie between 0.001 and 31536000", *options.seconds));
-  }
-  if (options.port < 0 || options.port > 65535) {
-    throw std::invalid_argument(
-        fmt::format("--port {}: must lie between 0 (any free one) and 65535", options.port));
-  }
-}
-
 // When each millisecond of the robot's is due by the wall clock.
 class Pace {
  public:
@@ -251,7 +233,6 @@ void write_results(const ServeOptions& options, simulator::Cosimulation& run, Se
 }
 
 int serve(const ServeOptions& options) {
-  check(options);
   urdf::RobotModel robot = urdf::load_robot(options.robot);
   if (!options.profile.empty()) {
     robot.network.profile = options.profile;
@@ -296,14 +277,13 @@ int serve(const ServeOptions& options) {
 }
 
 void declare(const CommandLine& app) {
-  const auto given = std::make_shared<ServeOptions>();
-  ServeOptions& options = *given;
   const CommandLine command = add_command(app, "serve");
+  ServeOptions& options = command.runs(serve);
   options.robot = process::default_robot_directory();
   options.config = process::default_config_file().parent_path() / "serve.yaml";
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
-  command.option("--port", options.port, "TCP port of the robot API; 0: any free one");
+  command.option("--port", options.port, "TCP port of the robot API; 0: any free one").between(0, 65535);
   command.option("--address", options.address,
                  "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
                  "--key-file");
@@ -312,8 +292,9 @@ void declare(const CommandLine& app) {
   command.option("--token-file", options.token_file, "File with the token that clients must know");
   command.option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
   command.option("--key-file", options.key_file, "Its private key (PEM)");
-  command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop");
-  command.option("--speed", options.speed, "Times real time");
+  command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop")
+      .between(0.001, 86400.0 * 365.0);
+  command.option("--speed", options.speed, "Times real time").between(0.01, 100.0);
   command.option("--profile", options.profile,
                  "Messages of the bus: full or paper. Without it, what the robot's network file says");
   command.option("--accept-unproven", options.accept_unproven,
@@ -333,7 +314,6 @@ void declare(const CommandLine& app) {
       "Exit code: 0 the robot stayed up, 2 it fell, 3 more than a tenth of its batches were refused, or it "
       "had none; 1 the\n"
       "input was bad and nothing moved.");
-  command.runs([given] { return serve(*given); });
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/nearest_name.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::motion {

@@ -1,5 +1,5 @@
 // Measurements survive their file, and what is wrong with a file is said with its place.
-#include "tools/calibrate/measurement_file.hpp"
+#include "tools/calibrate/standing_measurement.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,6 @@
 #include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "tools/calibrate/calibration_report.hpp"
-#include "tools/calibrate/pose_performer.hpp"
 
 namespace gaitway::calibration {
 namespace {

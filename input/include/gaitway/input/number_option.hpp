@@ -1,14 +1,19 @@
-// Checks for the options of a command line: CLI11's own let NaN pass and cut off what is too large.
+// Checks for the options of a command line, since CLI11's own let NaN pass and cut off what is too large; and
+// what a program says of a line that it does not run.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <cstdio>
+#include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 
 #include "gaitway/input/number.hpp"
+#include "gaitway/input/text.hpp"
 
 namespace gaitway::input {
 
@@ -22,13 +27,18 @@ template <class Number>
   return within(lowest, highest, fmt::format("{} to {}", lowest, highest));
 }
 
-[[nodiscard]] inline CLI::Validator whole_number_within(std::int64_t lowest, std::int64_t highest) {
-  return within(lowest, highest, fmt::format("{} to {}", lowest, highest));
-}
-
 // Any seed of 64 bits.
 [[nodiscard]] inline CLI::Validator seed() {
   return within(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(), "");
+}
+
+// Prints the help that was asked for, or what is wrong with the line, whose words may hold anything. Returns
+// the exit code: 0, or 1 for bad input.
+[[nodiscard]] inline int exit_code_of(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream complaint;
+  const int code = app.exit(error, std::cout, complaint);
+  fmt::print(stderr, "{}", terminal_text(complaint.str()));
+  return code == 0 ? 0 : 1;
 }
 
 }  // namespace gaitway::input

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <kdl/tree.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -193,5 +194,18 @@ enum class CalibrationUse : std::uint8_t { applied, left_out };
 // Throws RobotError.
 RobotModel load_robot(const std::filesystem::path& directory,
                       CalibrationUse calibration = CalibrationUse::applied);
+
+// Names of the sensor channels in a network file, such as left_cell_front_right or angular_velocity_z.
+//
+struct NamedChannel {
+  std::string name;
+  SensorChannel channel;  // scale 1
+};
+
+// Every channel that a robot has: 4 force cells and 3 accelerations a foot, gyro, trunk accelerometer,
+// inclinometer.
+[[nodiscard]] const std::vector<NamedChannel>& all_channels();
+
+[[nodiscard]] std::string channel_name(const SensorChannel& channel);  // "none" for none
 
 }  // namespace gaitway::urdf

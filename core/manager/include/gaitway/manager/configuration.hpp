@@ -4,7 +4,7 @@
 //     - name: trajectory                           # unique; also what faults and statistics are called by
 //       library: libgaitway_plugin_trajectory.so   # on the search path; default: libgaitway_plugin_<name>.so
 //       isolation: none                            # default; process: in a process of its own, of which
-//                                                  # host_settings.hpp says more
+//                                                  # isolation/settings.hpp says more
 //       parameters: {step_time: 0.4 s, lift: 0.03 m}
 //       budget: 5 ms                               # and what else containment_settings.hpp says
 #pragma once

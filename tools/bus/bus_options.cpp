@@ -1,5 +1,5 @@
 // Loads a robot with its messages and what is proven about them.
-#include "tools/bus/bus_robot.hpp"
+#include "tools/bus/bus_options.hpp"
 
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
