@@ -8,6 +8,7 @@
 #include <array>
 
 #include "gaitway/can/frame.hpp"
+#include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::tools {
@@ -105,11 +106,6 @@ std::string stranger_line(const BusWatch& watch) {
 
 }  // namespace
 
-std::string_view name_of(can::BusState state) noexcept {
-  constexpr std::array<std::string_view, 4> kNames{"error-active", "error-passive", "bus-off", "down"};
-  return kNames[static_cast<std::size_t>(state)];
-}
-
 std::string identifiers_of(const can::Profile& profile, MessageKind kind, std::size_t nodes) {
   const std::uint32_t first = profile.id_of(kind, profile.row(kind).rule == can::IdRule::one ? 0 : 1);
   if (profile.row(kind).rule == can::IdRule::one || nodes <= 1) {
@@ -154,7 +150,7 @@ std::string bus_watch_text(const BusWatch& watch, const BusWindow& window, const
   text += stranger_line(watch);
   text += fmt::format("errors    {} reports", watch.error_reports());
   if (view.listener) {
-    text += fmt::format("; this station is {}, TEC {}, REC {}", name_of(view.listener->state),
+    text += fmt::format("; this station is {}, TEC {}, REC {}", can::name_of(view.listener->state),
                         view.listener->errors.transmit, view.listener->errors.receive);
   }
   return text + "\n";

@@ -36,8 +36,6 @@ struct BusWatchView {
 [[nodiscard]] std::string bus_watch_text(const BusWatch& watch, const BusWindow& window,
                                          const can::Proof& proof, const BusWatchView& view);
 
-[[nodiscard]] std::string_view name_of(can::BusState state) noexcept;
-
 // "0x041..0x056", "0x101..0x12D", "0x008".
 [[nodiscard]] std::string identifiers_of(const can::Profile& profile, can::MessageKind kind,
                                          std::size_t nodes);

@@ -28,7 +28,7 @@ std::string call_text(const CaughtCall& call) {
     return std::string_view(call.function) == "throw" ? "throws an exception"
                                                       : fmt::format("calls {}()", call.function);
   }
-  const std::unique_ptr<char, decltype(&std::free)> name(
+  const std::unique_ptr<char, void (*)(void*)> name(
       seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, call.system_call), &std::free);
   return name != nullptr ? fmt::format("makes the system call {}", name.get())
                          : fmt::format("makes the system call number {}", call.system_call);
