@@ -168,11 +168,11 @@ TEST_F(SocketCanInterface, SupervisionAllocatesNothing) {
   interface.down();
   EXPECT_TRUE(comes_to(BusState::down));
   const std::int64_t now_ns = test::clock_ns();
-  const long before = test::allocation_count();
+  const long before = gaitway::test::allocation_count();
   for (int i = 0; i < 20; ++i) {
     port.flush(now_ns + i * 1'000'000);
   }
-  EXPECT_EQ(test::allocation_count(), before);
+  EXPECT_EQ(gaitway::test::allocation_count(), before);
   EXPECT_EQ(port.state(), BusState::down);
 }
 

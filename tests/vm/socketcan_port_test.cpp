@@ -322,9 +322,9 @@ TEST_F(SocketCan, TheCycleAllocatesNothing) {
   for (int i = 0; i < 20; ++i) {
     other.send(0x2, {});
   }
-  const long before = test::allocation_count();
+  const long before = gaitway::test::allocation_count();
   cycle();
-  EXPECT_EQ(test::allocation_count(), before);
+  EXPECT_EQ(gaitway::test::allocation_count(), before);
   EXPECT_EQ(port.statistics().received, 21U);
   EXPECT_EQ(port.statistics().sent, 80U);
 }

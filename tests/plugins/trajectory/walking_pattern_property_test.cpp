@@ -7,7 +7,7 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
-#include "plan_probe.hpp"
+#include "planned_walk.hpp"
 
 namespace gaitway::trajectory {
 namespace {

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
-#include "plan_probe.hpp"
 #include "planned_walk.hpp"
 
 namespace gaitway::trajectory {

@@ -370,12 +370,12 @@ TEST_F(StateEstimatorTest, RobotWithoutInclinometerTakesTheAccelerometer) {
 
 TEST_F(StateEstimatorTest, UpdateDoesNotAllocate) {
   stand(5);
-  const long before = test::allocation_count();
+  const long before = gaitway::test::allocation_count();
   for (int i = 0; i < 100; ++i) {
     sensors_.press(i % 20 < 10 ? Side::left : Side::right, (i % 10) * 0.1 * weight_N(), {0.0, 0.0});
     tick();
   }
-  EXPECT_EQ(test::allocation_count() - before, 0);
+  EXPECT_EQ(gaitway::test::allocation_count() - before, 0);
 }
 
 TEST(EstimatorParametersTest, BadValuesAreRefusedByName) {

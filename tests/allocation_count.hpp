@@ -1,8 +1,8 @@
 // How many times this test program has asked for memory.
 #pragma once
 
-namespace gaitway::can::test {
+namespace gaitway::test {
 
 [[nodiscard]] long allocation_count() noexcept;  // calls of operator new since the start
 
-}  // namespace gaitway::can::test
+}  // namespace gaitway::test

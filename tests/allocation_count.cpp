@@ -1,4 +1,4 @@
-// Counts by replacing the global operator new.
+// Replaces the global operator new by one that counts.
 #include "allocation_count.hpp"
 
 #include <atomic>
@@ -6,13 +6,13 @@
 #include <new>
 
 namespace {
-std::atomic<long> count{0};
+std::atomic<long> allocations{0};
 }  // namespace
 
 void* operator new(std::size_t size) {
-  ++count;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
+  ++allocations;
+  void* const memory = std::malloc(size);
+  return memory != nullptr ? memory : throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept {
   std::free(memory);
@@ -21,10 +21,10 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace gaitway::zmp::test {
+namespace gaitway::test {
 
 long allocation_count() noexcept {
-  return count;
+  return allocations;
 }
 
-}  // namespace gaitway::zmp::test
+}  // namespace gaitway::test
