@@ -2,6 +2,7 @@
 // most 150 ns each.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
