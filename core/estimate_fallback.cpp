@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/manager/plugin_error.hpp"
+#include "gaitway/instance/configuration.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -109,7 +109,8 @@ void EstimateFallback::begin(const Tick& tick) noexcept {
     rate_ = vector(last_.angular_velocity);
     com_velocity_ = vector(last_.com_velocity);
     support_ = std::min<std::size_t>(last_.support, 1);
-    contact_ = {last_.contact[0] != 0, last_.contact[1] != 0};
+    contact_ = {last_.contact[0] == estimate::contact::bears_load,
+                last_.contact[1] == estimate::contact::bears_load};
     com_difference_ = vector(last_.com);  // less the kinematics' CoM, once it is known
     return;
   }
@@ -261,7 +262,7 @@ void EstimateFallback::write(const Tick&) noexcept {
   last_.stamp_ns = std::min(joints_.stamp_ns, imu_.stamp_ns);
   last_.support = static_cast<std::uint32_t>(support_);
   for (std::size_t foot = 0; foot < 2; ++foot) {
-    last_.contact[foot] = contact_[foot] ? 1 : 0;
+    last_.contact[foot] = contact_[foot] ? estimate::contact::bears_load : estimate::contact::lifted;
     last_.foot_force[foot] = force_N_[foot];
     Eigen::Map<Eigen::Vector2d>(last_.foot_zmp[foot]) = robot_.feet[foot].centre_m;
   }

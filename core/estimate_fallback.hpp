@@ -15,6 +15,9 @@
 
 namespace gaitway::core {
 
+// As plans and gains number them.
+enum class Support : std::uint8_t { left, right, both };
+
 // Contacts come from the foot forces while they are fresh, else from the support of the motion plan. `zmp` is
 // the CoM's projection, `foot_zmp` the sole's centre: nothing is measured. Goes on from the last good
 // estimate: yaw, roll and pitch at once, the CoM's difference fades.
@@ -26,8 +29,6 @@ class EstimateFallback final : public Fallback {
   bool act(const Tick& tick, ManagedPlugin& through) noexcept override;
 
  private:
-  enum class Support : std::uint8_t { left, right, both };
-
   void take_turn(const Tick& tick) noexcept;
   void begin(const Tick& tick) noexcept;
   void update_attitude() noexcept;

@@ -10,19 +10,10 @@ namespace gaitway::core {
 namespace {
 
 constexpr std::string_view kOwnName = "main_controller";
-constexpr std::uint32_t kHolding = 2;  // NetworkState::mode
 
-PluginManagerOptions manager_options(const urdf::RobotModel& robot, const MainControllerOptions& options) {
-  return {.robot_directory = robot.directory,
-          .plugin_path = options.plugin_path,
-          .wall_clock = options.wall_clock,
-          .isolation = options.isolation,
-          .wall_time_decides = options.wall_time_decides,
-          .injected_faults = options.injected_faults,
-          .step_watch = options.step_watch,
-          .try_at_start = options.try_at_start,
-          .stopped = options.stopped,
-          .memory_socket = options.memory_socket};
+PluginManagerOptions with_robot(PluginManagerOptions options, const urdf::RobotModel& robot) {
+  options.robot_directory = robot.directory;
+  return options;
 }
 
 // Topics of the message controller lie beyond the EMI.
@@ -48,7 +39,7 @@ MainController::MainController(const urdf::RobotModel& robot, msgclient::Client&
       wall_clock_(options.wall_clock),
       event_publisher_(client),
       manager_(options.plugins ? *options.plugins : read_configuration(options.configuration),
-               manager_options(robot, options), client),
+               with_robot(options, robot), client),
       joint_plan_reader_(client.read<JointPlan>("joint_plan")),
       trim_reader_(client.read<TrimCommand>("trim")),
       joint_states_reader_(client.read<JointStates>("joint_states")),
@@ -76,7 +67,9 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   }
   manager_.end_trial(tick);
   const std::int64_t duration_ns = wall_clock_ == nullptr ? 0 : wall_clock_() - begin_ns;
-  (tick.batch ? batch_wall_ : tick_wall_).add(duration_ns);
+  if (tick.batch) {
+    batch_wall_.add(duration_ns);
+  }
   return report;
 }
 
@@ -89,11 +82,7 @@ void MainController::take_answers(const Tick& tick) noexcept {
   while (const std::optional<msgclient::Answer> answer = host_.take_answer(tick.now_ns)) {
     const auto verdict =
         std::min<std::size_t>(static_cast<std::size_t>(answer->verdict), counts_.answers.size() - 1);
-    if (answer->mail == msgclient::MailKind::user_command) {
-      ++counts_.user_command_answers[verdict];
-    } else {
-      ++counts_.answers[verdict];
-    }
+    counts_.answers[verdict] += answer->mail == msgclient::MailKind::user_command ? 0U : 1U;
     if (answer->verdict == msgclient::Verdict::accepted) {
       if (answer->mail == msgclient::MailKind::hand_over && answer->sequence == posted_->sequence) {
         std::swap(posted_, accepted_);
@@ -104,11 +93,10 @@ void MainController::take_answers(const Tick& tick) noexcept {
     std::array<char, 200> text{};
     const std::string_view mail =
         answer->mail == msgclient::MailKind::user_command ? "user command" : "batch";
-    const auto end = fmt::format_to_n(text.data(), text.size(), "{} {} {}: {} (joint {}, point {}, {:g})",
-                                      mail, answer->sequence, msgclient::verdict_name(answer->verdict),
-                                      msgclient::reason_text(answer->reason), answer->joint, answer->point,
-                                      static_cast<double>(answer->value));
-    note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+    note_refusal(tick,
+                 format_into(text, "{} {} {}: {} (joint {}, point {}, {:g})", mail, answer->sequence,
+                             msgclient::verdict_name(answer->verdict), msgclient::reason_text(answer->reason),
+                             answer->joint, answer->point, static_cast<double>(answer->value)));
   }
 }
 
@@ -153,13 +141,10 @@ void MainController::prepare_batch(const Tick& tick, TickReport& report) noexcep
 MainController::HandOverOutcome MainController::hand_over(const Tick& tick, TickReport& report) noexcept {
   if (const ManagedPlugin* const failed = manager_.fault_behind("joint_plan")) {
     ++counts_.spoiled;
-    std::array<char, 160> text{};
-    const auto end =
-        fmt::format_to_n(text.data(), text.size(), "batch {} is not handed over: plug-in '{}' failed",
-                         tick.batch_sequence, failed->name());
-    // Said once of a row of them.
-    if (failed != spoiler_ || tick.batch_sequence != spoiled_sequence_ + 1) {
-      note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+    if (failed != spoiler_ || tick.batch_sequence != spoiled_sequence_ + 1) {  // said once of a row of them
+      std::array<char, 160> text{};
+      note_refusal(tick, format_into(text, "batch {} is not handed over: plug-in '{}' failed",
+                                     tick.batch_sequence, failed->name()));
     }
     spoiler_ = failed;
     spoiled_sequence_ = tick.batch_sequence;
@@ -169,11 +154,11 @@ MainController::HandOverOutcome MainController::hand_over(const Tick& tick, Tick
   if (!planned || plan_->sequence != tick.batch_sequence) {
     if (had_plan_) {  // said once of a row of them
       std::array<char, 160> text{};
-      const auto end = fmt::format_to_n(
-          text.data(), text.size(),
-          "batch {} is not handed over: no plug-in has a plan for it; the newest is of batch {}",
-          tick.batch_sequence, planned ? plan_->sequence : 0);
-      note_refusal(tick, {text.data(), std::min(end.size, text.size())});
+      note_refusal(
+          tick,
+          format_into(text,
+                      "batch {} is not handed over: no plug-in has a plan for it; the newest is of batch {}",
+                      tick.batch_sequence, planned ? plan_->sequence : 0));
     }
     return HandOverOutcome::nothing;
   }
@@ -237,7 +222,7 @@ bool MainController::plan_is_usable(const Tick& tick, int first_point) noexcept 
 std::span<const double> MainController::start_reference(const Tick& tick) noexcept {
   const bool known = static_cast<bool>(network_state_reader_.read(network_state_)) &&
                      static_cast<bool>(joint_states_reader_.read(joint_states_));
-  if (known && network_state_.mode == kHolding) {
+  if (known && network_state_.mode == network_state::mode::holding) {
     const std::size_t joints = std::min<std::size_t>(joint_states_.joint_count, kMaxJoints);
     std::copy_n(joint_states_.reference_position, joints, start_rad_.begin());
     return std::span(start_rad_).first(joints);
@@ -260,16 +245,14 @@ std::span<const double> MainController::reference_before(int point) noexcept {
 void MainController::note_network(const Tick& tick) noexcept {
   if (network_health_reader_.read(network_health_)) {
     network_events_.compare(network_health_, [&](std::string_view text) {
-      manager_.events().add(tick.now_ns, tick.tick, EventKind::warning, kOwnName, text);
+      manager_.events().add(tick, EventKind::warning, kOwnName, text);
     });
   }
 }
 
 void MainController::note_refusal(const Tick& tick, std::string_view text) noexcept {
-  manager_.events().add(tick.now_ns, tick.tick, EventKind::refusal, kOwnName, text);
-  const std::size_t length = std::min(text.size(), last_refusal_.size() - 1);
-  std::copy_n(text.begin(), length, last_refusal_.begin());
-  last_refusal_[length] = '\0';
+  manager_.events().add(tick, EventKind::refusal, kOwnName, text);
+  copy_text(text, last_refusal_);
 }
 
 MainControllerStatistics MainController::statistics() const {
@@ -277,7 +260,6 @@ MainControllerStatistics MainController::statistics() const {
   result.last_refusal = last_refusal_.data();
   result.events_missed = event_publisher_.missed();
   result.batch_compute_us = batch_wall_.summary();
-  result.tick_compute_us = tick_wall_.summary();
   result.plugins = manager_.timings();
   return result;
 }

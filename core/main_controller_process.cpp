@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "gaitway/core/event_printer.hpp"
+#include "gaitway/core/events.hpp"
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/core/supervisor.hpp"
 #include "gaitway/input/number_option.hpp"

@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/manager/plugin_library.hpp"
-#include "library_copy.hpp"
+#include "gaitway/instance/plugin_library.hpp"
 #include "rivals.hpp"
 
 namespace gaitway::core {

@@ -15,8 +15,8 @@
 #include <new>
 #include <system_error>
 
+#include "gaitway/instance/plugin_instance.hpp"
 #include "gaitway/process/real_time.hpp"
-#include "plugin_declarations.hpp"
 
 namespace gaitway::core {
 namespace {

@@ -3,8 +3,6 @@
 // while all goes well.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -17,20 +15,13 @@
 
 #include "child_process.hpp"
 #include "exchange.hpp"
-#include "gaitway/core/topic_port.hpp"
+#include "gaitway/instance/plugin_instance.hpp"
+#include "gaitway/instance/topic_port.hpp"
 #include "gaitway/msgclient/segment.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "messages.hpp"
-#include "plugin_declarations.hpp"
 
 namespace gaitway::core {
-
-// Cut off where the array ends.
-template <std::size_t size, class... Values>
-void format_into(std::array<char, size>& text, fmt::format_string<Values...> form,
-                 const Values&... values) noexcept {
-  fmt::format_to_n(text.data(), size - 1, fmt::runtime(fmt::string_view(form)), values...).out[0] = '\0';
-}
 
 class Child {
  public:

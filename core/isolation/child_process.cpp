@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "child_program.hpp"
-#include "gaitway/manager/plugin_error.hpp"
+#include "gaitway/instance/event_log.hpp"
 #include "gaitway/process/installation.hpp"
 
 namespace gaitway::core {
@@ -152,12 +152,12 @@ std::string_view ChildProcess::end() noexcept {
     const bool exited = info.si_code == CLD_EXITED;
     const char* const name = exited ? nullptr : sigabbrev_np(info.si_status);
     if (exited) {
-      fmt::format_to_n(end_.data(), end_.size() - 1, "exited with code {}", info.si_status);
+      format_into(end_, "exited with code {}", info.si_status);
     } else {
-      fmt::format_to_n(end_.data(), end_.size() - 1, "was ended by SIG{}", name == nullptr ? "?" : name);
+      format_into(end_, "was ended by SIG{}", name == nullptr ? "?" : name);
     }
   } else if (end_[0] == '\0') {
-    fmt::format_to_n(end_.data(), end_.size() - 1, "has ended");
+    format_into(end_, "has ended");
   }
   reaped_ = true;
   return end_.data();

@@ -13,7 +13,6 @@
 
 #include "bounds.hpp"
 #include "gaitway/plugin/detail/plugin_border.hpp"
-#include "last_words.hpp"
 #include "messages.hpp"
 
 namespace gaitway::core {
@@ -171,9 +170,7 @@ void ChildProgram::put_report(gaitway_severity severity, std::string_view text) 
   if (at < kExchangeReports) {
     ChildReport& report = exchange_->reply.report[at];
     report.severity = severity;
-    const std::size_t length = std::min(text.size(), kLongestReport);
-    std::copy_n(text.begin(), length, report.text);
-    report.text[length] = '\0';
+    copy_text(text.substr(0, kLongestReport), report.text);
   }
 }
 

@@ -11,18 +11,29 @@
 #include <vector>
 
 #include "exchange.hpp"
-#include "gaitway/manager/data_flow.hpp"
-#include "gaitway/manager/event_log.hpp"
-#include "gaitway/manager/plugin_library.hpp"
+#include "gaitway/instance/event_log.hpp"
+#include "gaitway/instance/plugin_instance.hpp"
+#include "gaitway/instance/plugin_library.hpp"
+#include "gaitway/instance/topic_port.hpp"
 #include "gaitway/msgclient/segment.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "messages.hpp"
-#include "plugin_instance.hpp"
 
 namespace gaitway::core {
 
 inline constexpr int kChildSocket = 3;                   // where the manager left it
 inline constexpr const char* kServesNetwork = "serves";  // last word of the child's command line, or another
+
+// --- What it can still tell when it dies, and when it has used up what it may use (last_words.cpp).
+
+// Deaths inside this plug-in's library are told as offsets into it.
+void describe_deaths_in(const gaitway_plugin& entry) noexcept;
+// A signal that ends this process writes here what it knows; the process still ends by that signal.
+void leave_last_words_in(LastWords& words) noexcept;
+
+enum class Resource : std::uint32_t { none = 0, memory = 1, descriptors = 2 };
+// What is as good as used up.
+[[nodiscard]] Resource exhausted_resource() noexcept;
 
 class ChildProgram final : private PluginDeclarations, private PluginSurroundings {
  public:

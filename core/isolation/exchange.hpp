@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gaitway/manager/managed_plugin.hpp"
+#include "gaitway/instance/managed_plugin.hpp"
 #include "gaitway/plugin/abi.h"
 
 namespace gaitway::core {

@@ -92,12 +92,7 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
   }
   child_->copy_in(ports_);
   child_->request().keep_state = 1;
-  child_->request().tick = {.now_ns = tick.now_ns,
-                            .batch_start_ns = tick.batch_start_ns,
-                            .batch_sequence = tick.batch_sequence,
-                            .tick = tick.tick,
-                            .batch = tick.batch ? 1U : 0U,
-                            .reserved = 0};
+  child_->request().tick = abi_tick(tick);
   child_->begin(ChildCall::step);
   const std::int64_t limit_ns =
       options_.lock_step ? options_.watchdog_ns : step_budget_ns(containment_, period_ == Period::batch);
@@ -339,15 +334,14 @@ bool IsolatedPlugin::attend_start(std::int64_t wait_ns) {
 gaitway_port* IsolatedPlugin::open_topic(const gaitway_topic& topic, gaitway_access access) {
   const std::size_t number = declared_ports_++;
   if (!restarts_.has_started_again()) {
-    declare_topic(topic, access);
-    return nullptr;  // the child has its own
+    return ManagedPlugin::open_topic(topic, access);
   }
   const auto port = std::next(ports_.begin(), static_cast<std::ptrdiff_t>(std::min(number, ports_.size())));
   if (port == ports_.end() || port->use().topic != topic.name || port->use().type_hash != topic.type_hash ||
       port->use().size != topic.size || port->use().access != static_cast<Access>(access)) {
     throw PluginError(fmt::format("opens topic '{}', unlike when it was first started", topic.name));
   }
-  return nullptr;
+  return nullptr;  // the child has its own
 }
 
 gaitway_value IsolatedPlugin::declare_parameter(const gaitway_parameter& parameter) {

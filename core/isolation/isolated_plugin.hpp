@@ -13,14 +13,13 @@
 
 #include "child.hpp"
 #include "child_start.hpp"
+#include "gaitway/instance/loaded_plugin.hpp"
+#include "gaitway/instance/managed_plugin.hpp"
 #include "gaitway/isolation/settings.hpp"
-#include "gaitway/manager/loaded_plugin.hpp"
-#include "gaitway/manager/managed_plugin.hpp"
-#include "restart_rule.hpp"
 
 namespace gaitway::core {
 
-class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
+class IsolatedPlugin final : public ManagedPlugin {
  public:
   // Starts the child, which loads the library and constructs the plug-in. `events` outlives it. Errors are
   // those of a LoadedPlugin, and what keeps a child from starting.
@@ -83,10 +82,7 @@ class IsolatedPlugin final : public ManagedPlugin, private PluginDeclarations {
     if (restarts_.has_started_again() && period_ != static_cast<Period>(period)) {
       throw PluginError("sets its period, unlike when it was first started");
     }
-    period_ = static_cast<Period>(period);
-  }
-  void report(gaitway_severity severity, std::string_view text) noexcept override {
-    post_report(severity, text);
+    ManagedPlugin::set_period(period);
   }
 
   void start();

@@ -1,5 +1,5 @@
-// Signal handlers that only store numbers, on a stack of their own.
-#include "last_words.hpp"
+// What a child can still tell: signal handlers that only store numbers, on a stack of their own.
+#include "child_program.hpp"
 
 #include <fcntl.h>
 #include <link.h>

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/manager/plugin_error.hpp"
+#include "gaitway/instance/configuration.hpp"
 #include "gaitway/plugin/abi.h"
 #include "gaitway/process/file_descriptor.hpp"
 

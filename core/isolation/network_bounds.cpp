@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "bounds.hpp"
-#include "gaitway/manager/plugin_error.hpp"
+#include "gaitway/instance/configuration.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "seccomp_filter.hpp"
 

@@ -10,38 +10,10 @@
 #include "isolated_plugin.hpp"
 
 namespace gaitway::core {
-namespace {
-
-PluginDescription describe(const IsolatedPlugin& plugin) {
-  const LibraryDescription& library = plugin.library();
-  PluginDescription description{.file = library.file,
-                                .name = library.name,
-                                .version = library.version,
-                                .text = library.text,
-                                .every_tick = plugin.period() == Period::tick,
-                                .topics = {},
-                                .parameters = {}};
-  for (const TopicUse& use : plugin.node().uses) {
-    description.topics.push_back({use.topic, use.type_name, use.access});
-  }
-  for (const Parameter& parameter : plugin.parameters().declared()) {
-    description.parameters.push_back({.name = parameter.name,
-                                      .kind = std::string(parameter_kind_name(parameter.kind)),
-                                      .unit = parameter.unit,
-                                      .fallback = parameter.fallback,
-                                      .doc = parameter.doc,
-                                      .lowest = parameter.lowest,
-                                      .highest = parameter.highest,
-                                      .live = parameter.live});
-  }
-  return description;
-}
-
-}  // namespace
 
 bool PluginDescription::writes(std::string_view topic) const noexcept {
-  return std::any_of(topics.begin(), topics.end(), [topic](const DescribedTopic& other) {
-    return other.access == Access::write && other.name == topic;
+  return std::any_of(topics.begin(), topics.end(), [topic](const TopicUse& other) {
+    return other.access == Access::write && other.topic == topic;
   });
 }
 
@@ -55,7 +27,15 @@ PluginDescription probe_plugin(const PluginEntry& entry, const std::filesystem::
   EventLog unheard;
   IsolatedPlugin plugin(without_bounds, {configuration, options.robot_directory, options.plugin_path},
                         isolation, unheard);
-  PluginDescription description = describe(plugin);
+  const LibraryDescription& library = plugin.library();
+  const auto& parameters = plugin.parameters().declared();
+  PluginDescription description{.file = library.file,
+                                .name = library.name,
+                                .version = library.version,
+                                .text = library.text,
+                                .period = plugin.period(),
+                                .topics = plugin.node().uses,
+                                .parameters = {parameters.begin(), parameters.end()}};
   if (!plugin.end()) {
     throw PluginError(fmt::format("{}: {}. Run it in a debugger", plugin.place(), plugin.fault()));
   }

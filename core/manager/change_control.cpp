@@ -1,4 +1,5 @@
-// A change from its preparation to the end of its trial.
+// A change from its preparation to the end of its trial. Its slots move between two orders in memory that was
+// reserved before.
 #include "gaitway/manager/change_control.hpp"
 
 #include <fmt/format.h>
@@ -8,18 +9,18 @@
 #include <utility>
 
 #include "plugin_loader.hpp"
-#include "stand_in.hpp"
 
 namespace gaitway::core {
 namespace {
 
 std::vector<ExternalTopic> topics_of_others(const msgclient::Client& client) {
-  std::vector<ExternalTopic> external;
-  for (const msgclient::TopicInfo& topic : client.directory()) {
-    const bool ours = topic.writer == client.name();
-    external.push_back({topic.descriptor.name, ours ? std::string() : topic.writer});
+  std::vector<ExternalTopic> topics = external_topics(client);
+  for (ExternalTopic& topic : topics) {
+    if (topic.writer == client.name()) {
+      topic.writer.clear();
+    }
   }
-  return external;
+  return topics;
 }
 
 bool is_stand_in(const PluginSlot& slot) {
@@ -27,6 +28,51 @@ bool is_stand_in(const PluginSlot& slot) {
 }
 
 }  // namespace
+
+PluginChange::PluginChange(std::string name, std::unique_ptr<PluginSlot> incoming,
+                           std::vector<std::size_t> next, std::vector<std::vector<bool>> depends_on,
+                           std::size_t outgoing)
+    : name_(std::move(name)),
+      incoming_(std::move(incoming)),
+      next_(std::move(next)),
+      depends_on_(std::move(depends_on)),
+      outgoing_index_(outgoing) {
+  room_.reserve(next_.size() + 1);  // before the change there may be one more
+}
+
+void PluginChange::swap_dependencies(PluginSet::Slots& slots) noexcept {
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    slots[i]->depends_on.swap(depends_on_[i]);
+  }
+}
+
+void PluginChange::apply(PluginSet::Slots& slots) noexcept {
+  room_.clear();
+  for (const std::size_t from : next_) {
+    room_.push_back(std::move(from == kIncoming ? incoming_ : slots[from]));
+  }
+  if (outgoing_index_ != kIncoming) {
+    outgoing_ = std::move(slots[outgoing_index_]);
+  }
+  slots.swap(room_);
+  swap_dependencies(slots);
+}
+
+void PluginChange::revert(PluginSet::Slots& slots) noexcept {
+  swap_dependencies(slots);
+  const std::size_t before = room_.size();
+  for (std::size_t i = 0; i < before; ++i) {
+    const auto at = std::find(next_.begin(), next_.end(), i);
+    room_[i] = std::move(at == next_.end() ? outgoing_ : slots[static_cast<std::size_t>(at - next_.begin())]);
+  }
+  const auto in = std::find(next_.begin(), next_.end(), kIncoming);
+  if (in != next_.end()) {
+    incoming_ = std::move(slots[static_cast<std::size_t>(in - next_.begin())]);
+  }
+  slots.swap(room_);
+}
+
+// --- Preparing.
 
 ChangeControl::ChangeControl(PluginSet& plugins, PluginLoader& loader, msgclient::Client& client)
     : plugins_(plugins), loader_(loader), events_(loader.events()), client_(client) {}
@@ -119,18 +165,13 @@ std::unique_ptr<PluginChange> ChangeControl::plan_change(const std::string& name
   for (const std::size_t place : places) {
     nodes.push_back(slot_at(place).plugin->node());
   }
-  const DataFlow flow = order_by_data_flow(nodes, topics_of_others(client_));
+  DataFlow flow = order_by_data_flow(nodes, topics_of_others(client_));
   std::vector<std::size_t> next;
-  std::vector<std::vector<bool>> depends_on;
   for (const std::size_t index : flow.order) {
     next.push_back(places[index]);
-    std::vector<bool> row;
-    for (const std::size_t other : flow.order) {
-      row.push_back(flow.depends_on[index][other]);
-    }
-    depends_on.push_back(std::move(row));
   }
-  return std::make_unique<PluginChange>(name, std::move(incoming), std::move(next), std::move(depends_on),
+  return std::make_unique<PluginChange>(name, std::move(incoming), std::move(next),
+                                        std::move(flow.depends_on),
                                         old < plugins_.size() ? old : PluginChange::kIncoming);
 }
 
@@ -174,9 +215,8 @@ void ChangeControl::begin(const Tick& tick) noexcept {
 
 void ChangeControl::fail(const Tick& tick, std::string_view what, std::string_view why) noexcept {
   phase_ = Phase::failed;
-  std::array<char, 256>& text = change_->outcome();
-  fmt::format_to_n(text.data(), text.size() - 1, "not changed: {}: {}", what, why).out[0] = '\0';
-  events_.add(tick.now_ns, tick.tick, EventKind::error, change_->name(), text.data());
+  events_.add(tick, EventKind::error, change_->name(),
+              format_into(change_->outcome(), "not changed: {}: {}", what, why));
 }
 
 void ChangeControl::take_back(const Tick& tick, std::string_view what, std::string_view why) noexcept {
@@ -201,11 +241,9 @@ void ChangeControl::end_trial(const Tick& tick) noexcept {
   const PluginSlot* const outgoing = change_->outgoing();
   const std::string_view before = outgoing != nullptr ? outgoing->plugin->version() : "nothing";
   const std::string_view after = trial_ != nullptr ? trial_->plugin->version() : "nothing";
-  std::array<char, 256>& text = change_->outcome();
-  fmt::format_to_n(text.data(), text.size() - 1, "in place of {} now {}; {} bytes of state handed on", before,
-                   after, change_->state().size)
-      .out[0] = '\0';
-  events_.add(tick.now_ns, tick.tick, EventKind::info, change_->name(), text.data());
+  events_.add(tick, EventKind::info, change_->name(),
+              format_into(change_->outcome(), "in place of {} now {}; {} bytes of state handed on", before,
+                          after, change_->state().size));
   trial_ = nullptr;
   phase_ = Phase::done;
 }

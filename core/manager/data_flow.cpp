@@ -195,7 +195,14 @@ class Sorter {
         }
       }
     }
-    return depends_on;
+    std::vector<std::vector<bool>> ordered;
+    for (const std::size_t node : order) {
+      ordered.emplace_back();
+      for (const std::size_t other : order) {
+        ordered.back().push_back(depends_on[node][other]);
+      }
+    }
+    return ordered;
   }
 
   std::span<const DataFlowNode> nodes_;

@@ -1,4 +1,4 @@
-// Which fallback for which topics.
+// Which fallback for which topics, and in whose place.
 #include "gaitway/manager/fallback.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,6 @@
 #include <array>
 #include <iterator>
 
-#include "gaitway/manager/plugin_error.hpp"
 #include "gaitway/msgclient/topics.hpp"
 
 namespace gaitway::core {
@@ -22,47 +21,67 @@ constexpr std::array<std::string_view, 1> kTrimReads{"estimate"};
 constexpr std::array<std::string_view, 1> kStopWrites{"walk_command"};
 constexpr std::array<std::string_view, 2> kTailWrites{"motion_plan", "joint_plan"};
 
-constexpr std::array kKinds{FallbackKind::estimate, FallbackKind::trims_from_gains, FallbackKind::stop,
-                            FallbackKind::safe_tail};
+struct KindTopics {
+  FallbackKind kind;
+  Names written, read;
+};
+constexpr std::array<KindTopics, 5> kKindTopics{{
+    {FallbackKind::estimate, kEstimateWrites, kEstimateReads},
+    {FallbackKind::trims_from_gains, kTrimWrites, kTrimReads},
+    {FallbackKind::trims_to_zero, kTrimWrites, {}},
+    {FallbackKind::stop, kStopWrites, {}},
+    {FallbackKind::safe_tail, kTailWrites, {}},
+}};
+
+KindTopics topics_of(FallbackKind kind) noexcept {
+  const auto found = std::find_if(kKindTopics.begin(), kKindTopics.end(),
+                                  [kind](const KindTopics& topics) { return topics.kind == kind; });
+  return found == kKindTopics.end() ? KindTopics{kind, {}, {}} : *found;
+}
 
 bool contains(Names names, std::string_view name) noexcept {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-}  // namespace
-
-Names topics_written_by(FallbackKind kind) noexcept {
-  switch (kind) {
-    case FallbackKind::estimate:
-      return kEstimateWrites;
-    case FallbackKind::trims_from_gains:
-    case FallbackKind::trims_to_zero:
-      return kTrimWrites;
-    case FallbackKind::stop:
-      return kStopWrites;
-    case FallbackKind::safe_tail:
-      return kTailWrites;
-    default:
-      return {};
-  }
-}
-
-Names topics_read_by(FallbackKind kind) noexcept {
-  return kind == FallbackKind::estimate           ? Names(kEstimateReads)
-         : kind == FallbackKind::trims_from_gains ? Names(kTrimReads)
-                                                  : Names();
-}
-
+// The kind that a standard topic asks for; none for all others.
 FallbackKind fallback_of_topic(std::string_view topic, std::uint64_t type_hash) noexcept {
   const auto standard = std::find_if(kStandardTopics.begin(), kStandardTopics.end(),
                                      [topic](const StandardTopic& other) { return other.name == topic; });
   if (standard == kStandardTopics.end() || standard->type->hash != type_hash) {
     return FallbackKind::none;
   }
-  const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [topic](FallbackKind candidate) {
-    return contains(topics_written_by(candidate), topic);
+  const auto kind = std::find_if(kKindTopics.begin(), kKindTopics.end(), [topic](const KindTopics& topics) {
+    return contains(topics.written, topic);
   });
-  return kind == kKinds.end() ? FallbackKind::none : *kind;
+  return kind == kKindTopics.end() ? FallbackKind::none : kind->kind;
+}
+
+using Nodes = std::vector<DataFlowNode>;
+
+bool is_written(std::string_view topic, const Nodes& loaded, const std::vector<ExternalTopic>& external) {
+  const auto writes = [topic](const TopicUse& use) {
+    return use.access == Access::write && use.topic == topic;
+  };
+  return std::any_of(loaded.begin(), loaded.end(),
+                     [&](const DataFlowNode& node) {
+                       return std::any_of(node.uses.begin(), node.uses.end(), writes);
+                     }) ||
+         std::any_of(external.begin(), external.end(), [topic](const ExternalTopic& other) {
+           return other.topic == topic && !other.writer.empty();
+         });
+}
+
+bool is_needed(std::string_view topic, const Nodes& loaded) {
+  const auto needs = [topic](const TopicUse& use) { return use.topic == topic && needs_writer(use.access); };
+  return std::any_of(loaded.begin(), loaded.end(), [&](const DataFlowNode& node) {
+    return std::any_of(node.uses.begin(), node.uses.end(), needs);
+  });
+}
+
+}  // namespace
+
+Names topics_read_by(FallbackKind kind) noexcept {
+  return topics_of(kind).read;
 }
 
 FallbackSet::FallbackSet(const ManagedPlugin& plugin, FallbackKind wanted, const FallbackSource& source) {
@@ -87,7 +106,7 @@ FallbackSet::FallbackSet(const ManagedPlugin& plugin, FallbackKind wanted, const
     throw PluginError(fmt::format(
         "{}: fallback '{}' writes the topic '{}', which this plug-in does not. Choose another fallback, or "
         "leave it out",
-        plugin.place(), fallback_kind_name(wanted), fmt::join(topics_written_by(wanted), "' and '")));
+        plugin.place(), fallback_kind_name(wanted), fmt::join(topics_of(wanted).written, "' and '")));
   }
   for (const FallbackKind kind : kinds_) {
     if (std::unique_ptr<Fallback> fallback = make_fallback(kind, source)) {
@@ -113,6 +132,72 @@ bool FallbackSet::act(const Tick& tick, ManagedPlugin& through) noexcept {
     acted = fallback->act(tick, through) && acted;
   }
   return acted;
+}
+
+StandIn::StandIn(const PluginEntry& entry, const std::vector<std::string>& topics,
+                 const std::filesystem::path& configuration_file, EventLog& events)
+    : ManagedPlugin(entry, configuration_file, events) {
+  for (const StandardTopic& topic : kStandardTopics) {
+    if (std::find(topics.begin(), topics.end(), topic.name) == topics.end()) {
+      continue;
+    }
+    const std::string name(topic.name), type_name(topic.type->name);
+    const gaitway_topic plain{name.c_str(), type_name.c_str(), topic.type->hash, topic.type->size, 0,
+                              nullptr};
+    ports_.emplace_back(plain, Access::write);
+  }
+}
+
+bool StandIn::save_state(PluginState& state) noexcept {
+  state.size = 0;
+  state.version = 0;
+  return true;
+}
+
+bool StandIn::set_parameter(const char*, const gaitway_value&) noexcept {
+  set_fault("the plug-in is not loaded");
+  return false;
+}
+
+std::vector<std::string> StandIn::topics_for(const PluginEntry& entry, const Nodes& loaded,
+                                             const std::vector<ExternalTopic>& external) {
+  const FallbackKind named = entry.containment.fallback;
+  const FallbackKind wanted = named == FallbackKind::trims_to_zero ? FallbackKind::trims_from_gains : named;
+  const bool has_standard_name =
+      std::any_of(kStandardTopics.begin(), kStandardTopics.end(),
+                  [&](const StandardTopic& topic) { return topic.writer == entry.name; });
+  const auto is_its = [&](const StandardTopic& topic, FallbackKind kind) {
+    // "none" and "safe_tail" fit every topic: nobody writes it.
+    if (wanted != FallbackKind::by_topics && wanted != FallbackKind::none &&
+        wanted != FallbackKind::safe_tail) {
+      return kind == wanted;
+    }
+    if (has_standard_name) {
+      return topic.writer == entry.name;
+    }
+    const Names written = topics_of(kind).written;
+    return std::any_of(written.begin(), written.end(), [&](std::string_view other) {
+      return !is_written(other, loaded, external) && is_needed(other, loaded);
+    });
+  };
+  std::vector<std::string> topics;
+  for (const StandardTopic& topic : kStandardTopics) {
+    const FallbackKind kind = fallback_of_topic(topic.name, topic.type->hash);
+    if (kind != FallbackKind::none && !is_written(topic.name, loaded, external) && is_its(topic, kind)) {
+      topics.emplace_back(topic.name);
+    }
+  }
+  return topics;
+}
+
+std::vector<std::string> StandIn::topics_for(const DataFlowNode& running) {
+  std::vector<std::string> topics;
+  for (const TopicUse& use : running.uses) {
+    if (use.access == Access::write && fallback_of_topic(use.topic, use.type_hash) != FallbackKind::none) {
+      topics.push_back(use.topic);
+    }
+  }
+  return topics;
 }
 
 }  // namespace gaitway::core

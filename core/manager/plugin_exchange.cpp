@@ -15,8 +15,8 @@ struct Member {  // of the configuration
 };
 
 bool shares_an_output(const PluginDescription& one, const PluginDescription& other) {
-  return std::any_of(one.topics.begin(), one.topics.end(), [&other](const DescribedTopic& topic) {
-    return topic.access == Access::write && other.writes(topic.name);
+  return std::any_of(one.topics.begin(), one.topics.end(), [&other](const TopicUse& topic) {
+    return topic.access == Access::write && other.writes(topic.topic);
   });
 }
 
@@ -45,9 +45,9 @@ AddedPlugin put_in(std::vector<Member>& members, const PluginDescription& newcom
       continue;
     }
     added.replaced.push_back(member.entry.name);
-    for (const DescribedTopic& topic : member.description->topics) {
-      if (topic.access == Access::write && !newcomer.writes(topic.name)) {
-        added.lost_outputs.push_back(topic.name);
+    for (const TopicUse& topic : member.description->topics) {
+      if (topic.access == Access::write && !newcomer.writes(topic.topic)) {
+        added.lost_outputs.push_back(topic.topic);
       }
     }
   }

@@ -1,17 +1,35 @@
 // Makes plug-ins from the entries of a configuration, in this process or in one of their own.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
-#include "gaitway/manager/event_log.hpp"
-#include "gaitway/manager/loaded_plugin.hpp"
+#include "gaitway/instance/event_log.hpp"
+#include "gaitway/instance/loaded_plugin.hpp"
 #include "gaitway/manager/manager_options.hpp"
 #include "gaitway/manager/plugin_set.hpp"
 #include "gaitway/msgclient/client.hpp"
-#include "plugin_trial.hpp"
+#include "isolation/isolated_plugin.hpp"
 
 namespace gaitway::core {
+
+// A plug-in's first moments in a throw-away process, before it comes near the manager's own: isolated, but
+// without the bounds of one that stays so.
+class PluginTrial {
+ public:
+  // Constructs the entry's plug-in there. Throws what constructing it here would throw; and PluginError when
+  // it crashes or hangs.
+  PluginTrial(const PluginEntry& entry, const PluginSource& source, const IsolationOptions& isolation);
+
+  // Opens its inputs, activates it and steps it once, at the next batch after `now_ns`. What it publishes is
+  // thrown away, and a fault of that step is no matter. Throws PluginError when it crashes or hangs.
+  void first_step(msgclient::Client& client, std::int64_t now_ns);
+
+ private:
+  EventLog unheard_;
+  IsolatedPlugin plugin_;
+};
 
 class PluginLoader {
  public:

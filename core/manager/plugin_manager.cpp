@@ -7,7 +7,6 @@
 
 #include "gaitway/input/complaint.hpp"
 #include "plugin_loader.hpp"
-#include "stand_in.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -97,10 +96,7 @@ void PluginManager::load_all(const Configuration& configuration, const msgclient
 
 void PluginManager::add_stand_ins(const Configuration& configuration, const msgclient::Client& client) {
   std::vector<DataFlowNode> loaded = plugins_.nodes();
-  std::vector<ExternalTopic> external;
-  for (const msgclient::TopicInfo& topic : client.directory()) {
-    external.push_back({topic.descriptor.name, topic.writer});
-  }
+  const std::vector<ExternalTopic> external = external_topics(client);
   for (const std::string& name : options_.stopped) {
     const auto entry = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
                                     [&name](const PluginEntry& other) { return other.name == name; });

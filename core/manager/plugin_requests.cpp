@@ -139,9 +139,7 @@ void PluginRequests::put_in_place() noexcept {
 }
 
 void PluginRequests::set_text(std::string_view text) noexcept {
-  const std::size_t length = std::min(text.size(), text_.size() - 1);
-  std::copy_n(text.begin(), length, text_.begin());
-  text_[length] = '\0';
+  copy_text(text, text_);
 }
 
 void PluginRequests::answer(std::int64_t now_ns) noexcept {

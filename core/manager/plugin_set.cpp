@@ -29,27 +29,27 @@ PluginSlot& PluginSet::add(const PluginEntry& entry) {
   return *slots_.emplace_back(std::move(slot));
 }
 
-void PluginSet::put_in_order(const std::filesystem::path& configuration_file,
-                             const msgclient::Client& client) {
+std::vector<ExternalTopic> external_topics(const msgclient::Client& client) {
   std::vector<ExternalTopic> external;
   for (const msgclient::TopicInfo& topic : client.directory()) {
     external.push_back({topic.descriptor.name, topic.writer});
   }
+  return external;
+}
+
+void PluginSet::put_in_order(const std::filesystem::path& configuration_file,
+                             const msgclient::Client& client) {
   const DataFlow flow = [&] {
     try {
-      return order_by_data_flow(nodes(), external);
+      return order_by_data_flow(nodes(), external_topics(client));
     } catch (const PluginError& error) {
       throw PluginError(fmt::format("{}: {}", configuration_file.string(), error.what()));
     }
   }();
   Slots ordered;
-  for (const std::size_t index : flow.order) {
-    for (const std::size_t other : flow.order) {
-      slots_[index]->depends_on.push_back(flow.depends_on[index][other]);
-    }
-  }
-  for (const std::size_t index : flow.order) {
-    ordered.push_back(std::move(slots_[index]));
+  for (std::size_t i = 0; i < flow.order.size(); ++i) {
+    ordered.push_back(std::move(slots_[flow.order[i]]));
+    ordered.back()->depends_on = flow.depends_on[i];
   }
   slots_ = std::move(ordered);
 }
@@ -130,10 +130,7 @@ void PluginSet::copy_value(std::string_view plugin, std::size_t parameter,
   if (index == slots_.size() || parameter >= slots_[index]->plugin->parameters().declared().size()) {
     return;
   }
-  const std::string& value = slots_[index]->plugin->parameters().declared()[parameter].value;
-  const std::size_t length = std::min(value.size(), to.size() - 1);
-  std::copy_n(value.begin(), length, to.begin());
-  to[length] = '\0';
+  copy_text(slots_[index]->plugin->parameters().declared()[parameter].value, to);
 }
 
 bool PluginSet::serves_network(std::string_view plugin) const noexcept {

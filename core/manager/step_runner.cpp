@@ -1,8 +1,6 @@
 // One plug-in after the other, and what is made of its step.
 #include "gaitway/manager/step_runner.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -76,9 +74,8 @@ void StepRunner::step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcep
   const bool overrun = fine && slot.containment.is_over_budget(cost_ns);
   if (overrun) {
     std::array<char, 80> text{};
-    const auto end = fmt::format_to_n(text.data(), text.size(), "took {} us; its budget is {} us",
-                                      cost_ns / 1000, slot.containment.budget_ns() / 1000);
-    slot.plugin->set_fault({text.data(), std::min(end.size, text.size())});
+    slot.plugin->set_fault(format_into(text, "took {} us; its budget is {} us", cost_ns / 1000,
+                                       slot.containment.budget_ns() / 1000));
   }
   slot.failed = !fine || overrun;
   slot.failed ? note_fault(slot, tick, overrun, on_trial) : note_success(slot, tick);
@@ -104,10 +101,9 @@ void StepRunner::note_success(PluginSlot& slot, const Tick& tick) noexcept {
     return;
   }
   std::array<char, 100> text{};
-  const auto end = fmt::format_to_n(text.data(), text.size(), "works again, after {} faults since {:.3f} s",
-                                    faults, static_cast<double>(since_ns) * 1e-9);
-  events_.add(tick.now_ns, tick.tick, EventKind::info, slot.plugin->name(),
-              {text.data(), std::min(end.size, text.size())});
+  events_.add(tick, EventKind::info, slot.plugin->name(),
+              format_into(text, "works again, after {} faults since {:.3f} s", faults,
+                          static_cast<double>(since_ns) * 1e-9));
 }
 
 void StepRunner::note_fault(PluginSlot& slot, const Tick& tick, bool overrun, bool on_trial) noexcept {
@@ -117,7 +113,7 @@ void StepRunner::note_fault(PluginSlot& slot, const Tick& tick, bool overrun, bo
   Containment& containment = slot.containment;
   const Recovery recovery = slot.plugin->recovery();
   if (containment.is_news(tick, recovery)) {
-    events_.add(tick.now_ns, tick.tick, EventKind::fault, name, slot.plugin->fault());
+    events_.add(tick, EventKind::fault, name, slot.plugin->fault());
   }
   if (on_trial) {
     return;  // the old one takes its turn
@@ -128,15 +124,16 @@ void StepRunner::note_fault(PluginSlot& slot, const Tick& tick, bool overrun, bo
   slot.covered = fallbacks.act(tick, *slot.plugin);
   std::array<char, 250> text{};
   if (given_up) {
-    fmt::format_to_n(text.data(), text.size() - 1,
-                     "out of service after {} faults since {:.3f} s ({} since start); fallback: {}; "
-                     "the last fault: {}",
-                     containment.reason().faults, static_cast<double>(containment.reason().since_ns) * 1e-9,
-                     slot.faults, fallbacks.name(), slot.plugin->fault());
-    events_.add(tick.now_ns, tick.tick, EventKind::error, name, text.data());
+    events_.add(
+        tick, EventKind::error, name,
+        format_into(text,
+                    "out of service after {} faults since {:.3f} s ({} since start); fallback: {}; "
+                    "the last fault: {}",
+                    containment.reason().faults, static_cast<double>(containment.reason().since_ns) * 1e-9,
+                    slot.faults, fallbacks.name(), slot.plugin->fault()));
   } else if (first && !fallbacks.is_none()) {
-    fmt::format_to_n(text.data(), text.size() - 1, "fallback '{}' stands in", fallbacks.name());
-    events_.add(tick.now_ns, tick.tick, EventKind::warning, name, text.data());
+    events_.add(tick, EventKind::warning, name,
+                format_into(text, "fallback '{}' stands in", fallbacks.name()));
   }
 }
 

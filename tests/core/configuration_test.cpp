@@ -1,7 +1,9 @@
 // What a configuration may look like, and how precisely it is refused.
-#include "gaitway/manager/configuration.hpp"
+#include "gaitway/instance/configuration.hpp"
 
 #include <gmock/gmock.h>
+
+#include "gaitway/isolation/settings.hpp"
 
 namespace gaitway::core {
 namespace {

@@ -1,5 +1,5 @@
 // Many threads post, one collects: each line arrives once and in its poster's order, or is counted as lost.
-#include "gaitway/manager/event_log.hpp"
+#include "gaitway/instance/event_log.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // When what is wrong on the network becomes an event.
-#include "gaitway/core/network_events.hpp"
+#include "gaitway/core/events.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // A parameter in one line, however much there is to say of it.
-#include "gaitway/manager/parameter_set.hpp"
+#include "gaitway/instance/parameter_set.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gaitway/manager/plugin_error.hpp"
+#include "gaitway/instance/configuration.hpp"
 
 namespace gaitway::core {
 namespace {

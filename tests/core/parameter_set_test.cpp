@@ -1,5 +1,5 @@
 // Numbers with units, whole numbers, flags, texts.
-#include "gaitway/manager/parameter_set.hpp"
+#include "gaitway/instance/parameter_set.hpp"
 
 #include <gmock/gmock.h>
 

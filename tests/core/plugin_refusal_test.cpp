@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "gaitway/core/topic_port.hpp"
+#include "gaitway/instance/topic_port.hpp"
 #include "plugin_fixture.hpp"
 
 namespace gaitway::core {

@@ -1,10 +1,12 @@
-// The supervisor's own faults: what it started ends with it.
+// The supervisor's own faults: what it started ends with it. And what it sees of its worker: what one side
+// notes, the other side of the shared memory sees.
 #include "gaitway/core/supervisor.hpp"
 
 #include <gtest/gtest.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -13,7 +15,14 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
 #include <system_error>
+
+#include "gaitway/manager/step_watch.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -29,6 +38,30 @@ bool forbid_pidfd_open() {
   const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+TEST(StepWatch, TheOtherSideSeesWhoIsBeingStepped) {
+  StepWatch watcher = StepWatch::make();
+  StepWatch worker = StepWatch::open(dup(watcher.descriptor()));
+  const std::uint32_t first = worker.add("first"), second = worker.add("second");
+  EXPECT_EQ(watcher.current(), "");
+  worker.enter(second);
+  EXPECT_EQ(watcher.current(), "second");
+  worker.enter(first);
+  EXPECT_EQ(watcher.current(), "first");
+  worker.leave();
+  EXPECT_EQ(watcher.current(), "");
+  worker.count_tick();
+  EXPECT_EQ(watcher.ticks(), 1U);
+}
+
+TEST(StepWatch, MoreThanItHasRoomForAreNotNamed) {
+  StepWatch watch = StepWatch::make();
+  for (std::uint32_t i = 0; i < StepWatch::kCapacity; ++i) {
+    EXPECT_NE(watch.add("plug-in " + std::to_string(i)), 0U);
+  }
+  EXPECT_EQ(watch.add("late"), 0U);
+  EXPECT_EQ(watch.add("plug-in 7"), 8U) << "a plug-in that is replaced keeps its number";
 }
 
 TEST(Supervisor, WorkerThatCannotBeWatchedIsEnded) {

@@ -1,8 +1,8 @@
-// The manager's side of a child's start (core/isolation/start_up.hpp), told any messages in any order.
+// The manager's side of a child's start (core/isolation/child_start.hpp), told any messages in any order.
 // Whatever the child says: it is taken or refused with PluginError, each question is answered, only what was
 // checked is handed on and only before the plug-in is constructed, and there is no end but after the segment
 // was asked for.
-#include "core/isolation/start_up.hpp"
+#include "core/isolation/child_start.hpp"
 
 #include <cstring>
 #include <string>

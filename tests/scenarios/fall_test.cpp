@@ -10,8 +10,8 @@
 #include <string>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/manager/configuration.hpp"
-#include "gaitway/manager/event_log.hpp"
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/instance/event_log.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {

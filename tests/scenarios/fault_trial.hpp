@@ -5,7 +5,7 @@
 #include <random>
 #include <string_view>
 
-#include "gaitway/manager/event_log.hpp"
+#include "gaitway/instance/event_log.hpp"
 
 namespace gaitway::scenarios {
 

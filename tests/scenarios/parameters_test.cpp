@@ -25,9 +25,9 @@ TEST_P(ShippedPlugin, SaysWhatEachParameterIsFor) {
       library,
       {.robot_directory = std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf/humanoid22", .plugin_path = {}});
   EXPECT_FALSE(plugin.parameters.empty());
-  for (const core::DescribedParameter& parameter : plugin.parameters) {
+  for (const core::Parameter& parameter : plugin.parameters) {
     EXPECT_GT(parameter.doc.size(), 8U) << parameter.name << ": what is it for?";
-    EXPECT_TRUE(parameter.kind != "number" || !parameter.unit.empty()) << parameter.name;
+    EXPECT_TRUE(parameter.kind != core::ParameterKind::number || !parameter.unit.empty()) << parameter.name;
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gaitway/manager/plugin_library.hpp"
+#include "gaitway/instance/plugin_library.hpp"
 #include "tools/check_plugin/check_run.hpp"
 #include "tools/check_plugin/elf_symbols.hpp"
 

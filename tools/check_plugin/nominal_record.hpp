@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gaitway/msgclient/type_descriptor.hpp"
-#include "gaitway/plugin/tick.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "tools/check_plugin/worker_process.hpp"
 
 namespace gaitway::plugin_check {

@@ -12,7 +12,7 @@
 #include <future>
 #include <mutex>
 
-#include "gaitway/manager/configuration.hpp"
+#include "gaitway/instance/configuration.hpp"
 #include "tools/check_plugin/board.hpp"
 #include "tools/check_plugin/nominal_record.hpp"
 #include "tools/check_plugin/worker_process.hpp"

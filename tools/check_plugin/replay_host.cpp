@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "gaitway/manager/data_flow.hpp"
+#include "gaitway/instance/topic_port.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/plugin/detail/plugin_border.hpp"
 

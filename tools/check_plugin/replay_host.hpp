@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/manager/parameter_set.hpp"
+#include "gaitway/instance/parameter_set.hpp"
 #include "gaitway/plugin/abi.h"
-#include "gaitway/plugin/tick.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "tools/check_plugin/nominal_record.hpp"
 #include "tools/check_plugin/worker_process.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "gaitway/manager/managed_plugin.hpp"
+#include "gaitway/instance/managed_plugin.hpp"
 #include "gaitway/plugin/abi.h"
 #include "tools/check_plugin/board.hpp"
 #include "tools/check_plugin/replay_host.hpp"

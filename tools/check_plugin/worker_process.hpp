@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/manager/configuration.hpp"
+#include "gaitway/instance/configuration.hpp"
 #include "tools/check_plugin/board.hpp"
 
 namespace gaitway::plugin_check {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/manager/configuration.hpp"
-#include "gaitway/manager/plugin_library.hpp"
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/instance/plugin_library.hpp"
 #include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 

@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/manager/plugin_library.hpp"
+#include "gaitway/instance/plugin_library.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "gaitway/manager/configuration.hpp"
-#include "gaitway/manager/plugin_library.hpp"
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/instance/plugin_library.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "tools/measure/gait_trial.hpp"
 

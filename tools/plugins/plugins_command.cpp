@@ -66,15 +66,16 @@ std::vector<std::filesystem::path> libraries_of(const PluginsOptions& options) {
 
 ordered_json as_json(const core::PluginDescription& plugin) {
   ordered_json topics = ordered_json::array(), parameters = ordered_json::array();
-  for (const core::DescribedTopic& topic : plugin.topics) {
+  for (const core::TopicUse& topic : plugin.topics) {
     topics.push_back(
-        {{"name", topic.name}, {"type", topic.type_name}, {"access", access_name(topic.access)}});
+        {{"name", topic.topic}, {"type", topic.type_name}, {"access", access_name(topic.access)}});
   }
-  for (const core::DescribedParameter& parameter : plugin.parameters) {
-    ordered_json described{{"name", parameter.name},       {"kind", parameter.kind},
+  for (const core::Parameter& parameter : plugin.parameters) {
+    const std::string_view kind = core::parameter_kind_name(parameter.kind);
+    ordered_json described{{"name", parameter.name},       {"kind", kind},
                            {"unit", parameter.unit},       {"default", parameter.fallback},
                            {"description", parameter.doc}, {"live", parameter.live}};
-    const bool is_number = parameter.kind == "number" || parameter.kind == "integer";
+    const bool is_number = kind == "number" || kind == "integer";
     if (is_number && std::isfinite(parameter.lowest)) {
       described["lowest"] = parameter.lowest;
     }
@@ -87,16 +88,16 @@ ordered_json as_json(const core::PluginDescription& plugin) {
           {"version", plugin.version},
           {"description", plugin.text},
           {"library", plugin.file.string()},
-          {"period", plugin.every_tick ? "tick" : "batch"},
+          {"period", plugin.period == Period::tick ? "tick" : "batch"},
           {"topics", topics},
           {"parameters", parameters}};
 }
 
 std::string topics_of(const core::PluginDescription& plugin, bool written) {
   std::string text;
-  for (const core::DescribedTopic& topic : plugin.topics) {
+  for (const core::TopicUse& topic : plugin.topics) {
     if ((topic.access == core::Access::write) == written) {
-      text += (text.empty() ? "" : ", ") + topic.name;
+      text += (text.empty() ? "" : ", ") + topic.topic;
       text += core::is_of_tick_before(topic.access) ? " (of the tick before)" : "";
       text += written || core::needs_writer(topic.access) ? "" : " (optional)";
     }
@@ -107,10 +108,11 @@ std::string topics_of(const core::PluginDescription& plugin, bool written) {
 std::string describe(const core::PluginDescription& plugin) {
   std::string text = fmt::format("{} {}  {}\n", plugin.name, plugin.version, plugin.text);
   text += fmt::format("  library     {}\n", plugin.file.string());
-  text += fmt::format("  stepped     every {}\n", plugin.every_tick ? "10 ms" : "80 ms, for each batch");
+  text += fmt::format("  stepped     every {}\n",
+                      plugin.period == Period::tick ? "10 ms" : "80 ms, for each batch");
   text += fmt::format("  reads       {}\n", topics_of(plugin, false));
   text += fmt::format("  writes      {}\n", topics_of(plugin, true));
-  for (const core::DescribedParameter& parameter : plugin.parameters) {
+  for (const core::Parameter& parameter : plugin.parameters) {
     const bool has_unit = !parameter.unit.empty() && parameter.unit != "1";
     text +=
         fmt::format("  {:<11} {} = {}{}{}{}\n", &parameter == plugin.parameters.data() ? "parameters" : "",

@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "gaitway/core/event_printer.hpp"
+#include "gaitway/core/events.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"

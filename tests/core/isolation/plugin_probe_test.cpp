@@ -38,12 +38,12 @@ TEST(PluginProbe, TellsTopicsAndDescriptor) {
   EXPECT_EQ(plain_c.version, "1.0.0");
   EXPECT_EQ(plain_c.text, "Counts its steps");
   EXPECT_EQ(plain_c.file.filename(), "plain_c.so");
-  EXPECT_TRUE(plain_c.every_tick);
+  EXPECT_EQ(plain_c.period, Period::tick);
   EXPECT_TRUE(plain_c.writes("count"));
   EXPECT_FALSE(plain_c.writes("fail_at"));
   ASSERT_EQ(plain_c.parameters.size(), 1U);
   EXPECT_EQ(plain_c.parameters[0].name, "fail_at");
-  EXPECT_EQ(plain_c.parameters[0].kind, "integer");
+  EXPECT_EQ(plain_c.parameters[0].kind, ParameterKind::integer);
   EXPECT_EQ(plain_c.parameters[0].fallback, "0");
   EXPECT_EQ(plain_c.parameters[0].highest, 1e6);
 }

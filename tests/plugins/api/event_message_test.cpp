@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "gaitway/manager/event_log.hpp"
+#include "gaitway/instance/event_log.hpp"
 
 namespace gaitway::api {
 namespace {

@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/core/event_publisher.hpp"
+#include "gaitway/core/events.hpp"
 #include "gaitway/core/joint_plan_check.hpp"
-#include "gaitway/core/network_events.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/plugin/cycle.hpp"
@@ -22,19 +21,9 @@
 
 namespace gaitway::core {
 
-struct MainControllerOptions {
-  std::filesystem::path configuration;      // YAML; see configuration.hpp
-  std::optional<Configuration> plugins;     // instead of reading that file
-  SearchPath plugin_path;                   // before GAITWAY_PLUGIN_PATH and the shipped plug-ins
-  WallClock wall_clock = &steady_clock_ns;  // for compute times; nullptr: they count as 0
-  IsolationOptions isolation = {};          // of plug-ins in processes of their own
-  // As in PluginManagerOptions.
-  bool wall_time_decides = false;
-  const PluginFaultTable* injected_faults = nullptr;
-  StepWatch* step_watch = nullptr;
-  bool try_at_start = false;
-  std::vector<std::string> stopped = {};
-  std::filesystem::path memory_socket = {};
+struct MainControllerOptions : PluginManagerOptions {  // the robot's directory is its model's
+  std::filesystem::path configuration;                 // YAML; see configuration.hpp
+  std::optional<Configuration> plugins;                // instead of reading that file
 };
 
 // What a tick did.
@@ -59,13 +48,11 @@ struct MainControllerStatistics {
   std::uint64_t not_posted = 0;  // hand-overs that the window did not take: occupied, or the bus is stuck
   std::uint64_t trims_posted = 0;
   std::uint64_t trims_not_posted = 0;
-  std::array<std::uint64_t, 4> answers{};               // to hand-overs: [msgclient::Verdict]
-  std::array<std::uint64_t, 4> user_command_answers{};  // [msgclient::Verdict]
-  std::uint64_t events_missed = 0;                      // in the stream `events`: there were too many at once
-  std::string last_refusal;                             // of here or of the message controller, for people
-  process::DurationSummary batch_compute_us;            // wall time of a whole tick that prepares a batch
-  process::DurationSummary tick_compute_us;             // of the other ticks
-  std::vector<PluginTiming> plugins;                    // in the order of the steps
+  std::array<std::uint64_t, 4> answers{};     // to hand-overs: [msgclient::Verdict]
+  std::uint64_t events_missed = 0;            // in the stream `events`: there were too many at once
+  std::string last_refusal;                   // of here or of the message controller, for people
+  process::DurationSummary batch_compute_us;  // wall time of a whole tick that prepares a batch
+  std::vector<PluginTiming> plugins;          // in the order of the steps
 };
 
 class MainController {
@@ -144,7 +131,6 @@ class MainController {
   const ManagedPlugin* spoiler_ = nullptr;  // of the batch with that sequence
   std::uint32_t spoiled_sequence_ = 0;
   process::DurationHistogram batch_wall_;
-  process::DurationHistogram tick_wall_;
 };
 
 }  // namespace gaitway::core

@@ -8,37 +8,22 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/manager/configuration.hpp"
-#include "gaitway/manager/data_flow.hpp"
-#include "gaitway/manager/plugin_library.hpp"
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/instance/parameter_set.hpp"
+#include "gaitway/instance/plugin_library.hpp"
+#include "gaitway/instance/topic_port.hpp"
+#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::core {
-
-struct DescribedTopic {
-  std::string name;
-  std::string type_name;
-  Access access = Access::read;
-};
-
-struct DescribedParameter {
-  std::string name;
-  std::string kind;      // parameter_kind_name()
-  std::string unit;      // "1": a plain number; empty for flags and texts
-  std::string fallback;  // the default, as text
-  std::string doc;       // one line for people; may be empty
-  double lowest = 0.0;   // of numbers; infinite: no limit
-  double highest = 0.0;
-  bool live = false;  // may be changed while the plug-in runs
-};
 
 struct PluginDescription {
   std::filesystem::path file;
   std::string name;
   std::string version;
   std::string text;
-  bool every_tick = true;  // false: only at ticks that prepare a batch
-  std::vector<DescribedTopic> topics;
-  std::vector<DescribedParameter> parameters;
+  Period period = Period::tick;
+  std::vector<TopicUse> topics;
+  std::vector<Parameter> parameters;
 
   [[nodiscard]] bool writes(std::string_view topic) const noexcept;
 };

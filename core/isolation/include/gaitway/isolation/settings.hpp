@@ -1,18 +1,16 @@
-// What the configuration says about the process of a plug-in with `isolation: process`, and how the manager
-// deals with such processes.
+// How the manager deals with the processes of plug-ins: how long it waits for one, what it may use, when it
+// is replaced.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <filesystem>
 
-namespace gaitway::input {
-class YamlValue;
-}
+#include "gaitway/instance/configuration.hpp"
 
 namespace gaitway::core {
 
-// How long the manager waits for a plug-in in a process of its own, how often it replaces that process, and
-// what the process may use. A step's own budget is the plug-in's, wherever it runs.
+// A step's own budget is the plug-in's, wherever it runs.
 struct IsolationOptions {
   // Virtual time: the step waits for its process, and wall time decides nothing but when a child hangs.
   // False, real time: a step that has no answer within its budget is late.
@@ -29,22 +27,68 @@ struct IsolationOptions {
   std::uint32_t descriptor_limit = 64;  // open files of the child
 };
 
-// Under a plug-in's entry:
-//   network: serve          # it may open sockets while it is constructed, and accept connections ever after
-//   writes: recordings      # the only folder in which it may create files; from the configuration's folder
-//   descriptors: 512        # open files, 16..4096
-//   memory: 1 GiB           # address space, 64 MiB..64 GiB
-struct ChildSettings {
-  bool serves_network = false;
-  std::filesystem::path writes;          // absolute; empty: none
-  std::uint32_t descriptor_limit = 0;    // 0: that of IsolationOptions
-  std::uint64_t memory_limit_bytes = 0;  // 0: the same
+// The same as a plug-in's own settings have it.
+[[nodiscard]] inline IsolationOptions options_for(const ChildSettings& settings,
+                                                  IsolationOptions options) noexcept {
+  constexpr std::int64_t kNetworkHang_ns = 500'000'000;
+  if (settings.descriptor_limit != 0) {
+    options.descriptor_limit = settings.descriptor_limit;
+  }
+  if (settings.memory_limit_bytes != 0 && options.memory_limit_bytes != 0) {
+    options.memory_limit_bytes = settings.memory_limit_bytes;
+  }
+  if (settings.serves_network) {
+    // It has no priority, and nobody waits for what it does.
+    options.hang_ns = std::max(options.hang_ns, kNetworkHang_ns);
+  }
+  return options;
+}
+
+// When the process of a plug-in that was lost is replaced, and when no more. Times are the robot's, so that
+// each run of one seed does the same.
+class RestartRule {
+ public:
+  RestartRule(const IsolationOptions& options, bool serves_network) noexcept
+      : options_(options), serves_network_(serves_network) {}
+
+  void note_start(std::int64_t now_ns) noexcept { started_ns_[starts_++ % started_ns_.size()] = now_ns; }
+  void note_return(std::int64_t now_ns) noexcept { returned_ns_ = now_ns; }
+  [[nodiscard]] bool has_started_again() const noexcept { return starts_ > 0; }
+
+  // Replacements within the window.
+  [[nodiscard]] std::uint64_t recent(std::int64_t now_ns) const noexcept {
+    const std::uint64_t known = std::min<std::uint64_t>(starts_, started_ns_.size());
+    return static_cast<std::uint64_t>(
+        std::count_if(started_ns_.begin(), started_ns_.begin() + static_cast<std::ptrdiff_t>(known),
+                      [&](std::int64_t at) { return now_ns - at < options_.replacement_window_ns; }));
+  }
+  [[nodiscard]] bool gives_up(std::int64_t now_ns) const noexcept {
+    return !serves_network_ && recent(now_ns) >= options_.replacements;
+  }
+  // Of a loss now. One that serves the network is always replaced, or whoever can end it could shut the door;
+  // but the oftener the later. `ran`: it was in service.
+  [[nodiscard]] std::int64_t delay_ns(std::int64_t now_ns, bool ran) noexcept {
+    if (!serves_network_) {
+      return options_.restart_delay_ns;
+    }
+    if (ran && now_ns - returned_ns_ >= options_.replacement_window_ns) {
+      losses_in_a_row_ = 0;
+    }
+    const std::int64_t delay_ns = options_.restart_delay_ns << std::min(losses_in_a_row_, kMostDoublings);
+    ++losses_in_a_row_;
+    return std::min(delay_ns, kLongest_ns);
+  }
+
+ private:
+  static constexpr std::int64_t kLongest_ns = 800'000'000;
+  static constexpr std::uint32_t kMostDoublings = 8;
+
+  const IsolationOptions& options_;
+  const bool serves_network_;
+  std::array<std::int64_t, 8> started_ns_{};  // ring of the last ones
+  std::uint64_t starts_ = 0;
+  std::int64_t returned_ns_ = 0;
+  std::uint32_t losses_in_a_row_ = 0;  // that came soon after the one before
 };
-
-// The manager's options as these settings have them.
-[[nodiscard]] IsolationOptions options_for(const ChildSettings& settings, IsolationOptions options) noexcept;
-
-// Reads these keys of a plug-in's entry. Throws input::InputError.
-ChildSettings read_child_settings(const input::YamlValue& plugin, bool isolated);
 
 }  // namespace gaitway::core

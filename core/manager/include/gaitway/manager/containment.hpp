@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "gaitway/manager/containment_settings.hpp"
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/instance/managed_plugin.hpp"
 #include "gaitway/manager/fallback.hpp"
-#include "gaitway/manager/managed_plugin.hpp"
-#include "gaitway/plugin/tick.hpp"
+#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::core {
 
@@ -58,7 +58,7 @@ class Containment {
 
   GiveUpRule give_up_;
   Period period_ = Period::tick;
-  std::int64_t budget_ns_ = kTickBudget_ns;
+  std::int64_t budget_ns_ = step_budget_ns({}, false);
   FallbackSet fallbacks_;
   ServiceState state_ = ServiceState::works;
   Recovery recovery_ = Recovery::not_needed;  // at the last fault in this row

@@ -1,4 +1,5 @@
 // Who writes a plug-in's topics while it fails: in the same tick, before the plug-ins that depend on them.
+// And while it is stopped.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/manager/containment_settings.hpp"
-#include "gaitway/manager/managed_plugin.hpp"
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/instance/managed_plugin.hpp"
+#include "gaitway/manager/data_flow.hpp"
 #include "gaitway/msgclient/client.hpp"
-#include "gaitway/plugin/tick.hpp"
+#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::core {
 
@@ -38,10 +40,7 @@ struct FallbackSource {  // what fallbacks are made from
 // none of them.
 [[nodiscard]] std::unique_ptr<Fallback> make_fallback(FallbackKind kind, const FallbackSource& source);
 
-// The kind that a standard topic asks for; none for all others.
-[[nodiscard]] FallbackKind fallback_of_topic(std::string_view topic, std::uint64_t type_hash) noexcept;
-// Standard topics that a kind writes, and those that it reads for it.
-[[nodiscard]] std::span<const std::string_view> topics_written_by(FallbackKind kind) noexcept;
+// Standard topics that a kind reads for what it writes.
 [[nodiscard]] std::span<const std::string_view> topics_read_by(FallbackKind kind) noexcept;
 
 // All that stand in for one plug-in.
@@ -64,6 +63,34 @@ class FallbackSet {
   std::vector<std::unique_ptr<Fallback>> fallbacks_;
   std::string name_ = "none";
   bool complete_ = false;  // it has somebody for every topic
+};
+
+// In the place of a plug-in that is stopped, since the start or later: nothing is loaded; built-in fallbacks
+// write the topics that the others miss.
+class StandIn final : public ManagedPlugin {
+ public:
+  // Writes these topics, all of them standard ones with a fallback.
+  StandIn(const PluginEntry& entry, const std::vector<std::string>& topics,
+          const std::filesystem::path& configuration_file, EventLog& events);
+
+  void activate() override {}
+  void deactivate() noexcept override {}
+  bool save_state(PluginState& state) noexcept override;
+  bool restore_state(const PluginState&) noexcept override { return true; }
+  bool set_parameter(const char*, const gaitway_value&) noexcept override;
+  [[nodiscard]] std::string_view version() const noexcept override { return "nothing"; }
+
+  // What it is to write: standard topics that nobody else does and that a fallback can write. Of the kind
+  // that `entry` names; else those whose standard writer has its name; else those that a loaded plug-in
+  // needs.
+  [[nodiscard]] static std::vector<std::string> topics_for(const PluginEntry& entry,
+                                                           const std::vector<DataFlowNode>& loaded,
+                                                           const std::vector<ExternalTopic>& external);
+  // Of a running plug-in's own topics those that a fallback can write.
+  [[nodiscard]] static std::vector<std::string> topics_for(const DataFlowNode& running);
+
+ private:
+  bool run(const Tick&) noexcept override { return true; }
 };
 
 }  // namespace gaitway::core

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/instance/plugin_library.hpp"
 #include "gaitway/isolation/settings.hpp"
 #include "gaitway/manager/plugin_fault_table.hpp"
-#include "gaitway/manager/plugin_library.hpp"
 #include "gaitway/manager/step_watch.hpp"
 
 namespace gaitway::core {

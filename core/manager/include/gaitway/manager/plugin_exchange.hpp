@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/instance/configuration.hpp"
 #include "gaitway/isolation/plugin_probe.hpp"
-#include "gaitway/manager/configuration.hpp"
 
 namespace gaitway::core {
 

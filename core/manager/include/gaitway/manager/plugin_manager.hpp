@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/instance/event_log.hpp"
 #include "gaitway/manager/change_control.hpp"
-#include "gaitway/manager/configuration.hpp"
-#include "gaitway/manager/event_log.hpp"
 #include "gaitway/manager/manager_options.hpp"
 #include "gaitway/manager/plugin_set.hpp"
 #include "gaitway/manager/step_runner.hpp"

@@ -10,8 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/instance/managed_plugin.hpp"
 #include "gaitway/manager/containment.hpp"
-#include "gaitway/manager/managed_plugin.hpp"
+#include "gaitway/manager/data_flow.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 
@@ -35,6 +36,9 @@ struct PluginSlot {
   std::int64_t worst_input_age_ns = 0;
   std::uint32_t watch_id = 0;  // by which StepWatch knows it
 };
+
+// What lies in the memory block, and who writes it.
+[[nodiscard]] std::vector<ExternalTopic> external_topics(const msgclient::Client& client);
 
 struct PluginTiming {
   std::string name;

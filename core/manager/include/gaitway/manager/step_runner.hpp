@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "gaitway/manager/event_log.hpp"
+#include "gaitway/instance/event_log.hpp"
 #include "gaitway/manager/manager_options.hpp"
 #include "gaitway/manager/plugin_set.hpp"
 #include "gaitway/msgclient/client.hpp"

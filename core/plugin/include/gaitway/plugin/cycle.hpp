@@ -1,12 +1,27 @@
-// When the main controller's ticks are, and which of them prepares which batch.
+// What a plug-in and its manager are told at each tick, when the ticks are, and which of them prepares which
+// batch.
 #pragma once
 
 #include <cstdint>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/plugin/tick.hpp"
 
-namespace gaitway::core {
+namespace gaitway {
+
+struct Tick {
+  std::int64_t now_ns = 0;           // clock of the robot, virtual or real
+  std::int64_t batch_start_ns = 0;   // when the batch that is being prepared will start to play
+  std::uint32_t batch_sequence = 0;  // its cycle's number; between batches: of the next one to come
+  std::uint32_t tick = 0;            // ticks of 10 ms since start
+  bool batch = false;                // this tick prepares a batch (every eighth)
+
+  friend bool operator==(const Tick&, const Tick&) = default;
+};
+
+// Every 10 ms, or only at ticks that prepare a batch.
+enum class Period : std::uint32_t { tick = 0, batch = 1 };
+
+namespace core {
 
 // Tick k is at k * 10 ms + phase: by then the feedback of its slot has come in.
 inline constexpr std::int64_t kTickPhase_ns = 4 * facts::kMillisecond_ns;
@@ -45,4 +60,5 @@ constexpr std::int64_t next_tick_ns(std::int64_t now_ns, std::int64_t phase_ns =
   return now_ns < phase_ns ? phase_ns : next * facts::kSlot_ns + phase_ns;
 }
 
-}  // namespace gaitway::core
+}  // namespace core
+}  // namespace gaitway

@@ -26,11 +26,10 @@
 
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/plugin/abi.h"
-#include "gaitway/plugin/detail/live_parameters.hpp"
+#include "gaitway/plugin/cycle.hpp"
 #include "gaitway/plugin/detail/plugin_border.hpp"
 #include "gaitway/plugin/number_parameter.hpp"
 #include "gaitway/plugin/state_archive.hpp"
-#include "gaitway/plugin/tick.hpp"
 
 namespace gaitway {
 

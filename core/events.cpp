@@ -1,0 +1,104 @@
+// Causes by name, and when they are told; a few events a tick, so that a flood of them costs no tick.
+#include "gaitway/core/events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include "gaitway/input/text.hpp"
+
+namespace gaitway::core {
+namespace {
+
+struct Cause {
+  std::uint64_t NetworkHealth::*count;
+  std::uint32_t incident;  // as in NetworkHealth::last_incident
+  std::string_view text;
+};
+
+constexpr std::array<Cause, NetworkEvents::kCauses> kTold{{
+    {&NetworkHealth::forged, 11,
+     "frames of others that claim to come from the message controller: safe stop"},
+    {&NetworkHealth::second_senders, 13, "time slots with two different feedback frames of one node"},
+    {&NetworkHealth::bus_offs, 17, "times off the bus"},
+    {&NetworkHealth::feedback_missing, 1, "nodes fell silent for two time slots"},
+    {&NetworkHealth::nodes_restarted, 3, "nodes have restarted"},
+    {&NetworkHealth::stops_repeated, 18, "emergency stops sent again, since a joint had not confirmed them"},
+    {&NetworkHealth::unknown_identifiers, 6, "frames with an unknown identifier"},
+    {&NetworkHealth::wrong_lengths, 7, "frames of a wrong length"},
+    {&NetworkHealth::remote_frames, 8, "remote frames"},
+    {&NetworkHealth::extended_frames, 9, "frames with an extended identifier"},
+    {&NetworkHealth::undefined_values, 10, "frames with an undefined value"},
+    {&NetworkHealth::expired, 14, "frames not sent before their transmit deadline"},
+    {&NetworkHealth::flushed, 15, "frames dropped while the bus was off"},
+    {&NetworkHealth::queue_full, 16, "frames for which the transmit queue had no room"},
+    {&NetworkHealth::doubled, 12, "frames that came twice"},
+}};
+
+constexpr std::string_view kTopic = "events";
+
+msgclient::Writer<gaitway::Event> claim(msgclient::Client& client) {
+  const auto declared = client.find(kTopic);
+  return client.write_stream<gaitway::Event>(kTopic, declared ? 0 : EventPublisher::kStreamCapacity);
+}
+
+template <std::size_t size>
+void copy_text(std::string_view text, std::uint8_t (&field)[size]) noexcept {
+  std::memcpy(field, text.data(), std::min(text.size(), size - 1));
+}
+
+gaitway::Event published_form(const Event& event) noexcept {
+  gaitway::Event result{};
+  result.stamp_ns = event.stamp_ns;
+  result.kind = static_cast<std::uint32_t>(event.kind);
+  copy_text(event.source(), result.source);
+  copy_text(event.text(), result.text);
+  return result;
+}
+
+}  // namespace
+
+std::size_t NetworkEvents::describe(std::size_t cause, const NetworkHealth& health,
+                                    std::array<char, 160>& text) noexcept {
+  const std::uint64_t count = health.*kTold[cause].count;
+  if (count == 0 || count < next_[cause]) {
+    return 0;
+  }
+  next_[cause] = 2 * count;
+  const bool node_known = health.last_incident == kTold[cause].incident && health.last_incident_node != 0;
+  return node_known ? format_into(text, "message network: {} {} (node {})", count, kTold[cause].text,
+                                  health.last_incident_node)
+                          .size()
+                    : format_into(text, "message network: {} {}", count, kTold[cause].text).size();
+}
+
+EventPublisher::EventPublisher(msgclient::Client& client) : writer_(claim(client)) {}
+
+void EventPublisher::step(const EventLog& events, std::int64_t now_ns) noexcept {
+  if (next_ < events.first()) {
+    missed_ += events.first() - next_;
+    next_ = events.first();
+  }
+  for (std::uint32_t i = 0; i < kEventsAStep && next_ < events.total(); ++i, ++next_) {
+    writer_.publish(published_form(events[next_]), now_ns);
+  }
+}
+
+void EventPrinter::print(const EventLog& events) {
+  constexpr std::uint64_t kEventsPerPrint = 5;
+  next_ = std::max(next_, events.first());
+  for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsPerPrint; ++printed, ++next_) {
+    const Event& event = events[next_];
+    fmt::print(stderr, "{}: {:.3f} s: {}: {}: {}\n", program_, static_cast<double>(event.stamp_ns) * 1e-9,
+               event_kind_name(event.kind), input::terminal_text(event.source()),
+               input::terminal_text(event.text()));
+  }
+  if (next_ < events.total()) {
+    fmt::print(stderr, "{}: {} more events\n", program_, events.total() - next_);
+    next_ = events.total();
+  }
+}
+
+}  // namespace gaitway::core

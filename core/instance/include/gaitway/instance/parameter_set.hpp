@@ -1,0 +1,78 @@
+// A plug-in's parameters: what the configuration says, read as the plug-in declares it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/plugin/abi.h"
+
+namespace gaitway::core {
+
+enum class ParameterKind : std::uint8_t {  // same numbers as in the ABI
+  number = GAITWAY_NUMBER,
+  integer = GAITWAY_INTEGER,
+  flag = GAITWAY_FLAG,
+  text = GAITWAY_TEXT
+};
+[[nodiscard]] std::string_view parameter_kind_name(ParameterKind kind) noexcept;
+[[nodiscard]] std::string value_text(const gaitway_value& value);  // as people write it
+
+struct Parameter {  // as declared, with the value in use
+  std::string name;
+  ParameterKind kind = ParameterKind::number;
+  std::string unit;  // "1": a plain number; empty for flags and texts
+  std::string doc;
+  std::string fallback;  // the default, as text
+  std::string value;     // as text
+  double lowest = 0.0;   // of numbers
+  double highest = 0.0;
+  bool live = false;  // may be changed while the plug-in runs
+};
+
+// Values are looked up by declaring them. All members throw ConfigurationError with file, line, value, rule
+// and remedy.
+class ParameterSet {
+ public:
+  ParameterSet(std::filesystem::path file, std::string plugin, std::vector<ParameterEntry> entries)
+      : file_(std::move(file)), plugin_(std::move(plugin)), entries_(std::move(entries)) {}
+
+  // The configuration's value, or the default. A number may carry its unit ("0.4 s"); without one it is taken
+  // in the parameter's, another one is refused; so is what lies out of range. A text stays valid for the
+  // set's life.
+  gaitway_value declare(const gaitway_parameter& parameter);
+  // Reads `text` as the new value of a live parameter. Does not change the set: keep() does.
+  [[nodiscard]] gaitway_value read_change(std::string_view name, const std::string& text) const;
+  void keep(std::string_view name, const gaitway_value& value);
+  // The same with the value's text, which is swapped in: no allocation.
+  void keep(std::string_view name, std::string& text) noexcept;
+
+  // Complains about an entry that nobody asked for, and names the nearest parameter.
+  void require_all_declared() const;
+  [[nodiscard]] const std::deque<Parameter>& declared() const noexcept { return declared_; }
+
+ private:
+  Parameter& remember(const gaitway_parameter& parameter);
+  [[nodiscard]] const ParameterEntry* find(std::string_view name) const noexcept;
+  [[nodiscard]] gaitway_value read(const Parameter& parameter, const std::string& text,
+                                   const std::string& place) const;
+  [[nodiscard]] std::string place_of(const ParameterEntry& entry) const;
+
+  std::filesystem::path file_;
+  std::string plugin_;
+  std::vector<ParameterEntry> entries_;
+  std::deque<Parameter> declared_;  // stable addresses: texts are given out
+};
+
+// A parameter as a line of JSON, for those who are not in this process:
+// {"name", "value", "unit", "doc", "live", "lowest", "highest"}: value as text; limits null where there are
+// none, or where they have no meaning. At most `most_bytes`: its doc is shortened, and then its value. Throws
+// PluginError where that is not enough.
+[[nodiscard]] std::string parameter_line(const Parameter& parameter, std::size_t most_bytes);
+
+}  // namespace gaitway::core

@@ -1,0 +1,223 @@
+// Numbers with units, flags and texts.
+#include "gaitway/instance/parameter_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "gaitway/input/complaint.hpp"
+#include "gaitway/input/number.hpp"
+
+namespace gaitway::core {
+namespace {
+
+std::string_view plain(std::string_view unit) noexcept {
+  return unit.empty() ? std::string_view("1") : unit;
+}
+
+}  // namespace
+
+std::string_view parameter_kind_name(ParameterKind kind) noexcept {
+  constexpr std::array<std::string_view, 4> kNames{"number", "integer", "flag", "text"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+namespace {
+
+// What a value in text form is refused with.
+class Refusal {
+ public:
+  Refusal(const Parameter& parameter, const std::string& plugin, const std::string& text,
+          const std::string& place)
+      : head_(fmt::format("{}: parameter '{}' of '{}' = '{}'", place, parameter.name, plugin, text)) {}
+  [[noreturn]] void operator()(const std::string& complaint) const {
+    throw ConfigurationError(fmt::format("{}: {}", head_, complaint));
+  }
+
+ private:
+  std::string head_;
+};
+
+std::string range_of(const Parameter& parameter) {
+  const std::string unit = parameter.unit == "1" ? "" : " " + parameter.unit;
+  if (std::isinf(parameter.lowest)) {
+    return fmt::format("at most {}{}", parameter.highest, unit);
+  }
+  if (std::isinf(parameter.highest)) {
+    return fmt::format("at least {}{}", parameter.lowest, unit);
+  }
+  return fmt::format("from {} to {}{}", parameter.lowest, parameter.highest, unit);
+}
+
+void require_range(const Parameter& parameter, double value, const Refusal& refuse) {
+  if (value < parameter.lowest || value > parameter.highest) {
+    refuse(fmt::format("must be {}. The default is {}", range_of(parameter), parameter.fallback));
+  }
+}
+
+template <class Number>
+Number read_number(const Parameter& parameter, std::string_view text, const Refusal& refuse) {
+  constexpr std::string_view kWanted = std::is_integral_v<Number> ? "a whole number" : "a finite number";
+  const bool plain_number = parameter.unit == "1";
+  input::NumberAndUnit<Number> given;
+  try {
+    given = input::split_number<Number>(text);
+  } catch (const input::ValueError& error) {
+    refuse(error.remedy.empty()
+               ? fmt::format("must be {} in {}. Write for example '{}{}{}'", kWanted, parameter.unit,
+                             parameter.fallback, plain_number ? "" : " ", plain_number ? "" : parameter.unit)
+               : error.what());
+  }
+  if (!given.unit.empty() && given.unit != parameter.unit) {
+    refuse(plain_number
+               ? fmt::format("is in '{}', but must be a plain number without unit", given.unit)
+               : fmt::format("is in '{}', but must be in '{}'. Convert it", given.unit, parameter.unit));
+  }
+  require_range(parameter, static_cast<double>(given.number), refuse);
+  return given.number;
+}
+
+}  // namespace
+
+std::string value_text(const gaitway_value& value) {
+  switch (value.kind) {
+    case GAITWAY_NUMBER:
+      return fmt::format("{}", value.number);
+    case GAITWAY_INTEGER:
+      return fmt::format("{}", value.integer);
+    case GAITWAY_FLAG:
+      return value.integer != 0 ? "true" : "false";
+    default:
+      return value.text;
+  }
+}
+
+std::string ParameterSet::place_of(const ParameterEntry& entry) const {
+  return fmt::format("{}:{}", file_.string(), entry.line);
+}
+
+const ParameterEntry* ParameterSet::find(std::string_view name) const noexcept {
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [name](const ParameterEntry& entry) { return entry.name == name; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+Parameter& ParameterSet::remember(const gaitway_parameter& wanted) {
+  const auto kind = static_cast<ParameterKind>(wanted.fallback.kind);
+  const bool numeric = kind == ParameterKind::number || kind == ParameterKind::integer;
+  const std::string unit(!numeric ? std::string_view() : plain(wanted.unit == nullptr ? "" : wanted.unit));
+  const auto same = [&wanted](const Parameter& other) { return other.name == wanted.name; };
+  const auto before = std::find_if(declared_.begin(), declared_.end(), same);
+  if (before != declared_.end()) {
+    if (before->kind != kind || before->unit != unit) {
+      throw ConfigurationError(
+          fmt::format("plug-in '{}' declares its parameter '{}' once as {} [{}] and once as {} [{}]. "
+                      "Correct the plug-in",
+                      plugin_, wanted.name, parameter_kind_name(before->kind), before->unit,
+                      parameter_kind_name(kind), unit));
+    }
+    return *before;
+  }
+  const std::string fallback = value_text(wanted.fallback);
+  declared_.push_back({.name = wanted.name,
+                       .kind = kind,
+                       .unit = unit,
+                       .doc = wanted.doc == nullptr ? "" : wanted.doc,
+                       .fallback = fallback,
+                       .value = fallback,
+                       .lowest = wanted.lowest,
+                       .highest = wanted.highest,
+                       .live = wanted.live != 0});
+  return declared_.back();
+}
+
+gaitway_value ParameterSet::read(const Parameter& parameter, const std::string& text,
+                                 const std::string& place) const {
+  const Refusal refuse(parameter, plugin_, text, place);
+  gaitway_value value{static_cast<gaitway_kind>(parameter.kind), 0, 0.0, 0, nullptr};
+  switch (parameter.kind) {
+    case ParameterKind::number:
+      value.number = read_number<double>(parameter, text, refuse);
+      break;
+    case ParameterKind::integer:
+      value.integer = read_number<std::int64_t>(parameter, text, refuse);
+      break;
+    case ParameterKind::flag:
+      if (text != "true" && text != "false") {
+        refuse("must be true or false");
+      }
+      value.integer = text == "true" ? 1 : 0;
+      break;
+    case ParameterKind::text:
+      value.text = text.c_str();
+      break;
+  }
+  return value;
+}
+
+gaitway_value ParameterSet::declare(const gaitway_parameter& wanted) {
+  Parameter& parameter = remember(wanted);
+  gaitway_value value = wanted.fallback;
+  if (const ParameterEntry* const entry = find(wanted.name)) {
+    value = read(parameter, entry->text, place_of(*entry));
+  }
+  keep(wanted.name, value);
+  value.text = parameter.kind == ParameterKind::text ? parameter.value.c_str() : nullptr;
+  return value;
+}
+
+gaitway_value ParameterSet::read_change(std::string_view name, const std::string& text) const {
+  const auto found = std::find_if(declared_.begin(), declared_.end(),
+                                  [name](const Parameter& parameter) { return parameter.name == name; });
+  std::vector<std::string> live;
+  for (const Parameter& parameter : declared_) {
+    if (parameter.live) {
+      live.push_back(parameter.name);
+    }
+  }
+  if (found == declared_.end()) {
+    throw ConfigurationError(fmt::format("plug-in '{}' has no parameter '{}'. {}", plugin_, name,
+                                         live.empty() ? "None of its parameters may change while it runs"
+                                                      : input::suggest(std::string(name), live)));
+  }
+  if (!found->live) {
+    throw ConfigurationError(fmt::format(
+        "parameter '{}' of plug-in '{}' does not change while the plug-in runs ({}). Change it in the "
+        "configuration and start anew, or declare it with live_parameter()",
+        name, plugin_,
+        live.empty() ? "none of its parameters does" : fmt::format("{} may", fmt::join(live, ", "))));
+  }
+  return read(*found, text, "change at run time");
+}
+
+void ParameterSet::keep(std::string_view name, const gaitway_value& value) {
+  std::string text = value_text(value);
+  keep(name, text);
+}
+
+void ParameterSet::keep(std::string_view name, std::string& text) noexcept {
+  const auto found = std::find_if(declared_.begin(), declared_.end(),
+                                  [name](const Parameter& parameter) { return parameter.name == name; });
+  if (found != declared_.end()) {
+    found->value.swap(text);
+  }
+}
+
+void ParameterSet::require_all_declared() const {
+  std::vector<std::string> known;
+  for (const Parameter& parameter : declared_) {
+    known.push_back(parameter.name);
+  }
+  for (const ParameterEntry& entry : entries_) {
+    if (std::find(known.begin(), known.end(), entry.name) == known.end()) {
+      throw ConfigurationError(fmt::format("{}:{}: plug-in '{}' has no parameter '{}'. {}", file_.string(),
+                                           entry.line, plugin_, entry.name,
+                                           input::suggest(entry.name, known)));
+    }
+  }
+}
+
+}  // namespace gaitway::core

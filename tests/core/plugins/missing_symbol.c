@@ -1,2 +1,0 @@
-/* A shared library, but no plug-in. */
-const int gaitway_plugin_entries = 1;
