@@ -16,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "gaitway/input/text.hpp"
 #include "gaitway/manager/step_watch.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "gaitway/process/real_time.hpp"
@@ -23,18 +24,21 @@
 namespace gaitway::core {
 namespace {
 
-constexpr std::int64_t kBetweenLooks_ns = 20'000'000;   // between two looks at the ticks
-constexpr int kExitSignal = 128;                        // and the signal's number
-constexpr std::int64_t kLongestEnd_ns = 5'000'000'000;  // from SIGTERM to the end
+constexpr std::int64_t kBetweenLooks_ns = 20'000'000;    // between two looks at the ticks
+constexpr std::int64_t kBetweenStarts_ns = 200'000'000;  // of those that fail
+constexpr int kExitSignal = 128;                         // and the signal's number
+constexpr std::int64_t kLongestEnd_ns = 5'000'000'000;   // from SIGTERM to the end
 
 struct Death {
   int exit_code = 0;
   int signal = 0;            // 0: it ended by itself
+  std::string stillborn;     // why it could not be started; empty: it was
   std::int64_t hung_ns = 0;  // it made no progress for so long and was ended; 0: it did not hang
   std::int64_t at_ns = 0;
   // That was being stepped; empty: none, or SIGKILL came from outside (no step raises it), at whatever
   // instant.
   std::string plugin;
+  std::string changed;  // or beside the ticks, where its code may have been at fault; empty: none
 };
 
 // Ended with this object at the latest.
@@ -80,7 +84,8 @@ class Worker {
     death.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     death.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     if (death.signal != SIGKILL) {
-      death.plugin = watch_.current();
+      death.changed = watch_.changed();
+      death.plugin = death.changed.empty() ? watch_.current() : "";
     }
     return death;
   }
@@ -129,13 +134,12 @@ class Supervisor {
 
   int run() {
     while (true) {
-      Worker worker(options_, stopped_);
-      const Death death = watch(worker);
-      if (death.signal == 0) {
+      const Death death = live();
+      if (death.signal == 0 && death.stillborn.empty()) {
         return death.exit_code;
       }
       if (process::stop_requested()) {
-        return kExitSignal + death.signal;
+        return death.signal == 0 ? 0 : kExitSignal + death.signal;
       }
       if (!may_restart(death)) {
         return kExitGivenUp;
@@ -144,6 +148,23 @@ class Supervisor {
   }
 
  private:
+  // One worker from its start to its end. That it cannot be started again is a death like another.
+  Death live() {
+    try {
+      Worker worker(options_, stopped_);
+      return watch(worker);
+    } catch (const std::system_error& error) {
+      if (died_ns_ == 0) {
+        throw;
+      }
+      process::wait_until(process::monotonic_ns() + kBetweenStarts_ns, {});
+      Death death;
+      death.stillborn = error.what();
+      death.at_ns = process::monotonic_ns();
+      return death;
+    }
+  }
+
   // Progress is a tick; before the first one, that another plug-in is being set up, or none.
   Death watch(Worker& worker) {
     std::uint64_t ticks = 0;
@@ -200,11 +221,16 @@ class Supervisor {
     deaths_ns_.push_back(death.at_ns);
     std::erase_if(deaths_ns_, [&](std::int64_t at_ns) { return death.at_ns - at_ns > kRestartWindow_ns; });
     const std::string how =
-        death.hung_ns > 0 ? fmt::format("made no tick for {} ms and was ended", death.hung_ns / 1'000'000)
-                          : fmt::format("was ended by signal {} ({})", death.signal, strsignal(death.signal));
-    const std::string where = !death.plugin.empty() ? fmt::format("in plug-in '{}'", death.plugin)
-                              : death.signal == SIGKILL && death.hung_ns == 0 ? "from outside"
-                                                                              : "outside of any plug-in";
+        !death.stillborn.empty() ? fmt::format("could not be started: {}", death.stillborn)
+        : death.hung_ns > 0
+            ? fmt::format("made no tick for {} ms and was ended", death.hung_ns / 1'000'000)
+            : fmt::format("was ended by signal {} ({})", death.signal, strsignal(death.signal));
+    const std::string where =
+        !death.plugin.empty() ? fmt::format("in plug-in '{}'", input::terminal_text(death.plugin))
+        : !death.changed.empty()
+            ? fmt::format("while plug-in '{}' was changed", input::terminal_text(death.changed))
+        : death.signal == SIGKILL && death.hung_ns == 0 ? "from outside"
+                                                        : "outside of any plug-in";
     fmt::print(stderr, "main_controller: {:.3f} s: {}, the process {}\n",
                static_cast<double>(death.at_ns) * 1e-9, where, how);
     if (deaths_ns_.size() > static_cast<std::size_t>(kMostRestarts)) {
@@ -220,7 +246,9 @@ class Supervisor {
       stopped_.push_back(death.plugin);
     }
     fmt::print(stderr, "main_controller: started again{}\n",
-               stopped_.empty() ? "" : fmt::format(", without '{}'", fmt::join(stopped_, "', '")));
+               stopped_.empty()
+                   ? ""
+                   : input::terminal_text(fmt::format(", without '{}'", fmt::join(stopped_, "', '"))));
     return true;
   }
 

@@ -170,13 +170,13 @@ std::string PluginRequests::describe_parameter() const {
                         sizeof(PluginAnswer::text) - 1);
 }
 
-void PluginRequests::prepare() {
+PluginRequests::Stage PluginRequests::prepare() {
   try {
     switch (static_cast<PluginVerb>(request_.verb)) {
       case PluginVerb::describe_parameter:
         set_text(describe_parameter());
         done_ = true;
-        return go_to(Stage::answered);
+        return Stage::answered;
       case PluginVerb::set:
         parameter_ = manager_.changes().prepare_parameter(
             text_of(request_.plugin), text_of(request_.parameter), text_of(request_.value));
@@ -187,32 +187,39 @@ void PluginRequests::prepare() {
         }
         change_ = prepared(manager_, request_);
     }
-    go_to(Stage::prepared);
+    return Stage::prepared;
   } catch (const std::exception& error) {
     done_ = false;
     set_text(error.what());
-    go_to(Stage::answered);
+    return Stage::answered;
   }
 }
 
 // What is no longer needed goes.
-void PluginRequests::clear() {
+PluginRequests::Stage PluginRequests::clear() {
   if (parameter_ && done_) {
     ChangeControl::keep(*parameter_);
     set_text(fmt::format("{} is {} from now on", parameter_->parameter, parameter_->text));
   }
   parameter_.reset();
   change_.reset();
-  go_to(Stage::answered);
+  return Stage::answered;
 }
 
 void PluginRequests::work() {
   const Stage stage = stage_.load(std::memory_order_acquire);
-  if (stage == Stage::preparing) {
-    prepare();
-  } else if (stage == Stage::clearing) {
-    clear();
+  if (stage != Stage::preparing && stage != Stage::clearing) {
+    return;
   }
+  StepWatch* const watch = manager_.step_watch();
+  if (watch != nullptr) {
+    watch->begin_change(view_of(request_.plugin));
+  }
+  const Stage next = stage == Stage::preparing ? prepare() : clear();
+  if (watch != nullptr) {
+    watch->end_change();
+  }
+  go_to(next);
 }
 
 bool PluginRequests::wait_for_work() const noexcept {

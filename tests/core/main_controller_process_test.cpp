@@ -7,6 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -31,7 +32,7 @@ class MainControllerProcess : public testing::Test {
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       states.reference_position[joint] = robot.joints[joint].home_rad;
     }
-    network.mode = 2;
+    network.mode = network_state::mode::holding;
     configure("  - {name: planner, library: joint_planner.so}\n");
   }
   ~MainControllerProcess() override {
@@ -167,6 +168,30 @@ TEST_F(MainControllerProcess, AfterACrashItIsStartedAgainWithoutThePluginThatWas
   ASSERT_EQ(serve(20.0, is_back), -1) << output();
   EXPECT_THAT(output(), testing::HasSubstr("in plug-in 'stepped', the process was ended by signal 6"));
   EXPECT_THAT(output(), testing::HasSubstr("started again, without 'stepped'"));
+  kill(process, SIGTERM);
+  EXPECT_EQ(serve(10.0), 0) << output();
+}
+
+// A plug-in that is being changed beside the ticks may take the process down, too: whoever is being stepped
+// at that moment has no part in it.
+TEST_F(MainControllerProcess, AfterACrashInAChangeItIsStartedAgainWithEveryPlugin) {
+  const std::string meeting = "library: crashes_when_it_leaves.so, parameters: {meeting: " + folder.string();
+  configure("  - {name: stepped, " + meeting + "}}\n  - {name: leaver, " + meeting + ", leaves: true}}\n");
+  launch_supervised();
+  msgclient::Client other = block.local_client("ctl");
+  msgclient::Reader<PluginStatistics> statistics = other.read<PluginStatistics>("plugin_statistics");
+  PluginStatistics seen{};
+  ASSERT_EQ(serve(20.0, [&] { return statistics.read(seen) && seen.steps[1] > 0; }), -1) << output();
+  PluginRequest unload{};
+  unload.number = 1;
+  unload.verb = 2;
+  std::strcpy(reinterpret_cast<char*>(unload.plugin), "leaver");
+  ASSERT_TRUE(other.write_queue<PluginRequest>("plugin_request").push(unload, 0));
+  const auto is_back = [this] { return output().find("back after") != std::string::npos; };
+  ASSERT_EQ(serve(20.0, is_back), -1) << output();
+  EXPECT_THAT(output(), testing::HasSubstr("while plug-in 'leaver' was changed, the process was ended by "
+                                           "signal 6"));
+  EXPECT_THAT(output(), testing::HasSubstr("started again\n"));
   kill(process, SIGTERM);
   EXPECT_EQ(serve(10.0), 0) << output();
 }

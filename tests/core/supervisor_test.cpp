@@ -64,6 +64,28 @@ TEST(StepWatch, MoreThanItHasRoomForAreNotNamed) {
   EXPECT_EQ(watch.add("plug-in 7"), 8U) << "a plug-in that is replaced keeps its number";
 }
 
+// The page is the worker's, too, and a plug-in may write over it.
+TEST(StepWatch, ANameWithoutAnEndIsCutOff) {
+  StepWatch watch = StepWatch::make();
+  watch.enter(watch.add("first"));
+  constexpr std::size_t kPage = 4096;
+  auto* const page =
+      static_cast<char*>(mmap(nullptr, kPage, PROT_READ | PROT_WRITE, MAP_SHARED, watch.descriptor(), 0));
+  ASSERT_NE(static_cast<void*>(page), MAP_FAILED);
+  const std::size_t at = std::string_view(page, kPage).find("first");
+  std::memset(page + at, 'x', kPage - at);
+  EXPECT_EQ(watch.current(), std::string(48, 'x'));
+  munmap(page, kPage);
+}
+
+// The robot stands on its safe tail meanwhile: nothing is won by giving up at once.
+TEST(Supervisor, AStartThatFailsAfterADeathIsTriedAgain) {
+  const std::string program = testing::TempDir() + "gaitway_worker_" + std::to_string(getpid());
+  std::ofstream(program) << "#!/bin/sh\nrm \"$0\"\nkill -ABRT $$\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  EXPECT_EQ(supervise({.program = program, .arguments = {}, .quiet = true}), kExitGivenUp);
+}
+
 TEST(Supervisor, WorkerThatCannotBeWatchedIsEnded) {
   const pid_t supervisor = fork();
   if (supervisor == 0) {

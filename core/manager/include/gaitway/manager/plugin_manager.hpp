@@ -51,6 +51,8 @@ class PluginManager {
   // The new plug-in has stood its first tick. The next step() says so, too.
   void end_trial(const Tick& tick) noexcept { changes_.end_trial(tick); }
 
+  // Nullptr: nobody watches.
+  [[nodiscard]] StepWatch* step_watch() const noexcept { return options_.step_watch; }
   // As PluginSet has it.
   [[nodiscard]] const ManagedPlugin* fault_behind(std::string_view topic) const noexcept {
     const PluginSlot* const slot = plugins_.fault_behind(topic);

@@ -61,8 +61,8 @@ class PluginRequests {
   bool take_request() noexcept;
   void put_in_place() noexcept;  // what was prepared
   [[nodiscard]] std::string describe_parameter() const;
-  void prepare();
-  void clear();
+  Stage prepare();  // what comes next
+  Stage clear();
   void set_text(std::string_view text) noexcept;
   void answer(std::int64_t now_ns) noexcept;
   void go_to(Stage stage) noexcept;

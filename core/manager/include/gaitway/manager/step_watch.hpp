@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "gaitway/process/file_descriptor.hpp"
+#include "gaitway/msgclient/segment.hpp"
 
 namespace gaitway::core {
 
@@ -20,40 +20,44 @@ class StepWatch {
   static constexpr std::uint32_t kCapacity = 63;  // names of plug-ins since start
 
   static StepWatch make();               // throws std::system_error
-  static StepWatch open(int inherited);  // throws std::system_error
-  StepWatch(StepWatch&& other) noexcept;
-  StepWatch& operator=(StepWatch&&) = delete;
-  ~StepWatch();
+  static StepWatch open(int inherited);  // throws std::system_error or msgclient::TopicError
 
   // The worker's side. add() is for set-up, and gives the same name the same number; 0: no room, that one is
   // not named.
   std::uint32_t add(std::string_view plugin) noexcept;
   void enter(std::uint32_t id) noexcept { page_->current.store(id, std::memory_order_relaxed); }
   void leave() noexcept { page_->current.store(0, std::memory_order_relaxed); }
+  // Beside the ticks: a plug-in is loaded, constructed or destroyed.
+  void begin_change(std::string_view plugin) noexcept;
+  void end_change() noexcept { page_->changes.store(0, std::memory_order_relaxed); }
   // Its last tick is done: what follows takes its time.
   void end() noexcept { page_->ending.store(1, std::memory_order_relaxed); }
   void count_tick() noexcept {
     page_->ticks.store(page_->ticks.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
 
-  // The watcher's side.
-  [[nodiscard]] std::string current() const;  // name of the plug-in; empty: none
+  // The watcher's side. Names of plug-ins; empty: none.
+  [[nodiscard]] std::string current() const;
+  [[nodiscard]] std::string changed() const;
   [[nodiscard]] std::uint64_t ticks() const noexcept { return page_->ticks.load(std::memory_order_relaxed); }
   [[nodiscard]] bool is_ending() const noexcept { return page_->ending.load(std::memory_order_relaxed) != 0; }
-  [[nodiscard]] int descriptor() const noexcept { return memory_.get(); }
+  [[nodiscard]] int descriptor() const noexcept { return memory_.fd(); }
 
  private:
+  using Name = std::array<char, 48>;
   struct Page {
-    std::atomic<std::uint32_t> current, count, ending;
+    std::atomic<std::uint32_t> current, changes, count, ending;
     std::atomic<std::uint64_t> ticks;
-    std::array<std::array<char, 48>, kCapacity + 1> names;
+    std::array<Name, kCapacity + 1> names;  // [0]: of the one that is being changed
   };
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
-  explicit StepWatch(process::FileDescriptor memory);
+  // All zero in a new one: what its members begin with.
+  explicit StepWatch(msgclient::Segment memory)
+      : memory_(std::move(memory)), page_(static_cast<Page*>(memory_.data())) {}
 
-  process::FileDescriptor memory_;
-  Page* page_ = nullptr;
+  msgclient::Segment memory_;
+  Page* page_;
 };
 
 // While it lives, a plug-in's code runs.
