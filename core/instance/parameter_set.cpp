@@ -105,13 +105,17 @@ const ParameterEntry* ParameterSet::find(std::string_view name) const noexcept {
   return found == entries_.end() ? nullptr : &*found;
 }
 
+Parameter* ParameterSet::find_declared(std::string_view name) noexcept {
+  const auto found = std::find_if(declared_.begin(), declared_.end(),
+                                  [name](const Parameter& parameter) { return parameter.name == name; });
+  return found == declared_.end() ? nullptr : &*found;
+}
+
 Parameter& ParameterSet::remember(const gaitway_parameter& wanted) {
   const auto kind = static_cast<ParameterKind>(wanted.fallback.kind);
   const bool numeric = kind == ParameterKind::number || kind == ParameterKind::integer;
   const std::string unit(!numeric ? std::string_view() : plain(wanted.unit == nullptr ? "" : wanted.unit));
-  const auto same = [&wanted](const Parameter& other) { return other.name == wanted.name; };
-  const auto before = std::find_if(declared_.begin(), declared_.end(), same);
-  if (before != declared_.end()) {
+  if (Parameter* const before = find_declared(wanted.name)) {
     if (before->kind != kind || before->unit != unit) {
       throw ConfigurationError(
           fmt::format("plug-in '{}' declares its parameter '{}' once as {} [{}] and once as {} [{}]. "
@@ -161,24 +165,28 @@ gaitway_value ParameterSet::read(const Parameter& parameter, const std::string& 
 gaitway_value ParameterSet::declare(const gaitway_parameter& wanted) {
   Parameter& parameter = remember(wanted);
   gaitway_value value = wanted.fallback;
+  value.text = parameter.kind == ParameterKind::text ? parameter.fallback.c_str() : nullptr;
   if (const ParameterEntry* const entry = find(wanted.name)) {
     value = read(parameter, entry->text, place_of(*entry));
   }
-  keep(wanted.name, value);
-  value.text = parameter.kind == ParameterKind::text ? parameter.value.c_str() : nullptr;
+  parameter.value = value_text(value);
   return value;
 }
 
-gaitway_value ParameterSet::read_change(std::string_view name, const std::string& text) const {
-  const auto found = std::find_if(declared_.begin(), declared_.end(),
-                                  [name](const Parameter& parameter) { return parameter.name == name; });
+gaitway_value ParameterSet::redeclare(const gaitway_parameter& wanted) {
+  const Parameter& parameter = remember(wanted);
+  return read(parameter, parameter.value, "value in use");
+}
+
+gaitway_value ParameterSet::read_change(std::string_view name, const std::string& text) {
+  const Parameter* const found = find_declared(name);
   std::vector<std::string> live;
   for (const Parameter& parameter : declared_) {
     if (parameter.live) {
       live.push_back(parameter.name);
     }
   }
-  if (found == declared_.end()) {
+  if (found == nullptr) {
     throw ConfigurationError(fmt::format("plug-in '{}' has no parameter '{}'. {}", plugin_, name,
                                          live.empty() ? "None of its parameters may change while it runs"
                                                       : input::suggest(std::string(name), live)));
@@ -190,18 +198,15 @@ gaitway_value ParameterSet::read_change(std::string_view name, const std::string
         name, plugin_,
         live.empty() ? "none of its parameters does" : fmt::format("{} may", fmt::join(live, ", "))));
   }
-  return read(*found, text, "change at run time");
-}
-
-void ParameterSet::keep(std::string_view name, const gaitway_value& value) {
-  std::string text = value_text(value);
-  keep(name, text);
+  gaitway_value value = read(*found, text, "change at run time");
+  if (value.text != nullptr) {
+    value.text = live_texts_.insert(text).first->c_str();
+  }
+  return value;
 }
 
 void ParameterSet::keep(std::string_view name, std::string& text) noexcept {
-  const auto found = std::find_if(declared_.begin(), declared_.end(),
-                                  [name](const Parameter& parameter) { return parameter.name == name; });
-  if (found != declared_.end()) {
+  if (Parameter* const found = find_declared(name)) {
     found->value.swap(text);
   }
 }

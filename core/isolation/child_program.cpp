@@ -229,7 +229,7 @@ gaitway_status ChildProgram::save_state(ChildReply& reply, const gaitway_text& e
 gaitway_status ChildProgram::set_parameter(const ChildRequest& request, const gaitway_text& error) noexcept {
   gaitway_value value = request.parameter;
   if (value.kind == GAITWAY_TEXT) {
-    value.text = texts_.emplace_back(request.parameter_text).c_str();
+    value.text = texts_.emplace(request.parameter_text).first->c_str();
   }
   return instance_.set_parameter(request.parameter_name, value, error);
 }
@@ -270,7 +270,12 @@ gaitway_value ChildProgram::declare_parameter(const gaitway_parameter& parameter
   const std::vector<std::byte> answer = ask(question);
   PacketReader packet(answer);
   packet.number<ChildMessage>();
-  return packet.value(texts_.emplace_back());
+  std::string text;
+  gaitway_value value = packet.value(text);
+  if (value.text != nullptr) {
+    value.text = texts_.insert(text).first->c_str();
+  }
+  return value;
 }
 
 void ChildProgram::set_period(gaitway_period period) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -87,8 +88,8 @@ class ChildProgram final : private PluginDeclarations, private PluginSurrounding
   bool may_write_ = false;  // of one that does, once it is set up
   std::unique_ptr<PluginLibrary> library_;
   std::string robot_directory_, memory_socket_, write_folder_;
-  std::deque<Port> ports_;         // stable addresses: the plug-in holds them
-  std::deque<std::string> texts_;  // values of parameters
+  std::deque<Port> ports_;       // stable addresses: the plug-in holds them
+  std::set<std::string> texts_;  // values of parameters: the plug-in may keep them
   PluginInstance instance_{*this, *this};
   bool hands_state_on_ = true;  // until a save shows that it does not
   std::unique_ptr<msgclient::Segment> segment_;

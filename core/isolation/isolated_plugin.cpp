@@ -254,12 +254,6 @@ void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
     // Real time: a process that the kernel still keeps is not waited for.
     const bool gone = options_.lock_step || !child_ || child_->process().has_ended();
     if (condition_ == Condition::lost && now_ns >= restart_ns_ && gone) {
-      live_values_.clear();
-      for (const Parameter& parameter : parameters_.declared()) {
-        if (parameter.live) {
-          live_values_.emplace_back(parameter.name, parameter.value);
-        }
-      }
       restarts_.note_start(now_ns);
       condition_ = Condition::creating;
       start();
@@ -344,14 +338,18 @@ gaitway_port* IsolatedPlugin::open_topic(const gaitway_topic& topic, gaitway_acc
   return nullptr;  // the child has its own
 }
 
+// What was changed while it ran is not in the configuration: a new child gets the value in use.
 gaitway_value IsolatedPlugin::declare_parameter(const gaitway_parameter& parameter) {
+  if (!restarts_.has_started_again()) {
+    return ManagedPlugin::declare_parameter(parameter);
+  }
   const auto& known = parameters_.declared();
   const auto is_it = [&](const Parameter& other) { return other.name == parameter.name; };
-  if (restarts_.has_started_again() && std::none_of(known.begin(), known.end(), is_it)) {
+  if (std::none_of(known.begin(), known.end(), is_it)) {
     throw PluginError(
         fmt::format("declares parameter '{}', unlike when it was first started", parameter.name));
   }
-  return ManagedPlugin::declare_parameter(parameter);
+  return parameters_.redeclare(parameter);
 }
 
 void IsolatedPlugin::begin_activation(std::int64_t now_ns) {
@@ -363,27 +361,9 @@ void IsolatedPlugin::begin_activation(std::int64_t now_ns) {
   child_->begin(ChildCall::activate);
 }
 
-// What was changed while it ran is not in the configuration.
-void IsolatedPlugin::reapply_parameters() {
-  for (const auto& [name, text] : live_values_) {
-    const auto& all = parameters_.declared();
-    const auto now =
-        std::find_if(all.begin(), all.end(), [&n = name](const Parameter& p) { return p.name == n; });
-    if (now == all.end() || now->value == text) {
-      continue;
-    }
-    const gaitway_value value = parameters_.read_change(name, text);
-    if (!set_parameter(name.c_str(), value)) {
-      throw PluginError(fmt::format("parameter '{}': {}", name, fault()));
-    }
-    parameters_.keep(name, value);
-  }
-}
-
 void IsolatedPlugin::come_back(std::int64_t now_ns) {
   condition_ = Condition::active;
   restarts_.note_return(now_ns);
-  reapply_parameters();
   events_.add(now_ns, tick_.tick, EventKind::info, name_,
               fmt::format("runs in a new process, {}, after {} ms",
                           restored_ ? "from the state of its last good step" : "started afresh",

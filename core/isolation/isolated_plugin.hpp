@@ -8,8 +8,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "child.hpp"
 #include "child_start.hpp"
@@ -90,7 +88,6 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool advance(std::int64_t now_ns, std::int64_t wait_ns);
   void begin_activation(std::int64_t now_ns);
   void come_back(std::int64_t now_ns);
-  void reapply_parameters();
 
   [[nodiscard]] bool require_child() noexcept {  // false: fault() says since when there is none
     const bool there = condition_ == Condition::active || condition_ == Condition::idle;
@@ -114,9 +111,8 @@ class IsolatedPlugin final : public ManagedPlugin {
   std::optional<ChildPlan> plan_;
   LibraryDescription library_;
   std::unique_ptr<Child> child_;
-  std::optional<ChildStart> start_;                               // of the child that is being started
-  std::size_t declared_ports_ = 0;                                // by it
-  std::vector<std::pair<std::string, std::string>> live_values_;  // of the child before
+  std::optional<ChildStart> start_;  // of the child that is being started
+  std::size_t declared_ports_ = 0;   // by it
   Condition condition_ = Condition::creating;
   bool still_late_ = false;    // the step that the last one found late
   bool lost_in_step_ = false;  // the last one

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cstring>
+#include <optional>
 #include <thread>
 
 #include "plugin_fixture.hpp"
@@ -31,14 +32,14 @@ class PluginRequestsTest : public PluginFixture {
     PluginAnswer answer{};
     for (int i = 0; i < 100'000 && !answers.read(answer); ++i) {
       manager->step(tick(++number));
-      requests.step(0);
+      requests->step(0);
       work();
     }
     EXPECT_EQ(answer.number, 7U);
     return answer;
   }
   PluginAnswer ask(const PluginRequest& wanted) {
-    return ask(wanted, [this] { requests.work(); });
+    return ask(wanted, [this] { requests->work(); });
   }
   static std::string text_of(const PluginAnswer& answer) {
     return reinterpret_cast<const char*>(answer.text);
@@ -54,8 +55,8 @@ class PluginRequestsTest : public PluginFixture {
     PluginAnswer answer{};
     for (int i = 0; i < 100 && !answers.read(answer); ++i) {
       manager->step(tick(++number));
-      requests.step(0);
-      requests.work();
+      requests->step(0);
+      requests->work();
     }
     EXPECT_EQ(answer.number, 7U);
     return answer;
@@ -66,7 +67,7 @@ class PluginRequestsTest : public PluginFixture {
     return load("  - {name: c, library: counter.so}\n" + relay("r", "from: out, to: copy") +
                 "  - {name: api, library: counter.so, isolation: process, network: serve}\n");
   }();
-  PluginRequests requests{client, *manager};
+  std::optional<PluginRequests> requests{std::in_place, client, *manager};
   msgclient::StreamReader<PluginAnswer> answers = other.read_stream<PluginAnswer>("plugin_answer");
   msgclient::QueueWriter<PluginRequest> writer = other.write_queue<PluginRequest>("plugin_request");
   msgclient::QueueWriter<PluginRequest> network = other.write_queue<PluginRequest>("api_plugin_request");
@@ -96,6 +97,26 @@ TEST_F(PluginRequestsTest, SetsALiveParameter) {
   EXPECT_TRUE(ask(set).done);
   manager->step(tick(++number));
   EXPECT_EQ(value(), number + 0.5);
+}
+
+// As the ABI promises: until the plug-in is destroyed.
+TEST_F(PluginRequestsTest, EveryTextThatAPluginInCWasGivenStays) {
+  PluginRequest set = request(PluginVerb::set, "keeper");
+  std::strcpy(reinterpret_cast<char*>(set.parameter), "words");
+  stopped.clear();
+  for (const char* const where : {"none", "process"}) {
+    requests.reset();
+    manager.reset();
+    manager = load("  - {name: keeper, library: keeps_texts.so, isolation: " + std::string(where) + "}\n");
+    requests.emplace(client, *manager);
+    for (const char* const text : {"short", "a text that is longer than fifteen bytes", "short", "other"}) {
+      std::strcpy(reinterpret_cast<char*>(set.value), text);
+      EXPECT_TRUE(ask(set).done);
+    }
+    manager->step(tick(++number));
+    EXPECT_EQ(manager->events()[manager->events().total() - 1].text(),
+              "at first|short|a text that is longer than fifteen bytes|short|other");
+  }
 }
 
 TEST_F(PluginRequestsTest, RefusesWithAReasonAndChangesNothing) {
@@ -141,8 +162,8 @@ TEST_F(PluginRequestsTest, ServesBothQueuesByTurns) {
   PluginAnswer answer{};
   for (int i = 0; i < 6; ++i) {
     for (int turn = 0; turn < 3; ++turn) {
-      requests.step(0);
-      requests.work();
+      requests->step(0);
+      requests->work();
     }
     ASSERT_TRUE(answers.read(answer));
     order.push_back(answer.number);
@@ -179,8 +200,8 @@ TEST_F(PluginRequestsTest, OverTheNetworkNobodyTakesAwayWhatServesIt) {
 
 TEST_F(PluginRequestsTest, AnotherThreadDoesTheSlowPart) {
   std::thread worker([this] {
-    while (requests.wait_for_work()) {
-      requests.work();
+    while (requests->wait_for_work()) {
+      requests->work();
     }
   });
   for (int i = 0; i < 10; ++i) {
@@ -188,7 +209,7 @@ TEST_F(PluginRequestsTest, AnotherThreadDoesTheSlowPart) {
     EXPECT_TRUE(answer.done) << text_of(answer);
     EXPECT_EQ(value(), number);
   }
-  requests.end_work();
+  requests->end_work();
   worker.join();
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,10 +47,12 @@ class ParameterSet {
   // in the parameter's, another one is refused; so is what lies out of range. A text stays valid for the
   // set's life.
   gaitway_value declare(const gaitway_parameter& parameter);
-  // Reads `text` as the new value of a live parameter. Does not change the set: keep() does.
-  [[nodiscard]] gaitway_value read_change(std::string_view name, const std::string& text) const;
-  void keep(std::string_view name, const gaitway_value& value);
-  // The same with the value's text, which is swapped in: no allocation.
+  // The same again, by a new instance of the plug-in: gives the value in use.
+  gaitway_value redeclare(const gaitway_parameter& parameter);
+  // Reads `text` as the new value of a live parameter. Does not change what is in use: keep() does. A text
+  // stays valid for the set's life. By one thread at a time.
+  [[nodiscard]] gaitway_value read_change(std::string_view name, const std::string& text);
+  // With the value's text, which is swapped in: no allocation.
   void keep(std::string_view name, std::string& text) noexcept;
 
   // Complains about an entry that nobody asked for, and names the nearest parameter.
@@ -57,6 +60,7 @@ class ParameterSet {
   [[nodiscard]] const std::deque<Parameter>& declared() const noexcept { return declared_; }
 
  private:
+  [[nodiscard]] Parameter* find_declared(std::string_view name) noexcept;
   Parameter& remember(const gaitway_parameter& parameter);
   [[nodiscard]] const ParameterEntry* find(std::string_view name) const noexcept;
   [[nodiscard]] gaitway_value read(const Parameter& parameter, const std::string& text,
@@ -67,6 +71,7 @@ class ParameterSet {
   std::string plugin_;
   std::vector<ParameterEntry> entries_;
   std::deque<Parameter> declared_;  // stable addresses: texts are given out
+  std::set<std::string> live_texts_;
 };
 
 // A parameter as a line of JSON, for those who are not in this process:
