@@ -47,8 +47,8 @@ void Child::send(std::span<const std::byte> packet, int descriptor) {
   }
 }
 
-void Child::wait_for_message(int timeout_ms) const noexcept {
-  pollfd watched[]{{socket_.get(), POLLIN, 0}, {process_.fd(), POLLIN, 0}};
+void Child::wait_for_message(int timeout_ms, bool hung_up) const noexcept {
+  pollfd watched[]{{hung_up ? -1 : socket_.get(), POLLIN, 0}, {process_.fd(), POLLIN, 0}};
   poll(watched, 2, timeout_ms);
 }
 

@@ -34,8 +34,8 @@ class Child {
   void send(std::span<const std::byte> packet, int descriptor = -1);
   [[nodiscard]] Receipt receive() { return receive_packet(socket_, packet_, Wait::no); }
   [[nodiscard]] std::span<const std::byte> packet() const noexcept { return packet_; }  // received last
-  // Waits at most so long for a message or its end.
-  void wait_for_message(int timeout_ms) const noexcept;
+  // Waits at most so long for a message or its end; once it has hung up, for its end alone.
+  void wait_for_message(int timeout_ms, bool hung_up) const noexcept;
   // Makes the segment and hands it over. Throws PluginError.
   void attach(const Ports& ports);
 

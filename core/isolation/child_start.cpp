@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <list>
 #include <stdexcept>
 #include <vector>
@@ -15,6 +16,7 @@ namespace gaitway::core {
 namespace {
 
 using facts::kMillisecond_ns;
+constexpr std::int64_t kLastMoments_ns = 100 * kMillisecond_ns;
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code problem;
@@ -192,18 +194,27 @@ ChildStart::Progress ChildStart::attend(std::int64_t wait_ns) {
       throw PluginError(
           fmt::format("its process {} while it constructed the plug-in", child_->process().end()));
     }
+    const std::int64_t now_ns = process::monotonic_ns();
+    if (receipt == Receipt::closed) {  // one that ends closes it first
+      hung_up_ns_ = hung_up_ns_ == 0 ? now_ns : hung_up_ns_;
+      if (now_ns - hung_up_ns_ > kLastMoments_ns) {
+        throw PluginError(
+            "its process closed its connection to the manager while it constructed the plug-in");
+      }
+    }
     if (is_overdue()) {
       throw PluginError(fmt::format(
           "its process has not constructed the plug-in within {:g} s. Look for a loop or a wait in its "
           "constructor",
           static_cast<double>(plan_.start_limit_ns) * 1e-9));
     }
-    const std::int64_t now_ns = process::monotonic_ns();
     if (now_ns >= end_ns) {
       return Progress::waits;  // also when one message follows the other: there are ticks to keep
     }
     if (receipt != Receipt::packet) {
-      child_->wait_for_message(static_cast<int>((end_ns - now_ns) / kMillisecond_ns + 1));
+      const bool hung_up = receipt == Receipt::closed;
+      const std::int64_t until_ns = hung_up ? std::min(end_ns, hung_up_ns_ + kLastMoments_ns) : end_ns;
+      child_->wait_for_message(static_cast<int>((until_ns - now_ns) / kMillisecond_ns + 1), hung_up);
     }
   }
 }

@@ -96,6 +96,7 @@ class ChildStart {
   StartUp start_up_;
   std::unique_ptr<Child> child_;
   std::int64_t began_ns_;
+  std::int64_t hung_up_ns_ = 0;  // 0: it has not
 };
 
 }  // namespace gaitway::core

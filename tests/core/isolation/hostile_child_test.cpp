@@ -102,6 +102,11 @@ TEST_F(HostileChild, OneThatHearsNoAnswerKeepsNoTickWaiting) {
               HasSubstr("does not read what it is answered"));
 }
 
+TEST_F(HostileChild, OneThatHangsUpAndLivesOnIsRefused) {
+  isolation.start_limit_ns = 3'000'000'000;
+  EXPECT_THAT(complaint("hear\nhang up\n"), HasSubstr("closed its connection to the manager"));
+}
+
 TEST_F(HostileChild, OneThatDeclaresWithoutEndIsRefused) {
   std::string lines = "hear\n";
   for (int i = 0; i < 1025; ++i) {

@@ -3,6 +3,13 @@
 #include "isolation/isolated_plugin.hpp"
 
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "plugin_fixture.hpp"
 
@@ -223,6 +230,46 @@ TEST_F(IsolatedPluginTest, InRealTimeAHostThatHangsIsEndedThoughNobodyStepsIt) {
   manager->maintain(tick(14).now_ns);
   EXPECT_THAT(std::string(manager->plugin(0).fault()),
               HasSubstr("has not answered for 110 ms: its process was ended"));
+}
+
+// The only child of this process.
+pid_t child_process() {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream status(entry.path() / "stat");
+    std::string pid, name, state;
+    pid_t parent = 0;
+    if (status >> pid >> name >> state >> parent && parent == getpid()) {
+      return std::stoi(pid);
+    }
+  }
+  return 0;
+}
+
+TEST_F(IsolatedPluginTest, AParameterThatIsSetWhenItsProcessHasJustDiedIsRefused) {
+  for (const bool lock_step : {true, false}) {
+    isolation.lock_step = lock_step;
+    const auto manager = load(isolated("counter"));
+    ASSERT_EQ(manager->step(tick(1)), 0);
+    const pid_t child = child_process();
+    ASSERT_EQ(kill(child, SIGKILL), 0);
+    siginfo_t info{};
+    ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT), 0);
+    for (const char* const fault : {"was ended by SIGKILL in set_parameter", "is being replaced since"}) {
+      try {
+        manager->changes().set_parameter("it", "offset", "1 m");
+        ADD_FAILURE() << "nobody refused it";
+      } catch (const PluginError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(fault));
+      }
+    }
+    EXPECT_EQ(manager->step(tick(2)), 1);
+    std::uint32_t at = 2;
+    for (; at < 2000 && manager->plugin(0).recovery() != Recovery::not_needed; ++at) {
+      manager->maintain(tick(at).now_ns);
+    }
+    manager->changes().set_parameter("it", "offset", "1 m");
+    EXPECT_EQ(manager->step(tick(at)), 0);
+  }
 }
 
 TEST_F(IsolatedPluginTest, WhatHasNoProcessCanBeStoppedAndReloaded) {

@@ -1,7 +1,8 @@
 // Stands in for gaitway_plugin_child: says to the manager what the file in GAITWAY_TEST_SCRIPT tells, one
 // word a line and in that order, whatever is asked. Words: the names below, `hear` (waits for one message),
-// `stay` (until the manager goes), and `ask N` (N questions in a row, without hearing the answers). `REAL
-// child` as the first line: is that program instead, and the next time the rest.
+// `stay` (until the manager goes), `hang up` (closes its end, and lives on), and `ask N` (N questions in a
+// row, without hearing the answers). `REAL child` as the first line: is that program instead, and the next
+// time the rest.
 #include <unistd.h>
 
 #include <algorithm>
@@ -84,13 +85,18 @@ int main(int, char** argv) {
     execv(words.front().c_str() + 5, argv);
     return 1;
   }
-  const process::FileDescriptor socket(core::kChildSocket);
+  process::FileDescriptor socket(core::kChildSocket);
   std::vector<std::byte> heard;
   for (const std::string& word : words) {
     if (word == "hear") {
       core::receive_packet(socket, heard, core::Wait::yes);
     } else if (word == "stay") {
       while (core::receive_packet(socket, heard, core::Wait::yes) == core::Receipt::packet) {
+      }
+    } else if (word == "hang up") {
+      socket = gaitway::process::FileDescriptor();
+      while (true) {
+        pause();
       }
     } else if (word.starts_with("ask ")) {
       for (long i = std::strtol(word.c_str() + 4, nullptr, 10); i > 0; --i) {
