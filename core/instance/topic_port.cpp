@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/plugin/detail/plugin_border.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -62,6 +63,22 @@ std::uint32_t points_in_use(const std::byte* value) noexcept {
   return sequence == 0 ? 0 : kBatchPoints + std::min<std::uint32_t>(tail_count, kMaxTailPoints);
 }
 
+void check_field(const gaitway_topic& topic, const gaitway_float_field& field) {
+  const std::uint64_t end = std::uint64_t{field.offset} + std::uint64_t{field.count} * field.bytes;
+  if ((field.bytes != 4 && field.bytes != 8) || end > topic.size || field.count == 0) {
+    throw PluginError(
+        fmt::format("topic '{}': the floating-point field '{}' ({} x {} bytes at {}) does not lie in a value "
+                    "of {} bytes. Correct the plug-in's field table",
+                    topic.name, field.name, field.count, field.bytes, field.offset, topic.size));
+  }
+  if (field.rows == 0 || field.count % field.rows != 0) {
+    throw PluginError(
+        fmt::format("topic '{}': the floating-point field '{}' has {} numbers in {} rows; the rows must "
+                    "divide them. Correct the plug-in's field table",
+                    topic.name, field.name, field.count, field.rows));
+  }
+}
+
 }  // namespace
 
 TopicPort::TopicPort(const gaitway_topic& topic, Access access)
@@ -71,32 +88,23 @@ TopicPort::TopicPort(const gaitway_topic& topic, Access access)
            .type_hash = topic.type_hash,
            .size = topic.size},
       copy_(topic.size) {
-  for (std::uint32_t i = 0; i < topic.float_field_count; ++i) {
-    const gaitway_float_field& field = topic.float_fields[i];
-    const std::uint64_t end = std::uint64_t{field.offset} + std::uint64_t{field.count} * field.bytes;
-    if ((field.bytes != 4 && field.bytes != 8) || end > topic.size || field.count == 0) {
-      throw PluginError(fmt::format(
-          "topic '{}': the floating-point field '{}' ({} x {} bytes at {}) does not lie in a value "
-          "of {} bytes. Correct the plug-in's field table",
-          topic.name, field.name, field.count, field.bytes, field.offset, topic.size));
-    }
-    if (field.rows == 0 || field.count % field.rows != 0) {
-      throw PluginError(
-          fmt::format("topic '{}': the floating-point field '{}' has {} numbers in {} rows; the rows must "
-                      "divide them. Correct the plug-in's field table",
-                      topic.name, field.name, field.count, field.rows));
-    }
+  const std::span own(topic.float_fields, topic.float_field_count);
+  std::for_each(own.begin(), own.end(), [&](const auto& field) { check_field(topic, field); });
+  // What the schema says of a standard topic holds, whatever the plug-in says of it.
+  const StandardTopic* const standard = standard_topic(use_.topic, use_.type_hash);
+  const bool known = standard != nullptr && standard->type->size == topic.size;
+  const detail::FloatFields schema(known ? standard->type->fields : std::span<const FieldDescriptor>());
+  for (const gaitway_float_field& field : known ? std::span(schema.data(), schema.count()) : own) {
     const bool limited = (field.lowest != 0.0 || field.highest != 0.0) && has_limits(use_);
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    use_.number_fields += fmt::format("{}{} {} x float{} at {}", i == 0 ? "" : ", ", field.name, field.count,
-                                      8 * field.bytes, field.offset);
+    use_.number_fields += fmt::format("{}{} {} x float{} at {}", float_fields_.empty() ? "" : ", ",
+                                      field.name, field.count, 8 * field.bytes, field.offset);
     float_fields_.push_back({field.name, field.offset, field.count, field.bytes, field.rows,
                              limited ? field.lowest : -kInfinity, limited ? field.highest : kInfinity});
   }
   if (float_fields_.empty()) {
     use_.number_fields = "no floating-point fields";
   }
-  const StandardTopic* const standard = standard_topic(use_.topic, use_.type_hash);
   periodic_ = standard == nullptr || standard->period_ns > 0;
 }
 

@@ -270,6 +270,17 @@ TEST_F(ContainmentTest, PluginThatFailedBeforeIsNotBlamedOnAChange) {
   EXPECT_TRUE(manager->changes().is_trial_to_blame("copy")) << "it fails for the first time with the new one";
 }
 
+// What the topics' schema says of a standard one holds whatever the plug-in says of it.
+TEST_F(ContainmentTest, AStandardTopicsLimitsHoldWithoutTheWritersFieldTable) {
+  for (const char* const where : {"none", "process"}) {
+    const auto alone =
+        load("  - {name: c, library: no_field_table.so, isolation: " + std::string(where) + "}\n");
+    EXPECT_EQ(alone->step(tick(1)), 1);
+    EXPECT_THAT(alone->plugin(0).fault(), HasSubstr("topic 'walk_command': field 'velocity'[0]"));
+    EXPECT_EQ(alone->step(tick(2)), 0) << alone->plugin(0).fault();
+  }
+}
+
 TEST_F(ContainmentTest, WhoeverIsLeftOutHasAStandInWhateverItsFallback) {
   for (const char* const fallback : {"trims_to_zero", "trims_from_gains", "none", "safe_tail"}) {
     msgclient::MemoryBlock own_block;

@@ -85,7 +85,7 @@ typedef struct gaitway_topic {
   const char* type_name;
   uint64_t type_hash;
   uint32_t size;              /* bytes of a value */
-  uint32_t float_field_count; /* may be 0: then outputs are not checked */
+  uint32_t float_field_count; /* may be 0; a standard topic is checked all the same */
   const gaitway_float_field* float_fields;
 } gaitway_topic;
 
