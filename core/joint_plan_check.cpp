@@ -14,35 +14,26 @@ namespace {
 using facts::kSlot_s;
 constexpr double kFloatRounding_rad = 1e-6;  // positions travel as 32-bit floats
 
-std::string_view unit_of(JointPlanRule rule) noexcept {
-  switch (rule) {
-    case JointPlanRule::position_limit:
-      return "rad";
-    case JointPlanRule::continuity:
-    case JointPlanRule::velocity_limit:
-      return "rad/s";
-    case JointPlanRule::count_range:
-      return "counts";
-    default:
-      return "";
-  }
+struct RuleText {
+  std::string_view text, unit;
+};
+constexpr std::array<RuleText, 9> kRules{{
+    {"fine", ""},
+    {"number of joints must be the robot's", ""},
+    {"points of the safe tail must fit the plan", ""},
+    {"support must be left, right or both", ""},
+    {"must be a finite number", ""},
+    {"must lie within the joint's limits", "rad"},
+    {"must go on from the joint's reference within its velocity limit", "rad/s"},
+    {"must change within the joint's velocity limit", "rad/s"},
+    {"must change within one time slot by what a trajectory frame holds", "counts"},
+}};
+
+const RuleText& text_of(JointPlanRule rule) noexcept {
+  return kRules[static_cast<std::size_t>(rule)];
 }
 
 }  // namespace
-
-std::string_view joint_plan_rule_text(JointPlanRule rule) noexcept {
-  constexpr std::array<std::string_view, 9> kTexts{
-      "fine",
-      "number of joints must be the robot's",
-      "points of the safe tail must fit the plan",
-      "support must be left, right or both",
-      "must be a finite number",
-      "must lie within the joint's limits",
-      "must go on from the joint's reference within its velocity limit",
-      "must change within the joint's velocity limit",
-      "must change within one time slot by what a trajectory frame holds"};
-  return kTexts[static_cast<std::size_t>(rule)];
-}
 
 JointPlanCheck::JointPlanCheck(const urdf::RobotModel& robot) {
   for (const urdf::Joint& joint : robot.joints) {
@@ -127,10 +118,10 @@ std::string_view JointPlanCheck::describe(const JointPlanVerdict& verdict,
   const auto written =
       verdict.point < 0
           ? fmt::format_to_n(to.data(), to.size(), "{:g}: {} (at most {:g})", verdict.value,
-                             joint_plan_rule_text(verdict.rule), verdict.highest)
+                             text_of(verdict.rule).text, verdict.highest)
           : fmt::format_to_n(to.data(), to.size(), "joint '{}', point {} ({}): {:g} {}: {} ({:g}..{:g})",
-                             joint, verdict.point, part, verdict.value, unit_of(verdict.rule),
-                             joint_plan_rule_text(verdict.rule), verdict.lowest, verdict.highest);
+                             joint, verdict.point, part, verdict.value, text_of(verdict.rule).unit,
+                             text_of(verdict.rule).text, verdict.lowest, verdict.highest);
   return {to.data(), std::min(written.size, to.size())};
 }
 

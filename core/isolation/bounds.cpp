@@ -1,16 +1,20 @@
-// Resource limits, capabilities and a seccomp filter. The filter names what is forbidden: what a plug-in's
-// libraries need differs from one machine to the next, what no plug-in needs does not.
+// Resource limits, capabilities, seccomp filters made with libseccomp, and Landlock. The filters name what is
+// forbidden: what a plug-in's libraries need differs from one machine to the next, what no plug-in needs does
+// not.
 #include "bounds.hpp"
 
 #include <fcntl.h>
 #include <linux/capability.h>
 #include <linux/sockios.h>
 #include <sched.h>
+#include <seccomp.h>
 #include <signal.h>
+#include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <ucontext.h>
 #include <unistd.h>
@@ -18,43 +22,88 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <initializer_list>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
 
-#include "seccomp_filter.hpp"
+#include "gaitway/instance/configuration.hpp"
+#include "gaitway/process/file_descriptor.hpp"
 
 namespace gaitway::core {
 namespace {
 
-constexpr int kForbidden[]{SCMP_SYS(fork),
-                           SCMP_SYS(vfork),
-                           SCMP_SYS(execve),
-                           SCMP_SYS(execveat),
-                           SCMP_SYS(ptrace),
-                           SCMP_SYS(process_vm_readv),
-                           SCMP_SYS(process_vm_writev),
-                           SCMP_SYS(pidfd_open),
-                           SCMP_SYS(pidfd_getfd),
-                           SCMP_SYS(pidfd_send_signal),
-                           SCMP_SYS(rt_sigqueueinfo),
-                           SCMP_SYS(rt_tgsigqueueinfo),
-                           SCMP_SYS(tkill),
-                           SCMP_SYS(setrlimit),
-                           SCMP_SYS(setpgid),
-                           SCMP_SYS(setsid),
-                           SCMP_SYS(setpriority),
-                           SCMP_SYS(sched_setscheduler),
-                           SCMP_SYS(sched_setparam),
-                           SCMP_SYS(sched_setattr),
-                           SCMP_SYS(unshare),
-                           SCMP_SYS(setns),
-                           SCMP_SYS(mount),
-                           SCMP_SYS(bpf),
-                           SCMP_SYS(perf_event_open),
-                           SCMP_SYS(io_uring_setup)};
-constexpr int kNetwork[]{SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(connect), SCMP_SYS(bind),
-                         SCMP_SYS(listen)};
-constexpr int kAccepting[]{SCMP_SYS(accept), SCMP_SYS(accept4)};
+constexpr std::string_view kSocketCalls = "socket socketpair connect bind listen";
+
+// A filter of system calls: everything is allowed but what is refused; calls of another architecture end the
+// process.
+class SeccompFilter {
+ public:
+  // `refusal`: SCMP_ACT_TRAP or SCMP_ACT_ERRNO(number).
+  explicit SeccompFilter(std::uint32_t refusal) noexcept
+      : refusal_(refusal), context_(seccomp_init(SCMP_ACT_ALLOW)) {
+    sound_ = context_ != nullptr &&
+             seccomp_attr_set(context_, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS) == 0;
+  }
+  ~SeccompFilter() { seccomp_release(context_); }
+  SeccompFilter(const SeccompFilter&) = delete;
+  SeccompFilter& operator=(const SeccompFilter&) = delete;
+
+  // What arguments a refusal is about. The kernel reads numbers of 32 bits from the lower word alone, which
+  // equality looks at; what is to be `value` must be so in both words.
+  static constexpr scmp_arg_cmp is_not(unsigned argument, std::uint64_t value) noexcept {
+    return {argument, SCMP_CMP_NE, value, 0};
+  }
+  static constexpr scmp_arg_cmp has(unsigned argument, std::uint32_t mask, std::uint32_t value) noexcept {
+    return {argument, SCMP_CMP_MASKED_EQ, mask, value};
+  }
+  static constexpr scmp_arg_cmp is(unsigned argument, std::uint32_t value) noexcept {
+    return has(argument, ~0U, value);
+  }
+
+  // Where all of `when` holds. More than once for a call: where any of them does.
+  void refuse(int call, std::initializer_list<scmp_arg_cmp> when = {}) noexcept {
+    refuse(call, refusal_, when);
+  }
+  void refuse(int call, std::uint32_t refusal, std::initializer_list<scmp_arg_cmp> when = {}) noexcept {
+    const int result =
+        seccomp_rule_add_array(context_, refusal, call, static_cast<unsigned>(when.size()), when.begin());
+    sound_ = sound_ && (result == 0 || result == -EDOM);  // which says that this machine has no such call
+  }
+  // By their names, with spaces between them.
+  void refuse_all(std::string_view calls) {
+    for (std::size_t end = 0; !calls.empty(); calls.remove_prefix(std::min(end + 1, calls.size()))) {
+      end = std::min(calls.find(' '), calls.size());
+      const int call = seccomp_syscall_resolve_name(std::string(calls.substr(0, end)).c_str());
+      sound_ = sound_ && call != __NR_SCMP_ERROR;
+      refuse(call);
+    }
+  }
+
+  // For the calling thread and those that it starts from now on, or for all threads of the process; that
+  // fails where one of them has a filter that this one has not.
+  enum class Threads : std::uint8_t { this_one, all };
+  [[nodiscard]] bool install(Threads threads) noexcept {
+    return sound_ &&
+           (threads == Threads::this_one || seccomp_attr_set(context_, SCMP_FLTATR_CTL_TSYNC, 1) == 0) &&
+           seccomp_load(context_) == 0;
+  }
+
+ private:
+  std::uint32_t refusal_;
+  scmp_filter_ctx context_;
+  bool sound_ = false;
+};
+
+constexpr std::string_view kForbidden =
+    "fork vfork execve execveat ptrace process_vm_readv process_vm_writev pidfd_open pidfd_getfd "
+    "pidfd_send_signal rt_sigqueueinfo rt_tgsigqueueinfo tkill setrlimit setpgid setsid setpriority "
+    "sched_setscheduler sched_setparam sched_setattr unshare setns mount bpf perf_event_open io_uring_setup";
+constexpr std::string_view kAccepting = "accept accept4";
 
 enum class Reach : std::uint8_t { nothing, accepted_connections, network };
 
@@ -66,7 +115,7 @@ bool install_filter(Reach reach, std::uint32_t refusal) noexcept {
   SeccompFilter filter(refusal);
   filter.refuse_all(kForbidden);
   if (reach != Reach::network) {
-    filter.refuse_all(kNetwork);
+    filter.refuse_all(kSocketCalls);
   }
   if (reach == Reach::nothing) {
     filter.refuse_all(kAccepting);
@@ -190,6 +239,108 @@ std::string take_refused_call() {
   const std::unique_ptr<char, decltype(&std::free)> name(
       seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, number), &std::free);
   return name == nullptr ? "system call " + std::to_string(number) : name.get();
+}
+
+// --- Of one that serves the network: Landlock for where files are written; a filter for everything else.
+
+namespace {
+
+// Landlock's own numbers: the system's header may be older than its kernel.
+namespace landlock {
+constexpr long kCreateRuleset = 444, kAddRule = 445, kRestrictSelf = 446;
+constexpr unsigned kAskVersion = 1;
+constexpr int kPathBeneath = 1;
+constexpr std::uint64_t kWriteFile = 1U << 1U, kMakeRegular = 1U << 8U, kRefer = 1U << 13U,
+                        kTruncate = 1U << 14U;
+// Remove a folder or a file, make a device, folder, file, socket, pipe or link: bits 4 to 12.
+constexpr std::uint64_t kChangeFolders = 0x1ff0;
+constexpr std::uint64_t kScopeSignals = 1U << 1U;
+
+struct Ruleset {
+  std::uint64_t handled_files = 0, handled_network = 0, scoped = 0;
+};
+struct [[gnu::packed]] Beneath {
+  std::uint64_t allowed = 0;
+  std::int32_t folder = -1;
+};
+
+int version() noexcept {
+  return static_cast<int>(syscall(kCreateRuleset, nullptr, 0, kAskVersion));
+}
+}  // namespace landlock
+
+process::FileDescriptor open_folder(const std::filesystem::path& folder) {
+  process::FileDescriptor opened(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!opened) {
+    throw PluginError("its writes cannot be confined to '" + folder.string() + "': " + strerror(errno));
+  }
+  return opened;
+}
+
+constexpr std::string_view kFiles =
+    "creat unlink rename mkdir rmdir link symlink chmod chown lchown mknod utime utimes futimesat renameat "
+    "openat2 open_by_handle_at unlinkat renameat2 mkdirat linkat symlinkat fchmod fchmodat fchown fchownat "
+    "mknodat truncate utimensat setxattr lsetxattr fsetxattr removexattr lremovexattr fremovexattr mount "
+    "umount2 chroot pivot_root open_tree move_mount fsopen fspick fsmount mount_setattr chdir fchdir";
+// Other ways to other processes, and what no server does.
+constexpr std::string_view kOthers =
+    "execve execveat memfd_create shmget shmat semget semop semtimedop semctl msgget msgsnd msgctl mq_open "
+    "mq_unlink keyctl add_key request_key sched_setaffinity ioprio_set migrate_pages move_pages personality "
+    "userfaultfd";
+
+}  // namespace
+
+bool confine_writes(const std::filesystem::path& folder) {
+  const process::FileDescriptor opened = folder.empty() ? process::FileDescriptor() : open_folder(folder);
+  const int version = landlock::version();
+  if (version < 1) {
+    return false;
+  }
+  const std::uint64_t truncate = version >= 3 ? landlock::kTruncate : 0;
+  landlock::Ruleset rules;
+  rules.handled_files =
+      landlock::kWriteFile | landlock::kChangeFolders | truncate | (version >= 2 ? landlock::kRefer : 0);
+  rules.scoped = version >= 6 ? landlock::kScopeSignals : 0;
+  const std::size_t known = version >= 6 ? 3 : version >= 4 ? 2 : 1;  // fields
+  const process::FileDescriptor ruleset(
+      static_cast<int>(syscall(landlock::kCreateRuleset, &rules, known * sizeof(std::uint64_t), 0)));
+  const landlock::Beneath beneath{landlock::kWriteFile | landlock::kMakeRegular | truncate, opened.get()};
+  const bool ruled = ruleset && (!opened || syscall(landlock::kAddRule, ruleset.get(), landlock::kPathBeneath,
+                                                    &beneath, 0) == 0);
+  return ruled && syscall(landlock::kRestrictSelf, ruleset.get(), 0) == 0;
+}
+
+void end_set_up(bool may_write) {
+  SeccompFilter filter(SCMP_ACT_ERRNO(EPERM));
+  filter.refuse_all(kSocketCalls);
+  filter.refuse_all(kFiles);
+  filter.refuse_all(kOthers);
+  // A way to connect without connect().
+  for (const auto& [call, flags] :
+       {std::pair{SCMP_SYS(sendto), 3U}, {SCMP_SYS(sendmsg), 2U}, {SCMP_SYS(sendmmsg), 3U}}) {
+    filter.refuse(call, {SeccompFilter::has(flags, MSG_FASTOPEN, MSG_FASTOPEN)});
+  }
+  constexpr std::uint32_t kRefusal = SCMP_ACT_ERRNO(EACCES);
+  for (const auto& [call, flags] : {std::pair{SCMP_SYS(open), 1U}, {SCMP_SYS(openat), 2U}}) {
+    if (!may_write) {
+      filter.refuse(call, kRefusal);
+      continue;
+    }
+    // But for O_WRONLY | O_CREAT.
+    filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_PATH, O_PATH)});
+    filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_CREAT, 0)});
+    for (const int mode : {O_RDONLY, O_RDWR, O_ACCMODE}) {
+      filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_ACCMODE, static_cast<std::uint32_t>(mode))});
+    }
+  }
+  if (!filter.install(SeccompFilter::Threads::all)) {
+    throw PluginError(
+        "its process cannot be closed off from files and connections: network: serve needs a kernel with "
+        "seccomp, and a plug-in whose threads have no filters of their own");
+  }
+  if (!remember_refused_calls()) {
+    throw PluginError(std::string("its own thread cannot be bound: ") + strerror(errno));
+  }
 }
 
 }  // namespace gaitway::core

@@ -60,15 +60,15 @@ void StepRunner::step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcep
     slot.failed = !slot.covered || slot.containment.state() == ServiceState::out_of_service;
     return;
   }
+  const PluginFault injected = options_.injected_faults == nullptr
+                                   ? PluginFault{}
+                                   : options_.injected_faults->at(slot.plugin->name(), tick.now_ns);
   const std::int64_t begin_ns = wall_ns();
-  const bool fine = run_step(slot, tick);
+  const bool fine = run_step(slot, tick, injected.kind);
   slot.last_step_ns = wall_ns() - begin_ns;
   slot.step_wall.add(slot.last_step_ns);
   slot.worst_input_age_ns = std::max(slot.worst_input_age_ns, slot.plugin->take_input_age_ns());
   ++slot.steps;
-  const PluginFault injected = options_.injected_faults == nullptr
-                                   ? PluginFault{}
-                                   : options_.injected_faults->at(slot.plugin->name(), tick.now_ns);
   declared_cost_ns_ += injected.cost_ns;
   const std::int64_t cost_ns = injected.cost_ns + (options_.wall_time_decides ? slot.last_step_ns : 0);
   const bool overrun = fine && slot.containment.is_over_budget(cost_ns);
@@ -81,10 +81,7 @@ void StepRunner::step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcep
   slot.failed ? note_fault(slot, tick, overrun, on_trial) : note_success(slot, tick);
 }
 
-bool StepRunner::run_step(PluginSlot& slot, const Tick& tick) noexcept {
-  const PluginFaultKind injected = options_.injected_faults == nullptr
-                                       ? PluginFaultKind::none
-                                       : options_.injected_faults->at(slot.plugin->name(), tick.now_ns).kind;
+bool StepRunner::run_step(PluginSlot& slot, const Tick& tick, PluginFaultKind injected) noexcept {
   if (injected == PluginFaultKind::throws) {
     slot.plugin->set_fault("a fault that was injected: step() threw");
     return false;

@@ -24,7 +24,6 @@ enum class JointPlanRule : std::uint8_t {
   velocity_limit,  // the change in one time slot needs more than the joint's velocity limit
   count_range      // the change in one time slot does not fit the signed byte of a trajectory frame
 };
-[[nodiscard]] std::string_view joint_plan_rule_text(JointPlanRule rule) noexcept;
 
 struct JointPlanVerdict {
   JointPlanRule rule = JointPlanRule::none;  // that the first bad point breaks

@@ -31,11 +31,12 @@ class PluginFaultTable {
   // From now until `until_ns`; takes the place of an earlier fault of that plug-in. False: no room.
   bool inject(std::string_view plugin, const PluginFault& fault,
               std::int64_t until_ns = std::numeric_limits<std::int64_t>::max()) noexcept {
-    Entry* const own = find(plugin);
-    Entry* const entry = own != nullptr ? own : find({});
-    if (entry == nullptr || plugin.size() > entry->name.size()) {
+    const Entry* const own = find(plugin);
+    const Entry* const free = own != nullptr ? own : find({});
+    if (free == nullptr || plugin.size() > free->name.size()) {
       return false;
     }
+    Entry* const entry = &entries_[static_cast<std::size_t>(free - entries_.data())];
     entry->length = plugin.size();
     std::copy(plugin.begin(), plugin.end(), entry->name.begin());
     entry->fault = fault;
@@ -54,17 +55,12 @@ class PluginFaultTable {
     PluginFault fault;
     std::int64_t until_ns = 0;
   };
-  template <class Entries>
-  static auto find_in(Entries& entries, std::string_view plugin) noexcept -> decltype(entries.data()) {
-    const auto found = std::find_if(entries.begin(), entries.end(), [plugin](const Entry& entry) {
+  [[nodiscard]] const Entry* find(std::string_view plugin) const noexcept {
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [plugin](const Entry& entry) {
       return std::string_view(entry.name.data(), entry.length) == plugin;
     });
-    return found == entries.end() ? nullptr : &*found;
+    return found == entries_.end() ? nullptr : &*found;
   }
-  [[nodiscard]] const Entry* find(std::string_view plugin) const noexcept {
-    return find_in(entries_, plugin);
-  }
-  [[nodiscard]] Entry* find(std::string_view plugin) noexcept { return find_in(entries_, plugin); }
 
   std::array<Entry, kCapacity> entries_{};
 };

@@ -33,7 +33,7 @@ class StepRunner {
 
  private:
   void step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcept;
-  bool run_step(PluginSlot& slot, const Tick& tick) noexcept;
+  bool run_step(PluginSlot& slot, const Tick& tick, PluginFaultKind injected) noexcept;
   void note_success(PluginSlot& slot, const Tick& tick) noexcept;
   void note_fault(PluginSlot& slot, const Tick& tick, bool overrun, bool on_trial) noexcept;
   [[nodiscard]] std::int64_t wall_ns() const noexcept {
