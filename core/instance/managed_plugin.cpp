@@ -140,12 +140,6 @@ void ManagedPlugin::discard() noexcept {
   }
 }
 
-bool ManagedPlugin::step(const Tick& tick) noexcept {
-  const bool fine = prepare(tick);
-  fine ? commit() : discard();
-  return fine;
-}
-
 bool ManagedPlugin::publish_in_place(std::string_view topic, std::uint64_t type_hash, const void* value,
                                      std::int64_t stamp_ns) noexcept {
   const auto port = std::find_if(ports_.begin(), ports_.end(), [&](const TopicPort& candidate) {

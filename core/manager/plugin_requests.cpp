@@ -211,7 +211,9 @@ void PluginRequests::work() {
   if (stage != Stage::preparing && stage != Stage::clearing) {
     return;
   }
-  StepWatch* const watch = manager_.step_watch();
+  const auto verb = static_cast<PluginVerb>(request_.verb);
+  const bool runs_plugin = verb != PluginVerb::set && verb != PluginVerb::describe_parameter;
+  StepWatch* const watch = runs_plugin ? manager_.step_watch() : nullptr;
   if (watch != nullptr) {
     watch->begin_change(view_of(request_.plugin));
   }

@@ -69,8 +69,6 @@ class ManagedPlugin : protected PluginDeclarations {
   bool prepare(const Tick& tick, double offset = 0.0) noexcept;
   void commit() noexcept;  // publishes what was staged
   void discard() noexcept;
-  // Both together: publishes the outputs if all went well.
-  bool step(const Tick& tick) noexcept;
   [[nodiscard]] std::string_view fault() const noexcept { return error_text_.data(); }
   void set_fault(std::string_view text) noexcept;
   // In the plug-in's place, through its own output: one writer a topic. False: it is none of its outputs.

@@ -44,7 +44,6 @@ class PluginManager {
   // Changes while the robot walks, made by the next step() that prepares a batch. If the new plug-in fails in
   // that step, the old one takes its turn in the same tick and stays.
   [[nodiscard]] ChangeControl& changes() noexcept { return changes_; }
-  [[nodiscard]] const ChangeControl& changes() const noexcept { return changes_; }
   // Between step() and end_trial(): what the new plug-in did is of no use. Puts the old one back and steps it
   // and all that depend on it again. False: there is no new plug-in on trial.
   bool take_trial_back(const Tick& tick, std::string_view why) noexcept;
