@@ -10,8 +10,7 @@
 #include <string>
 
 #include "direct_host.hpp"
-#include "gaitway/manager/plugin_library.hpp"
-#include "library_copy.hpp"
+#include "gaitway/instance/plugin_library.hpp"
 #include "loading_peer.hpp"
 #include "rivals.hpp"
 #endif
