@@ -99,17 +99,19 @@ void check_header(const std::filesystem::path& file, int fd, std::int64_t size) 
     own.e_ident[EI_DATA] = kData;
     own.e_machine = kMachine;
     refuse_library(file, fmt::format("is a library for {}, this machine is {}. Build it for this one",
-                             machine_name(header), machine_name(own)));
+                                     machine_name(header), machine_name(own)));
   }
   if (got < static_cast<ssize_t>(sizeof header) || header.e_type != ET_DYN) {
-    refuse_library(file, "is an ELF file, but no shared library. Build it with gaitway_plugin(), or with -shared");
+    refuse_library(file,
+                   "is an ELF file, but no shared library. Build it with gaitway_plugin(), or with -shared");
   }
   const auto tables =
       std::max<std::uint64_t>(header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize,
                               header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
   if (tables > static_cast<std::uint64_t>(size)) {
-    refuse_library(file, fmt::format("is cut off: it has {} bytes, its tables reach to {}. Was it built to its end?",
-                             size, tables));
+    refuse_library(
+        file, fmt::format("is cut off: it has {} bytes, its tables reach to {}. Was it built to its end?",
+                          size, tables));
   }
 }
 
@@ -204,8 +206,8 @@ LibraryCopy::LibraryCopy(const std::filesystem::path& file) {
     const ssize_t count =
         sendfile(memory_.get(), source.get(), nullptr, static_cast<std::size_t>(status.st_size - copied));
     if (count <= 0) {
-      refuse_library(file,
-             fmt::format("cannot be copied: {}", count == 0 ? "it became shorter" : std::strerror(errno)));
+      refuse_library(
+          file, fmt::format("cannot be copied: {}", count == 0 ? "it became shorter" : std::strerror(errno)));
     }
     copied += count;
   }

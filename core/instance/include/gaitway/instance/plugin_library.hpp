@@ -23,8 +23,9 @@ using SearchPath = std::vector<std::filesystem::path>;
 void check_border(const gaitway_plugin& entry, const std::filesystem::path& file,
                   std::uint32_t minor = GAITWAY_PLUGIN_ABI_MINOR);
 
-// A shared library's private copy in memory, for as long as it lives: whoever overwrites or truncates the file
-// afterwards harms nobody, and nobody writes the copy. Two copies of one file are two libraries to the loader.
+// A shared library's private copy in memory, for as long as it lives: whoever overwrites or truncates the
+// file afterwards harms nobody, and nobody writes the copy. Two copies of one file are two libraries to the
+// loader.
 class LibraryCopy {
  public:
   // Reads the file and checks its ELF header. Throws PluginError: not readable, no shared library, one for
