@@ -1,6 +1,6 @@
-// How a receiver follows a frame bit by bit (can/simulated/wire_frame.hpp). Every frame of every format is valid to
-// it; any other bits come to an end in one of its verdicts, no later than the longest frame does, and what it
-// finds valid has stuff bits where they belong and the right CRC.
+// How a receiver follows a frame bit by bit (can/simulated/wire_frame.hpp). Every frame of every format is
+// valid to it; any other bits come to an end in one of its verdicts, no later than the longest frame does,
+// and what it finds valid has stuff bits where they belong and the right CRC.
 #include "gaitway/can/simulated/wire_frame.hpp"
 
 #include <cstdint>

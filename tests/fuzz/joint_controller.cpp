@@ -1,6 +1,7 @@
 // A joint's local controller (localcontroller/joint_controller.hpp) under any frames, at any times, with any
 // sensor readings. Whatever comes:
-// - torque and references are numbers; the torque is within its limit, the reference within the joint's limits,
+// - torque and references are numbers; the torque is within its limit, the reference within the joint's
+// limits,
 //   the trim within its own,
 // - soft means no torque, and a stopped joint stays stopped until its release comes,
 // - its frames are ones that the profile gives this node; at most one feedback comes for each SYNC (or batch,

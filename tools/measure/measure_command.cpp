@@ -152,11 +152,11 @@ std::string row_list() {
 void declare(const CommandLine& app) {
   const CommandLine measure = add_command(app, "measure");
   measure.needs_subcommand();
-  gait.robot = process::default_robot_directory();
-  gait.config = process::default_config_file();
   const CommandLine command = measure.subcommand(
       "gait", "How fast the robot walks, what pushes and what ground it survives: a table, with plots");
   MeasureGaitOptions& gait = command.runs(measure_gait_table);
+  gait.robot = process::default_robot_directory();
+  gait.config = process::default_config_file();
   command.option("--quick", gait.quick,
                  "Fewer seeds, shorter walks, coarser levels: some minutes on two cores");
   command.option("--seeds", gait.seeds, "Robots to try, each with its own deviations (default 20, quick 3)")
