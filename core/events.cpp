@@ -45,7 +45,7 @@ msgclient::Writer<gaitway::Event> claim(msgclient::Client& client) {
 }
 
 template <std::size_t size>
-void copy_text(std::string_view text, std::uint8_t (&field)[size]) noexcept {
+void copy_to_field(std::string_view text, std::uint8_t (&field)[size]) noexcept {
   std::memcpy(field, text.data(), std::min(text.size(), size - 1));
 }
 
@@ -53,8 +53,8 @@ gaitway::Event published_form(const Event& event) noexcept {
   gaitway::Event result{};
   result.stamp_ns = event.stamp_ns;
   result.kind = static_cast<std::uint32_t>(event.kind);
-  copy_text(event.source(), result.source);
-  copy_text(event.text(), result.text);
+  copy_to_field(event.source(), result.source);
+  copy_to_field(event.text(), result.text);
   return result;
 }
 
