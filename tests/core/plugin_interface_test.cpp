@@ -164,7 +164,7 @@ TEST(PluginInterfaceDocument, EverySnippetIsBuilt) {
 TEST(PluginInterfaceDocument, NamesEverythingPublic) {
   const Words known = words(code());
   std::size_t count = 0;
-  for (const char* const header : {"plugin.hpp", "number_parameter.hpp", "tick.hpp", "state_archive.hpp"}) {
+  for (const char* const header : {"plugin.hpp", "number_parameter.hpp", "state_archive.hpp"}) {
     for (const std::string& name :
          public_names(std::string("core/plugin/include/gaitway/plugin/") + header)) {
       EXPECT_TRUE(known.contains(name)) << header << ": " << name;
