@@ -76,6 +76,7 @@ function(gaitway_benchmark name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} benchmark::benchmark_main gaitway_compiler)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # each file measures one thing, with constants of its own
   gaitway_use_precompiled(${name} gaitway_precompiled)
   add_dependencies(benchmarks ${name})
 endfunction()
