@@ -36,6 +36,7 @@ class DeafRobot final : public RobotPort {
   [[nodiscard]] std::vector<PluginStatus> plugins() const override { return {}; }
   std::string start_recording(std::string_view) override { return ""; }
   std::string stop_recording() override { return ""; }
+  [[nodiscard]] RecordingList recordings(std::size_t) const override { return {}; }
 
  private:
   std::vector<JointLimits> joints_;
