@@ -2,8 +2,11 @@
 #include "gaitway/input/yaml_value.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/anchor.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/text.hpp"
@@ -24,6 +27,40 @@ std::string kind_of(const YAML::Node& node) {
   }
 }
 
+// Where documents begin; nothing else of them.
+class DocumentStarts final : public YAML::EventHandler {
+ public:
+  [[nodiscard]] const std::vector<YAML::Mark>& marks() const noexcept { return marks_; }
+  void OnDocumentStart(const YAML::Mark& mark) override { marks_.push_back(mark); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {}
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                       YAML::EmitterStyle::value /*style*/) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {}
+  void OnMapEnd() override {}
+
+ private:
+  std::vector<YAML::Mark> marks_;
+};
+
+// The beginning of a second document, if there is one. YAML::LoadAll() never ends where text stands that no
+// document can begin with, such as ",": there its parser goes no further and still says that it found a
+// document.
+std::optional<YAML::Mark> second_document(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  constexpr std::size_t kLooked = 2;
+  while (starts.marks().size() < kLooked && parser.HandleNextDocument(starts)) {
+  }
+  return starts.marks().size() < kLooked ? std::nullopt : std::optional(starts.marks()[1]);
+}
+
 }  // namespace
 
 YamlValue YamlValue::read(const std::filesystem::path& file) {
@@ -31,19 +68,25 @@ YamlValue YamlValue::read(const std::filesystem::path& file) {
 }
 
 YamlValue YamlValue::parse(const std::string& text, const std::filesystem::path& file) {
-  std::vector<YAML::Node> documents;
+  std::optional<YAML::Mark> second;
+  YAML::Node document;
   try {
-    documents = YAML::LoadAll(text);
+    second = second_document(text);
+    document = YAML::Load(text);
   } catch (const YAML::Exception& error) {
     input::refuse({file, error.mark.line + 1, fmt::format("column {}", error.mark.column + 1), "",
                    "malformed YAML: " + error.msg, "Check indentation, brackets and quotes there and above"});
   }
-  if (documents.size() > 1) {
-    YamlValue(documents[1], file, "")
-        .refuse("a second document begins here, which nobody would read",
-                "Write one document a file: remove the '---' before it");
+  if (second) {
+    const bool is_marked =
+        text.compare(std::min(text.size(), static_cast<std::size_t>(second->pos)), 3, "---") == 0;
+    input::refuse({file, second->line + 1, "the file", "",
+                   is_marked ? "a second document begins here, which nobody would read"
+                             : "the document is over before this, which nobody would read",
+                   is_marked ? "Write one document a file: remove the '---'"
+                             : "Remove it, or check commas, brackets and indentation there and above"});
   }
-  return YamlValue(documents.empty() ? YAML::Node() : documents[0], file, "");
+  return YamlValue(document, file, "");
 }
 
 std::vector<std::pair<std::string, YamlValue>> YamlValue::entries() const {

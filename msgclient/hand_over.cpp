@@ -13,6 +13,7 @@ namespace {
 
 static_assert(kBatchPoints == facts::kSlotsPerCycle,
               "topics.toml gives a batch one point for each time slot");
+static_assert(kTrimChannels == facts::kTrimChannels, "topics.toml has the trim frame's channels");
 
 constexpr std::size_t kSupportsPerWord = 16;
 

@@ -18,8 +18,7 @@ CommandIntake::CommandIntake(msgclient::Client& client, msgclient::EmiMessage& a
       stop_requests_(client.read<StopRequest>("stop_request")),
       stop_answers_(client.write<StopRequest>("stop_answer")) {}
 
-void CommandIntake::take(CommandTaker& taker, std::int64_t now_ns) noexcept {
-  take_mail(taker, now_ns);
+void CommandIntake::take_topics(CommandTaker& taker, std::int64_t now_ns) noexcept {
   take_queue(taker, now_ns);
   take_stops(taker, now_ns);
 }

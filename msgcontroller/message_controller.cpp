@@ -75,7 +75,9 @@ void MessageController::step(std::int64_t now_ns) noexcept {
   if (in_slot_ns == 0) {
     enter_slot(now_ns);
   }
-  take_mails(now_ns);
+  commands_.take_mail(*this, now_ns);
+  commands_.take_topics(*this, now_ns);
+  take_plans(now_ns);
   if (now_ns % facts::kCycle_ns == facts::kCycle_ns - intake_.lead_ns()) {
     prepare_tail();
   }
@@ -258,7 +260,11 @@ void MessageController::publish_feedback(std::int64_t now_ns) noexcept {
 }
 
 void MessageController::take_mails(std::int64_t now_ns) noexcept {
-  commands_.take(*this, now_ns);
+  commands_.take_mail(*this, now_ns);
+  take_plans(now_ns);
+}
+
+void MessageController::take_plans(std::int64_t now_ns) noexcept {
   if (const msgclient::TrimGains* const gains = intake_.take(now_ns, stop_requested_)) {
     trims_.set_gains(*gains);
   }

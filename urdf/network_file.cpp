@@ -18,7 +18,6 @@ namespace {
 using Keys = std::vector<std::string_view>;
 
 using facts::kRadPerDegree;
-constexpr int kTrimChannels = 8;  // places in the trim frame
 constexpr input::Range kCount_deg{0.001, 0.5, "deg"};
 constexpr input::Range kHalfTurn_deg{-180.0, 180.0, "deg"};
 constexpr input::Range kPosition_m{-2.0, 2.0, "m"};
@@ -123,7 +122,7 @@ NetworkJoint read_joint(const input::YamlValue& map, const Joint& defaults, cons
   result.joint.node = static_cast<std::uint8_t>(map.at("node").integer(1, 64));
   read_drive(map, false, result.joint);
   if (const auto trim = map.find("trim_channel")) {
-    result.joint.trim_channel = trim->integer(0, kTrimChannels - 1);
+    result.joint.trim_channel = trim->integer(0, facts::kTrimChannels - 1);
   }
   if (const auto channels = map.find("channels")) {
     const std::vector<input::YamlValue> pair = channels->items(result.channels.size());

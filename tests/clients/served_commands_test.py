@@ -9,6 +9,8 @@ from pathlib import Path
 
 from served_robot import COMMAND, ServedRobot, until
 
+SEED = "3"
+
 
 class ServedCommands(unittest.TestCase):
     def run_ctl(self, *arguments):
@@ -22,7 +24,7 @@ class ServedCommands(unittest.TestCase):
 
     def test_ctl_and_replay(self):
         with tempfile.TemporaryDirectory(prefix="gaitway_commands_") as folder:
-            with ServedRobot("--seed", "3", speed=4.0) as self.robot:
+            with ServedRobot("--seed", SEED, speed=4.0) as self.robot:
                 self.assertIn("/joint_states", self.ctl("topics"))
                 self.assertIn("trajectory", self.ctl("plugin", "list"))
                 joints = [json.loads(line) for line in self.ctl("echo", "/joint_states", "--count", "3").splitlines()]
@@ -48,12 +50,34 @@ class ServedCommands(unittest.TestCase):
             self.assertRegex(text, r"walk: \[0\.12, 0(\.0)?, 0\.1\]")
             self.assertIn('motion: "wave"', text)
             self.assertIn("emergency_stop: hold", text)
-            replay = Path(folder) / "replay"
-            subprocess.run([COMMAND, "run", "--quiet", "--no-pictures", "--seed", "3", "--scenario", str(commands), "--out", str(replay)],
-                           check=False, timeout=300)
-            replayed = json.loads((replay / "summary.json").read_text())
-            self.assertEqual(replayed["virtual_seconds"], self.robot.summary["virtual_seconds"])
-            self.assertEqual(replayed["digest"], self.robot.summary["digest"])
+            self.assert_replays(commands)
+
+    def test_a_walk_that_ctrl_c_ends_replays(self):
+        with tempfile.TemporaryDirectory(prefix="gaitway_commands_") as folder:
+            with ServedRobot("--seed", SEED, speed=4.0) as self.robot:
+                walk = subprocess.Popen([COMMAND, "ctl", "--port", str(self.robot.port), "walk", "0.15,0,0"],
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                try:
+                    until(lambda: self.base_x() > 0.1, "the walk's beginning")
+                    self.robot.stop()
+                finally:
+                    walk.kill()
+                    walk.wait()
+                commands = Path(folder) / "commands.yaml"
+                commands.write_text((self.robot.out / "commands.yaml").read_text())
+            self.assertIn(", stop: true}", commands.read_text())
+            self.assert_replays(commands)
+
+    def base_x(self):
+        return json.loads(self.ctl("echo", "/odom", "--count", "1").splitlines()[-1])["pose"]["pose"]["position"]["x"]
+
+    def assert_replays(self, commands):
+        replay = commands.parent / "replay"
+        subprocess.run([COMMAND, "run", "--quiet", "--no-pictures", "--seed", SEED, "--scenario", str(commands),
+                        "--out", str(replay)], check=False, timeout=300)
+        replayed = json.loads((replay / "summary.json").read_text())
+        self.assertEqual(replayed["virtual_seconds"], self.robot.summary["virtual_seconds"])
+        self.assertEqual(replayed["digest"], self.robot.summary["digest"])
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 
 #include "fuzz_input.hpp"
 #include "gaitway/can/message_layout.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "memory_file.hpp"
 #include "robot.hpp"
@@ -29,7 +30,7 @@ void check_joints(const urdf::NetworkFile& network) {
     require(std::isfinite(joint.motor.torque_limit_Nm) && joint.motor.torque_limit_Nm > 0.0 &&
                 joint.motor.speed_limit_rad_per_s > 0.0,
             "motors have limits");
-    require(joint.trim_channel >= -1 && joint.trim_channel < can::kTrimChannels, "trim channels exist");
+    require(joint.trim_channel >= -1 && joint.trim_channel < facts::kTrimChannels, "trim channels exist");
   }
 }
 

@@ -26,8 +26,21 @@ TEST(YamlValue, OneDocumentIsRead) {
 
 TEST(YamlValue, ASecondDocumentIsRefusedWithItsLine) {
   EXPECT_THAT(yaml_refusal("a: 1\n---\na: 2\n"),
-              HasSubstr("file.yaml:3: the file: a second document begins here"));
+              HasSubstr("file.yaml:2: the file: a second document begins here"));
   EXPECT_THAT(yaml_refusal("a: 1\n---\n"), HasSubstr("a second document begins here"));
+}
+
+// There yaml-cpp's parser goes no further and says that it found a document, again and again.
+TEST(YamlValue, TextThatBelongsToNoDocumentIsRefusedWithItsLine) {
+  for (const std::string stray : {",", "]", "}", ", a: 1", "[1], a: 1",
+                                  ",\x9a"
+                                  "conds: 20\nconditsecondi"}) {
+    EXPECT_THAT(yaml_refusal(stray), HasSubstr("file.yaml:1: ")) << stray;
+  }
+  EXPECT_THAT(yaml_refusal("# here\n, a: 1"),
+              HasSubstr("file.yaml:2: the file: the document is over before this"));
+  EXPECT_THAT(yaml_refusal("a: 1\n...\nb: 2\n"),
+              HasSubstr("file.yaml:3: the file: the document is over before this"));
 }
 
 TEST(YamlValue, AnEmptyFileHasNoKeys) {

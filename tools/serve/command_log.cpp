@@ -26,18 +26,18 @@ struct Yaml {
                      : "stand: true";
   }
   std::string operator()(const simulator::MotionEvent& motion) const {
-    return motion.name.empty() ? "leave_motion: true"
-                               : "asked: true, motion: " +
-                                     nlohmann::json(motion.name)
-                                         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return motion.name.empty()
+               ? "leave_motion: true"
+               : "motion: " + nlohmann::json(motion.name)
+                                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
-  std::string operator()(const simulator::StopEvent&) const { return "asked: true, stop: true"; }
+  std::string operator()(const simulator::StopEvent&) const { return "stop: true"; }
   std::string operator()(const simulator::EmergencyStopEvent& stop) const {
-    return fmt::format("asked: true, emergency_stop: {}", stop.soft ? "soft" : "hold");
+    return fmt::format("emergency_stop: {}", stop.soft ? "soft" : "hold");
   }
-  std::string operator()(const simulator::ReleaseEvent&) const { return "asked: true, release: true"; }
+  std::string operator()(const simulator::ReleaseEvent&) const { return "release: true"; }
   std::string operator()(const simulator::ManualJointEvent& move) const {
-    return fmt::format("asked: true, move_joint: {{joint: {}, position_rad: {}, duration_slots: {}}}",
+    return fmt::format("move_joint: {{joint: {}, position_rad: {}, duration_slots: {}}}",
                        robot.joints[static_cast<std::size_t>(move.joint)].name, move.position_rad,
                        move.duration_slots);
   }
@@ -64,7 +64,13 @@ void CommandLog::on_walk_request(const WalkCommand& command, std::int64_t now_ns
 void CommandLog::on_motion_request(const MotionRequest& request, std::int64_t now_ns) {
   const auto* const name = reinterpret_cast<const char*>(request.name);
   events_.push_back({.at_s = seconds_of(now_ns),
-                     .action = simulator::MotionEvent{{name, strnlen(name, sizeof request.name)}}});
+                     .action = simulator::MotionEvent{{name, strnlen(name, sizeof request.name)}},
+                     .asked = *name != 0});
+}
+
+void CommandLog::on_end(std::int64_t now_ns) {
+  events_.push_back({.at_s = seconds_of(now_ns), .action = simulator::WalkEvent{.walk = false}});
+  events_.push_back({.at_s = seconds_of(now_ns), .action = simulator::StopEvent{}});
 }
 
 void CommandLog::on_millisecond(std::int64_t began_ns) {
@@ -116,7 +122,8 @@ std::string CommandLog::scenario(double seconds) const {
       "gives the same digest.\nseconds: {}\nevents:{}\n",
       seconds, events_.empty() ? " []" : "");
   for (const simulator::ScenarioEvent& event : events_) {
-    text += fmt::format("  - {{at_s: {}, {}}}\n", event.at_s, std::visit(Yaml{run_.robot()}, event.action));
+    text += fmt::format("  - {{at_s: {}, {}{}}}\n", event.at_s, event.asked ? "asked: true, " : "",
+                        std::visit(Yaml{run_.robot()}, event.action));
   }
   return text;
 }

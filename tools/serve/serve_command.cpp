@@ -190,6 +190,7 @@ class Pace {
 struct Loop {
   simulator::Cosimulation& run;
   core::PluginRequests& requests;
+  CommandLog& commands;
   core::EventPrinter printer{"gaitway serve"};
   bool quiet = false;
 
@@ -207,6 +208,7 @@ struct Loop {
   // Ends the walk by the safe tail, as fast as the computer can.
   void stand() {
     run.end_walk_requests();
+    commands.on_end(run.now_ns());
     const std::int64_t end_ns = run.now_ns() + kLongestStop_ns;
     run.apply({.at_s = 0.0, .action = simulator::StopEvent{}});
     do {
@@ -260,7 +262,7 @@ int serve(const ServeOptions& options) {
   core::PluginRequests requests(requests_client, run.plugins());
   const core::PluginWorkshop workshop(requests);
 
-  Loop loop{.run = run, .requests = requests, .quiet = options.quiet};
+  Loop loop{.run = run, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
   Pace pace(options.speed);
   const auto end_ns = options.seconds ? static_cast<std::int64_t>(std::llround(*options.seconds * 1e9))
                                       : std::numeric_limits<std::int64_t>::max();

@@ -17,7 +17,6 @@ using NodeId = std::uint8_t;  // 1..64: a local controller on the bus; 0 is the 
 
 inline constexpr int kBatchPoints = facts::kSlotsPerCycle;  // points in one trajectory frame, one a time slot
 inline constexpr int kResyncDeltas = 5;      // points that follow the absolute one in a resynchronisation
-inline constexpr int kTrimChannels = 8;      // signed corrections in the trim frame
 inline constexpr int kFeedbackChannels = 2;  // 16-bit sensor channels in a feedback frame
 
 // What the joints do on an emergency stop, or when it is released: they hold where they are measured, and
@@ -53,7 +52,7 @@ struct Sync {
 
 // Absolute corrections added to the servo's reference; units: trim counts of the network file.
 struct Trim {
-  std::array<std::int8_t, kTrimChannels> count{};
+  std::array<std::int8_t, facts::kTrimChannels> count{};
   friend bool operator==(const Trim&, const Trim&) = default;
 };
 

@@ -25,12 +25,14 @@ class CommandIntake {
  public:
   CommandIntake(msgclient::Client& client, msgclient::EmiMessage& adapter);
 
-  // Stops come last, so that they have the last word.
-  void take(CommandTaker& taker, std::int64_t now_ns) noexcept;
+  // What the main controller posts; whenever its doorbell rings.
+  void take_mail(CommandTaker& taker, std::int64_t now_ns) noexcept;
+  // What lies in the topics: once a millisecond and never between two, so that a command's millisecond is all
+  // that one has to know to give it again. Stops come last, so that they have the last word.
+  void take_topics(CommandTaker& taker, std::int64_t now_ns) noexcept;
   void answer_release(msgclient::Reason problem, std::int64_t now_ns) noexcept;
 
  private:
-  void take_mail(CommandTaker& taker, std::int64_t now_ns) noexcept;
   void take_queue(CommandTaker& taker, std::int64_t now_ns) noexcept;
   void take_stops(CommandTaker& taker, std::int64_t now_ns) noexcept;
   void answer_mail(std::uint32_t sequence, msgclient::Reason problem) noexcept;

@@ -29,10 +29,11 @@ class MessageController final : private CommandTaker {
   MessageController(const urdf::RobotModel& robot, msgclient::Client& client, msgclient::EmiMessage& adapter);
 
   // To be called at every millisecond of the clock, before the frames of that millisecond are exchanged.
-  void step(std::int64_t now_ns) noexcept;
   // Takes what the main controller has put into the mailboxes, people's commands from the queue
   // `user_command` and, after them, so that they have the last word, people's stops from the topic
-  // `stop_request`; step() does so, too. To be called when a doorbell rings between two milliseconds.
+  // `stop_request`.
+  void step(std::int64_t now_ns) noexcept;
+  // Takes what is in the mailboxes. To be called when their doorbell rings between two milliseconds.
   void take_mails(std::int64_t now_ns) noexcept;
   // The state of this controller's own station, when it may have changed. While it is off the bus, nothing
   // waits: what would go out afterwards would be stale. Back on it, the prepared batch is sent once more.
@@ -68,6 +69,7 @@ class MessageController final : private CommandTaker {
   void take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept;
   void on_forged(const NetworkWatch::Arrival& arrival, const can::Frame& frame) noexcept;
   void publish_feedback(std::int64_t now_ns) noexcept;
+  void take_plans(std::int64_t now_ns) noexcept;
 
   msgclient::Reason obey(const msgclient::UserCommandMail& mail, std::int64_t now_ns) noexcept override;
   void emergency_stop(bool soft) noexcept;
