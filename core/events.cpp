@@ -86,19 +86,19 @@ void EventPublisher::step(const EventLog& events, std::int64_t now_ns) noexcept 
   }
 }
 
-void EventPrinter::print(const EventLog& events) {
-  constexpr std::uint64_t kEventsPerPrint = 5;
-  next_ = std::max(next_, events.first());
-  for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsPerPrint; ++printed, ++next_) {
+bool EventPrinter::print(const EventLog& events) {
+  constexpr std::uint64_t kEventsAPrint = 20;
+  if (next_ < events.first()) {
+    fmt::print(stderr, "{}: {} events are left out\n", program_, events.first() - next_);
+    next_ = events.first();
+  }
+  for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsAPrint; ++printed, ++next_) {
     const Event& event = events[next_];
     fmt::print(stderr, "{}: {:.3f} s: {}: {}: {}\n", program_, static_cast<double>(event.stamp_ns) * 1e-9,
                event_kind_name(event.kind), input::terminal_text(event.source()),
                input::terminal_text(event.text()));
   }
-  if (next_ < events.total()) {
-    fmt::print(stderr, "{}: {} more events\n", program_, events.total() - next_);
-    next_ = events.total();
-  }
+  return next_ < events.total();
 }
 
 }  // namespace gaitway::core

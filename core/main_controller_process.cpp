@@ -93,7 +93,8 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
     result.missed_ticks += static_cast<std::uint64_t>((next_ns - deadline_ns) / facts::kSlot_ns - 1);
     deadline_ns = next_ns;
   }
-  printer.print(controller.events());
+  while (printer.print(controller.events())) {
+  }
   return result;
 }
 

@@ -1,12 +1,16 @@
 // Many threads post, one collects: each line arrives once and in its poster's order, or is counted as lost.
+// Then it is printed.
 #include "gaitway/instance/event_log.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <array>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "gaitway/core/events.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -70,6 +74,39 @@ TEST(EventLog, WhatHasNoRoomIsCounted) {
   log->post(EventKind::info, "leg", "again");
   log->collect();
   EXPECT_EQ((*log)[log->total() - 1].text(), "again");
+}
+
+// What a burst leaves over comes with the next prints; only what the log gave up is left out, and counted.
+TEST(EventPrinter, PrintsEachEventOnceHoweverManyComeAtOnce) {
+  const auto log = std::make_unique<EventLog>();
+  EventPrinter printer("robot");
+  const auto add = [&log](int from, int to) {
+    for (int number = from; number < to; ++number) {
+      log->add(1'000'000, 0, EventKind::fault, "zmp", fmt::format("number {}.", number));
+    }
+  };
+  const auto printed = [&] {
+    testing::internal::CaptureStderr();
+    while (printer.print(*log)) {
+    }
+    return testing::internal::GetCapturedStderr();
+  };
+  add(0, 50);
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(printer.print(*log)) << "a print takes a bounded time";
+  std::string text = testing::internal::GetCapturedStderr();
+  text += printed();
+  std::size_t at = 0;
+  for (int number = 0; number < 50; ++number) {
+    const auto found = text.find(fmt::format("robot: 0.001 s: fault: zmp: number {}.\n", number), at);
+    ASSERT_NE(found, std::string::npos) << number;
+    at = found;
+  }
+  EXPECT_EQ(printed(), "");
+  const int kept = static_cast<int>(EventLog::kCapacity);
+  add(50, 50 + kept + 7);
+  EXPECT_THAT(printed(),
+              testing::StartsWith("robot: 7 events are left out\nrobot: 0.001 s: fault: zmp: number 57.\n"));
 }
 
 }  // namespace

@@ -274,6 +274,8 @@ int serve(const ServeOptions& options) {
   if (process::stop_requested()) {
     loop.stand();
   }
+  while (!options.quiet && loop.printer.print(run.main_controller().events())) {
+  }
   write_results(options, run, observer, pace, static_cast<double>(process::monotonic_ns() - began_ns) * 1e-9);
   return exit_code(outcome_of(run, observer.recorder).verdict);
 }

@@ -64,8 +64,9 @@ class EventPrinter {
  public:
   // `program`: what each line begins with.
   explicit EventPrinter(std::string program) : program_(std::move(program)) {}
-  // Leaves out all but a few of what has come since the last call, and says how many.
-  void print(const EventLog& events);
+  // The oldest ones that were not printed yet, at most 20; true: there are more. Those that the log gave up
+  // in the meantime are counted.
+  bool print(const EventLog& events);
 
  private:
   std::string program_;
