@@ -95,7 +95,8 @@ bool ClientSession::within_rate(std::string_view message) {
 void ClientSession::carry_out(std::string_view text) {
   Json id;
   try {
-    const Json message = parse_message(text, hub_.options.limits.depth);
+    Json message = parse_message(text, hub_.options.limits.depth);
+    const std::string wrong_in_stop = leave_out_what_is_wrong_in_stop(message);
     id = id_in(message);
     const std::string name = name_in(message, "op");
     const Operation* const operation = find_operation(name);
@@ -106,6 +107,9 @@ void ClientSession::carry_out(std::string_view text) {
       throw Refused(R"(not authorised: send {"op": "auth", "token": "..."} first)");
     }
     (this->*operation->carry_out)(message, id);
+    if (!wrong_in_stop.empty()) {
+      tell(Level::warning, wrong_in_stop + "left out of account, since this is a stop", id);
+    }
   } catch (const std::exception& error) {
     tell_error(error.what(), id);
   }

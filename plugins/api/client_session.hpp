@@ -121,6 +121,9 @@ class ClientSession final : public Session, private Subscriber {
 
   [[nodiscard]] bool within_rate(std::string_view message);
   void carry_out(std::string_view text);
+  // Nothing in its message keeps a stop from being carried out: fields that could not be read count as
+  // absent. What was wrong with them; empty: nothing, or this is no stop.
+  [[nodiscard]] std::string leave_out_what_is_wrong_in_stop(Json& message) const;
   [[nodiscard]] Terms terms_of(const Json& message, const TopicRow& row, const Json& id);
   [[nodiscard]] std::size_t fragment_bytes_of(const Json& message) const;
   void serve(Topic topic);  // as its subscriptions want it now
