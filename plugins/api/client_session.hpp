@@ -85,6 +85,7 @@ class ClientSession final : public Session, private Subscriber {
   void take(std::string_view message, bool binary, std::int64_t wall_ns) override;
   void heard(std::int64_t wall_ns) noexcept override { heard_ns_ = wall_ns; }
   std::optional<Frame> next_frame(std::int64_t wall_ns) override;
+  [[nodiscard]] bool authorised() const noexcept override { return authorised_; }
 
   // For the hub.
   void step(std::int64_t now_ns);
