@@ -251,11 +251,10 @@ void ClientSession::call_service(const Json& message, const Json& id) {
   call.client = claimant_.number;
   call.id = id;
   call.service = name_in(message, "service");
-  call.arguments = message.value("args", Json());
   call.timeout_ns = timeout_of(message, hub_.options.limits);
   call.encoding = encoding_of(message, false);
   call.fragment_bytes = fragment_bytes_of(message);
-  hub_.desk.call(call, claimant_, hub_.now_ns);
+  hub_.desk.call(call, message.value("args", Json()), claimant_, hub_.now_ns);
 }
 
 std::string ClientSession::leave_out_what_is_wrong_in_stop(Json& message) const {

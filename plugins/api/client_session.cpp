@@ -37,7 +37,7 @@ ClientSession::ClientSession(HubState& hub, Connection& connection, Claimant cla
       opened_ns_(hub.now_ns),
       heard_ns_(hub.now_ns),
       rate_(hub.options.limits.messages_per_s, hub.now_ns),
-      outbox_(hub.options.limits.waiting_bytes) {
+      outbox_(hub.options.limits.waiting_bytes, hub.waiting_bytes) {
   hub_.sessions.emplace(claimant_.number, this);
 }
 
@@ -113,6 +113,7 @@ void ClientSession::carry_out(std::string_view text) {
   } catch (const std::exception& error) {
     tell_error(error.what(), id);
   }
+  hub_.keep_within_budget();
 }
 
 std::optional<Frame> ClientSession::next_frame(std::int64_t wall_ns) {
@@ -199,6 +200,11 @@ void ClientSession::close(std::uint16_t code, std::string_view reason) {
     ++hub_.counts.closed_by_us;
     connection_.close(code, reason);
   }
+}
+
+void ClientSession::cut() {
+  close(kPolicyViolation, "too much waits for all clients together, and most of it for this one");
+  outbox_.clear();
 }
 
 void ClientSession::leave() {

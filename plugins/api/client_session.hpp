@@ -27,6 +27,9 @@ class ClientSession;
 // What all sessions of a hub share.
 struct HubState {
   HubState(RobotPort& port, HubOptions hub_options);
+  // Cuts who leaves most unread, until no more waits for all together than may. To be called when something
+  // may have come to wait, and no list of sessions is being walked through.
+  void keep_within_budget();
 
   const RobotPort& robot;
   HubOptions options;
@@ -34,6 +37,7 @@ struct HubState {
   ServiceDesk desk;
   Publications publications;
   std::map<std::uint64_t, ClientSession*> sessions;  // by Claimant::number
+  std::size_t waiting_bytes = 0;                     // of all sessions
   std::uint64_t last_number = 0;
   std::int64_t now_ns = 0;  // of the latest call
   HubStatistics counts;     // only what is counted since the start
@@ -90,6 +94,8 @@ class ClientSession final : public Session, private Subscriber {
   // For the hub.
   void step(std::int64_t now_ns);
   void answer(const ServiceCall& call, Frame frame);
+  // Closes it, and forgets what waits for it.
+  void cut();
   [[nodiscard]] std::size_t subscriptions() const noexcept { return subscriptions_.count(); }
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return outbox_.waiting_bytes(); }
 
