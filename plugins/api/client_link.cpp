@@ -39,10 +39,12 @@ std::string text(const boost::asio::ip::tcp::endpoint& peer) {
 
 }  // namespace
 
-ClientLink::ClientLink(ServerCore& core, const Endpoint& peer, std::int64_t now_ns)
+ClientLink::ClientLink(ServerCore& core, const Endpoint& peer, bool surplus, std::int64_t now_ns)
     : core_(core),
       address_(peer.address()),
       peer_(text(peer)),
+      since_ns_(now_ns),
+      surplus_(surplus),
       deadline_ns_(now_ns + core.options.limits.handshake_ns) {}
 
 void ClientLink::wake() noexcept {
@@ -227,6 +229,17 @@ void ClientLink::cut(Closing cause) {
     cause_ = cause;
   }
   left(Refusal::left);
+}
+
+bool ClientLink::may_give_way() const noexcept {
+  return !surplus_ && !(phase_ == Phase::open && session_ && session_->authorised());
+}
+
+void ClientLink::give_way() {
+  if (phase_ == Phase::open) {
+    cause_ = Closing::refused;
+  }
+  left(Refusal::too_many);
 }
 
 // What waits is dropped, but for what the client has seen in part: the close frame must reach it soon, if at

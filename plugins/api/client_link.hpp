@@ -21,7 +21,8 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
  public:
   using Endpoint = boost::asio::ip::tcp::endpoint;
 
-  ClientLink(ServerCore& core, const Endpoint& peer, std::int64_t now_ns);
+  // `surplus`: takes nobody's place, and is only told that there is none.
+  ClientLink(ServerCore& core, const Endpoint& peer, bool surplus, std::int64_t now_ns);
 
   // Connection: both only take note, and act from the server's loop.
   void wake() noexcept final;
@@ -36,7 +37,14 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   // At once, without a word.
   void cut(Closing cause);
 
+  // Whether it holds a place without being in a conversation with somebody who may be here.
+  [[nodiscard]] bool may_give_way() const noexcept;
+  // Leaves its place to another, at once.
+  void give_way();
+
   [[nodiscard]] const boost::asio::ip::address& address() const noexcept { return address_; }
+  [[nodiscard]] std::int64_t since_ns() const noexcept { return since_ns_; }
+  [[nodiscard]] bool is_surplus() const noexcept { return surplus_; }
   std::size_t place = 0;  // in the core's table
 
  protected:
@@ -85,6 +93,8 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   ServerCore& core_;
   const boost::asio::ip::address address_;
   const std::string peer_;
+  const std::int64_t since_ns_;
+  const bool surplus_;
   Phase phase_ = Phase::handshake;
   std::unique_ptr<Session> session_;
   OutgoingQueue queue_;
@@ -101,7 +111,7 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
 using TcpSocket =
     boost::asio::basic_stream_socket<boost::asio::ip::tcp, boost::asio::io_context::executor_type>;
 
-// `surplus`: it gets a 503 for its request.
+// `surplus`: it gets a 503 for its request, and holds no place.
 [[nodiscard]] std::shared_ptr<ClientLink> make_plain_connection(ServerCore& core, TcpSocket socket,
                                                                 const ClientLink::Endpoint& peer,
                                                                 bool surplus);

@@ -7,6 +7,7 @@
 #include "client_session.hpp"
 #include "gaitway/api/json_reader.hpp"
 #include "gaitway/api/message_definition.hpp"
+#include "gaitway/api/service_table.hpp"
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
@@ -70,6 +71,15 @@ std::int64_t timeout_of(const json& message, const Limits& limits) {
   }
   const double asked_s = timeout->get<double>();
   return asked_s == 0.0 ? limits.answer_ns : static_cast<std::int64_t>(std::min(asked_s, most_s) * 1e9);
+}
+
+bool asks_for_stop(const json& message) {
+  const auto op = message.find("op"), service = message.find("service");
+  if (op == message.end() || *op != "call_service" || service == message.end() || !service->is_string()) {
+    return false;
+  }
+  const ServiceRow* const row = find_service(service->get_ref<const std::string&>());
+  return row != nullptr && (row->name == "/stop" || row->name == "/emergency_stop");
 }
 
 }  // namespace
@@ -241,11 +251,29 @@ void ClientSession::call_service(const Json& message, const Json& id) {
   call.client = claimant_.number;
   call.id = id;
   call.service = name_in(message, "service");
-  call.arguments = message.value("args", Json());
   call.timeout_ns = timeout_of(message, hub_.options.limits);
   call.encoding = encoding_of(message, false);
   call.fragment_bytes = fragment_bytes_of(message);
-  hub_.desk.call(call, claimant_, hub_.now_ns);
+  hub_.desk.call(call, message.value("args", Json()), claimant_, hub_.now_ns);
+}
+
+std::string ClientSession::leave_out_what_is_wrong_in_stop(Json& message) const {
+  std::string complaints;
+  const auto check = [&](const char* field, const auto& read) {
+    try {
+      static_cast<void>(read());
+    } catch (const Refused& refused) {
+      message.erase(field);
+      complaints += std::string(refused.what()) + "; ";
+    }
+  };
+  if (asks_for_stop(message)) {
+    check("id", [&] { return id_in(message); });
+    check("timeout", [&] { return timeout_of(message, hub_.options.limits); });
+    check("compression", [&] { return encoding_of(message, false); });
+    check("fragment_size", [&] { return fragment_bytes_of(message); });
+  }
+  return complaints;
 }
 
 void ClientSession::set_level(const Json& message, const Json&) {

@@ -37,7 +37,7 @@ ClientSession::ClientSession(HubState& hub, Connection& connection, Claimant cla
       opened_ns_(hub.now_ns),
       heard_ns_(hub.now_ns),
       rate_(hub.options.limits.messages_per_s, hub.now_ns),
-      outbox_(hub.options.limits.waiting_bytes) {
+      outbox_(hub.options.limits.waiting_bytes, hub.waiting_bytes) {
   hub_.sessions.emplace(claimant_.number, this);
 }
 
@@ -95,7 +95,8 @@ bool ClientSession::within_rate(std::string_view message) {
 void ClientSession::carry_out(std::string_view text) {
   Json id;
   try {
-    const Json message = parse_message(text, hub_.options.limits.depth);
+    Json message = parse_message(text, hub_.options.limits.depth);
+    const std::string wrong_in_stop = leave_out_what_is_wrong_in_stop(message);
     id = id_in(message);
     const std::string name = name_in(message, "op");
     const Operation* const operation = find_operation(name);
@@ -106,9 +107,13 @@ void ClientSession::carry_out(std::string_view text) {
       throw Refused(R"(not authorised: send {"op": "auth", "token": "..."} first)");
     }
     (this->*operation->carry_out)(message, id);
+    if (!wrong_in_stop.empty()) {
+      tell(Level::warning, wrong_in_stop + "left out of account, since this is a stop", id);
+    }
   } catch (const std::exception& error) {
     tell_error(error.what(), id);
   }
+  hub_.keep_within_budget();
 }
 
 std::optional<Frame> ClientSession::next_frame(std::int64_t wall_ns) {
@@ -195,6 +200,11 @@ void ClientSession::close(std::uint16_t code, std::string_view reason) {
     ++hub_.counts.closed_by_us;
     connection_.close(code, reason);
   }
+}
+
+void ClientSession::cut() {
+  close(kPolicyViolation, "too much waits for all clients together, and most of it for this one");
+  outbox_.clear();
 }
 
 void ClientSession::leave() {

@@ -27,6 +27,9 @@ class ClientSession;
 // What all sessions of a hub share.
 struct HubState {
   HubState(RobotPort& port, HubOptions hub_options);
+  // Cuts who leaves most unread, until no more waits for all together than may. To be called when something
+  // may have come to wait, and no list of sessions is being walked through.
+  void keep_within_budget();
 
   const RobotPort& robot;
   HubOptions options;
@@ -34,6 +37,7 @@ struct HubState {
   ServiceDesk desk;
   Publications publications;
   std::map<std::uint64_t, ClientSession*> sessions;  // by Claimant::number
+  std::size_t waiting_bytes = 0;                     // of all sessions
   std::uint64_t last_number = 0;
   std::int64_t now_ns = 0;  // of the latest call
   HubStatistics counts;     // only what is counted since the start
@@ -85,10 +89,13 @@ class ClientSession final : public Session, private Subscriber {
   void take(std::string_view message, bool binary, std::int64_t wall_ns) override;
   void heard(std::int64_t wall_ns) noexcept override { heard_ns_ = wall_ns; }
   std::optional<Frame> next_frame(std::int64_t wall_ns) override;
+  [[nodiscard]] bool authorised() const noexcept override { return authorised_; }
 
   // For the hub.
   void step(std::int64_t now_ns);
   void answer(const ServiceCall& call, Frame frame);
+  // Closes it, and forgets what waits for it.
+  void cut();
   [[nodiscard]] std::size_t subscriptions() const noexcept { return subscriptions_.count(); }
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return outbox_.waiting_bytes(); }
 
@@ -121,6 +128,9 @@ class ClientSession final : public Session, private Subscriber {
 
   [[nodiscard]] bool within_rate(std::string_view message);
   void carry_out(std::string_view text);
+  // Nothing in its message keeps a stop from being carried out: fields that could not be read count as
+  // absent. What was wrong with them; empty: nothing, or this is no stop.
+  [[nodiscard]] std::string leave_out_what_is_wrong_in_stop(Json& message) const;
   [[nodiscard]] Terms terms_of(const Json& message, const TopicRow& row, const Json& id);
   [[nodiscard]] std::size_t fragment_bytes_of(const Json& message) const;
   void serve(Topic topic);  // as its subscriptions want it now

@@ -1,5 +1,6 @@
 #include "gaitway/api/hub.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +17,14 @@ HubState::HubState(RobotPort& port, HubOptions hub_options)
           session->second->answer(call, std::move(frame));
         }
       }) {}
+
+void HubState::keep_within_budget() {
+  while (waiting_bytes > options.limits.waiting_bytes_of_all) {
+    std::max_element(sessions.begin(), sessions.end(), [](const auto& a, const auto& b) {
+      return a.second->waiting_bytes() < b.second->waiting_bytes();
+    })->second->cut();
+  }
+}
 
 Hub::Hub(RobotPort& robot, HubOptions options)
     : state_(std::make_unique<HubState>(robot, std::move(options))) {}
@@ -46,6 +55,7 @@ void Hub::step(std::int64_t wall_ns) {
 void Hub::answer(std::int64_t wall_ns) {
   state_->now_ns = wall_ns;
   state_->desk.step(wall_ns);
+  state_->keep_within_budget();
 }
 
 bool Hub::wanted(Topic topic) const noexcept {
@@ -57,8 +67,8 @@ HubStatistics Hub::statistics() const {
   statistics.clients = state_->sessions.size();
   for (const auto& [number, session] : state_->sessions) {
     statistics.subscriptions += session->subscriptions();
-    statistics.waiting_bytes += session->waiting_bytes();
   }
+  statistics.waiting_bytes = state_->waiting_bytes;
   statistics.commander = state_->commands.authority().holder();
   return statistics;
 }
@@ -76,6 +86,7 @@ std::int64_t Hub::robot_ns() const {
 
 void Hub::publish_encoded(Topic topic, const Encode& encode) {
   state_->publications.publish(topic, encode);
+  state_->keep_within_budget();
 }
 
 }  // namespace gaitway::api

@@ -9,6 +9,13 @@
 #include "gaitway/api/json_codec.hpp"
 
 namespace gaitway::api {
+namespace {
+
+std::size_t cost_bytes(const std::string& message) {
+  return message.size() + Outbox::kMessage_bytes;
+}
+
+}  // namespace
 
 Fragments::Fragments(std::shared_ptr<const std::string> whole, std::size_t piece_bytes, std::string id)
     : whole_(std::move(whole)), piece_bytes_(std::max(piece_bytes, kLeast_bytes)), id_(std::move(id)) {
@@ -52,12 +59,12 @@ bool Outbox::answer(Frame frame, std::size_t fragment_bytes) {
   }
   std::size_t bytes = 0;
   for (const Frame& piece : frames) {
-    bytes += piece.bytes->size();
+    bytes += cost_bytes(*piece.bytes);
   }
   if (!make_room(bytes)) {
     return false;
   }
-  waiting_bytes_ += bytes;
+  keep(bytes);
   std::move(frames.begin(), frames.end(), std::back_inserter(answers_));
   return true;
 }
@@ -76,7 +83,7 @@ void Outbox::open(Topic topic, const Terms& terms) {
 void Outbox::close(Topic topic) {
   auto& place = lanes_[static_cast<std::size_t>(topic)];
   if (place) {
-    waiting_bytes_ -= place->bytes;
+    discard(place->bytes);
     place.reset();
   }
 }
@@ -85,6 +92,23 @@ void Outbox::close_all() {
   for (const TopicRow& row : kTopics) {
     close(row.topic);
   }
+}
+
+void Outbox::clear() {
+  close_all();
+  answers_.clear();
+  rest_.reset();
+  discard(waiting_bytes_);
+}
+
+void Outbox::keep(std::size_t bytes) noexcept {
+  waiting_bytes_ += bytes;
+  waiting_bytes_of_all_ += bytes;
+}
+
+void Outbox::discard(std::size_t bytes) noexcept {
+  waiting_bytes_ -= bytes;
+  waiting_bytes_of_all_ -= bytes;
 }
 
 const Terms* Outbox::terms(Topic topic) const noexcept {
@@ -98,27 +122,28 @@ void Outbox::offer(Topic topic, const Frame& frame, std::int64_t now_ns) {
   while (lane.waiting.size() >= lane.terms.queue_length) {
     drop_oldest(lane, slow);
   }
-  if (!make_room(frame.bytes->size())) {
+  const std::size_t bytes = cost_bytes(*frame.bytes);
+  if (!make_room(bytes)) {
     ++lane.drops;
     has_drops_ = true;
     return;
   }
   lane.waiting.push_back(frame);
-  lane.bytes += frame.bytes->size();
-  waiting_bytes_ += frame.bytes->size();
+  lane.bytes += bytes;
+  keep(bytes);
 }
 
 std::optional<Frame> Outbox::next(std::int64_t now_ns) {
   if (!answers_.empty()) {
     Frame frame = std::move(answers_.front());
     answers_.pop_front();
-    waiting_bytes_ -= frame.bytes->size();
+    discard(cost_bytes(*frame.bytes));
     return frame;
   }
   if (rest_) {
     Frame piece = rest_->next();
     if (rest_->done()) {
-      waiting_bytes_ -= rest_->whole_bytes();
+      discard(cost_bytes(rest_->whole()));
       rest_.reset();
     }
     return piece;
@@ -155,9 +180,9 @@ bool Outbox::make_room(std::size_t bytes) noexcept {
 }
 
 void Outbox::drop_oldest(Lane& lane, bool slow) noexcept {
-  const std::size_t bytes = lane.waiting.front().bytes->size();
+  const std::size_t bytes = cost_bytes(*lane.waiting.front().bytes);
   lane.bytes -= bytes;
-  waiting_bytes_ -= bytes;
+  discard(bytes);
   lane.waiting.pop_front();
   if (slow) {
     ++lane.drops;
@@ -182,11 +207,11 @@ std::optional<Frame> Outbox::next_of_lanes(std::int64_t now_ns) {
 Frame Outbox::start(Lane& lane) {
   Frame frame = std::move(lane.waiting.front());
   lane.waiting.pop_front();
-  const std::size_t bytes = frame.bytes->size();
+  const std::size_t bytes = cost_bytes(*frame.bytes);
   lane.bytes -= bytes;
   const std::size_t fragment_bytes = lane.terms.fragment_bytes;
-  if (frame.binary || fragment_bytes == 0 || bytes <= fragment_bytes) {
-    waiting_bytes_ -= bytes;
+  if (frame.binary || fragment_bytes == 0 || frame.bytes->size() <= fragment_bytes) {
+    discard(bytes);
     return frame;
   }
   rest_ = cut(frame, fragment_bytes);

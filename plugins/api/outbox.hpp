@@ -29,7 +29,7 @@ class Fragments {
   [[nodiscard]] bool done() const noexcept { return begin_ == whole_->size(); }
   // The next one; not when done.
   [[nodiscard]] Frame next();
-  [[nodiscard]] std::size_t whole_bytes() const noexcept { return whole_->size(); }
+  [[nodiscard]] const std::string& whole() const noexcept { return *whole_; }
 
  private:
   [[nodiscard]] std::size_t end_of_piece(std::size_t begin) const noexcept;
@@ -51,8 +51,15 @@ struct Terms {
 
 class Outbox {
  public:
-  // `most_bytes` may wait at once.
-  explicit Outbox(std::size_t most_bytes) noexcept : most_bytes_(most_bytes) {}
+  // What a message that waits takes beside its text: allocations, and its place in a queue.
+  static constexpr std::size_t kMessage_bytes = 128;
+
+  // `most_bytes` may wait at once; they are also counted in `waiting_bytes_of_all`.
+  Outbox(std::size_t most_bytes, std::size_t& waiting_bytes_of_all) noexcept
+      : most_bytes_(most_bytes), waiting_bytes_of_all_(waiting_bytes_of_all) {}
+  ~Outbox() { discard(waiting_bytes_); }
+  Outbox(const Outbox&) = delete;
+  Outbox& operator=(const Outbox&) = delete;
 
   // An answer or status; goes before publications, which give way to it. False: no room, even so.
   [[nodiscard]] bool answer(Frame frame, std::size_t fragment_bytes = 0);
@@ -61,6 +68,8 @@ class Outbox {
   void open(Topic topic, const Terms& terms);
   void close(Topic topic);
   void close_all();
+  // Nothing waits any more, answers neither.
+  void clear();
   [[nodiscard]] const Terms* terms(Topic topic) const noexcept;
   // A publication; the topic is open. Older ones beyond the queue's length are dropped, and counted unless
   // they were throttled on demand.
@@ -90,6 +99,8 @@ class Outbox {
       return terms.throttle_ns == 0 || (sent_ns && now_ns - *sent_ns >= 2 * terms.throttle_ns);
     }
   };
+  void keep(std::size_t bytes) noexcept;
+  void discard(std::size_t bytes) noexcept;
   [[nodiscard]] Lane* lane(Topic topic) noexcept { return lanes_[static_cast<std::size_t>(topic)].get(); }
   [[nodiscard]] bool make_room(std::size_t bytes) noexcept;
   void drop_oldest(Lane& lane, bool slow) noexcept;
@@ -99,6 +110,7 @@ class Outbox {
 
   std::size_t most_bytes_;
   std::size_t waiting_bytes_ = 0;
+  std::size_t& waiting_bytes_of_all_;
   std::deque<Frame> answers_;
   std::optional<Fragments> rest_;
   std::array<std::unique_ptr<Lane>, kTopicCount> lanes_;

@@ -163,7 +163,7 @@ struct LimitParameters {
 
   void operator()(const LimitRow& row, std::size_t& count) const {
     count = static_cast<std::size_t>(
-        setup.parameter(row.name, static_cast<std::int64_t>(count), "1", {1.0, 1e8, row.doc}));
+        setup.parameter(row.name, static_cast<std::int64_t>(count), "1", {1.0, 1e9, row.doc}));
   }
   void operator()(const LimitRow& row, std::int64_t& time_ns) const {
     constexpr double kSecond_ns = 1e9;

@@ -155,8 +155,8 @@ class Server::Impl {
     TcpSocket socket(core_.io);
     boost::system::error_code error;
     socket.assign(setup_.is_ipv6() ? tcp::v6() : tcp::v4(), descriptor, error);
-    const bool surplus = !core_.has_room_for(peer.address());
-    if (error || (surplus && core_.links().size() >= setup_.options().limits.connections + kSurplus)) {
+    const bool surplus = !error && !core_.make_room_for(peer.address());
+    if (error || (surplus && core_.surplus_links() >= kSurplus)) {
       core_.statistics.count(Refusal::too_many);
       if (error) {
         ::close(descriptor);

@@ -16,14 +16,31 @@ std::int64_t wall_now_ns() noexcept {
 ServerCore::ServerCore(SessionHub& sessions, const ServerSetup& server_setup)
     : hub(sessions), setup(server_setup), options(server_setup.options()) {}
 
-bool ServerCore::has_room_for(const boost::asio::ip::address& address) const {
+bool ServerCore::make_room_for(const boost::asio::ip::address& address) {
   const auto known = of_address_.find(address);
-  return links_.size() < options.limits.connections &&
-         (known == of_address_.end() || known->second < options.limits.connections_of_one_address);
+  const bool address_is_full =
+      known != of_address_.end() && known->second >= options.limits.connections_of_one_address;
+  if (!address_is_full && places_taken_ < options.limits.connections) {
+    return true;
+  }
+  std::shared_ptr<ClientLink> oldest;
+  for (const auto& link : links_) {
+    if (link->may_give_way() && (!address_is_full || link->address() == address) &&
+        (!oldest || link->since_ns() < oldest->since_ns())) {
+      oldest = link;
+    }
+  }
+  if (oldest) {
+    oldest->give_way();
+  }
+  return oldest != nullptr;
 }
 
 void ServerCore::add(std::shared_ptr<ClientLink> link) {
-  ++of_address_[link->address()];
+  if (!link->is_surplus()) {
+    ++of_address_[link->address()];
+    ++places_taken_;
+  }
   link->place = links_.size();
   links_.push_back(std::move(link));
   woken_.reserve(links_.size());
@@ -32,8 +49,11 @@ void ServerCore::add(std::shared_ptr<ClientLink> link) {
 }
 
 void ServerCore::remove(ClientLink& link) {
-  if (const auto known = of_address_.find(link.address()); --known->second == 0) {
-    of_address_.erase(known);
+  if (!link.is_surplus()) {
+    if (const auto known = of_address_.find(link.address()); --known->second == 0) {
+      of_address_.erase(known);
+    }
+    --places_taken_;
   }
   const std::size_t place = link.place;
   const std::shared_ptr<ClientLink> last = std::move(links_.back());

@@ -36,7 +36,6 @@ struct ServiceCall {
   std::uint64_t client = 0;     // Claimant::number
   nlohmann::json id;            // null: none
   std::string service;          // as the client wrote it
-  nlohmann::json arguments;     // an object or a list
   std::int64_t timeout_ns = 0;  // after which the client waits no more
   Encoding encoding = Encoding::json;
   std::size_t fragment_bytes = 0;

@@ -59,7 +59,8 @@ ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits
       rosapi_(robot_, parameters_),
       orders_(robot_) {}
 
-void ServiceDesk::call(const ServiceCall& call, Claimant& claimant, std::int64_t now_ns) {
+void ServiceDesk::call(const ServiceCall& call, const nlohmann::json& arguments, Claimant& claimant,
+                       std::int64_t now_ns) {
   const ServiceRow* const row = find_service(call.service);
   if (row == nullptr) {
     send_(call, service_failure(call, "service is " + shown(call.service) +
@@ -67,7 +68,7 @@ void ServiceDesk::call(const ServiceCall& call, Claimant& claimant, std::int64_t
     return;
   }
   try {
-    answer(*row, {call, claimant, now_ns});
+    answer(*row, {call, arguments, claimant, now_ns});
   } catch (const CommandDenied& denied) {
     deny(*row, call, denied.what());
   } catch (const std::exception& error) {

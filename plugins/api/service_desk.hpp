@@ -58,8 +58,9 @@ class ServiceDesk {
   ServiceDesk(const ServiceDesk&) = delete;
   ServiceDesk& operator=(const ServiceDesk&) = delete;
 
-  // Answers by `send`, now or later; never throws for what a client wrote.
-  void call(const ServiceCall& call, Claimant& claimant, std::int64_t now_ns);
+  // Answers by `send`, now or later; never throws for what a client wrote. `arguments`: an object or a list.
+  void call(const ServiceCall& call, const nlohmann::json& arguments, Claimant& claimant,
+            std::int64_t now_ns);
   // Takes what the robot says, and ends what has waited for too long.
   void step(std::int64_t now_ns) { orders_.step(now_ns); }
   // The connection has ended: its orders are answered to nobody.
@@ -68,6 +69,7 @@ class ServiceDesk {
  private:
   struct Caller {
     const ServiceCall& call;
+    const nlohmann::json& arguments;  // not kept with the call, since they may be large
     Claimant& claimant;
     std::int64_t now_ns;
   };
@@ -109,7 +111,7 @@ class ServiceDesk {
 
   template <class S>
   [[nodiscard]] static typename S::Request request(const Caller& caller) {
-    return request_of<typename S::Request>(caller.call.arguments);
+    return request_of<typename S::Request>(caller.arguments);
   }
   template <Message M>
   void reply(const ServiceCall& call, const M& response) const {

@@ -28,10 +28,8 @@ class WebSocketConnection final : public ClientLink {
  public:
   static constexpr bool kTls = std::is_same_v<Stream, TlsStream>;
 
-  // `surplus`: will be told that there are too many.
   WebSocketConnection(ServerCore& core, const Endpoint& peer, bool surplus, Stream stream)
-      : ClientLink(core, peer, wall_now_ns()),
-        surplus_(surplus),
+      : ClientLink(core, peer, surplus, wall_now_ns()),
         socket_(std::move(stream), [this](const std::string& bytes) { append_raw(bytes); }),
         request_bytes_(core.options.header_bytes),
         message_(core.options.limits.message_bytes + kReadSlack) {
@@ -68,7 +66,6 @@ class WebSocketConnection final : public ClientLink {
   void widen_send_buffer() noexcept override;
   [[nodiscard]] bool holds_gathered() const noexcept override { return kTls; }
 
-  bool surplus_;
   websocket::stream<GatheringStream<Stream>, false> socket_;
   beast::flat_buffer request_bytes_;
   http::request_parser<http::empty_body> request_;
@@ -114,7 +111,7 @@ void WebSocketConnection<Stream>::decide(ErrorCode error) {
   } else if (error) {
     refuse({http::status::bad_request, Refusal::bad_request,
             "this is no HTTP request: " + error.message() + "\n"});
-  } else if (surplus_) {
+  } else if (is_surplus()) {
     refuse({http::status::service_unavailable, Refusal::too_many,
             "there are too many connections, to the robot or from your address: try again later\n"});
   } else if (auto refusal = check_handshake(request_.get(), core().setup.origins(), core().setup.token())) {

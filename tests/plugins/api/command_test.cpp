@@ -8,6 +8,7 @@
 namespace gaitway::api {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -190,6 +191,44 @@ TEST_F(CommandTest, AnEmergencyStopIsCarriedOutWhateverItsArguments) {
     bert->send({{"op", "call_service"}, {"service", "/emergency_stop"}, {"args", json::parse(arguments)}});
     EXPECT_THAT(robot.told, ElementsAre("emergency_stop hold", "stand")) << arguments;
   }
+}
+
+TEST_F(CommandTest, AStopIsCarriedOutWhateverElseIsWrongInItsMessage) {
+  const auto too_long = R"({"id": ")" + std::string(300, 'x') + "\"}";
+  for (const std::string& wrong :
+       {std::string(R"({"timeout": -1})"), std::string(R"({"timeout": "1"})"),
+        std::string(R"({"compression": "png"})"), std::string(R"({"compression": 7})"),
+        std::string(R"({"fragment_size": 1})"), std::string(R"({"fragment_size": -1})"),
+        std::string(R"({"id": 1.5})"), std::string(R"({"id": {}})"), too_long,
+        std::string(R"({"timeout": -1, "compression": "png", "fragment_size": 1, "id": []})")}) {
+    for (const char* const service : {"/emergency_stop", "emergency_stop", "/stop", "stop"}) {
+      robot.told.clear();
+      json message = json::parse(wrong);
+      message.update({{"op", "call_service"}, {"service", service}});
+      bert->send(message);
+      EXPECT_THAT(robot.told, Contains(HasSubstr("stop"))) << service << wrong;
+      robot.results.push_back({robot.last_number, true, "stopped"});
+      step();
+      std::vector<std::string> said;
+      for (const json& answer : bert->receive()) {
+        said.push_back(answer["op"]);
+        EXPECT_EQ(answer.value("level", "warning"), "warning") << answer.dump();
+      }
+      EXPECT_THAT(said, Contains("status")) << service << wrong;
+      EXPECT_THAT(said, Contains("service_response")) << service << wrong;
+    }
+  }
+}
+
+TEST_F(CommandTest, WhatIsRightInTheMessageOfAStopCountsAllTheSame) {
+  bert->send(
+      {{"op", "call_service"}, {"service", "/stop"}, {"id", "s"}, {"timeout", -1}, {"compression", "cbor"}});
+  EXPECT_THAT(bert->receive_one().value("msg", ""), HasSubstr("timeout is -1"));
+  robot.results.push_back({robot.last_number, true, "stopped"});
+  step();
+  const auto frame = bert->next_frame();
+  ASSERT_TRUE(frame && frame->binary);
+  EXPECT_EQ(json::from_cbor(*frame->bytes)["id"], "s");
 }
 
 TEST_F(CommandTest, AHeldStickDoesNotUndoAStop) {

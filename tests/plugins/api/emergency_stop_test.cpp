@@ -121,6 +121,24 @@ TEST_F(EmergencyStopTest, StopsFindTheirWayWhereNoOtherOrderDoes) {
   EXPECT_EQ(mode(), Mode::emergency_stop);
 }
 
+TEST_F(EmergencyStopTest, AStopIsDoneWhateverElseIsWrongInItsMessage) {
+  run_for(0.5);
+  for (const json& wrong :
+       {json{{"timeout", -1}}, json{{"compression", "png"}}, json{{"fragment_size", 1}}, json{{"id", 1.5}}}) {
+    answers_[0].clear();
+    json message = wrong;
+    message.update({{"op", "call_service"}, {"service", "/emergency_stop"}, {"args", json{{"data", false}}}});
+    clients_[0]->send(message);
+    run_for(0.3);
+    EXPECT_EQ(mode(), Mode::emergency_stop) << wrong.dump();
+    EXPECT_TRUE(std::any_of(answers_[0].begin(), answers_[0].end(), [](const json& answer) {
+      return answer["op"] == "service_response" && answer["values"]["success"];
+    })) << json(answers_[0]).dump();
+    EXPECT_TRUE(answer_to(0, "/release")["success"]) << wrong.dump();
+    run_for(1.0);
+  }
+}
+
 // More answers come than their stream holds before anybody looks for one.
 TEST_F(EmergencyStopTest, NoAnswerIsLostHoweverLateItIsTaken) {
   run_for(0.5);

@@ -11,7 +11,10 @@ constexpr std::size_t kManyBytes = 16 * 1024;
 
 class EchoSession final : public Session {
  public:
-  EchoSession(EchoHub& hub, Connection& connection) : hub_(hub), connection_(connection) { ++hub_.sessions; }
+  EchoSession(EchoHub& hub, Connection& connection, bool authorised)
+      : hub_(hub), connection_(connection), authorised_(authorised) {
+    ++hub_.sessions;
+  }
   ~EchoSession() override { --hub_.sessions; }
 
   void take(std::string_view message, bool binary, std::int64_t /*wall_ns*/) override {
@@ -37,6 +40,8 @@ class EchoSession final : public Session {
     return frame;
   }
 
+  [[nodiscard]] bool authorised() const noexcept override { return authorised_; }
+
  private:
   void answer(std::string text, bool binary) {
     frames_.push_back({std::make_shared<const std::string>(std::move(text)), binary});
@@ -45,6 +50,7 @@ class EchoSession final : public Session {
 
   EchoHub& hub_;
   Connection& connection_;
+  bool authorised_;
   std::deque<Frame> frames_;
 };
 
@@ -56,7 +62,7 @@ std::unique_ptr<Session> EchoHub::open(Connection& connection, std::string peer,
     return nullptr;
   }
   opened.push_back({std::move(peer), authorised});
-  return std::make_unique<EchoSession>(*this, connection);
+  return std::make_unique<EchoSession>(*this, connection, authorised);
 }
 
 void EchoHub::step(std::int64_t /*wall_ns*/) {

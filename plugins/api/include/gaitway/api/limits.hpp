@@ -10,24 +10,35 @@ namespace gaitway::api {
 
 struct Limits {
   std::size_t connections = 256;
-  std::size_t connections_of_one_address = 256;
-  std::size_t message_bytes = std::size_t{64} * 1024;        // of one that comes in
-  std::size_t depth = 32;                                    // nested arrays and objects in it
-  std::size_t subscriptions = 64;                            // of one client
-  std::size_t advertisements = 16;                           // of one client
-  std::size_t queue_length = 100;                            // of one subscription
-  std::size_t waiting_bytes = std::size_t{4} * 1024 * 1024;  // that one client may leave unread
-  double messages_per_s = 500.0;                             // from one client, over a second
-  std::int64_t handshake_ns = 5'000'000'000;                 // from connecting to the end of the handshake
-  std::int64_t authentication_ns = 5'000'000'000;            // from the handshake to the token
-  std::int64_t write_ns = 2'000'000'000;    // in which a client must take what was written to it
-  std::int64_t silence_ns = 1'000'000'000;  // without a sign of life: the connection is dead
-  std::int64_t lease_ns = 1'000'000'000;    // of the command, without a command or a keep-alive
-  std::int64_t answer_ns = 10'000'000'000;  // in which a service that takes time must have answered
-  std::int64_t velocity_ns = 500'000'000;   // that a velocity command holds
-  double forward_m_per_s = 1.0;             // of a velocity command, in either direction, also to the left
+  std::size_t connections_of_one_address = 224;                       // so that others always find places
+  std::size_t message_bytes = std::size_t{64} * 1024;                 // of one that comes in
+  std::size_t depth = 32;                                             // nested arrays and objects in it
+  std::size_t subscriptions = 64;                                     // of one client
+  std::size_t advertisements = 16;                                    // of one client
+  std::size_t queue_length = 100;                                     // of one subscription
+  std::size_t waiting_bytes = std::size_t{4} * 1024 * 1024;           // that one client may leave unread
+  std::size_t waiting_bytes_of_all = std::size_t{256} * 1024 * 1024;  // all clients together
+  double messages_per_s = 500.0;                                      // from one client, over a second
+  std::int64_t handshake_ns = 5'000'000'000;       // from connecting to the end of the handshake
+  std::int64_t authentication_ns = 5'000'000'000;  // from the handshake to the token
+  std::int64_t write_ns = 2'000'000'000;           // in which a client must take what was written to it
+  std::int64_t silence_ns = 1'000'000'000;         // without a sign of life: the connection is dead
+  std::int64_t lease_ns = 1'000'000'000;           // of the command, without a command or a keep-alive
+  std::int64_t answer_ns = 10'000'000'000;         // in which a service that takes time must have answered
+  std::int64_t velocity_ns = 500'000'000;          // that a velocity command holds
+  double forward_m_per_s = 1.0;  // of a velocity command, in either direction, also to the left
   double turn_rad_per_s = 2.0;
 };
+
+// Bytes that the process takes at most; the `memory` of its configuration must be more.
+[[nodiscard]] constexpr std::size_t most_memory_bytes(const Limits& limits) noexcept {
+  constexpr std::size_t kKiB = 1024, kMiB = 1024 * kKiB;
+  constexpr std::size_t kWithoutClients_bytes = 256 * kMiB;  // programs, stacks, memory block, recorder
+  constexpr std::size_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
+  constexpr std::size_t kRoom = 2;  // a text that has grown has up to so many times its bytes
+  return kWithoutClients_bytes + limits.connections * (kConnection_bytes + limits.message_bytes) +
+         kRoom * limits.waiting_bytes_of_all;
+}
 
 struct LimitRow {
   std::string_view name;  // of the parameter
@@ -40,18 +51,26 @@ struct LimitRow {
 template <class AnyLimits, class Visitor>
 void visit_limits(AnyLimits& limits, Visitor&& visit) {
   auto& [connections, of_one_address, message_bytes, depth, subscriptions, advertisements, queue_length,
-         waiting_bytes, messages_per_s, handshake, authentication, write, silence, lease, answer, velocity,
-         forward, turn] = limits;
-  visit(LimitRow{"connections", "", "connections at a time"}, connections);
-  visit(LimitRow{"connections_of_one_address", "", "of these from one address"}, of_one_address);
+         waiting_bytes, waiting_bytes_of_all, messages_per_s, handshake, authentication, write, silence,
+         lease, answer, velocity, forward, turn] = limits;
+  visit(LimitRow{"connections", "",
+                 "connections at a time; beyond them the oldest without a handshake or token gives way"},
+        connections);
+  visit(LimitRow{"connections_of_one_address", "",
+                 "of these from one address; beyond them its oldest gives way in the same way"},
+        of_one_address);
   visit(LimitRow{"message_bytes", "", "bytes of one message from a client"}, message_bytes);
   visit(LimitRow{"depth", "", "nested arrays and objects in a message from a client"}, depth);
   visit(LimitRow{"subscriptions", "", "subscriptions of one client"}, subscriptions);
   visit(LimitRow{"advertisements", "", "topics that one client advertises"}, advertisements);
   visit(LimitRow{"queue_length", "", "messages that wait in one subscription; the oldest are dropped"},
         queue_length);
-  visit(LimitRow{"waiting_bytes", "", "bytes that a client leaves unread before it is dropped"},
+  visit(LimitRow{"waiting_bytes", "",
+                 "bytes that a client leaves unread before it is dropped; each message counts 128 more"},
         waiting_bytes);
+  visit(LimitRow{"waiting_bytes_of_all", "",
+                 "bytes that all clients together leave unread before the one with the most is dropped"},
+        waiting_bytes_of_all);
   visit(LimitRow{"messages_per_s", "1/s", "messages from one client"}, messages_per_s);
   visit(LimitRow{"handshake", "s", "from connecting to the end of the handshake"}, handshake);
   visit(LimitRow{"authentication", "s", "from the handshake to the token"}, authentication);

@@ -9,7 +9,7 @@ namespace gaitway::api {
 
 // Why a connection never became a WebSocket.
 enum class Refusal : std::uint8_t {
-  too_many,        // 503, or no answer when even those that wait for one are too many
+  too_many,        // 503, or no answer when even those that wait for one are too many, or gave way to another
   bad_request,     // 400, 405, 431
   wrong_path,      // 404
   no_websocket,    // 426
@@ -31,7 +31,7 @@ enum class Closing : std::uint8_t {
   slow,            // did not take what was written to it
   silent,          // no sign of life
   lost,            // reset, or ended without a close frame
-  refused,         // the hub has no place for it
+  refused,         // the hub has no place for it, or it gave way to another before it was authorised
   shut_down        // the server stops
 };
 inline constexpr std::size_t kClosingCount = 10;

@@ -37,6 +37,8 @@ class Session {
   virtual void heard(std::int64_t wall_ns) noexcept = 0;
   // The next frame to write.
   virtual std::optional<Frame> next_frame(std::int64_t wall_ns) = 0;
+  // Whether the client has shown that it may be here.
+  [[nodiscard]] virtual bool authorised() const noexcept = 0;
 };
 
 // All sessions together. The server opens one for each connection whose handshake succeeded, and drops it

@@ -1,0 +1,152 @@
+// Who gives way when all places are taken: those who have not shown yet that they may be here.
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "raw_client.hpp"
+#include "running_server.hpp"
+#include "secret_files.hpp"
+#include "websocket_client.hpp"
+
+namespace gaitway::api {
+namespace {
+
+using testing::StartsWith;
+
+constexpr std::size_t kPlaces = 4;
+constexpr std::int64_t kLong_ns = 600'000'000'000;  // nothing ends by its deadline here
+
+class CrowdingTest : public testing::Test {
+ protected:
+  static ServerOptions options(bool token, const SecretFiles& files) {
+    ServerOptions options = local();
+    options.limits.connections = kPlaces;
+    options.limits.handshake_ns = options.limits.silence_ns = kLong_ns;
+    if (token) {
+      options.token_file = files.token();
+    }
+    return options;
+  }
+  using Clients = std::vector<std::unique_ptr<RawClient>>;
+  // They come one after the other, so that it is known who is the oldest.
+  Clients silent_clients(RunningServer& server, std::size_t count) {
+    Clients clients;
+    for (std::size_t i = 0; i < count; ++i) {
+      clients.push_back(std::make_unique<RawClient>(server.port()));
+      ++accepted_;
+      server.await(
+          [this](const ServerStatistics& statistics, EchoHub&) { return statistics.accepted == accepted_; });
+    }
+    return clients;
+  }
+  // With the right token, and so authorised.
+  std::unique_ptr<RawClient> let_in(RunningServer& server, process::FileDescriptor socket = tcp_socket()) {
+    auto client = std::make_unique<RawClient>(std::move(socket), server.port());
+    ++accepted_;
+    client->send(upgrade_request("Authorization: Bearer " + std::string(SecretFiles::kToken) + "\r\n"));
+    EXPECT_THAT(client->receive_header(), StartsWith("HTTP/1.1 101 "));
+    return client;
+  }
+  static bool echoes(RawClient& client) {
+    client.send(masked_frame(kText, "hello"));
+    const auto answer = client.receive_frame();
+    return answer && answer->payload == "hello";
+  }
+  static process::FileDescriptor tcp_socket() {
+    return process::FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  }
+  // Of another address than the other clients.
+  static process::FileDescriptor foreign_socket() {
+    process::FileDescriptor result = tcp_socket();
+    sockaddr_in from{};
+    from.sin_family = AF_INET;
+    inet_pton(AF_INET, "127.0.0.2", &from.sin_addr);
+    EXPECT_EQ(bind(result.get(), reinterpret_cast<const sockaddr*>(&from), sizeof from), 0);
+    return result;
+  }
+
+  const SecretFiles files_;
+  std::uint64_t accepted_ = 0;
+};
+
+TEST_F(CrowdingTest, SilentConnectionsGiveWayToWhoHasTheToken) {
+  RunningServer server(options(true, files_));
+  const Clients silent = silent_clients(server, kPlaces);
+  const auto client = let_in(server);
+  EXPECT_TRUE(echoes(*client));
+  EXPECT_EQ(silent.front()->receive_all(), "") << "the oldest";
+  EXPECT_EQ(server.statistics().connected, kPlaces);
+  EXPECT_EQ(server.statistics().of(Refusal::too_many), 1U);
+}
+
+TEST_F(CrowdingTest, HalfOpenTlsGivesWay) {
+  ServerOptions with_tls = options(true, files_);
+  with_tls.certificate_file = files_.certificate();
+  with_tls.key_file = files_.key();
+  RunningServer server(with_tls);
+  const Clients silent = silent_clients(server, kPlaces);
+  WebSocketClient client(
+      server.port(),
+      {.headers = {{"Authorization", "Bearer " + std::string(SecretFiles::kToken)}}, .tls = true});
+  client.send("hello");
+  EXPECT_EQ(client.receive().text, "hello");
+  EXPECT_EQ(silent.front()->receive_all(), "");
+}
+
+TEST_F(CrowdingTest, WithoutATokenAFinishedHandshakeIsEnough) {
+  RunningServer server(options(false, files_));
+  RawClient first(server.port());
+  ++accepted_;
+  EXPECT_THAT(first.open_websocket(), StartsWith("HTTP/1.1 101 "));
+  const Clients silent = silent_clients(server, 3 * kPlaces);
+  EXPECT_EQ(silent.front()->receive_all(), "");
+  EXPECT_TRUE(echoes(first)) << "older, but known";
+  EXPECT_EQ(server.statistics().connected, kPlaces);
+}
+
+TEST_F(CrowdingTest, SessionsWithoutTheTokenGiveWay) {
+  RunningServer server(options(true, files_));
+  Clients strangers;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    strangers.push_back(std::make_unique<RawClient>(server.port()));
+    ASSERT_THAT(strangers.back()->open_websocket(), StartsWith("HTTP/1.1 101 "));
+  }
+  Clients clients;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    clients.push_back(let_in(server));
+    EXPECT_TRUE(echoes(*clients.back()));
+  }
+  RawClient late(server.port());
+  EXPECT_THAT(late.open_websocket(), StartsWith("HTTP/1.1 503 ")) << "all have shown the token";
+  for (const auto& client : clients) {
+    EXPECT_TRUE(echoes(*client));
+  }
+  EXPECT_EQ(server.statistics().of(Closing::refused), kPlaces);
+}
+
+TEST_F(CrowdingTest, OneAddressTakesPlacesFromItselfOnly) {
+  ServerOptions shared = options(true, files_);
+  shared.limits.connections_of_one_address = kPlaces - 1;
+  RunningServer server(shared);
+  const auto foreigner = std::make_unique<RawClient>(foreign_socket(), server.port());
+  ++accepted_;
+  const Clients silent = silent_clients(server, 10 * kPlaces);
+  foreigner->send(upgrade_request("Authorization: Bearer " + std::string(SecretFiles::kToken) + "\r\n"));
+  EXPECT_THAT(foreigner->receive_header(), StartsWith("HTTP/1.1 101 "))
+      << "the oldest of all, but of another";
+  EXPECT_TRUE(echoes(*foreigner));
+  EXPECT_EQ(server.statistics().connected, kPlaces);
+}
+
+TEST_F(CrowdingTest, OneAddressCannotHaveAllPlacesUnlessAsked) {
+  EXPECT_LT(Limits{}.connections_of_one_address, Limits{}.connections);
+}
+
+}  // namespace
+}  // namespace gaitway::api
