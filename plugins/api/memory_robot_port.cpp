@@ -236,6 +236,9 @@ std::optional<OrderResult> MemoryRobotPort::take_result() {
   if (const auto answer = take_motion_answer()) {
     return answer;
   }
+  if (auto recording = recorder_ == nullptr ? std::nullopt : recorder_->take_result()) {
+    return recording;
+  }
   collect();
   if (results_.empty()) {
     return std::nullopt;
@@ -303,24 +306,25 @@ Recorder& MemoryRobotPort::recorder() const {
   return *recorder_;
 }
 
-std::string MemoryRobotPort::start_recording(std::string_view name) {
-  if (!name.empty()) {
-    return recorder().start(name, now_ns());
-  }
+std::uint32_t MemoryRobotPort::start_recording(std::string_view name) {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   gmtime_r(&now, &utc);
   std::array<char, 32> text{};
-  return recorder().start({text.data(), std::strftime(text.data(), text.size(), "%Y%m%dT%H%M%SZ", &utc)},
-                          now_ns());
+  const std::size_t size = std::strftime(text.data(), text.size(), "%Y%m%dT%H%M%SZ", &utc);
+  recorder().start(next_number(), name.empty() ? std::string(text.data(), size) : std::string(name),
+                   now_ns());
+  return last_number_;
 }
 
-std::string MemoryRobotPort::stop_recording() {
-  return recorder().stop();
+std::uint32_t MemoryRobotPort::stop_recording() {
+  recorder().stop(next_number());
+  return last_number_;
 }
 
-RecordingList MemoryRobotPort::recordings(std::size_t most) const {
-  return recorder().list(most);
+std::uint32_t MemoryRobotPort::list_recordings(std::size_t most) {
+  recorder().list(next_number(), most);
+  return last_number_;
 }
 
 }  // namespace gaitway::api

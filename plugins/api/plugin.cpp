@@ -75,8 +75,11 @@ class Door {
       : reports_(reports),
         robot_(urdf::load_robot(robot_directory)),
         client_(msgclient::Client::connect(memory_socket, "api")),
-        recorder_(recordings.empty() ? nullptr
-                                     : std::make_unique<Recorder>(recordings, parameters.recording_bytes)),
+        recorder_(
+            recordings.empty()
+                ? nullptr
+                : std::make_unique<Recorder>(
+                      recordings, RecorderOptions{.limits = {.file_bytes = parameters.recording_bytes}})),
         port_(client_, robot_, recorder_.get()),
         feed_(client_, robot_),
         setup_(parameters.server),

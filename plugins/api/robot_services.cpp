@@ -58,6 +58,24 @@ std::string text_of(const json& object, const char* field) {
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
+ros::ListRecordings::Response response_of(const OrderResult& result) {
+  const RecordingList& found = result.recordings;
+  ros::ListRecordings::Response response{result.done, result.text, {}};
+  if (result.done && found.count == 0) {
+    response.message = "there are no recordings";
+  } else if (found.count != found.newest.size()) {
+    response.message = "the newest " + std::to_string(found.newest.size()) + " of " +
+                       std::to_string(found.count) + " recordings";
+  }
+  if (!found.complete) {
+    response.message += "; the folder holds more, which are not looked at";
+  }
+  for (const RecordingStatus& recording : found.newest) {
+    response.recordings.push_back({recording.file, recording.bytes, ros_time(recording.start_ns)});
+  }
+  return response;
+}
+
 }  // namespace
 
 struct ServiceDesk::ParameterReading {
@@ -74,17 +92,24 @@ void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order
   if (!order) {
     return reply(caller.call, typename S::Response{false, std::string(kWayIsFull)});
   }
-  orders_.wait(*order, caller.call.client, end_of_wait(caller),
-               [this, call = caller.call, done = std::move(done)](const OrderResult* result) {
+  await_result(caller, *order, [this, done = std::move(done)](const auto& call, const auto& result) {
+    if (result.done && done) {
+      done();
+    }
+    reply(call, typename S::Response{result.done, result.text});
+  });
+}
+
+void ServiceDesk::await_result(const Caller& caller, std::uint32_t order,
+                               std::function<void(const ServiceCall&, const OrderResult&)> respond) {
+  orders_.wait(order, caller.call.client, end_of_wait(caller),
+               [this, call = caller.call, respond = std::move(respond)](const OrderResult* result) {
                  if (result == nullptr) {
                    const std::int64_t waited_ns = std::min(call.timeout_ns, limits_.answer_ns);
                    return send_(call, service_failure(
                                           call, "the robot has not answered within " + seconds(waited_ns)));
                  }
-                 if (result->done && done) {
-                   done();
-                 }
-                 reply(call, typename S::Response{result->done, result->text});
+                 respond(call, *result);
                });
 }
 
@@ -159,9 +184,12 @@ void ServiceDesk::start_recording(const Caller& caller) {
   if (!is_plain_name(asked.name)) {
     throw Refused("name is " + shown(asked.name) + ", but must be " + kPlainName);
   }
+  orders_.require_room(caller.call.client);
   try {
-    const std::string file = robot_.start_recording(asked.name);
-    reply(caller.call, ros::StartRecording::Response{true, "recording", file});
+    await_result(caller, robot_.start_recording(asked.name), [this](const auto& call, const auto& result) {
+      reply(call, result.done ? ros::StartRecording::Response{true, "recording", result.text}
+                              : ros::StartRecording::Response{false, result.text, ""});
+    });
   } catch (const std::runtime_error& error) {
     reply(caller.call, ros::StartRecording::Response{false, error.what(), ""});
   }
@@ -169,8 +197,9 @@ void ServiceDesk::start_recording(const Caller& caller) {
 
 void ServiceDesk::stop_recording(const Caller& caller) {
   static_cast<void>(request<ros::Trigger>(caller));
+  orders_.require_room(caller.call.client);
   try {
-    reply(caller.call, ros::Trigger::Response{true, robot_.stop_recording()});
+    await<ros::Trigger>(caller, robot_.stop_recording());
   } catch (const std::runtime_error& error) {
     reply(caller.call, ros::Trigger::Response{false, error.what()});
   }
@@ -179,19 +208,10 @@ void ServiceDesk::stop_recording(const Caller& caller) {
 void ServiceDesk::list_recordings(const Caller& caller) {
   constexpr std::size_t kMostListed = 100;
   static_cast<void>(request<ros::ListRecordings>(caller));
+  orders_.require_room(caller.call.client);
   try {
-    const RecordingList found = robot_.recordings(kMostListed);
-    ros::ListRecordings::Response response{true, "", {}};
-    if (found.count == 0) {
-      response.message = "there are no recordings";
-    } else if (found.count != found.newest.size()) {
-      response.message = "the newest " + std::to_string(found.newest.size()) + " of " +
-                         std::to_string(found.count) + " recordings";
-    }
-    for (const RecordingStatus& recording : found.newest) {
-      response.recordings.push_back({recording.file, recording.bytes, ros_time(recording.start_ns)});
-    }
-    reply(caller.call, response);
+    await_result(caller, robot_.list_recordings(kMostListed),
+                 [this](const auto& call, const auto& result) { reply(call, response_of(result)); });
   } catch (const std::runtime_error& error) {
     reply(caller.call, ros::ListRecordings::Response{false, error.what(), {}});
   }

@@ -126,6 +126,9 @@ class ServiceDesk {
   [[nodiscard]] std::int64_t end_of_wait(const Caller& caller) const noexcept {
     return caller.now_ns + std::min(caller.call.timeout_ns, limits_.answer_ns);
   }
+  // `respond`: when the robot has said what became of the order.
+  void await_result(const Caller& caller, std::uint32_t order,
+                    std::function<void(const ServiceCall& call, const OrderResult& result)> respond);
   // Makes S's response out of the order's result. `done`: called before, when it was carried out.
   template <class S>
   void await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done = {});

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "gaitway/api/feed.hpp"
 #include "gaitway/api/json_codec.hpp"
@@ -59,8 +60,9 @@ void record(const std::filesystem::path& folder, const char* robot_folder, const
   run.apply({0.0, simulator::WalkEvent{.velocity_m_per_s = {0.15, 0.0}}});
 
   Feed feed(run.client(), robot);
-  Recorder recorder(folder);
-  recorder.start("walk", 0);
+  // More than its disk takes meanwhile: the robot's time is not the computer's.
+  Recorder recorder(folder, {.waiting_bytes = 1 << 30});
+  recorder.start(1, "walk", 0);
   Witness witness(recorder, folder / "published.jsonl");
   GenericSink sink([](Topic) { return true; },
                    [&witness](Topic topic, const auto& message, std::int64_t robot_ns) {
@@ -74,7 +76,10 @@ void record(const std::filesystem::path& folder, const char* robot_folder, const
       sink.publish(Topic::events, event(run.now_ns()), feed.robot_ns());
     }
   }
-  recorder.stop();
+  recorder.stop(2);
+  for (int answers = 0; answers < 2;) {
+    recorder.take_result() ? static_cast<void>(++answers) : std::this_thread::yield();
+  }
 }
 
 }  // namespace

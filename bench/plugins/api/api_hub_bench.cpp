@@ -34,9 +34,9 @@ class DeafRobot final : public RobotPort {
   std::optional<OrderResult> take_result() override { return std::nullopt; }
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }
   [[nodiscard]] std::vector<PluginStatus> plugins() const override { return {}; }
-  std::string start_recording(std::string_view) override { return ""; }
-  std::string stop_recording() override { return ""; }
-  [[nodiscard]] RecordingList recordings(std::size_t) const override { return {}; }
+  std::uint32_t start_recording(std::string_view) override { return 1; }
+  std::uint32_t stop_recording() override { return 1; }
+  std::uint32_t list_recordings(std::size_t) override { return 1; }
 
  private:
   std::vector<JointLimits> joints_;

@@ -64,7 +64,9 @@ TEST_F(CommandTest, EveryCommandingServiceIsRefusedToOthers) {
 TEST_F(CommandTest, WatchingNeedsNoCommand) {
   acquire(*anna, "anna");
   EXPECT_EQ(values(bert->call("/plugins/list"))["success"], true);
-  EXPECT_EQ(values(bert->call("/recording/start", {{"name", "walk"}}))["success"], true);
+  bert->send({{"op", "call_service"}, {"service", "/recording/start"}, {"args", {{"name", "walk"}}}});
+  step();
+  EXPECT_EQ(values(bert->receive_one())["success"], true);
   bert->subscribe("/zmp");
   EXPECT_THAT(bert->receive(), IsEmpty());
 }

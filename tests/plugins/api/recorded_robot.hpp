@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gaitway/api/robot_port.hpp"
@@ -80,27 +80,25 @@ class RecordedRobot final : public RobotPort {
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joint_list; }
   [[nodiscard]] std::vector<PluginStatus> plugins() const override { return plugin_list; }
 
-  std::string start_recording(std::string_view name) override {
-    if (recording) {
-      throw std::runtime_error("a recording is under way");
-    }
-    recording = true;
-    return "/recordings/" + std::string(name) + ".mcap";
+  std::uint32_t start_recording(std::string_view name) override {
+    const bool was = std::exchange(recording, true);
+    return finish(!was, was ? "a recording is under way" : "/recordings/" + std::string(name) + ".mcap");
   }
-  std::string stop_recording() override {
-    if (!recording) {
-      throw std::runtime_error("no recording is under way");
-    }
-    recording = false;
-    return "/recordings/walk.mcap";
+  std::uint32_t stop_recording() override {
+    const bool was = std::exchange(recording, false);
+    return finish(was, was ? "/recordings/walk.mcap" : "no recording is under way");
   }
-  [[nodiscard]] RecordingList recordings(std::size_t most) const override {
+  std::uint32_t list_recordings(std::size_t most) override {
     RecordingList list{recording_list, recording_list.size()};
     list.newest.resize(std::min(most, list.count));
-    return list;
+    return finish(true, "", std::move(list));
   }
 
  private:
+  std::uint32_t finish(bool done, std::string text, RecordingList recordings = {}) {
+    results.push_back({++last_number, done, std::move(text), std::move(recordings)});
+    return last_number;
+  }
   std::optional<std::uint32_t> note(std::string_view what) {
     told.emplace_back(what);
     return is_blocked ? std::nullopt : std::optional(++last_number);

@@ -1,25 +1,26 @@
-// Recordings: names, limits, what is left of them when something goes wrong. What is in them is checked with
-// the MCAP project's own reader in tests/clients.
+// Recording beside the disk: what is published is in the file, and nobody waits for it.
 #include "gaitway/api/recorder.hpp"
 
-#include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 
-#include <csignal>
+#include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
 
 #include "gaitway/api/ros_messages.hpp"
 #include "mcap_outline.hpp"
+#include "stalled_disk.hpp"
 
 namespace gaitway::api {
 namespace {
 
 namespace fs = std::filesystem;
 using test::McapOutline;
+using ::testing::HasSubstr;
 
 class RecorderTest : public ::testing::Test {
  protected:
@@ -29,245 +30,176 @@ class RecorderTest : public ::testing::Test {
   }
   ~RecorderTest() override { fs::remove_all(folder); }
 
-  static void clocks(Recorder& recorder, int count, std::int64_t from_ns = 0) {
+  static void clocks(Recorder& recorder, int count) {
     for (int i = 0; i < count; ++i) {
-      const std::int64_t now_ns = from_ns + std::int64_t{i} * 10'000'000;
+      const std::int64_t now_ns = std::int64_t{i} * 10'000'000;
       recorder.publish(Topic::clock, ros::Clock{ros_time(now_ns)}, now_ns);
     }
   }
-  static std::string refusal(Recorder& recorder, std::string_view name) {
-    try {
-      recorder.start(name, 0);
-    } catch (const std::runtime_error& error) {
-      return error.what();
+  // The next answer, whenever the recorder's thread has it.
+  static OrderResult answer(Recorder& recorder) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (std::chrono::steady_clock::now() < end) {
+      if (auto result = recorder.take_result()) return *result;
+      std::this_thread::yield();
     }
-    return "";
+    throw std::runtime_error("the recorder has not answered");
+  }
+  static void start(Recorder& recorder, const std::string& name) {
+    recorder.start(1, name, 0);
+    const OrderResult result = answer(recorder);
+    EXPECT_TRUE(result.done) << result.text;
+  }
+  static OrderResult stop(Recorder& recorder) {
+    recorder.stop(2);
+    return answer(recorder);
+  }
+  // Once it is answered, all that was published before has been worked off.
+  static RecordingList list(Recorder& recorder) {
+    recorder.list(3, 10);
+    return answer(recorder).recordings;
+  }
+  static void descriptions(Recorder& recorder, int count) {
+    for (int i = 0; i < count; ++i) {
+      recorder.publish(Topic::robot_description, ros::String{std::string(100'000, 'x')}, i);
+    }
+  }
+  // A recording that has ended since its disk has stalled: what is reported then.
+  std::string stall(Recorder& recorder) const {
+    start(recorder, "stalled");
+    descriptions(recorder, 15);  // more than a chunk
+    stalled.await_stall();
+    descriptions(recorder, 25);
+    return recorder.take_report().value_or("none");
+  }
+  [[nodiscard]] RecorderOptions on_stalled_disk() const {
+    return {.disk = stalled.disk(), .waiting_bytes = 2'000'000};
   }
 
   fs::path folder;
+  StalledDisk stalled;
 };
 
-TEST_F(RecorderTest, MakesAFileWithAllThatWasPublished) {
+TEST_F(RecorderTest, RecordsWhatIsPublishedFromStartToStop) {
   Recorder recorder(folder);
-  EXPECT_EQ(recorder.start("walk-1", 5), (folder / "walk-1.mcap").string());
+  EXPECT_FALSE(recorder.wants(Topic::joint_states));
+  clocks(recorder, 7);
+  recorder.start(5, "walk-1", 5);
+  EXPECT_TRUE(recorder.wants(Topic::joint_states));
   clocks(recorder, 250);
-  recorder.publish(Topic::events, ros::Log{}, 2'500'000'000);
-  EXPECT_EQ(recorder.stop(), (folder / "walk-1.mcap").string());
+  recorder.stop(6);
+  EXPECT_FALSE(recorder.wants(Topic::joint_states));
+  clocks(recorder, 7);
+  for (const std::uint32_t number : {5U, 6U}) {
+    const OrderResult result = answer(recorder);
+    EXPECT_EQ(result.number, number);
+    EXPECT_TRUE(result.done);
+    EXPECT_EQ(result.text, (folder / "walk-1.mcap").string());
+  }
   const McapOutline outline(folder / "walk-1.mcap");
   EXPECT_TRUE(outline.complete());
   EXPECT_EQ(outline.messages("/clock"), 250U);
-  EXPECT_EQ(outline.messages("/events"), 1U);
+  EXPECT_FALSE(recorder.take_report());
+  ASSERT_EQ(list(recorder).newest.size(), 1U);
 }
 
 TEST_F(RecorderTest, BeginsWithTheLastMessageOfEachLatchedTopic) {
   Recorder recorder(folder);
   EXPECT_TRUE(recorder.wants(Topic::robot_description));
-  EXPECT_FALSE(recorder.wants(Topic::joint_states));
   recorder.publish(Topic::robot_description, ros::String{"<robot/>"}, 0);
   recorder.publish(Topic::footsteps, ros::PoseArray{}, 0);
   recorder.publish(Topic::footsteps, ros::PoseArray{}, 1);
   recorder.publish(Topic::clock, ros::Clock{}, 1);
-  recorder.start("a", 7);
-  EXPECT_TRUE(recorder.wants(Topic::joint_states));
-  recorder.stop();
+  start(recorder, "a");
+  stop(recorder);
   const McapOutline outline(folder / "a.mcap");
   EXPECT_EQ(outline.messages("/robot_description"), 1U);
   EXPECT_EQ(outline.messages("/footsteps"), 1U);
   EXPECT_EQ(outline.messages("/clock"), 0U);
 }
 
-TEST_F(RecorderTest, TakesPlainNamesOnly) {
+TEST_F(RecorderTest, ARefusedStartOrStopIsAnsweredAndChangesNothing) {
   Recorder recorder(folder);
-  for (const std::string name :
-       {"", ".", "..", ".hidden", "a/b", "../a", "/etc/passwd", "a b", "a\n", "ä", "a;b"}) {
-    EXPECT_NE(refusal(recorder, name).find("no name for a recording"), std::string::npos) << name;
-  }
-  EXPECT_NE(refusal(recorder, std::string("a\0b", 3)), "");
-  EXPECT_NE(refusal(recorder, std::string(101, 'a')), "");
-  EXPECT_TRUE(fs::is_empty(folder));
-  EXPECT_EQ(refusal(recorder, std::string(100, 'a')), "");
-}
-
-TEST_F(RecorderTest, OverwritesNothing) {
-  std::ofstream(folder / "kept.mcap") << "precious";
-  fs::create_symlink(folder / "elsewhere", folder / "link.mcap");
-  Recorder recorder(folder);
-  EXPECT_NE(refusal(recorder, "kept").find("already"), std::string::npos);
-  EXPECT_NE(refusal(recorder, "link"), "");
-  EXPECT_FALSE(fs::exists(folder / "elsewhere"));
-  EXPECT_EQ(fs::file_size(folder / "kept.mcap"), 8U);
-  EXPECT_FALSE(recorder.recording());
-}
-
-TEST_F(RecorderTest, ListsTheFoldersRecordingsNewestFirst) {
-  Recorder recorder(folder);
-  EXPECT_EQ(recorder.list(10).count, 0U);
-  for (const char* const name : {"c", "a", "b"}) {
-    recorder.start(name, 0);
-    clocks(recorder, 3);
-    recorder.stop();
-  }
-  // None of these is a recording.
-  std::ofstream(folder / "notes.txt") << "notes";
-  std::ofstream(folder / ".hidden.mcap") << "hidden";
-  std::ofstream(folder / "a b.mcap") << "space";
-  fs::create_directory(folder / "folder.mcap");
-  fs::create_symlink(folder / "a.mcap", folder / "link.mcap");
-  const RecordingList all = recorder.list(10);
-  ASSERT_EQ(all.count, 3U);
-  ASSERT_EQ(all.newest.size(), 3U);
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(all.newest[i].bytes, fs::file_size(all.newest[i].file)) << all.newest[i].file;
-    if (i > 0) {
-      EXPECT_GE(all.newest[i - 1].start_ns, all.newest[i].start_ns);
-    }
-  }
-  const RecordingList two = recorder.list(2);
-  EXPECT_EQ(two.count, 3U);
-  ASSERT_EQ(two.newest.size(), 2U);
-  EXPECT_EQ(two.newest[1].file, all.newest[1].file);
-  fs::remove(folder / "a.mcap");
-  EXPECT_EQ(recorder.list(10).count, 2U) << "the folder as it is now";
-}
-
-TEST_F(RecorderTest, RecordsOneFileAtATime) {
-  Recorder recorder(folder);
-  EXPECT_THROW(recorder.stop(), std::runtime_error);
-  recorder.start("a", 0);
-  EXPECT_NE(refusal(recorder, "b").find("a.mcap"), std::string::npos);
-  recorder.stop();
-  recorder.start("b", 0);
+  EXPECT_FALSE(stop(recorder).done);
+  recorder.start(1, "../a", 0);
+  EXPECT_THAT(answer(recorder).text, HasSubstr("no name for a recording"));
+  list(recorder);
+  EXPECT_FALSE(recorder.wants(Topic::joint_states));
+  start(recorder, "a");
+  recorder.start(1, "b", 0);
+  EXPECT_THAT(answer(recorder).text, HasSubstr("a.mcap"));
   clocks(recorder, 3);
-  recorder.stop();
-  EXPECT_EQ(McapOutline(folder / "a.mcap").messages("/clock"), 0U);
-  EXPECT_EQ(McapOutline(folder / "b.mcap").messages("/clock"), 3U);
-}
-
-TEST_F(RecorderTest, RefusesAFolderThatIsNotThere) {
-  EXPECT_THROW(Recorder(folder / "missing"), std::runtime_error);
+  EXPECT_TRUE(stop(recorder).done);
+  EXPECT_EQ(McapOutline(folder / "a.mcap").messages("/clock"), 3U);
 }
 
 TEST_F(RecorderTest, WritesWhatWaitsOnceASecond) {
   Recorder recorder(folder);
-  recorder.start("live", 0);
+  start(recorder, "live");
   recorder.step(0);
   clocks(recorder, 10);
   recorder.step(900'000'000);
+  list(recorder);
   EXPECT_EQ(McapOutline(folder / "live.mcap").messages("/clock"), 0U);
   recorder.step(1'000'000'000);
-  clocks(recorder, 5);  // wait when the process is killed
-  const McapOutline outline(folder / "live.mcap");
-  EXPECT_FALSE(outline.complete());
-  EXPECT_EQ(outline.messages("/clock"), 10U);
+  list(recorder);
+  EXPECT_EQ(McapOutline(folder / "live.mcap").messages("/clock"), 10U);
 }
 
-TEST_F(RecorderTest, WritesAChunkWhenItIsLarge) {
-  Recorder recorder(folder);
-  recorder.start("large", 0);
-  for (int i = 0; i < 25; ++i) {
-    recorder.publish(Topic::robot_description, ros::String{std::string(100'000, 'x')}, i);
-  }
-  const McapOutline outline(folder / "large.mcap");
-  EXPECT_EQ(outline.chunks(), 2U);
-  EXPECT_EQ(outline.messages("/robot_description"), 22U);
-}
-
-TEST_F(RecorderTest, EndsByItselfAtItsLimitWithAFileThatIsWhole) {
-  constexpr std::uint64_t kLimit_bytes = 300'000;
-  Recorder recorder(folder, kLimit_bytes);
-  recorder.start("limited", 0);
-  for (int i = 0; i < 100 && recorder.recording(); ++i) {
-    clocks(recorder, 100, std::int64_t{i} * 1'000'000'000);
-    recorder.step(std::int64_t{i} * 1'000'000'000);
-  }
-  EXPECT_FALSE(recorder.recording());
-  const std::optional<std::string> report = recorder.take_report();
-  ASSERT_TRUE(report);
-  EXPECT_NE(report->find("limit of 300000 bytes"), std::string::npos) << *report;
-  EXPECT_FALSE(recorder.take_report());
-  EXPECT_LE(fs::file_size(folder / "limited.mcap"), kLimit_bytes);
-  EXPECT_GT(fs::file_size(folder / "limited.mcap"), kLimit_bytes / 2);
-  EXPECT_TRUE(McapOutline(folder / "limited.mcap").complete());
-}
-
-// While it lives, files of this process may not grow beyond so many bytes: what a full disk does.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
-TEST_F(RecorderTest, AFullDiskEndsTheRecordingAndLeavesWhatWasWritten) {
-  Recorder recorder(folder);
-  recorder.start("full", 0);
-  clocks(recorder, 100);
-  recorder.step(0);
-  recorder.step(1'000'000'000);
-  const auto so_far = fs::file_size(folder / "full.mcap");
+TEST_F(RecorderTest, ItsEndWritesWhatWaits) {
   {
-    const FileSizeLimit limit(so_far + 1000);
+    Recorder recorder(folder);
+    recorder.start(1, "last", 0);
     clocks(recorder, 1000);
-    recorder.step(2'000'000'000);
   }
-  EXPECT_FALSE(recorder.recording());
-  const std::optional<std::string> report = recorder.take_report();
-  ASSERT_TRUE(report);
-  EXPECT_NE(report->find("File too large"), std::string::npos) << *report;
-  const McapOutline outline(folder / "full.mcap");
-  EXPECT_EQ(outline.messages("/clock"), 100U);
-  EXPECT_EQ(fs::file_size(folder / "full.mcap"), so_far) << "nothing incomplete is left";
-  clocks(recorder, 10);  // goes nowhere
+  const McapOutline outline(folder / "last.mcap");
+  EXPECT_TRUE(outline.complete());
+  EXPECT_EQ(outline.messages("/clock"), 1000U);
 }
 
-TEST_F(RecorderTest, AFileThatCannotHoldItsBeginningIsRefused) {
-  Recorder recorder(folder);
-  {
-    const FileSizeLimit limit(100);
-    EXPECT_NE(refusal(recorder, "none").find("File too large"), std::string::npos);
-  }
-  EXPECT_FALSE(recorder.recording());
-  EXPECT_EQ(refusal(recorder, "some"), "");
+TEST_F(RecorderTest, ARecordingThatEndsByItselfIsReported) {
+  Recorder recorder(folder, {.limits = {.file_bytes = 300'000}});
+  start(recorder, "limited");
+  for (int i = 0; i < 50; ++i) clocks(recorder, 200);
+  list(recorder);
+  clocks(recorder, 1);
+  EXPECT_FALSE(stop(recorder).done);
+  EXPECT_THAT(recorder.take_report().value_or("none"), HasSubstr("limit of 300000 bytes"));
+  EXPECT_FALSE(recorder.wants(Topic::clock));
 }
 
-TEST(McapWriterTest, NeverClaimsLessThanTheFileWillMeasure) {
-  std::string path = (fs::temp_directory_path() / "gaitway_mcap_XXXXXX").string();
-  const int file = ::mkstemp(path.data());
-  McapWriter writer(
-      file, {{"/a", "std_msgs/msg/String", "string data\n"}, {"/b", "std_msgs/msg/String", "string data\n"}},
-      {.chunk_bytes = 500});
-  std::uint64_t claimed = 0;
-  for (int i = 0; i < 1000; ++i) {
-    writer.write(static_cast<std::size_t>(i % 2), std::string(static_cast<std::size_t>(i % 37), 'x'), i, i);
-    claimed = writer.size_bytes();
-  }
-  EXPECT_TRUE(writer.finish());
-  EXPECT_FALSE(writer.write(0, "x", 0, 0)) << "it is closed";
-  EXPECT_LE(fs::file_size(path), claimed);
-  EXPECT_GT(fs::file_size(path), claimed * 9 / 10);
-  EXPECT_TRUE(McapOutline(path).complete());
-  fs::remove(path);
+TEST_F(RecorderTest, ADiskThatTakesNothingEndsTheRecordingAndHoldsNobodyUp) {
+  Recorder recorder(folder, on_stalled_disk());
+  EXPECT_THAT(stall(recorder), HasSubstr("'stalled' takes nothing more: its disk is too slow"));
+  EXPECT_FALSE(recorder.wants(Topic::clock));
+  EXPECT_THROW(recorder.start(1, "next", 0), std::runtime_error);
+  const std::string file = stalled.recover();
+  EXPECT_TRUE(file.ends_with("\x89MCAP0\r\n")) << "what waited is written, and the file is whole";
+  EXPECT_GT(file.size(), 1'800'000U);
+  list(recorder);
+  EXPECT_THAT(stop(recorder).text, HasSubstr("nothing is being recorded"));
+  EXPECT_THAT(recorder.take_report().value_or("none"), HasSubstr("stalled.mcap' has ended with"));
 }
 
-TEST(McapWriterTest, TellsWhatTheDeviceSaysAndGoesOnToTell) {
-  McapWriter writer(::open("/dev/full", O_WRONLY | O_CLOEXEC),
-                    {{"/a", "std_msgs/msg/String", "string data\n"}});
-  EXPECT_EQ(writer.error(), "No space left on device");
-  EXPECT_FALSE(writer.write(0, "x", 0, 0));
-  EXPECT_FALSE(writer.flush());
-  EXPECT_FALSE(writer.finish());
+TEST_F(RecorderTest, OrdersThatWaitForADiskAreBounded) {
+  Recorder recorder(folder, on_stalled_disk());
+  stall(recorder);
+  int orders = 0;
+  try {
+    for (; orders < 10'000; ++orders) recorder.list(7, 10);
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("too many orders"));
+  }
+  EXPECT_LT(orders, 100);
+  static_cast<void>(stalled.recover());
+  for (; orders > 0; --orders) EXPECT_EQ(answer(recorder).number, 7U);
+}
+
+TEST_F(RecorderTest, ADiskThatTakesNothingDelaysTheEndByABoundedTime) {
+  auto recorder = std::make_unique<Recorder>(folder, on_stalled_disk());
+  stall(*recorder);
+  recorder.reset();  // would hang
+  EXPECT_TRUE(stalled.recover().ends_with("\x89MCAP0\r\n"));
 }
 
 }  // namespace

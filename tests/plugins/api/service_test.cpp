@@ -35,6 +35,12 @@ class ServiceTest : public HubTest {
   void call_later(const std::string& service, const json& arguments, const json& id = "c") {
     client->send({{"op", "call_service"}, {"id", id}, {"service", service}, {"args", arguments}});
   }
+  // Of a service that is answered by the next step.
+  json call_and_step(const std::string& service, const json& arguments = json::object()) {
+    call_later(service, arguments);
+    step();
+    return client->receive_one();
+  }
   void finish(bool done, const std::string& text) {
     robot.results.push_back({robot.last_number, done, text});
     step();
@@ -294,11 +300,11 @@ TEST_F(ServiceTest, PlaysMotionsAndPassesOnWhyNot) {
 }
 
 TEST_F(ServiceTest, RecordsUnderPlainNamesOnly) {
-  EXPECT_EQ(values(client->call("/recording/start", {{"name", "walk-1.a_b"}}))["file"],
+  EXPECT_EQ(values(call_and_step("/recording/start", {{"name", "walk-1.a_b"}}))["file"],
             "/recordings/walk-1.a_b.mcap");
-  EXPECT_EQ(values(client->call("/recording/start", {{"name", "other"}}))["success"], false);
-  EXPECT_EQ(values(client->call("/recording/stop"))["message"], "/recordings/walk.mcap");
-  EXPECT_EQ(values(client->call("/recording/stop"))["success"], false);
+  EXPECT_EQ(values(call_and_step("/recording/start", {{"name", "other"}}))["success"], false);
+  EXPECT_EQ(values(call_and_step("/recording/stop"))["message"], "/recordings/walk.mcap");
+  EXPECT_EQ(values(call_and_step("/recording/stop"))["success"], false);
   for (const std::string& name : {std::string("../walk"), std::string("/etc/passwd"), std::string(".walk"),
                                   std::string("a/b"), std::string("a\0b", 3), std::string(65, 'x')}) {
     EXPECT_THAT(failure(client->call("/recording/start", {{"name", name}})), HasSubstr("name is")) << name;
@@ -307,17 +313,17 @@ TEST_F(ServiceTest, RecordsUnderPlainNamesOnly) {
 }
 
 TEST_F(ServiceTest, ListsTheNewestRecordingsAndSaysHowManyThereAre) {
-  EXPECT_EQ(values(client->call("/recording/list"))["message"], "there are no recordings");
+  EXPECT_EQ(values(call_and_step("/recording/list"))["message"], "there are no recordings");
   robot.recording_list = {{"/recordings/b.mcap", 2'000, 1'700'000'000'500'000'000},
                           {"/recordings/a.mcap", 1'000, 1'600'000'000'000'000'000}};
-  json answer = values(client->call("/recording/list"));
+  json answer = values(call_and_step("/recording/list"));
   EXPECT_EQ(answer["success"], true);
   EXPECT_EQ(answer["message"], "");
   EXPECT_EQ(answer["recordings"], json::parse(R"([
       {"file": "/recordings/b.mcap", "bytes": 2000, "start": {"sec": 1700000000, "nanosec": 500000000}},
       {"file": "/recordings/a.mcap", "bytes": 1000, "start": {"sec": 1600000000, "nanosec": 0}}])"));
   robot.recording_list.resize(250);
-  answer = values(client->call("/recording/list"));
+  answer = values(call_and_step("/recording/list"));
   EXPECT_THAT(answer["recordings"], SizeIs(100));
   EXPECT_EQ(answer["message"], "the newest 100 of 250 recordings");
 }

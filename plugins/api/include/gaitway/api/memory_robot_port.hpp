@@ -39,9 +39,9 @@ class MemoryRobotPort final : public RobotPort {
   std::optional<OrderResult> take_result() override;
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }
   [[nodiscard]] std::vector<PluginStatus> plugins() const override;
-  std::string start_recording(std::string_view name) override;
-  std::string stop_recording() override;
-  [[nodiscard]] RecordingList recordings(std::size_t most) const override;
+  std::uint32_t start_recording(std::string_view name) override;
+  std::uint32_t stop_recording() override;
+  std::uint32_t list_recordings(std::size_t most) override;
 
  private:
   [[nodiscard]] Recorder& recorder() const;

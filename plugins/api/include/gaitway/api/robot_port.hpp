@@ -48,14 +48,16 @@ struct RecordingStatus {
 };
 struct RecordingList {
   std::vector<RecordingStatus> newest;  // the newest first
-  std::size_t count = 0;                // in the folder
+  std::size_t count = 0;                // that were looked at
+  bool complete = true;                 // there are no more in the folder
 };
 
 // What became of an order that takes time.
 struct OrderResult {
   std::uint32_t number = 0;  // as the order's call returned it
   bool done = false;
-  std::string text;  // for people; of describe_parameter: a line of JSON
+  std::string text;  // for people; of describe_parameter: a line of JSON; of recordings: the file's path
+  RecordingList recordings = {};  // of list_recordings()
 };
 
 // None of these blocks. Numbers of orders are never 0.
@@ -90,13 +92,12 @@ class RobotPort {
   [[nodiscard]] virtual const std::vector<JointLimits>& joints() const = 0;
   [[nodiscard]] virtual std::vector<PluginStatus> plugins() const = 0;
 
-  // Throws std::runtime_error: why it cannot be, for people. `name`: of the file, without folder; checked by
-  // the caller to be a plain name; empty: after the time. Gives the file's path.
-  virtual std::string start_recording(std::string_view name) = 0;
-  // Gives the path of the finished file. Throws when none is under way.
-  virtual std::string stop_recording() = 0;
-  // At most so many. Throws as start_recording() does.
-  [[nodiscard]] virtual RecordingList recordings(std::size_t most) const = 0;
+  // Orders, too: files take the time that their disk does. Each throws std::runtime_error: why it cannot be,
+  // for people. `name`: of the file, without folder; checked by the caller to be a plain name; empty: after
+  // the time.
+  virtual std::uint32_t start_recording(std::string_view name) = 0;
+  virtual std::uint32_t stop_recording() = 0;
+  virtual std::uint32_t list_recordings(std::size_t most) = 0;
 };
 
 }  // namespace gaitway::api

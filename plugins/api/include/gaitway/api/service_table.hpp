@@ -57,12 +57,16 @@ inline constexpr std::array kServices{
                R"({"name": "stability", "library": ""})"},
     ServiceRow{"/recording/start", ros::StartRecording::kName, false,
                "Record every topic into an MCAP file `name`, or named by the time when that is empty. "
-               "`file`: its path",
+               "`file`: its path. Refused where 1000 recordings are, or less than 256 MiB are free; one that "
+               "grows too large or whose disk is too slow or too full ends, and an event says so",
                R"({"name": "walk"})"},
     ServiceRow{"/recording/stop", ros::Trigger::kName, false,
                "End the recording. `message`: the path of the finished file", "{}"},
-    ServiceRow{"/recording/list", ros::ListRecordings::kName, false,
-               "The recordings, newest first and 100 at most: each one's path, size and start", "{}"},
+    ServiceRow{
+        "/recording/list", ros::ListRecordings::kName, false,
+        "The recordings, newest first and 100 at most: each one's path, size and start. `message`: how many "
+        "there are, where there are more",
+        "{}"},
     ServiceRow{"/command/acquire", ros::AcquireCommand::kName, false,
                "Become the one who commands. Keep the `lease` alive at least every `keep_alive_period` [s]. "
                "Refused while somebody else has it",
