@@ -325,7 +325,7 @@ int run_program(int argc, char** argv, void (*declare)(const CommandLine& progra
     return parse_and_run(argc, argv, declare);
   } catch (const std::exception& error) {
     fmt::print(stderr, "gaitway: {}\n", input::terminal_text(error.what()));
-    return kExitBadInput;
+    return dynamic_cast<const NotDone*>(&error) != nullptr ? kExitNotDone : kExitBadInput;
   }
 }
 

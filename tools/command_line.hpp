@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,11 @@ inline constexpr int kExitFine = 0;
 inline constexpr int kExitBadInput = 1;  // nothing moved
 inline constexpr int kExitFell = 2;      // the simulated robot fell
 inline constexpr int kExitNotDone = 3;   // it stayed up, but did not do what it was asked
+
+// Thrown by a command that ends with kExitNotDone; any other exception ends it with kExitBadInput.
+class NotDone : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // One option; what is said about it holds before the command runs.
 class Option {

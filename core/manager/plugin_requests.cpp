@@ -72,7 +72,19 @@ PluginRequests::PluginRequests(msgclient::Client& client, PluginManager& manager
     : manager_(manager),
       requests_{client.read_queue<PluginRequest>("plugin_request"),
                 client.read_queue<PluginRequest>("api_plugin_request")},
-      answers_(client.write_stream<PluginAnswer>("plugin_answer")) {}
+      answers_(client.write_stream<PluginAnswer>("plugin_answer")) {
+  refuse_what_waits();
+}
+
+// It outlived the main controller that was asked, and its asker's patience.
+void PluginRequests::refuse_what_waits() noexcept {
+  set_text("asked before this main controller was there, and not carried out: ask again");
+  for (msgclient::QueueReader<PluginRequest>& queue : requests_) {
+    while (const msgclient::ReadResult read = queue.pop(request_)) {
+      answer(read.stamp_ns);
+    }
+  }
+}
 
 void PluginRequests::go_to(Stage stage) noexcept {
   Stage expected = stage_.load(std::memory_order_acquire);

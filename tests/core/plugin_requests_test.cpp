@@ -90,6 +90,31 @@ TEST_F(PluginRequestsTest, LoadsAndUnloads) {
   EXPECT_EQ(manager->size(), before);
 }
 
+// Orders outlive a main controller in the memory block; who asked has long been told that nobody answers.
+TEST_F(PluginRequestsTest, WhatWasAskedBeforeItWasThereIsNotCarriedOut) {
+  requests.reset();
+  for (auto* const queue : {&writer, &network}) {
+    EXPECT_TRUE(queue->push(request(PluginVerb::unload, "r"), 0));
+  }
+  requests.emplace(client, *manager);
+  PluginAnswer answer{};
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(answers.read(answer));
+    EXPECT_EQ(answer.number, 7U);
+    EXPECT_FALSE(answer.done);
+    EXPECT_THAT(text_of(answer), HasSubstr("before this main controller was there"));
+  }
+  const std::size_t before = manager->size();
+  for (int i = 0; i < 100; ++i) {
+    manager->step(tick(++number));
+    requests->step(0);
+    requests->work();
+  }
+  EXPECT_EQ(manager->size(), before);
+  EXPECT_FALSE(answers.read(answer));
+  EXPECT_TRUE(ask(request(PluginVerb::unload, "r")).done);
+}
+
 TEST_F(PluginRequestsTest, SetsALiveParameter) {
   PluginRequest set = request(PluginVerb::set, "c");
   std::strcpy(reinterpret_cast<char*>(set.parameter), "offset");

@@ -36,6 +36,14 @@ TEST(Chain, OneSeedGivesOneDigestAndAnotherAnother) {
   EXPECT_NE(first, digest_of(2));
 }
 
+// A served robot walks for days.
+TEST(Chain, ARecorderThatKeepsNoSamplesDoesNotGrow) {
+  SimulatedRun run(1);
+  run.play({.seconds = 1.0, .events = {}});
+  EXPECT_TRUE(run.recorder.samples().empty());
+  EXPECT_TRUE(run.recorder.torques().empty());
+}
+
 #ifndef GAITWAY_SANITIZED  // its runtime does not end well in a bounded process
 TEST(Chain, PluginsInProcessesOfTheirOwnChangeNothing) {
   EXPECT_EQ(digest_of(1), digest_of(1, "tests/scenarios/isolated.yaml"));

@@ -64,6 +64,13 @@ class DevCommand : public testing::Test {
     ASSERT_NE(at, std::string::npos) << before;
     std::ofstream(file) << text.replace(at, before.size(), after);
   }
+  void end() {
+    kill(process_, SIGINT);
+    int status = -1;
+    ASSERT_EQ(waitpid(process_, &status, 0), process_);
+    process_ = 0;
+    EXPECT_EQ(status, 0) << log();
+  }
   [[nodiscard]] std::string log() const { return text_of(folder_ / "log"); }
 
   std::filesystem::path folder_;
@@ -89,12 +96,26 @@ TEST_F(DevCommand, WhatIsSavedGoesLiveAndWhatIsBrokenDoesNot) {
   ASSERT_TRUE(says("in place of 0.2.0 now 0.2.0")) << log();
   ASSERT_TRUE(says("was ended by SIGILL in its step")) << log();
   ASSERT_TRUE(says("runs in a new process")) << log();
-  kill(process_, SIGINT);
-  int status = -1;
-  ASSERT_EQ(waitpid(process_, &status, 0), process_);
-  process_ = 0;
-  EXPECT_EQ(status, 0) << log();
+  end();
   EXPECT_THAT(log(), Not(HasSubstr("FELL")));
+}
+
+TEST_F(DevCommand, ARobotThatFellBeginsAnewWithTheLastGoodVersion) {
+  ASSERT_TRUE(says("GOOD: upright")) << log();
+  save("= against(estimate, 1)",
+       "= tick.tick > 300 ? (tick.tick / 40 % 2 == 0 ? 0.34 : -0.34) : against(estimate, 1)");
+  ASSERT_TRUE(says("in place of 0.1.0 now 0.1.0")) << log();
+  ASSERT_TRUE(says("FELL")) << log();
+  save("(\"correction\")) {}", "(\"correction\")) { throw std::runtime_error(\"no calibration\"); }");
+  ASSERT_TRUE(says("NOT CHANGED: it cannot be loaded")) << log();
+  for (int fall = 0; fall < 2; ++fall) {
+    ASSERT_TRUE(says("FELL")) << log();
+  }
+  std::filesystem::remove_all(folder_ / "sway" / "build");
+  for (int fall = 0; fall < 2; ++fall) {
+    ASSERT_TRUE(says("FELL")) << log();
+  }
+  end();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -18,14 +19,19 @@ class ApiError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The time-out has passed.
+class NoAnswer : public NotDone {
+  using NotDone::NotDone;
+};
+
 struct ApiAddress {
   std::string url = "ws://127.0.0.1:9090";  // or wss://
   std::filesystem::path token_file;         // empty: no token
   std::filesystem::path ca_file;            // of wss, PEM: whom to trust; empty: the system's
-  double timeout_s = 10.0;                  // of each answer
+  double timeout_s = 10.0;                  // to connect, and of each answer
 };
 
-// Blocks; for one thread. All calls throw ApiError.
+// Blocks; for one thread. All calls throw ApiError and NoAnswer.
 class ApiClient {
  public:
   explicit ApiClient(const ApiAddress& address);
@@ -47,15 +53,19 @@ class ApiClient {
   std::optional<nlohmann::json> next_message();
   // Errors that the server has told of since the last call.
   void throw_reported_errors();
+  // Calls `work` so often and so long, or until SIGINT or SIGTERM, which also interrupts the call() that it
+  // waits in. A second signal ends the program.
+  void repeat(const std::function<void()>& work, double period_s, double seconds);
 
  private:
   class Link;
   std::unique_ptr<Link> link_;
+  double timeout_s_;
   unsigned last_id_ = 0;
 };
 
 inline constexpr int kExitRefused = 2;
-inline constexpr int kExitNoAnswer = 3;
+inline constexpr int kExitNoAnswer = kExitNotDone;
 
 struct CtlOptions {
   ApiAddress api;
@@ -70,7 +80,7 @@ void add_address(const CommandLine& command, CtlOptions& options);
 CommandLine add_order(const CommandLine& parent, const SharedCtlOptions& options, const char* name,
                       const char* help, const char* examples);
 
-// Throws ApiError, or std::invalid_argument for options that contradict each other.
+// Throws ApiError, NoAnswer, or std::invalid_argument for options that contradict each other.
 [[nodiscard]] ApiClient connect(const CtlOptions& options);
 // Calls a service that answers `success` and `message`, prints the answer, and returns the exit code.
 int call_and_print(ApiClient& client, const std::string& service, const nlohmann::json& arguments);

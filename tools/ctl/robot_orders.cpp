@@ -2,14 +2,12 @@
 // topics.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "gaitway/input/text.hpp"
-#include "gaitway/process/real_time.hpp"
 #include "tools/ctl/api_client.hpp"
 
 namespace gaitway::tools {
@@ -35,7 +33,7 @@ constexpr std::array kRecordingWords{
          "  gaitway ctl recording list\n"}};
 
 // While it walks, the command is renewed so often.
-constexpr std::int64_t kRenew_ns = 100'000'000;
+constexpr double kRenew_s = 0.1;
 
 // Calls the service once; returns the exit code.
 int order(const CtlOptions& options, const std::string& service, const json& arguments) {
@@ -62,7 +60,6 @@ json twist(const std::vector<double>& velocity) {
 
 // Walks for so long, or until it is told to end, and stands.
 int walk(ApiClient& client, const std::vector<double>& velocity, double seconds) {
-  process::stop_on_signals();
   json values;
   const ApiClient::ServiceAnswer lease = client.call("/command/acquire", {{"name", "gaitway ctl"}}, values);
   if (!lease.result || !values.value("success", false)) {
@@ -72,16 +69,12 @@ int walk(ApiClient& client, const std::vector<double>& velocity, double seconds)
   }
   const json renewal = {{"lease", values.value("lease", "")}};
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
-  const std::int64_t end_ns = process::monotonic_ns() + static_cast<std::int64_t>(seconds * 1e9);
-  while (!process::stop_requested() && process::monotonic_ns() < end_ns) {
-    const std::int64_t next_ns = process::monotonic_ns() + kRenew_ns;
+  const auto renew = [&] {
     client.publish("/cmd_vel", twist(velocity));
     static_cast<void>(client.call("/command/keep_alive", renewal, values));
     client.throw_reported_errors();
-    while (!process::stop_requested() && process::monotonic_ns() < std::min(next_ns, end_ns)) {
-      process::wait_until(std::min(next_ns, end_ns), {});
-    }
-  }
+  };
+  client.repeat(renew, kRenew_s, seconds);
   return call_and_print(client, "/stand", json::object());
 }
 

@@ -9,12 +9,14 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/text.hpp"
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
@@ -132,7 +134,8 @@ class Development {
 
   int run() {
     build_first();
-    robot_ = std::make_unique<DevelopmentRobot>(build_.library(), options_);
+    accepted_ = copy_of_newest();
+    robot_ = std::make_unique<DevelopmentRobot>(accepted_, options_);
     fmt::print("The robot walks with it. Change the sources in {}; Ctrl-C ends.\n",
                options_.project.string());
     verdict_at_s_ = kStand_s + kVerdictAfter_s;
@@ -158,11 +161,20 @@ class Development {
       throw std::runtime_error(
           fmt::format("{}\n{}: does not build; see above", build_.output(), options_.project.string()));
     }
-    if (build_.library().empty()) {
+  }
+
+  // A build may replace, spoil or remove its own at any time.
+  std::filesystem::path copy_of_newest() {
+    const std::filesystem::path newest = build_.library();
+    if (newest.empty()) {
       throw std::runtime_error(fmt::format(
           "{}: the build gave no plug-in library in {}. Does CMakeLists.txt call gaitway_plugin()?",
           options_.project.string(), options_.build.string()));
     }
+    const std::filesystem::path folder = versions_.path() / std::to_string(++version_);
+    std::filesystem::create_directory(folder);
+    std::filesystem::copy_file(newest, folder / newest.filename());
+    return folder / newest.filename();
   }
 
   void turn() {
@@ -172,25 +184,32 @@ class Development {
       build_.start();
     }
     if (const auto built = build_.take_result()) {
-      *built ? put_in_place() : complain("it does not build", build_.output());
+      *built ? put_in_place([this] { return copy_of_newest(); })
+             : complain("it does not build", build_.output());
     }
     if (auto result = robot_->plugins().changes().take_result()) {
       told(result->done, std::string(result->text));
     }
     if (robot_->fell()) {
       fmt::print("  FELL after {:.1f} s. It begins anew.\n", robot_->time_s());
-      robot_ = std::make_unique<DevelopmentRobot>(build_.library(), options_);
+      robot_ = std::make_unique<DevelopmentRobot>(accepted_, options_);
       verdict_at_s_ = kStand_s + kVerdictAfter_s;
+      if (!candidate_.empty()) {
+        put_in_place([this] { return std::exchange(candidate_, {}); });
+      }
     } else if (verdict_at_s_ > 0.0 && robot_->time_s() >= verdict_at_s_) {
       verdict_at_s_ = 0.0;
       print_verdict();
     }
   }
 
-  void put_in_place() {
+  template <class Version>
+  void put_in_place(const Version& version) {
     try {
+      const std::filesystem::path library = version();
       robot_->plugins().changes().schedule(
-          robot_->plugins().changes().prepare_reload(robot_->plugin(), build_.library().string()));
+          robot_->plugins().changes().prepare_reload(robot_->plugin(), library.string()));
+      candidate_ = library;
     } catch (const std::exception& error) {
       complain("it cannot be loaded", error.what());
     }
@@ -200,9 +219,11 @@ class Development {
                input::terminal_text(why));
   }
   void told(bool done, const std::string& text) {
+    const std::filesystem::path version = std::exchange(candidate_, {});
     if (!done) {
       return complain("the new version was taken back", text);
     }
+    accepted_ = version;
     fmt::print("  Live {:.1f} s after it was saved: {}\n",
                static_cast<double>(process::monotonic_ns() - saved_ns_) * 1e-9, text);
     verdict_at_s_ = robot_->time_s() + kVerdictAfter_s;
@@ -219,6 +240,9 @@ class Development {
   DevOptions options_;
   ProjectBuild build_;
   SourceWatch watch_;
+  process::PrivateFolder versions_{"gaitway_dev"};
+  unsigned version_ = 0;                        // copied last
+  std::filesystem::path accepted_, candidate_;  // that it walks with; that is being put in place, or empty
   std::unique_ptr<DevelopmentRobot> robot_;
   double verdict_at_s_ = 0.0;  // 0: given
   std::int64_t saved_ns_ = 0;

@@ -81,8 +81,10 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
   const simulator::Plant& plant = run_.plant();
   digest_.add(plant.positions());
   digest_.add(plant.velocities());
-  for (const double torque : plant.sensors().motor_torque_Nm) {
-    torques_.push_back(static_cast<float>(torque));
+  if (keep_samples_) {
+    for (const double torque : plant.sensors().motor_torque_Nm) {
+      torques_.push_back(static_cast<float>(torque));
+    }
   }
   if (plant.fallen() && !metrics_.fell) {
     metrics_.fell = true;

@@ -71,7 +71,8 @@ class RunDigest {
 
 class RunRecorder final : public simulator::CosimulationObserver {
  public:
-  // `bus_log`: candump file to write, or an empty path for none. `keep_samples`: memory for csv and report.
+  // `bus_log`: candump file to write, or an empty path for none. `keep_samples`: memory for csv, report and
+  // bare replay; without it nothing grows with the run.
   RunRecorder(simulator::Cosimulation& run, const std::filesystem::path& bus_log, bool keep_samples);
 
   // What was commanded at `now_ns`: the metrics of walking depend on it.

@@ -1,14 +1,11 @@
 // `gaitway serve`: the simulated robot at the pace of real time, with the robot API on a WebSocket.
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,6 +19,7 @@
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
@@ -55,28 +53,6 @@ struct ServeOptions {
 
 constexpr std::int64_t kLongestLag_ns = 200 * kMillisecond_ns;     // then the pace begins anew
 constexpr std::int64_t kLongestStop_ns = 5'000 * kMillisecond_ns;  // of the robot's time, until it stands
-
-// A folder that only this user can look into, removed with what is in it.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "gaitway_serve.XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error(fmt::format("{}: cannot be made: {}", name, std::strerror(errno)));
-    }
-    path_ = name;
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-  ~PrivateFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // Gives the memory block to the API's process. A thread of its own, since a plug-in's constructor waits for
 // it.
@@ -241,7 +217,7 @@ int serve(const ServeOptions& options) {
   }
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   prepare_output(options.out);
-  const PrivateFolder folder;
+  const process::PrivateFolder folder("gaitway_serve");
   msgclient::MemoryBlock block;
   const BlockThread block_thread(block, folder.path() / "memory.sock");
 

@@ -32,7 +32,8 @@ enum class PluginVerb : std::uint32_t {
 
 class PluginRequests {
  public:
-  // Opens the three topics. Throws msgclient::TopicError. Both outlive this object.
+  // Opens the three topics, and refuses what has been asked before. Throws msgclient::TopicError. Both
+  // outlive this object.
   PluginRequests(msgclient::Client& client, PluginManager& manager);
 
   // The thread of the ticks, after each: takes a request, hands what was prepared to the manager, answers. No
@@ -58,6 +59,7 @@ class PluginRequests {
     ended
   };
 
+  void refuse_what_waits() noexcept;
   bool take_request() noexcept;
   void put_in_place() noexcept;  // what was prepared
   [[nodiscard]] std::string describe_parameter() const;
