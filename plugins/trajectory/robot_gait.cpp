@@ -13,6 +13,7 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::trajectory {
 namespace {
@@ -68,16 +69,18 @@ Axis axis_of(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero,
 
 LegReach measure(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero,
                  const urdf::ForwardKinematics& home, urdf::Side side) {
-  const auto& joints = robot.legs[static_cast<std::size_t>(side)].joints;
-  const Axis hip = axis_of(robot, zero, joints[2]), knee = axis_of(robot, zero, joints[3]);
-  const Eigen::Vector3d ankle_m = axis_of(robot, zero, joints[4]).point_m;
+  const urdf::LegJoints joints(robot, home, side);
+  const int knee_index = joints[urdf::LegJoint::knee];
+  const Axis hip = axis_of(robot, zero, joints[urdf::LegJoint::hip_pitch]),
+             knee = axis_of(robot, zero, knee_index);
+  const Eigen::Vector3d ankle_m = axis_of(robot, zero, joints[urdf::LegJoint::ankle_pitch]).point_m;
   const Eigen::Vector3d thigh = knee.point_m - hip.point_m, shin = ankle_m - knee.point_m;
   // The knee turns the shin about its axis; what lies along the axis stays.
   const double along_m = knee.direction.dot(thigh + shin);
   const Eigen::Vector3d a = thigh - knee.direction * knee.direction.dot(thigh);
   const Eigen::Vector3d b = shin - knee.direction * knee.direction.dot(shin);
   const double angle_rad = std::atan2(knee.direction.dot(a.cross(b)), a.dot(b));  // 0: stretched
-  const urdf::Joint& knee_joint = robot.joints[static_cast<std::size_t>(joints[3])];
+  const urdf::Joint& knee_joint = robot.joints[static_cast<std::size_t>(knee_index)];
   const double from_rad = angle_rad + knee_joint.lower_rad, to_rad = angle_rad + knee_joint.upper_rad;
   const auto distance_m = [&](double cosine) {
     const double planar = a.squaredNorm() + b.squaredNorm() + 2.0 * a.norm() * b.norm() * cosine;

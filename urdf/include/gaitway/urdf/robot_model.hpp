@@ -114,9 +114,9 @@ struct Foot {
   [[nodiscard]] std::array<Eigen::Vector2d, 4> corners_m(const Eigen::Vector3d& pose) const noexcept;
 };
 
-// One leg as the kinematics sees it: six joints from the base to the foot.
+// One leg as the kinematics sees it: six joints from the base to the foot. What each does: LegJoints.
 struct Leg {
-  std::array<int, 6> joints{};  // indices: hip yaw, hip roll, hip pitch, knee, ankle pitch, ankle roll
+  std::array<int, 6> joints{};  // indices: three of the hip, the knee, two of the ankle
 };
 
 struct Imu {
