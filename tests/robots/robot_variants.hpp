@@ -4,12 +4,17 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gaitway::test {
@@ -46,7 +51,65 @@ class RobotVariant {
     write();
   }
 
+  // A body `larger` times as large that moves in the same way: lengths with it, masses with its cube, times
+  // with its root.
+  void scale(double larger) {
+    const auto by = [larger](double power) { return std::pow(larger, power); };
+    for (const char* length : {"size", "length", "radius"})
+      multiply(urdf_, std::string(length) + "=\"", "\"", larger);
+    multiply(urdf_, "<origin xyz=\"", "\"", larger);
+    multiply(urdf_, "<mass value=\"", "\"", by(3));
+    for (const char* moment : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
+      multiply(urdf_, std::string(moment) + "=\"", "\"", by(5));
+    }
+    multiply(urdf_, "effort=\"", "\"", by(4));
+    multiply(urdf_, "velocity=\"", "\"",
+             by(-0.5) * (1.0 - 1e-9));  // never above the motor's, however it is rounded
+    const std::vector<std::pair<const char*, double>> powers{{"stiffness_Nm_per_rad", 4},
+                                                             {"damping_Nms_per_rad", 4.5},
+                                                             {"torque_limit_Nm", 4},
+                                                             {"speed_limit_rad_per_s", -0.5},
+                                                             {"armature_kg_m2", 5},
+                                                             {"friction_Nm", 4},
+                                                             {"sole_position_m", 1},
+                                                             {"size_m", 1},
+                                                             {"centre_m", 1},
+                                                             {"cell_inset_m", 1},
+                                                             {"position_m", 1},
+                                                             {"force_N", 3},
+                                                             {"angular_velocity_rad_per_s", -0.5},
+                                                             {"slew_deg_per_s", -0.5},
+                                                             {"hip_height_m", 1}};
+    for (const auto& [key, power] : powers) {
+      for (const std::string before : {" ", "{"}) {
+        multiply(yaml_, before + key + ": [", "]", by(power));
+        multiply(yaml_, before + key + ": ", ",}\n", by(power));
+      }
+    }
+    if (larger < 1.0)
+      multiply(yaml_, "count_deg: ", " ,", 1.6);  // a byte of counts must hold the higher speed
+    write();
+  }
+
  private:
+  // Every list of numbers between `from` and the first of the characters `to`.
+  static void multiply(std::string& text, const std::string& from, const std::string& to, double factor) {
+    for (std::size_t begin = text.find(from); begin != std::string::npos; begin = text.find(from, begin)) {
+      begin += from.size();
+      const std::size_t end = text.find_first_of(to, begin);
+      if (text[begin] == '[') continue;  // a list, whose turn is another
+      std::string numbers = text.substr(begin, end - begin), scaled;
+      std::replace(numbers.begin(), numbers.end(), ',', ' ');
+      std::istringstream words(numbers);
+      const char* const between = to == "]" ? ", " : " ";
+      for (double number = 0.0; words >> number;) {
+        std::ostringstream word;
+        word << std::setprecision(12) << number * factor;
+        scaled += (scaled.empty() ? "" : between) + word.str();
+      }
+      text.replace(begin, end - begin, scaled);
+    }
+  }
   // What stands from `from` up to `to`, after `anchor`; replaced if there is something to put there.
   static std::string part(std::string& text, const std::string& anchor, const std::string& from,
                           const std::string& to, const std::string* replacement = nullptr) {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/facts/body_scale.hpp"
 #include "gaitway/input/complaint.hpp"
 
 namespace gaitway::urdf {
@@ -182,6 +183,7 @@ struct RobotModel {
   KDL::Tree tree;
 
   [[nodiscard]] double total_mass_kg() const noexcept;
+  [[nodiscard]] facts::BodyScale body_scale() const noexcept { return {hip_height_m, total_mass_kg()}; }
   [[nodiscard]] int joint_index(std::string_view name) const;  // throws RobotError, names the nearest joint
   [[nodiscard]] int link_index(std::string_view name) const;
   [[nodiscard]] std::optional<int> joint_of_node(int node) const noexcept;
