@@ -146,8 +146,8 @@ void check_size(int width_px, int height_px) {
 }  // namespace
 
 struct Camera::Implementation {
-  Implementation(const mjModel* physics_model, int width_px, int height_px)
-      : model(physics_model), data(mj_makeData(model)), width(width_px), height(height_px) {
+  Implementation(const mjModel* physics_model, double body_size, int width_px, int height_px)
+      : size(body_size), model(physics_model), data(mj_makeData(model)), width(width_px), height(height_px) {
     const OffscreenContext::Current current(offscreen);
     mjv_defaultScene(&scene);
     mjv_defaultOption(&option);
@@ -157,7 +157,7 @@ struct Camera::Implementation {
     mjr_makeContext(model, &context, mjFONTSCALE_100);
     mjr_setBuffer(mjFB_OFFSCREEN, &context);
     camera.type = mjCAMERA_FREE;
-    camera.distance = kDistance_m;
+    camera.distance = size * kDistance_m;
     camera.azimuth = kAzimuth_deg;
     camera.elevation = kElevation_deg;
     scene.flags[mjRND_REFLECTION] = 0;
@@ -172,6 +172,7 @@ struct Camera::Implementation {
 
   void aim(std::span<const double> positions);
 
+  double size;                 // of the robot, against humanoid22
   OffscreenContext offscreen;  // first: everything below needs it
   const mjModel* model;
   DataPointer data;
@@ -186,19 +187,21 @@ struct Camera::Implementation {
 void Camera::Implementation::aim(std::span<const double> positions) {
   camera.lookat[0] = positions[0];
   camera.lookat[1] = positions[1];
-  camera.lookat[2] = kLookAtHeight_m;
+  camera.lookat[2] = size * kLookAtHeight_m;
   mjv_updateScene(model, data.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
   for (int i = 0; i < scene.nlight; ++i) {
     mjvLight& light = scene.lights[i];
     for (std::size_t axis = 0; light.castshadow != 0 && axis < 3; ++axis) {
-      light.pos[axis] = static_cast<float>(camera.lookat[axis] - kSunDistance_m * kSunDirection[axis]);
+      light.pos[axis] = static_cast<float>(camera.lookat[axis] - size * kSunDistance_m * kSunDirection[axis]);
     }
   }
 }
 
 Camera::Camera(const Plant& plant, int width_px, int height_px) {
   check_size(width_px, height_px);
-  implementation_ = std::make_unique<Implementation>(plant.implementation().model.get(), width_px, height_px);
+  implementation_ = std::make_unique<Implementation>(plant.implementation().model.get(),
+                                                     plant.implementation().robot.body_scale().factor("m"),
+                                                     width_px, height_px);
 }
 Camera::~Camera() = default;
 

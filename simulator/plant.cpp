@@ -20,7 +20,7 @@ constexpr double kMassDeviation = 0.05;
 constexpr double kZeroDeviation_rad = 0.4 * std::numbers::pi / 180.0;
 const Eigen::Vector3d kTrunkComDeviation_m(0.006, 0.004, 0.006);
 constexpr double kFallenTilt_rad = 50.0 * std::numbers::pi / 180.0;
-constexpr double kFallenHeight_m = 0.2;
+constexpr double kFallenHeight = 0.2 / 0.36;  // of the hips' height in the stand
 
 Eigen::Isometry3d body_pose(const mjData& data, int body) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -35,8 +35,9 @@ ModelMismatch draw_mismatch(const urdf::RobotModel& robot, RandomStream& random,
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     mismatch.mass_factor.push_back(std::max(0.1, 1.0 + scale * kMassDeviation * random.normal()));
   }
+  const double larger = robot.body_scale().factor("m");
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    mismatch.trunk_com_offset_m[axis] = scale * kTrunkComDeviation_m[axis] * random.normal();
+    mismatch.trunk_com_offset_m[axis] = scale * larger * kTrunkComDeviation_m[axis] * random.normal();
   }
   return mismatch;
 }
@@ -334,7 +335,7 @@ bool Plant::fallen() const noexcept {
   const double height_m = (implementation_->ground.inverse() * base).z();
   // Asked the other way round, so that a state that is not a number counts as fallen.
   const bool up = data.xmat[9 * implementation_->trunk_body + 8] >= std::cos(kFallenTilt_rad);
-  return !(up && height_m >= kFallenHeight_m);
+  return !(up && height_m >= kFallenHeight * implementation_->robot.hip_height_m);
 }
 
 void Plant::push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns,

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 #include "robot_files.hpp"
 
 namespace gaitway::urdf {
@@ -194,13 +196,26 @@ class Assembly {
     }
   }
 
+  LegJoints leg_joints(const ForwardKinematics& home, Side side) const {
+    try {
+      return {model_, home, side};
+    } catch (const std::invalid_argument& lacking) {
+      const auto leg = static_cast<std::size_t>(side);
+      refuse_network(
+          network_.leg_line[leg], fmt::format("legs.{}", side == Side::left ? "left" : "right"), "",
+          lacking.what(),
+          "List six joints: three of the hip (yaw, roll and pitch in any order), the knee, two of the "
+          "ankle; check their axes in the URDF");
+    }
+  }
+
   // In the home posture the soles are level, as far below the hips as the file says.
   void check_standing() const {
     const ForwardKinematics home(model_);
     for (const Side side : kSides) {
       const char* name = side == Side::left ? "left" : "right";
       const Joint& hip_pitch =
-          model_.joints[static_cast<std::size_t>(model_.legs[static_cast<std::size_t>(side)].joints[2])];
+          model_.joints[static_cast<std::size_t>(leg_joints(home, side)[LegJoint::hip_pitch])];
       const Eigen::Isometry3d sole = home.sole_pose(side);
       const double height_m = home.link_position_m(hip_pitch.child_link).z() - sole.translation().z();
       if (std::acos(std::min(1.0, sole.linear()(2, 2))) > kLevelTolerance_rad) {

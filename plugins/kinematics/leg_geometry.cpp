@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::kinematics {
 namespace {
@@ -15,8 +16,11 @@ constexpr double kLengthTolerance_m = 1e-6;
 constexpr double kDirectionTolerance = 1e-6;
 constexpr double kShortestSegment_m = 1e-3;
 
-constexpr std::array kJointNames{"hip yaw", "hip roll", "hip pitch", "knee", "ankle pitch", "ankle roll"};
+// The closed form is that of a leg with its joints in this order.
 enum Joint : std::size_t { hip_yaw, hip_roll, hip_pitch, knee, ankle_pitch, ankle_roll };
+std::string_view name_of(std::size_t joint) {
+  return urdf::leg_joint_name(static_cast<urdf::LegJoint>(joint));
+}
 
 struct Line {  // a joint's axis in the base frame, zero posture
   Eigen::Vector3d point;
@@ -32,12 +36,31 @@ std::string check_chain(const urdf::RobotModel& model, urdf::Side side) {
     const urdf::Joint& joint = model.joints.at(static_cast<std::size_t>(leg.joints[i]));
     if (joint.parent_link != parent) {
       return fmt::format("joint '{}' ({}) does not follow the one before it in the leg", joint.name,
-                         kJointNames[i]);
+                         name_of(i));
     }
     parent = joint.child_link;
   }
   if (parent != model.feet[static_cast<std::size_t>(side)].link) {
     return "the sole is not on the link that the ankle roll joint moves";
+  }
+  return {};
+}
+
+// The closed form wants the hip's joints in the order yaw, roll, pitch and the ankle's in the order pitch,
+// roll.
+std::string check_order(const urdf::RobotModel& model, urdf::Side side) {
+  const urdf::LegJoints joints(model, urdf::ForwardKinematics(model), side);
+  const auto& chain = model.legs[urdf::index_of(side)].joints;
+  const auto doing = [&](int index) {
+    std::size_t which = 0;
+    while (joints[static_cast<urdf::LegJoint>(which)] != index) ++which;
+    return which;
+  };
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (const std::size_t which = doing(chain[i]); which != i) {
+      return fmt::format("joint {} of the leg is its {}, where the closed form has the {}", i + 1,
+                         name_of(which), name_of(i));
+    }
   }
   return {};
 }
@@ -48,14 +71,16 @@ urdf::ForwardKinematics zero_posture(const urdf::RobotModel& model) {
   return kinematics;
 }
 
+Line axis_of(const urdf::RobotModel& model, const urdf::ForwardKinematics& zero, int index) {
+  const urdf::Joint& joint = model.joints[static_cast<std::size_t>(index)];
+  const Eigen::Isometry3d frame = zero.link_pose(joint.parent_link) * joint.origin;
+  return {frame.translation(), frame.linear() * joint.axis.normalized()};
+}
+
 Axes joint_axes(const urdf::RobotModel& model, urdf::Side side, const urdf::ForwardKinematics& zero) {
   Axes axes;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto index = static_cast<std::size_t>(model.legs[static_cast<std::size_t>(side)].joints[i]);
-    const urdf::Joint& joint = model.joints[index];
-    const Eigen::Isometry3d frame = zero.link_pose(joint.parent_link) * joint.origin;
-    axes[i] = {frame.translation(), frame.linear() * joint.axis.normalized()};
-  }
+  for (std::size_t i = 0; i < 6; ++i)
+    axes[i] = axis_of(model, zero, model.legs[urdf::index_of(side)].joints[i]);
   return axes;
 }
 
@@ -72,12 +97,12 @@ std::string check_directions(const Axes& axes) {
   for (const auto& [a, b] : {std::pair{hip_yaw, hip_roll}, std::pair{hip_roll, hip_pitch},
                              std::pair{hip_yaw, hip_pitch}, std::pair{ankle_pitch, ankle_roll}}) {
     if (std::abs(axes[a].direction.dot(axes[b].direction)) > kDirectionTolerance) {
-      return fmt::format("the {} and {} axes are not at right angles", kJointNames[a], kJointNames[b]);
+      return fmt::format("the {} and {} axes are not at right angles", name_of(a), name_of(b));
     }
   }
   for (const auto pitch : {knee, ankle_pitch}) {
     if (axes[hip_pitch].direction.cross(axes[pitch].direction).norm() > kDirectionTolerance) {
-      return fmt::format("the {} axis is not parallel to the hip pitch axis", kJointNames[pitch]);
+      return fmt::format("the {} axis is not parallel to the hip pitch axis", name_of(pitch));
     }
   }
   return {};
@@ -87,7 +112,7 @@ std::string check_intersections(const Axes& axes, const Eigen::Vector3d& hip, co
   for (const auto joint : {hip_roll, hip_pitch}) {
     if (const double gap = distance_to(axes[joint], hip); gap > kLengthTolerance_m) {
       return fmt::format("the {} axis misses the point where the hip axes should meet by {:.3f} mm",
-                         kJointNames[joint], gap * 1e3);
+                         name_of(joint), gap * 1e3);
     }
   }
   if (const double gap = distance_to(axes[ankle_roll], ankle); gap > kLengthTolerance_m) {
@@ -152,9 +177,9 @@ LegGeometry measure(const Axes& axes, const Eigen::Vector3d& hip, const Eigen::V
 
 Eigen::Vector3d hip_centre(const urdf::RobotModel& model, urdf::Side side) {
   const urdf::ForwardKinematics zero = zero_posture(model);
-  const Axes axes = joint_axes(model, side, zero);
-  const Line& roll = axes[hip_roll];
-  const Line& pitch = axes[hip_pitch];
+  const urdf::LegJoints joints(model, urdf::ForwardKinematics(model), side);
+  const Line roll = axis_of(model, zero, joints[urdf::LegJoint::hip_roll]);
+  const Line pitch = axis_of(model, zero, joints[urdf::LegJoint::hip_pitch]);
   const double cosine = roll.direction.dot(pitch.direction);
   const double sine_squared = 1.0 - cosine * cosine;
   if (sine_squared < kDirectionTolerance) return pitch.point;
@@ -165,6 +190,7 @@ Eigen::Vector3d hip_centre(const urdf::RobotModel& model, urdf::Side side) {
 
 LegRecognition recognise_leg(const urdf::RobotModel& model, urdf::Side side) {
   if (std::string reason = check_chain(model, side); !reason.empty()) return {std::nullopt, reason};
+  if (std::string reason = check_order(model, side); !reason.empty()) return {std::nullopt, reason};
   const auto index = static_cast<std::size_t>(side);
   const urdf::ForwardKinematics zero = zero_posture(model);
   const Axes axes = joint_axes(model, side, zero);

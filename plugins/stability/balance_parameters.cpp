@@ -40,7 +40,7 @@ std::vector<NumberParameter> BalanceParameters::numbers() {
       {airborne_after_s, "airborne_after", "s", 0.0, 5.0,
        "without contact of any foot, after which nothing is balanced", kLive},
       {estimate_lifetime_s, "estimate_lifetime", "s", 0.02, 1.0, "age from which an estimate counts as lost",
-       kLive},
+       kLive, Scaling::none},
       {fall.lying, "fall_softness", "1", 0.0, 1.0,
        "of the joints of a robot that lies: 0 full stiffness, 1 no torque", kLive},
       {fall.posture, "fall_posture_softness", "1", 0.0, 1.0,

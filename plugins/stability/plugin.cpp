@@ -7,22 +7,16 @@
 namespace gaitway::stability {
 namespace {
 
-const BalanceParameters& declared(Setup& setup, BalanceParameters& parameters) {
+const BalanceParameters& declared(Setup& setup, const urdf::RobotModel& robot,
+                                  BalanceParameters& parameters) {
+  scale_to_body(parameters.numbers(), robot.body_scale());
   setup.parameters(parameters.numbers());
   return parameters;
 }
 
 class Stability final : public Plugin {
  public:
-  explicit Stability(Setup& setup)
-      : controller_(urdf::load_robot(setup.robot_directory()), declared(setup, parameters_)),
-        estimate_(setup.reads<Estimate>("estimate")),
-        motion_plan_(setup.reads<MotionPlan>("motion_plan")),
-        network_state_(setup.reads_optional<NetworkState>("network_state")),
-        trim_(setup.writes<TrimCommand>("trim")),
-        correction_(setup.writes<Correction>("correction")) {
-    setup.period(Period::tick);
-  }
+  explicit Stability(Setup& setup) : Stability(setup, urdf::load_robot(setup.robot_directory())) {}
 
   void step(const Tick& tick) override {
     BalanceInputs inputs;
@@ -39,6 +33,16 @@ class Stability final : public Plugin {
   void restore_state(StateReader& state) override { state(controller_); }
 
  private:
+  Stability(Setup& setup, const urdf::RobotModel& robot)
+      : controller_(robot, declared(setup, robot, parameters_)),
+        estimate_(setup.reads<Estimate>("estimate")),
+        motion_plan_(setup.reads<MotionPlan>("motion_plan")),
+        network_state_(setup.reads_optional<NetworkState>("network_state")),
+        trim_(setup.writes<TrimCommand>("trim")),
+        correction_(setup.writes<Correction>("correction")) {
+    setup.period(Period::tick);
+  }
+
   BalanceParameters parameters_;  // live: what is set between two steps is in force at the next one
   BalanceController controller_;
   Input<Estimate> estimate_;

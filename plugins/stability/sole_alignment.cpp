@@ -17,10 +17,11 @@ constexpr double kLeastShare = 0.25;  // of the load, on either foot
 SoleAlignment::SoleAlignment(const urdf::RobotModel& model, const BalanceParameters& parameters)
     : parameters_(parameters), robot_limit_rad_(model.trim.limit_rad) {
   const urdf::ForwardKinematics home(model);
-  for (std::size_t side = 0; side < ankles_.size(); ++side) {
-    const TrimJoint pitch = trim_joint(model, home, side, LegJoint::ankle_pitch);
-    const TrimJoint roll = trim_joint(model, home, side, LegJoint::ankle_roll);
-    ankles_[side] = {pitch.channel, roll.channel, pitch.axis.y(), roll.axis.x()};
+  for (const urdf::Side side : urdf::kSides) {
+    const urdf::LegJoints leg(model, home, side);
+    const TrimJoint pitch = trim_joint(model, home, leg[urdf::LegJoint::ankle_pitch]);
+    const TrimJoint roll = trim_joint(model, home, leg[urdf::LegJoint::ankle_roll]);
+    ankles_[urdf::index_of(side)] = {pitch.channel, roll.channel, pitch.axis.y(), roll.axis.x()};
   }
 }
 

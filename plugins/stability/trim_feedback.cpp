@@ -18,13 +18,9 @@ std::array<float, 4> row_of(const JointGain& gain, double about_roll, double abo
 
 }  // namespace
 
-// A joint's axis is the same in the frame of its child link.
-TrimJoint trim_joint(const urdf::RobotModel& model, const urdf::ForwardKinematics& home, std::size_t side,
-                     LegJoint which) {
-  const int index = model.legs[side].joints[static_cast<std::size_t>(which)];
+TrimJoint trim_joint(const urdf::RobotModel& model, const urdf::ForwardKinematics& home, int index) {
   const urdf::Joint& joint = model.joints[static_cast<std::size_t>(index)];
-  return {joint.trim_channel < kTrimChannels ? joint.trim_channel : -1,
-          home.link_rotation(joint.child_link) * joint.axis};
+  return {joint.trim_channel < kTrimChannels ? joint.trim_channel : -1, home.joint_axis(model, index)};
 }
 
 TrimGainMatrix::TrimGainMatrix(const urdf::RobotModel& model) {
@@ -33,18 +29,19 @@ TrimGainMatrix::TrimGainMatrix(const urdf::RobotModel& model) {
   channel_count_ = static_cast<std::uint32_t>(std::min(channels, kTrimChannels));
 
   const urdf::ForwardKinematics home(model);
-  const auto add = [&](std::size_t side, LegJoint which, const JointGain BalanceParameters::*gain,
-                       bool turns_pitch, bool is_hip) {
-    const auto [channel, axis] = trim_joint(model, home, side, which);
-    if (channel < 0) return;
-    rows_[static_cast<std::size_t>(channel)] = {gain, side, is_hip, turns_pitch ? 0.0 : axis.x(),
-                                                turns_pitch ? axis.y() : 0.0};
-  };
-  for (std::size_t side = 0; side < model.legs.size(); ++side) {
-    add(side, LegJoint::ankle_pitch, &BalanceParameters::ankle_pitch, true, false);
-    add(side, LegJoint::ankle_roll, &BalanceParameters::ankle_roll, false, false);
-    add(side, LegJoint::hip_pitch, &BalanceParameters::hip_pitch, true, true);
-    add(side, LegJoint::hip_roll, &BalanceParameters::hip_roll, false, true);
+  for (const urdf::Side side : urdf::kSides) {
+    const urdf::LegJoints leg(model, home, side);
+    const auto add = [&](urdf::LegJoint which, const JointGain BalanceParameters::*gain, bool turns_pitch,
+                         bool is_hip) {
+      const auto [channel, axis] = trim_joint(model, home, leg[which]);
+      if (channel < 0) return;
+      rows_[static_cast<std::size_t>(channel)] = {gain, urdf::index_of(side), is_hip,
+                                                  turns_pitch ? 0.0 : axis.x(), turns_pitch ? axis.y() : 0.0};
+    };
+    add(urdf::LegJoint::ankle_pitch, &BalanceParameters::ankle_pitch, true, false);
+    add(urdf::LegJoint::ankle_roll, &BalanceParameters::ankle_roll, false, false);
+    add(urdf::LegJoint::hip_pitch, &BalanceParameters::hip_pitch, true, true);
+    add(urdf::LegJoint::hip_roll, &BalanceParameters::hip_roll, false, true);
   }
 }
 

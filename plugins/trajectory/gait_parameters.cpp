@@ -10,7 +10,6 @@
 namespace gaitway::trajectory {
 namespace {
 
-constexpr int kMostTailPoints = 192;     // what a plan can carry, in whole batches
 constexpr int kMostPreviewPoints = 300;  // room of the reference ZMP
 
 }  // namespace
@@ -69,7 +68,7 @@ std::array<NumberParameter, GaitParameters::kNumbers> GaitParameters::numbers() 
        "by which the hips come down, as a share of how far the foot lands from under them"},
       {hips_in_bow_m_per_rad, "hips_in_bow", "m/rad", 0.0, 1.0,
        "by which a bow leaves the hips behind the CoM"},
-      {response_lag_s, "response_lag", "s", 0.0, 0.1, "of the body behind its plan"},
+      {response_lag_s, "response_lag", "s", 0.0, 0.1, "of the body behind its plan", false, Scaling::none},
       {zmp_forward_m, "zmp_forward", "m", -0.5, 0.5, "reference ZMP ahead of the sole's origin"},
       {zmp_inward_m, "zmp_inward", "m", -0.5, 0.5, "reference ZMP towards the other foot"},
       {fast_hip_height_m, "fast_hip_height", "m", 0.05, 2.0,
@@ -93,7 +92,7 @@ std::array<NumberParameter, GaitParameters::kNumbers> GaitParameters::numbers() 
       {preview_s, "preview", "s", 0.5, kMostPreviewPoints * facts::kSlot_s,
        "how far ahead the preview control looks"},
       {zmp_error_weight, "zmp_error_weight", "1", 1e-6, 1e6, "of the ZMP's error in the preview control"},
-      {jerk_weight, "jerk_weight", "1", 1e-12, 1.0, "of the CoM's jerk in the preview control"},
+      {jerk_weight, "jerk_weight", "s^6", 1e-12, 1.0, "of the CoM's jerk in the preview control"},
   }};
 }
 

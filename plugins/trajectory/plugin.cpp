@@ -49,7 +49,7 @@ std::vector<MotionTable> motions_of(Setup& setup, const urdf::RobotModel& robot,
       setup.parameter("motions", "", "folder with prepared motions; empty: those that are shipped");
   if (folder.empty()) folder = shipped_motions(directory);
   const std::uint64_t digest = robot_digest(directory);
-  const bool own_stand = stands_as_described(parameters, with_standing_posture({}, robot));
+  const bool own_stand = stands_as_described(parameters, gait_of(robot));
   std::vector<MotionTable> motions;
   for (const std::filesystem::path& file : motion_table_files(folder)) {
     MotionTable motion = read_motion_table(file);
@@ -119,7 +119,7 @@ class Trajectory final : public Plugin {
 
  private:
   Trajectory(Setup& setup, const urdf::RobotModel& robot)
-      : parameters_(with_standing_posture({}, robot)),
+      : parameters_(gait_of(robot)),
         revision_slot_(robot.network.revision_slot),
         pattern_(configured(setup, robot, parameters_)),
         divergence_(parameters_),

@@ -13,6 +13,7 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::trajectory {
 namespace {
@@ -44,7 +45,10 @@ constexpr int kStepParts = 4;  // lengths of steps that are looked at: the hips 
 // Of what a fast walk lowers the hips, this is still there at the end of a long step in which they rise for a
 // stop.
 constexpr double kLoweredInStop = 0.4;
-constexpr double kInHand_m = 0.002;  // of the leg's length, for balance feedback and the way of the CoM
+constexpr double kSameSpacing_m = 1e-6;
+constexpr double kMostInward = 0.25;  // of the sole's width
+constexpr double kLeastStep = 0.05;   // of the hip height: a step that is not worth less
+constexpr double kInHand_m = 0.002;   // of the leg's length, for balance feedback and the way of the CoM
 
 // Largest and smallest cosine over an interval of angles.
 double largest_cosine(double from_rad, double to_rad) noexcept {
@@ -68,16 +72,18 @@ Axis axis_of(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero,
 
 LegReach measure(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero,
                  const urdf::ForwardKinematics& home, urdf::Side side) {
-  const auto& joints = robot.legs[static_cast<std::size_t>(side)].joints;
-  const Axis hip = axis_of(robot, zero, joints[2]), knee = axis_of(robot, zero, joints[3]);
-  const Eigen::Vector3d ankle_m = axis_of(robot, zero, joints[4]).point_m;
+  const urdf::LegJoints joints(robot, home, side);
+  const int knee_index = joints[urdf::LegJoint::knee];
+  const Axis hip = axis_of(robot, zero, joints[urdf::LegJoint::hip_pitch]),
+             knee = axis_of(robot, zero, knee_index);
+  const Eigen::Vector3d ankle_m = axis_of(robot, zero, joints[urdf::LegJoint::ankle_pitch]).point_m;
   const Eigen::Vector3d thigh = knee.point_m - hip.point_m, shin = ankle_m - knee.point_m;
   // The knee turns the shin about its axis; what lies along the axis stays.
   const double along_m = knee.direction.dot(thigh + shin);
   const Eigen::Vector3d a = thigh - knee.direction * knee.direction.dot(thigh);
   const Eigen::Vector3d b = shin - knee.direction * knee.direction.dot(shin);
   const double angle_rad = std::atan2(knee.direction.dot(a.cross(b)), a.dot(b));  // 0: stretched
-  const urdf::Joint& knee_joint = robot.joints[static_cast<std::size_t>(joints[3])];
+  const urdf::Joint& knee_joint = robot.joints[static_cast<std::size_t>(knee_index)];
   const double from_rad = angle_rad + knee_joint.lower_rad, to_rad = angle_rad + knee_joint.upper_rad;
   const auto distance_m = [&](double cosine) {
     const double planar = a.squaredNorm() + b.squaredNorm() + 2.0 * a.norm() * b.norm() * cosine;
@@ -105,6 +111,35 @@ double farther_share(const GaitParameters& p) noexcept {
   return 1.0 - 1.0 / (2.0 + omega * double_support_s / std::tanh(0.5 * omega * swing_s));
 }
 
+// A stance that is wider or narrower than that of the scaled defaults, and a tail as long as a plan carries.
+void fit_stance(GaitParameters& p, double wider_m) {
+  if (std::abs(wider_m) > kSameSpacing_m) {
+    p.max_foot_spacing_m += wider_m;
+    p.adjust_spacing_m += wider_m;
+  }
+  p.zmp_inward_m = std::min(p.zmp_inward_m, kMostInward * p.sole.width_m);
+  p.min_sole_gap_m = std::clamp(p.foot_spacing_m - p.sole.width_m, 0.0, p.min_sole_gap_m);
+  while (p.longest_tail_points() > GaitParameters::kMostTailPoints) p.settle_s -= facts::kSlot_s;
+}
+
+// Shorter and narrower steps, both by the same share, as far as the legs reach.
+void fit_reach(GaitParameters& p, const urdf::RobotModel& robot) {
+  constexpr double kLess = 0.98;
+  const std::array<LegReach, 2> legs = leg_reach(robot);
+  const auto too_far = [&](double forward_m) {
+    return std::any_of(legs.begin(), legs.end(), [&](const LegReach& leg) {
+      return farthest_hip_to_ankle_m(p, leg, forward_m, p.max_foot_spacing_m) > leg.longest_m - kInHand_m;
+    });
+  };
+  while (p.max_step_forward_m > kLeastStep * p.hip_height_m &&
+         (too_far(0.0) || too_far(p.max_step_forward_m) || too_far(p.max_step_backward_m))) {
+    p.max_step_forward_m *= kLess;
+    p.max_step_backward_m *= kLess;
+    p.max_foot_spacing_m = std::lerp(p.foot_spacing_m, p.max_foot_spacing_m, kLess);
+  }
+  p.adjust_spacing_m = std::min(p.adjust_spacing_m, p.max_foot_spacing_m);
+}
+
 [[noreturn]] void refuse(std::string_view name, double value_m, const std::string& rule,
                          std::string_view remedy) {
   throw std::invalid_argument(
@@ -115,11 +150,14 @@ double farther_share(const GaitParameters& p) noexcept {
 
 }  // namespace
 
-GaitParameters with_standing_posture(GaitParameters parameters, const urdf::RobotModel& robot) {
+GaitParameters gait_of(const urdf::RobotModel& robot) {
+  GaitParameters parameters;
+  scale_to_body(parameters.numbers(), robot.body_scale());
   const urdf::ForwardKinematics home(robot);
   const Eigen::Vector3d& com = home.com_m();
   const Eigen::Vector3d left = home.sole_pose(urdf::Side::left).translation();
   const Eigen::Vector3d right = home.sole_pose(urdf::Side::right).translation();
+  const double wider_m = left.y() - right.y() - parameters.foot_spacing_m;
   parameters.com_height_m = com.z() - 0.5 * (left.z() + right.z());
   parameters.stand_com_forward_m = com.x() - 0.5 * (left.x() + right.x());
   parameters.foot_spacing_m = left.y() - right.y();
@@ -129,6 +167,8 @@ GaitParameters with_standing_posture(GaitParameters parameters, const urdf::Robo
   const urdf::Foot& foot = robot.feet[0];
   parameters.sole = {foot.size_m.x(), foot.size_m.y(), foot.centre_m.x()};
   parameters.zmp_forward_m = foot.centre_m.x();
+  fit_stance(parameters, wider_m);
+  fit_reach(parameters, robot);
   return parameters;
 }
 

@@ -61,7 +61,8 @@ std::vector<NumberParameter> EstimatorParameters::numbers() {
        "in which an integrated acceleration of a foot is forgotten"},
       {slip_offset_time_s, "slip_offset_time", "s", 0.1, 1e3,
        "in which a sole's tilt is learned that the kinematics does not know"},
-      {stale_after_s, "stale_after", "s", kLeast, kMost, "age from which a sensor's last value is only kept"},
+      {stale_after_s, "stale_after", "s", kLeast, kMost, "age from which a sensor's last value is only kept",
+       false, Scaling::none},
   };
   for (const NumberParameter& number : fall.numbers()) all.push_back(number);
   return all;

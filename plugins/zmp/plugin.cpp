@@ -12,8 +12,9 @@
 namespace gaitway::zmp {
 namespace {
 
-EstimatorParameters parameters_of(Setup& setup) {
+EstimatorParameters parameters_of(Setup& setup, const urdf::RobotModel& robot) {
   EstimatorParameters p;
+  scale_to_body(p.numbers(), robot.body_scale());
   setup.parameters(p.numbers());
   return p;
 }
@@ -64,15 +65,7 @@ class FallNotice {
 
 class Zmp final : public Plugin {
  public:
-  explicit Zmp(Setup& setup)
-      : estimator_(urdf::load_robot(setup.robot_directory()), parameters_of(setup)),
-        joint_states_(setup.reads<JointStates>("joint_states")),
-        foot_forces_(setup.reads<FootForces>("foot_forces")),
-        imu_(setup.reads<gaitway::Imu>("imu")),
-        estimate_(setup.writes<Estimate>("estimate")),
-        report_(setup.reporter()) {
-    setup.period(Period::tick);
-  }
+  explicit Zmp(Setup& setup) : Zmp(setup, urdf::load_robot(setup.robot_directory())) {}
 
   void step(const Tick& tick) override {
     const JointStates& joints = joint_states_.read();
@@ -95,6 +88,16 @@ class Zmp final : public Plugin {
   void restore_state(StateReader& state) override { state(estimator_); }
 
  private:
+  Zmp(Setup& setup, const urdf::RobotModel& robot)
+      : estimator_(robot, parameters_of(setup, robot)),
+        joint_states_(setup.reads<JointStates>("joint_states")),
+        foot_forces_(setup.reads<FootForces>("foot_forces")),
+        imu_(setup.reads<gaitway::Imu>("imu")),
+        estimate_(setup.writes<Estimate>("estimate")),
+        report_(setup.reporter()) {
+    setup.period(Period::tick);
+  }
+
   StateEstimator estimator_;
   Input<JointStates> joint_states_;
   Input<FootForces> foot_forces_;

@@ -14,23 +14,23 @@ namespace {
 
 using core::PluginFaultKind;
 
-constexpr std::array<const char*, 4> kPlugins{"zmp", "stability", "trajectory", "kinematics"};
-struct Way {
+constexpr std::array<const char*, 4> kFaultPlugins{"zmp", "stability", "trajectory", "kinematics"};
+struct FaultWay {
   PluginFaultKind how;
   const char* name;
   const char* cause;  // part of the event's text
 };
-constexpr std::array<Way, 4> kWays{{{PluginFaultKind::throws, "throws", "threw"},
-                                    {PluginFaultKind::not_a_number, "not_a_number", "finite"},
-                                    {PluginFaultKind::jumps, "jumps", ""},
-                                    {PluginFaultKind::overruns, "overruns", "budget"}}};
+constexpr std::array<FaultWay, 4> kFaultWays{{{PluginFaultKind::throws, "throws", "threw"},
+                                              {PluginFaultKind::not_a_number, "not_a_number", "finite"},
+                                              {PluginFaultKind::jumps, "jumps", ""},
+                                              {PluginFaultKind::overruns, "overruns", "budget"}}};
 // Every plug-in in every way; the trials take turns at them.
 class PluginFails : public ::testing::TestWithParam<std::tuple<int, int, int>> {};
 
 TEST_P(PluginFails, AtARandomInstantOfTheWalkAndTheRobotDoesNotFall) {
   const auto [plugin, way_index, trial] = GetParam();
-  const Way& way = kWays[static_cast<std::size_t>(way_index)];
-  const std::string name = kPlugins[static_cast<std::size_t>(plugin)];
+  const FaultWay& way = kFaultWays[static_cast<std::size_t>(way_index)];
+  const std::string name = kFaultPlugins[static_cast<std::size_t>(plugin)];
   const FaultInstant instant =
       random_fault_instant(static_cast<unsigned>(1000 * trial + 10 * plugin + way_index));
   const double instant_s = instant.begin_s;
@@ -57,16 +57,16 @@ TEST_P(PluginFails, AtARandomInstantOfTheWalkAndTheRobotDoesNotFall) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<int, int, int>>& info) {
+std::string name_of_fault(const testing::TestParamInfo<std::tuple<int, int, int>>& info) {
   const auto [plugin, way, trial] = info.param;
-  return std::string(kPlugins[static_cast<std::size_t>(plugin)]) + "_" +
-         kWays[static_cast<std::size_t>(way)].name + "_" + std::to_string(trial);
+  return std::string(kFaultPlugins[static_cast<std::size_t>(plugin)]) + "_" +
+         kFaultWays[static_cast<std::size_t>(way)].name + "_" + std::to_string(trial);
 }
 
 INSTANTIATE_TEST_SUITE_P(RandomInstants, PluginFails,
                          ::testing::Combine(::testing::Range(0, 4), ::testing::Range(0, 4),
                                             ::testing::Range(1, 1 + fault_trials(2))),
-                         name_of);
+                         name_of_fault);
 
 }  // namespace
 }  // namespace gaitway::scenarios

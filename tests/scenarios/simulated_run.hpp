@@ -42,6 +42,9 @@ class SimulatedRun {
     chosen.plant.conditions.ground = ground;
     return SimulatedRun(chosen, {});
   }
+  static SimulatedRun of_robot(std::uint64_t seed, const urdf::RobotModel& robot) {
+    return SimulatedRun(options(seed, source_tree() / "core/config/walk.yaml"), {}, robot);
+  }
   SimulatedRun(std::uint64_t seed, const core::Configuration& plugins)
       : SimulatedRun(options(seed, plugins.file, plugins), {}) {}
 
@@ -68,8 +71,9 @@ class SimulatedRun {
 
  private:
   static std::filesystem::path source_tree() { return GAITWAY_SOURCE_DIR; }
-  SimulatedRun(const simulator::CosimulationOptions& options, const std::filesystem::path& bus_log)
-      : cosimulation(humanoid22(), options), recorder(cosimulation, bus_log, false) {
+  SimulatedRun(const simulator::CosimulationOptions& options, const std::filesystem::path& bus_log,
+               const urdf::RobotModel& robot = humanoid22())
+      : cosimulation(robot, options), recorder(cosimulation, bus_log, false) {
     cosimulation.observe(&recorder);
   }
   static simulator::CosimulationOptions options(std::uint64_t seed,

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 #include "tools/calibrate/standing_measurement.hpp"
 
 namespace gaitway::calibration {
@@ -31,6 +32,13 @@ PosePerformer::PosePerformer(const urdf::RobotModel& robot, simulator::Plant& pl
     servos_.emplace_back(
         localcontroller::ServoGains{joint.servo.stiffness_Nm_per_rad, joint.servo.damping_Nms_per_rad,
                                     joint.motor.torque_limit_Nm, joint.motor.speed_limit_rad_per_s});
+  }
+  const urdf::ForwardKinematics home(robot);
+  for (const urdf::Side side : urdf::kSides) {
+    const urdf::LegJoints leg(robot, home, side);
+    const int pitch = leg[urdf::LegJoint::ankle_pitch], roll = leg[urdf::LegJoint::ankle_roll];
+    ankles_[urdf::index_of(side)] = {pitch, roll, home.joint_axis(robot, pitch).y(),
+                                     home.joint_axis(robot, roll).x()};
   }
 }
 
@@ -81,9 +89,8 @@ void PosePerformer::relax_ankles() {
       double& relaxed = relaxed_rad_[static_cast<std::size_t>(joint)];
       relaxed = std::clamp(relaxed + angle_rad, -kMostRelaxed_rad, kMostRelaxed_rad);
     };
-    const int pitch = robot_.legs[side].joints[4], roll = robot_.legs[side].joints[5];
-    add(pitch, -sign * turn.x() * robot_.joints[static_cast<std::size_t>(pitch)].axis.y());
-    add(roll, sign * turn.y() * robot_.joints[static_cast<std::size_t>(roll)].axis.x());
+    add(ankles_[side].pitch, -sign * turn.x() * ankles_[side].pitch_about_y);
+    add(ankles_[side].roll, sign * turn.y() * ankles_[side].roll_about_x);
   }
 }
 

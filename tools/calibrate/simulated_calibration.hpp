@@ -48,6 +48,11 @@ class PosePerformer {
   const urdf::RobotModel& robot_;
   simulator::Plant& plant_;
   double measured_s_;
+  struct Ankle {
+    int pitch = 0, roll = 0;                         // indices of the joints
+    double pitch_about_y = 0.0, roll_about_x = 0.0;  // of their axes at the home posture
+  };
+  std::array<Ankle, 2> ankles_;  // [Side]
   std::vector<localcontroller::Servo> servos_;
   std::vector<double> zero_rad_;              // in use
   std::vector<double> relaxed_rad_;           // of the ankles, added to what the plan says

@@ -50,8 +50,8 @@ struct RunOptions {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kDefaultSeconds = 20.0;
-constexpr double kDefaultSpeed_m_per_s = 0.15;
-constexpr double kAfterFall_s = 1.0;  // shown after a fall, before the run ends
+constexpr double kDefaultSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
+constexpr double kAfterFall_s = 1.0;            // shown after a fall, before the run ends
 constexpr int kPictures = 8;
 constexpr double kFirstPicture_s = 0.5;
 constexpr int kPictureWidth_px = 320, kPictureHeight_px = 360;
@@ -72,7 +72,9 @@ simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotMode
     scenario.seconds = options.seconds.value_or(scenario.seconds);
     return scenario;
   }
-  std::vector<double> walk = options.walk.value_or(std::vector<double>{kDefaultSpeed_m_per_s});
+  const facts::BodyScale larger = robot.body_scale();
+  std::vector<double> walk =
+      options.walk.value_or(std::vector<double>{kDefaultSpeed_m_per_s * larger.factor("m/s")});
   walk.resize(3, 0.0);
   return simulator::walk_scenario(walk[0], walk[1], walk[2], options.seconds.value_or(kDefaultSeconds));
 }

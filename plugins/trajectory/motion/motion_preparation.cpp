@@ -11,6 +11,7 @@
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/trajectory/motion_table.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::motion {
 namespace {
@@ -36,6 +37,10 @@ MotionPlan in_whole_batches(const urdf::RobotModel& robot, MotionPlan plan) {
 class TableWriter {
  public:
   explicit TableWriter(const urdf::RobotModel& robot) : robot_(robot), kinematics_(robot) {
+    for (const urdf::Side side : urdf::kSides) {
+      const int hip_pitch = urdf::LegJoints(robot, kinematics_, side)[urdf::LegJoint::hip_pitch];
+      hip_link_[urdf::index_of(side)] = robot.joints[static_cast<std::size_t>(hip_pitch)].child_link;
+    }
     home_ = standing_point();
     hip_link_height_m_ = hip_link_height_m(home_pelvis_);
   }
@@ -100,13 +105,10 @@ class TableWriter {
     return point;
   }
 
-  // Of the middle between the hips' first links, over the ground.
+  // Of the middle between the thighs' upper ends, over the ground.
   double hip_link_height_m(const Eigen::Isometry3d& pelvis) const {
     double sum_m = 0.0;
-    for (const urdf::Leg& leg : robot_.legs) {
-      const int link = robot_.joints[static_cast<std::size_t>(leg.joints[2])].child_link;
-      sum_m += 0.5 * (pelvis * kinematics_.link_position_m(link)).z();
-    }
+    for (const int link : hip_link_) sum_m += 0.5 * (pelvis * kinematics_.link_position_m(link)).z();
     return sum_m;
   }
 
@@ -123,6 +125,7 @@ class TableWriter {
 
   const urdf::RobotModel& robot_;
   urdf::ForwardKinematics kinematics_;
+  std::array<int, 2> hip_link_{};  // [Side]: the thigh
   Eigen::Isometry3d home_pelvis_ = Eigen::Isometry3d::Identity();
   trajectory::MotionPoint home_;
   double hip_link_height_m_ = 0.0;

@@ -45,7 +45,7 @@ class RecoveryStep : public ::testing::TestWithParam<std::tuple<double, double>>
   }
 
   urdf::RobotModel robot = urdf::load_robot(GAITWAY_HUMANOID22_DIRECTORY);
-  trajectory::GaitParameters parameters = trajectory::with_standing_posture({}, robot);
+  trajectory::GaitParameters parameters = trajectory::gait_of(robot);
   trajectory::WalkingPattern pattern{parameters};
   BatchSolver solver{robot, SolverChoice::closed_form, true};
   core::JointPlanCheck check{robot};

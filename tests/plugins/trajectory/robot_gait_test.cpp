@@ -22,7 +22,7 @@ const urdf::RobotModel& humanoid22() {
   return robot;
 }
 GaitParameters shipped() {
-  return with_standing_posture({}, humanoid22());
+  return gait_of(humanoid22());
 }
 
 void expect_refused(const GaitParameters& parameters, const char* name_and_value, const char* reach) {
@@ -67,8 +67,42 @@ double farthest_in_walk_m(const GaitParameters& p, const WalkCommand& command) {
   return farthest_m;
 }
 
+TEST(GaitOf, HumanoidHasTheDefaults) {
+  const GaitParameters defaults, shipped_ones = shipped();
+  EXPECT_EQ(shipped_ones.step_time_s, defaults.step_time_s);
+  EXPECT_EQ(shipped_ones.max_step_forward_m, defaults.max_step_forward_m);
+  EXPECT_EQ(shipped_ones.max_foot_spacing_m, defaults.max_foot_spacing_m);
+  EXPECT_EQ(shipped_ones.settle_s, defaults.settle_s);
+  EXPECT_EQ(shipped_ones.zmp_inward_m, defaults.zmp_inward_m);
+}
+
+// Knees that cannot be stretched: what the defaults ask for is out of reach, and would be refused.
+TEST(GaitOf, LegsThatReachLessGetShorterSteps) {
+  urdf::RobotModel robot = humanoid22();
+  for (const urdf::Leg& leg : robot.legs)
+    robot.joints[static_cast<std::size_t>(leg.joints[3])].lower_rad = 0.55;
+  EXPECT_THROW(require_reachable(shipped(), robot), std::invalid_argument);
+  const GaitParameters gait = gait_of(robot);
+  EXPECT_NO_THROW(require_reachable(gait, robot));
+  EXPECT_NO_THROW(gait.validate());
+  EXPECT_LT(gait.max_step_forward_m, shipped().max_step_forward_m);
+  EXPECT_GT(gait.max_step_forward_m, 0.03);
+}
+
+TEST(GaitOf, AWiderStanceIsSteppedOutOfAsFar) {
+  urdf::RobotModel robot = humanoid22();
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    robot.joints[static_cast<std::size_t>(robot.legs[side].joints[0])].origin.translation().y() +=
+        side == 0 ? 0.02 : -0.02;
+  }
+  const GaitParameters gait = gait_of(robot);
+  EXPECT_NEAR(gait.foot_spacing_m, 0.14, 1e-9);
+  EXPECT_NEAR(gait.adjust_spacing_m, shipped().adjust_spacing_m + 0.04, 1e-9);
+  EXPECT_NO_THROW(gait.validate());
+}
+
 TEST(StandingPosture, HumanoidStandsAsItsDescriptionSays) {
-  const GaitParameters p = with_standing_posture({}, humanoid22());
+  const GaitParameters p = gait_of(humanoid22());
   EXPECT_NO_THROW(p.validate());
   EXPECT_EQ(p.hip_height_m, humanoid22().hip_height_m);
   EXPECT_NEAR(p.foot_spacing_m, 0.100, 0.005);

@@ -36,7 +36,7 @@ class PluginName final : public gaitway::Plugin {
  private:
   static trajectory::GaitParameters gait(gaitway::Setup& setup) {
     const auto robot = gaitway::urdf::load_robot(setup.robot_directory());
-    auto gait = trajectory::with_standing_posture({}, robot);
+    auto gait = trajectory::gait_of(robot);
     gait.lift_m = setup.parameter("lift", 0.045, "m");
     gait.step_time_s = setup.parameter("step_time", 0.48, "s");
     gait.validate();

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gaitway/facts/body_scale.hpp"
 #include "gaitway/input/complaint.hpp"
 
 namespace gaitway::urdf {
@@ -114,9 +115,9 @@ struct Foot {
   [[nodiscard]] std::array<Eigen::Vector2d, 4> corners_m(const Eigen::Vector3d& pose) const noexcept;
 };
 
-// One leg as the kinematics sees it: six joints from the base to the foot.
+// One leg as the kinematics sees it: six joints from the base to the foot. What each does: LegJoints.
 struct Leg {
-  std::array<int, 6> joints{};  // indices: hip yaw, hip roll, hip pitch, knee, ankle pitch, ankle roll
+  std::array<int, 6> joints{};  // indices: three of the hip, the knee, two of the ankle
 };
 
 struct Imu {
@@ -182,6 +183,7 @@ struct RobotModel {
   KDL::Tree tree;
 
   [[nodiscard]] double total_mass_kg() const noexcept;
+  [[nodiscard]] facts::BodyScale body_scale() const noexcept { return {hip_height_m, total_mass_kg()}; }
   [[nodiscard]] int joint_index(std::string_view name) const;  // throws RobotError, names the nearest joint
   [[nodiscard]] int link_index(std::string_view name) const;
   [[nodiscard]] std::optional<int> joint_of_node(int node) const noexcept;

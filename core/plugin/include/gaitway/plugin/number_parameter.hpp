@@ -3,6 +3,7 @@
 // such a list without knowing of plug-ins.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <span>
@@ -10,7 +11,13 @@
 #include <string>
 #include <string_view>
 
+#include "gaitway/facts/body_scale.hpp"
+
 namespace gaitway {
+
+// Whether a number that suits one body suits a larger one when it grows with it, or as it is: what comes from
+// the network's cycle or the electronics.
+enum class Scaling : bool { with_body, none };
 
 // One number, where it is kept, and what it may be whatever the others are.
 struct NumberParameter {
@@ -20,6 +27,7 @@ struct NumberParameter {
   double lowest, highest;
   const char* doc = "";  // one line for people
   bool live = false;     // may change between two steps
+  Scaling scaling = Scaling::with_body;
 };
 inline constexpr bool kLive = true;
 
@@ -53,6 +61,14 @@ inline void require_in_range(std::span<const NumberParameter> numbers) {
     rule.append(detail::text_of(number.lowest, "1")).append(" to ");
     rule.append(detail::text_of(number.highest, number.unit));
     require_number(false, number.name, number.value, number.unit, rule);
+  }
+}
+
+// Makes defaults that were found with one body those of another, as far as their ranges go.
+inline void scale_to_body(std::span<const NumberParameter> numbers, const facts::BodyScale& scale) {
+  for (const NumberParameter& number : numbers) {
+    if (number.scaling == Scaling::none) continue;
+    number.value = std::clamp(number.value * scale.factor(number.unit), number.lowest, number.highest);
   }
 }
 

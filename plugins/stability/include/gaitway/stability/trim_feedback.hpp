@@ -10,6 +10,7 @@
 #include "gaitway/msgclient/trim_law.hpp"
 #include "gaitway/stability/balance_parameters.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::stability {
@@ -19,15 +20,13 @@ inline constexpr std::size_t kLeftFoot = 0;
 inline constexpr std::size_t kRightFoot = 1;
 inline constexpr std::size_t kBothFeet = 2;
 
-// A joint of a leg, from the hip down; its trim channel (-1: none), and its axis in base axes at the home
-// posture.
-enum class LegJoint : std::size_t { hip_roll = 1, hip_pitch = 2, ankle_pitch = 4, ankle_roll = 5 };
+// A joint of a leg: its trim channel (-1: none), and its axis in base axes at the home posture.
 struct TrimJoint {
   int channel = -1;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 [[nodiscard]] TrimJoint trim_joint(const urdf::RobotModel& model, const urdf::ForwardKinematics& home,
-                                   std::size_t side, LegJoint which);
+                                   int index);
 
 // Which joint turns which way against a roll or pitch of the trunk.
 //

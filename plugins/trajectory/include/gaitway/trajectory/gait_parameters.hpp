@@ -19,6 +19,8 @@ struct Sole {
 };
 
 struct GaitParameters {
+  static constexpr int kMostTailPoints = 192;  // what a plan can carry, in whole batches
+
   // The robot in its standing posture.
   double com_height_m = 0.378;         // of the CoM above the ground: the height of the cart's table
   double hip_height_m = 0.360;         // of the hip axes above the ground, while standing and walking slowly

@@ -9,10 +9,12 @@
 
 namespace gaitway::trajectory {
 
-// `parameters` with CoM height and place, hip height, foot spacing and sole of the robot in its standing
-// posture (all joints at home_rad), so that the nominal stand of the plans is the posture that the joints
-// hold. The ZMP is put below the middle of the sole.
-[[nodiscard]] GaitParameters with_standing_posture(GaitParameters parameters, const urdf::RobotModel& robot);
+// The gait that suits a robot before anybody has configured one: the defaults scaled to its body (BodyScale),
+// with CoM height and place, hip height, foot spacing and sole of its standing posture (all joints at
+// home_rad), so that the nominal stand of the plans is the posture that the joints hold. The ZMP is put below
+// the middle of the sole. Steps are as long and as wide as the legs reach (require_reachable), at most as the
+// scaled defaults have them.
+[[nodiscard]] GaitParameters gait_of(const urdf::RobotModel& robot);
 
 // Whether a robot with `parameters` stands as one with `described` does: CoM, hips and feet.
 [[nodiscard]] bool stands_as_described(const GaitParameters& parameters,

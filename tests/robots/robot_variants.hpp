@@ -1,0 +1,141 @@
+// humanoid22 with other legs, as folders that load: hips whose joints come in another order, and ankles.
+// Names stay where they were, so that whoever goes by names or numbers goes wrong.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gaitway::test {
+
+class RobotVariant {
+ public:
+  RobotVariant() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "gaitway-robot-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a folder like " + pattern);
+    folder_ = pattern;
+    urdf_ = read("robot.urdf");
+    yaml_ = read("robot.yaml");
+    write();
+  }
+  ~RobotVariant() { std::filesystem::remove_all(folder_); }
+  RobotVariant(const RobotVariant&) = delete;
+  RobotVariant& operator=(const RobotVariant&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  // On both sides the joint names[i] turns as names[order[i]] did; names without their side.
+  void reorder(const std::vector<std::string>& names, const std::vector<std::size_t>& order) {
+    for (const std::string side : {"left_", "right_"}) {
+      std::vector<std::string> turning, home;
+      for (const std::string& name : names) {
+        turning.push_back(part(urdf_, "<joint name=\"" + side + name + "\"", "<axis", "</joint>"));
+        home.push_back(part(yaml_, "{name: " + side + name + ",", "]", "}"));
+      }
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        part(urdf_, "<joint name=\"" + side + names[i] + "\"", "<axis", "</joint>", &turning[order[i]]);
+        part(yaml_, "{name: " + side + names[i] + ",", "]", "}", &home[order[i]]);
+      }
+    }
+    write();
+  }
+
+  // A body `larger` times as large that moves in the same way: lengths with it, masses with its cube, times
+  // with its root.
+  void scale(double larger) {
+    const auto by = [larger](double power) { return std::pow(larger, power); };
+    for (const char* length : {"size", "length", "radius"})
+      multiply(urdf_, std::string(length) + "=\"", "\"", larger);
+    multiply(urdf_, "<origin xyz=\"", "\"", larger);
+    multiply(urdf_, "<mass value=\"", "\"", by(3));
+    for (const char* moment : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
+      multiply(urdf_, std::string(moment) + "=\"", "\"", by(5));
+    }
+    multiply(urdf_, "effort=\"", "\"", by(4));
+    multiply(urdf_, "velocity=\"", "\"",
+             by(-0.5) * (1.0 - 1e-9));  // never above the motor's, however it is rounded
+    const std::vector<std::pair<const char*, double>> powers{{"stiffness_Nm_per_rad", 4},
+                                                             {"damping_Nms_per_rad", 4.5},
+                                                             {"torque_limit_Nm", 4},
+                                                             {"speed_limit_rad_per_s", -0.5},
+                                                             {"armature_kg_m2", 5},
+                                                             {"friction_Nm", 4},
+                                                             {"sole_position_m", 1},
+                                                             {"size_m", 1},
+                                                             {"centre_m", 1},
+                                                             {"cell_inset_m", 1},
+                                                             {"position_m", 1},
+                                                             {"force_N", 3},
+                                                             {"angular_velocity_rad_per_s", -0.5},
+                                                             {"slew_deg_per_s", -0.5},
+                                                             {"hip_height_m", 1}};
+    for (const auto& [key, power] : powers) {
+      for (const std::string before : {" ", "{"}) {
+        multiply(yaml_, before + key + ": [", "]", by(power));
+        multiply(yaml_, before + key + ": ", ",}\n", by(power));
+      }
+    }
+    if (larger < 1.0)
+      multiply(yaml_, "count_deg: ", " ,", 1.6);  // a byte of counts must hold the higher speed
+    write();
+  }
+
+ private:
+  // Every list of numbers between `from` and the first of the characters `to`.
+  static void multiply(std::string& text, const std::string& from, const std::string& to, double factor) {
+    for (std::size_t begin = text.find(from); begin != std::string::npos; begin = text.find(from, begin)) {
+      begin += from.size();
+      const std::size_t end = text.find_first_of(to, begin);
+      if (text[begin] == '[') continue;  // a list, whose turn is another
+      std::string numbers = text.substr(begin, end - begin), scaled;
+      std::replace(numbers.begin(), numbers.end(), ',', ' ');
+      std::istringstream words(numbers);
+      const char* const between = to == "]" ? ", " : " ";
+      for (double number = 0.0; words >> number;) {
+        std::ostringstream word;
+        word << std::setprecision(12) << number * factor;
+        scaled += (scaled.empty() ? "" : between) + word.str();
+      }
+      text.replace(begin, end - begin, scaled);
+    }
+  }
+  // What stands from `from` up to `to`, after `anchor`; replaced if there is something to put there.
+  static std::string part(std::string& text, const std::string& anchor, const std::string& from,
+                          const std::string& to, const std::string* replacement = nullptr) {
+    const std::size_t begin = text.find(from, text.find(anchor)), end = text.find(to, begin);
+    if (end == std::string::npos) throw std::runtime_error("humanoid22 has no " + anchor);
+    std::string found = text.substr(begin, end - begin);
+    if (replacement != nullptr) text.replace(begin, end - begin, *replacement);
+    return found;
+  }
+  static std::string read(const std::string& name) {
+    std::ifstream file(std::filesystem::path(GAITWAY_URDF_DIR) / "humanoid22" / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void write() const {
+    std::ofstream(folder_ / "robot.urdf") << urdf_;
+    std::ofstream(folder_ / "robot.yaml") << yaml_;
+  }
+
+  std::filesystem::path folder_;
+  std::string urdf_, yaml_;
+};
+
+// Of hip yaw, roll and pitch: who comes first, second, third.
+inline const std::vector<std::vector<std::size_t>> kHipOrders{{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                                              {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+inline const std::vector<std::string> kHip{"hip_yaw", "hip_roll", "hip_pitch"};
+inline const std::vector<std::string> kAnkle{"ankle_pitch", "ankle_roll"};
+
+}  // namespace gaitway::test
