@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/trajectory/joint_pace.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/leg_joints.hpp"
 
@@ -48,7 +49,13 @@ constexpr double kLoweredInStop = 0.4;
 constexpr double kSameSpacing_m = 1e-6;
 constexpr double kMostInward = 0.25;  // of the sole's width
 constexpr double kLeastStep = 0.05;   // of the hip height: a step that is not worth less
-constexpr double kInHand_m = 0.002;   // of the leg's length, for balance feedback and the way of the CoM
+// Walks whose planned joints turn at more than the first share of their limits at the usual speed are refused
+// batches on the simulated robot, since balance, load and steps that a push moves ask for more; the second is
+// the share of humanoid22's fastest.
+constexpr double kUsualShare = 0.78, kFastestShare = 0.92;
+constexpr double kUsualSpeed_m_per_s = 0.15;                             // of a body as large as humanoid22
+constexpr double kGoodLift = 0.6, kLeastLift = 0.3, kSlowestStep = 1.6;  // of the scaled defaults
+constexpr double kInHand_m = 0.002;  // of the leg's length, for balance feedback and the way of the CoM
 
 // Largest and smallest cosine over an interval of angles.
 double largest_cosine(double from_rad, double to_rad) noexcept {
@@ -98,7 +105,10 @@ LegReach measure(const urdf::RobotModel& robot, const urdf::ForwardKinematics& z
           .ankle_forward_m = ankle.x(),
           .ankle_left_m = ankle.y(),
           .longest_m = distance_m(largest_cosine(from_rad, to_rad)),
-          .shortest_m = distance_m(smallest_cosine(from_rad, to_rad))};
+          .shortest_m = distance_m(smallest_cosine(from_rad, to_rad)),
+          .thigh_m = a.norm(),
+          .shin_m = b.norm(),
+          .aside_m = along_m};
 }
 
 // Where the CoM is at the ends of double support: its distance from the farther foot as a share of the step.
@@ -111,7 +121,7 @@ double farther_share(const GaitParameters& p) noexcept {
   return 1.0 - 1.0 / (2.0 + omega * double_support_s / std::tanh(0.5 * omega * swing_s));
 }
 
-// A stance that is wider or narrower than that of the scaled defaults, and a tail as long as a plan carries.
+// A stance that is wider or narrower than that of the scaled defaults.
 void fit_stance(GaitParameters& p, double wider_m) {
   if (std::abs(wider_m) > kSameSpacing_m) {
     p.max_foot_spacing_m += wider_m;
@@ -119,6 +129,10 @@ void fit_stance(GaitParameters& p, double wider_m) {
   }
   p.zmp_inward_m = std::min(p.zmp_inward_m, kMostInward * p.sole.width_m);
   p.min_sole_gap_m = std::clamp(p.foot_spacing_m - p.sole.width_m, 0.0, p.min_sole_gap_m);
+}
+
+// As long as a plan carries.
+void fit_tail(GaitParameters& p) {
   while (p.longest_tail_points() > GaitParameters::kMostTailPoints) p.settle_s -= facts::kSlot_s;
 }
 
@@ -138,6 +152,33 @@ void fit_reach(GaitParameters& p, const urdf::RobotModel& robot) {
     p.max_foot_spacing_m = std::lerp(p.foot_spacing_m, p.max_foot_spacing_m, kLess);
   }
   p.adjust_spacing_m = std::min(p.adjust_spacing_m, p.max_foot_spacing_m);
+}
+
+// Slower motors get a lower lift and slower steps, until a walk at the default speed leaves them enough for
+// the balance; then shorter steps, until the fastest walk is one that they can follow.
+void fit_motors(GaitParameters& p, const urdf::RobotModel& robot) {
+  constexpr double kLower = 0.95, kShorter = 0.98;
+  const GaitParameters wanted = p;
+  const double usual_m_per_s = kUsualSpeed_m_per_s * robot.body_scale().factor("m/s");
+  while (fastest_joint(p, robot, usual_m_per_s).share > kUsualShare) {
+    if (p.lift_m > kGoodLift * wanted.lift_m) {
+      p.lift_m *= kLower;
+    } else if (p.step_time_s < kSlowestStep * wanted.step_time_s) {
+      p.step_time_s += facts::kSlot_s;
+    } else if (p.lift_m > kLeastLift * wanted.lift_m) {
+      p.lift_m *= kLower;
+    } else {
+      break;
+    }
+  }
+  const double slower = p.step_time_s / wanted.step_time_s;
+  p.adjust_shortest_swing_s *= slower;
+  p.adjust_longest_swing_s *= slower;
+  while (p.max_step_forward_m > kLeastStep * p.hip_height_m &&
+         fastest_joint(p, robot, p.max_step_forward_m / p.step_time_s).share > kFastestShare) {
+    p.max_step_forward_m *= kShorter;
+    p.max_step_backward_m *= kShorter;
+  }
 }
 
 [[noreturn]] void refuse(std::string_view name, double value_m, const std::string& rule,
@@ -168,7 +209,10 @@ GaitParameters gait_of(const urdf::RobotModel& robot) {
   parameters.sole = {foot.size_m.x(), foot.size_m.y(), foot.centre_m.x()};
   parameters.zmp_forward_m = foot.centre_m.x();
   fit_stance(parameters, wider_m);
+  fit_tail(parameters);
   fit_reach(parameters, robot);
+  fit_motors(parameters, robot);
+  fit_tail(parameters);
   return parameters;
 }
 

@@ -35,6 +35,13 @@ class RobotVariant {
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
+  // All joints turn at most so fast.
+  void limit_speed(double rad_per_s) {
+    replace_numbers(urdf_, "velocity=\"", "\"", rad_per_s);
+    replace_numbers(yaml_, "speed_limit_rad_per_s: ", ",", rad_per_s);
+    write();
+  }
+
   // On both sides the joint names[i] turns as names[order[i]] did; names without their side.
   void reorder(const std::vector<std::string>& names, const std::vector<std::size_t>& order) {
     for (const std::string side : {"left_", "right_"}) {
@@ -108,6 +115,13 @@ class RobotVariant {
         scaled += (scaled.empty() ? "" : between) + word.str();
       }
       text.replace(begin, end - begin, scaled);
+    }
+  }
+  static void replace_numbers(std::string& text, const std::string& from, const std::string& to,
+                              double number) {
+    for (std::size_t begin = text.find(from); begin != std::string::npos; begin = text.find(from, begin)) {
+      begin += from.size();
+      text.replace(begin, text.find_first_of(to, begin) - begin, std::to_string(number));
     }
   }
   // What stands from `from` up to `to`, after `anchor`; replaced if there is something to put there.

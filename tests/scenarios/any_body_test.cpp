@@ -35,6 +35,22 @@ TEST_P(BodiesOfOtherSizes, Walk) {
 }
 INSTANTIATE_TEST_SUITE_P(From3To107kg, BodiesOfOtherSizes, ::testing::Values(0.5, 0.7, 1.4, 2.0, 2.5));
 
+// Three quarters of what the default gait of this body asks of the knees: it takes slower and lower steps.
+TEST(SlowMotors, WalkWithoutARefusedBatch) {
+  RobotVariant variant;
+  variant.scale(0.23 / 0.36);
+  variant.limit_speed(4.8);
+  const urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  for (int seed = 1; seed <= seeds(3); ++seed) {
+    auto run = SimulatedRun::of_robot(static_cast<std::uint64_t>(seed), robot);
+    run.play({.seconds = 20.0, .events = {walk_at(1.0, 0.1)}});
+    EXPECT_FALSE(run.metrics().fell) << "seed " << seed;
+    EXPECT_NEAR(run.metrics().mean_speed_m_per_s(), 0.1, 0.01) << "seed " << seed;
+    const auto here = run.cosimulation.main_controller().statistics().refused_locally;
+    EXPECT_EQ(here + run.cosimulation.message_controller().state().refused, 0U) << "seed " << seed;
+  }
+}
+
 class HipOrders : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(HipOrders, Walk) {

@@ -12,8 +12,9 @@ namespace gaitway::trajectory {
 // The gait that suits a robot before anybody has configured one: the defaults scaled to its body (BodyScale),
 // with CoM height and place, hip height, foot spacing and sole of its standing posture (all joints at
 // home_rad), so that the nominal stand of the plans is the posture that the joints hold. The ZMP is put below
-// the middle of the sole. Steps are as long and as wide as the legs reach (require_reachable), at most as the
-// scaled defaults have them.
+// the middle of the sole. Steps are at most as long and wide as the legs reach (require_reachable), and as
+// low, slow and short as the motors of the legs need it (fastest_joint). Some milliseconds, a few hundred for
+// slow motors.
 [[nodiscard]] GaitParameters gait_of(const urdf::RobotModel& robot);
 
 // Whether a robot with `parameters` stands as one with `described` does: CoM, hips and feet.
@@ -23,13 +24,15 @@ namespace gaitway::trajectory {
 // The part of a leg that reaches for a footstep: from the hip pitch axis over the knee to the ankle pitch
 // axis. Lengths in m; measured in the zero posture.
 struct LegReach {
-  double hip_forward_m = 0.0;    // of the hip ahead of the CoM in the standing posture
-  double hip_left_m = 0.0;       // of the hip beside the middle between the soles, positive to the left
-  double ankle_height_m = 0.0;   // above the sole
-  double ankle_forward_m = 0.0;  // ahead of the sole's origin
-  double ankle_left_m = 0.0;     // beside the sole's origin
-  double longest_m = 0.0;        // hip to ankle, the knee as straight as its limits let it be
-  double shortest_m = 0.0;       // the knee as bent as its limits let it be
+  double hip_forward_m = 0.0;          // of the hip ahead of the CoM in the standing posture
+  double hip_left_m = 0.0;             // of the hip beside the middle between the soles, positive to the left
+  double ankle_height_m = 0.0;         // above the sole
+  double ankle_forward_m = 0.0;        // ahead of the sole's origin
+  double ankle_left_m = 0.0;           // beside the sole's origin
+  double longest_m = 0.0;              // hip to ankle, the knee as straight as its limits let it be
+  double shortest_m = 0.0;             // the knee as bent as its limits let it be
+  double thigh_m = 0.0, shin_m = 0.0;  // square to the knee's axis
+  double aside_m = 0.0;                // of the ankle from the hip, along the knee's axis
 };
 
 [[nodiscard]] std::array<LegReach, 2> leg_reach(const urdf::RobotModel& robot);  // [Side]
