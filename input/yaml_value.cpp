@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/text.hpp"
 
 namespace gaitway::input {

@@ -6,9 +6,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
-#include <string>
 
 #include "plant_implementation.hpp"
 

@@ -13,7 +13,6 @@
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/msgcontroller/peoples_requests.hpp"
-#include "gaitway/simulator/conditions.hpp"
 
 namespace gaitway::simulator {
 namespace {

@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/can/frame.hpp"
-
 namespace gaitway::can {
 SimulatedBus::SimulatedBus(std::int64_t bit_time_ns, Detail detail)
     : bit_time_ns_(bit_time_ns), detail_(detail), random_(faults_.seed) {

@@ -1,7 +1,6 @@
 // rosbridge's operations, as a client sends them.
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "client_message.hpp"
 #include "client_session.hpp"

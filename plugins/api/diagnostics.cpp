@@ -7,7 +7,6 @@
 #include <array>
 #include <string_view>
 
-#include "gaitway/api/ros_messages.hpp"
 #include "gaitway/api/state_messages.hpp"
 
 namespace gaitway::api {

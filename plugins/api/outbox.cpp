@@ -2,7 +2,6 @@
 #include "outbox.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include "gaitway/api/planned_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "gaitway/facts/facts.hpp"
 

@@ -1,11 +1,8 @@
 // Which service is answered by whom; orders whose answers are waited for.
 #include "service_desk.hpp"
 
-#include <algorithm>
 #include <array>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "client_message.hpp"
 #include "gaitway/api/authority.hpp"

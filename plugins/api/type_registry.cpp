@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <concepts>
-#include <cstdint>
 #include <stdexcept>
 
 #include "gaitway/api/message_definition.hpp"

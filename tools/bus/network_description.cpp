@@ -7,10 +7,8 @@
 #include <cctype>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::plugin_check {
 namespace {

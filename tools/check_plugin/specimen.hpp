@@ -3,7 +3,6 @@
 
 #include <array>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 #include "gaitway/instance/managed_plugin.hpp"

@@ -16,7 +16,6 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <utility>
 

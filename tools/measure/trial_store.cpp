@@ -14,11 +14,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
-
-#include "gaitway/instance/plugin_library.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/kinematics/leg_geometry.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/complaint.hpp"
