@@ -27,7 +27,7 @@ using can::Profile;
 // "fault report" is `fault_report` in the file.
 std::string key_of(MessageKind kind) {
   std::string key(can::layout(kind).name);
-  std::transform(key.begin(), key.end(), key.begin(), [](char c) {
+  std::ranges::transform(key, key.begin(), [](char c) {
     return c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   return key;

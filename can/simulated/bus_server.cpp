@@ -73,7 +73,7 @@ class TransmitBuffers {
     std::uint64_t order = 0;
   };
   bool insert(const Frame& frame, std::int64_t release_ns, std::uint64_t order) noexcept {
-    const auto free = std::find_if(buffers_.begin(), buffers_.end(), [](const Buffer& b) { return !b.used; });
+    const auto free = std::ranges::find_if_not(buffers_, &Buffer::used);
     if (free == buffers_.end()) {
       return false;
     }
@@ -280,7 +280,7 @@ void BusServer::flush() {
 }
 
 bool BusServer::reached(std::int64_t time_ns) const noexcept {
-  return std::all_of(clients_.begin(), clients_.end(), [time_ns](const Client& client) {
+  return std::ranges::all_of(clients_, [time_ns](const Client& client) {
     return !client.paced || !client.started || client.reached_ns >= time_ns;
   });
 }

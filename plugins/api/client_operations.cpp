@@ -107,8 +107,7 @@ const ClientSession::Operation* ClientSession::find_operation(std::string_view n
       Operation{"fragment", &S::refuse_transformation},
       Operation{"png", &S::refuse_transformation},
   };
-  const auto found = std::find_if(kOperations.begin(), kOperations.end(),
-                                  [name](const Operation& operation) { return operation.name == name; });
+  const auto found = std::ranges::find(kOperations, name, &Operation::name);
   return found == kOperations.end() ? nullptr : &*found;
 }
 
@@ -278,7 +277,7 @@ std::string ClientSession::leave_out_what_is_wrong_in_stop(Json& message) const 
 void ClientSession::set_level(const Json& message, const Json&) {
   const std::string name = name_in(message, "level");
   constexpr std::array<std::string_view, 4> kNames{"none", "error", "warning", "info"};
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  const auto found = std::ranges::find(kNames, name);
   if (found == kNames.end()) {
     throw Refused("level is " + shown(name) + R"(, but must be "none", "error", "warning" or "info")");
   }

@@ -39,8 +39,7 @@ constexpr auto kAllServices = [] {
 
 template <class Rows>
 std::string type_of(const Rows& rows, std::string_view name) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [name](const NamedType& row) { return row.name == name; });
+  const auto found = std::ranges::find(rows, name, &NamedType::name);
   return std::string(found == rows.end() ? std::string_view() : found->type);
 }
 

@@ -150,7 +150,7 @@ void print_table(const Subject& subject, const std::vector<can::MessageResponse>
     const can::AnalysedMessage& message = subject.messages[i];
     return can::arbitration_key({.id = message.id, .extended = message.extended});
   };
-  std::sort(order.begin(), order.end(), [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::ranges::sort(order, [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
   for (const can::AnalysedMessage& message : subject.messages) {
     width = std::max(width, message.name.size());
   }
@@ -202,9 +202,8 @@ int analyze_bus(const BusAnalyzeOptions& options) {
   const Subject subject = subject_of(options, assumptions);
   const can::AnalysisOptions analysis{.bit_time_ns = assumptions.bit_time_ns, .errors = assumptions.errors};
   const std::vector<can::MessageResponse> responses = can::response_times(subject.messages, analysis);
-  const auto misses =
-      std::count_if(responses.begin(), responses.end(),
-                    [](const can::MessageResponse& response) { return !response.schedulable(); });
+  const auto misses = std::ranges::count_if(
+      responses, [](const can::MessageResponse& response) { return !response.schedulable(); });
   if (options.json) {
     print_json(subject, responses);
     return misses == 0 ? 0 : kExitMisses;

@@ -46,7 +46,7 @@ BusMeasurement simulate(const BusMeasureOptions& options, const BusRobot& robot)
   if (options.walk.empty() || options.walk.size() > experiment.walk.size()) {
     throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.1,0,0.1");
   }
-  std::copy(options.walk.begin(), options.walk.end(), experiment.walk.begin());
+  std::ranges::copy(options.walk, experiment.walk.begin());
   if (experiment.seconds < kShortest_s) {
     throw std::invalid_argument(fmt::format(
         "--seconds {}: must be at least {}: the first {} s, until the robot walks steadily, are not measured",

@@ -332,7 +332,7 @@ void add_figure_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
 // Of the levels: the floor, the aim above it, and each second one below.
 void thin_out(GaitRow& row) {
   std::vector<double> kept;
-  const auto floor = std::find(row.levels.begin(), row.levels.end(), row.floor);
+  const auto floor = std::ranges::find(row.levels, row.floor);
   for (auto level = row.levels.begin(); level != row.levels.end(); ++level) {
     if (level <= floor ? (floor - level) % 2 == 0 : *level == row.aim) {
       kept.push_back(*level);
@@ -354,7 +354,7 @@ std::vector<GaitRow> gait_table(const GaitTableOptions& options) {
   add_rise_rows(table, frame);
   add_figure_rows(table, frame);
   if (options.quick) {
-    std::for_each(table.begin(), table.end(), thin_out);
+    std::ranges::for_each(table, thin_out);
   }
   return table;
 }

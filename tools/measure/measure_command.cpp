@@ -136,8 +136,7 @@ int measure_gait_table(const MeasureGaitOptions& options) {
                duration_text(std::chrono::duration<double>(Clock::now() - started).count()),
                (options.out / "gait.html").string());
   }
-  const bool holds = std::all_of(measurement.rows.begin(), measurement.rows.end(),
-                                 [](const RowResult& row) { return row.floor_holds(); });
+  const bool holds = std::ranges::all_of(measurement.rows, &RowResult::floor_holds);
   return holds ? 0 : kExitFloorFailed;
 }
 

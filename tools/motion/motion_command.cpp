@@ -46,7 +46,7 @@ std::vector<double> pose_of(const motion::MotionPlan& plan, std::size_t point) {
 // be made.
 void draw_motion(const urdf::RobotModel& robot, const motion::MotionPlan& plan, int pictures,
                  const std::filesystem::path& file) {
-  if (std::find(plan.contact.begin(), plan.contact.end(), motion::Contact::none) != plan.contact.end()) {
+  if (std::ranges::find(plan.contact, motion::Contact::none) != plan.contact.end()) {
     throw std::invalid_argument(
         fmt::format("motion '{}': parts of it have contact none, and its plan does not say where the robot "
                     "lies then. Only motions on "

@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> libraries_in(const std::filesystem::path& fol
       files.push_back(entry.path());
     }
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

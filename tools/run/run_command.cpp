@@ -83,8 +83,7 @@ void leave_walk_to(const std::string& plugin, const RunOptions& options, simulat
   const auto walks = [](const simulator::ScenarioEvent& event) {
     return std::holds_alternative<simulator::WalkEvent>(event.action);
   };
-  const bool asked = options.walk ||
-                     (options.scenario && std::any_of(scenario.events.begin(), scenario.events.end(), walks));
+  const bool asked = options.walk || (options.scenario && std::ranges::any_of(scenario.events, walks));
   if (asked) {
     throw std::invalid_argument(
         fmt::format("{}: the plug-in '{}' writes walk_command and alone commands the walk. Leave the walk "
@@ -121,7 +120,7 @@ class Snapshots {
 };
 
 bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
-  return std::any_of(scenario.events.begin(), scenario.events.end(), [fell_at_s](const auto& event) {
+  return std::ranges::any_of(scenario.events, [fell_at_s](const auto& event) {
     return event.at_s > fell_at_s && std::holds_alternative<simulator::MotionEvent>(event.action);
   });
 }
@@ -200,12 +199,12 @@ void require_known_motions(const simulator::Scenario& scenario, const RunOptions
       known.push_back(entry.path().stem().string());
     }
   }
-  std::sort(known.begin(), known.end());
+  std::ranges::sort(known);
   known.erase(std::unique(known.begin(), known.end()), known.end());
   for (const simulator::ScenarioEvent& event : scenario.events) {
     const auto* const motion = std::get_if<simulator::MotionEvent>(&event.action);
     if (motion != nullptr && !event.asked && !motion->name.empty() &&
-        std::find(known.begin(), known.end(), motion->name) == known.end()) {
+        std::ranges::find(known, motion->name) == known.end()) {
       throw std::invalid_argument(fmt::format("{}: the event at {:g} s: there is no motion '{}'. {}",
                                               options.scenario->string(), event.at_s, motion->name,
                                               input::suggest(motion->name, known)));

@@ -95,8 +95,8 @@ class ServeObserver final : public simulator::CosimulationObserver {
 };
 
 core::PluginEntry& api_of(core::Configuration& configuration) {
-  const auto api = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
-                                [](const core::PluginEntry& entry) { return entry.child.serves_network; });
+  const auto api = std::ranges::find_if(
+      configuration.plugins, [](const core::PluginEntry& entry) { return entry.child.serves_network; });
   if (api == configuration.plugins.end()) {
     throw std::invalid_argument(fmt::format(
         "--config {}: has no plug-in that serves the network. Add one with `isolation: process` and "
