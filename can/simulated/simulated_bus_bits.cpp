@@ -1,5 +1,4 @@
 // The simulated bus while something is wrong: all stations bit by bit, until all of them are idle again.
-
 #include "gaitway/can/frame.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
 
