@@ -148,7 +148,9 @@ std::string row_list() {
   return text;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine measure = add_command(app, "measure");
   measure.needs_subcommand();
   const CommandLine command = measure.subcommand(
@@ -179,9 +181,4 @@ void declare(const CommandLine& app) {
   measure.footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

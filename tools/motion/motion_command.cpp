@@ -206,7 +206,9 @@ int draw(const MotionOptions& options) {
   return 0;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const auto given = std::make_shared<MotionOptions>();
   MotionOptions& options = *given;
   const CommandLine command = add_command(app, "motion");
@@ -240,10 +242,4 @@ void declare(const CommandLine& app) {
       "Exit code: 0 planned within all limits, 1 not, or the input was bad.");
 }
 
-}  // namespace
-
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

@@ -219,7 +219,9 @@ int write_new_plugin(const NewPluginOptions& options) {
   return kExitFine;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "new-plugin");
   NewPluginOptions& options = command.runs(write_new_plugin);
   command.option("NAME", options.name, "Name of the plug-in, as an identifier of C: ankle_feedback")
@@ -233,9 +235,4 @@ void declare(const CommandLine& app) {
                  "Exit code: 0 written, 1 the input was bad and nothing was.");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

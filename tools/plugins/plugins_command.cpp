@@ -147,7 +147,9 @@ int list_plugins(const PluginsOptions& options) {
   return exit_code;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "plugins");
   PluginsOptions& options = command.runs(list_plugins);
   options.robot = process::default_robot_directory();
@@ -163,9 +165,4 @@ void declare(const CommandLine& app) {
       "Exit code: 0 all are usable, 1 one is not, or the input was bad.");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

@@ -256,7 +256,9 @@ int serve(const ServeOptions& options) {
   return exit_code(outcome_of(run, observer.recorder).verdict);
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "serve");
   ServeOptions& options = command.runs(serve);
   options.robot = process::default_robot_directory();
@@ -296,9 +298,4 @@ void declare(const CommandLine& app) {
       "input was bad and nothing moved.");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}
