@@ -166,20 +166,8 @@ BusServer::BusServer(std::filesystem::path socket, std::int64_t start_ns)
 
 BusServer::~BusServer() = default;
 
-// A frame that is on the wire when its client goes is still sent.
-void BusServer::detach_leaving() {
-  std::erase_if(leaving_stations_, [this](int station) {
-    bus_.abort(station);
-    const bool done = !bus_.transmit_pending(station);
-    if (done) {
-      bus_.detach(station);
-    }
-    return done;
-  });
-}
-
 void BusServer::step() {
-  detach_leaving();
+  bus_.detach_sent(leaving_stations_);
   while (true) {
     process::FileDescriptor connection = listener_.accept();
     if (!connection) {
@@ -201,7 +189,7 @@ void BusServer::step() {
     }
     client = next;
   }
-  detach_leaving();
+  bus_.detach_sent(leaving_stations_);
 }
 
 bool BusServer::serve(Client& client) {
