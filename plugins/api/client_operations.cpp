@@ -20,6 +20,16 @@ bool is_velocity(std::string_view topic) {
   return topic == kVelocityTopic || topic == kVelocityTopic.substr(1);
 }
 
+// The topic of a message that the robot is to take. Throws Refused.
+std::string velocity_topic_in(const json& message) {
+  std::string topic = name_in(message, "topic");
+  if (!is_velocity(topic)) {
+    throw Refused("topic is " + shown(topic) + ", but the robot takes messages on " +
+                  std::string(kVelocityTopic) + " only");
+  }
+  return topic;
+}
+
 // The row of a topic that a client wants to hear. Throws Refused.
 const TopicRow& row_of(const std::string& topic) {
   for (const TopicRow& row : kTopics) {
@@ -131,11 +141,7 @@ void ClientSession::authenticate(const Json& message, const Json& id) {
 }
 
 void ClientSession::advertise(const Json& message, const Json& id) {
-  const std::string topic = name_in(message, "topic");
-  if (!is_velocity(topic)) {
-    throw Refused("topic is " + shown(topic) + ", but the robot takes messages on " +
-                  std::string(kVelocityTopic) + " only");
-  }
+  const std::string topic = velocity_topic_in(message);
   require_type(message, topic, ros::Twist::kName);
   if (advertisements_.size() >= hub_.options.limits.advertisements && !advertisements_.contains(id.dump())) {
     throw Refused("this connection advertises " + std::to_string(advertisements_.size()) +
@@ -160,11 +166,7 @@ void ClientSession::unadvertise(const Json& message, const Json& id) {
 }
 
 void ClientSession::publish(const Json& message, const Json&) {
-  const std::string topic = name_in(message, "topic");
-  if (!is_velocity(topic)) {
-    throw Refused("topic is " + shown(topic) + ", but the robot takes messages on " +
-                  std::string(kVelocityTopic) + " only");
-  }
+  static_cast<void>(velocity_topic_in(message));
   const auto content = message.find("msg");
   if (content == message.end()) {
     throw Refused("msg is missing");
