@@ -227,10 +227,7 @@ int run(const Options& options) {
     throw std::invalid_argument(fmt::format("--walk: at most {} m/s may be commanded. Choose a lower speed",
                                             msgcontroller::kLargestWalkSpeed_m_per_s));
   }
-  urdf::RobotModel robot = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    robot.network.profile = options.profile;
-  }
+  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("message_controller");

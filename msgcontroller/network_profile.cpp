@@ -131,6 +131,14 @@ can::Proof prove(const urdf::RobotModel& robot, const can::ErrorModel& errors) {
 
 }  // namespace
 
+urdf::RobotModel load_robot(const std::filesystem::path& folder, const std::string& profile) {
+  urdf::RobotModel robot = urdf::load_robot(folder);
+  if (!profile.empty()) {
+    robot.network.profile = profile;
+  }
+  return robot;
+}
+
 Profile network_profile(const urdf::RobotModel& robot) {
   const std::string& name = robot.network.profile;
   const bool full = name == can::kFullProfile.name;

@@ -15,10 +15,10 @@
 #include "gaitway/can/simulated/socketcand_server.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/number_option.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
-#include "gaitway/urdf/robot_model.hpp"
 #include "interface_robot.hpp"
 
 namespace {
@@ -209,10 +209,7 @@ int run(const Options& options) {
         "--socketcand: serves the simulated bus, so it needs --bus; for an interface there is socketcand "
         "itself");
   }
-  urdf::RobotModel model = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    model.network.profile = options.profile;
-  }
+  const urdf::RobotModel model = msgcontroller::load_robot(options.robot, options.profile);
   if (!options.can.empty()) {
     simulator::run_on_interface(model, {options.can, options.summary, options.walk_log, options.sent_log,
                                         options.plant, options.seconds, kPriority});

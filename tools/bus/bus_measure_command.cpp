@@ -23,7 +23,7 @@ namespace {
 
 struct BusMeasureOptions {
   BusRobotOptions robot;
-  std::filesystem::path config;
+  std::filesystem::path config = process::default_config_file();
   std::vector<double> walk{0.1};
   std::optional<double> seconds;
   std::uint64_t seed = 1;
@@ -96,7 +96,6 @@ void add_bus_measure(const CommandLine& bus) {
   const CommandLine command =
       bus.subcommand("measure", "Rerun the published experiment: what the messages take, measured");
   BusMeasureOptions& options = command.runs(measure_bus);
-  options.config = process::default_config_file();
   add_robot_options(command, options.robot);
   command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
   command.option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s");

@@ -21,8 +21,8 @@ namespace gaitway::tools {
 namespace {
 
 struct PluginsOptions {
-  std::vector<std::filesystem::path> plugin_path;  // these alone; empty: the search path
-  std::filesystem::path robot;                     // what the plug-ins are told
+  std::vector<std::filesystem::path> plugin_path;                    // these alone; empty: the search path
+  std::filesystem::path robot = process::default_robot_directory();  // what the plug-ins are told
   bool json = false;
 };
 
@@ -152,7 +152,6 @@ int list_plugins(const PluginsOptions& options) {
 void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "plugins");
   PluginsOptions& options = command.runs(list_plugins);
-  options.robot = process::default_robot_directory();
   command.repeated("--plugin-path", options.plugin_path,
                    "Folder to look in, instead of GAITWAY_PLUGIN_PATH and the shipped plug-ins; may be given "
                    "again");

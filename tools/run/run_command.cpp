@@ -31,10 +31,10 @@ namespace gaitway::tools {
 namespace {
 
 struct RunOptions {
-  std::filesystem::path robot;              // folder with robot.urdf and robot.yaml
-  std::string profile;                      // of the bus; empty: what the robot's network file says
-  bool accept_unproven = false;             // run even if the bus cannot be proven
-  std::filesystem::path config;             // plug-ins of the main controller
+  std::filesystem::path robot = process::default_robot_directory();  // folder with robot.urdf and robot.yaml
+  std::string profile;           // of the bus; empty: what the robot's network file says
+  bool accept_unproven = false;  // run even if the bus cannot be proven
+  std::filesystem::path config = process::default_config_file();  // plug-ins of the main controller
   std::vector<std::filesystem::path> with;  // libraries put into it; see manager/plugin_exchange.hpp
   std::optional<std::filesystem::path> scenario;
   std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
@@ -225,10 +225,7 @@ void require_joint_plan(const core::PluginExchange& plugins, const RunOptions& o
 
 int run(const RunOptions& options) {
   check(options);
-  urdf::RobotModel robot = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    robot.network.profile = options.profile;
-  }
+  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   simulator::Scenario scenario = scenario_of(options, robot);
   const core::PluginExchange plugins = plugins_of(options);
@@ -289,8 +286,6 @@ int run(const RunOptions& options) {
 void add_run(const CommandLine& program) {
   const CommandLine command = add_command(program, "run");
   RunOptions& options = command.runs(run);
-  options.robot = process::default_robot_directory();
-  options.config = process::default_config_file();
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
   command.repeated(
