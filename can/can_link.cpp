@@ -10,7 +10,6 @@
 #include <array>
 #include <cerrno>
 #include <memory>
-#include <string_view>
 
 namespace gaitway::can {
 namespace {

@@ -121,7 +121,7 @@ void SocketCanPort::Socket::configure(const std::vector<IdFilter>& filters) {
 
 bool SocketCanPort::Socket::passes(const Frame& frame) const noexcept {
   const canid_t id = wire_id(frame.id, frame.extended);
-  return std::any_of(filters_.begin(), filters_.end(), [id](const can_filter& filter) {
+  return std::ranges::any_of(filters_, [id](const can_filter& filter) {
     return (id & filter.can_mask) == (filter.can_id & filter.can_mask);
   });
 }

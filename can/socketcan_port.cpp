@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 #include "can_socket.hpp"
 #include "gaitway/can/frame.hpp"

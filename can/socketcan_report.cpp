@@ -1,20 +1,13 @@
 // The SocketCAN port in words: its states and counters by name, and the line that tells of a change.
 #include "gaitway/can/socketcan_port.hpp"
 
+#include <array>
+
 namespace gaitway::can {
 
 std::string_view name_of(BusState state) noexcept {
-  switch (state) {
-    case BusState::error_active:
-      return "error-active";
-    case BusState::error_passive:
-      return "error-passive";
-    case BusState::bus_off:
-      return "bus-off";
-    case BusState::down:
-      return "down";
-  }
-  return "unknown";
+  constexpr std::array<std::string_view, 4> kNames{"error-active", "error-passive", "bus-off", "down"};
+  return kNames[static_cast<std::size_t>(state)];
 }
 
 std::vector<std::pair<std::string_view, std::uint64_t>> counters(const SocketCanStatistics& statistics) {

@@ -36,7 +36,7 @@ urdf::RobotModel load(const std::filesystem::path& directory) {
 
 template <std::size_t size>
 bool all_finite(const double (&values)[size]) noexcept {
-  return std::all_of(std::begin(values), std::end(values), [](double value) { return std::isfinite(value); });
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 double turned_towards(double angle_rad, double measured_rad, double share) noexcept {

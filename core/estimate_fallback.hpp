@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "gaitway/manager/fallback.hpp"
 #include "gaitway/msgclient/topics.hpp"

@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +16,6 @@
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/core/supervisor.hpp"
 #include "gaitway/input/number_option.hpp"
-#include "gaitway/input/text.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/manager/step_watch.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -28,7 +26,6 @@ namespace {
 using namespace gaitway;
 
 constexpr int kExitFine = 0;
-constexpr int kExitBadInput = 1;
 constexpr int kExitLost = 3;
 constexpr int kPriority = 60;
 // Without a sign of life of the message controller for so long, the process ends; whoever supervises it
@@ -140,7 +137,7 @@ int run(Options options) {
   }
   options.controller.plugins = core::read_configuration(options.controller.configuration);
   for (const core::PluginEntry& plugin : options.controller.plugins->plugins) {
-    if (std::find(options.culprits.begin(), options.culprits.end(), plugin.name) != options.culprits.end()) {
+    if (std::ranges::find(options.culprits, plugin.name) != options.culprits.end()) {
       options.controller.stopped.push_back(plugin.name);
     }
   }
@@ -201,16 +198,8 @@ int main(int argc, char** argv) {
       "away, 4 supervised: it died more than three times within a minute, 128 + N supervised: signal N ended "
       "it "
       "while it stopped.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return input::exit_code_of(app, error);
-  }
-  process::stop_on_signals();
-  try {
+  return input::run_line(app, argc, argv, "main_controller", [&] {
+    process::stop_on_signals();
     return options.supervised ? run_supervised(argc, argv, options.quiet) : run(options);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "main_controller: {}\n", input::terminal_text(error.what()));
-    return kExitBadInput;
-  }
+  });
 }

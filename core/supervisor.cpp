@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <span>
 #include <system_error>
 #include <utility>
 
@@ -241,7 +240,7 @@ class Supervisor {
           deaths_ns_.size(), kRestartWindow_ns / 1'000'000'000);
       return false;
     }
-    const bool known = std::find(stopped_.begin(), stopped_.end(), death.plugin) != stopped_.end();
+    const bool known = std::ranges::find(stopped_, death.plugin) != stopped_.end();
     if (!death.plugin.empty() && !known) {
       stopped_.push_back(death.plugin);
     }

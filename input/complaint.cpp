@@ -66,7 +66,7 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
   const auto nearer = [name](const std::string& a, const std::string& b) {
     return edit_distance(name, a) < edit_distance(name, b);
   };
-  const auto best = std::min_element(candidates.begin(), candidates.end(), nearer);
+  const auto best = std::ranges::min_element(candidates, nearer);
   if (best == candidates.end() || edit_distance(name, *best) > std::max(name.size(), best->size()) / 2) {
     return std::nullopt;
   }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -104,8 +103,7 @@ std::int64_t number_with_unit(std::string_view text, std::span<const Unit> units
   } catch (const ValueError& error) {
     throw error.remedy.empty() ? without_unit : error;
   }
-  const auto unit = std::find_if(units.begin(), units.end(),
-                                 [&written](const Unit& known) { return known.name == written.unit; });
+  const auto unit = std::ranges::find(units, written.unit, &Unit::name);
   if (unit == units.end()) {
     throw without_unit;
   }

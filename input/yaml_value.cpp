@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/text.hpp"
 
 namespace gaitway::input {
@@ -98,7 +97,7 @@ std::vector<std::pair<std::string, YamlValue>> YamlValue::entries() const {
     const YamlValue key = key_of(entry.first);
     const std::string name = key.text();
     const auto same = [&name](const auto& other) { return other.first == name; };
-    if (std::any_of(result.begin(), result.end(), same)) {
+    if (std::ranges::any_of(result, same)) {
       key.refuse("the key stands here twice", "Remove one of the two");
     }
     result.emplace_back(name, YamlValue(entry.second, file_, child_path(name)));
@@ -112,7 +111,7 @@ void YamlValue::require_map(std::span<const std::string_view> keys) const {
   }
   for (const auto& entry : node_) {
     const YamlValue key = key_of(entry.first);
-    if (std::find(keys.begin(), keys.end(), key.text()) == keys.end()) {
+    if (std::ranges::find(keys, key.text()) == keys.end()) {
       const std::vector<std::string> known(keys.begin(), keys.end());
       key.refuse("there is no such key", suggest(key.text(), known));
     }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "directory.hpp"
 #include "gaitway/msgclient/segment.hpp"

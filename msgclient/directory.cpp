@@ -2,7 +2,6 @@
 #include "directory.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace gaitway::msgclient {
 namespace {

@@ -125,8 +125,7 @@ std::int64_t MemoryBlockServer::due_ns() const noexcept {
 }
 
 bool MemoryBlockServer::has_room_for(pid_t process) const noexcept {
-  const auto of_process = std::count_if(connections_.begin(), connections_.end(),
-                                        [process](const Connection& one) { return one.process == process; });
+  const auto of_process = std::ranges::count(connections_, process, &Connection::process);
   return connections_.size() < kMostClients && static_cast<std::size_t>(of_process) < kMostOfOneProcess;
 }
 

@@ -193,8 +193,8 @@ TopicGrant Client::open_window(std::string_view name, std::uint32_t bytes, Role 
 
 std::optional<TopicInfo> Client::find(std::string_view topic) const {
   auto rows = source_->directory();
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const TopicInfo& row) { return row.descriptor.name == topic; });
+  const auto found =
+      std::ranges::find_if(rows, [&](const TopicInfo& row) { return row.descriptor.name == topic; });
   return found == rows.end() ? std::nullopt : std::optional(std::move(*found));
 }
 

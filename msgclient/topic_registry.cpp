@@ -22,7 +22,7 @@ std::string describe_type(const TopicDescriptor& descriptor) {
 }
 
 void check_name(std::string_view what, std::string_view name) {
-  const bool printable = std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c < 0x7f; });
+  const bool printable = std::ranges::all_of(name, [](char c) { return c > ' ' && c < 0x7f; });
   if (name.empty() || name.size() > kMaxNameLength || !printable) {
     throw TopicError(fmt::format("{} '{}': a name has 1 to {} printable characters without spaces", what,
                                  name, kMaxNameLength));

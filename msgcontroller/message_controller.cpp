@@ -25,8 +25,7 @@ constexpr std::int64_t kQuietBus_ns = 200'000;
 constexpr std::uint32_t kSilentSlotsOfALeg = 10;
 
 std::uint32_t least_urgent_feedback(const BusLink& link) {
-  const can::NodeId last_node =
-      link.node.empty() ? can::NodeId{0} : *std::max_element(link.node.begin(), link.node.end());
+  const can::NodeId last_node = link.node.empty() ? can::NodeId{0} : *std::ranges::max_element(link.node);
   return link.profile.id_of(can::MessageKind::feedback, last_node);
 }
 

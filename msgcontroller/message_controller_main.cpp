@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -30,7 +29,6 @@ namespace {
 using namespace gaitway;
 
 constexpr int kExitFine = 0;
-constexpr int kExitBadInput = 1;
 constexpr int kExitLost = 3;
 constexpr int kPriority = 70;
 constexpr std::int64_t kBetweenTries_ns = 50 * facts::kMillisecond_ns;
@@ -229,10 +227,7 @@ int run(const Options& options) {
     throw std::invalid_argument(fmt::format("--walk: at most {} m/s may be commanded. Choose a lower speed",
                                             msgcontroller::kLargestWalkSpeed_m_per_s));
   }
-  urdf::RobotModel robot = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    robot.network.profile = options.profile;
-  }
+  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("message_controller");
@@ -304,16 +299,8 @@ int main(int argc, char** argv) {
       "  message_controller --robot urdf/humanoid22 --can can0 --memory m.sock\n"
       "Ends on SIGINT and SIGTERM; the joints then play out their batch and hold.\n"
       "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the bus went away.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return input::exit_code_of(app, error);
-  }
-  process::stop_on_signals();
-  try {
+  return input::run_line(app, argc, argv, "message_controller", [&] {
+    process::stop_on_signals();
     return run(options);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "message_controller: {}\n", input::terminal_text(error.what()));
-    return kExitBadInput;
-  }
+  });
 }

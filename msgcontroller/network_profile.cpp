@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/complaint.hpp"
@@ -28,7 +27,7 @@ using can::Profile;
 // "fault report" is `fault_report` in the file.
 std::string key_of(MessageKind kind) {
   std::string key(can::layout(kind).name);
-  std::transform(key.begin(), key.end(), key.begin(), [](char c) {
+  std::ranges::transform(key, key.begin(), [](char c) {
     return c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   return key;
@@ -131,6 +130,14 @@ can::Proof prove(const urdf::RobotModel& robot, const can::ErrorModel& errors) {
 }
 
 }  // namespace
+
+urdf::RobotModel load_robot(const std::filesystem::path& folder, const std::string& profile) {
+  urdf::RobotModel robot = urdf::load_robot(folder);
+  if (!profile.empty()) {
+    robot.network.profile = profile;
+  }
+  return robot;
+}
 
 Profile network_profile(const urdf::RobotModel& robot) {
   const std::string& name = robot.network.profile;

@@ -17,8 +17,7 @@ WalkCommand stand_at(std::int64_t now_ns) noexcept {
 bool sensible(const WalkCommand& request) noexcept {
   const auto within = [](std::string_view name, double value) {
     const auto& fields = TopicType<WalkCommand>::fields;
-    const auto field =
-        std::find_if(fields.begin(), fields.end(), [name](const auto& one) { return one.name == name; });
+    const auto field = std::ranges::find_if(fields, [name](const auto& one) { return one.name == name; });
     return field != fields.end() && value >= field->lowest && value <= field->highest;
   };
   return within("velocity", request.velocity[0]) && within("velocity", request.velocity[1]) &&

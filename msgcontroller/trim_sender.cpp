@@ -20,14 +20,14 @@ constexpr std::uint32_t kSlotsWithoutTrims = 2;
 
 void TrimSender::take(const msgclient::TrimUpdate& update) noexcept {
   const std::span<const float> given = std::span(update.angle).first(update.channel_count);
-  if (!std::all_of(given.begin(), given.end(), [](float angle) { return std::isfinite(angle); }) ||
+  if (!std::ranges::all_of(given, [](float angle) { return std::isfinite(angle); }) ||
       !std::isfinite(update.softness)) {
     return;
   }
   softness_ = static_cast<std::uint8_t>(
       std::lround(std::clamp(update.softness, 0.0F, 1.0F) * static_cast<float>(can::kMostSoftness)));
   std::array<double, kTrimChannels> angle{};
-  std::copy(given.begin(), given.end(), angle.begin());
+  std::ranges::copy(given, angle.begin());
   send(angle);
   last_taken_slot_ = link_.slots_since_start;
 }

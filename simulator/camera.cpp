@@ -6,9 +6,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
-#include <string>
 
 #include "plant_implementation.hpp"
 
@@ -212,7 +210,7 @@ Image Camera::render(std::span<const double> positions) {
                                 " numbers: this robot's has " + std::to_string(self.model->nq));
   }
   const OffscreenContext::Current current(self.offscreen);
-  std::copy(positions.begin(), positions.end(), self.data->qpos);
+  std::ranges::copy(positions, self.data->qpos);
   mj_kinematics(self.model, self.data.get());
   mj_comPos(self.model, self.data.get());
   mj_camlight(self.model, self.data.get());

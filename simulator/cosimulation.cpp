@@ -98,7 +98,7 @@ void Cosimulation::main_controller_tick() {
 }
 
 void Cosimulation::ring_at(std::int64_t due_ns) {
-  const auto later = std::upper_bound(doorbells_due_ns_.begin(), doorbells_due_ns_.end(), due_ns);
+  const auto later = std::ranges::upper_bound(doorbells_due_ns_, due_ns);
   doorbells_due_ns_.insert(later, due_ns);
 }
 
@@ -214,7 +214,7 @@ void Cosimulation::inject(const PluginFault& fault) {
   for (std::size_t i = 0; i < plugins().size(); ++i) {
     known.push_back(plugins().plugin(i).name());
   }
-  if (std::find(known.begin(), known.end(), fault.plugin) == known.end()) {
+  if (std::ranges::find(known, fault.plugin) == known.end()) {
     throw urdf::RobotError(fmt::format("fault of plug-in '{}': the main controller has none of this name. {}",
                                        fault.plugin, input::suggest(fault.plugin, known)));
   }

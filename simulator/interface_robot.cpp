@@ -8,13 +8,9 @@
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/candump_log.hpp"
-#include "gaitway/can/socketcan_port.hpp"
-#include "gaitway/facts/facts.hpp"
-#include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
 

@@ -121,7 +121,7 @@ void Plant::Implementation::draw_sensor_faults() {
 
 void Plant::Implementation::reset(mjData* state) const {
   mj_resetData(model.get(), state);
-  std::copy(home.begin(), home.end(), state->qpos);
+  std::ranges::copy(home, state->qpos);
   mj_forward(model.get(), state);
 }
 
@@ -162,7 +162,7 @@ void Plant::Implementation::apply_pushes() {
 void Plant::Implementation::read_contacts() {
   std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   contact.body_force_N = contact.hardest_force_N = contact.trunk_force_N = 0.0;
-  std::fill(link_force_N.begin(), link_force_N.end(), 0.0);
+  std::ranges::fill(link_force_N, 0.0);
   for (std::size_t foot = 0; foot < 2; ++foot) {
     contact.sole[foot] = body_pose(*data, foot_body[foot]) * robot.feet[foot].sole;
     contact.normal_force_N[foot] = 0.0;

@@ -13,7 +13,6 @@
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/msgcontroller/peoples_requests.hpp"
-#include "gaitway/simulator/conditions.hpp"
 
 namespace gaitway::simulator {
 namespace {
@@ -45,7 +44,7 @@ WalkEvent read_walk(const YamlValue& value) {
 std::string read_name(const YamlValue& value, const urdf::RobotModel& robot, const char* what,
                       const std::vector<std::string>& known) {
   const std::string name = value.text();
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
+  if (std::ranges::find(known, name) == known.end()) {
     value.refuse(fmt::format("the robot '{}' has no such {}", robot.name, what), input::suggest(name, known));
   }
   return name;
@@ -53,8 +52,8 @@ std::string read_name(const YamlValue& value, const urdf::RobotModel& robot, con
 
 std::string read_body(const YamlValue& value, const urdf::RobotModel& robot) {
   std::vector<std::string> known;
-  std::transform(robot.links.begin(), robot.links.end(), std::back_inserter(known),
-                 [](const urdf::Link& link) { return link.name; });
+  std::ranges::transform(robot.links, std::back_inserter(known),
+                         [](const urdf::Link& link) { return link.name; });
   return read_name(value, robot, "link", known);
 }
 
@@ -86,8 +85,7 @@ PluginFault read_plugin_fault(const YamlValue& value) {
   PluginFault fault;
   fault.plugin = value.at("plugin").text();
   const YamlValue how = value.at("how");
-  const auto found =
-      std::find_if(kHow.begin(), kHow.end(), [&](const auto& entry) { return entry.first == how.text(); });
+  const auto found = std::ranges::find_if(kHow, [&](const auto& entry) { return entry.first == how.text(); });
   if (found == kHow.end()) {
     how.refuse("must be throws, not_a_number, jumps or overruns", "Choose one of them.");
   }
@@ -138,8 +136,8 @@ JamFault read_jam(const YamlValue& value) {
 
 std::string read_node(const YamlValue& value, const urdf::RobotModel& robot, bool or_message_controller) {
   std::vector<std::string> known;
-  std::transform(robot.joints.begin(), robot.joints.end(), std::back_inserter(known),
-                 [](const urdf::Joint& joint) { return joint.name; });
+  std::ranges::transform(robot.joints, std::back_inserter(known),
+                         [](const urdf::Joint& joint) { return joint.name; });
   if (or_message_controller) {
     known.emplace_back("message_controller");
   }
@@ -307,8 +305,7 @@ Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel
       }
     }
   }
-  std::stable_sort(scenario.events.begin(), scenario.events.end(),
-                   [](const ScenarioEvent& a, const ScenarioEvent& b) { return a.at_s < b.at_s; });
+  std::ranges::stable_sort(scenario.events, {}, &ScenarioEvent::at_s);
   return scenario;
 }
 

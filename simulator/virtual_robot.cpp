@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -16,11 +15,10 @@
 #include "gaitway/can/simulated/socketcand_server.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/number_option.hpp"
-#include "gaitway/input/text.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
-#include "gaitway/urdf/robot_model.hpp"
 #include "interface_robot.hpp"
 
 namespace {
@@ -29,7 +27,6 @@ using namespace gaitway;
 using facts::kMillisecond_ns;
 
 constexpr int kExitFine = 0;
-constexpr int kExitBadInput = 1;
 constexpr int kPriority = 50;
 
 struct Options {
@@ -212,10 +209,7 @@ int run(const Options& options) {
         "--socketcand: serves the simulated bus, so it needs --bus; for an interface there is socketcand "
         "itself");
   }
-  urdf::RobotModel model = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    model.network.profile = options.profile;
-  }
+  const urdf::RobotModel model = msgcontroller::load_robot(options.robot, options.profile);
   if (!options.can.empty()) {
     simulator::run_on_interface(model, {options.can, options.summary, options.walk_log, options.sent_log,
                                         options.plant, options.seconds, kPriority});
@@ -274,16 +268,8 @@ int main(int argc, char** argv) {
       "Ends on SIGINT and SIGTERM. Exit code: 0 ended as told (whether the robot fell is in the summary), 1 "
       "the input "
       "was bad and nothing moved.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return input::exit_code_of(app, error);
-  }
-  process::stop_on_signals();
-  try {
+  return input::run_line(app, argc, argv, "virtual_robot", [&] {
+    process::stop_on_signals();
     return run(options);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "virtual_robot: {}\n", input::terminal_text(error.what()));
-    return kExitBadInput;
-  }
+  });
 }

@@ -10,12 +10,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -144,8 +142,8 @@ void add_names(const CLI::App& app, std::vector<std::string>& known) {
        app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); })) {
     known.push_back(command->get_name());
     for (const CLI::Option* const option : command->get_options()) {
-      std::transform(option->get_lnames().begin(), option->get_lnames().end(), std::back_inserter(known),
-                     [](const std::string& name) { return "--" + name; });
+      std::ranges::transform(option->get_lnames(), std::back_inserter(known),
+                             [](const std::string& name) { return "--" + name; });
     }
     add_names(*command, known);
   }
@@ -312,8 +310,7 @@ void CommandLine::runs(std::function<int()> action) const {
 }
 
 CommandLine add_command(const CommandLine& program, std::string_view name) {
-  const auto* const command = std::find_if(kCommands.begin(), kCommands.end(),
-                                           [name](const Command& one) { return one.name == name; });
+  const auto* const command = std::ranges::find(kCommands, name, &Command::name);
   if (command == kCommands.end()) {
     throw std::logic_error(fmt::format("'{}' is missing in the list of commands", name));
   }

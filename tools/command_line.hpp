@@ -112,6 +112,9 @@ inline constexpr std::array kCommands{
 // exit code.
 int run_program(int argc, char** argv, void (*declare)(const CommandLine& program));
 
+// What a program gaitway-NAME has: the commands of its own.
+void declare_program(const CommandLine& program);
+
 // A line that rewrites itself on a terminal, and nothing where output goes to a file or is not wanted.
 class ProgressLine {
  public:

@@ -22,9 +22,8 @@ const gaitway::tools::Command* other_command(int argc, char** argv) {
   if (argc < 2 || argv[1] == kOwnCommand) {
     return nullptr;
   }
-  const auto* const command = std::find_if(kCommands.begin(), kCommands.end(), [argv](const auto& one) {
-    return one.name == std::string_view(argv[1]);
-  });
+  const auto* const command = std::ranges::find_if(
+      kCommands, [argv](const auto& one) { return one.name == std::string_view(argv[1]); });
   return command == kCommands.end() ? nullptr : command;
 }
 

@@ -4,10 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "gaitway/plugin/abi.h"

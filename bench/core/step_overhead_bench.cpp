@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "direct_host.hpp"
+#include "gaitway/instance/plugin_instance.hpp"
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/plugin/cycle.hpp"
@@ -29,15 +30,6 @@ PluginManagerOptions real_time_options(StepWatch& watch) {
   options.wall_time_decides = true;
   options.step_watch = &watch;
   return options;
-}
-
-gaitway_tick plain(const Tick& tick) {
-  return {.now_ns = tick.now_ns,
-          .batch_start_ns = tick.batch_start_ns,
-          .batch_sequence = tick.batch_sequence,
-          .tick = tick.tick,
-          .batch = tick.batch ? 1U : 0U,
-          .reserved = 0};
 }
 
 // The tick of either, in turns; those that prepare a batch apart.
@@ -98,7 +90,7 @@ void overhead_of_chain(benchmark::State& state) {
       state, rivals, [](const Tick&) {}, [&](const Tick& tick) { manager.step(tick); },
       [&](const Tick& tick) {
         for (const auto& plugin : plugins) {
-          plugin->step(plain(tick));
+          plugin->step(abi_tick(tick));
         }
       });
   judge_overhead(state, rivals, static_cast<double>(length), false);
@@ -143,7 +135,7 @@ void step_shipped(benchmark::State& state, const char* file, msgclient::MemoryBl
   step_both(
       state, rivals, write, [&](const Tick& tick) { failed += manager.step(tick); },
       [&](const Tick& tick) {
-        failed += (tick.batch || !every_batch) && direct.step(plain(tick)) != GAITWAY_OK ? 1 : 0;
+        failed += (tick.batch || !every_batch) && direct.step(abi_tick(tick)) != GAITWAY_OK ? 1 : 0;
       });
   if (failed > 0) {
     state.SkipWithError("the plug-in failed: nothing was measured");

@@ -2,7 +2,6 @@
 // most 150 ns each.
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 

@@ -65,9 +65,8 @@ void check_messages(std::span<const AnalysedMessage> messages, const AnalysisOpt
 std::vector<std::size_t> by_priority(std::span<const AnalysedMessage> messages) {
   std::vector<std::size_t> order(messages.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [messages](std::size_t a, std::size_t b) {
-    return key_of(messages[a]) < key_of(messages[b]);
-  });
+  std::ranges::stable_sort(
+      order, [messages](std::size_t a, std::size_t b) { return key_of(messages[a]) < key_of(messages[b]); });
   return order;
 }
 

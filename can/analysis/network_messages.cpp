@@ -49,14 +49,12 @@ std::vector<AnalysedMessage> message_set(const Profile& profile, std::span<const
       }
     }
   }
-  std::sort(messages.begin(), messages.end(),
-            [](const AnalysedMessage& a, const AnalysedMessage& b) { return a.id < b.id; });
+  std::ranges::sort(messages, {}, &AnalysedMessage::id);
   return messages;
 }
 
 std::optional<std::size_t> Proof::first_miss() const noexcept {
-  const auto miss = std::find_if(responses.begin(), responses.end(),
-                                 [](const MessageResponse& response) { return !response.schedulable(); });
+  const auto miss = std::ranges::find_if_not(responses, &MessageResponse::schedulable);
   return miss == responses.end() ? std::nullopt
                                  : std::optional(static_cast<std::size_t>(miss - responses.begin()));
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -74,7 +73,7 @@ class TransmitBuffers {
     std::uint64_t order = 0;
   };
   bool insert(const Frame& frame, std::int64_t release_ns, std::uint64_t order) noexcept {
-    const auto free = std::find_if(buffers_.begin(), buffers_.end(), [](const Buffer& b) { return !b.used; });
+    const auto free = std::ranges::find_if_not(buffers_, &Buffer::used);
     if (free == buffers_.end()) {
       return false;
     }
@@ -167,20 +166,8 @@ BusServer::BusServer(std::filesystem::path socket, std::int64_t start_ns)
 
 BusServer::~BusServer() = default;
 
-// A frame that is on the wire when its client goes is still sent.
-void BusServer::detach_leaving() {
-  std::erase_if(leaving_stations_, [this](int station) {
-    bus_.abort(station);
-    const bool done = !bus_.transmit_pending(station);
-    if (done) {
-      bus_.detach(station);
-    }
-    return done;
-  });
-}
-
 void BusServer::step() {
-  detach_leaving();
+  bus_.detach_sent(leaving_stations_);
   while (true) {
     process::FileDescriptor connection = listener_.accept();
     if (!connection) {
@@ -202,7 +189,7 @@ void BusServer::step() {
     }
     client = next;
   }
-  detach_leaving();
+  bus_.detach_sent(leaving_stations_);
 }
 
 bool BusServer::serve(Client& client) {
@@ -281,7 +268,7 @@ void BusServer::flush() {
 }
 
 bool BusServer::reached(std::int64_t time_ns) const noexcept {
-  return std::all_of(clients_.begin(), clients_.end(), [time_ns](const Client& client) {
+  return std::ranges::all_of(clients_, [time_ns](const Client& client) {
     return !client.paced || !client.started || client.reached_ns >= time_ns;
   });
 }

@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "gaitway/can/frame.hpp"
-
 namespace gaitway::can {
 SimulatedBus::SimulatedBus(std::int64_t bit_time_ns, Detail detail)
     : bit_time_ns_(bit_time_ns), detail_(detail), random_(faults_.seed) {
@@ -39,6 +37,17 @@ int SimulatedBus::attach() {
 void SimulatedBus::detach(int station) noexcept {
   remove(station);
   detached_.push_back(station);
+}
+
+void SimulatedBus::detach_sent(std::vector<int>& leaving) noexcept {
+  std::erase_if(leaving, [this](int station) {
+    abort(station);
+    const bool done = !transmit_pending(station);
+    if (done) {
+      detach(station);
+    }
+    return done;
+  });
 }
 
 bool SimulatedBus::transmit(int station, const Frame& frame, std::int64_t now_ns) noexcept {
@@ -186,11 +195,9 @@ SimulatedBus::Contest SimulatedBus::contest(StationSet candidates, std::int64_t 
     }
   });
   if (tie) {
-    candidates.for_each([&](int station) {
+    contest.tied = candidates.where([&](int station) {
       const auto place = static_cast<std::size_t>(station);
-      if (ready_ns_[place] <= start_ns && key_[place] == best) {
-        contest.tied.insert(station);
-      }
+      return ready_ns_[place] <= start_ns && key_[place] == best;
     });
   } else if (contest.winner >= 0) {
     contest.tied.insert(contest.winner);
@@ -223,12 +230,8 @@ void SimulatedBus::start_next(std::int64_t stop_ns) noexcept {
   const StationSet receivers = present_ - round.tied;
   if (!(round.tied == StationSet::of(round.winner)) || receivers.empty() || plan.flip_bit >= 0 ||
       detail_ == Detail::bits) {
-    StationSet starters;
-    contending_.for_each([&](int station) {
-      if (ready_ns_[static_cast<std::size_t>(station)] <= start_ns) {
-        starters.insert(station);
-      }
-    });
+    const StationSet starters = contending_.where(
+        [&](int station) { return ready_ns_[static_cast<std::size_t>(station)] <= start_ns; });
     bitwise_ = true;
     begin_attempt(round, starters, start_ns, plan);
     skip_to_flip(stop_ns);
@@ -250,6 +253,10 @@ void SimulatedBus::start_next(std::int64_t stop_ns) noexcept {
   on_wire_plan_ = plan;
 }
 
+StationSet SimulatedBus::unclean(StationSet stations) const noexcept {
+  return stations.where([&](int station) { return !at(station).controller.confinement().clean(); });
+}
+
 SimulatedBus::Delivery SimulatedBus::finish_frame() noexcept {
   Delivery delivery = *on_wire_;
   on_wire_.reset();
@@ -268,12 +275,7 @@ SimulatedBus::Delivery SimulatedBus::finish_frame() noexcept {
     });
     sender.controller.count_sent();
     follow_state(delivery.sender, delivery.end_ns);
-    const StationSet counting = counting_;
-    counting.for_each([&](int station) {
-      if (at(station).controller.confinement().clean()) {
-        counting_.erase(station);
-      }
-    });
+    counting_ = unclean(counting_);
     if (state(delivery.sender) == BusState::error_passive) {
       sender.not_before_ns = free_from_ns_ + duration_ns(kSuspendBits, sender.drift);
     }

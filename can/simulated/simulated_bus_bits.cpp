@@ -1,6 +1,4 @@
 // The simulated bus while something is wrong: all stations bit by bit, until all of them are idle again.
-#include <algorithm>
-
 #include "gaitway/can/frame.hpp"
 #include "gaitway/can/simulated/simulated_bus.hpp"
 
@@ -81,23 +79,15 @@ void SimulatedBus::leave_bits(std::int64_t now_ns) noexcept {
   free_from_ns_ = now_ns;
   attempt_.open = false;
   error_open_ = false;
-  counting_ = {};
-  present_.for_each([&](int station) {
-    if (!at(station).controller.confinement().clean()) {
-      counting_.insert(station);
-    }
-  });
+  counting_ = unclean(present_);
 }
 
 void SimulatedBus::begin_attempts(std::int64_t start_ns) noexcept {
   if (attempt_.open && bit_ == 0) {
     return;  // it has begun with this bit
   }
-  StationSet starters;
-  (contending_ & present_).for_each([&](int station) {
-    if (at(station).controller.idle() && ready_ns_[static_cast<std::size_t>(station)] <= start_ns) {
-      starters.insert(station);
-    }
+  const StationSet starters = (contending_ & present_).where([&](int station) {
+    return at(station).controller.idle() && ready_ns_[static_cast<std::size_t>(station)] <= start_ns;
   });
   if (!starters.empty()) {
     const Contest round = contest(starters, start_ns);

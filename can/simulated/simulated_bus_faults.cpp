@@ -44,15 +44,7 @@ StationSet SimulatedBus::draw_some(StationSet from, StationSet all) noexcept {
 }
 
 StationSet SimulatedBus::receivers_of(StationSet senders) const noexcept {
-  StationSet receivers = present_ - senders;
-  if (bitwise_) {
-    (present_ - senders).for_each([&](int station) {
-      if (!at(station).controller.idle()) {
-        receivers.erase(station);
-      }
-    });
-  }
-  return receivers;
+  return (present_ - senders).where([&](int station) { return !bitwise_ || at(station).controller.idle(); });
 }
 
 SimulatedBus::Plan SimulatedBus::plan_attempt(const Contest& contest, std::int64_t start_ns) noexcept {
@@ -79,12 +71,9 @@ void SimulatedBus::plan_random_fault(Plan& plan, const Frame& frame, StationSet 
     return;
   }
   if (faults_.duplicate > 0.0 && draw_unit() < faults_.duplicate) {
-    StationSet active;  // a passive station could not make the sender repeat the frame
-    receivers.for_each([&](int station) {
-      if (state(station) == BusState::error_active) {
-        active.insert(station);
-      }
-    });
+    // A passive station could not make the sender repeat the frame.
+    const StationSet active =
+        receivers.where([&](int station) { return state(station) == BusState::error_active; });
     plan.flipped = draw_some(active, receivers);
     if (!plan.flipped.empty()) {
       plan.cause = FaultCause::duplicate;

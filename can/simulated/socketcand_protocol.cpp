@@ -193,8 +193,7 @@ Command parse(std::string_view inside) {
   Words words(inside);
   const std::string_view verb = words.next();
   Command command;
-  const auto* const known = std::find_if(std::begin(kSyntax), std::end(kSyntax),
-                                         [&](const Syntax& one) { return one.word == verb; });
+  const auto* const known = std::ranges::find(kSyntax, verb, &Syntax::word);
   if (known != std::end(kSyntax)) {
     command.verb = known->verb;
     known->arguments(words, command);
@@ -289,7 +288,7 @@ void append_frame(std::string& text, const Frame& frame, std::int64_t time_ns) {
 
 void append_error(std::string& text, std::string_view reason) {
   text += "< error ";
-  std::transform(reason.begin(), reason.end(), std::back_inserter(text), [](char character) {
+  std::ranges::transform(reason, std::back_inserter(text), [](char character) {
     const bool printable = character >= ' ' && character <= '~';
     return !printable ? '?' : character == '<' || character == '>' ? ' ' : character;
   });

@@ -152,18 +152,6 @@ void SocketcandServer::watch(int fd, bool readable, bool is_new) const {
   }
 }
 
-// What a client that left still has on the wire is sent to its end.
-void SocketcandServer::detach_leaving() {
-  std::erase_if(leaving_stations_, [this](int station) {
-    bus_.abort(station);
-    const bool done = !bus_.transmit_pending(station);
-    if (done) {
-      bus_.detach(station);
-    }
-    return done;
-  });
-}
-
 void SocketcandServer::accept_clients() {
   while (true) {
     process::FileDescriptor connection(
@@ -237,7 +225,7 @@ void SocketcandServer::drop_gone() {
     }
     client = next;
   }
-  detach_leaving();
+  bus_.detach_sent(leaving_stations_);
 }
 
 void SocketcandServer::offer(std::int64_t now_ns, std::int64_t until_ns) {

@@ -34,8 +34,7 @@ std::string identifier_text(const Frame& frame) {
 
 template <class List>
 auto find(List& list, const Frame& frame, Frame List::value_type::*member) {
-  return std::find_if(list.begin(), list.end(),
-                      [&](const auto& one) { return same_identifier(one.*member, frame); });
+  return std::ranges::find_if(list, [&](const auto& one) { return same_identifier(one.*member, frame); });
 }
 
 }  // namespace
@@ -245,7 +244,7 @@ void SocketcandSession::step(std::int64_t now_ns) {
 std::optional<SocketcandSession::Release> SocketcandSession::next_frame(std::int64_t now_ns,
                                                                         std::int64_t until_ns) {
   const auto due = [](const Job& job) { return job.due_ns; };
-  const auto first = std::min_element(jobs_.begin(), jobs_.end(), [&](const Job& a, const Job& b) {
+  const auto first = std::ranges::min_element(jobs_, [&](const Job& a, const Job& b) {
     return due(a).value_or(until_ns) < due(b).value_or(until_ns);
   });
   const std::int64_t first_ns = first == jobs_.end() ? until_ns : due(*first).value_or(until_ns);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "gaitway/can/frame.hpp"
-
 namespace gaitway::can {
 namespace {
 

@@ -21,13 +21,12 @@ constexpr std::size_t kMostPlugins = 64;
 std::string name_of(const YamlValue& value, const std::vector<PluginEntry>& others) {
   constexpr std::size_t kLongest = 40;
   const std::string name = value.text();
-  const bool printable = std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c < 0x7f; });
+  const bool printable = std::ranges::all_of(name, [](char c) { return c > ' ' && c < 0x7f; });
   if (name.empty() || name.size() > kLongest || !printable) {
     value.refuse(fmt::format("must have 1 to {} printable characters without spaces", kLongest),
                  "Choose another name");
   }
-  const auto first = std::find_if(others.begin(), others.end(),
-                                  [&name](const PluginEntry& other) { return other.name == name; });
+  const auto first = std::ranges::find(others, name, &PluginEntry::name);
   if (first != others.end()) {
     value.refuse(fmt::format("is already the plug-in of line {}; names must be unique", first->line),
                  "Give one of them another name");

@@ -142,7 +142,7 @@ void ManagedPlugin::discard() noexcept {
 
 bool ManagedPlugin::publish_in_place(std::string_view topic, std::uint64_t type_hash, const void* value,
                                      std::int64_t stamp_ns) noexcept {
-  const auto port = std::find_if(ports_.begin(), ports_.end(), [&](const TopicPort& candidate) {
+  const auto port = std::ranges::find_if(ports_, [&](const TopicPort& candidate) {
     const TopicUse& use = candidate.use();
     return use.access == Access::write && use.type_hash == type_hash && use.topic == topic;
   });
@@ -189,7 +189,7 @@ DataFlowNode ManagedPlugin::node() const {
 }
 
 bool ManagedPlugin::uses(std::string_view topic, Access access) const noexcept {
-  return std::any_of(ports_.begin(), ports_.end(), [&](const TopicPort& port) {
+  return std::ranges::any_of(ports_, [&](const TopicPort& port) {
     return port.use().access == access && port.use().topic == topic;
   });
 }

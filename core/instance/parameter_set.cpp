@@ -100,14 +100,12 @@ std::string ParameterSet::place_of(const ParameterEntry& entry) const {
 }
 
 const ParameterEntry* ParameterSet::find(std::string_view name) const noexcept {
-  const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                  [name](const ParameterEntry& entry) { return entry.name == name; });
+  const auto found = std::ranges::find(entries_, name, &ParameterEntry::name);
   return found == entries_.end() ? nullptr : &*found;
 }
 
 Parameter* ParameterSet::find_declared(std::string_view name) noexcept {
-  const auto found = std::find_if(declared_.begin(), declared_.end(),
-                                  [name](const Parameter& parameter) { return parameter.name == name; });
+  const auto found = std::ranges::find(declared_, name, &Parameter::name);
   return found == declared_.end() ? nullptr : &*found;
 }
 
@@ -217,7 +215,7 @@ void ParameterSet::require_all_declared() const {
     known.push_back(parameter.name);
   }
   for (const ParameterEntry& entry : entries_) {
-    if (std::find(known.begin(), known.end(), entry.name) == known.end()) {
+    if (std::ranges::find(known, entry.name) == known.end()) {
       throw ConfigurationError(fmt::format("{}:{}: plug-in '{}' has no parameter '{}'. {}", file_.string(),
                                            entry.line, plugin_, entry.name,
                                            input::suggest(entry.name, known)));

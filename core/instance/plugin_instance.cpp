@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include <exception>
-#include <string_view>
 
 #include "gaitway/instance/configuration.hpp"
 #include "gaitway/instance/topic_port.hpp"

@@ -174,11 +174,11 @@ void check_border(const gaitway_plugin& entry, const std::filesystem::path& file
 SearchPath plugin_search_path(const SearchPath& given) {
   SearchPath path;
   const auto add = [&path](const std::filesystem::path& folder) {
-    if (!folder.empty() && std::find(path.begin(), path.end(), folder) == path.end()) {
+    if (!folder.empty() && std::ranges::find(path, folder) == path.end()) {
       path.push_back(folder);
     }
   };
-  std::for_each(given.begin(), given.end(), add);
+  std::ranges::for_each(given, add);
   if (const char* const variable = std::getenv("GAITWAY_PLUGIN_PATH")) {
     std::string_view rest = variable;
     while (!rest.empty()) {

@@ -39,17 +39,16 @@ std::optional<std::uint32_t> first_beyond(const std::byte* data, std::uint32_t c
 }
 
 const StandardTopic* standard_topic(std::string_view name, std::uint64_t type_hash) noexcept {
-  const auto found = std::find_if(
-      kStandardTopics.begin(), kStandardTopics.end(),
-      [&](const StandardTopic& topic) { return topic.name == name && topic.type->hash == type_hash; });
+  const auto found = std::ranges::find_if(kStandardTopics, [&](const StandardTopic& topic) {
+    return topic.name == name && topic.type->hash == type_hash;
+  });
   return found == kStandardTopics.end() ? nullptr : &*found;
 }
 
 // A standard type's limits say what makes sense in its topic. Under another name it may mean anything.
 bool has_limits(const TopicUse& use) noexcept {
-  const bool standard_type =
-      std::any_of(kStandardTypes.begin(), kStandardTypes.end(),
-                  [&](const TypeDescriptor* type) { return type->hash == use.type_hash; });
+  const bool standard_type = std::ranges::any_of(
+      kStandardTypes, [&](const TypeDescriptor* type) { return type->hash == use.type_hash; });
   return !standard_type || standard_topic(use.topic, use.type_hash) != nullptr;
 }
 
@@ -89,7 +88,7 @@ TopicPort::TopicPort(const gaitway_topic& topic, Access access)
            .size = topic.size},
       copy_(topic.size) {
   const std::span own(topic.float_fields, topic.float_field_count);
-  std::for_each(own.begin(), own.end(), [&](const auto& field) { check_field(topic, field); });
+  std::ranges::for_each(own, [&](const auto& field) { check_field(topic, field); });
   // What the schema says of a standard topic holds, whatever the plug-in says of it.
   const StandardTopic* const standard = standard_topic(use_.topic, use_.type_hash);
   const bool known = standard != nullptr && standard->type->size == topic.size;

@@ -10,12 +10,10 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <new>
 #include <system_error>
 
-#include "gaitway/instance/plugin_instance.hpp"
 #include "gaitway/process/real_time.hpp"
 
 namespace gaitway::core {

@@ -96,8 +96,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& binary, const process::F
       binary.string(), std::to_string(getpid()), std::to_string(bounds.memory_limit_bytes),
       std::to_string(bounds.descriptor_limit), bounds.serves_network ? kServesNetwork : "-"};
   std::array<char*, 6> arguments{};
-  std::transform(words.begin(), words.end(), arguments.begin(),
-                 [](std::string& word) { return word.data(); });
+  std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
   const int error = posix_spawn(&pid_, binary.c_str(), settings.actions(), settings.attributes(),
                                 arguments.data(), environ);
   if (error != 0) {

@@ -13,7 +13,6 @@
 
 #include "bounds.hpp"
 #include "gaitway/plugin/detail/plugin_border.hpp"
-#include "messages.hpp"
 
 namespace gaitway::core {
 namespace {

@@ -345,7 +345,7 @@ gaitway_value IsolatedPlugin::declare_parameter(const gaitway_parameter& paramet
   }
   const auto& known = parameters_.declared();
   const auto is_it = [&](const Parameter& other) { return other.name == parameter.name; };
-  if (std::none_of(known.begin(), known.end(), is_it)) {
+  if (std::ranges::none_of(known, is_it)) {
     throw PluginError(
         fmt::format("declares parameter '{}', unlike when it was first started", parameter.name));
   }

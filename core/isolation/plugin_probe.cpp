@@ -12,7 +12,7 @@
 namespace gaitway::core {
 
 bool PluginDescription::writes(std::string_view topic) const noexcept {
-  return std::any_of(topics.begin(), topics.end(), [topic](const TopicUse& other) {
+  return std::ranges::any_of(topics, [topic](const TopicUse& other) {
     return other.access == Access::write && other.topic == topic;
   });
 }

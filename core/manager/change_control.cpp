@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "plugin_loader.hpp"
@@ -62,10 +61,10 @@ void PluginChange::revert(PluginSet::Slots& slots) noexcept {
   swap_dependencies(slots);
   const std::size_t before = room_.size();
   for (std::size_t i = 0; i < before; ++i) {
-    const auto at = std::find(next_.begin(), next_.end(), i);
+    const auto at = std::ranges::find(next_, i);
     room_[i] = std::move(at == next_.end() ? outgoing_ : slots[static_cast<std::size_t>(at - next_.begin())]);
   }
-  const auto in = std::find(next_.begin(), next_.end(), kIncoming);
+  const auto in = std::ranges::find(next_, kIncoming);
   if (in != next_.end()) {
     incoming_ = std::move(slots[static_cast<std::size_t>(in - next_.begin())]);
   }
@@ -157,7 +156,7 @@ std::unique_ptr<PluginChange> ChangeControl::plan_change(const std::string& name
   const auto slot_at = [&](std::size_t place) -> const PluginSlot& {
     return place == PluginChange::kIncoming ? *incoming : plugins_[place];
   };
-  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(places, [&](std::size_t a, std::size_t b) {
     return std::pair(slot_at(a).configured, a) < std::pair(slot_at(b).configured, b);
   });
   std::vector<DataFlowNode> nodes;

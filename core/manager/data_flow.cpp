@@ -78,7 +78,7 @@ class Sorter {
   }
 
   [[nodiscard]] const ExternalTopic* written_elsewhere(std::string_view topic) const {
-    const auto found = std::find_if(external_.begin(), external_.end(), [topic](const ExternalTopic& other) {
+    const auto found = std::ranges::find_if(external_, [topic](const ExternalTopic& other) {
       return other.topic == topic && !other.writer.empty();
     });
     return found == external_.end() ? nullptr : &*found;
@@ -154,15 +154,14 @@ class Sorter {
   // a cycle.
   [[noreturn]] void refuse_cycle(const std::vector<bool>& placed) const {
     std::vector<std::size_t> back;
-    std::size_t node =
-        static_cast<std::size_t>(std::find(placed.begin(), placed.end(), false) - placed.begin());
-    while (std::find(back.begin(), back.end(), node) == back.end()) {
+    std::size_t node = static_cast<std::size_t>(std::ranges::find(placed, false) - placed.begin());
+    while (std::ranges::find(back, node) == back.end()) {
       back.push_back(node);
       node = waited_for(node, placed);
     }
-    back.erase(back.begin(), std::find(back.begin(), back.end(), node));
-    std::reverse(back.begin(), back.end());
-    std::rotate(back.begin(), std::min_element(back.begin(), back.end()), back.end());
+    back.erase(back.begin(), std::ranges::find(back, node));
+    std::ranges::reverse(back);
+    std::rotate(back.begin(), std::ranges::min_element(back), back.end());
     std::string path = fmt::format("'{}'", nodes_[back.front()].name);
     for (std::size_t i = 0; i < back.size(); ++i) {
       const std::size_t reader = back[(i + 1) % back.size()];

@@ -34,25 +34,22 @@ constexpr std::array<KindTopics, 5> kKindTopics{{
 }};
 
 KindTopics topics_of(FallbackKind kind) noexcept {
-  const auto found = std::find_if(kKindTopics.begin(), kKindTopics.end(),
-                                  [kind](const KindTopics& topics) { return topics.kind == kind; });
+  const auto found = std::ranges::find(kKindTopics, kind, &KindTopics::kind);
   return found == kKindTopics.end() ? KindTopics{kind, {}, {}} : *found;
 }
 
 bool contains(Names names, std::string_view name) noexcept {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 // The kind that a standard topic asks for; none for all others.
 FallbackKind fallback_of_topic(std::string_view topic, std::uint64_t type_hash) noexcept {
-  const auto standard = std::find_if(kStandardTopics.begin(), kStandardTopics.end(),
-                                     [topic](const StandardTopic& other) { return other.name == topic; });
+  const auto standard = std::ranges::find(kStandardTopics, topic, &StandardTopic::name);
   if (standard == kStandardTopics.end() || standard->type->hash != type_hash) {
     return FallbackKind::none;
   }
-  const auto kind = std::find_if(kKindTopics.begin(), kKindTopics.end(), [topic](const KindTopics& topics) {
-    return contains(topics.written, topic);
-  });
+  const auto kind = std::ranges::find_if(
+      kKindTopics, [topic](const KindTopics& topics) { return contains(topics.written, topic); });
   return kind == kKindTopics.end() ? FallbackKind::none : kind->kind;
 }
 
@@ -62,20 +59,17 @@ bool is_written(std::string_view topic, const Nodes& loaded, const std::vector<E
   const auto writes = [topic](const TopicUse& use) {
     return use.access == Access::write && use.topic == topic;
   };
-  return std::any_of(loaded.begin(), loaded.end(),
-                     [&](const DataFlowNode& node) {
-                       return std::any_of(node.uses.begin(), node.uses.end(), writes);
-                     }) ||
-         std::any_of(external.begin(), external.end(), [topic](const ExternalTopic& other) {
+  return std::ranges::any_of(
+             loaded, [&](const DataFlowNode& node) { return std::ranges::any_of(node.uses, writes); }) ||
+         std::ranges::any_of(external, [topic](const ExternalTopic& other) {
            return other.topic == topic && !other.writer.empty();
          });
 }
 
 bool is_needed(std::string_view topic, const Nodes& loaded) {
   const auto needs = [topic](const TopicUse& use) { return use.topic == topic && needs_writer(use.access); };
-  return std::any_of(loaded.begin(), loaded.end(), [&](const DataFlowNode& node) {
-    return std::any_of(node.uses.begin(), node.uses.end(), needs);
-  });
+  return std::ranges::any_of(loaded,
+                             [&](const DataFlowNode& node) { return std::ranges::any_of(node.uses, needs); });
 }
 
 }  // namespace
@@ -96,7 +90,7 @@ FallbackSet::FallbackSet(const ManagedPlugin& plugin, FallbackKind wanted, const
     const FallbackKind kind = other_trims ? wanted : proper;
     const bool used = kind != FallbackKind::none && (wanted == FallbackKind::by_topics || wanted == kind);
     complete_ = complete_ && used && kind != FallbackKind::safe_tail;
-    if (used && std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) {
+    if (used && std::ranges::find(kinds_, kind) == kinds_.end()) {
       kinds_.push_back(kind);
     }
   }
@@ -115,7 +109,7 @@ FallbackSet::FallbackSet(const ManagedPlugin& plugin, FallbackKind wanted, const
   }
   if (!kinds_.empty()) {
     std::vector<std::string_view> names;
-    std::transform(kinds_.begin(), kinds_.end(), std::back_inserter(names), &fallback_kind_name);
+    std::ranges::transform(kinds_, std::back_inserter(names), &fallback_kind_name);
     name_ = fmt::format("{}", fmt::join(names, ", "));
   }
 }
@@ -138,7 +132,7 @@ StandIn::StandIn(const PluginEntry& entry, const std::vector<std::string>& topic
                  const std::filesystem::path& configuration_file, EventLog& events)
     : ManagedPlugin(entry, configuration_file, events) {
   for (const StandardTopic& topic : kStandardTopics) {
-    if (std::find(topics.begin(), topics.end(), topic.name) == topics.end()) {
+    if (std::ranges::find(topics, topic.name) == topics.end()) {
       continue;
     }
     const std::string name(topic.name), type_name(topic.type->name);
@@ -163,9 +157,8 @@ std::vector<std::string> StandIn::topics_for(const PluginEntry& entry, const Nod
                                              const std::vector<ExternalTopic>& external) {
   const FallbackKind named = entry.containment.fallback;
   const FallbackKind wanted = named == FallbackKind::trims_to_zero ? FallbackKind::trims_from_gains : named;
-  const bool has_standard_name =
-      std::any_of(kStandardTopics.begin(), kStandardTopics.end(),
-                  [&](const StandardTopic& topic) { return topic.writer == entry.name; });
+  const bool has_standard_name = std::ranges::any_of(
+      kStandardTopics, [&](const StandardTopic& topic) { return topic.writer == entry.name; });
   const auto is_its = [&](const StandardTopic& topic, FallbackKind kind) {
     // "none" and "safe_tail" fit every topic: nobody writes it.
     if (wanted != FallbackKind::by_topics && wanted != FallbackKind::none &&
@@ -176,7 +169,7 @@ std::vector<std::string> StandIn::topics_for(const PluginEntry& entry, const Nod
       return topic.writer == entry.name;
     }
     const Names written = topics_of(kind).written;
-    return std::any_of(written.begin(), written.end(), [&](std::string_view other) {
+    return std::ranges::any_of(written, [&](std::string_view other) {
       return !is_written(other, loaded, external) && is_needed(other, loaded);
     });
   };

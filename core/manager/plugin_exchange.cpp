@@ -15,7 +15,7 @@ struct Member {  // of the configuration
 };
 
 bool shares_an_output(const PluginDescription& one, const PluginDescription& other) {
-  return std::any_of(one.topics.begin(), one.topics.end(), [&other](const TopicUse& topic) {
+  return std::ranges::any_of(one.topics, [&other](const TopicUse& topic) {
     return topic.access == Access::write && other.writes(topic.topic);
   });
 }
@@ -51,7 +51,7 @@ AddedPlugin put_in(std::vector<Member>& members, const PluginDescription& newcom
       }
     }
   }
-  const auto place = std::find_if(members.begin(), members.end(), leaves) - members.begin();
+  const auto place = std::ranges::find_if(members, leaves) - members.begin();
   members.erase(std::remove_if(members.begin(), members.end(), leaves), members.end());
   members.insert(members.begin() + place,
                  {{.name = newcomer.name, .library = newcomer.file.string()}, newcomer});
@@ -78,9 +78,8 @@ PluginExchange put_in(const Configuration& configuration, std::span<const std::f
 }
 
 std::string PluginExchange::writer_of(std::string_view topic) const {
-  const auto writer =
-      std::find_if(descriptions.begin(), descriptions.end(),
-                   [topic](const PluginDescription& description) { return description.writes(topic); });
+  const auto writer = std::ranges::find_if(
+      descriptions, [topic](const PluginDescription& description) { return description.writes(topic); });
   return writer == descriptions.end() ? std::string() : writer->name;
 }
 

@@ -80,7 +80,7 @@ void PluginManager::load_all(const Configuration& configuration, const msgclient
     if (!entry.child.writes.empty()) {
       require_apart(entry, configuration, loader_->search_path());
     }
-    if (std::find(options_.stopped.begin(), options_.stopped.end(), entry.name) != options_.stopped.end()) {
+    if (std::ranges::find(options_.stopped, entry.name) != options_.stopped.end()) {
       continue;
     }
     if (options_.try_at_start) {
@@ -98,8 +98,7 @@ void PluginManager::add_stand_ins(const Configuration& configuration, const msgc
   std::vector<DataFlowNode> loaded = plugins_.nodes();
   const std::vector<ExternalTopic> external = external_topics(client);
   for (const std::string& name : options_.stopped) {
-    const auto entry = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
-                                    [&name](const PluginEntry& other) { return other.name == name; });
+    const auto entry = std::ranges::find(configuration.plugins, name, &PluginEntry::name);
     if (entry == configuration.plugins.end()) {
       std::vector<std::string> names;
       for (const PluginEntry& other : configuration.plugins) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "gaitway/input/complaint.hpp"
@@ -56,7 +55,7 @@ void PluginSet::put_in_order(const std::filesystem::path& configuration_file,
 
 std::size_t PluginSet::index_of(std::string_view name) const noexcept {
   const auto same = [name](const auto& slot) { return slot->entry.name == name; };
-  return static_cast<std::size_t>(std::find_if(slots_.begin(), slots_.end(), same) - slots_.begin());
+  return static_cast<std::size_t>(std::ranges::find_if(slots_, same) - slots_.begin());
 }
 
 std::size_t PluginSet::require(std::string_view name) const {
@@ -83,13 +82,12 @@ std::vector<DataFlowNode> PluginSet::nodes() const {
 bool PluginSet::uses(std::string_view topic) const noexcept {
   const auto reads = [topic](FallbackKind kind) {
     const auto topics = topics_read_by(kind);
-    return std::find(topics.begin(), topics.end(), topic) != topics.end();
+    return std::ranges::find(topics, topic) != topics.end();
   };
-  return std::any_of(slots_.begin(), slots_.end(), [&](const auto& slot) {
+  return std::ranges::any_of(slots_, [&](const auto& slot) {
     const auto& fallbacks = slot->containment.fallbacks().kinds();
-    return std::any_of(kAccesses.begin(), kAccesses.end(),
-                       [&](Access access) { return slot->plugin->uses(topic, access); }) ||
-           std::any_of(fallbacks.begin(), fallbacks.end(), reads);
+    return std::ranges::any_of(kAccesses, [&](Access access) { return slot->plugin->uses(topic, access); }) ||
+           std::ranges::any_of(fallbacks, reads);
   });
 }
 
@@ -97,7 +95,7 @@ namespace {
 
 const PluginSlot* writer_of(const PluginSet& plugins, std::string_view topic) noexcept {
   const auto writes = [topic](const auto& slot) { return slot->plugin->uses(topic, Access::write); };
-  const auto writer = std::find_if(plugins.slots().begin(), plugins.slots().end(), writes);
+  const auto writer = std::ranges::find_if(plugins.slots(), writes);
   return writer == plugins.slots().end() ? nullptr : writer->get();
 }
 

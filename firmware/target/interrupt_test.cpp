@@ -34,14 +34,7 @@ void barrier() {
 // Through the CAN interrupt; on_work() runs, unless it is masked, before this returns.
 template <class Message>
 void deliver(const Message& message) {
-  const can::Frame frame = can::encode(can::kFullProfile, message);
-  std::uint32_t words[2] = {0, 0};
-  for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
-    words[byte / 4] |= std::uint32_t{frame.data[byte]} << (8U * (byte % 4U));
-  }
-  board_registers.received.id_and_size = frame.id << 4U | frame.size;
-  board_registers.received.low = words[0];
-  board_registers.received.high = words[1];
+  put_frame(can::encode(can::kFullProfile, message), board_registers.received);
   pend_interrupt(kCanReceiveInterrupt);
   barrier();
 }
@@ -49,14 +42,7 @@ void deliver(const Message& message) {
 // What the joint wants to send.
 can::Frame sent_frame() {
   check(board_registers.transmit_requested != 0, "a frame is sent");
-  can::Frame frame;
-  frame.id = board_registers.transmit.id_and_size >> 4U;
-  frame.size = static_cast<std::uint8_t>(board_registers.transmit.id_and_size & 0xFU);
-  const std::uint32_t words[2] = {board_registers.transmit.low, board_registers.transmit.high};
-  for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
-    frame.data[byte] = static_cast<std::uint8_t>(words[byte / 4] >> (8U * (byte % 4U)));
-  }
-  return frame;
+  return frame_in(board_registers.transmit);
 }
 can::Feedback sent_feedback() {
   const auto feedback = can::decode_feedback(can::kFullProfile, sent_frame());

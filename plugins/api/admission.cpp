@@ -9,11 +9,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <optional>
-#include <string>
 
 #include "gaitway/process/file_descriptor.hpp"
 
@@ -90,16 +88,16 @@ bool is_host(std::string_view host) {
   const auto address = [](char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || c == ':' || c == '.'; };
   if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
     host = host.substr(1, host.size() - 2);
-    return std::all_of(host.begin(), host.end(), address);
+    return std::ranges::all_of(host, address);
   }
-  return !host.empty() && std::all_of(host.begin(), host.end(), letter);
+  return !host.empty() && std::ranges::all_of(host, letter);
 }
 
 // Nothing for what is no origin of a web page.
 std::optional<Origin> parse(std::string_view given) {
   std::string text(given);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   const std::size_t colon = text.find("://");
   if (colon == std::string::npos) {
     return std::nullopt;
@@ -109,8 +107,7 @@ std::optional<Origin> parse(std::string_view given) {
       end != std::string::npos && origin.host.find(']', end) == std::string::npos) {
     origin.port = origin.host.substr(end + 1);
     origin.host.resize(end);
-    if (origin.port.empty() || origin.port.size() > 5 ||
-        !std::all_of(origin.port.begin(), origin.port.end(), is_digit)) {
+    if (origin.port.empty() || origin.port.size() > 5 || !std::ranges::all_of(origin.port, is_digit)) {
       return std::nullopt;
     }
   }
@@ -131,7 +128,7 @@ AccessToken::AccessToken(std::string_view text) {
                            std::to_string(kShortest) + " to " + std::to_string(kLongest) +
                            ": make one with `openssl rand -hex 32`");
   }
-  if (!std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; })) {
+  if (!std::ranges::all_of(text, [](char c) { return c > ' ' && c <= '~'; })) {
     throw ServerSetupError(
         "the token has other characters than visible ASCII (no spaces): make one with `openssl rand -hex "
         "32`");
@@ -187,9 +184,9 @@ bool OriginRule::allows(std::string_view origin) const {
     return false;
   }
   if (allowed_.empty()) {
-    return std::find(kThisMachine.begin(), kThisMachine.end(), parsed->host) != kThisMachine.end();
+    return std::ranges::find(kThisMachine, parsed->host) != kThisMachine.end();
   }
-  return std::find(allowed_.begin(), allowed_.end(), parsed->text()) != allowed_.end();
+  return std::ranges::find(allowed_, parsed->text()) != allowed_.end();
 }
 
 }  // namespace gaitway::api

@@ -34,12 +34,16 @@ bool same_id(std::string_view a, std::string_view b) noexcept {
 
 }  // namespace
 
-std::string Authority::acquire(Claimant& claimant, std::int64_t now_ns) {
-  expire(now_ns);
+void Authority::require_free_for(const Claimant& claimant) const {
   if (lease_ && !held_by(claimant)) {
     throw CommandDenied("\"" + lease_->name +
                         "\" has the command: wait until it is given back, or stop the robot");
   }
+}
+
+std::string Authority::acquire(Claimant& claimant, std::int64_t now_ns) {
+  expire(now_ns);
+  require_free_for(claimant);
   claimant.tried_ns = now_ns;
   claimant.stops_seen = stops_;
   grant(claimant, now_ns);
@@ -50,10 +54,7 @@ void Authority::use(Claimant& claimant, std::int64_t now_ns) {
   expire(now_ns);
   const bool let_go = !claimant.tried_ns || now_ns - *claimant.tried_ns >= lease_ns_;
   claimant.tried_ns = now_ns;
-  if (lease_ && !held_by(claimant)) {
-    throw CommandDenied("\"" + lease_->name +
-                        "\" has the command: wait until it is given back, or stop the robot");
-  }
+  require_free_for(claimant);
   if (!let_go && claimant.stops_seen != stops_) {
     throw CommandDenied(
         "the robot was stopped by somebody else: let go for a while, or call /command/acquire, to go on");

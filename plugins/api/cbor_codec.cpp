@@ -35,7 +35,7 @@ void append_cbor_head(std::string& out, CborKind kind, std::uint64_t value) {
 }
 
 void append_cbor_text(std::string& out, std::string_view text) {
-  if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) {
+  if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) {
     append_cbor_head(out, CborKind::text, text.size());
     out += text;
     return;

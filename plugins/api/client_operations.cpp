@@ -1,7 +1,6 @@
 // rosbridge's operations, as a client sends them.
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "client_message.hpp"
 #include "client_session.hpp"
@@ -19,6 +18,16 @@ using facts::kMillisecond_ns;
 
 bool is_velocity(std::string_view topic) {
   return topic == kVelocityTopic || topic == kVelocityTopic.substr(1);
+}
+
+// The topic of a message that the robot is to take. Throws Refused.
+std::string velocity_topic_in(const json& message) {
+  std::string topic = name_in(message, "topic");
+  if (!is_velocity(topic)) {
+    throw Refused("topic is " + shown(topic) + ", but the robot takes messages on " +
+                  std::string(kVelocityTopic) + " only");
+  }
+  return topic;
 }
 
 // The row of a topic that a client wants to hear. Throws Refused.
@@ -108,8 +117,7 @@ const ClientSession::Operation* ClientSession::find_operation(std::string_view n
       Operation{"fragment", &S::refuse_transformation},
       Operation{"png", &S::refuse_transformation},
   };
-  const auto found = std::find_if(kOperations.begin(), kOperations.end(),
-                                  [name](const Operation& operation) { return operation.name == name; });
+  const auto found = std::ranges::find(kOperations, name, &Operation::name);
   return found == kOperations.end() ? nullptr : &*found;
 }
 
@@ -133,11 +141,7 @@ void ClientSession::authenticate(const Json& message, const Json& id) {
 }
 
 void ClientSession::advertise(const Json& message, const Json& id) {
-  const std::string topic = name_in(message, "topic");
-  if (!is_velocity(topic)) {
-    throw Refused("topic is " + shown(topic) + ", but the robot takes messages on " +
-                  std::string(kVelocityTopic) + " only");
-  }
+  const std::string topic = velocity_topic_in(message);
   require_type(message, topic, ros::Twist::kName);
   if (advertisements_.size() >= hub_.options.limits.advertisements && !advertisements_.contains(id.dump())) {
     throw Refused("this connection advertises " + std::to_string(advertisements_.size()) +
@@ -162,11 +166,7 @@ void ClientSession::unadvertise(const Json& message, const Json& id) {
 }
 
 void ClientSession::publish(const Json& message, const Json&) {
-  const std::string topic = name_in(message, "topic");
-  if (!is_velocity(topic)) {
-    throw Refused("topic is " + shown(topic) + ", but the robot takes messages on " +
-                  std::string(kVelocityTopic) + " only");
-  }
+  static_cast<void>(velocity_topic_in(message));
   const auto content = message.find("msg");
   if (content == message.end()) {
     throw Refused("msg is missing");
@@ -279,7 +279,7 @@ std::string ClientSession::leave_out_what_is_wrong_in_stop(Json& message) const 
 void ClientSession::set_level(const Json& message, const Json&) {
   const std::string name = name_in(message, "level");
   constexpr std::array<std::string_view, 4> kNames{"none", "error", "warning", "info"};
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  const auto found = std::ranges::find(kNames, name);
   if (found == kNames.end()) {
     throw Refused("level is " + shown(name) + R"(, but must be "none", "error", "warning" or "info")");
   }

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <string_view>
 
-#include "gaitway/api/ros_messages.hpp"
 #include "gaitway/api/state_messages.hpp"
 
 namespace gaitway::api {
@@ -38,32 +38,6 @@ ros::DiagnosticStatus status_of(std::string name, const std::string& robot) {
   status.hardware_id = robot;
   return status;
 }
-
-struct Counter {
-  std::string_view key;
-  std::uint64_t NetworkHealth::*value;
-};
-constexpr std::array kIncidents{
-    Counter{"feedback_missing", &NetworkHealth::feedback_missing},
-    Counter{"feedback_lost", &NetworkHealth::feedback_lost},
-    Counter{"nodes_returned", &NetworkHealth::nodes_returned},
-    Counter{"nodes_restarted", &NetworkHealth::nodes_restarted},
-    Counter{"trajectories_lost", &NetworkHealth::trajectories_lost},
-    Counter{"counts_differed", &NetworkHealth::counts_differed},
-    Counter{"unknown_identifiers", &NetworkHealth::unknown_identifiers},
-    Counter{"wrong_lengths", &NetworkHealth::wrong_lengths},
-    Counter{"remote_frames", &NetworkHealth::remote_frames},
-    Counter{"extended_frames", &NetworkHealth::extended_frames},
-    Counter{"undefined_values", &NetworkHealth::undefined_values},
-    Counter{"forged", &NetworkHealth::forged},
-    Counter{"doubled", &NetworkHealth::doubled},
-    Counter{"second_senders", &NetworkHealth::second_senders},
-    Counter{"expired", &NetworkHealth::expired},
-    Counter{"flushed", &NetworkHealth::flushed},
-    Counter{"queue_full", &NetworkHealth::queue_full},
-    Counter{"bus_offs", &NetworkHealth::bus_offs},
-    Counter{"stops_repeated", &NetworkHealth::stops_repeated},
-};
 
 // How something is, and how that is to be taken.
 struct Condition {
@@ -167,9 +141,13 @@ ros::DiagnosticStatus Diagnostics::bus(const NetworkHealth* health) {
   add(status, "transmit_errors", health->transmit_errors);
   add(status, "receive_errors", health->receive_errors);
   std::uint64_t incidents = 0;
-  for (const Counter& counter : kIncidents) {
-    add(status, counter.key, health->*counter.value);
-    incidents += health->*counter.value;
+  for (const FieldDescriptor& field : TopicType<NetworkHealth>::fields) {
+    if (field.type == ScalarType::uint64_value && field.name != "missing") {  // a counter
+      std::uint64_t count = 0;
+      std::memcpy(&count, reinterpret_cast<const std::byte*>(health) + field.offset, sizeof count);
+      add(status, field.name, count);
+      incidents += count;
+    }
   }
   if (state.level == Level::ok && incidents > before_.incidents.value_or(incidents)) {
     say(status, Level::warning,

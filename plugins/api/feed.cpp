@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <span>
 
 #include "gaitway/api/diagnostics.hpp"
 #include "gaitway/api/frame_messages.hpp"

@@ -2,9 +2,6 @@
 #include "gaitway/api/frame_messages.hpp"
 
 #include <algorithm>
-#include <utility>
-
-#include "gaitway/api/ros_messages.hpp"
 
 namespace gaitway::api {
 namespace {

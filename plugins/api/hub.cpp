@@ -20,7 +20,7 @@ HubState::HubState(RobotPort& port, HubOptions hub_options)
 
 void HubState::keep_within_budget() {
   while (waiting_bytes > options.limits.waiting_bytes_of_all) {
-    std::max_element(sessions.begin(), sessions.end(), [](const auto& a, const auto& b) {
+    std::ranges::max_element(sessions, [](const auto& a, const auto& b) {
       return a.second->waiting_bytes() < b.second->waiting_bytes();
     })->second->cut();
   }

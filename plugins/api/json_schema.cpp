@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "gaitway/api/message_definition.hpp"
 #include "type_registry.hpp"

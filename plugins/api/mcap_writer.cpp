@@ -43,8 +43,7 @@ void append_map_entry(std::string& out, std::string_view key, std::string_view v
 McapWriter::McapWriter(int file, std::vector<McapChannel> channels, McapSettings settings)
     : file_(file), channels_(std::move(channels)), settings_(std::move(settings)) {
   for (const McapChannel& channel : channels_) {
-    const auto first = std::find_if(channels_.begin(), channels_.end(),
-                                    [&](const McapChannel& other) { return other.type == channel.type; });
+    const auto first = std::ranges::find(channels_, channel.type, &McapChannel::type);
     // Schemas are counted from 1, and bear the number of the first channel with that type.
     schema_ids_.push_back(static_cast<std::uint16_t>(first - channels_.begin() + 1));
   }

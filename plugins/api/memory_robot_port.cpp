@@ -30,23 +30,6 @@ bool copy_text(const std::string& text, std::uint8_t (&field)[size]) noexcept {
   return fits;
 }
 
-// core::PluginVerb, as the schema gives its numbers.
-std::uint32_t number_of(PluginVerb verb) noexcept {
-  switch (verb) {
-    case PluginVerb::reload:
-      return 0;
-    case PluginVerb::load:
-      return 1;
-    case PluginVerb::unload:
-      return 2;
-    case PluginVerb::set_parameter:
-      return 3;
-    case PluginVerb::describe_parameter:
-      return 6;
-  }
-  return 0;
-}
-
 UserCommand command_of(Kind kind) noexcept {
   UserCommand command{};
   command.kind = static_cast<std::uint32_t>(kind);
@@ -221,7 +204,7 @@ std::optional<std::uint32_t> MemoryRobotPort::order(const PluginOrder& order) {
   collect();
   PluginRequest request{};
   request.number = next_number();
-  request.verb = number_of(order.verb);
+  request.verb = static_cast<std::uint32_t>(order.verb);
   request.index = order.index;
   const bool fits = copy_text(order.plugin, request.plugin) && copy_text(order.library, request.library) &&
                     copy_text(order.parameter, request.parameter) && copy_text(order.value, request.value);

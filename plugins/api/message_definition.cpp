@@ -42,7 +42,7 @@ std::string_view find_type(std::string_view package, std::string_view kind, std:
   if (const auto found = registry.types.find(full); found != registry.types.end()) {
     return found->first;
   }
-  const auto service = std::lower_bound(registry.services.begin(), registry.services.end(), full);
+  const auto service = std::ranges::lower_bound(registry.services, full);
   return service != registry.services.end() && *service == full ? *service : std::string_view();
 }
 

@@ -2,7 +2,6 @@
 #include "outbox.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -152,7 +151,7 @@ std::optional<Frame> Outbox::next(std::int64_t now_ns) {
 }
 
 bool Outbox::ready(std::int64_t now_ns) const noexcept {
-  return !answers_.empty() || rest_ || std::any_of(lanes_.begin(), lanes_.end(), [now_ns](const auto& lane) {
+  return !answers_.empty() || rest_ || std::ranges::any_of(lanes_, [now_ns](const auto& lane) {
     return lane && !lane->waiting.empty() && lane->due(now_ns);
   });
 }
@@ -160,17 +159,15 @@ bool Outbox::ready(std::int64_t now_ns) const noexcept {
 std::uint64_t Outbox::take_drops(Topic topic) noexcept {
   Lane* const lane = this->lane(topic);
   const std::uint64_t drops = lane != nullptr ? std::exchange(lane->drops, 0) : 0;
-  has_drops_ =
-      std::any_of(lanes_.begin(), lanes_.end(), [](const auto& place) { return place && place->drops > 0; });
+  has_drops_ = std::ranges::any_of(lanes_, [](const auto& place) { return place && place->drops > 0; });
   return drops;
 }
 
 bool Outbox::make_room(std::size_t bytes) noexcept {
   while (waiting_bytes_ + bytes > most_bytes_) {
     const auto bytes_of = [](const auto& lane) { return lane ? lane->bytes : 0; };
-    const auto fullest = std::max_element(lanes_.begin(), lanes_.end(), [&](const auto& a, const auto& b) {
-      return bytes_of(a) < bytes_of(b);
-    });
+    const auto fullest = std::ranges::max_element(
+        lanes_, [&](const auto& a, const auto& b) { return bytes_of(a) < bytes_of(b); });
     if (bytes_of(*fullest) == 0 || bytes > most_bytes_) {
       return false;
     }

@@ -9,7 +9,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "gaitway/api/publication.hpp"
 #include "gaitway/api/session.hpp"

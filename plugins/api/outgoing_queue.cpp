@@ -2,7 +2,6 @@
 #include "outgoing_queue.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace gaitway::api {

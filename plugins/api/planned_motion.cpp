@@ -2,7 +2,6 @@
 #include "gaitway/api/planned_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "gaitway/facts/facts.hpp"
 
@@ -44,10 +43,9 @@ PlannedMoment between(const PlannedMoment& from, const PlannedMoment& to, double
 
 void PlannedMotion::take(const MotionPlan& plan) noexcept {
   if (plan.sequence == 0) return;
-  auto place = std::find_if(kept_.begin(), kept_.end(),
-                            [&](const MotionPlan& kept) { return kept.sequence == plan.sequence; });
+  auto place = std::ranges::find(kept_, plan.sequence, &MotionPlan::sequence);
   if (place == kept_.end()) {
-    place = std::min_element(kept_.begin(), kept_.end(), [](const MotionPlan& a, const MotionPlan& b) {
+    place = std::ranges::min_element(kept_, [](const MotionPlan& a, const MotionPlan& b) {
       return a.sequence == 0 || (b.sequence != 0 && a.start_ns < b.start_ns);
     });
   }

@@ -11,7 +11,6 @@
 #include <functional>
 #include <mutex>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace gaitway::api {

@@ -157,7 +157,7 @@ RecordingList RecordingFolder::list(std::size_t most) const {
                            start.tv_sec * facts::kSecond_ns + std::int64_t{start.tv_nsec}});
   }
   list.count = list.newest.size();
-  std::sort(list.newest.begin(), list.newest.end(), [](const RecordingStatus& a, const RecordingStatus& b) {
+  std::ranges::sort(list.newest, [](const RecordingStatus& a, const RecordingStatus& b) {
     return std::tie(b.start_ns, a.file) < std::tie(a.start_ns, b.file);
   });
   list.newest.resize(std::min(most, list.count));

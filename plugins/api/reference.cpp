@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 #include <type_traits>
-#include <utility>
 
 #include "gaitway/api/limits.hpp"
 #include "gaitway/api/message_definition.hpp"
@@ -13,7 +12,6 @@
 #include "gaitway/api/publication.hpp"
 #include "gaitway/api/service_table.hpp"
 #include "reference_text.hpp"
-#include "type_registry.hpp"
 
 namespace gaitway::api {
 namespace {

@@ -25,7 +25,7 @@ std::string seconds(std::int64_t ns) {
 
 bool is_plain_name(std::string_view name) {
   constexpr std::size_t kMost = 64;
-  return name.size() <= kMost && !name.starts_with('.') && std::all_of(name.begin(), name.end(), [](char c) {
+  return name.size() <= kMost && !name.starts_with('.') && std::ranges::all_of(name, [](char c) {
            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
                   c == '_' || c == '-';
          });
@@ -33,9 +33,8 @@ bool is_plain_name(std::string_view name) {
 
 // As far as the manager's requests hold it.
 void require_short(const char* field, const std::string& value, std::size_t most) {
-  const bool printable = std::none_of(value.begin(), value.end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20U || c == '\x7f';
-  });
+  const bool printable = std::ranges::none_of(
+      value, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; });
   if (value.size() > most || !printable) {
     throw Refused(std::string(field) + " is " + shown(value) + ", but must be a text of at most " +
                   std::to_string(most) + " bytes without control characters");
@@ -148,8 +147,7 @@ void ServiceDesk::move_joint(const Caller& caller) {
   constexpr double kMost_s = 60.0;
   const auto asked = request<ros::MoveJoint>(caller);
   const auto& joints = robot_.joints();
-  const auto joint = std::find_if(joints.begin(), joints.end(),
-                                  [&](const JointLimits& limits) { return limits.name == asked.joint; });
+  const auto joint = std::ranges::find(joints, asked.joint, &JointLimits::name);
   if (joint == joints.end()) {
     throw Refused("joint is " + shown(asked.joint) + ", but must be one of those in /joint_states");
   }
@@ -229,8 +227,7 @@ void ServiceDesk::list_plugins(const Caller& caller) {
 
 void ServiceDesk::require_plugin(const std::string& name) const {
   const auto plugins = robot_.plugins();
-  if (std::none_of(plugins.begin(), plugins.end(),
-                   [&name](const PluginStatus& plugin) { return plugin.name == name; })) {
+  if (std::ranges::none_of(plugins, [&name](const PluginStatus& plugin) { return plugin.name == name; })) {
     throw Refused("the plug-in is " + shown(name) + ", but must be one that /plugins/list lists");
   }
 }

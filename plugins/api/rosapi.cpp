@@ -28,26 +28,16 @@ constexpr auto kAllTopics = [] {
   return all;
 }();
 
-constexpr auto kAllServices = [] {
-  std::array<NamedType, kServices.size()> all{};
-  std::size_t count = 0;
-  for (const ServiceRow& row : kServices) {
-    all[count++] = {row.name, row.type};
-  }
-  return all;
-}();
-
 template <class Rows>
 std::string type_of(const Rows& rows, std::string_view name) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [name](const NamedType& row) { return row.name == name; });
+  const auto found = std::ranges::find(rows, name, &Rows::value_type::name);
   return std::string(found == rows.end() ? std::string_view() : found->type);
 }
 
 template <class Rows>
 std::vector<std::string> names_of(const Rows& rows, std::string_view type) {
   std::vector<std::string> names;
-  for (const NamedType& row : rows) {
+  for (const auto& row : rows) {
     if (row.type == canonical_type(type)) {
       names.emplace_back(row.name);
     }
@@ -58,7 +48,7 @@ std::vector<std::string> names_of(const Rows& rows, std::string_view type) {
 template <class Rows>
 std::vector<std::string> all_names(const Rows& rows) {
   std::vector<std::string> names;
-  for (const NamedType& row : rows) {
+  for (const auto& row : rows) {
     names.emplace_back(row.name);
   }
   return names;
@@ -136,24 +126,24 @@ ros::Interfaces::Response Rosapi::answer(const ros::Interfaces::Request&) const 
 }
 
 ros::Services::Response Rosapi::answer(const ros::Services::Request&) const {
-  return {all_names(kAllServices)};
+  return {all_names(kServices)};
 }
 
 ros::ServiceType::Response Rosapi::answer(const ros::ServiceType::Request& request) const {
-  return {type_of(kAllServices, request.service)};
+  return {type_of(kServices, request.service)};
 }
 
 ros::ServicesForType::Response Rosapi::answer(const ros::ServicesForType::Request& request) const {
-  return {names_of(kAllServices, request.type)};
+  return {names_of(kServices, request.type)};
 }
 
 ros::ServiceNode::Response Rosapi::answer(const ros::ServiceNode::Request& request) const {
-  return {std::string(type_of(kAllServices, request.service).empty() ? std::string_view() : kNode)};
+  return {std::string(type_of(kServices, request.service).empty() ? std::string_view() : kNode)};
 }
 
 // The request's field is called `service`, but holds a type.
 ros::ServiceProviders::Response Rosapi::answer(const ros::ServiceProviders::Request& request) const {
-  return {node_if(!names_of(kAllServices, request.service).empty())};
+  return {node_if(!names_of(kServices, request.service).empty())};
 }
 
 ros::ServiceRequestDetails::Response Rosapi::answer(
@@ -178,7 +168,7 @@ ros::NodeDetails::Response Rosapi::answer(const ros::NodeDetails::Request& reque
   if (request.node != kNode) {
     return {};
   }
-  return {{{std::string(kVelocityTopic)}, published(), all_names(kAllServices)}};
+  return {{{std::string(kVelocityTopic)}, published(), all_names(kServices)}};
 }
 
 ros::GetActionServers::Response Rosapi::answer(const ros::GetActionServers::Request&) const {

@@ -1,9 +1,6 @@
 // Responses in the encoding that was asked for, and arguments by name.
 #include "service_call.hpp"
 
-#include <iterator>
-#include <string>
-
 #include "client_message.hpp"
 
 namespace gaitway::api {

@@ -1,11 +1,8 @@
 // Which service is answered by whom; orders whose answers are waited for.
 #include "service_desk.hpp"
 
-#include <algorithm>
 #include <array>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "client_message.hpp"
 #include "gaitway/api/authority.hpp"
@@ -13,8 +10,8 @@
 namespace gaitway::api {
 
 void Orders::require_room(std::uint64_t client) const {
-  const auto count = std::count_if(waiting_.begin(), waiting_.end(),
-                                   [client](const auto& order) { return order.second.client == client; });
+  const auto count =
+      std::ranges::count_if(waiting_, [client](const auto& order) { return order.second.client == client; });
   if (static_cast<std::size_t>(count) >= kMostOfOneClient) {
     throw CommandDenied("this connection waits for " + std::to_string(count) +
                         " answers already: wait for one of them first");
@@ -98,7 +95,7 @@ struct ServiceDesk::Answers {
   template <class... S>
   constexpr Answers& add_rosapi() {
     const auto row_of = [](std::string_view type) {
-      return std::find_if(kServices.begin(), kServices.end(), [type](const ServiceRow& row) {
+      return std::ranges::find_if(kServices, [type](const ServiceRow& row) {
         return row.type == type && row.name.starts_with("/rosapi/");
       });
     };

@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "gaitway/api/frame_messages.hpp"
-#include "gaitway/api/ros_messages.hpp"
 
 namespace gaitway::api {
 namespace {

@@ -60,7 +60,7 @@ std::optional<Terms> Subscriptions::together(Topic topic) const {
 
 void Publications::add(Topic topic, Subscriber& subscriber) {
   auto& subscribers = subscribers_[index(topic)];
-  if (std::find(subscribers.begin(), subscribers.end(), &subscriber) == subscribers.end()) {
+  if (std::ranges::find(subscribers, &subscriber) == subscribers.end()) {
     subscribers.push_back(&subscriber);
   }
 }

@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <concepts>
-#include <cstdint>
 #include <stdexcept>
 
 #include "gaitway/api/message_definition.hpp"
@@ -112,12 +111,12 @@ TypeRegistry make_registry() {
       registry.messages.push_back(name);
     }
   }
-  std::sort(registry.services.begin(), registry.services.end());
+  std::ranges::sort(registry.services);
   return registry;
 }
 
 void add_inner(const TypeDescription& type, std::vector<const TypeDescription*>& found) {
-  if (std::find(found.begin(), found.end(), &type) != found.end()) {
+  if (std::ranges::find(found, &type) != found.end()) {
     return;
   }
   found.push_back(&type);

@@ -67,8 +67,7 @@ std::vector<double> angles_of(const urdf::RobotModel& robot, std::span<const Pos
   std::vector<double> angles(robot.joints.size(), kKeep);
   bool complete = true;
   const auto set = [&](const std::string& name, double angle_rad) {
-    const auto limits = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                     [&name](const urdf::Joint& joint) { return joint.name == name; });
+    const auto limits = std::ranges::find(robot.joints, name, &urdf::Joint::name);
     complete = complete && limits != robot.joints.end();
     if (!complete) return;
     angles[static_cast<std::size_t>(limits - robot.joints.begin())] =
@@ -129,8 +128,7 @@ FallPosture::FallPosture(const urdf::RobotModel& robot)
     joints_.push_back({joint.lower_rad, joint.upper_rad, joint.velocity_limit_rad_per_s, joint.home_rad});
     home_rad_.push_back(joint.home_rad);
   }
-  exists_ = std::none_of(postures_rad_.begin(), postures_rad_.end(),
-                         [](const Angles& angles) { return angles.empty(); });
+  exists_ = std::ranges::none_of(postures_rad_, &Angles::empty);
 }
 
 void FallPosture::fall(double direction_rad, const References& references) noexcept {

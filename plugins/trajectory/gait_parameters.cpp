@@ -1,12 +1,6 @@
 // The rules of the gait parameters.
 #include "gaitway/trajectory/gait_parameters.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "gaitway/facts/facts.hpp"
-
 namespace gaitway::trajectory {
 namespace {
 

@@ -22,8 +22,7 @@ double smooth(double s) noexcept {
 }  // namespace
 
 std::optional<std::size_t> MotionPlayer::find(std::string_view name) const noexcept {
-  const auto found = std::find_if(motions_.begin(), motions_.end(),
-                                  [name](const MotionTable& motion) { return motion.name == name; });
+  const auto found = std::ranges::find(motions_, name, &MotionTable::name);
   if (found == motions_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - motions_.begin());
 }

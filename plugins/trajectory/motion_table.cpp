@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -69,10 +68,9 @@ class Reader {
     array(way.points);
     array(way.offset_rad);
     const bool fits = !way.points.empty() && way.offset_rad.size() == way.points.size() * joints;
-    const bool finite =
-        std::all_of(way.offset_rad.begin(), way.offset_rad.end(), [](float x) { return std::isfinite(x); });
-    const bool stands = std::all_of(way.points.begin(), way.points.end(),
-                                    [](const MotionPoint& point) { return point.support <= kNothingStands; });
+    const bool finite = std::ranges::all_of(way.offset_rad, [](float x) { return std::isfinite(x); });
+    const bool stands = std::ranges::all_of(
+        way.points, [](const MotionPoint& point) { return point.support <= kNothingStands; });
     if (!fits || !finite || !stands) refuse(file_, "its points are not those of a motion");
   }
   [[nodiscard]] bool at_end() const noexcept { return at_ == bytes_.size(); }
@@ -197,7 +195,7 @@ std::vector<std::filesystem::path> motion_table_files(const std::filesystem::pat
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == kMotionTableEnding) files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

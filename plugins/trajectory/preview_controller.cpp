@@ -1,7 +1,6 @@
 // Gains by the discrete Riccati equation, and the step of the preview controller.
 #include "gaitway/trajectory/preview_controller.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <stdexcept>
 

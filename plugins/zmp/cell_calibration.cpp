@@ -76,7 +76,7 @@ int CellCalibration::dead_cell(std::size_t side) const noexcept {
 }
 
 bool CellCalibration::any_dead() const noexcept {
-  return std::any_of(dead_.begin(), dead_.end(), [](bool dead) { return dead; });
+  return std::ranges::any_of(dead_, [](bool dead) { return dead; });
 }
 
 // A cell at the edge of the support bears nothing, too, but then the other three do not say that it should.

@@ -14,7 +14,7 @@ using facts::kSlot_s;
 constexpr std::size_t kMaskBits = 64;
 
 bool all_finite(std::span<const double> values) noexcept {
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 std::uint64_t bit(std::size_t joint) noexcept {

@@ -20,7 +20,9 @@ int document_api(const ApiOptions& options) {
   return kExitFine;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "api");
   const CommandLine document = command.subcommand(
       "document", "Write api.md, api_examples.json and api_schemas.json, as this version speaks");
@@ -34,9 +36,4 @@ void declare(const CommandLine& app) {
   command.footer("Example:\n  gaitway api document --out docs");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

@@ -152,7 +152,7 @@ class Entry {
     std::vector<std::string> known = kRequired;
     known.insert(known.end(), {"extended", "fifo"});
     for (const auto& [key, unused] : value_.items()) {
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
+      if (std::ranges::find(known, key) == known.end()) {
         refuse("", fmt::format("key '{}': there is no such key. {}", key, input::suggest(key, known)));
       }
     }

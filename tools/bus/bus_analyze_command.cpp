@@ -28,7 +28,7 @@ namespace {
 constexpr int kExitMisses = 3;  // a message may miss its deadline
 
 struct BusAnalyzeOptions {
-  std::filesystem::path robot;                    // folder with robot.urdf and robot.yaml
+  std::filesystem::path robot = process::default_robot_directory();  // folder with robot.urdf and robot.yaml
   std::optional<std::filesystem::path> messages;  // instead of a robot: see read_message_list()
   std::string profile;                            // instead of what the robot's network file says
   std::optional<double> jitter_ms;  // of every message of the robot; as `gaitway run` asks for when left out
@@ -87,10 +87,7 @@ Subject subject_of(const BusAnalyzeOptions& options, const can::ProofAssumptions
   if (options.messages) {
     return {options.messages->string(), read_message_list(*options.messages)};
   }
-  urdf::RobotModel robot = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    robot.network.profile = options.profile;
-  }
+  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   const can::Profile profile = msgcontroller::network_profile(robot);
   const std::vector<can::NodeId> nodes = msgcontroller::nodes_on_bus(profile, robot);
   return {fmt::format("robot {}, profile {}, {} joints", robot.name, profile.name, nodes.size()),
@@ -150,7 +147,7 @@ void print_table(const Subject& subject, const std::vector<can::MessageResponse>
     const can::AnalysedMessage& message = subject.messages[i];
     return can::arbitration_key({.id = message.id, .extended = message.extended});
   };
-  std::sort(order.begin(), order.end(), [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::ranges::sort(order, [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
   for (const can::AnalysedMessage& message : subject.messages) {
     width = std::max(width, message.name.size());
   }
@@ -202,9 +199,8 @@ int analyze_bus(const BusAnalyzeOptions& options) {
   const Subject subject = subject_of(options, assumptions);
   const can::AnalysisOptions analysis{.bit_time_ns = assumptions.bit_time_ns, .errors = assumptions.errors};
   const std::vector<can::MessageResponse> responses = can::response_times(subject.messages, analysis);
-  const auto misses =
-      std::count_if(responses.begin(), responses.end(),
-                    [](const can::MessageResponse& response) { return !response.schedulable(); });
+  const auto misses = std::ranges::count_if(
+      responses, [](const can::MessageResponse& response) { return !response.schedulable(); });
   if (options.json) {
     print_json(subject, responses);
     return misses == 0 ? 0 : kExitMisses;
@@ -228,7 +224,6 @@ void add_bus_analyze(const CommandLine& bus) {
   const CommandLine command = bus.subcommand(
       "analyze", "Worst response of every message against its deadline, and what else would fit");
   BusAnalyzeOptions& options = command.runs(analyze_bus);
-  options.robot = process::default_robot_directory();
   const Option robot = command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   const Option profile =
       command.option("--profile", options.profile,

@@ -2,9 +2,8 @@
 #include "tools/bus/bus_options.hpp"
 
 namespace gaitway::tools {
-namespace {
 
-void declare(const CommandLine& program) {
+void declare_program(const CommandLine& program) {
   const CommandLine bus = add_command(program, "bus");
   bus.needs_subcommand();
   add_bus_analyze(bus);
@@ -20,9 +19,4 @@ void declare(const CommandLine& program) {
       "  gaitway bus analyze --help");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

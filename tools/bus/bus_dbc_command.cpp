@@ -14,13 +14,13 @@ namespace gaitway::tools {
 namespace {
 
 struct BusDbcOptions {
-  std::filesystem::path robot;
+  std::filesystem::path robot = process::default_robot_directory();
   std::string profile;        // empty: the one that the network file names
   std::filesystem::path out;  // empty: the terminal
 };
 
 struct BusDocumentOptions {
-  std::filesystem::path robot;
+  std::filesystem::path robot = process::default_robot_directory();
   std::filesystem::path out;  // empty: the terminal
 };
 
@@ -58,7 +58,6 @@ void add_bus_dbc(const CommandLine& bus) {
   const CommandLine command =
       bus.subcommand("dbc", "Write the robot's messages as a .dbc file, which bus tools decode with");
   BusDbcOptions& options = command.runs(write_dbc);
-  options.robot = process::default_robot_directory();
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--profile", options.profile, "full or paper; default: what robot.yaml says")
       .one_of({"full", "paper"});
@@ -74,7 +73,6 @@ void add_bus_document(const CommandLine& bus) {
   const CommandLine command =
       bus.subcommand("document", "Write the page that describes the network and its messages (Markdown)");
   BusDocumentOptions& options = command.runs(write_network_document);
-  options.robot = process::default_robot_directory();
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--out", options.out, "File to write; default: the terminal");
   command.footer(

@@ -5,7 +5,6 @@
 #include <array>
 #include <utility>
 
-#include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/process/real_time.hpp"
 
 namespace gaitway::tools {

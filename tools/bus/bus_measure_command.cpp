@@ -23,7 +23,7 @@ namespace {
 
 struct BusMeasureOptions {
   BusRobotOptions robot;
-  std::filesystem::path config;
+  std::filesystem::path config = process::default_config_file();
   std::vector<double> walk{0.1};
   std::optional<double> seconds;
   std::uint64_t seed = 1;
@@ -46,7 +46,7 @@ BusMeasurement simulate(const BusMeasureOptions& options, const BusRobot& robot)
   if (options.walk.empty() || options.walk.size() > experiment.walk.size()) {
     throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.1,0,0.1");
   }
-  std::copy(options.walk.begin(), options.walk.end(), experiment.walk.begin());
+  std::ranges::copy(options.walk, experiment.walk.begin());
   if (experiment.seconds < kShortest_s) {
     throw std::invalid_argument(fmt::format(
         "--seconds {}: must be at least {}: the first {} s, until the robot walks steadily, are not measured",
@@ -96,7 +96,6 @@ void add_bus_measure(const CommandLine& bus) {
   const CommandLine command =
       bus.subcommand("measure", "Rerun the published experiment: what the messages take, measured");
   BusMeasureOptions& options = command.runs(measure_bus);
-  options.config = process::default_config_file();
   add_robot_options(command, options.robot);
   command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
   command.option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s");

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "gaitway/can/frame.hpp"
-#include "gaitway/facts/facts.hpp"
 #include "tools/bus/bus_watch_text.hpp"
 
 namespace gaitway::tools {

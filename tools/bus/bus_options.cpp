@@ -15,10 +15,7 @@ void add_robot_options(const CommandLine& command, BusRobotOptions& options) {
 
 BusRobot load_bus_robot(const BusRobotOptions& options) {
   BusRobot robot;
-  robot.model = urdf::load_robot(options.directory);
-  if (!options.profile.empty()) {
-    robot.model.network.profile = options.profile;
-  }
+  robot.model = msgcontroller::load_robot(options.directory, options.profile);
   robot.profile = msgcontroller::network_profile(robot.model);
   robot.nodes = msgcontroller::nodes_on_bus(robot.profile, robot.model);
   robot.proof = can::prove(robot.profile, robot.nodes);

@@ -48,7 +48,7 @@ std::string stand_alone(const std::string& inline_svg) {
 class Legend {
  public:
   void add(SvgPlot& plot, MessageKind kind) {
-    if (std::find(shown_.begin(), shown_.end(), kind) == shown_.end()) {
+    if (std::ranges::find(shown_, kind) == shown_.end()) {
       shown_.push_back(kind);
       plot.line({}, colour_of(kind), can::layout(kind).name);
     }

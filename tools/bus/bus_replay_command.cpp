@@ -123,8 +123,7 @@ void print(const BusReplayOptions& options, const BusRobot& robot, const ReplayR
     return;
   }
   const ReplayDifference& first = *result.first;
-  const auto joint = std::find_if(robot.model.joints.begin(), robot.model.joints.end(),
-                                  [&](const urdf::Joint& one) { return one.node == first.node; });
+  const auto joint = std::ranges::find(robot.model.joints, first.node, &urdf::Joint::node);
   fmt::print("differs first at {:.6f} s, node {} ({}), {}: recorded {}, replayed {}\n",
              static_cast<double>(first.time_ns + shift_ns) * 1e-9, first.node,
              joint == robot.model.joints.end() ? "?" : joint->name, first.field, first.recorded,

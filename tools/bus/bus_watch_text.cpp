@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "gaitway/can/frame.hpp"
 #include "gaitway/can/socketcan_port.hpp"
-#include "gaitway/facts/facts.hpp"
 
 namespace gaitway::tools {
 namespace {

@@ -44,8 +44,7 @@ std::int64_t field_value(const can::Frame& frame, const can::FieldSpec& field) n
 bool is_reference(MessageKind kind, std::string_view field) noexcept {
   constexpr std::array<std::string_view, 4> kDecided{"reference_low", "executing_toggle", "pending_toggle",
                                                      "state"};
-  return kind == MessageKind::feedback &&
-         std::find(kDecided.begin(), kDecided.end(), field) != kDecided.end();
+  return kind == MessageKind::feedback && std::ranges::find(kDecided, field) != kDecided.end();
 }
 
 }  // namespace
@@ -118,7 +117,7 @@ int LogReplay::sender_of(const can::Frame& frame) const noexcept {
   if (!message || can::layout(message->kind).sender != can::Sender::local_controller) {
     return -1;
   }
-  const auto joint = std::find(node_.begin(), node_.end(), message->node);
+  const auto joint = std::ranges::find(node_, message->node);
   return joint == node_.end() ? -1 : static_cast<int>(joint - node_.begin());
 }
 

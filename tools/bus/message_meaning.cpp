@@ -112,7 +112,7 @@ const FieldText& text_of(MessageKind kind, std::string_view field) {
     return text.kind == kind &&
            (pattern ? field.starts_with(text.field.substr(0, text.field.size() - 1)) : field == text.field);
   };
-  const auto* const found = std::find_if(std::begin(kFields), std::end(kFields), matches);
+  const auto* const found = std::ranges::find_if(kFields, matches);
   if (found == std::end(kFields)) {
     throw std::logic_error("tools/message_meaning.cpp: the field '" + std::string(field) +
                            "' of the message '" + std::string(can::layout(kind).name) +

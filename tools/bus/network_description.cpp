@@ -7,10 +7,8 @@
 #include <cctype>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -100,8 +98,7 @@ class Describer {
           break;
       }
     }
-    std::sort(description_.messages.begin(), description_.messages.end(),
-              [](const DescribedMessage& a, const DescribedMessage& b) { return a.id < b.id; });
+    std::ranges::sort(description_.messages, {}, &DescribedMessage::id);
     return std::move(description_);
   }
 

@@ -219,7 +219,7 @@ class Document {
       }
     }
     put(" count | limits | sensor channels |\n|---|---|");
-    for (auto column = std::count_if(messages.begin(), messages.end(), is_per_node); column > 0; --column) {
+    for (auto column = std::ranges::count_if(messages, is_per_node); column > 0; --column) {
       put("---|");
     }
     put("---|---|---|\n");
@@ -258,7 +258,7 @@ class Document {
         messages.push_back(&message);
       }
     }
-    std::stable_sort(messages.begin(), messages.end(), [&](const auto* a, const auto* b) {
+    std::ranges::stable_sort(messages, [&](const auto* a, const auto* b) {
       return profile.row(a->kind).base_id < profile.row(b->kind).base_id;
     });
     return messages;

@@ -227,6 +227,6 @@ void declare(const CommandLine& app) {
 }  // namespace
 }  // namespace gaitway::calibration
 
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::calibration::declare);
+void gaitway::tools::declare_program(const CommandLine& program) {
+  calibration::declare(program);
 }

@@ -24,8 +24,8 @@ bool is_told(const Estimate& estimate) {
 }
 
 bool is_of_a_leg(const urdf::RobotModel& robot, std::size_t joint) {
-  return std::any_of(robot.legs.begin(), robot.legs.end(), [joint](const urdf::Leg& leg) {
-    return std::find(leg.joints.begin(), leg.joints.end(), static_cast<int>(joint)) != leg.joints.end();
+  return std::ranges::any_of(robot.legs, [joint](const urdf::Leg& leg) {
+    return std::ranges::find(leg.joints, static_cast<int>(joint)) != leg.joints.end();
   });
 }
 

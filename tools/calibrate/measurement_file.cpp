@@ -39,7 +39,7 @@ std::vector<double> read_joints(const YamlValue& map, const urdf::RobotModel& ro
   std::vector<std::string> missing;
   for (const urdf::Joint& joint : robot.joints) missing.push_back(joint.name);
   for (const auto& [name, value] : map.entries()) {
-    const auto found = std::find(missing.begin(), missing.end(), name);
+    const auto found = std::ranges::find(missing, name);
     if (found == missing.end()) {
       value.refuse(fmt::format("the robot '{}' has no joint '{}'", robot.name, name),
                    input::suggest(name, missing));

@@ -75,7 +75,7 @@ void Board::add_line(const nlohmann::ordered_json& line) {
   const std::string text = line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   const std::uint32_t size = page_->text_size.load();
   if (size + text.size() <= BoardPage::kTextBytes) {
-    std::copy(text.begin(), text.end(), page_->text.begin() + size);
+    std::ranges::copy(text, page_->text.begin() + size);
     page_->text_size.store(static_cast<std::uint32_t>(size + text.size()));
   }
 }

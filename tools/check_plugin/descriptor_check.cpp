@@ -52,7 +52,7 @@ void check_topics(CheckRun& run, Specimen& specimen) {
   }
   for (const Port& port : specimen.host().ports()) {
     const auto same = [&port](const StandardTopic& topic) { return topic.name == port.topic; };
-    const auto* const standard = std::find_if(kStandardTopics.begin(), kStandardTopics.end(), same);
+    const auto* const standard = std::ranges::find_if(kStandardTopics, same);
     if (standard != kStandardTopics.end() && standard->type->hash != port.type_hash) {
       run.finding(fmt::format("opens the standard topic '{}' with another type than {}", port.topic,
                               standard->type->name),

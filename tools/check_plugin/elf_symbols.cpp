@@ -130,8 +130,7 @@ ElfSymbols read_elf_symbols(const std::filesystem::path& file) {
   for (const Elf64_Phdr& segment : elf.segments()) {
     symbols.thread_local_data |= segment.p_type == PT_TLS;
   }
-  std::sort(symbols.functions.begin(), symbols.functions.end(),
-            [](const ElfFunction& a, const ElfFunction& b) { return a.begin < b.begin; });
+  std::ranges::sort(symbols.functions, {}, &ElfFunction::begin);
   return symbols;
 }
 

@@ -80,31 +80,20 @@ GAITWAY_INTERPOSED int posix_memalign(void** memory, std::size_t alignment, std:
   return *memory == nullptr ? ENOMEM : 0;
 }
 
-GAITWAY_INTERPOSED int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
-  static auto* const next = behind<int(pthread_mutex_t*)>("pthread_mutex_lock");
-  note_call("pthread_mutex_lock");
-  return next(mutex);
-}
-GAITWAY_INTERPOSED int pthread_mutex_trylock(pthread_mutex_t* mutex) noexcept {
-  static auto* const next = behind<int(pthread_mutex_t*)>("pthread_mutex_trylock");
-  note_call("pthread_mutex_trylock");
-  return next(mutex);
-}
-GAITWAY_INTERPOSED int pthread_rwlock_rdlock(pthread_rwlock_t* lock) noexcept {
-  static auto* const next = behind<int(pthread_rwlock_t*)>("pthread_rwlock_rdlock");
-  note_call("pthread_rwlock_rdlock");
-  return next(lock);
-}
-GAITWAY_INTERPOSED int pthread_rwlock_wrlock(pthread_rwlock_t* lock) noexcept {
-  static auto* const next = behind<int(pthread_rwlock_t*)>("pthread_rwlock_wrlock");
-  note_call("pthread_rwlock_wrlock");
-  return next(lock);
-}
-GAITWAY_INTERPOSED int pthread_spin_lock(pthread_spinlock_t* lock) noexcept {
-  static auto* const next = behind<int(pthread_spinlock_t*)>("pthread_spin_lock");
-  note_call("pthread_spin_lock");
-  return next(lock);
-}
+// A call that may wait, of a lock of this type: noted and passed on.
+#define GAITWAY_INTERPOSED_LOCK(name, type)              \
+  GAITWAY_INTERPOSED int name(type* lock) noexcept {     \
+    static auto* const next = behind<int(type*)>(#name); \
+    note_call(#name);                                    \
+    return next(lock);                                   \
+  }
+
+GAITWAY_INTERPOSED_LOCK(pthread_mutex_lock, pthread_mutex_t)
+GAITWAY_INTERPOSED_LOCK(pthread_mutex_trylock, pthread_mutex_t)
+GAITWAY_INTERPOSED_LOCK(pthread_rwlock_rdlock, pthread_rwlock_t)
+GAITWAY_INTERPOSED_LOCK(pthread_rwlock_wrlock, pthread_rwlock_t)
+GAITWAY_INTERPOSED_LOCK(pthread_spin_lock, pthread_spinlock_t)
+
 GAITWAY_INTERPOSED int sem_wait(sem_t* semaphore) {
   static auto* const next = behind<int(sem_t*)>("sem_wait");
   note_call("sem_wait");

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/plugin/cycle.hpp"
 
 namespace gaitway::plugin_check {
 namespace {
@@ -84,8 +83,7 @@ RecordedTopic& NominalRecord::add_topic(const std::string& name, const TypeDescr
 }
 
 const RecordedTopic* NominalRecord::find(std::string_view name) const noexcept {
-  const auto found = std::find_if(topics_.begin(), topics_.end(),
-                                  [name](const RecordedTopic& topic) { return topic.name == name; });
+  const auto found = std::ranges::find(topics_, name, &RecordedTopic::name);
   return found == topics_.end() ? nullptr : &*found;
 }
 
@@ -138,10 +136,9 @@ NominalRecord NominalRecord::load(int fd) {
   for (std::uint32_t i = 0; i < head.at(1); ++i) {
     const std::vector<char> name = cursor.list<char>();
     const std::vector<char> type_name = cursor.list<char>();
-    const auto* const type =
-        std::find_if(kStandardTypes.begin(), kStandardTypes.end(), [&](const TypeDescriptor* known) {
-          return std::equal(type_name.begin(), type_name.end(), known->name.begin(), known->name.end());
-        });
+    const auto* const type = std::ranges::find_if(kStandardTypes, [&](const TypeDescriptor* known) {
+      return std::ranges::equal(type_name, known->name);
+    });
     if (type == kStandardTypes.end()) {
       throw std::runtime_error("the recorded walk has a topic of an unknown type");
     }

@@ -109,10 +109,9 @@ void Checker::read_parameters() {
   }
   const core::Configuration configuration = core::read_configuration(*options_.config);
   const std::string file = options_.plugin.filename().string();
-  const auto found = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
-                                  [&file](const core::PluginEntry& entry) {
-                                    return std::filesystem::path(entry.library).filename() == file;
-                                  });
+  const auto found = std::ranges::find_if(configuration.plugins, [&file](const core::PluginEntry& entry) {
+    return std::filesystem::path(entry.library).filename() == file;
+  });
   if (found == configuration.plugins.end()) {
     throw CheckError(fmt::format("{}: has no plug-in with the library {}. Add it, or leave --config out",
                                  options_.config->string(), file));
@@ -215,8 +214,8 @@ void Checker::add(Report& report, CheckResult result) {
 
 void Checker::skip_rest(Report& report, const std::string& why) {
   for (const char* const check : kOrder) {
-    const bool done = std::any_of(report.results.begin(), report.results.end(),
-                                  [check](const CheckResult& result) { return result.check == check; });
+    const bool done = std::ranges::any_of(
+        report.results, [check](const CheckResult& result) { return result.check == check; });
     if (!done) {
       CheckResult result;
       result.check = check;
@@ -300,8 +299,8 @@ Report Checker::run() {
   if (run_gates(report)) {
     run_rest(report);
   }
-  std::sort(report.results.begin(), report.results.end(), [](const CheckResult& a, const CheckResult& b) {
-    const auto place = [](const CheckResult& r) { return std::find(kOrder.begin(), kOrder.end(), r.check); };
+  std::ranges::sort(report.results, [](const CheckResult& a, const CheckResult& b) {
+    const auto place = [](const CheckResult& r) { return std::ranges::find(kOrder, r.check); };
     return place(a) < place(b);
   });
   return report;

@@ -98,7 +98,7 @@ void ReplayHost::add_port(const gaitway_topic& topic, gaitway_access access) {
   port.type_hash = topic.type_hash;
   port.value.resize(topic.size);
   const auto same = [&topic](const TypeDescriptor* type) { return type->hash == topic.type_hash; };
-  const auto standard = std::find_if(kStandardTypes.begin(), kStandardTypes.end(), same);
+  const auto standard = std::ranges::find_if(kStandardTypes, same);
   port.standard_type =
       standard == kStandardTypes.end() || (*standard)->size != topic.size ? nullptr : *standard;
   for (std::uint32_t i = 0; topic.float_fields != nullptr && i < topic.float_field_count; ++i) {

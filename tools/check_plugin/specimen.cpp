@@ -59,12 +59,21 @@ void Specimen::set_error(std::string_view text) noexcept {
   *std::copy_n(text.begin(), std::min(text.size(), error_.size() - 1), error_.begin()) = '\0';
 }
 
-bool Specimen::create() noexcept {
+// The call over the border, noted on the board.
+template <class Function>
+bool Specimen::call(Call what, const Function& function) noexcept {
   const gaitway_text text = error_text();
-  fill_stack();
-  board().enter(Call::create);
-  created_ = library_.entry().create(host_.table(), &instance_, &text) == GAITWAY_OK;
+  board().enter(what);
+  const bool fine = function(&text) == GAITWAY_OK;
   board().enter(Call::none);
+  return fine;
+}
+
+bool Specimen::create() noexcept {
+  fill_stack();
+  created_ = call(Call::create, [this](const gaitway_text* error) {
+    return library_.entry().create(host_.table(), &instance_, error);
+  });
   host_.set_phase(ReplayHost::Phase::idle);
   if (created_ && (instance_.activate == nullptr || instance_.step == nullptr ||
                    instance_.deactivate == nullptr || instance_.destroy == nullptr)) {
@@ -75,20 +84,14 @@ bool Specimen::create() noexcept {
 }
 
 bool Specimen::activate() noexcept {
-  const gaitway_text text = error_text();
   fill_stack();
-  board().enter(Call::activate);
-  const bool fine = instance_.activate(instance_.context, &text) == GAITWAY_OK;
-  board().enter(Call::none);
-  return fine;
+  return call(Call::activate,
+              [this](const gaitway_text* error) { return instance_.activate(instance_.context, error); });
 }
 
 bool Specimen::deactivate() noexcept {
-  const gaitway_text text = error_text();
-  board().enter(Call::deactivate);
-  const bool fine = instance_.deactivate(instance_.context, &text) == GAITWAY_OK;
-  board().enter(Call::none);
-  return fine;
+  return call(Call::deactivate,
+              [this](const gaitway_text* error) { return instance_.deactivate(instance_.context, error); });
 }
 
 void Specimen::destroy() noexcept {
@@ -101,35 +104,32 @@ void Specimen::destroy() noexcept {
 }
 
 bool Specimen::set_parameter(const char* name, const gaitway_value& value) noexcept {
-  const gaitway_text text = error_text();
   if (instance_.set_parameter == nullptr) {
     set_error("has no set_parameter");
     return false;
   }
-  board().enter(Call::set_parameter);
-  const bool fine = instance_.set_parameter(instance_.context, name, &value, &text) == GAITWAY_OK;
-  board().enter(Call::none);
-  return fine;
+  return call(Call::set_parameter, [&](const gaitway_text* error) {
+    return instance_.set_parameter(instance_.context, name, &value, error);
+  });
 }
 
 bool Specimen::save_state(core::PluginState& state, std::uint32_t capacity) noexcept {
-  const gaitway_text text = error_text();
+  error_[0] = '\0';
   state.size = state.version = 0;
   const gaitway_state_functions* const functions = detail::state_functions(instance_);
   if (functions == nullptr) {
     return true;
   }
   gaitway_state plain{state.bytes.data(), capacity, 0, 0, 0};
-  board().enter(Call::save_state);
-  const bool fine = functions->save_state(instance_.context, &plain, &text) == GAITWAY_OK;
-  board().enter(Call::none);
+  const bool fine = call(Call::save_state, [&](const gaitway_text* error) {
+    return functions->save_state(instance_.context, &plain, error);
+  });
   state.size = plain.size;
   state.version = plain.version;
   return fine;
 }
 
 bool Specimen::restore_state(const core::PluginState& state) noexcept {
-  const gaitway_text text = error_text();
   const gaitway_state_functions* const functions = detail::state_functions(instance_);
   if (functions == nullptr) {
     set_error("has no restore_state");
@@ -137,10 +137,9 @@ bool Specimen::restore_state(const core::PluginState& state) noexcept {
   }
   const gaitway_state plain{const_cast<std::byte*>(state.bytes.data()), core::PluginState::kCapacity,
                             state.size, state.version, 0};
-  board().enter(Call::restore_state);
-  const bool fine = functions->restore_state(instance_.context, &plain, &text) == GAITWAY_OK;
-  board().enter(Call::none);
-  return fine;
+  return call(Call::restore_state, [&](const gaitway_text* error) {
+    return functions->restore_state(instance_.context, &plain, error);
+  });
 }
 
 bool Specimen::prepare_step(const NominalRecord& record, std::uint64_t n, const InputFault& fault) noexcept {
@@ -153,12 +152,7 @@ bool Specimen::prepare_step(const NominalRecord& record, std::uint64_t n, const 
   if (host_.period() == Period::batch && !tick.batch) {
     return false;
   }
-  tick_ = {.now_ns = tick.now_ns,
-           .batch_start_ns = tick.batch_start_ns,
-           .batch_sequence = tick.batch_sequence,
-           .tick = tick.tick,
-           .batch = tick.batch ? 1U : 0U,
-           .reserved = 0};
+  tick_ = core::abi_tick(tick);
   error_[0] = '\0';
   fill_stack();
   board().enter_tick(tick.tick);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 #include "gaitway/instance/managed_plugin.hpp"
@@ -68,6 +67,8 @@ class Specimen {
   [[nodiscard]] Board& board() const noexcept { return library_.board(); }
 
  private:
+  template <class Function>
+  bool call(Call what, const Function& function) noexcept;
   [[nodiscard]] gaitway_text error_text() noexcept;
   void set_error(std::string_view text) noexcept;
 

@@ -62,7 +62,7 @@ void check_room(CheckRun& run, Specimen& specimen, std::uint32_t size) {
     return;
   }
   const auto state = std::make_unique<core::PluginState>();
-  std::fill(state->bytes.begin(), state->bytes.end(), kUntouched);
+  std::ranges::fill(state->bytes, kUntouched);
   const bool saved = specimen.save_state(*state, size - 1);
   const bool overrun = std::any_of(state->bytes.begin() + size - 1, state->bytes.end(),
                                    [](std::byte byte) { return byte != kUntouched; });

@@ -47,9 +47,9 @@ constexpr std::array kLargestChanges{
 
 // Infinite: any.
 double largest_change(std::string_view type, std::string_view field) noexcept {
-  const auto* const found =
-      std::find_if(kLargestChanges.begin(), kLargestChanges.end(),
-                   [&](const LargestChange& change) { return change.type == type && change.field == field; });
+  const auto* const found = std::ranges::find_if(kLargestChanges, [&](const LargestChange& change) {
+    return change.type == type && change.field == field;
+  });
   return found == kLargestChanges.end() ? std::numeric_limits<double>::infinity() : found->value;
 }
 
@@ -240,8 +240,7 @@ std::optional<std::string> OutputRules::jump(const Port& port) {
   if (port.standard_type == nullptr) {
     return std::nullopt;
   }
-  auto before =
-      std::find_if(before_.begin(), before_.end(), [&](const Before& b) { return b.port == &port; });
+  auto before = std::ranges::find_if(before_, [&](const Before& b) { return b.port == &port; });
   const bool first = before == before_.end();
   if (first) {
     before = before_.insert(before_.end(), {&port, port.value});

@@ -32,8 +32,7 @@ using Clock = std::chrono::steady_clock;
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
-  std::transform(texts.begin(), texts.end(), std::back_inserter(pointers),
-                 [](std::string& text) { return text.data(); });
+  std::ranges::transform(texts, std::back_inserter(pointers), [](std::string& text) { return text.data(); });
   pointers.push_back(nullptr);
   return pointers;
 }

@@ -43,31 +43,6 @@ void print_table(const json& values) {
   }
 }
 
-void declare(const CommandLine& program) {
-  const auto options = std::make_shared<CtlOptions>();
-  const CommandLine ctl = add_command(program, "ctl");
-  add_address(ctl, *options);
-  ctl.needs_subcommand();
-  add_robot_orders(ctl, options);
-  add_plugin_orders(ctl, options);
-  ctl.renamed("halt", "ctl stop");
-  ctl.renamed("record", "ctl recording start");
-  ctl.renamed("record-stop", "ctl recording stop");
-  ctl.renamed("plugins", "ctl plugin list");
-  for (const char* const verb : {"reload", "load", "unload", "start", "set", "parameters"}) {
-    ctl.renamed(verb, fmt::format("ctl plugin {}", verb));
-  }
-  ctl.footer(
-      "Examples:\n"
-      "  gaitway ctl walk 0.15 --seconds 5\n"
-      "  gaitway ctl stop\n"
-      "  gaitway ctl --port 9191 emergency-stop            the robot of 'gaitway serve --port 9191'\n"
-      "  gaitway ctl plugin --help\n"
-      "  gaitway ctl recording start walk1\n"
-      "  gaitway ctl --url wss://robot:9090 --token-file token --ca ca.pem plugin list\n"
-      "Exit code: 0 done, 1 the input was bad or nobody is there, 2 refused, 3 no answer.");
-}
-
 }  // namespace
 
 void add_address(const CommandLine& command, CtlOptions& options) {
@@ -120,8 +95,29 @@ int call_and_print(ApiClient& client, const std::string& service, const json& ar
   return done ? kExitFine : kExitRefused;
 }
 
-}  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
+void declare_program(const CommandLine& program) {
+  const auto options = std::make_shared<CtlOptions>();
+  const CommandLine ctl = add_command(program, "ctl");
+  add_address(ctl, *options);
+  ctl.needs_subcommand();
+  add_robot_orders(ctl, options);
+  add_plugin_orders(ctl, options);
+  ctl.renamed("halt", "ctl stop");
+  ctl.renamed("record", "ctl recording start");
+  ctl.renamed("record-stop", "ctl recording stop");
+  ctl.renamed("plugins", "ctl plugin list");
+  for (const char* const verb : {"reload", "load", "unload", "start", "set", "parameters"}) {
+    ctl.renamed(verb, fmt::format("ctl plugin {}", verb));
+  }
+  ctl.footer(
+      "Examples:\n"
+      "  gaitway ctl walk 0.15 --seconds 5\n"
+      "  gaitway ctl stop\n"
+      "  gaitway ctl --port 9191 emergency-stop            the robot of 'gaitway serve --port 9191'\n"
+      "  gaitway ctl plugin --help\n"
+      "  gaitway ctl recording start walk1\n"
+      "  gaitway ctl --url wss://robot:9090 --token-file token --ca ca.pem plugin list\n"
+      "Exit code: 0 done, 1 the input was bad or nobody is there, 2 refused, 3 no answer.");
 }
+
+}  // namespace gaitway::tools

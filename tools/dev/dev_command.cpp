@@ -262,7 +262,9 @@ int develop(const DevOptions& options) {
   return Development(complete).run();
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "dev");
   DevOptions& options = command.runs(develop);
   command.option("project", options.project, "Folder with the plug-in's CMakeLists.txt")
@@ -285,9 +287,4 @@ void declare(const CommandLine& app) {
       "it where it is.");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

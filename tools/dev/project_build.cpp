@@ -16,7 +16,6 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -118,8 +117,7 @@ bool is_source(std::string_view name) {
   constexpr std::array<std::string_view, 7> kEndings{".cpp",   ".cc",           ".c", ".hpp", ".h",
                                                      ".cmake", "CMakeLists.txt"};
   return !name.starts_with('.') &&
-         std::any_of(kEndings.begin(), kEndings.end(),
-                     [name](std::string_view ending) { return name.ends_with(ending); });
+         std::ranges::any_of(kEndings, [name](std::string_view ending) { return name.ends_with(ending); });
 }
 
 }  // namespace

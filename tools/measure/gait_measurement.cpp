@@ -31,7 +31,7 @@ std::vector<double> levels_of(const GaitRow& row) {
 
 std::size_t floor_of(const GaitRow& row) {
   const std::vector<double> levels = levels_of(row);
-  return static_cast<std::size_t>(std::find(levels.begin(), levels.end(), row.floor) - levels.begin());
+  return static_cast<std::size_t>(std::ranges::find(levels, row.floor) - levels.begin());
 }
 
 // One level of one row at work.
@@ -325,7 +325,7 @@ double kept_figure(const std::vector<SeedResult>& seeds) {
   for (const SeedResult& seed : seeds) {
     figures.push_back(seed.figure);
   }
-  std::sort(figures.begin(), figures.end());
+  std::ranges::sort(figures);
   return figures.at(figures.size() - 1 -
                     static_cast<std::size_t>(allowed_failures(static_cast<int>(seeds.size()))));
 }

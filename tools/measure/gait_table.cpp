@@ -121,22 +121,20 @@ void add_walking_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
                           {0.05, 0.10, 0.15, 0.20, 0.25, 0.30, 0.35, 0.40, 0.45, 0.50, 0.55, 0.63}),
                 {x}, minute_s));
 
-  GaitRow held =
-      figure_row("speed_held", "speed held against command, any direction", "%", 0.10, 0.05, 100.0);
+  GaitRow& held = table.emplace_back(
+      figure_row("speed_held", "speed held against command, any direction", "%", 0.10, 0.05, 100.0));
   held.trials = [frame](std::uint64_t seed, double) { return walks_in_all_directions(frame, seed); };
   held.figure = speed_error;
   held.picture = GaitRow::Picture::speeds;
-  table.push_back(std::move(held));
 
-  GaitRow heading =
+  GaitRow& heading = table.emplace_back(
       figure_row("heading", fmt::format("heading drift, straight, {:.0f} s at 0.2 m/s", minute_s), "deg",
-                 5.0 / facts::kDegreePerRad, 2.0 / facts::kDegreePerRad, facts::kDegreePerRad);
+                 5.0 / facts::kDegreePerRad, 2.0 / facts::kDegreePerRad, facts::kDegreePerRad));
   heading.trials = [frame, minute_s](std::uint64_t seed, double) {
     return Trials{walk(frame, seed, {kSteadyWalk_m_per_s, 0.0, 0.0}, minute_s, kStandForBias_s)};
   };
   heading.figure = heading_error_rad;
   heading.picture = GaitRow::Picture::headings;
-  table.push_back(std::move(heading));
 
   table.push_back(speed_row(frame,
                             level_row("sideways", "sideways, both ways", "m/s", kFloorSideways_m_per_s, 0.15,
@@ -152,9 +150,9 @@ void add_walking_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
                           {0.2, 0.4, 0.6, 0.8, 1.0, 1.25, 1.5, 1.75, 2.0}),
                 {z, -z}, short_s));
 
-  GaitRow random =
-      level_row("random", "random velocity commands, changed every 1-4 s", "min", 5.0, 30.0,
-                frame.quick ? std::vector{0.2, 0.4, 0.8} : std::vector{0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0});
+  GaitRow& random = table.emplace_back(level_row(
+      "random", "random velocity commands, changed every 1-4 s", "min", 5.0, 30.0,
+      frame.quick ? std::vector{0.2, 0.4, 0.8} : std::vector{0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0}));
   if (frame.quick) {
     random.floor = random.aim = random.levels.back();
   }
@@ -162,7 +160,6 @@ void add_walking_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
   random.trials = [frame](std::uint64_t seed, double level) {
     return Trials{random_walk(frame, seed, 60.0 * level)};
   };
-  table.push_back(std::move(random));
 }
 
 void add_push_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
@@ -170,63 +167,60 @@ void add_push_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
   const std::vector<double> impulses{0.5, 1.0, 1.5, 1.9, 2.2, 2.5, 2.8, 3.0, 3.2, 3.5, 4.0};
   const auto in_place = [&](const char* name, const char* measure, double floor, double aim,
                             std::vector<double> directions_rad) {
-    GaitRow row = level_row(name, measure, "N·s", floor, aim, impulses);
+    GaitRow& row = table.emplace_back(level_row(name, measure, "N·s", floor, aim, impulses));
     row.trials = [frame, directions = std::move(directions_rad)](std::uint64_t seed, double level) {
       return pushes_while_standing(frame, seed, level, directions);
     };
     row.passes = stays_up_in_place;
-    table.push_back(std::move(row));
   };
   in_place("push_front", "standing push to the front, feet in place", 2.2, 3.2, {0.0});
   in_place("push_back", "standing push to the back, feet in place", 1.9, 3.0, {pi});
   in_place("push_side", "standing push to either side, feet in place", 2.5, 3.2, {pi / 2.0, -pi / 2.0});
 
-  GaitRow stepping =
+  GaitRow& stepping = table.emplace_back(
       level_row("push_stepping", "standing push, stepping allowed, worst of 8 directions", "N·s", 2.2, 5.0,
-                {0.5, 1.0, 1.4, 1.8, 2.2, 2.6, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0});
+                {0.5, 1.0, 1.4, 1.8, 2.2, 2.6, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0}));
   stepping.trials = [frame](std::uint64_t seed, double level) {
     return pushes_while_standing(frame, seed, level, evenly_spread_directions_rad(8));
   };
   stepping.picture = GaitRow::Picture::pushes;
-  table.push_back(std::move(stepping));
 
   for (const double speed : {0.0, kSteadyWalk_m_per_s}) {
     const bool walks = speed > 0.0;
-    GaitRow row = level_row(walks ? "push_walking" : "push_on_the_spot",
-                            fmt::format("push while walking at {} m/s, worst of {}", speed,
-                                        frame.quick ? "4 directions x 4 phases" : "8 directions x 16 phases"),
-                            "N·s", 1.2, 3.0, {0.3, 0.6, 0.9, 1.2, 1.5, 1.8, 2.1, 2.4, 2.7, 3.0, 3.3});
+    GaitRow& row = table.emplace_back(
+        level_row(walks ? "push_walking" : "push_on_the_spot",
+                  fmt::format("push while walking at {} m/s, worst of {}", speed,
+                              frame.quick ? "4 directions x 4 phases" : "8 directions x 16 phases"),
+                  "N·s", 1.2, 3.0, {0.3, 0.6, 0.9, 1.2, 1.5, 1.8, 2.1, 2.4, 2.7, 3.0, 3.3}));
     row.trials = [frame, speed](std::uint64_t seed, double level) {
       return pushes_while_walking(frame, seed, level, speed);
     };
     row.picture = GaitRow::Picture::pushes;
-    table.push_back(std::move(row));
   }
 }
 
 void add_ground_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
-  GaitRow slope = level_row("slope", "slope unprepared, any direction, walking and standing", "deg", 5.0, 8.0,
-                            {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0});
+  GaitRow& slope =
+      table.emplace_back(level_row("slope", "slope unprepared, any direction, walking and standing", "deg",
+                                   5.0, 8.0, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0}));
   slope.trials = [frame](std::uint64_t seed, double level) { return slopes(frame, seed, level); };
-  table.push_back(std::move(slope));
 
   const double walked_s = frame.quick ? 10.0 : 30.0;
-  GaitRow tiles =
+  GaitRow& tiles = table.emplace_back(
       level_row("tiles", "tiles of random height, 100 mm", "mm", 0.005, 0.015,
-                {0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.008, 0.010, 0.0125, 0.015, 0.0175, 0.020});
+                {0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.008, 0.010, 0.0125, 0.015, 0.0175, 0.020}));
   tiles.shown_scale = 1000.0;
   tiles.trials = [frame, walked_s](std::uint64_t seed, double level) {
     Trial trial = walk(frame, seed, {0.15, 0.0, 0.0}, walked_s);
     trial.conditions.ground.tile_height_m = level;
     return Trials{trial};
   };
-  table.push_back(std::move(tiles));
 
-  GaitRow step = level_row("step", "unexpected step down and up while walking", "mm", 0.008, 0.020,
-                           {0.002, 0.004, 0.006, 0.008, 0.010, 0.0125, 0.015, 0.0175, 0.020, 0.025});
+  GaitRow& step =
+      table.emplace_back(level_row("step", "unexpected step down and up while walking", "mm", 0.008, 0.020,
+                                   {0.002, 0.004, 0.006, 0.008, 0.010, 0.0125, 0.015, 0.0175, 0.020, 0.025}));
   step.shown_scale = 1000.0;
   step.trials = [frame](std::uint64_t seed, double level) { return steps_in_the_ground(frame, seed, level); };
-  table.push_back(std::move(step));
 }
 
 // Walking ahead under a condition; the level is the speed.
@@ -272,42 +266,41 @@ void add_condition_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
 }
 
 void add_fall_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
-  GaitRow told = level_row("fall_recognised", "fall recognised before impact", "s", 0.2, 0.3,
-                           {0.05, 0.10, 0.15, 0.20, 0.25, 0.30, 0.35, 0.40});
+  GaitRow& told = table.emplace_back(level_row("fall_recognised", "fall recognised before impact", "s", 0.2,
+                                               0.3, {0.05, 0.10, 0.15, 0.20, 0.25, 0.30, 0.35, 0.40}));
   told.trials = [frame](std::uint64_t seed, double) { return falls(frame, seed); };
   told.passes = is_told;
-  table.push_back(std::move(told));
 
-  GaitRow alarms = level_row("false_alarms",
-                             "hard walking without false alarm of a fall, each seed (20 seeds x 3 min: 1 h)",
-                             "min", 3.0, 3.0, {1.0, 2.0, 3.0});
+  GaitRow& alarms = table.emplace_back(level_row(
+      "false_alarms", "hard walking without false alarm of a fall, each seed (20 seeds x 3 min: 1 h)", "min",
+      3.0, 3.0, {1.0, 2.0, 3.0}));
   if (frame.quick) {
     alarms.floor = alarms.aim = 1.0;
     alarms.levels = {1.0};
   }
   alarms.trials = [frame](std::uint64_t seed, double level) { return hard_walking(frame, seed, level); };
   alarms.passes = is_no_false_alarm;
-  table.push_back(std::move(alarms));
 }
 
 void add_rise_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
   const auto rises = [&](const std::string& motion, const char* from, double direction_rad) {
-    GaitRow row = named_row(motion, fmt::format("gets up from the {} within {:.0f} s", from, kRise_s),
-                            "% of the seeds", 0.9, 1.0);
+    GaitRow& row = table.emplace_back(
+        named_row(motion, fmt::format("gets up from the {} within {:.0f} s", from, kRise_s), "% of the seeds",
+                  0.9, 1.0));
     row.shown_scale = 100.0;
     row.trials = [=](std::uint64_t seed, double) {
       return Trials{get_up(frame, seed, direction_rad, motion)};
     };
     row.passes = has_risen;
-    table.push_back(std::move(row));
   };
   rises("get_up_front", "front", 0.0);
   rises("get_up_back", "back", std::numbers::pi);
 }
 
 void add_figure_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
-  GaitRow zmp = figure_row("zmp", "ZMP estimate against the contact solver, walking, 3 % cell gain errors",
-                           "mm RMS", 0.003, 0.0015, 1000.0);
+  GaitRow& zmp = table.emplace_back(
+      figure_row("zmp", "ZMP estimate against the contact solver, walking, 3 % cell gain errors", "mm RMS",
+                 0.003, 0.0015, 1000.0));
   const double walked_s = kStartUp_s + (frame.quick ? 5.0 : 20.0);
   zmp.trials = [frame, walked_s](std::uint64_t seed, double) {
     Trial trial = walk(frame, seed, {kSteadyWalk_m_per_s, 0.0, 0.0}, walked_s);
@@ -315,9 +308,9 @@ void add_figure_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
     return Trials{trial};
   };
   zmp.figure = zmp_error_m;
-  table.push_back(std::move(zmp));
 
-  GaitRow compute = figure_row("compute", "batch compute with everything on, p99", "us", 500.0, 200.0, 1.0);
+  GaitRow& compute = table.emplace_back(
+      figure_row("compute", "batch compute with everything on, p99", "us", 500.0, 200.0, 1.0));
   compute.runs_alone = true;
   compute.most_seeds = 5;
   compute.trials = [frame](std::uint64_t seed, double) {
@@ -326,13 +319,12 @@ void add_figure_rows(std::vector<GaitRow>& table, const TrialFrame& frame) {
     return Trials{trial};
   };
   compute.figure = batch_compute_us;
-  table.push_back(std::move(compute));
 }
 
 // Of the levels: the floor, the aim above it, and each second one below.
 void thin_out(GaitRow& row) {
   std::vector<double> kept;
-  const auto floor = std::find(row.levels.begin(), row.levels.end(), row.floor);
+  const auto floor = std::ranges::find(row.levels, row.floor);
   for (auto level = row.levels.begin(); level != row.levels.end(); ++level) {
     if (level <= floor ? (floor - level) % 2 == 0 : *level == row.aim) {
       kept.push_back(*level);
@@ -340,7 +332,6 @@ void thin_out(GaitRow& row) {
   }
   row.levels = std::move(kept);
 }
-
 }  // namespace
 
 std::vector<GaitRow> gait_table(const GaitTableOptions& options) {
@@ -354,7 +345,7 @@ std::vector<GaitRow> gait_table(const GaitTableOptions& options) {
   add_rise_rows(table, frame);
   add_figure_rows(table, frame);
   if (options.quick) {
-    std::for_each(table.begin(), table.end(), thin_out);
+    std::ranges::for_each(table, thin_out);
   }
   return table;
 }
@@ -396,5 +387,4 @@ double step_time_of(const core::Configuration& plugins) {
   }
   return trajectory::GaitParameters{}.step_time_s;
 }
-
 }  // namespace gaitway::tools

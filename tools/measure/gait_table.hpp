@@ -1,10 +1,8 @@
 // The rows of the gait table: what is tried in each, from which floor up, and what passes.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

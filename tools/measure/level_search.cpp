@@ -44,7 +44,7 @@ bool LevelTally::holds() const noexcept {
 
 LevelSearch::LevelSearch(std::vector<double> levels, std::size_t floor)
     : levels_(std::move(levels)), floor_(floor), next_(floor) {
-  if (floor_ >= levels_.size() || !std::is_sorted(levels_.begin(), levels_.end(), std::less_equal<>())) {
+  if (floor_ >= levels_.size() || !std::ranges::is_sorted(levels_, std::less_equal<>())) {
     throw std::invalid_argument("a level search needs ascending levels, and its floor among them");
   }
 }

@@ -136,8 +136,7 @@ int measure_gait_table(const MeasureGaitOptions& options) {
                duration_text(std::chrono::duration<double>(Clock::now() - started).count()),
                (options.out / "gait.html").string());
   }
-  const bool holds = std::all_of(measurement.rows.begin(), measurement.rows.end(),
-                                 [](const RowResult& row) { return row.floor_holds(); });
+  const bool holds = std::ranges::all_of(measurement.rows, &RowResult::floor_holds);
   return holds ? 0 : kExitFloorFailed;
 }
 
@@ -149,7 +148,9 @@ std::string row_list() {
   return text;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine measure = add_command(app, "measure");
   measure.needs_subcommand();
   const CommandLine command = measure.subcommand(
@@ -180,9 +181,4 @@ void declare(const CommandLine& app) {
   measure.footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

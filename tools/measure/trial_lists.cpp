@@ -28,6 +28,10 @@ double between(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * unit_of(random);
 }
 
+Eigen::Vector2d slope_rad(double rise, double direction_rad) {
+  return {std::atan(rise * std::cos(direction_rad)), std::atan(rise * std::sin(direction_rad))};
+}
+
 Trial pushed(Trial trial, double at_s, double direction_rad, double impulse_Ns) {
   // Physics steps are milliseconds: an instant between two would not be what the description says.
   const double instant_s = std::round(at_s * 1e3) * 1e-3;
@@ -136,8 +140,7 @@ std::vector<Trial> slopes(const TrialFrame& frame, std::uint64_t seed, double sl
     for (const double direction : evenly_spread_directions_rad(frame.quick ? 4 : 8)) {
       Trial trial = walks ? walk(frame, seed, {kRoughGroundSpeed_m_per_s, 0.0, 0.0}, walked_s)
                           : plain_trial(frame, seed, stand_s);
-      trial.conditions.ground.slope_rad = {std::atan(rise * std::cos(direction)),
-                                           std::atan(rise * std::sin(direction))};
+      trial.conditions.ground.slope_rad = slope_rad(rise, direction);
       trials.push_back(trial);
     }
   }
@@ -178,8 +181,7 @@ std::vector<Trial> falls(const TrialFrame& frame, std::uint64_t seed) {
   trials.push_back(step);
   Trial slope = plain_trial(frame, seed, 4.0);
   const double direction_rad = anywhere(), rise = std::tan(between(random, 13.0, 17.0) * kDeg);
-  slope.conditions.ground.slope_rad = {std::atan(rise * std::cos(direction_rad)),
-                                       std::atan(rise * std::sin(direction_rad))};
+  slope.conditions.ground.slope_rad = slope_rad(rise, direction_rad);
   trials.push_back(slope);
   for (Trial& trial : trials) {
     trial.seconds = std::max(trial.seconds, trial.push ? trial.push->at_s + kAfterFall_s : 0.0);
@@ -207,8 +209,7 @@ std::vector<Trial> hard_walking(const TrialFrame& frame, std::uint64_t seed, dou
     slippery.conditions.ground.friction = between(random, 0.25, 0.5);
     const double direction_rad = between(random, -kPi, kPi),
                  rise = std::tan(between(random, 0.0, 4.0) * kDeg);
-    slippery.conditions.ground.slope_rad = {std::atan(rise * std::cos(direction_rad)),
-                                            std::atan(rise * std::sin(direction_rad))};
+    slippery.conditions.ground.slope_rad = slope_rad(rise, direction_rad);
     trials.push_back(slippery);
     for (int push = 0; push < kPushes; ++push) {
       Trial trial = plain_trial(frame, own, 0.0);

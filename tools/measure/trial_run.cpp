@@ -146,9 +146,9 @@ bool goes_on_from(const Trial& before, const Trial& next) {
 
 // fork() copies one thread, and no other process.
 bool may_be_copied(const TrialRobot& robot) {
-  const bool isolated =
-      std::any_of(robot.plugins.plugins.begin(), robot.plugins.plugins.end(),
-                  [](const core::PluginEntry& plugin) { return plugin.isolation != core::Isolation::none; });
+  const bool isolated = std::ranges::any_of(robot.plugins.plugins, [](const core::PluginEntry& plugin) {
+    return plugin.isolation != core::Isolation::none;
+  });
   return !isolated && std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}) == 1;
 }
 

@@ -14,11 +14,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
-
-#include "gaitway/instance/plugin_library.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -88,8 +84,8 @@ void remove_other_plugins(const core::Configuration& plugins, const std::filesys
   std::vector<std::filesystem::path> others;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string file = std::filesystem::absolute(entry.path()).string();
-    if (std::none_of(plugins.plugins.begin(), plugins.plugins.end(),
-                     [&file](const core::PluginEntry& plugin) { return plugin.library == file; })) {
+    if (std::ranges::none_of(plugins.plugins,
+                             [&file](const core::PluginEntry& plugin) { return plugin.library == file; })) {
       others.push_back(entry.path());
     }
   }

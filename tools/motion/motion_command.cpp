@@ -46,7 +46,7 @@ std::vector<double> pose_of(const motion::MotionPlan& plan, std::size_t point) {
 // be made.
 void draw_motion(const urdf::RobotModel& robot, const motion::MotionPlan& plan, int pictures,
                  const std::filesystem::path& file) {
-  if (std::find(plan.contact.begin(), plan.contact.end(), motion::Contact::none) != plan.contact.end()) {
+  if (std::ranges::find(plan.contact, motion::Contact::none) != plan.contact.end()) {
     throw std::invalid_argument(
         fmt::format("motion '{}': parts of it have contact none, and its plan does not say where the robot "
                     "lies then. Only motions on "
@@ -206,7 +206,9 @@ int draw(const MotionOptions& options) {
   return 0;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const auto given = std::make_shared<MotionOptions>();
   MotionOptions& options = *given;
   const CommandLine command = add_command(app, "motion");
@@ -240,10 +242,4 @@ void declare(const CommandLine& app) {
       "Exit code: 0 planned within all limits, 1 not, or the input was bad.");
 }
 
-}  // namespace
-
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

@@ -84,14 +84,14 @@ bool is_letter(char c) {
 }
 
 void check_name(const std::string& name) {
-  const bool characters = std::all_of(
-      name.begin(), name.end(), [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+  const bool characters =
+      std::ranges::all_of(name, [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
   std::string rule;
   if (name.empty() || !is_letter(name.front()) || !characters) {
     rule = "must begin with a letter and go on with letters, digits and '_', as an identifier of C does";
   } else if (name.size() > kLongestName) {
     rule = fmt::format("must have at most {} characters", kLongestName);
-  } else if (std::find(kTakenNames.begin(), kTakenNames.end(), name) != kTakenNames.end()) {
+  } else if (std::ranges::find(kTakenNames, name) != kTakenNames.end()) {
     rule = "means something else already";
   }
   if (!rule.empty()) {
@@ -219,7 +219,9 @@ int write_new_plugin(const NewPluginOptions& options) {
   return kExitFine;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "new-plugin");
   NewPluginOptions& options = command.runs(write_new_plugin);
   command.option("NAME", options.name, "Name of the plug-in, as an identifier of C: ankle_feedback")
@@ -233,9 +235,4 @@ void declare(const CommandLine& app) {
                  "Exit code: 0 written, 1 the input was bad and nothing was.");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

@@ -21,8 +21,8 @@ namespace gaitway::tools {
 namespace {
 
 struct PluginsOptions {
-  std::vector<std::filesystem::path> plugin_path;  // these alone; empty: the search path
-  std::filesystem::path robot;                     // what the plug-ins are told
+  std::vector<std::filesystem::path> plugin_path;                    // these alone; empty: the search path
+  std::filesystem::path robot = process::default_robot_directory();  // what the plug-ins are told
   bool json = false;
 };
 
@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> libraries_in(const std::filesystem::path& fol
       files.push_back(entry.path());
     }
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -147,10 +147,11 @@ int list_plugins(const PluginsOptions& options) {
   return exit_code;
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "plugins");
   PluginsOptions& options = command.runs(list_plugins);
-  options.robot = process::default_robot_directory();
   command.repeated("--plugin-path", options.plugin_path,
                    "Folder to look in, instead of GAITWAY_PLUGIN_PATH and the shipped plug-ins; may be given "
                    "again");
@@ -163,9 +164,4 @@ void declare(const CommandLine& app) {
       "Exit code: 0 all are usable, 1 one is not, or the input was bad.");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

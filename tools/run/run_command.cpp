@@ -31,10 +31,10 @@ namespace gaitway::tools {
 namespace {
 
 struct RunOptions {
-  std::filesystem::path robot;              // folder with robot.urdf and robot.yaml
-  std::string profile;                      // of the bus; empty: what the robot's network file says
-  bool accept_unproven = false;             // run even if the bus cannot be proven
-  std::filesystem::path config;             // plug-ins of the main controller
+  std::filesystem::path robot = process::default_robot_directory();  // folder with robot.urdf and robot.yaml
+  std::string profile;           // of the bus; empty: what the robot's network file says
+  bool accept_unproven = false;  // run even if the bus cannot be proven
+  std::filesystem::path config = process::default_config_file();  // plug-ins of the main controller
   std::vector<std::filesystem::path> with;  // libraries put into it; see manager/plugin_exchange.hpp
   std::optional<std::filesystem::path> scenario;
   std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
@@ -85,8 +85,7 @@ void leave_walk_to(const std::string& plugin, const RunOptions& options, simulat
   const auto walks = [](const simulator::ScenarioEvent& event) {
     return std::holds_alternative<simulator::WalkEvent>(event.action);
   };
-  const bool asked = options.walk ||
-                     (options.scenario && std::any_of(scenario.events.begin(), scenario.events.end(), walks));
+  const bool asked = options.walk || (options.scenario && std::ranges::any_of(scenario.events, walks));
   if (asked) {
     throw std::invalid_argument(
         fmt::format("{}: the plug-in '{}' writes walk_command and alone commands the walk. Leave the walk "
@@ -123,7 +122,7 @@ class Snapshots {
 };
 
 bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
-  return std::any_of(scenario.events.begin(), scenario.events.end(), [fell_at_s](const auto& event) {
+  return std::ranges::any_of(scenario.events, [fell_at_s](const auto& event) {
     return event.at_s > fell_at_s && std::holds_alternative<simulator::MotionEvent>(event.action);
   });
 }
@@ -202,12 +201,12 @@ void require_known_motions(const simulator::Scenario& scenario, const RunOptions
       known.push_back(entry.path().stem().string());
     }
   }
-  std::sort(known.begin(), known.end());
+  std::ranges::sort(known);
   known.erase(std::unique(known.begin(), known.end()), known.end());
   for (const simulator::ScenarioEvent& event : scenario.events) {
     const auto* const motion = std::get_if<simulator::MotionEvent>(&event.action);
     if (motion != nullptr && !event.asked && !motion->name.empty() &&
-        std::find(known.begin(), known.end(), motion->name) == known.end()) {
+        std::ranges::find(known, motion->name) == known.end()) {
       throw std::invalid_argument(fmt::format("{}: the event at {:g} s: there is no motion '{}'. {}",
                                               options.scenario->string(), event.at_s, motion->name,
                                               input::suggest(motion->name, known)));
@@ -228,10 +227,7 @@ void require_joint_plan(const core::PluginExchange& plugins, const RunOptions& o
 
 int run(const RunOptions& options) {
   check(options);
-  urdf::RobotModel robot = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    robot.network.profile = options.profile;
-  }
+  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   simulator::Scenario scenario = scenario_of(options, robot);
   const core::PluginExchange plugins = plugins_of(options);
@@ -292,8 +288,6 @@ int run(const RunOptions& options) {
 void add_run(const CommandLine& program) {
   const CommandLine command = add_command(program, "run");
   RunOptions& options = command.runs(run);
-  options.robot = process::default_robot_directory();
-  options.config = process::default_config_file();
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
   command.repeated(

@@ -13,7 +13,6 @@
 
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/frame.hpp"
-#include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "tools/run/run_metrics.hpp"

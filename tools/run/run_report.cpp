@@ -54,7 +54,7 @@ template <class Project>
 Points series(std::span<const RunSample> samples, Project project) {
   Points points;
   points.reserve(samples.size());
-  std::transform(samples.begin(), samples.end(), std::back_inserter(points), project);
+  std::ranges::transform(samples, std::back_inserter(points), project);
   return points;
 }
 

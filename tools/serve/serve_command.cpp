@@ -34,9 +34,10 @@ namespace {
 using facts::kMillisecond_ns;
 
 struct ServeOptions {
-  std::filesystem::path robot;   // folder with robot.urdf and robot.yaml
-  std::filesystem::path config;  // plug-ins of the main controller, the api among them
-  std::string profile;           // of the bus; empty: what the robot's network file says
+  std::filesystem::path robot = process::default_robot_directory();  // folder with robot.urdf and robot.yaml
+  std::filesystem::path config = process::default_config_file().parent_path() /
+                                 "serve.yaml";  // plug-ins of the main controller, the api among them
+  std::string profile;                          // of the bus; empty: what the robot's network file says
   bool accept_unproven = false;
   std::string address = "127.0.0.1";
   int port = 9090;
@@ -95,8 +96,8 @@ class ServeObserver final : public simulator::CosimulationObserver {
 };
 
 core::PluginEntry& api_of(core::Configuration& configuration) {
-  const auto api = std::find_if(configuration.plugins.begin(), configuration.plugins.end(),
-                                [](const core::PluginEntry& entry) { return entry.child.serves_network; });
+  const auto api = std::ranges::find_if(
+      configuration.plugins, [](const core::PluginEntry& entry) { return entry.child.serves_network; });
   if (api == configuration.plugins.end()) {
     throw std::invalid_argument(fmt::format(
         "--config {}: has no plug-in that serves the network. Add one with `isolation: process` and "
@@ -211,10 +212,7 @@ void write_results(const ServeOptions& options, simulator::Cosimulation& run, Se
 }
 
 int serve(const ServeOptions& options) {
-  urdf::RobotModel robot = urdf::load_robot(options.robot);
-  if (!options.profile.empty()) {
-    robot.network.profile = options.profile;
-  }
+  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   prepare_output(options.out);
   const process::PrivateFolder folder("gaitway_serve");
@@ -256,11 +254,11 @@ int serve(const ServeOptions& options) {
   return exit_code(outcome_of(run, observer.recorder).verdict);
 }
 
-void declare(const CommandLine& app) {
+}  // namespace
+
+void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "serve");
   ServeOptions& options = command.runs(serve);
-  options.robot = process::default_robot_directory();
-  options.config = process::default_config_file().parent_path() / "serve.yaml";
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
   command.option("--port", options.port, "TCP port of the robot API; 0: any free one").between(0, 65535);
@@ -296,9 +294,4 @@ void declare(const CommandLine& app) {
       "input was bad and nothing moved.");
 }
 
-}  // namespace
 }  // namespace gaitway::tools
-
-int main(int argc, char** argv) {
-  return gaitway::tools::run_program(argc, argv, gaitway::tools::declare);
-}

@@ -11,9 +11,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "gaitway/api/publication.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/kinematics/leg_geometry.hpp"
@@ -130,9 +129,9 @@ KeyPosture KeySolver::solve(const Key& key, const KeyPosture& before) {
                     "before put both feet flat beside each other",
                     key.where, name_of(key.contact)));
   }
-  const bool legs_given = std::any_of(key.joints.begin(), key.joints.end(), [this](const JointAngle& angle) {
+  const bool legs_given = std::ranges::any_of(key.joints, [this](const JointAngle& angle) {
     const std::vector<int>& others = map_.other_joints();
-    return std::find(others.begin(), others.end(), angle.joint) == others.end();
+    return std::ranges::find(others, angle.joint) == others.end();
   });
   if (legs_given) {
     follow_joints(key, before, posture);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/complaint.hpp"
@@ -27,7 +26,7 @@ constexpr input::Range kTime{0.0, 60.0, "s"};
 // The place of the value's text among the names.
 std::size_t choice(const YamlValue& value, std::span<const std::string_view> names) {
   const std::string text = value.text();
-  const auto found = std::find(names.begin(), names.end(), text);
+  const auto found = std::ranges::find(names, text);
   if (found == names.end()) {
     value.refuse(fmt::format("must be {}", fmt::join(names, ", ")), "Choose one of them.");
   }
@@ -36,9 +35,9 @@ std::size_t choice(const YamlValue& value, std::span<const std::string_view> nam
 
 int joint_named(const YamlValue& value, const std::string& name, const urdf::RobotModel& robot) {
   std::vector<std::string> known;
-  std::transform(robot.joints.begin(), robot.joints.end(), std::back_inserter(known),
-                 [](const urdf::Joint& joint) { return joint.name; });
-  const auto found = std::find(known.begin(), known.end(), name);
+  std::ranges::transform(robot.joints, std::back_inserter(known),
+                         [](const urdf::Joint& joint) { return joint.name; });
+  const auto found = std::ranges::find(known, name);
   if (found == known.end()) {
     value.refuse(fmt::format("the robot '{}' has no joint '{}'", robot.name, name),
                  input::suggest(name, known));
@@ -55,7 +54,7 @@ void add_joint(const YamlValue& value, const std::string& name, double angle_rad
                              joint.upper_rad / kRadPerDegree),
                  "Choose an angle between these.");
   }
-  if (std::any_of(angles.begin(), angles.end(), [&](const JointAngle& a) { return a.joint == index; })) {
+  if (std::ranges::any_of(angles, [&](const JointAngle& a) { return a.joint == index; })) {
     value.refuse(fmt::format("{} has an angle in this key already", name), "Give it once.");
   }
   angles.push_back({index, angle_rad});
@@ -139,9 +138,9 @@ void read_joints(const YamlValue& value, const urdf::RobotModel& robot, Key& key
 }
 
 bool moves_legs(const Key& key, const urdf::RobotModel& robot) {
-  return std::any_of(key.joints.begin(), key.joints.end(), [&](const JointAngle& angle) {
-    return std::any_of(robot.legs.begin(), robot.legs.end(), [&](const urdf::Leg& leg) {
-      return std::find(leg.joints.begin(), leg.joints.end(), angle.joint) != leg.joints.end();
+  return std::ranges::any_of(key.joints, [&](const JointAngle& angle) {
+    return std::ranges::any_of(robot.legs, [&](const urdf::Leg& leg) {
+      return std::ranges::find(leg.joints, angle.joint) != leg.joints.end();
     });
   });
 }
@@ -241,7 +240,7 @@ std::vector<std::filesystem::path> motion_files(const std::filesystem::path& fol
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

@@ -173,8 +173,7 @@ double JointLimits::torque_Nm(Eigen::Index joint, double at_speed_rad_per_s, dou
 }
 
 const LimitUse* PlanReport::broken() const noexcept {
-  const auto found =
-      std::find_if(uses.begin(), uses.end(), [](const LimitUse& use) { return !(use.excess <= 0.0); });
+  const auto found = std::ranges::find_if(uses, [](const LimitUse& use) { return !(use.excess <= 0.0); });
   return found == uses.end() ? nullptr : &*found;
 }
 

@@ -9,7 +9,6 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/body_load.hpp"
-#include "gaitway/motion/motion_path.hpp"
 #include "segment_cost.hpp"
 
 namespace gaitway::motion {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace gaitway::motion {
 namespace {
@@ -41,8 +40,8 @@ StanceMap::StanceMap(const urdf::RobotModel& robot)
       solvers_{kinematics::LegSolver(robot, urdf::Side::left, kinematics::SolverChoice::automatic),
                kinematics::LegSolver(robot, urdf::Side::right, kinematics::SolverChoice::automatic)} {
   const auto in_leg = [this](int joint) {
-    return std::any_of(legs_.begin(), legs_.end(), [joint](const urdf::Leg& leg) {
-      return std::find(leg.joints.begin(), leg.joints.end(), joint) != leg.joints.end();
+    return std::ranges::any_of(legs_, [joint](const urdf::Leg& leg) {
+      return std::ranges::find(leg.joints, joint) != leg.joints.end();
     });
   };
   for (int joint = 0; joint < static_cast<int>(robot.joints.size()); ++joint) {

@@ -1,5 +1,4 @@
 // The plug-in plugin_name: walks a square, turning on the spot at its corners.
-#include <cmath>
 #include <numbers>
 
 #include "gaitway/plugin/plugin.hpp"

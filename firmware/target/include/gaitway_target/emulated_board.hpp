@@ -18,6 +18,27 @@ struct MessageObject {
   std::uint32_t low = 0, high = 0;
 };
 
+inline void put_frame(const can::Frame& frame, volatile MessageObject& into) noexcept {
+  std::uint32_t words[2] = {0, 0};
+  for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
+    words[byte / 4] |= std::uint32_t{frame.data[byte]} << (8U * (byte % 4U));
+  }
+  into.id_and_size = frame.id << 4U | frame.size;
+  into.low = words[0];
+  into.high = words[1];
+}
+[[nodiscard]] inline can::Frame frame_in(const volatile MessageObject& object) noexcept {
+  can::Frame frame;
+  const std::uint32_t id_and_size = object.id_and_size;
+  frame.id = id_and_size >> 4U;
+  frame.size = static_cast<std::uint8_t>(id_and_size & 0xFU);
+  const std::uint32_t words[2] = {object.low, object.high};
+  for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
+    frame.data[byte] = static_cast<std::uint8_t>(words[byte / 4] >> (8U * (byte % 4U)));
+  }
+  return frame;
+}
+
 struct BoardRegisters {
   std::int32_t encoder_count = 0;
   float channel[can::kFeedbackChannels] = {0.0F, 0.0F};
@@ -54,38 +75,18 @@ class EmulatedBoard {
   }
   [[nodiscard]] bool transmit_busy() const noexcept { return board_registers.transmit_requested != 0; }
   void transmit(const can::Frame& frame) const noexcept {
-    board_registers.transmit.id_and_size = frame.id << 4U | frame.size;
-    board_registers.transmit.low = word(frame, 0);
-    board_registers.transmit.high = word(frame, 4);
+    put_frame(frame, board_registers.transmit);
     board_registers.transmit_requested = 1;
   }
   void feed_watchdog() const noexcept { board_registers.watchdog_key = kWatchdogReload; }
 
   // What the CAN interrupt finds.
-  [[nodiscard]] can::Frame received() const noexcept {
-    can::Frame frame;
-    const std::uint32_t id_and_size = board_registers.received.id_and_size;
-    frame.id = id_and_size >> 4U;
-    frame.size = static_cast<std::uint8_t>(id_and_size & 0xFU);
-    const std::uint32_t words[2] = {board_registers.received.low, board_registers.received.high};
-    for (std::size_t byte = 0; byte < frame.data.size(); ++byte) {
-      frame.data[byte] = static_cast<std::uint8_t>(words[byte / 4] >> (8U * (byte % 4U)));
-    }
-    return frame;
-  }
+  [[nodiscard]] can::Frame received() const noexcept { return frame_in(board_registers.received); }
 
  private:
   static constexpr std::uintptr_t kTim2 = 0x4000'0000U;
   static constexpr std::uintptr_t kControl = 0x00, kEvent = 0x14, kCounter = 0x24, kPrescaler = 0x28;
   static constexpr std::uint32_t kTimerClock_Hz = 1'000'000'000;  // of the emulator; a real board has 84 MHz
-
-  static std::uint32_t word(const can::Frame& frame, std::size_t first) noexcept {
-    std::uint32_t bits = 0;
-    for (std::size_t byte = 0; byte < 4; ++byte) {
-      bits |= std::uint32_t{frame.data[first + byte]} << (8U * byte);
-    }
-    return bits;
-  }
 };
 static_assert(firmware::JointPort<EmulatedBoard>);
 

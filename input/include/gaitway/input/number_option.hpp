@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "gaitway/input/number.hpp"
 #include "gaitway/input/text.hpp"
@@ -32,13 +34,23 @@ template <class Number>
   return within(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(), "");
 }
 
-// Prints the help that was asked for, or what is wrong with the line, whose words may hold anything. Returns
-// the exit code: 0, or 1 for bad input.
-[[nodiscard]] inline int exit_code_of(const CLI::App& app, const CLI::ParseError& error) {
-  std::ostringstream complaint;
-  const int code = app.exit(error, std::cout, complaint);
-  fmt::print(stderr, "{}", terminal_text(complaint.str()));
-  return code == 0 ? 0 : 1;
+// The main of `program`: parses the line and runs it. Prints the help that was asked for, or what is wrong
+// with the line, whose words may hold anything, or what `run` throws. Returns the exit code: 1 for bad input.
+template <class Run>
+[[nodiscard]] int run_line(CLI::App& app, int argc, const char* const* argv, std::string_view program,
+                           const Run& run) {
+  try {
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream complaint;
+    const int code = app.exit(error, std::cout, complaint);
+    fmt::print(stderr, "{}", terminal_text(complaint.str()));
+    return code == 0 ? 0 : 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", program, terminal_text(error.what()));
+    return 1;
+  }
 }
 
 }  // namespace gaitway::input

@@ -2,8 +2,6 @@
 // limited as the motor can give it.
 #pragma once
 
-#include <cstdint>
-
 namespace gaitway::localcontroller {
 
 struct ServoGains {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include "gaitway/can/messages.hpp"
 #include "gaitway/msgcontroller/bus_link.hpp"

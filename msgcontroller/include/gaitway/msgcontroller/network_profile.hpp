@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::msgcontroller {
+
+// The robot of a folder, on whose bus is the profile of that name; empty: what its network file says.
+[[nodiscard]] urdf::RobotModel load_robot(const std::filesystem::path& folder, const std::string& profile);
 
 // Throws urdf::RobotError naming file, line and rule: an unknown profile or message, an identifier that two
 // messages would share, a message that is longer under way than it may be.

@@ -38,7 +38,7 @@ class PluginFaultTable {
     }
     Entry* const entry = &entries_[static_cast<std::size_t>(free - entries_.data())];
     entry->length = plugin.size();
-    std::copy(plugin.begin(), plugin.end(), entry->name.begin());
+    std::ranges::copy(plugin, entry->name.begin());
     entry->fault = fault;
     entry->until_ns = until_ns;
     return true;
@@ -56,7 +56,7 @@ class PluginFaultTable {
     std::int64_t until_ns = 0;
   };
   [[nodiscard]] const Entry* find(std::string_view plugin) const noexcept {
-    const auto found = std::find_if(entries_.begin(), entries_.end(), [plugin](const Entry& entry) {
+    const auto found = std::ranges::find_if(entries_, [plugin](const Entry& entry) {
       return std::string_view(entry.name.data(), entry.length) == plugin;
     });
     return found == entries_.end() ? nullptr : &*found;

@@ -14,7 +14,6 @@
 
 #include <concepts>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <limits>
 #include <memory>

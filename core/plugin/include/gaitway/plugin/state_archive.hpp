@@ -12,9 +12,7 @@
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <type_traits>

@@ -63,6 +63,7 @@ class Authority {
     std::string name, id;
     std::int64_t ends_ns = 0;
   };
+  void require_free_for(const Claimant& claimant) const;
   void expire(std::int64_t now_ns) noexcept;
   void grant(const Claimant& claimant, std::int64_t now_ns);
   void require(const Claimant& claimant, std::string_view lease, std::int64_t now_ns);

@@ -9,7 +9,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "gaitway/api/cbor_codec.hpp"
 #include "gaitway/api/cdr_codec.hpp"

@@ -1,7 +1,6 @@
 // Messages out of JSON that a client sent.
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>

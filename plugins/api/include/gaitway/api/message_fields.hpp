@@ -6,14 +6,13 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 
 namespace gaitway::api {
 
 [[nodiscard]] consteval std::size_t count_names(std::string_view list) {
-  return list.empty() ? 0 : static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
+  return list.empty() ? 0 : static_cast<std::size_t>(std::ranges::count(list, ',')) + 1;
 }
 
 // The names in "position, orientation".
@@ -52,6 +51,13 @@ void visit_named([[maybe_unused]] const std::array<std::string_view, sizeof...(M
 #define GAITWAY_ROS_MESSAGE(type_name, ...) \
   GAITWAY_FIELDS(__VA_ARGS__)               \
   static constexpr std::string_view kName = type_name
+
+// A whole struct of one field, for the arguments and answers of services.
+#define GAITWAY_ONE_FIELD(struct_name, type, field) \
+  struct struct_name {                              \
+    type field{};                                   \
+    GAITWAY_FIELDS(field)                           \
+  }
 
 // A struct that names its type and its fields.
 template <class T>

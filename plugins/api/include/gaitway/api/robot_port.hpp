@@ -17,7 +17,14 @@ struct Velocity {
   double turn_rad_per_s = 0.0;
 };
 
-enum class PluginVerb : std::uint8_t { reload, load, unload, set_parameter, describe_parameter };
+// core::PluginVerb, with the numbers that the schema gives.
+enum class PluginVerb : std::uint32_t {
+  reload = 0,
+  load = 1,
+  unload = 2,
+  set_parameter = 3,
+  describe_parameter = 6
+};
 
 struct PluginOrder {
   PluginVerb verb = PluginVerb::reload;

@@ -33,31 +33,13 @@ struct TimeReading {
 };
 
 // What is asked for.
-struct OfTopic {
-  std::string topic;
-  GAITWAY_FIELDS(topic)
-};
-struct OfType {
-  std::string type;
-  GAITWAY_FIELDS(type)
-};
-struct OfService {
-  std::string service;
-  GAITWAY_FIELDS(service)
-};
-struct OfNode {
-  std::string node;
-  GAITWAY_FIELDS(node)
-};
-struct OfName {
-  std::string name;
-  GAITWAY_FIELDS(name)
-};
+GAITWAY_ONE_FIELD(OfTopic, std::string, topic);
+GAITWAY_ONE_FIELD(OfType, std::string, type);
+GAITWAY_ONE_FIELD(OfService, std::string, service);
+GAITWAY_ONE_FIELD(OfNode, std::string, node);
+GAITWAY_ONE_FIELD(OfName, std::string, name);
 
-struct TopicNames {
-  std::vector<std::string> topics;
-  GAITWAY_FIELDS(topics)
-};
+GAITWAY_ONE_FIELD(TopicNames, std::vector<std::string>, topics);
 struct TopicsAndTypes {
   std::vector<std::string> topics;
   std::vector<std::string> types;
@@ -69,18 +51,9 @@ struct TopicsAndTexts {
   std::vector<std::string> typedefs_full_text;
   GAITWAY_FIELDS(topics, types, typedefs_full_text)
 };
-struct PublisherNames {
-  std::vector<std::string> publishers;
-  GAITWAY_FIELDS(publishers)
-};
-struct SubscriberNames {
-  std::vector<std::string> subscribers;
-  GAITWAY_FIELDS(subscribers)
-};
-struct InterfaceNames {
-  std::vector<std::string> interfaces;
-  GAITWAY_FIELDS(interfaces)
-};
+GAITWAY_ONE_FIELD(PublisherNames, std::vector<std::string>, publishers);
+GAITWAY_ONE_FIELD(SubscriberNames, std::vector<std::string>, subscribers);
+GAITWAY_ONE_FIELD(InterfaceNames, std::vector<std::string>, interfaces);
 using Topics = RosService<"rosapi_msgs/srv/Topics", Nothing, TopicsAndTypes>;
 using TopicType = RosService<"rosapi_msgs/srv/TopicType", OfTopic, OfType>;
 using TopicsForType = RosService<"rosapi_msgs/srv/TopicsForType", OfType, TopicNames>;
@@ -89,50 +62,32 @@ using Publishers = RosService<"rosapi_msgs/srv/Publishers", OfTopic, PublisherNa
 using Subscribers = RosService<"rosapi_msgs/srv/Subscribers", OfTopic, SubscriberNames>;
 using Interfaces = RosService<"rosapi_msgs/srv/Interfaces", Nothing, InterfaceNames>;
 
-struct ServiceNames {
-  std::vector<std::string> services;
-  GAITWAY_FIELDS(services)
-};
-struct ProviderNames {
-  std::vector<std::string> providers;
-  GAITWAY_FIELDS(providers)
-};
+GAITWAY_ONE_FIELD(ServiceNames, std::vector<std::string>, services);
+GAITWAY_ONE_FIELD(ProviderNames, std::vector<std::string>, providers);
 using Services = RosService<"rosapi_msgs/srv/Services", Nothing, ServiceNames>;
 using ServiceType = RosService<"rosapi_msgs/srv/ServiceType", OfService, OfType>;
 using ServicesForType = RosService<"rosapi_msgs/srv/ServicesForType", OfType, ServiceNames>;
 using ServiceNode = RosService<"rosapi_msgs/srv/ServiceNode", OfService, OfNode>;
 using ServiceProviders = RosService<"rosapi_msgs/srv/ServiceProviders", OfService, ProviderNames>;
 
-struct TypeDefs {
-  std::vector<TypeDef> typedefs;
-  GAITWAY_FIELDS(typedefs)
-};
+GAITWAY_ONE_FIELD(TypeDefs, std::vector<TypeDef>, typedefs);
 using ServiceRequestDetails = RosService<"rosapi_msgs/srv/ServiceRequestDetails", OfType, TypeDefs>;
 using ServiceResponseDetails = RosService<"rosapi_msgs/srv/ServiceResponseDetails", OfType, TypeDefs>;
 using MessageDetails = RosService<"rosapi_msgs/srv/MessageDetails", OfType, TypeDefs>;
 
-struct NodeNames {
-  std::vector<std::string> nodes;
-  GAITWAY_FIELDS(nodes)
-};
+GAITWAY_ONE_FIELD(NodeNames, std::vector<std::string>, nodes);
 struct NodeParts {
   std::vector<std::string> subscribing;
   std::vector<std::string> publishing;
   std::vector<std::string> services;
   GAITWAY_FIELDS(subscribing, publishing, services)
 };
-struct ActionServerNames {
-  std::vector<std::string> action_servers;
-  GAITWAY_FIELDS(action_servers)
-};
+GAITWAY_ONE_FIELD(ActionServerNames, std::vector<std::string>, action_servers);
 using Nodes = RosService<"rosapi_msgs/srv/Nodes", Nothing, NodeNames>;
 using NodeDetails = RosService<"rosapi_msgs/srv/NodeDetails", OfNode, NodeParts>;
 using GetActionServers = RosService<"rosapi_msgs/srv/GetActionServers", Nothing, ActionServerNames>;
 
-struct Now {
-  TimeReading time;
-  GAITWAY_FIELDS(time)
-};
+GAITWAY_ONE_FIELD(Now, TimeReading, time);
 struct RosVersion {
   std::uint8_t version = 0;
   std::string distro;
@@ -142,10 +97,7 @@ using GetTime = RosService<"rosapi_msgs/srv/GetTime", Nothing, Now>;
 using GetROSVersion = RosService<"rosapi_msgs/srv/GetROSVersion", Nothing, RosVersion>;
 
 // A parameter's `value` is JSON text.
-struct ParameterNames {
-  std::vector<std::string> names;
-  GAITWAY_FIELDS(names)
-};
+GAITWAY_ONE_FIELD(ParameterNames, std::vector<std::string>, names);
 struct ParameterReading {
   std::string value;
   bool successful = false;
@@ -162,10 +114,7 @@ struct ParameterOutcome {
   std::string reason;
   GAITWAY_FIELDS(successful, reason)
 };
-struct Existence {
-  bool exists = false;
-  GAITWAY_FIELDS(exists)
-};
+GAITWAY_ONE_FIELD(Existence, bool, exists);
 using GetParamNames = RosService<"rosapi_msgs/srv/GetParamNames", Nothing, ParameterNames>;
 using GetParam = RosService<"rosapi_msgs/srv/GetParam", OfName, ParameterReading>;
 using SetParam = RosService<"rosapi_msgs/srv/SetParam", ParameterSetting, ParameterOutcome>;

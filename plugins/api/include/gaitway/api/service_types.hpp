@@ -19,7 +19,7 @@ struct TypeName {
   // Not explicit: a literal stands for it.
   consteval TypeName(const char (&text)[size]) { std::copy_n(text, size, characters); }
   consteval TypeName(std::string_view start, std::string_view end) {
-    std::copy(end.begin(), end.end(), std::copy(start.begin(), start.end(), characters));
+    std::ranges::copy(end, std::copy(start.begin(), start.end(), characters));
   }
   [[nodiscard]] constexpr std::string_view text() const noexcept { return {characters, size - 1}; }
 
@@ -58,10 +58,7 @@ struct Outcome {
 
 using Trigger = RosService<"std_srvs/srv/Trigger", Nothing, Outcome>;
 
-struct Truth {
-  bool data = false;
-  GAITWAY_FIELDS(data)
-};
+GAITWAY_ONE_FIELD(Truth, bool, data);
 using SetBool = RosService<"std_srvs/srv/SetBool", Truth, Outcome>;
 
 // One joint to `position` [rad] in `duration` [s], while the robot stands.
@@ -73,10 +70,7 @@ struct JointMove {
 };
 using MoveJoint = RosService<"gaitway_msgs/srv/MoveJoint", JointMove, Outcome>;
 
-struct MotionName {
-  std::string motion;
-  GAITWAY_FIELDS(motion)
-};
+GAITWAY_ONE_FIELD(MotionName, std::string, motion);
 using PlayMotion = RosService<"gaitway_msgs/srv/PlayMotion", MotionName, Outcome>;
 
 // One plug-in as the manager sees it.
@@ -108,10 +102,7 @@ struct PluginChange {
 };
 using ChangePlugin = RosService<"gaitway_msgs/srv/ChangePlugin", PluginChange, Outcome>;
 
-struct PluginName {
-  std::string plugin;
-  GAITWAY_FIELDS(plugin)
-};
+GAITWAY_ONE_FIELD(PluginName, std::string, plugin);
 // One entry a parameter in each array. `live`: may be changed while the plug-in works.
 struct ParameterList {
   bool success = false;
@@ -135,10 +126,7 @@ struct ParameterChange {
 using SetParameter = RosService<"gaitway_msgs/srv/SetParameter", ParameterChange, Outcome>;
 
 // `name`: of the file, without folder; empty: named after the time.
-struct RecordingName {
-  std::string name;
-  GAITWAY_FIELDS(name)
-};
+GAITWAY_ONE_FIELD(RecordingName, std::string, name);
 struct RecordingFile {
   bool success = false;
   std::string message;
@@ -163,10 +151,7 @@ struct RecordingList {
 using ListRecordings = RosService<"gaitway_msgs/srv/ListRecordings", Nothing, RecordingList>;
 
 // `name`: of who commands, for people. `keep_alive_period` [s]: keep the lease alive at least this often.
-struct CommanderName {
-  std::string name;
-  GAITWAY_FIELDS(name)
-};
+GAITWAY_ONE_FIELD(CommanderName, std::string, name);
 struct CommandLease {
   bool success = false;
   std::string message;
@@ -176,10 +161,7 @@ struct CommandLease {
 };
 using AcquireCommand = RosService<"gaitway_msgs/srv/AcquireCommand", CommanderName, CommandLease>;
 
-struct LeaseName {
-  std::string lease;
-  GAITWAY_FIELDS(lease)
-};
+GAITWAY_ONE_FIELD(LeaseName, std::string, lease);
 using Lease = RosService<"gaitway_msgs/srv/Lease", LeaseName, Outcome>;
 
 }  // namespace gaitway::api::ros

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "gaitway/kinematics/leg_load.hpp"

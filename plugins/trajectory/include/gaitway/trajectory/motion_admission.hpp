@@ -1,7 +1,6 @@
 // Decides whether a motion that is asked for may begin now, and says why not.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>

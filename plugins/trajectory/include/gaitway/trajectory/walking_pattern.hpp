@@ -1,7 +1,6 @@
 // The walking pattern: from the newest walk command to the next batch of points and its safe tail.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "gaitway/msgclient/topics.hpp"

@@ -58,7 +58,6 @@ class BusServer {
   bool serve(Client& client);  // false: it has gone, or has to go
   void offer();
   void hand_to_clients(const SimulatedBus::Delivery& delivery);
-  void detach_leaving();
 
   SimulatedBus bus_;
   process::ListeningSocket listener_;

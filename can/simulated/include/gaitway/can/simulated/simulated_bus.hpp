@@ -69,6 +69,9 @@ class SimulatedBus {
   int attach();
   // The station goes for good, as without power; a frame of its own on the wire breaks off.
   void detach(int station) noexcept;
+  // Detaches those of `leaving` that have nothing on the wire, and takes them out of it: what is on the wire
+  // is sent to its end.
+  void detach_sent(std::vector<int>& leaving) noexcept;
 
   // Offers a frame to the bus from `now_ns` on; it takes part in every arbitration until it has been sent,
   // and a destroyed one comes again. False, and nothing changes, when the station's transmit buffer is
@@ -195,6 +198,8 @@ class SimulatedBus {
   // Whether and from when on the station takes part in arbitration, after something about it has changed.
   void refresh(int station) noexcept;
   [[nodiscard]] std::int64_t duration_ns(std::int64_t bits, double drift) const noexcept;
+  // Of `stations` those whose error counters are not zero.
+  [[nodiscard]] StationSet unclean(StationSet stations) const noexcept;
   [[nodiscard]] Contest contest(StationSet candidates, std::int64_t start_ns) const noexcept;
   // Tells a change of state, and does what follows from bus-off.
   void follow_state(int station, std::int64_t time_ns) noexcept;

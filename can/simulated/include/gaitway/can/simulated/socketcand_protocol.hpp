@@ -3,7 +3,6 @@
 // Protocol: doc/protocol.md of linux-can/socketcand.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>

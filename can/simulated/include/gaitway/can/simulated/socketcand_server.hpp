@@ -79,7 +79,6 @@ class SocketcandServer {
   void offer(Client& client, std::int64_t now_ns);
   void drop_gone();
   void send_beacon(std::int64_t now_ns);
-  void detach_leaving();
 
   SimulatedBus& bus_;
   Options options_;

@@ -42,6 +42,17 @@ class StationSet {
       }
     }
   }
+  // Those for which `holds`.
+  template <class Condition>
+  [[nodiscard]] constexpr StationSet where(const Condition& holds) const {
+    StationSet some;
+    for_each([&](int station) {
+      if (holds(station)) {
+        some.insert(station);
+      }
+    });
+    return some;
+  }
 
   friend constexpr bool operator==(const StationSet&, const StationSet&) = default;
   friend constexpr StationSet operator&(const StationSet& a, const StationSet& b) noexcept {

@@ -4,10 +4,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <array>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "gaitway/motion/motion.hpp"
