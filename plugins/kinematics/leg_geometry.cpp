@@ -16,7 +16,6 @@ constexpr double kLengthTolerance_m = 1e-6;
 constexpr double kDirectionTolerance = 1e-6;
 constexpr double kShortestSegment_m = 1e-3;
 
-// The closed form is that of a leg with its joints in this order.
 enum Joint : std::size_t { hip_yaw, hip_roll, hip_pitch, knee, ankle_pitch, ankle_roll };
 std::string_view name_of(std::size_t joint) {
   return urdf::leg_joint_name(static_cast<urdf::LegJoint>(joint));
@@ -46,23 +45,10 @@ std::string check_chain(const urdf::RobotModel& model, urdf::Side side) {
   return {};
 }
 
-// The closed form wants the hip's joints in the order yaw, roll, pitch and the ankle's in the order pitch,
-// roll.
-std::string check_order(const urdf::RobotModel& model, urdf::Side side) {
-  const urdf::LegJoints joints(model, urdf::ForwardKinematics(model), side);
-  const auto& chain = model.legs[urdf::index_of(side)].joints;
-  const auto doing = [&](int index) {
-    std::size_t which = 0;
-    while (joints[static_cast<urdf::LegJoint>(which)] != index) ++which;
-    return which;
-  };
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (const std::size_t which = doing(chain[i]); which != i) {
-      return fmt::format("joint {} of the leg is its {}, where the closed form has the {}", i + 1,
-                         name_of(which), name_of(i));
-    }
-  }
-  return {};
+// The closed form wants the ankle's joints in the order pitch, roll.
+std::string check_ankle(const urdf::RobotModel& model, urdf::Side side, const urdf::LegJoints& joints) {
+  const bool roll_first = joints[urdf::LegJoint::ankle_roll] == model.legs[urdf::index_of(side)].joints[4];
+  return roll_first ? "the ankle rolls before it pitches" : "";
 }
 
 urdf::ForwardKinematics zero_posture(const urdf::RobotModel& model) {
@@ -77,11 +63,22 @@ Line axis_of(const urdf::RobotModel& model, const urdf::ForwardKinematics& zero,
   return {frame.translation(), frame.linear() * joint.axis.normalized()};
 }
 
-Axes joint_axes(const urdf::RobotModel& model, urdf::Side side, const urdf::ForwardKinematics& zero) {
+Axes joint_axes(const urdf::RobotModel& model, const urdf::LegJoints& joints,
+                const urdf::ForwardKinematics& zero) {
   Axes axes;
-  for (std::size_t i = 0; i < 6; ++i)
-    axes[i] = axis_of(model, zero, model.legs[urdf::index_of(side)].joints[i]);
+  for (std::size_t i = 0; i < 6; ++i) axes[i] = axis_of(model, zero, joints[static_cast<urdf::LegJoint>(i)]);
   return axes;
+}
+
+// The leg's axes about which its first three joints turn.
+std::array<Eigen::Index, 3> hip_order(const urdf::Leg& leg, const urdf::LegJoints& joints) {
+  std::array<Eigen::Index, 3> order{};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = leg.joints[i] == joints[urdf::LegJoint::hip_yaw]    ? 2
+               : leg.joints[i] == joints[urdf::LegJoint::hip_roll] ? 0
+                                                                   : 1;
+  }
+  return order;
 }
 
 // The point of the first line that is nearest to the second; the lines must be at right angles.
@@ -190,10 +187,11 @@ Eigen::Vector3d hip_centre(const urdf::RobotModel& model, urdf::Side side) {
 
 LegRecognition recognise_leg(const urdf::RobotModel& model, urdf::Side side) {
   if (std::string reason = check_chain(model, side); !reason.empty()) return {std::nullopt, reason};
-  if (std::string reason = check_order(model, side); !reason.empty()) return {std::nullopt, reason};
   const auto index = static_cast<std::size_t>(side);
+  const urdf::LegJoints joints(model, urdf::ForwardKinematics(model), side);
+  if (std::string reason = check_ankle(model, side, joints); !reason.empty()) return {std::nullopt, reason};
   const urdf::ForwardKinematics zero = zero_posture(model);
-  const Axes axes = joint_axes(model, side, zero);
+  const Axes axes = joint_axes(model, joints, zero);
   if (std::string reason = check_directions(axes); !reason.empty()) return {std::nullopt, reason};
 
   const Eigen::Vector3d hip = nearest_point(axes[hip_yaw], axes[hip_roll]);
@@ -212,6 +210,7 @@ LegRecognition recognise_leg(const urdf::RobotModel& model, urdf::Side side) {
   geometry.axis_sign[ankle_roll] = upright;
   geometry.knee_sign =
       knee_sign(geometry, model.joints[static_cast<std::size_t>(model.legs[index].joints[knee])]);
+  geometry.hip_order = hip_order(model.legs[index], joints);
   geometry.limits = leg_limits(model, side);
   return {geometry, {}};
 }

@@ -16,6 +16,9 @@ double wrapped(double angle_rad) noexcept {
   return angle_rad;
 }
 
+constexpr std::array<Eigen::Index, 3> kUsualHipOrder{2, 0,
+                                                     1};  // yaw, roll, pitch: less is needed to decompose it
+
 struct HipAngles {
   double yaw_rad, roll_rad;
   double pitch_sum_rad;  // hip pitch + knee + ankle pitch
@@ -34,6 +37,16 @@ HipAngles hip_angles(const Eigen::Matrix3d& rotation, double ex, double ez, doub
   const double n01 = c_roll * rotation(0, 1) - s_roll * (ex * rotation(0, 2) - ez * rotation(0, 0));
   const double n11 = c_roll * rotation(1, 1) - s_roll * (ex * rotation(1, 2) - ez * rotation(1, 0));
   return {std::atan2(-n01, n11), std::atan2(n21, std::sqrt(n20 * n20 + n22 * n22)), std::atan2(-n20, n22)};
+}
+
+// Decomposes a rotation into turns about three different axes i, j, k (0 x, 1 y, 2 z): R = R_i(first)
+// R_j(second) R_k(third), the second within a quarter turn.
+std::array<double, 3> turns_about(const std::array<Eigen::Index, 3>& axes,
+                                  const Eigen::Matrix3d& r) noexcept {
+  const auto [i, j, k] = axes;
+  const double parity = (j - i + 3) % 3 == 1 ? 1.0 : -1.0;
+  return {std::atan2(-parity * r(j, k), r(k, k)), std::atan2(parity * r(i, k), std::hypot(r(i, i), r(i, j))),
+          std::atan2(-parity * r(i, j), r(i, i))};
 }
 
 std::variant<ClosedFormLeg, KdlLeg> make_leg(const urdf::RobotModel& model, urdf::Side side,
@@ -116,14 +129,24 @@ LegSolution ClosedFormLeg::solve_branch(const Eigen::Isometry3d& base_from_sole,
   const double shin_z = -s_knee * g.thigh_m.x() - c_knee * g.thigh_m.y() - g.shin_m.y();
   const double ankle = std::atan2(hip_z * shin_x - hip_x * shin_z, hip_x * shin_x + hip_z * shin_z);
 
-  const HipAngles hip = hip_angles(rotation, ex, ez, c_roll, s_roll);
+  const double roll = std::atan2(s_roll, c_roll);
   LegSolution solution;
-  solution.angle_rad = {hip.yaw_rad * g.axis_sign[0],
-                        hip.roll_rad * g.axis_sign[1],
-                        wrapped(wrapped(hip.pitch_sum_rad - knee) - ankle) * g.axis_sign[2],
-                        knee * g.axis_sign[3],
-                        ankle * g.axis_sign[4],
-                        std::atan2(s_roll, c_roll) * g.axis_sign[5]};
+  solution.angle_rad = {0.0, 0.0, 0.0, knee * g.axis_sign[3], ankle * g.axis_sign[4], roll * g.axis_sign[5]};
+  if (g.hip_order == kUsualHipOrder) {
+    const HipAngles hip = hip_angles(rotation, ex, ez, c_roll, s_roll);
+    solution.angle_rad[0] = hip.yaw_rad * g.axis_sign[0];
+    solution.angle_rad[1] = hip.roll_rad * g.axis_sign[1];
+    solution.angle_rad[2] = wrapped(wrapped(hip.pitch_sum_rad - knee) - ankle) * g.axis_sign[2];
+  } else {
+    const Eigen::AngleAxisd ankle_roll(roll, Eigen::Vector3d(ex, 0.0, ez)),
+        pitch(knee + ankle, Eigen::Vector3d::UnitY());
+    const auto turns = turns_about(g.hip_order, rotation * ankle_roll.inverse() * pitch.inverse());
+    constexpr std::array<std::size_t, 3> kSignOfAxis{
+        1, 2, 0};  // LegJoint: roll about x, pitch about y, yaw about z
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      solution.angle_rad[i] = turns[i] * g.axis_sign[kSignOfAxis[static_cast<std::size_t>(g.hip_order[i])]];
+    }
+  }
   check_limits(g.limits, solution);
   return solution;
 }

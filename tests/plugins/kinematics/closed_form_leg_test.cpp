@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "leg_sampler.hpp"
+#include "robots/robot_variants.hpp"
 #include "test_robot.hpp"
 
 namespace gaitway::kinematics {
@@ -45,6 +46,24 @@ TEST(ClosedFormLeg, ReturnsTheAnglesThatMadeThePose) {
       }
     }
     ++variant_index;
+  }
+}
+
+TEST(ClosedFormLeg, ReturnsThemForEveryOrderOfTheHip) {
+  for (const auto& order : gaitway::test::kHipOrders) {
+    gaitway::test::RobotVariant variant;
+    variant.reorder(gaitway::test::kHip, order);
+    const urdf::RobotModel model = urdf::load_robot(variant.folder());
+    for (const urdf::Side side : urdf::kSides) {
+      const ClosedFormLeg leg = leg_of(model, side);
+      LegSampler sampler(model, side, 1.2, 7);
+      for (int i = 0; i < 1000; ++i) {
+        const auto expected = sampler.angles();
+        const LegSolution solution = leg.solve(sampler.sole(expected));
+        ASSERT_TRUE(solution.reached()) << describe(solution, model, side);
+        ASSERT_LT(test::largest_difference(solution.angle_rad, expected), 1e-9);
+      }
+    }
   }
 }
 

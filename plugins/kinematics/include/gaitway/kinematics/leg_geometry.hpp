@@ -1,8 +1,8 @@
 // The dimensions of a leg whose inverse kinematics has a closed form, recognised from the robot model.
 //
-// Such a leg has hip yaw, roll and pitch axes that meet in one point at right angles, knee and ankle pitch
-// axes parallel to the hip pitch axis, and an ankle roll axis that meets the ankle pitch axis at a right
-// angle.
+// Such a leg has hip yaw, roll and pitch axes that meet in one point at right angles, in any order, knee and
+// ankle pitch axes parallel to the hip pitch axis, and behind the ankle pitch joint an ankle roll axis that
+// meets it at a right angle.
 //
 // All quantities are taken in the zero posture. The leg's own axes are y along the hip pitch axis, z along
 // the hip yaw axis, x = y × z. Lengths in m.
@@ -27,8 +27,11 @@ struct LegGeometry {
   Eigen::Vector2d shin_m = Eigen::Vector2d::Zero();             // knee to ankle, x and z
   double lateral_m = 0.0;                                       // hip to ankle, y
   Eigen::Vector2d ankle_roll_axis = Eigen::Vector2d::UnitX();   // x and z; its sign picks the upright posture
-  std::array<double, 6> axis_sign{};  // +1: the joint turns about the axis named above, -1: against it
-  double knee_sign = 1.0;             // side to which the knee bends, about y
+  std::array<double, 6>
+      axis_sign{};  // [LegJoint] +1: the joint turns about the axis named above, -1: against it
+  std::array<Eigen::Index, 3> hip_order{2, 0,
+                                        1};  // the leg's axes (0 x, 1 y, 2 z) of its joints from the base on
+  double knee_sign = 1.0;                    // side to which the knee bends, about y
   LegLimits limits;
 };
 

@@ -18,9 +18,9 @@ namespace gaitway::kinematics {
 //
 // The ankle roll turns the hip into the plane in which the pitch joints move the leg; the distance from ankle
 // to hip gives the knee, the direction the ankle pitch; what is left of the orientation are the hip's three
-// angles (yaw-roll-pitch decomposition). The method is Pieper's (intersecting axes at one end), as written
-// down for humanoid legs in S. Kajita et al., Introduction to Humanoid Robotics, 2014, section 2.5.1, here
-// with the URDF's zero posture and signs, a lateral offset of the leg, and a tilted ankle roll axis.
+// angles (decomposed in the order of its joints). The method is Pieper's (intersecting axes at one end), as
+// written down for humanoid legs in S. Kajita et al., Introduction to Humanoid Robotics, 2014, section 2.5.1,
+// here with the URDF's zero posture and signs, a lateral offset of the leg, and a tilted ankle roll axis.
 class ClosedFormLeg {
  public:
   explicit ClosedFormLeg(const LegGeometry& geometry) noexcept;
