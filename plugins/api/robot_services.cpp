@@ -91,11 +91,11 @@ void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order
   if (!order) {
     return reply(caller.call, typename S::Response{false, std::string(kWayIsFull)});
   }
-  await_result(caller, *order, [done = std::move(done)](const auto& call, const auto& result) {
+  await_result(caller, *order, [this, done = std::move(done)](const auto& call, const auto& result) {
     if (result.done && done) {
       done();
     }
-    reply(call, typename S::Response{result.done, result.text});
+    this->reply(call, typename S::Response{result.done, result.text});
   });
 }
 
