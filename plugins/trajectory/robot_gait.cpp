@@ -54,6 +54,7 @@ constexpr double kLeastStep = 0.05;   // of the hip height: a step that is not w
 // the share of humanoid22's fastest.
 constexpr double kUsualShare = 0.78, kFastestShare = 0.92;
 constexpr double kUsualSpeed_m_per_s = 0.15;                             // of a body as large as humanoid22
+constexpr double kLongestStep_s = 1.0;                                   // that the parameter may be
 constexpr double kGoodLift = 0.6, kLeastLift = 0.3, kSlowestStep = 1.6;  // of the scaled defaults
 constexpr double kInHand_m = 0.002;  // of the leg's length, for balance feedback and the way of the CoM
 
@@ -158,12 +159,18 @@ void fit_reach(GaitParameters& p, const urdf::RobotModel& robot) {
 // the balance; then shorter steps, until the fastest walk is one that they can follow.
 void fit_motors(GaitParameters& p, const urdf::RobotModel& robot) {
   constexpr double kLower = 0.95, kShorter = 0.98;
+  try {
+    p.validate();
+  } catch (const std::invalid_argument&) {
+    return;  // the configuration may mend it; else it is told then
+  }
   const GaitParameters wanted = p;
+  const double slowest_s = std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s) - facts::kSlot_s;
   const double usual_m_per_s = kUsualSpeed_m_per_s * robot.body_scale().factor("m/s");
   while (fastest_joint(p, robot, usual_m_per_s).share > kUsualShare) {
     if (p.lift_m > kGoodLift * wanted.lift_m) {
       p.lift_m *= kLower;
-    } else if (p.step_time_s < kSlowestStep * wanted.step_time_s) {
+    } else if (p.step_time_s < slowest_s) {
       p.step_time_s += facts::kSlot_s;
     } else if (p.lift_m > kLeastLift * wanted.lift_m) {
       p.lift_m *= kLower;

@@ -89,6 +89,15 @@ TEST(GaitOf, LegsThatReachLessGetShorterSteps) {
   EXPECT_GT(gait.max_step_forward_m, 0.03);
 }
 
+// It may still be configured, and is refused after that.
+TEST(GaitOf, ABodyThatCannotStandSoIsNotRefusedBeforeItsConfigurationIsHeard) {
+  urdf::RobotModel robot = humanoid22();
+  for (urdf::Foot& foot : robot.feet) foot.size_m.y() = 0.2;  // the soles overlap
+  GaitParameters gait;
+  EXPECT_NO_THROW(gait = gait_of(robot));
+  EXPECT_THROW(gait.validate(), std::invalid_argument);
+}
+
 TEST(GaitOf, AWiderStanceIsSteppedOutOfAsFar) {
   urdf::RobotModel robot = humanoid22();
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
