@@ -59,8 +59,7 @@ urdf::ForwardKinematics zero_posture(const urdf::RobotModel& model) {
 
 Line axis_of(const urdf::RobotModel& model, const urdf::ForwardKinematics& zero, int index) {
   const urdf::Joint& joint = model.joints[static_cast<std::size_t>(index)];
-  const Eigen::Isometry3d frame = zero.link_pose(joint.parent_link) * joint.origin;
-  return {frame.translation(), frame.linear() * joint.axis.normalized()};
+  return {zero.link_position_m(joint.child_link), zero.joint_axis(model, index).normalized()};
 }
 
 Axes joint_axes(const urdf::RobotModel& model, const urdf::LegJoints& joints,

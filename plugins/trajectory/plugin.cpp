@@ -43,13 +43,13 @@ std::filesystem::path shipped_motions(const std::filesystem::path& robot_directo
 // The prepared motions of the folder that the parameter names. One that was prepared for another robot, or
 // for another stand than this configuration's, is left out, and that is reported.
 std::vector<MotionTable> motions_of(Setup& setup, const urdf::RobotModel& robot,
-                                    const GaitParameters& parameters) {
+                                    const GaitParameters& parameters, const GaitParameters& described) {
   const std::filesystem::path directory = setup.robot_directory();
   std::filesystem::path folder =
       setup.parameter("motions", "", "folder with prepared motions; empty: those that are shipped");
   if (folder.empty()) folder = shipped_motions(directory);
   const std::uint64_t digest = robot_digest(directory);
-  const bool own_stand = stands_as_described(parameters, gait_of(robot));
+  const bool own_stand = stands_as_described(parameters, described);
   std::vector<MotionTable> motions;
   for (const std::filesystem::path& file : motion_table_files(folder)) {
     MotionTable motion = read_motion_table(file);
@@ -118,12 +118,13 @@ class Trajectory final : public Plugin {
   }
 
  private:
-  Trajectory(Setup& setup, const urdf::RobotModel& robot)
-      : parameters_(gait_of(robot)),
+  Trajectory(Setup& setup, const urdf::RobotModel& robot) : Trajectory(setup, robot, gait_of(robot)) {}
+  Trajectory(Setup& setup, const urdf::RobotModel& robot, const GaitParameters& described)
+      : parameters_(described),
         revision_slot_(robot.network.revision_slot),
         pattern_(configured(setup, robot, parameters_)),
         divergence_(parameters_),
-        player_(motions_of(setup, robot, parameters_)),
+        player_(motions_of(setup, robot, parameters_, described)),
         admission_(player_.motions(), robot),
         fall_(robot),
         takes_fall_posture_(

@@ -74,8 +74,7 @@ struct Axis {
 
 Axis axis_of(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero, int index) {
   const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
-  const Eigen::Isometry3d frame = zero.link_pose(joint.parent_link) * joint.origin;
-  return {frame.translation(), frame.linear() * joint.axis};
+  return {zero.link_position_m(joint.child_link), zero.joint_axis(robot, index)};
 }
 
 LegReach measure(const urdf::RobotModel& robot, const urdf::ForwardKinematics& zero,

@@ -11,22 +11,13 @@
 #include "gaitway/api/feed.hpp"
 #include "gaitway/api/memory_robot_port.hpp"
 #include "gaitway/api/publication_sink.hpp"
-#include "gaitway/simulator/cosimulation.hpp"
+#include "simulation.hpp"
 #include "test_client.hpp"
 
 namespace gaitway::api {
 namespace {
 
 using ::testing::HasSubstr;
-
-simulator::CosimulationOptions options() {
-  const std::filesystem::path source = GAITWAY_SOURCE_DIR;
-  simulator::CosimulationOptions result;
-  result.obey_walk_requests = true;
-  result.main_controller.configuration = source / "core" / "config" / "walk.yaml";
-  result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
-  return result;
-}
 
 class MotionRequestTest : public ::testing::Test {
  protected:
@@ -62,7 +53,7 @@ class MotionRequestTest : public ::testing::Test {
 
   const urdf::RobotModel robot_ =
       urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
-  simulator::Cosimulation run_{robot_, options()};
+  simulator::Cosimulation run_{robot_, served_walk()};
   MemoryRobotPort port_{run_.client(), robot_, nullptr};
   Feed feed_{run_.client(), robot_};
   Hub hub_{port_, {}};

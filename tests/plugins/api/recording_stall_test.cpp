@@ -9,7 +9,7 @@
 #include "gaitway/api/feed.hpp"
 #include "gaitway/api/memory_robot_port.hpp"
 #include "gaitway/api/recorder.hpp"
-#include "gaitway/simulator/cosimulation.hpp"
+#include "simulation.hpp"
 #include "stalled_disk.hpp"
 #include "test_client.hpp"
 
@@ -17,15 +17,6 @@ namespace gaitway::api {
 namespace {
 
 using ::testing::HasSubstr;
-
-simulator::CosimulationOptions walking() {
-  const std::filesystem::path source = GAITWAY_SOURCE_DIR;
-  simulator::CosimulationOptions result;
-  result.obey_walk_requests = true;
-  result.main_controller.configuration = source / "core" / "config" / "walk.yaml";
-  result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
-  return result;
-}
 
 class RecordingSink final : public PublicationSink {
  public:
@@ -66,7 +57,7 @@ class RecordingStallTest : public ::testing::Test {
   StalledDisk stalled_;
   const urdf::RobotModel robot_ =
       urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
-  simulator::Cosimulation run_{robot_, walking()};
+  simulator::Cosimulation run_{robot_, served_walk()};
   Recorder recorder_{std::filesystem::temp_directory_path(),
                      {.disk = stalled_.disk(), .waiting_bytes = 500'000}};
   MemoryRobotPort port_{run_.client(), robot_, &recorder_};

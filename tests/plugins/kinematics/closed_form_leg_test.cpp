@@ -29,41 +29,33 @@ Eigen::Isometry3d home_sole(const urdf::RobotModel& model, urdf::Side side) {
   return sole_pose(model, side, home_posture(model));
 }
 
+void expect_the_angles_that_made_the_pose(const urdf::RobotModel& model) {
+  for (const urdf::Side side : urdf::kSides) {
+    const ClosedFormLeg leg = leg_of(model, side);
+    LegSampler sampler(model, side, 1.2, 7);
+    for (int i = 0; i < 5000; ++i) {
+      const auto expected = sampler.angles();
+      const LegSolution solution = leg.solve(sampler.sole(expected));
+      ASSERT_TRUE(solution.reached()) << describe(solution, model, side);
+      ASSERT_LT(test::largest_difference(solution.angle_rad, expected), 1e-9);
+    }
+  }
+}
+
 TEST(ClosedFormLeg, ReturnsTheAnglesThatMadeThePose) {
   std::size_t variant_index = 0;
   for (const test::LegVariant& variant : closed_form_variants()) {
-    const urdf::RobotModel model = make_robot(variant);
-    for (const urdf::Side side : urdf::kSides) {
-      const ClosedFormLeg leg = leg_of(model, side);
-      LegSampler sampler(model, side, 1.2, 7);
-      for (int i = 0; i < 5000; ++i) {
-        const auto expected = sampler.angles();
-        const LegSolution solution = leg.solve(sampler.sole(expected));
-        ASSERT_TRUE(solution.reached())
-            << "variant " << variant_index << ": " << describe(solution, model, side);
-        ASSERT_LT(test::largest_difference(solution.angle_rad, expected), 1e-9)
-            << "variant " << variant_index;
-      }
-    }
-    ++variant_index;
+    SCOPED_TRACE(testing::Message() << "variant " << variant_index++);
+    expect_the_angles_that_made_the_pose(make_robot(variant));
   }
 }
 
 TEST(ClosedFormLeg, ReturnsThemForEveryOrderOfTheHip) {
   for (const auto& order : gaitway::test::kHipOrders) {
+    SCOPED_TRACE(testing::PrintToString(order));
     gaitway::test::RobotVariant variant;
     variant.reorder(gaitway::test::kHip, order);
-    const urdf::RobotModel model = urdf::load_robot(variant.folder());
-    for (const urdf::Side side : urdf::kSides) {
-      const ClosedFormLeg leg = leg_of(model, side);
-      LegSampler sampler(model, side, 1.2, 7);
-      for (int i = 0; i < 1000; ++i) {
-        const auto expected = sampler.angles();
-        const LegSolution solution = leg.solve(sampler.sole(expected));
-        ASSERT_TRUE(solution.reached()) << describe(solution, model, side);
-        ASSERT_LT(test::largest_difference(solution.angle_rad, expected), 1e-9);
-      }
-    }
+    expect_the_angles_that_made_the_pose(urdf::load_robot(variant.folder()));
   }
 }
 

@@ -27,7 +27,8 @@ class ForwardKinematics {
     return poses_[static_cast<std::size_t>(link)].position_m;
   }
   [[nodiscard]] Eigen::Isometry3d link_pose(int link) const noexcept;
-  // Unit vector, base frame. A joint's axis is the same in the frame of its child link.
+  // Unit vector, base frame. A joint's axis is the same in the frame of its child link, through whose origin
+  // it goes.
   [[nodiscard]] Eigen::Vector3d joint_axis(const RobotModel& model, int joint) const noexcept {
     const Joint& turned = model.joints[static_cast<std::size_t>(joint)];
     return link_rotation(turned.child_link) * turned.axis;
