@@ -73,6 +73,7 @@ class Stand {
     for (std::size_t side = 0; side < 2; ++side) {
       for (const std::string& name : plan.legs[side].joints) legs_[side].push_back(*robot.joint_index(name));
       in_plane_[side] = pitch_joints(zero, legs_[side]);
+      straight_rad_[side] = angle_rad_[static_cast<std::size_t>(in_plane_[side].knee)];
       foot_[side] = robot.joints[static_cast<std::size_t>(legs_[side].back())].child_link;
     }
   }
@@ -81,31 +82,32 @@ class Stand {
     hang_arms();
     settle_width();
     HomePosture home;
-    std::optional<std::vector<double>> deepest;
+    std::optional<std::vector<double>> chosen;
+    double most_room = 0.0;
+    bool bends_on = true;
     constexpr double kStraight_rad = 0.05;  // there the height hardly depends on the bend
-    for (double bend = std::max(kStraight_rad, bend_at(Posture(robot_, angle_rad_), 0));;
+    for (double bend = std::max(kStraight_rad, bend_at(Posture(robot_, angle_rad_), 0)); bends_on;
          bend += kBendStep_rad) {
+      bends_on = bend < kBend_rad;
       bend = std::min(bend, kBend_rad);
       if (!solve(bend)) break;
-      if (bend >= kLeastBend_rad || bend >= kBend_rad) {
-        if (within_limits(deepest ? kRoom_rad : 0.0)) {
-          deepest = angle_rad_;
-          home.knee_bend_rad = bend;
-        } else if (deepest) {
-          break;
-        }
-      }
-      if (bend >= kBend_rad) break;
+      // The deepest that leaves room enough; of those that leave less, the one that leaves most.
+      const double room = std::min(least_room_rad(), kRoom_rad);
+      if (room < 0.0 || room < most_room || (bend < kLeastBend_rad && bends_on)) continue;
+      most_room = room;
+      chosen = angle_rad_;
+      home.knee_bend_rad = bend;
     }
-    if (!deepest) refuse_stand();
-    home.angle_rad = *deepest;
+    if (!chosen) refuse_stand();
+    const std::string tightest = tightest_joint();
+    home.angle_rad = *chosen;
     const Posture posture(robot_, home.angle_rad);
     home.hip_height_m = 0.5 * (hip_above_sole_m(posture, 0) + hip_above_sole_m(posture, 1));
     if (home.knee_bend_rad < kBend_rad - kBendStep_rad) {
       home.notes.push_back(
           fmt::format("the knees stand bent by {:.0f} deg only: more would leave '{}' less than "
                       "{:.0f} deg to its limit",
-                      degrees(home.knee_bend_rad), nearest_to_limit(), degrees(kRoom_rad)));
+                      degrees(home.knee_bend_rad), tightest, degrees(kRoom_rad)));
     }
     return home;
   }
@@ -212,17 +214,30 @@ class Stand {
     const double at = angle_rad_[static_cast<std::size_t>(index)];
     return std::min(at - lower_of(joint(index)), upper_of(joint(index)) - at);
   }
-  [[nodiscard]] bool within_limits(double pitch_room_rad) const {
+  [[nodiscard]] double least_room_rad() const { return room_of(*robot_.joint_index(tightest_joint())); }
+  // What a joint of the legs has left for steps: of the knee where it bends on; of joints that a walk turns
+  // little, a part of that is enough.
+  [[nodiscard]] double room_of(int index) const {
+    constexpr double kLittle = 0.3;
+    const double room = room_rad(index);
+    if (room < 0.0) return room;
     for (std::size_t side = 0; side < 2; ++side) {
-      for (const int index : legs_[side]) {
-        if (room_rad(index) < 0.0) return false;
-      }
       const LegInPlane& leg = in_plane_[side];
-      for (const int index : {leg.hip_pitch, leg.knee, leg.ankle_pitch}) {
-        if (room_rad(index) < pitch_room_rad) return false;
+      if (index == leg.hip_pitch || index == leg.ankle_pitch) return room;
+      if (index != leg.knee) continue;
+      const double at = angle_rad_[static_cast<std::size_t>(index)];
+      return at > straight_rad_[side] ? upper_of(joint(index)) - at : at - lower_of(joint(index));
+    }
+    return room / kLittle;
+  }
+  [[nodiscard]] std::string tightest_joint() const {
+    int tightest = legs_[0][0];
+    for (const auto& leg : legs_) {
+      for (const int index : leg) {
+        if (room_of(index) < room_of(tightest)) tightest = index;
       }
     }
-    return true;
+    return joint(tightest).name;
   }
   // The joint of the legs that has least room as they stand.
   [[nodiscard]] std::string nearest_to_limit() const {
@@ -257,6 +272,7 @@ class Stand {
   std::array<std::vector<int>, 2> legs_;
   std::array<LegInPlane, 2> in_plane_;
   std::array<int, 2> foot_{};
+  std::array<double, 2> straight_rad_{};  // of the knees, at zero
   double half_width_m_ = 0.0, middle_m_ = 0.0;
 };
 

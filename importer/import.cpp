@@ -94,6 +94,7 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
   constexpr double kDummyGyration_m_per_m3 = 0.25;  // of the edge of a cube of water of that mass
   constexpr double kLeastMoment = 1e-3;             // of the largest
   constexpr double kWaterDensity_kg_per_m3 = 1000.0;
+  constexpr double kMargin = 1e-6;
   constexpr double kWorthTelling = 0.01;
   const double dummy_kg = kDummy * total_mass_kg(robot);
   std::vector<std::string> dummies, unsound;
@@ -108,8 +109,9 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
     const Eigen::Vector3d found = solver.eigenvalues();  // ascending
     Eigen::Vector3d moment = found.cwiseMax(std::max(kLeastMoment * found[2], 0.1 * least_kg_m2));
     if (found[2] <= 0.0) moment.setConstant(least_kg_m2);
-    const double missing = moment[2] - moment[0] - moment[1];
-    if (missing > 0.0) moment.head<2>().array() += 0.5 * missing + 1e-6 * moment[2];
+    // With a margin, since the numbers are rounded when they are written.
+    const double missing = (1.0 + kMargin) * moment[2] - moment[0] - moment[1];
+    if (missing > 0.0) moment.head<2>().array() += 0.5 * missing;
     if ((moment - found).maxCoeff() <= 0.0) continue;
     if (found[2] > 0.0 && (moment - found).maxCoeff() > kWorthTelling * moment[2])
       unsound.push_back(link.name);
@@ -124,10 +126,14 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
   }
 }
 
+const MakerJoint& joint_named(const MakerRobot& robot, const std::string& name) {
+  return robot.joints[static_cast<std::size_t>(*robot.joint_index(name))];
+}
+
 Eigen::Vector3d ankle_in_foot(const MakerRobot& robot, const LegChain& leg) {
   // The last joint's frame is the foot link's; the pitch and roll axes of most ankles meet there.
-  const MakerJoint& last = robot.joints[static_cast<std::size_t>(*robot.joint_index(leg.joints[5]))];
-  const MakerJoint& before = robot.joints[static_cast<std::size_t>(*robot.joint_index(leg.joints[4]))];
+  const MakerJoint& last = joint_named(robot, leg.joints[5]);
+  const MakerJoint& before = joint_named(robot, leg.joints[4]);
   // The point of the last axis that lies nearest to the axis before.
   const Eigen::Isometry3d to_foot = last.origin.inverse();
   const Eigen::Vector3d point = to_foot.translation(), direction = to_foot.linear() * before.axis;
@@ -137,26 +143,26 @@ Eigen::Vector3d ankle_in_foot(const MakerRobot& robot, const LegChain& leg) {
   return along * last.axis;
 }
 
-std::array<FoundSole, 2> find_soles(const MakerRobot& robot, const BodyPlan& plan) {
+std::array<FoundSole, 2> find_soles(const MakerRobot& robot, const BodyPlan& plan,
+                                    std::vector<std::string>& notes) {
   const std::vector<Eigen::Isometry3d> poses = link_poses(robot, neutral(robot));
   std::array<FoundSole, 2> soles;
   for (std::size_t side = 0; side < 2; ++side) {
     const LegChain& leg = plan.legs[side];
     double length_m = 0.0;
     for (std::size_t i = 1; i < leg.joints.size(); ++i) {
-      length_m += robot.joints[static_cast<std::size_t>(*robot.joint_index(leg.joints[i]))]
-                      .origin.translation()
-                      .norm();
+      length_m += joint_named(robot, leg.joints[i]).origin.translation().norm();
     }
-    const MakerJoint& last = robot.joints[static_cast<std::size_t>(*robot.joint_index(leg.joints[5]))];
-    const auto foot = static_cast<std::size_t>(last.child_link);
+    const auto link = static_cast<std::size_t>(joint_named(robot, leg.joints[5]).child_link);
+    const MakerLink& foot = robot.links[link];
+    const Eigen::Vector3d ankle_m = ankle_in_foot(robot, leg);
     try {
-      soles[side] =
-          find_sole(robot.links[foot], poses[foot], ankle_in_foot(robot, leg), kLeastSole * length_m);
+      soles[side] = find_sole(foot, poses[link], ankle_m, kLeastSole * length_m);
     } catch (const std::invalid_argument& lacking) {
-      input::refuse({robot.file, robot.links[foot].line, fmt::format("link '{}'", leg.foot), "",
-                     lacking.what(),
-                     "Give the foot a collision box with a level bottom, or check that its mesh was found"});
+      soles[side] = guess_sole(foot, poses[link], ankle_m, length_m);
+      notes.push_back(fmt::format("guess: {}; it got one of {:.3f} by {:.3f} m, {:.3f} m below the ankle",
+                                  lacking.what(), soles[side].size_m.x(), soles[side].size_m.y(),
+                                  (ankle_m - soles[side].pose.translation()).norm()));
     }
   }
   return soles;
@@ -223,7 +229,7 @@ ImportedRobot import_robot(const std::filesystem::path& file, const ImportOption
     input::refuse({file, 0, "robot", "", "no link has a mass", "Give the links <inertial> elements"});
   }
   make_sound(result.robot, result.notes);
-  result.soles = find_soles(result.robot, result.plan);
+  result.soles = find_soles(result.robot, result.plan, result.notes);
   result.home = find_home_posture(result.robot, result.plan, result.soles);
   result.imu = find_imu(result.robot, result.plan);
   result.drives = drive_figures(result.robot, result.plan, result.home.hip_height_m);
@@ -258,7 +264,13 @@ ImportedRobot with_fewer_joints(const ImportedRobot& imported, std::size_t most)
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return missed[a] < missed[b]; });
-  order.resize(robot.joints.size() - most);
+  // What mirrors the last one that goes, goes with it.
+  constexpr double kAlike = 0.03;
+  std::size_t going = robot.joints.size() - most;
+  while (going > 0 && going < order.size() &&
+         missed[order[going]] < missed[order[going - 1]] * (1.0 + kAlike))
+    ++going;
+  order.resize(going);
   std::vector<std::string> names;
   for (const std::size_t i : order) names.push_back(robot.joints[i].name);
   ImportedRobot result = imported;

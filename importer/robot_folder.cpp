@@ -123,12 +123,13 @@ class UrdfText {
         i(2, 2));
     std::size_t number = 0;
     for (const VisualSurface& visual : link.visual) {
+      const Eigen::Vector4d colour = visual.rgba.cwiseMax(0.0).cwiseMin(1.0);
       if (const std::string mesh = hull_file(visual.surface, link.name, "visual", number, kVisualPoints);
           !mesh.empty()) {
         text_ += fmt::format(
             "    <visual><geometry>{}</geometry><material name=\"{}_{}\"><color rgba=\"{:.3g} {:.3g} {:.3g} "
             "{:.3g}\"/></material></visual>\n",
-            mesh, escaped(link.name), number, visual.rgba[0], visual.rgba[1], visual.rgba[2], visual.rgba[3]);
+            mesh, escaped(link.name), number, colour[0], colour[1], colour[2], colour[3]);
         ++number;
       }
     }
@@ -357,7 +358,7 @@ class NetworkText {
           "its {} geometry\n",
           side == 0 ? "left" : "right", quoted(imported_.plan.legs[side].foot), at.x(), at.y(), at.z(),
           rpy_deg.x(), rpy_deg.y(), rpy_deg.z(), sole.size_m.x(), sole.size_m.y(), sole.centre_m.x(),
-          sole.centre_m.y(), 0.06 * sole.size_m.minCoeff(), sole.from_collision ? "collision" : "visual");
+          sole.centre_m.y(), 0.06 * sole.size_m.minCoeff(), sole.source);
     }
   }
 

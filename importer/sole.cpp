@@ -187,7 +187,7 @@ FoundSole find_sole(const MakerLink& foot, const Eigen::Isometry3d& base_to_foot
     }
     if (auto sole = sole_of(surface, base_to_foot.linear(), ankle_m); sole) {
       if (sole->size_m.minCoeff() > 0.4 * least_m && sole->size_m.x() > least_m) {
-        sole->from_collision = collision;
+        sole->source = fmt::format("the foot's {} geometry", kind);
         return *sole;
       }
       tried += fmt::format("{}a sole of {:.3f} by {:.3f} m by its {} geometry", tried.empty() ? "" : ", ",
@@ -198,6 +198,27 @@ FoundSole find_sole(const MakerLink& foot, const Eigen::Isometry3d& base_to_foot
   }
   throw std::invalid_argument(fmt::format(
       "the foot '{}' has {}: it needs a level sole at least {:.3f} m long", foot.name, tried, least_m));
+}
+
+FoundSole guess_sole(const MakerLink& foot, const Eigen::Isometry3d& base_to_foot,
+                     const Eigen::Vector3d& ankle_m, double leg_length_m) {
+  constexpr double kLength = 0.28, kWidth = 0.13, kAhead = 0.03, kHeight = 0.1;  // of the leg's length
+  const Eigen::Vector3d up = base_to_foot.linear().transpose().col(2);
+  FoundSole sole;
+  double below_m = kHeight * leg_length_m;
+  sole.source = fmt::format("guess: the size of feet on legs of {:.2f} m", leg_length_m);
+  for (const auto& [name, pose] : foot.frames) {
+    const double depth_m = up.dot(ankle_m - pose.translation());
+    if (name.find("sole") == std::string::npos || depth_m <= 0.0) continue;
+    below_m = depth_m;
+    sole.source += fmt::format(", as deep as the frame '{}'", name);
+    break;
+  }
+  sole.pose.linear() = level_frame(-up, base_to_foot.linear().transpose().col(0));
+  sole.pose.translation() = ankle_m - below_m * up;
+  sole.size_m = Eigen::Vector2d(kLength, kWidth) * leg_length_m;
+  sole.centre_m = Eigen::Vector2d(kAhead * leg_length_m, 0.0);
+  return sole;
 }
 
 }  // namespace gaitway::importer

@@ -157,6 +157,18 @@ class SyntaxCheck {
              fmt::format("the name is taken already in line {}", place->second),
              "Give each one a name of its own");
     }
+    note_shapes(element, "collision", lines.collision);
+    note_shapes(element, "visual", lines.visual);
+  }
+
+  static void note_shapes(const TiXmlElement& link, const char* use,
+                          std::map<std::string, std::vector<int>>& table) {
+    for (const TiXmlElement* shape = link.FirstChildElement(use); shape;
+         shape = shape->NextSiblingElement(use)) {
+      const TiXmlElement* const geometry = shape->FirstChildElement("geometry");
+      const TiXmlElement* const kind = geometry->FirstChildElement();
+      table[link.Attribute("name")].push_back((kind ? kind : geometry)->Row());
+    }
   }
 
   const std::filesystem::path& file_;

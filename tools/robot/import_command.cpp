@@ -86,25 +86,29 @@ struct Brought {
   std::string bus;
 };
 
+// How many of a robot's joints, from the first on, its bus is proven for.
+std::size_t joints_on_bus(urdf::RobotModel robot) {
+  while (!robot.joints.empty() && !msgcontroller::complaint_about_network(robot).empty())
+    robot.joints.pop_back();
+  return robot.joints.size();
+}
+
 // As many joints as the bus is proven for, those that carry most.
 Brought bring(importer::ImportedRobot imported, const FolderInTheMaking& folder) {
-  constexpr std::size_t kFewest = 12;
-  const importer::ImportedRobot all = imported;
-  for (std::size_t most = std::min<std::size_t>(all.robot.joints.size(), 64);; --most) {
-    imported = importer::with_fewer_joints(all, most);
+  constexpr std::size_t kMostNodes = 64;
+  imported = importer::with_fewer_joints(imported, kMostNodes);
+  importer::write_robot_folder(imported, folder.path());
+  urdf::RobotModel robot = urdf::load_robot(folder.path());
+  if (const std::size_t most = joints_on_bus(robot); most < robot.joints.size()) {
+    imported = importer::with_fewer_joints(imported, most);
     folder.empty();
     importer::write_robot_folder(imported, folder.path());
-    urdf::RobotModel robot = urdf::load_robot(folder.path());
-    const std::string complaint = msgcontroller::complaint_about_network(robot);
-    if (complaint.empty()) {
-      const can::Proof proof = msgcontroller::prove_network(robot);
-      std::string bus =
-          fmt::format("{} joints on one bus, load {:.0f} % in the worst case, every deadline proven",
-                      robot.joints.size(), 100.0 * proof.load);
-      return {std::move(imported), std::move(robot), std::move(bus)};
-    }
-    if (most <= kFewest) throw std::runtime_error(complaint);
+    robot = urdf::load_robot(folder.path());
   }
+  std::string bus =
+      fmt::format("{} joints on one bus, load {:.0f} % in the worst case, every deadline proven",
+                  robot.joints.size(), 100.0 * msgcontroller::prove_network(robot).load);
+  return {std::move(imported), std::move(robot), std::move(bus)};
 }
 
 int import_urdf(const ImportCommandOptions& options) {
@@ -114,7 +118,8 @@ int import_urdf(const ImportCommandOptions& options) {
   how.held_still = options.hold;
   if (options.forward) how.plan.forward = axis_of(*options.forward);
   importer::ImportedRobot imported = importer::import_robot(options.file, how);
-  const std::filesystem::path out = options.out.empty() ? std::filesystem::path(folder_name(imported.robot.name)) : options.out;
+  const std::filesystem::path out =
+      options.out.empty() ? std::filesystem::path(folder_name(imported.robot.name)) : options.out;
   if (!options.force && std::filesystem::exists(out) &&
       (!std::filesystem::is_directory(out) || !std::filesystem::is_empty(out))) {
     throw std::invalid_argument(fmt::format(
@@ -144,7 +149,8 @@ void add_robot_import(const CommandLine& robot) {
   command.option("file", options.file, "The URDF (expanded, no xacro)").required();
   command.option("--out", options.out, "Folder to write (default: the robot's name)");
   command.option("--force", options.force, "Replace what an import wrote there before");
-  command.repeated("--packages", options.packages, "Folder in which package:// is looked for; may be given again");
+  command.repeated("--packages", options.packages,
+                   "Folder in which package:// is looked for; may be given again");
   command.option("--forward", options.forward, "Which way the robot looks: an axis of the root link")
       .one_of({"x", "-x", "y", "-y", "z", "-z"});
   command.option("--hold", options.hold, "Joints that shall not move");

@@ -13,7 +13,7 @@ struct FoundSole {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   Eigen::Vector2d size_m = Eigen::Vector2d::Zero();    // length (x), width (y)
   Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();  // of the rectangle, in the sole frame
-  bool from_collision = false;                         // else from what the foot looks like
+  std::string source;                                  // how it was found
 };
 
 // The largest level rectangle, its edges along and across the base's x axis, that lies within what the foot
@@ -24,5 +24,10 @@ struct FoundSole {
 // a sole that is no longer than `least_m`.
 [[nodiscard]] FoundSole find_sole(const MakerLink& foot, const Eigen::Isometry3d& base_to_foot,
                                   const Eigen::Vector3d& ankle_m, double least_m);
+
+// For a foot whose surfaces give none: of the size that feet have on legs of this length, as deep below the
+// ankle as a frame whose name has "sole" in it, or a tenth of the legs' length. Says so in `source`.
+[[nodiscard]] FoundSole guess_sole(const MakerLink& foot, const Eigen::Isometry3d& base_to_foot,
+                                   const Eigen::Vector3d& ankle_m, double leg_length_m);
 
 }  // namespace gaitway::importer
