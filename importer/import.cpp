@@ -17,8 +17,8 @@
 namespace gaitway::importer {
 namespace {
 
-constexpr double kCarriedTurn_rad = std::numbers::pi;
-constexpr double kLeastSole = 0.1;  // of the legs' length
+constexpr double kCarriedTurn_rad = std::numbers::pi - 1e-6;  // of a feedback frame, however it is rounded
+constexpr double kLeastSole = 0.1;                            // of the legs' length
 constexpr std::size_t kLegJoints = 12;
 
 bool is_of_leg(const BodyPlan& plan, const std::string& joint) {

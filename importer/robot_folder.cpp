@@ -24,7 +24,7 @@ constexpr double kLeastVolume_m3 = 1e-8;
 
 std::string numbers(const Eigen::Vector3d& v) {
   const auto clean = [](double value) { return std::abs(value) < 1e-12 ? 0.0 : value; };
-  return fmt::format("{:.9g} {:.9g} {:.9g}", clean(v.x()), clean(v.y()), clean(v.z()));
+  return fmt::format("{:.12g} {:.12g} {:.12g}", clean(v.x()), clean(v.y()), clean(v.z()));
 }
 
 Eigen::Vector3d rpy_of(const Eigen::Matrix3d& r) {
@@ -115,9 +115,9 @@ class UrdfText {
     const MakerLink& link = robot_.links[index];
     const Eigen::Matrix3d& i = link.inertia_kg_m2;
     text_ += fmt::format(
-        "  <link name=\"{}\">\n    <inertial>\n      <origin xyz=\"{}\"/>\n      <mass value=\"{:.9g}\"/>\n"
-        "      <inertia ixx=\"{:.9g}\" ixy=\"{:.9g}\" ixz=\"{:.9g}\" iyy=\"{:.9g}\" iyz=\"{:.9g}\" "
-        "izz=\"{:.9g}\"/>\n"
+        "  <link name=\"{}\">\n    <inertial>\n      <origin xyz=\"{}\"/>\n      <mass value=\"{:.12g}\"/>\n"
+        "      <inertia ixx=\"{:.12g}\" ixy=\"{:.12g}\" ixz=\"{:.12g}\" iyy=\"{:.12g}\" iyz=\"{:.12g}\" "
+        "izz=\"{:.12g}\"/>\n"
         "    </inertial>\n",
         escaped(link.name), numbers(link.com_m), link.mass_kg, i(0, 0), i(0, 1), i(0, 2), i(1, 1), i(1, 2),
         i(2, 2));
@@ -196,8 +196,8 @@ class UrdfText {
     text_ += fmt::format(
         "  <joint name=\"{}\" type=\"revolute\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n    "
         "{}\n"
-        "    <axis xyz=\"{}\"/>\n    <limit lower=\"{:.9g}\" upper=\"{:.9g}\" effort=\"{:.9g}\" "
-        "velocity=\"{:.9g}\"/>\n"
+        "    <axis xyz=\"{}\"/>\n    <limit lower=\"{:.12g}\" upper=\"{:.12g}\" effort=\"{:.12g}\" "
+        "velocity=\"{:.12g}\"/>\n"
         "  </joint>\n",
         escaped(joint.name), escaped(robot_.links[static_cast<std::size_t>(joint.parent_link)].name),
         escaped(robot_.links[static_cast<std::size_t>(joint.child_link)].name), origin(joint.origin),
@@ -271,7 +271,7 @@ class NetworkText {
   }
   static std::string motor(const DriveFigures& drive) {
     return fmt::format(
-        "{{torque_limit_Nm: {:.6g}, speed_limit_rad_per_s: {:.6g}, armature_kg_m2: {:.3g}, "
+        "{{torque_limit_Nm: {:.12g}, speed_limit_rad_per_s: {:.12g}, armature_kg_m2: {:.3g}, "
         "damping_Nms_per_rad: {:.3g}, friction_Nm: {:.3g}}}",
         drive.torque_Nm, drive.motor_speed_rad_per_s, drive.armature_kg_m2, drive.motor_damping_Nms_per_rad,
         drive.friction_Nm);
@@ -321,7 +321,7 @@ class NetworkText {
           text_ += fmt::format(", trim_channel: {}", trim);
       }
       const DriveFigures& drive = imported_.drives[i];
-      text_ += fmt::format(", home_deg: {:.6g}, count_deg: {:.4g},\n     servo: {},\n     motor: {}}}",
+      text_ += fmt::format(", home_deg: {:.10g}, count_deg: {:.4g},\n     servo: {},\n     motor: {}}}",
                            home_deg(i), drive.count_deg, servo(drive), motor(drive));
       if (!drive.guessed.empty()) text_ += fmt::format("   # guess: {}", fmt::join(drive.guessed, ", "));
       text_ += "\n";
@@ -378,7 +378,7 @@ class NetworkText {
         "0.005, angular_velocity_rad_per_s: 0.001, acceleration_m_per_s2: 0.005, inclination_rad: "
         "0.0001}}\n\n"
         "trim: {{count_deg: 0.05, slew_deg_per_s: {:.4g}, limit_deg: 6.35}}\n\nnetwork: {{profile: full}}\n\n"
-        "standing: {{hip_height_m: {:.7g}}}      # of the hip axes above the soles in the home posture\n\n"
+        "standing: {{hip_height_m: {:.9g}}}      # of the hip axes above the soles in the home posture\n\n"
         "# For the simulated robot: standard deviations of the sensors' noise, ground contact, time step "
         "(guess).\nsimulation:\n"
         "  noise: {{angular_velocity_rad_per_s: 0.01, acceleration_m_per_s2: 0.15, inclination_rad: 0.003, "
