@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 #include <tinyxml.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -128,7 +128,7 @@ class MakerFile {
   static void read_dynamics(const UrdfElement& element, MakerJoint& joint) {
     if (const auto dynamics = element.child("dynamics")) {
       const auto above_zero = [&](const char* attribute) {
-        const auto value = dynamics->number(attribute);
+        const auto value = dynamics->limit(attribute);
         return value && *value > 0.0 ? value : std::nullopt;
       };
       joint.damping_Nms_per_rad = above_zero("damping");
@@ -143,7 +143,7 @@ class MakerFile {
     }
     joint.velocity_rad_per_s = believed(*limit, "velocity", kLargestVelocity_rad_per_s, joint);
     joint.effort_Nm = believed(*limit, "effort", kLargestEffort_Nm, joint);
-    const auto lower = limit->number("lower"), upper = limit->number("upper");
+    const auto lower = limit->limit("lower"), upper = limit->limit("upper");
     if (type == "continuous" || (lower.value_or(0.0) == 0.0 && upper.value_or(0.0) == 0.0)) {
       return;
     }
@@ -157,7 +157,7 @@ class MakerFile {
 
   std::optional<double> believed(const UrdfElement& limit, const char* attribute, double largest,
                                  const MakerJoint& joint) {
-    const auto value = limit.number(attribute);
+    const auto value = limit.limit(attribute);
     return value && *value > 0.0 ? within(attribute, *value, largest, joint) : std::nullopt;
   }
 

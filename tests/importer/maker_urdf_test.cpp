@@ -130,9 +130,9 @@ TEST(MakerUrdf, AContinuousJointHasNoEnds) {
 }
 
 TEST(MakerUrdf, LimitsThatNoJointHasAreNoted) {
-  const MakerRobot robot = hinge("<limit lower=\"-1e16\" upper=\"1e16\" velocity=\"1e9\" effort=\"1e9\"/>");
+  const MakerRobot robot = hinge("<limit lower=\"-1e16\" upper=\"1e16\" velocity=\"1e308\" effort=\"1e9\"/>");
   expect_no_limits(robot.joints[0]);
-  EXPECT_THAT(robot.notes, ElementsAre(AllOf(HasSubstr("j velocity 1e+09"), HasSubstr("j effort 1e+09"),
+  EXPECT_THAT(robot.notes, ElementsAre(AllOf(HasSubstr("j velocity 1e+308"), HasSubstr("j effort 1e+09"),
                                              HasSubstr("j lower -1e+16"), HasSubstr("j upper 1e+16"))));
 }
 
