@@ -80,10 +80,11 @@ class MakerFile {
     }
     if (const auto inertia = inertial.child("inertia")) {
       const auto value = [&](const char* attribute) { return inertia->number(attribute).value_or(0.0); };
+      // Read before the matrix is filled: Eigen minds what is thrown half-way.
+      const double ixx = value("ixx"), ixy = value("ixy"), ixz = value("ixz");
+      const double iyy = value("iyy"), iyz = value("iyz"), izz = value("izz");
       Eigen::Matrix3d matrix;
-      matrix << value("ixx"), value("ixy"), value("ixz"),  //
-          value("ixy"), value("iyy"), value("iyz"),        //
-          value("ixz"), value("iyz"), value("izz");
+      matrix << ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz;
       link.inertia_kg_m2 = pose.linear() * matrix * pose.linear().transpose();
     }
   }
