@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace gaitway::importer {
@@ -109,7 +110,7 @@ std::optional<Mesh> LinkSurfaces::mesh_of(const UrdfElement& mesh) {
     } else {
       try {
         known->second = read_mesh(*file);
-      } catch (const std::runtime_error& error) {
+      } catch (const std::exception& error) {
         leave_out("name a mesh that cannot be read", fmt::format("{} ({})", uri, error.what()));
       }
     }

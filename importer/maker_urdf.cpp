@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 #include <tinyxml.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -80,10 +80,11 @@ class MakerFile {
     }
     if (const auto inertia = inertial.child("inertia")) {
       const auto value = [&](const char* attribute) { return inertia->number(attribute).value_or(0.0); };
+      // Read before the matrix is filled: Eigen minds what is thrown half-way.
+      const double ixx = value("ixx"), ixy = value("ixy"), ixz = value("ixz");
+      const double iyy = value("iyy"), iyz = value("iyz"), izz = value("izz");
       Eigen::Matrix3d matrix;
-      matrix << value("ixx"), value("ixy"), value("ixz"),  //
-          value("ixy"), value("iyy"), value("iyz"),        //
-          value("ixz"), value("iyz"), value("izz");
+      matrix << ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz;
       link.inertia_kg_m2 = pose.linear() * matrix * pose.linear().transpose();
     }
   }
@@ -128,7 +129,7 @@ class MakerFile {
   static void read_dynamics(const UrdfElement& element, MakerJoint& joint) {
     if (const auto dynamics = element.child("dynamics")) {
       const auto above_zero = [&](const char* attribute) {
-        const auto value = dynamics->number(attribute);
+        const auto value = dynamics->limit(attribute);
         return value && *value > 0.0 ? value : std::nullopt;
       };
       joint.damping_Nms_per_rad = above_zero("damping");
@@ -143,7 +144,7 @@ class MakerFile {
     }
     joint.velocity_rad_per_s = believed(*limit, "velocity", kLargestVelocity_rad_per_s, joint);
     joint.effort_Nm = believed(*limit, "effort", kLargestEffort_Nm, joint);
-    const auto lower = limit->number("lower"), upper = limit->number("upper");
+    const auto lower = limit->limit("lower"), upper = limit->limit("upper");
     if (type == "continuous" || (lower.value_or(0.0) == 0.0 && upper.value_or(0.0) == 0.0)) {
       return;
     }
@@ -157,7 +158,7 @@ class MakerFile {
 
   std::optional<double> believed(const UrdfElement& limit, const char* attribute, double largest,
                                  const MakerJoint& joint) {
-    const auto value = limit.number(attribute);
+    const auto value = limit.limit(attribute);
     return value && *value > 0.0 ? within(attribute, *value, largest, joint) : std::nullopt;
   }
 

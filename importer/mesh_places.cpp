@@ -1,7 +1,9 @@
 // Looks for meshes in packages, in the folders above the URDF and beside it.
 #include "mesh_places.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <initializer_list>
 #include <sstream>
 #include <string_view>
 
@@ -36,6 +38,10 @@ std::optional<std::string> without_scheme(const std::string& uri,
   return std::nullopt;
 }
 
+std::string without_slashes(const std::string& path) {
+  return path.substr(std::min(path.find_first_not_of('/'), path.size()));
+}
+
 }  // namespace
 
 MeshPlaces::MeshPlaces(const std::filesystem::path& urdf, const ReadOptions& options)
@@ -61,9 +67,9 @@ std::optional<std::filesystem::path> MeshPlaces::find(const std::string& uri) co
     const std::filesystem::path path = urdf_folder_ / without_scheme(uri, {"file://"}).value_or(uri);
     return is_file(path) ? std::optional(path.lexically_normal()) : std::nullopt;
   }
-  const std::string named =
-      in_package->substr(std::min(in_package->find_first_not_of('/'), in_package->size()));
-  const std::string rest = named.substr(std::min(named.find('/'), named.size() - 1) + 1);
+  const std::string named = without_slashes(*in_package);
+  const std::size_t name_end = named.find('/');
+  const std::string rest = name_end == named.npos ? "" : without_slashes(named.substr(name_end));
   for (const std::string& wanted : {named, rest}) {
     for (const std::filesystem::path& folder : package_folders_) {
       if (is_file(folder / wanted)) {

@@ -108,8 +108,23 @@ std::optional<Eigen::Matrix<double, count, 1>> UrdfElement::numbers(const char* 
   return result;
 }
 
-std::optional<double> UrdfElement::number(const char* attribute) const {
+std::optional<double> UrdfElement::limit(const char* attribute) const {
   const auto value = numbers<1>(attribute);
+  return value ? std::optional((*value)[0]) : std::nullopt;
+}
+
+template <int count>
+std::optional<Eigen::Matrix<double, count, 1>> UrdfElement::bounded(const char* attribute) const {
+  constexpr double kLargest = 1e12;
+  const auto value = numbers<count>(attribute);
+  if (value && value->cwiseAbs().maxCoeff() > kLargest) {
+    refuse(attribute, fmt::format("must lie within +-{:g}", kLargest), "Correct it, in SI units");
+  }
+  return value;
+}
+
+std::optional<double> UrdfElement::number(const char* attribute) const {
+  const auto value = bounded<1>(attribute);
   return value ? std::optional((*value)[0]) : std::nullopt;
 }
 
@@ -119,11 +134,11 @@ double UrdfElement::required_number(const char* attribute) const {
 }
 
 std::optional<Eigen::Vector3d> UrdfElement::vector3(const char* attribute) const {
-  return numbers<3>(attribute);
+  return bounded<3>(attribute);
 }
 
 std::optional<Eigen::Vector4d> UrdfElement::vector4(const char* attribute) const {
-  return numbers<4>(attribute);
+  return bounded<4>(attribute);
 }
 
 Eigen::Isometry3d UrdfElement::origin() const {

@@ -28,10 +28,12 @@ class UrdfElement {
   [[nodiscard]] std::vector<UrdfElement> children(const char* tag) const;
   [[nodiscard]] std::vector<UrdfElement> children() const;
 
-  // Attributes. What is there must be what it should be; nothing (or a refusal) where it is missing.
+  // Attributes. What is there must be what it should be; nothing (or a refusal) where it is missing. Numbers
+  // lie within +-1e12, which leaves room to reckon with them; `limit` takes any.
   [[nodiscard]] std::optional<std::string> text(const char* attribute) const;
   [[nodiscard]] std::string required_text(const char* attribute) const;  // not empty either
   [[nodiscard]] std::optional<double> number(const char* attribute) const;
+  [[nodiscard]] std::optional<double> limit(const char* attribute) const;
   [[nodiscard]] double required_number(const char* attribute) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> vector3(const char* attribute) const;
   [[nodiscard]] std::optional<Eigen::Vector4d> vector4(const char* attribute) const;
@@ -49,6 +51,8 @@ class UrdfElement {
   [[nodiscard]] UrdfElement below(const TiXmlElement& xml) const;
   template <int count>
   [[nodiscard]] std::optional<Eigen::Matrix<double, count, 1>> numbers(const char* attribute) const;
+  template <int count>
+  [[nodiscard]] std::optional<Eigen::Matrix<double, count, 1>> bounded(const char* attribute) const;
   [[nodiscard]] std::string xacro_remedy() const;
 
   const std::filesystem::path* file_;
