@@ -193,9 +193,9 @@ Eigen::Vector3d hip_centre(const urdf::RobotModel& model, urdf::Side side) {
   const double cosine = roll.direction.dot(pitch.direction);
   const double sine_squared = 1.0 - cosine * cosine;
   if (sine_squared < kDirectionTolerance) return pitch.point;
-  const Eigen::Vector3d gap = pitch.point - roll.point;
-  const double along = (gap.dot(roll.direction) - cosine * gap.dot(pitch.direction)) / sine_squared;
-  return roll.point + along * roll.direction;
+  const Eigen::Vector3d gap = roll.point - pitch.point;
+  const double along = (gap.dot(pitch.direction) - cosine * gap.dot(roll.direction)) / sine_squared;
+  return pitch.point + along * pitch.direction;
 }
 
 LegRecognition recognise_leg(const urdf::RobotModel& model, urdf::Side side) {

@@ -1,4 +1,4 @@
-// Cost of one leg by both solvers, of the whole-body CoM, and of a whole batch with its tail.
+// Cost of one leg by each solver, of the whole-body CoM, and of a whole batch with its tail.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -50,6 +50,23 @@ void BM_ClosedFormLeg(benchmark::State& state) {
 }
 BENCHMARK(BM_ClosedFormLeg);
 
+// From the posture of the sample before.
+void BM_GeneralLegWarm(benchmark::State& state) {
+  const urdf::RobotModel model = test::make_robot();
+  const GeneralLeg leg(model, urdf::Side::left);
+  struct Warm {
+    LegSolution solve(const Eigen::Isometry3d& sole) {
+      const LegSolution solution = leg.solve(sole, last_rad);
+      last_rad = solution.angle_rad;
+      return solution;
+    }
+    const GeneralLeg& leg;
+    std::array<double, 6> last_rad;
+  } warm{leg, test::LegSampler(model, urdf::Side::left, 0.0, 1).home()};
+  solve_walk(state, warm, walking_soles(model));
+}
+BENCHMARK(BM_GeneralLegWarm);
+
 void BM_KdlLegWarm(benchmark::State& state) {
   const urdf::RobotModel model = test::make_robot();
   KdlLeg leg(model, urdf::Side::left);
@@ -76,8 +93,6 @@ urdf::RobotModel robot_with(const test::LegVariant& legs) {
   return robot;
 }
 
-constexpr double kHipHeight_m = 0.33;  // in reach of all these legs
-
 // Of the processor, for this thread: what others take from it meanwhile does not count.
 double processor_time_us() {
   std::timespec now{};
@@ -88,8 +103,9 @@ double processor_time_us() {
 // Batches of a walk, 8 points and 140 of the tail, by the solver of that choice. Counts how long each takes.
 void solve_batches(benchmark::State& state, const test::LegVariant& legs, SolverChoice choice,
                    bool compensate_load) {
-  BatchSolver solver(robot_with(legs), choice, compensate_load);
-  const test::WalkingPlan walk(0.25, 0.3, kHipHeight_m);
+  const urdf::RobotModel robot = robot_with(legs);
+  BatchSolver solver(robot, choice, compensate_load);
+  const test::WalkingPlan walk(0.25, 0.3, test::walking_hip_height_m(robot));
   std::vector<MotionPlan> plans;
   for (std::uint32_t sequence = 1; sequence <= 30; ++sequence) plans.push_back(walk.batch(sequence));
   JointPlan joint_plan{};

@@ -34,6 +34,7 @@ using test::link_poses;
 using test::sole_pose;
 
 using test::make_robot;
+using test::walking_hip_height_m;
 using test::WalkingPlan;
 
 constexpr int kTail = 140;
@@ -123,12 +124,11 @@ TEST(BatchSolver, GivesTheSamePlanWithTheGeneralSolver) {
   }
 }
 
-constexpr double kLowHips_m = 0.33;  // in reach of the legs without a closed form
-
 TEST(BatchSolver, KeepsTheComOnThePlanWithLegsWithoutAClosedForm) {
   for (const test::LegVariant& variant : test::general_variants()) {
-    const Errors errors =
-        walk_errors(make_robot(variant), WalkingPlan(0.2, 0.2, kLowHips_m), SolverChoice::automatic);
+    const urdf::RobotModel model = make_robot(variant);
+    const WalkingPlan walk(0.2, 0.2, walking_hip_height_m(model));
+    const Errors errors = walk_errors(model, walk, SolverChoice::automatic);
     EXPECT_LT(errors.batch_com_m, 0.1e-3);
     EXPECT_LT(errors.tail_com_m, 0.3e-3);
     EXPECT_LT(errors.foot_m, 1e-6);
@@ -136,9 +136,9 @@ TEST(BatchSolver, KeepsTheComOnThePlanWithLegsWithoutAClosedForm) {
 }
 
 TEST(BatchSolver, GivesThePlanOfKdlWithLegsWithoutAClosedForm) {
-  const WalkingPlan walk(0.25, 0.2, kLowHips_m);
   for (const test::LegVariant& variant : test::general_variants()) {
     const urdf::RobotModel model = make_robot(variant);
+    const WalkingPlan walk(0.25, 0.2, walking_hip_height_m(model));
     BatchSolver kdl(model, SolverChoice::kdl), general(model, SolverChoice::automatic);
     const auto expected = std::make_unique<JointPlan>(), joint_plan = std::make_unique<JointPlan>();
     for (std::uint32_t sequence = 1; sequence <= 10; ++sequence) {
@@ -155,9 +155,9 @@ TEST(BatchSolver, GivesThePlanOfKdlWithLegsWithoutAClosedForm) {
 
 // No leap from one branch to another: the joints go on as they went, over all batches and tails of a walk.
 TEST(BatchSolver, IsSmoothAlongAWalkWithLegsWithoutAClosedForm) {
-  const WalkingPlan walk(0.25, 0.2, kLowHips_m);
   for (const test::LegVariant& variant : test::general_variants()) {
     const urdf::RobotModel model = make_robot(variant);
+    const WalkingPlan walk(0.25, 0.2, walking_hip_height_m(model));
     BatchSolver solver(model, SolverChoice::automatic);
     auto joint_plan = std::make_unique<JointPlan>(), before = std::make_unique<JointPlan>();
     for (std::uint32_t sequence = 1; sequence <= 40; ++sequence) {
@@ -340,7 +340,8 @@ TEST(BatchSolver, AllocatesNothing) {
         std::pair{&general, SolverChoice::automatic}}) {
     BatchSolver solver(*model, choice);
     const auto joint_plan = std::make_unique<JointPlan>();
-    const auto plan = std::make_unique<MotionPlan>(WalkingPlan(0.2, 0.0, kLowHips_m).batch(3));
+    const auto plan =
+        std::make_unique<MotionPlan>(WalkingPlan(0.2, 0.0, walking_hip_height_m(*model)).batch(3));
     plan->foot_position[100][0][2] = -0.3;  // and a failure
     const long before = allocations.load();
     const bool solved = solver.solve(*plan, {{0.003, 0.002}, {0.01, 0.01}}, *joint_plan).solved();
@@ -381,7 +382,8 @@ TEST(BatchSolverRevision, OfTheSamePointsIsTheSameAndTheNextBatchGoesOnFromIt) {
 }
 
 TEST(BatchSolverRevision, IsTheSameWithLegsWithoutAClosedForm) {
-  expect_the_same_of_a_revision(make_robot(test::offset_hip()), WalkingPlan(0.25, 0.0, kLowHips_m));
+  const urdf::RobotModel model = make_robot(test::offset_hip());
+  expect_the_same_of_a_revision(model, WalkingPlan(0.25, 0.0, walking_hip_height_m(model)));
 }
 
 }  // namespace

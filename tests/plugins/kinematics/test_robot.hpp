@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/kinematics/leg_geometry.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::kinematics::test {
@@ -234,6 +235,12 @@ inline Eigen::Isometry3d sole_pose(const urdf::RobotModel& model, urdf::Side sid
                                    std::span<const double> angle_rad) {
   const urdf::Foot& foot = model.feet[static_cast<std::size_t>(side)];
   return link_poses(model, angle_rad)[static_cast<std::size_t>(foot.link)] * foot.sole;
+}
+
+// A little below that of the home posture: all legs reach a walk's footholds from there.
+inline double walking_hip_height_m(const urdf::RobotModel& model) {
+  const Eigen::Isometry3d sole = sole_pose(model, urdf::Side::left, home_posture(model));
+  return (hip_centre(model, urdf::Side::left) - sole.translation()).z() - 0.02;
 }
 
 }  // namespace gaitway::kinematics::test

@@ -52,8 +52,8 @@ struct LegRecognition {
 [[nodiscard]] std::string leg_chain_fault(const urdf::RobotModel& model, urdf::Side side);
 
 // Where the hip axes meet, base frame, m: the point whose height above the ground is the hip height. For a
-// leg whose axes do not meet: the point of the roll axis that is nearest to the pitch axis in the zero
-// posture.
+// leg whose axes do not meet: the point of the pitch axis that is nearest to the roll axis in the zero
+// posture. (It is the pitch axis whose height robot.yaml gives.)
 [[nodiscard]] Eigen::Vector3d hip_centre(const urdf::RobotModel& model, urdf::Side side);
 
 }  // namespace gaitway::kinematics
