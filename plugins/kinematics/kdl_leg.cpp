@@ -1,5 +1,5 @@
 // Damped Newton iterations over a KDL chain.
-#include "gaitway/kinematics/leg_solver.hpp"
+#include "gaitway/kinematics/kdl_leg.hpp"
 
 #include <fmt/format.h>
 
