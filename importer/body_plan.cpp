@@ -333,20 +333,23 @@ BodyPlan find_body_plan(const MakerRobot& robot, const PlanHints& hints) {
   return plan;
 }
 
-MakerRobot in_base_frame(MakerRobot robot, const Eigen::Matrix3d& base_in_root) {
+MakerRobot with_turned_frame(MakerRobot robot, std::size_t link, const Eigen::Matrix3d& new_in_old) {
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-  turn.linear() = base_in_root.transpose();
-  MakerLink& root = robot.links.front();
-  root.com_m = turn * root.com_m;
-  root.inertia_kg_m2 = turn.linear() * root.inertia_kg_m2 * turn.linear().transpose();
+  turn.linear() = new_in_old.transpose();
+  MakerLink& turned = robot.links[link];
+  turned.com_m = turn * turned.com_m;
+  turned.inertia_kg_m2 = turn.linear() * turned.inertia_kg_m2 * turn.linear().transpose();
   const auto turn_surface = [&turn](Surface& surface) {
     for (Eigen::Vector3d& point : surface.point_m) point = turn * point;
   };
-  for (VisualSurface& visual : root.visual) turn_surface(visual.surface);
-  for (Surface& surface : root.collision) turn_surface(surface);
-  for (auto& [name, pose] : root.frames) pose = turn * pose;
+  for (VisualSurface& visual : turned.visual) turn_surface(visual.surface);
+  for (Surface& surface : turned.collision) turn_surface(surface);
+  for (auto& [name, pose] : turned.frames) pose = turn * pose;
   for (MakerJoint& joint : robot.joints) {
-    if (joint.parent_link == 0) joint.origin = turn * joint.origin;
+    if (joint.parent_link == static_cast<int>(link)) joint.origin = turn * joint.origin;
+    if (joint.child_link != static_cast<int>(link)) continue;
+    joint.origin = joint.origin * turn.inverse();
+    joint.axis = turn * joint.axis;
   }
   return robot;
 }

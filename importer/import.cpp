@@ -198,6 +198,17 @@ ImuPlace find_imu(const MakerRobot& robot, const BodyPlan& plan) {
           "guess: the URDF names none, so at the base's origin, along its axes"};
 }
 
+// The link that carries the IMU is what attitude is told of: in the home posture its axes are the base's.
+void place_imu(ImportedRobot& imported) {
+  imported.imu = find_imu(imported.robot, imported.plan);
+  std::size_t link = 0;
+  while (imported.robot.links[link].name != imported.imu.link) ++link;
+  const Eigen::Matrix3d base_in_link =
+      link_poses(imported.robot, imported.home.angle_rad)[link].linear().transpose();
+  imported.robot = with_turned_frame(std::move(imported.robot), link, base_in_link);
+  imported.imu.pose = Eigen::Isometry3d(base_in_link.transpose()) * imported.imu.pose;
+}
+
 }  // namespace
 
 ImportedRobot import_robot(const std::filesystem::path& file, const ImportOptions& options) {
@@ -205,7 +216,7 @@ ImportedRobot import_robot(const std::filesystem::path& file, const ImportOption
   const MakerRobot read = read_maker_urdf(file, options.read);
   result.plan = find_body_plan(read, options.plan);
   result.notes = read.notes;
-  result.robot = in_base_frame(read, result.plan.base_in_root);
+  result.robot = with_turned_frame(read, 0, result.plan.base_in_root);
   result.held_still = options.held_still;
   for (const std::string& name : options.held_still) {
     if (!result.robot.joint_index(name)) {
@@ -231,7 +242,7 @@ ImportedRobot import_robot(const std::filesystem::path& file, const ImportOption
   make_sound(result.robot, result.notes);
   result.soles = find_soles(result.robot, result.plan, result.notes);
   result.home = find_home_posture(result.robot, result.plan, result.soles);
-  result.imu = find_imu(result.robot, result.plan);
+  place_imu(result);
   result.drives = drive_figures(result.robot, result.plan, result.home.hip_height_m);
   const auto add = [&result](const std::vector<std::string>& notes) {
     result.notes.insert(result.notes.end(), notes.begin(), notes.end());
@@ -285,7 +296,7 @@ ImportedRobot with_fewer_joints(const ImportedRobot& imported, std::size_t most)
   result.held_still.insert(result.held_still.end(), names.begin(), names.end());
   result.notes.push_back(fmt::format("held still, since one bus does not carry more than {} joints: {}", most,
                                      fmt::join(names, ", ")));
-  result.imu = find_imu(result.robot, result.plan);
+  place_imu(result);
   return result;
 }
 

@@ -15,8 +15,8 @@ constexpr std::size_t kMostPoints = 10'000'000;  // of a whole robot: some hundr
 
 }  // namespace
 
-LinkSurfaces::LinkSurfaces(const std::filesystem::path& urdf, const ReadOptions& options)
-    : places_(urdf, options) {}
+LinkSurfaces::LinkSurfaces(const std::filesystem::path& urdf, const ReadOptions& options, YUp y_up)
+    : places_(urdf, options), y_up_(y_up) {}
 
 void LinkSurfaces::note_materials(const std::vector<UrdfElement>& materials) {
   for (const UrdfElement& material : materials) {
@@ -109,7 +109,8 @@ std::optional<Mesh> LinkSurfaces::mesh_of(const UrdfElement& mesh) {
       leave_out("name a mesh that was not found", uri);
     } else {
       try {
-        known->second = read_mesh(*file);
+        known->second = read_mesh(*file, y_up_);
+        has_y_up_ = has_y_up_ || known->second->says_y_up;
       } catch (const std::exception& error) {
         leave_out("name a mesh that cannot be read", fmt::format("{} ({})", uri, error.what()));
       }

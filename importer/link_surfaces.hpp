@@ -15,13 +15,16 @@ namespace gaitway::importer {
 
 class LinkSurfaces {
  public:
-  LinkSurfaces(const std::filesystem::path& urdf, const ReadOptions& options);
+  LinkSurfaces(const std::filesystem::path& urdf, const ReadOptions& options, YUp y_up);
 
   // <material> elements of the whole robot.
   void note_materials(const std::vector<UrdfElement>& materials);
 
   // The link's <visual> and <collision> elements.
   void read(const UrdfElement& element, MakerLink& link);
+
+  // Whether some mesh says that its y axis is up.
+  [[nodiscard]] bool has_y_up() const noexcept { return has_y_up_; }
 
   // What was left out, a sentence a reason.
   [[nodiscard]] std::vector<std::string> notes() const;
@@ -37,6 +40,8 @@ class LinkSurfaces {
   std::map<std::string, Eigen::Vector4d> material_rgba_;
   std::map<std::string, std::optional<Mesh>> meshes_;         // by URI; none: not to be had
   std::map<std::string, std::vector<std::string>> left_out_;  // reason -> what
+  YUp y_up_;
+  bool has_y_up_ = false;
   std::size_t points_ = 0;
 };
 

@@ -23,8 +23,8 @@ constexpr double kLargestAngle_rad = 1e3, kLargestVelocity_rad_per_s = 1e3, kLar
 
 class MakerFile {
  public:
-  MakerFile(const std::filesystem::path& file, const ReadOptions& options, const TiXmlElement& xml)
-      : robot_(file, xml, ""), surfaces_(file, options) {
+  MakerFile(const std::filesystem::path& file, const ReadOptions& options, const TiXmlElement& xml, YUp y_up)
+      : robot_(file, xml, ""), surfaces_(file, options, y_up) {
     written_.file = file;
     written_.line = robot_.line();
     written_.name = robot_.text("name").value_or("");
@@ -56,6 +56,8 @@ class MakerFile {
     }
     return std::move(written_);
   }
+
+  [[nodiscard]] bool has_y_up() const noexcept { return surfaces_.has_y_up(); }
 
  private:
   MakerLink read_link(const UrdfElement& element) {
@@ -199,6 +201,19 @@ class MakerFile {
   std::vector<std::string> prismatic_, mimicking_, unbelieved_;
 };
 
+// How far the links' surfaces lie from their centres of mass, weighted by mass.
+double misplaced_kg_m(const WrittenRobot& robot) {
+  double sum = 0.0;
+  for (const MakerLink& link : robot.links) {
+    Eigen::AlignedBox3d box;
+    for (const VisualSurface& visual : link.visual) {
+      for (const Eigen::Vector3d& point : visual.surface.point_m) box.extend(point);
+    }
+    if (!box.isEmpty()) sum += link.mass_kg * (box.center() - link.com_m).norm();
+  }
+  return sum;
+}
+
 }  // namespace
 
 MakerRobot read_maker_urdf(const std::filesystem::path& file, const ReadOptions& options) {
@@ -206,7 +221,17 @@ MakerRobot read_maker_urdf(const std::filesystem::path& file, const ReadOptions&
       file, "Name the URDF that the robot's maker publishes, expanded if it is a xacro");
   TiXmlDocument document;
   const TiXmlElement& robot = urdf::parse_urdf_xml(file, text, document);
-  return tree_of(MakerFile(file, options, robot).read());
+  MakerFile as_it_is(file, options, robot, YUp::as_it_is);
+  WrittenRobot written = as_it_is.read();
+  if (as_it_is.has_y_up()) {
+    WrittenRobot turned = MakerFile(file, options, robot, YUp::turned).read();
+    if (misplaced_kg_m(turned) < misplaced_kg_m(written)) {
+      written = std::move(turned);
+      written.notes.emplace_back(
+          "DAE meshes that name y as their up-axis are turned: so they lie where the masses do.");
+    }
+  }
+  return tree_of(std::move(written));
 }
 
 }  // namespace gaitway::importer

@@ -10,6 +10,8 @@
 #include <bit>
 #include <cctype>
 #include <cstdint>
+#include <fstream>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -110,9 +112,17 @@ class Collection {
   std::map<unsigned, std::size_t> triangles_of_material_;
 };
 
+bool names_y_up(const std::filesystem::path& file) {
+  constexpr std::size_t kHead_bytes = 65536;  // <asset> stands before everything else
+  std::string head(kHead_bytes, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head.find("<up_axis>Y_UP") != std::string::npos;
+}
+
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& file) {
+Mesh read_mesh(const std::filesystem::path& file, YUp y_up) {
   const std::string extension = lower_case_extension(file);
   if (extension != ".stl" && extension != ".obj" && extension != ".dae") {
     throw std::runtime_error("meshes are read from STL, OBJ and DAE files");
@@ -136,6 +146,11 @@ Mesh read_mesh(const std::filesystem::path& file) {
   }
   mesh.surface = collection.take_surface();
   mesh.surface.source = file.string();
+  mesh.says_y_up = extension == ".dae" && names_y_up(file);
+  if (mesh.says_y_up && y_up == YUp::turned) {
+    move_surface(mesh.surface,
+                 Eigen::Affine3d(Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX())));
+  }
   if (mesh.surface.triangle.empty()) {
     throw std::runtime_error("it has no triangles");
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -13,11 +14,15 @@ namespace gaitway::importer {
 struct Mesh {
   Surface surface;
   std::optional<Eigen::Vector4d> rgba;  // of most of its triangles, where the file says it
+  bool says_y_up = false;               // a DAE that names y as its up-axis
 };
 
-// STL, OBJ or DAE as URDF's consumers take them: DAE's unit is applied, its up-axis is not. Equal points
-// become one. Throws std::runtime_error with the reason.
-[[nodiscard]] Mesh read_mesh(const std::filesystem::path& file);
+// What becomes of a DAE that names y as its up-axis: most consumers of URDFs take its coordinates as they
+// are, some turn them about x, and makers go by the one that they use.
+enum class YUp : std::uint8_t { as_it_is, turned };
+
+// STL, OBJ or DAE; DAE's unit is applied. Equal points become one. Throws std::runtime_error with the reason.
+[[nodiscard]] Mesh read_mesh(const std::filesystem::path& file, YUp y_up = YUp::as_it_is);
 
 // The most points and triangles that read_mesh() takes of one file.
 inline constexpr std::size_t kMostMeshPoints = 2'000'000;

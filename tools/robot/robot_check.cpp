@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kHeld = 0.8;         // of the commanded speed: else it does not walk
 constexpr double kMostRefused = 0.1;  // of the batches
+constexpr double kGathersSpeed_s = 3.0;
 
 simulator::ScenarioEvent walk_at(double at_s, double forward_m_per_s) {
   return {at_s, simulator::WalkEvent{.velocity_m_per_s = {forward_m_per_s, 0.0}}};
@@ -21,7 +22,7 @@ simulator::ScenarioEvent walk_at(double at_s, double forward_m_per_s) {
 std::string first_warning(const core::EventLog& log) {
   for (std::uint64_t number = log.first(); number < log.total(); ++number) {
     const core::Event& event = log[number];
-    if (event.kind == core::EventKind::info) continue;
+    if (event.kind == core::EventKind::info || event.kind == core::EventKind::warning) continue;
     return std::string(event.source()) + ": " + std::string(event.text());
   }
   return "";
@@ -60,24 +61,27 @@ RobotCheckOutcome check_robot(const urdf::RobotModel& robot, std::uint64_t seed,
     if (advance_to(kStepsUntil_s)) {
       outcome.reached = Reached::steps;
       apply(walk_at(kStepsUntil_s, options.speed_m_per_s));
-      if (advance_to(end_s)) outcome.reached = Reached::walk;
+      bool up = advance_to(kStepsUntil_s + kGathersSpeed_s);
+      const double path_m = recorder.metrics().path_m, walked_s = recorder.metrics().walked_s;
+      up = up && advance_to(end_s);
+      const double steady_s = recorder.metrics().walked_s - walked_s;
+      if (steady_s > 0.0) outcome.speed_m_per_s = (recorder.metrics().path_m - path_m) / steady_s;
+      if (up) outcome.reached = Reached::walk;
     }
   }
   recorder.finish();
   const RunMetrics& metrics = recorder.metrics();
   outcome.fell = metrics.fell;
   outcome.fell_at_s = metrics.fell_at_s;
-  outcome.speed_m_per_s = metrics.mean_speed_m_per_s();
   outcome.drift_m = metrics.lateral_drift_m();
   outcome.batches = run.main_controller().statistics().handed_over;
   outcome.refused =
       run.main_controller().statistics().refused_locally + run.message_controller().state().refused;
   outcome.first_refusal = first_warning(run.main_controller().events());
-  const double walked_share = metrics.way_m.due > 0.0 ? metrics.way_m.done / metrics.way_m.due : 0.0;
+  const bool held = outcome.speed_m_per_s >= kHeld * options.speed_m_per_s;
   const bool refused_much = static_cast<double>(outcome.refused) >
                             kMostRefused * static_cast<double>(outcome.batches + outcome.refused);
-  if (outcome.reached == Reached::walk && (walked_share < kHeld || refused_much))
-    outcome.reached = Reached::steps;
+  if (outcome.reached == Reached::walk && (!held || refused_much)) outcome.reached = Reached::steps;
   return outcome;
 }
 

@@ -25,7 +25,7 @@ struct RobotCheckOutcome {
   enum class Reached { nothing, stand, steps, walk } reached = Reached::nothing;
   bool fell = false;
   double fell_at_s = 0.0;
-  double speed_m_per_s = 0.0;  // held
+  double speed_m_per_s = 0.0;  // held, from three seconds after its command
   double drift_m = 0.0;        // sideways
   std::uint64_t batches = 0, refused = 0;
   std::string first_refusal;  // the first warning of the run; empty: none

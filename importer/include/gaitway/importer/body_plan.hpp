@@ -35,7 +35,8 @@ struct PlanHints {
 // forward isn't clear.
 [[nodiscard]] BodyPlan find_body_plan(const MakerRobot& robot, const PlanHints& hints);
 
-// The same robot with another frame for its root link: turned by `base_in_root`.
-[[nodiscard]] MakerRobot in_base_frame(MakerRobot robot, const Eigen::Matrix3d& base_in_root);
+// The same robot with another frame for one of its links: turned by `new_in_old` about its origin.
+[[nodiscard]] MakerRobot with_turned_frame(MakerRobot robot, std::size_t link,
+                                           const Eigen::Matrix3d& new_in_old);
 
 }  // namespace gaitway::importer
