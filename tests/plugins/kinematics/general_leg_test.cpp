@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "gaitway/kinematics/kdl_leg.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
