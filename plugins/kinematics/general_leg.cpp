@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "damped_step.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 namespace gaitway::kinematics {
@@ -17,11 +19,7 @@ using Eigen::Vector3d;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-constexpr int kNewtonLimit = 60;
-constexpr double kLongestStep_rad = 0.5;
-constexpr double kLeastDamping = 1e-12;
-constexpr double kLengthOfRadian_m =
-    0.3;  // makes position and orientation errors comparable; any leg's order of size
+constexpr double kLongestStep_rad = 0.5;   // that is not damped
 constexpr double kNear_rad = 0.2;          // largest error for which the step is not damped
 constexpr double kLeastHipVolume = 0.05;   // spanned by the hip's axes
 constexpr double kLeastLegVolume = 0.005;  // spanned by what the other joints move, in cubes of the reach
@@ -139,19 +137,6 @@ struct GeneralLeg::NewtonStep {
 
 namespace {
 
-// The same with damping. Any posture allows it.
-Vector6d damped_step(const Matrix6d& jacobian, const Vector3d& position_m, const Vector3d& rotation_rad) {
-  Matrix6d j = jacobian;
-  Vector6d error;
-  error << position_m / kLengthOfRadian_m, rotation_rad;
-  j.topRows<3>() /= kLengthOfRadian_m;
-  Matrix6d normal = j.transpose() * j;
-  normal.diagonal().array() += 0.5 * error.squaredNorm() + kLeastDamping;
-  const Vector6d step = normal.llt().solve(j.transpose() * error);
-  const double longest = step.cwiseAbs().maxCoeff();
-  return longest > kLongestStep_rad ? Vector6d(step * (kLongestStep_rad / longest)) : step;
-}
-
 // Of a solution that is none yet, and one that was sought for that.
 LegSolution better_of(const LegSolution& so_far, const LegSolution& again) noexcept {
   const bool found_none = again.status == LegStatus::not_converged;
@@ -222,7 +207,7 @@ GeneralLeg::Attempt GeneralLeg::iterate(const Eigen::Isometry3d& goal, Vector6 a
   // A step so short leaves an error of second order that is smaller than the accuracy.
   const double last_step_rad = std::sqrt(kAccuracy_m / std::max(1.0, reach_m_));
   double position_error_m = 0.0;
-  for (int i = 0; i <= kNewtonLimit; ++i) {
+  for (int i = 0; i <= kLegIterationLimit; ++i) {
     const Posture is = forward(angle_rad);
     const Error error(is, goal.translation(), last_frame);
     if (error.small()) return {angle_rad, 0.0, true};

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "test_robot.hpp"
 #include "walking_plan.hpp"

@@ -3,11 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "gaitway/kinematics/kdl_leg.hpp"
+#include "gaitway/urdf/forward_kinematics.hpp"
 #include "leg_sampler.hpp"
+#include "robots/robot_variants.hpp"
 #include "test_robot.hpp"
 
 namespace gaitway::kinematics {
@@ -227,6 +234,28 @@ TEST(GeneralLeg, RefusesALegWhoseJointsAreNotTheChain) {
   } catch (const urdf::RobotError& error) {
     EXPECT_NE(std::string(error.what()).find("left_hip_pitch"), std::string::npos) << error.what();
   }
+}
+
+// The scenarios' robot with offset hips: its axes are beside each other, everything else is where it was.
+TEST(GeneralLeg, SolvesHumanoid22WithHipsThatHaveNoCommonPoint) {
+  gaitway::test::RobotVariant variant;
+  const urdf::RobotModel before = urdf::load_robot(variant.folder());
+  variant.move_axis("hip_yaw", {-0.03, 0.01, 0.0});
+  variant.move_axis("hip_roll", {0.0, 0.0, -0.02});
+  const urdf::RobotModel model = urdf::load_robot(variant.folder());
+  for (const urdf::Side side : urdf::kSides) {
+    EXPECT_FALSE(recognise_leg(model, side).geometry);
+    EXPECT_LT((hip_centre(model, side) - hip_centre(before, side)).norm(), 1e-12);
+    const GeneralLeg leg(model, side);
+    const std::vector<double> home = test::home_posture(model);
+    const Eigen::Isometry3d sole = test::sole_pose(model, side, home);
+    EXPECT_TRUE(sole.isApprox(test::sole_pose(before, side, home), 1e-12));
+    const LegSolution solution = leg.solve(sole);
+    ASSERT_TRUE(solution.reached()) << describe(solution, model, side);
+    const int knee = model.legs[urdf::index_of(side)].joints[3];
+    EXPECT_NEAR(solution.angle_rad[3], home[static_cast<std::size_t>(knee)], kSame_rad);
+  }
+  EXPECT_LT((urdf::ForwardKinematics(model).com_m() - urdf::ForwardKinematics(before).com_m()).norm(), 1e-12);
 }
 
 }  // namespace
