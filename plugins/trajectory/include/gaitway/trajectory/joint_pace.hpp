@@ -1,4 +1,5 @@
-// How fast a gait makes the joints of the legs turn, before anybody walks it.
+// What a gait asks of the legs and of the ground, before anybody walks it: how fast joints turn, how near to
+// their limits, and how much the leg in the air twists the foot on the ground.
 #pragma once
 
 #include "gaitway/trajectory/gait_parameters.hpp"
@@ -13,10 +14,29 @@ struct JointPace {
   double share = 0.0;  // of Joint::velocity_limit_rad_per_s
 };
 
+// The joint that comes nearest to one of its limits.
+struct JointRoom {
+  urdf::LegJoint joint = urdf::LegJoint::knee;
+  double room_rad = 0.0;  // negative: beyond it
+};
+
+struct StrideDemand {
+  JointPace pace;
+  JointRoom room;
+  // The largest moment about the vertical that both legs' motion needs in the steady walk, as a share of what
+  // one sole's friction bears at the robot's weight, evenly pressed. Above some share the foot slips round.
+  double twist_share = 0.0;
+};
+
 // Of hip pitch, knee and ankle pitch of both legs in a walk straight ahead, from the stand to the steady
 // steps, safe tails included. The legs are taken as two links in the plane of their motion with level soles,
 // the hips above the CoM's place in the stand. Some milliseconds; allocates.
-[[nodiscard]] JointPace fastest_joint(const GaitParameters& parameters, const urdf::RobotModel& robot,
-                                      double forward_m_per_s);
+[[nodiscard]] StrideDemand stride_demand(const GaitParameters& parameters, const urdf::RobotModel& robot,
+                                         double forward_m_per_s);
+
+[[nodiscard]] inline JointPace fastest_joint(const GaitParameters& parameters, const urdf::RobotModel& robot,
+                                             double forward_m_per_s) {
+  return stride_demand(parameters, robot, forward_m_per_s).pace;
+}
 
 }  // namespace gaitway::trajectory
