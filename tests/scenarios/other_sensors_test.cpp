@@ -42,6 +42,14 @@ INSTANTIATE_TEST_SUITE_P(Of, OtherSensors,
                                                      [](RobotVariant& variant) {
                                                        variant.take_inclinometer();
                                                        variant.take_foot_accelerometers();
+                                                     }},
+                                           Equipment{"GyroAndAccelerometerInTheBaseAlone",
+                                                     [](RobotVariant& variant) {
+                                                       variant.take_foot_sensors();
+                                                       variant.put_imu_into_base();
+                                                       variant.trim_ankles_alone();
+                                                       variant.take_inclinometer();
+                                                       variant.take_foot_accelerometers();
                                                      }}),
                          [](const auto& tested) { return tested.param.name; });
 
