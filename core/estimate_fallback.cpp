@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 #include "gaitway/instance/configuration.hpp"
 
 namespace gaitway::core {
@@ -24,7 +25,6 @@ constexpr double kContactOn = 0.10, kContactOff = 0.04;  // shares of the weight
 constexpr double kSupportShare = 0.60;                   // of the load: then a foot becomes the support foot
 constexpr std::int64_t kLongestAge_ns = 35'000'000;      // of forces
 constexpr std::int64_t kHandedOnLifetime_ns = 200'000'000;
-constexpr double kLeastCosine = 0.1;
 
 urdf::RobotModel load(const std::filesystem::path& directory) {
   try {
@@ -58,11 +58,7 @@ EstimateFallback::EstimateFallback(const FallbackSource& source)
       force_reader_(source.client.read<FootForces>("foot_forces")),
       plan_reader_(source.client.read<MotionPlan>("motion_plan")),
       estimate_reader_(source.client.read<Estimate>("estimate")) {
-  for (const auto& joint : robot_.channels) {
-    for (const urdf::SensorChannel& channel : joint) {
-      has_inclinometer_ = has_inclinometer_ || channel.kind == urdf::SensorKind::inclination;
-    }
-  }
+  has_inclinometer_ = robot_.carries(urdf::SensorKind::inclination);
 }
 
 // Learns the gyro's bias from what the estimator makes of the gyro.
@@ -96,7 +92,7 @@ std::optional<Eigen::Vector2d> EstimateFallback::measured_tilt() const noexcept 
   if (!(std::abs(f.norm() - kGravity_m_per_s2) <= kAccelerometerBand_m_per_s2)) {
     return std::nullopt;
   }
-  return Eigen::Vector2d(std::atan2(f.y(), f.z()), std::atan2(-f.x(), std::hypot(f.y(), f.z())));
+  return geometry::tilt_at_rest(f);
 }
 
 void EstimateFallback::begin(const Tick& tick) noexcept {
@@ -149,11 +145,7 @@ void EstimateFallback::update_attitude() noexcept {
   }
   imu_stamp_ns_ = imu_.stamp_ns;
   rate_ = vector(imu_.angular_velocity) - gyro_bias_;
-  const double sine = std::sin(attitude_.x()), cosine = std::cos(attitude_.x());
-  const double cosine_pitch = std::max(std::cos(attitude_.y()), kLeastCosine);
-  const double yaw_rate = (rate_.y() * sine + rate_.z() * cosine) / cosine_pitch;
-  attitude_ += turn_s_ * Eigen::Vector3d(rate_.x() + std::sin(attitude_.y()) * yaw_rate,
-                                         rate_.y() * cosine - rate_.z() * sine, yaw_rate);
+  attitude_ += turn_s_ * geometry::attitude_rate(attitude_, rate_);
   if (const std::optional<Eigen::Vector2d> tilt = measured_tilt()) {
     const double share = turn_s_ / (kTiltTime_s + turn_s_);
     attitude_.x() = turned_towards(attitude_.x(), tilt->x(), share);
@@ -181,8 +173,9 @@ Eigen::Vector3d EstimateFallback::com_seen_from(std::size_t foot) const noexcept
 }
 
 bool EstimateFallback::contacts_of_forces(const Tick& tick) noexcept {
-  if (!force_reader_.read(forces_) || tick.now_ns - forces_.stamp_ns > kLongestAge_ns ||
-      !all_finite(forces_.force[0]) || !all_finite(forces_.force[1])) {
+  if (!robot_.senses_load() || !force_reader_.read(forces_) ||
+      tick.now_ns - forces_.stamp_ns > kLongestAge_ns || !all_finite(forces_.force[0]) ||
+      !all_finite(forces_.force[1])) {
     return false;
   }
   for (std::size_t foot = 0; foot < 2; ++foot) {

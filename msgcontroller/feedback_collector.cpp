@@ -1,21 +1,30 @@
 // Decoded feedback into SI units, channel by channel as the network file maps them.
 #include "gaitway/msgcontroller/feedback_collector.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
 
 constexpr double kPositionCount_rad = 2.0 * std::numbers::pi / 65536.0;
 constexpr double kCurrentCount_Nm = 0.125;
+constexpr double kTiltTime_s = 0.5;       // gyro in less, accelerometer in more
+constexpr double kAtRest_m_per_s2 = 1.0;  // of a specific force's length from gravity's
+constexpr std::uint32_t kLongestGap_slots = 10;
 using facts::kSlot_s;
 
 }  // namespace
 
 FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot, std::span<const can::NodeId> nodes)
-    : joint_count_(static_cast<int>(robot.joints.size())), channels_(robot.channels) {
+    : joint_count_(static_cast<int>(robot.joints.size())),
+      channels_(robot.channels),
+      feet_(robot.feet),
+      has_inclinometer_(robot.carries(urdf::SensorKind::inclination)) {
   joint_states_.joint_count = static_cast<std::uint32_t>(joint_count_);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     joint_states_.position[joint] = robot.joints[joint].home_rad;
@@ -66,17 +75,56 @@ void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double 
       foot_forces_.acceleration[side][index] = value;
       foot_forces_.stamp_ns = now_ns;
       return;
+    case Kind::foot_wrench:
+      take_wrench(channel, value);
+      foot_forces_.stamp_ns = now_ns;
+      return;
     case Kind::angular_velocity:
       imu_.angular_velocity[index] = value;
+      derive_inclination(channel);
       break;
     case Kind::acceleration:
       imu_.acceleration[index] = value;
+      derive_inclination(channel);
       break;
     case Kind::inclination:
       imu_.inclination[index] = value;
       break;
   }
   imu_.stamp_ns = now_ns;
+}
+
+void FeedbackCollector::take_wrench(const urdf::SensorChannel& channel, double value) noexcept {
+  const std::size_t side = index_of(channel.side);
+  wrench_[side][channel.index] = value;
+  std::ranges::copy(feet_[side].cell_forces_N(wrench_[side]), foot_forces_.force[side]);
+}
+
+// By the gyro, and slowly towards what the accelerometer says while the robot is about at rest.
+void FeedbackCollector::derive_inclination(const urdf::SensorChannel& channel) noexcept {
+  constexpr unsigned kAll = 0x3F;
+  if (has_inclinometer_) return;
+  const int first = channel.kind == urdf::SensorKind::acceleration ? 3 : 0;
+  imu_channels_ |= 1U << static_cast<unsigned>(first + channel.index);
+  if (imu_channels_ != kAll) return;
+  imu_channels_ = 0;
+  const Eigen::Map<const Eigen::Vector3d> rate(imu_.angular_velocity), force(imu_.acceleration);
+  Eigen::Map<Eigen::Vector2d> tilt(imu_.inclination);
+  const bool at_rest = std::abs(force.norm() - facts::kGravity_m_per_s2) <= kAtRest_m_per_s2;
+  const Eigen::Vector2d felt = geometry::tilt_at_rest(force);
+  if (tilt_slot_ == 0) {
+    if (!at_rest) return;
+    tilt = felt;
+  } else {
+    const double dt_s = kSlot_s * static_cast<double>(std::min(slot_ - tilt_slot_, kLongestGap_slots));
+    const Eigen::Vector3d attitude(tilt.x(), tilt.y(), 0.0);
+    tilt += dt_s * geometry::attitude_rate(attitude, rate).head<2>();
+    const double share = at_rest ? dt_s / (kTiltTime_s + dt_s) : 0.0;
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      tilt[axis] += share * std::remainder(felt[axis] - tilt[axis], 2.0 * std::numbers::pi);
+    }
+  }
+  tilt_slot_ = std::max(slot_, 1U);
 }
 
 std::uint64_t FeedbackCollector::missing() const noexcept {

@@ -27,6 +27,8 @@ float channel_value(const urdf::SensorChannel& channel, const PlantSensors& sens
       return static_cast<float>(sensors.acceleration_m_per_s2[axis]);
     case Kind::inclination:
       return static_cast<float>(sensors.inclination_rad[axis]);
+    case Kind::foot_wrench:
+      return static_cast<float>(sensors.foot_wrench[side][axis]);
   }
   return 0.0F;
 }

@@ -147,6 +147,24 @@ void add_play(mjsBody* body, const urdf::Joint& joint, double width_rad) {
   hinge->armature = kPlayArmature_kg_m2;
 }
 
+// The forces between foot and leg: first left, then right, each force and torque.
+void add_foot_sensors(mjSpec* spec, const urdf::RobotModel& robot, const std::vector<mjsBody*>& bodies) {
+  for (const urdf::Foot& foot : robot.feet) {
+    if (foot.sensor != urdf::FootSensor::six_axis) continue;
+    mjsSite* const site = mjs_addSite(bodies[static_cast<std::size_t>(foot.link)], nullptr);
+    const std::string name = robot.links[static_cast<std::size_t>(foot.link)].name + " sensor";
+    mjs_setName(site->element, name.c_str());
+    copy_pose(foot.sensor_pose, site->pos, site->quat);
+    site->group = 3;  // not drawn
+    for (const mjtSensor type : {mjSENS_FORCE, mjSENS_TORQUE}) {
+      mjsSensor* const sensor = mjs_addSensor(spec);
+      sensor->type = type;
+      sensor->objtype = mjOBJ_SITE;
+      mjs_setString(sensor->objname, name.c_str());
+    }
+  }
+}
+
 void add_robot(mjSpec* spec, const urdf::RobotModel& robot, const ModelMismatch& mismatch,
                const Conditions& conditions) {
   const double friction = conditions.ground.friction.value_or(robot.contact.friction);
@@ -174,6 +192,7 @@ void add_robot(mjSpec* spec, const urdf::RobotModel& robot, const ModelMismatch&
     add_visuals(spec, body, link);
     bodies.push_back(body);
   }
+  add_foot_sensors(spec, robot, bodies);
 }
 
 // Chosen for speed at equal motion: Newton converges in one or two iterations here, so that tighter

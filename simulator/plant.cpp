@@ -19,6 +19,7 @@ namespace {
 constexpr double kMassDeviation = 0.05;
 constexpr double kZeroDeviation_rad = 0.4 * std::numbers::pi / 180.0;
 const Eigen::Vector3d kTrunkComDeviation_m(0.006, 0.004, 0.006);
+constexpr std::ptrdiff_t kWrenchValues = 6;  // of a foot, in sensordata
 constexpr double kFallenTilt_rad = 50.0 * std::numbers::pi / 180.0;
 constexpr double kFallenHeight = 0.2 / 0.36;  // of the hips' height in the stand
 
@@ -232,6 +233,7 @@ void Plant::Implementation::read_sensors(bool first) {
     for (double& force : sensors.force_N[foot]) {
       force += sigma.force_N * normal();
     }
+    if (robot.feet[foot].sensor == urdf::FootSensor::six_axis) read_wrench(foot);
   }
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const double angle = data->qpos[position_address[j]] + zero_error_rad[j];
@@ -240,23 +242,35 @@ void Plant::Implementation::read_sensors(bool first) {
   }
 }
 
-// A rigid plate on four equal springs: f_i = F/4 + a·(x_i − x_c) + b·(y_i − y_c), which keeps force and
-// moments.
 void Plant::Implementation::read_foot(std::size_t foot) {
-  const auto& cells = robot.feet[foot].cell_m;
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& cell : cells) {
-    centre += cell / 4.0;
-  }
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-  for (const Eigen::Vector2d& cell : cells) {
-    spread += (cell - centre) * (cell - centre).transpose();
-  }
   const double force = contact.normal_force_N[foot];
-  const Eigen::Vector2d slope = spread.inverse() * (force * (contact.foot_cop_m[foot] - centre));
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double on_cell_N = force > 0.0 ? force / 4.0 + slope.dot(cells[i] - centre) : 0.0;
-    sensors.force_N[foot][i] = cell_gain[foot][i] * on_cell_N;
+  const std::array<double, 4> on_cell_N =
+      force > 0.0 ? robot.feet[foot].cell_forces_N(force, contact.foot_cop_m[foot]) : std::array<double, 4>{};
+  for (std::size_t i = 0; i < on_cell_N.size(); ++i) {
+    sensors.force_N[foot][i] = cell_gain[foot][i] * on_cell_N[i];
+  }
+}
+
+// What hangs on the sensor, as its electronics is told while the foot hangs level.
+urdf::Wrench Plant::Implementation::weight_on_sensor(std::size_t foot) const {
+  const urdf::Foot& described = robot.feet[foot];
+  const std::ptrdiff_t body = foot_body[foot];
+  const Eigen::Vector3d com_m = Eigen::Map<const Eigen::Vector3d>(model->body_ipos + 3 * body);
+  const Eigen::Vector3d weight_N =
+      described.sole.linear() * Eigen::Vector3d(0.0, 0.0, -facts::kGravity_m_per_s2 * model->body_mass[body]);
+  const Eigen::Matrix3d turn = described.sensor_pose.linear().transpose();
+  urdf::Wrench wrench;
+  wrench << turn * weight_N, turn * (com_m - described.sensor_pose.translation()).cross(weight_N);
+  return wrench;
+}
+
+void Plant::Implementation::read_wrench(std::size_t foot) {
+  const double* const sensed = data->sensordata + kWrenchValues * static_cast<std::ptrdiff_t>(foot);
+  // MuJoCo tells what the leg does to the foot.
+  sensors.foot_wrench[foot] = -Eigen::Map<const urdf::Wrench>(sensed) - weight_on_sensor(foot);
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double sigma = i < 3 ? robot.noise.force_N : robot.noise.torque_Nm;
+    sensors.foot_wrench[foot][i] += noise ? sigma * noise_random.quick_normal() : 0.0;
   }
 }
 

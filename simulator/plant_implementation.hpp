@@ -26,6 +26,8 @@ struct Plant::Implementation {
   void read_contacts();
   void read_sensors(bool first);
   void read_foot(std::size_t foot);
+  void read_wrench(std::size_t foot);
+  [[nodiscard]] urdf::Wrench weight_on_sensor(std::size_t foot) const;
 
   urdf::RobotModel robot;
   RandomStream mismatch_random, noise_random, condition_random;

@@ -11,6 +11,7 @@
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "joint_claims.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -83,38 +84,18 @@ void read_drive(const input::YamlValue& map, bool required, Joint& joint) {
   }
 }
 
-using Scales = std::map<SensorKind, double>;
-
-Scales read_scales(const input::YamlValue& map) {
-  map.require_map(Keys{"force_N", "foot_acceleration_m_per_s2", "angular_velocity_rad_per_s",
-                       "acceleration_m_per_s2", "inclination_rad"});
-  const input::Range range{1e-6, 10.0, "a count"};
-  return {{SensorKind::none, 1.0},
-          {SensorKind::force_cell, map.at("force_N").number(range)},
-          {SensorKind::foot_acceleration, map.at("foot_acceleration_m_per_s2").number(range)},
-          {SensorKind::angular_velocity, map.at("angular_velocity_rad_per_s").number(range)},
-          {SensorKind::acceleration, map.at("acceleration_m_per_s2").number(range)},
-          {SensorKind::inclination, map.at("inclination_rad").number(range)}};
+int read_trim_channel(const input::YamlValue& value) {
+  const int channel = value.integer(0, 255);
+  if (channel >= facts::kTrimChannels) {
+    value.refuse(fmt::format("must be 0..{}: one trim frame holds the corrections of {} joints",
+                             facts::kTrimChannels - 1, facts::kTrimChannels),
+                 "Give channels to ankles first, then to the hips' roll and pitch; a joint without "
+                 "trim_channel is not trimmed");
+  }
+  return channel;
 }
 
-SensorChannel read_channel(const input::YamlValue& value, const Scales& scales) {
-  const std::string name = value.text();
-  std::vector<std::string> known{"none"};
-  if (name == "none") {
-    return {};
-  }
-  for (const NamedChannel& candidate : all_channels()) {
-    if (candidate.name == name) {
-      SensorChannel channel = candidate.channel;
-      channel.scale = scales.at(channel.kind);
-      return channel;
-    }
-    known.push_back(candidate.name);
-  }
-  value.refuse("there is no such sensor channel", input::suggest(name, known));
-}
-
-NetworkJoint read_joint(const input::YamlValue& map, const Joint& defaults, const Scales& scales) {
+NetworkJoint read_joint(const input::YamlValue& map, const Joint& defaults, const ChannelScales& scales) {
   map.require_map(Keys{"name", "node", "channels", "trim_channel", "count_deg", "encoder_counts_per_turn",
                        "servo", "motor", "home_deg"});
   NetworkJoint result{defaults, {}, map.line()};
@@ -122,76 +103,55 @@ NetworkJoint read_joint(const input::YamlValue& map, const Joint& defaults, cons
   result.joint.node = static_cast<std::uint8_t>(map.at("node").integer(1, 64));
   read_drive(map, false, result.joint);
   if (const auto trim = map.find("trim_channel")) {
-    result.joint.trim_channel = trim->integer(0, facts::kTrimChannels - 1);
+    result.joint.trim_channel = read_trim_channel(*trim);
   }
   if (const auto channels = map.find("channels")) {
     const std::vector<input::YamlValue> pair = channels->items(result.channels.size());
     std::transform(pair.begin(), pair.end(), result.channels.begin(),
-                   [&scales](const input::YamlValue& value) { return read_channel(value, scales); });
+                   [&scales](const input::YamlValue& value) { return scales.channel(value); });
   }
   return result;
 }
-
-// Complains where two joints share a name, a controller, a place in the trim frame or a sensor channel.
-class Claims {
- public:
-  void add(const input::YamlValue& map, const NetworkJoint& joint) {
-    const std::string& owner = joint.joint.name;
-    claim(map.at("name"), "name '" + owner + "'", owner, "List each joint once: it has one local controller");
-    claim(map.at("node"), fmt::format("controller {}", joint.joint.node), owner,
-          "Give each joint a controller of its own, 1..64");
-    if (joint.joint.trim_channel >= 0) {
-      claim(map.at("trim_channel"), fmt::format("trim channel {}", joint.joint.trim_channel), owner,
-            "Give each trimmed joint a channel of its own, 0..7");
-    }
-    for (std::size_t i = 0; i < joint.channels.size(); ++i) {
-      if (joint.channels[i].kind != SensorKind::none) {
-        claim(map.at("channels").items()[i], "sensor channel '" + channel_name(joint.channels[i]) + "'",
-              owner, "Each sensor channel travels in one joint's feedback frame only");
-      }
-    }
-  }
-
-  void require_all_channels(const input::YamlValue& joints) const {
-    for (const NamedChannel& channel : all_channels()) {
-      if (!owners_.contains("sensor channel '" + channel.name + "'")) {
-        joints.refuse(fmt::format("the sensor channel '{}' is carried by no joint", channel.name),
-                      "Add it to the channels of a joint that has room");
-      }
-    }
-  }
-
- private:
-  void claim(const input::YamlValue& value, const std::string& what, const std::string& owner,
-             const std::string& remedy) {
-    const auto [place, is_new] = owners_.emplace(what, owner);
-    if (!is_new) {
-      value.refuse(
-          fmt::format("{} is taken by joint '{}' already (asked for by '{}')", what, place->second, owner),
-          remedy);
-    }
-  }
-
-  std::map<std::string, std::string> owners_;
-};
 
 void read_joints(const input::YamlValue& top, NetworkFile& network) {
   const input::YamlValue defaults_map = top.at("defaults");
   defaults_map.require_map(Keys{"count_deg", "encoder_counts_per_turn", "servo", "motor", "home_deg"});
   Joint defaults;
   read_drive(defaults_map, true, defaults);
-  const Scales scales = read_scales(top.at("channel_scale"));
-  Claims claims;
+  const ChannelScales scales(top.at("channel_scale"));
+  JointClaims claims;
   for (const input::YamlValue& map : top.at("joints").items()) {
     network.joints.push_back(read_joint(map, defaults, scales));
     claims.add(map, network.joints.back());
   }
-  claims.require_all_channels(top.at("joints"));
+  claims.require_channels(top.at("joints"), network.feet);
+}
+
+void read_foot_sensor(const input::YamlValue& map, Foot& foot) {
+  static const std::vector<std::string> kKinds{"cells", "six_axis", "none"};  // as FootSensor
+  if (const auto sensor = map.find("sensor")) {
+    const auto kind = std::ranges::find(kKinds, sensor->text());
+    if (kind == kKinds.end()) {
+      sensor->refuse("must be cells, six_axis or none", input::suggest(sensor->text(), kKinds));
+    }
+    foot.sensor = static_cast<FootSensor>(kind - kKinds.begin());
+  }
+  const bool has_frame = foot.sensor == FootSensor::six_axis;
+  for (const char* const key : {"sensor_position_m", "sensor_rotation_rpy_deg"}) {
+    const auto value = map.find(key);
+    if (value && !has_frame) {
+      value->refuse("only a six-axis sensor has a frame of its own", "Write sensor: six_axis, or remove it");
+    }
+  }
+  if (has_frame) {
+    foot.sensor_pose = pose_of(map.at("sensor_position_m").numbers<3>(kPosition_m),
+                               rotation_or_zero(map, "sensor_rotation_rpy_deg"));
+  }
 }
 
 void read_foot(const input::YamlValue& map, std::size_t side, NetworkFile& network) {
-  map.require_map(
-      Keys{"link", "sole_position_m", "sole_rotation_rpy_deg", "size_m", "centre_m", "cell_inset_m"});
+  map.require_map(Keys{"link", "sole_position_m", "sole_rotation_rpy_deg", "size_m", "centre_m",
+                       "cell_inset_m", "sensor", "sensor_position_m", "sensor_rotation_rpy_deg"});
   network.foot_link[side] = map.at("link").text();
   network.foot_line[side] = map.at("link").line();
   Foot& foot = network.feet[side];
@@ -200,7 +160,9 @@ void read_foot(const input::YamlValue& map, std::size_t side, NetworkFile& netwo
   foot.size_m = Eigen::Vector2d(map.at("size_m").numbers<2>(kLength_m).data());
   foot.centre_m = Eigen::Vector2d(map.at("centre_m").numbers<2>(kPosition_m).data());
   const double largest_inset_m = 0.4 * foot.size_m.minCoeff();
-  const double inset_m = map.at("cell_inset_m").number({0.0, largest_inset_m, "m"});
+  read_foot_sensor(map, foot);
+  double inset_m = 0.0;
+  read_number(map, "cell_inset_m", {0.0, largest_inset_m, "m"}, foot.sensor == FootSensor::cells, inset_m);
   const Eigen::Vector2d half_m = 0.5 * foot.size_m - Eigen::Vector2d::Constant(inset_m);
   foot.cell_m = {foot.centre_m + Eigen::Vector2d(half_m.x(), half_m.y()),
                  foot.centre_m + Eigen::Vector2d(half_m.x(), -half_m.y()),
@@ -226,6 +188,9 @@ void read_legs_and_feet(const input::YamlValue& top, NetworkFile& network) {
     }
     network.leg_line[side] = leg.line();
     read_foot(feet.at(sides[side]), side, network);
+  }
+  if (network.feet[0].sensor != network.feet[1].sensor) {
+    feet.refuse("both feet must have the same kind of sensor", "Write the same sensor for left and right");
   }
 }
 
@@ -289,12 +254,13 @@ void read_simulation(const input::YamlValue& map, NetworkFile& network) {
   map.require_map(Keys{"noise", "contact", "physics_step_s"});
   const input::YamlValue noise = map.at("noise");
   noise.require_map(
-      Keys{"angular_velocity_rad_per_s", "acceleration_m_per_s2", "inclination_rad", "force_N"});
+      Keys{"angular_velocity_rad_per_s", "acceleration_m_per_s2", "inclination_rad", "force_N", "torque_Nm"});
   network.noise.angular_velocity_rad_per_s =
       noise.at("angular_velocity_rad_per_s").number({0.0, 1.0, "rad/s"});
   network.noise.acceleration_m_per_s2 = noise.at("acceleration_m_per_s2").number({0.0, 10.0, "m/s²"});
-  network.noise.inclination_rad = noise.at("inclination_rad").number({0.0, 0.2, "rad"});
-  network.noise.force_N = noise.at("force_N").number({0.0, 50.0, "N"});
+  read_number(noise, "inclination_rad", {0.0, 0.2, "rad"}, false, network.noise.inclination_rad);
+  read_number(noise, "force_N", {0.0, 50.0, "N"}, false, network.noise.force_N);
+  read_number(noise, "torque_Nm", {0.0, 10.0, "N·m"}, false, network.noise.torque_Nm);
   const input::YamlValue contact = map.at("contact");
   contact.require_map(Keys{"friction"});
   network.contact.friction = contact.at("friction").number({0.01, 3.0, ""});
@@ -309,8 +275,8 @@ NetworkFile read_network_file(const std::filesystem::path& file) {
                        "simulation", "network"});
   NetworkFile network;
   network.file = file;
-  read_joints(top, network);
   read_legs_and_feet(top, network);
+  read_joints(top, network);
   read_imu(top.at("imu"), network);
   read_trim(top.at("trim"), network.trim);
   const input::YamlValue standing = top.at("standing");

@@ -43,6 +43,38 @@ std::array<Eigen::Vector2d, 4> Foot::corners_m(const Eigen::Vector3d& pose) cons
   return corners;
 }
 
+// f_i = F/4 + a·(x_i − x_c) + b·(y_i − y_c)
+std::array<double, 4> Foot::cell_forces_N(double force_N, const Eigen::Vector2d& place_m) const noexcept {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& cell : cell_m) {
+    centre += cell / 4.0;
+  }
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector2d& cell : cell_m) {
+    spread += (cell - centre) * (cell - centre).transpose();
+  }
+  const Eigen::Vector2d slope = spread.inverse() * (force_N * (place_m - centre));
+  std::array<double, 4> forces_N{};
+  for (std::size_t i = 0; i < cell_m.size(); ++i) {
+    forces_N[i] = force_N / 4.0 + slope.dot(cell_m[i] - centre);
+  }
+  return forces_N;
+}
+
+std::array<double, 4> Foot::cell_forces_N(const Wrench& sensed) const noexcept {
+  const Eigen::Isometry3d in_sole = sole.inverse() * sensor_pose;
+  const Eigen::Vector3d force_N = in_sole.linear() * sensed.head<3>();
+  const Eigen::Vector3d torque_Nm =
+      in_sole.linear() * sensed.tail<3>() + in_sole.translation().cross(force_N);
+  if (force_N.z() == 0.0) return {};
+  return cell_forces_N(force_N.z(), Eigen::Vector2d(-torque_Nm.y(), torque_Nm.x()) / force_N.z());
+}
+
+bool RobotModel::carries(SensorKind kind) const noexcept {
+  return std::ranges::any_of(
+      channels, [kind](const auto& joint) { return joint[0].kind == kind || joint[1].kind == kind; });
+}
+
 double RobotModel::total_mass_kg() const noexcept {
   double mass_kg = 0.0;
   for (const Link& link : links) {

@@ -18,12 +18,15 @@ void add(std::vector<NamedChannel>& list, const std::string& prefix, std::span<c
 std::vector<NamedChannel> make_channels() {
   static constexpr std::array<std::string_view, 4> kCellNames{"front_left", "front_right", "rear_left",
                                                               "rear_right"};
+  static constexpr std::array<std::string_view, 6> kWrenchNames{"force_x",  "force_y",  "force_z",
+                                                                "torque_x", "torque_y", "torque_z"};
   static constexpr std::array<std::string_view, 2> kTiltNames{"roll", "pitch"};
   std::vector<NamedChannel> list;
   for (const Side side : kSides) {
     const std::string prefix = side == Side::left ? "left_" : "right_";
     add(list, prefix + "cell_", kCellNames, SensorKind::force_cell, side);
     add(list, prefix + "foot_acceleration_", kAxes, SensorKind::foot_acceleration, side);
+    add(list, prefix + "foot_", kWrenchNames, SensorKind::foot_wrench, side);
   }
   add(list, "angular_velocity_", kAxes, SensorKind::angular_velocity, Side::left);
   add(list, "acceleration_", kAxes, SensorKind::acceleration, Side::left);

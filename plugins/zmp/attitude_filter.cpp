@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 
 namespace gaitway::zmp {
 namespace {
@@ -176,7 +177,7 @@ std::optional<Eigen::Vector2d> tilt_of_acceleration(const Eigen::Vector3d& speci
                                                     double band_m_per_s2) noexcept {
   const Eigen::Vector3d& f = specific_force_m_per_s2;
   if (!(std::abs(f.norm() - kGravity_m_per_s2) <= band_m_per_s2)) return std::nullopt;
-  return Eigen::Vector2d(std::atan2(f.y(), f.z()), std::atan2(-f.x(), std::hypot(f.y(), f.z())));
+  return geometry::tilt_at_rest(f);
 }
 
 }  // namespace gaitway::zmp

@@ -25,16 +25,17 @@ std::uint64_t bit(std::size_t joint) noexcept {
 
 SensorInputs::SensorInputs(const urdf::RobotModel& model, double stale_after_s)
     : stale_after_ns_(static_cast<std::int64_t>(std::llround(stale_after_s * 1e9))),
+      has_inclinometer_(model.carries(urdf::SensorKind::inclination)),
+      senses_load_(model.senses_load()),
       leg_joints_{model.legs[0].joints, model.legs[1].joints} {
   for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
     position_rad_.push_back(model.joints[joint].home_rad);
     if (joint >= model.channels.size()) continue;
     for (const urdf::SensorChannel& channel : model.channels[joint]) {
       using Kind = urdf::SensorKind;
-      if (channel.kind == Kind::force_cell) forces_.joints |= bit(joint);
+      if (channel.kind == Kind::force_cell || channel.kind == Kind::foot_wrench) forces_.joints |= bit(joint);
       if (channel.kind == Kind::angular_velocity || channel.kind == Kind::inclination)
         imu_.joints |= bit(joint);
-      if (channel.kind == Kind::inclination) has_inclinometer_ = true;
     }
   }
 }
@@ -61,8 +62,9 @@ void SensorInputs::take(std::int64_t now_ns, const JointStates& joints, const Fo
   joints_.slots = forces_.slots = imu_.slots = 0;
   faults_ = InputFaults{};
   take_joints(now_ns, joints);
-  take_forces(now_ns, forces, faults_.missing);
+  if (senses_load_) take_forces(now_ns, forces, faults_.missing);
   take_imu(now_ns, imu, faults_.missing);
+  if (!senses_load_ && imu_.slots > 0) mark(forces_, imu_.stamp_ns);  // it tells them
   faults_.joints_stale = joints_.slots == 0;
   faults_.forces_stale = forces_.slots == 0;
   faults_.imu_stale = imu_.slots == 0;

@@ -13,8 +13,12 @@ using facts::kGravity_m_per_s2;
 constexpr double kLeastForceShare = 0.02;  // of the body weight: with less, a ZMP says nothing
 // Without joint states the pendulum is predicted, but it is unstable: after so many ticks the CoM is held.
 constexpr int kMostBlindTicks = 10;
-constexpr int kLongestGapSlots = 10;        // of the IMU; after a longer one, roll and pitch start anew
-constexpr double kRestlessTilt_rad = 0.05;  // of the accelerometer, where its length says nothing
+constexpr int kLongestGapSlots = 10;  // of the IMU; after a longer one, roll and pitch start anew
+// Of the accelerometer, one sample, where its length says nothing. A walk's accelerations are alike from one
+// sample to the next, so it is taken for larger than it is.
+constexpr double kRestlessTilt_rad = 0.2;
+constexpr double kLevelSoles_rad = 0.02;  // deviation of soles on a floor, by joint zeros and the floor
+constexpr double kGainsaid_rad = 0.35;
 
 const EstimatorParameters& checked(const EstimatorParameters& parameters) {
   parameters.validate();
@@ -36,6 +40,8 @@ StateEstimator::StateEstimator(const urdf::RobotModel& model, const EstimatorPar
       feet_(model.feet),
       inputs_(model, parameters.stale_after_s),
       contacts_(thresholds_of(parameters, mass_kg_)),
+      senses_load_(model.senses_load()),
+      load_model_(model),
       cells_(parameters, mass_kg_ * kGravity_m_per_s2),
       attitude_(parameters),
       feet_planted_(parameters, mass_kg_ * kGravity_m_per_s2),
@@ -73,12 +79,24 @@ void StateEstimator::update_attitude() noexcept {
   if (inputs_.inclination_rad()) {
     attitude_.correct_tilt(*inputs_.inclination_rad(), parameters_.tilt_noise_rad);
   } else if (const auto tilt = tilt_of_acceleration(force, parameters_.accelerometer_band_m_per_s2)) {
-    // An acceleration that lengthens the specific force may tilt it as well.
-    const double unrest = std::abs(force.norm() - kGravity_m_per_s2) / kGravity_m_per_s2;
-    attitude_.correct_tilt(*tilt, std::hypot(kRestlessTilt_rad, unrest));
+    correct_by_accelerometer(*tilt);
   }
   angular_velocity_ +=
       dt_s / (parameters_.rate_filter_s + dt_s) * (attitude_.rate_rad_per_s() - angular_velocity_);
+}
+
+// It begins with what level soles say, unless the accelerometer gainsays them: a robot that gets its load in
+// the first slots is shaken more than its soles are tilted, and one that lies is neither.
+void StateEstimator::correct_by_accelerometer(const Eigen::Vector2d& tilt_rad) noexcept {
+  if (!attitude_.has_tilt()) {
+    kinematics_.update(inputs_.position_rad(), Attitude{});
+    const Eigen::Vector2d on_soles = kinematics_.tilt_on_level_soles();
+    if ((tilt_rad - on_soles).norm() < kGainsaid_rad) attitude_.correct_tilt(on_soles, kLevelSoles_rad);
+  }
+  // An acceleration that lengthens the specific force may tilt it as well.
+  const double unrest =
+      std::abs(inputs_.acceleration_m_per_s2().norm() - kGravity_m_per_s2) / kGravity_m_per_s2;
+  attitude_.correct_tilt(tilt_rad, std::hypot(kRestlessTilt_rad, unrest));
 }
 
 void StateEstimator::hold_heading() noexcept {
@@ -100,7 +118,10 @@ void StateEstimator::update_pressure() noexcept {
   const double least_force_N = kLeastForceShare * weight_N;
   if (const int slots = inputs_.force_slots(); slots > 0) {
     const Eigen::Vector3d force = attitude_.attitude().tilt() * inputs_.acceleration_m_per_s2();
-    cells_.update(inputs_.cell_force_N(), force.z() / kGravity_m_per_s2, facts::kSlot_s * slots);
+    const double dt_s = facts::kSlot_s * slots;
+    if (!senses_load_) load_model_.update(kinematics_, force, dt_s);
+    cells_.update(senses_load_ ? inputs_.cell_force_N() : load_model_.force_N(),
+                  force.z() / kGravity_m_per_s2, dt_s);
   }
   for (const urdf::Side side : urdf::kSides) {
     const std::size_t i = index_of(side);
@@ -151,6 +172,7 @@ Eigen::Vector2d StateEstimator::zmp_variance_in(urdf::Side foot) const noexcept 
   for (std::size_t axis = 0; axis < 2; ++axis) {
     variance[static_cast<Eigen::Index>(axis)] += cells_.variance_of_sum(lever[axis]);
   }
+  if (!senses_load_) variance.array() += Eigen::numext::abs2(load_model_.zmp_deviation_m());
   return variance;
 }
 
@@ -177,7 +199,8 @@ void StateEstimator::update_com() noexcept {
   if (faults.joints_stale) return;
   const Eigen::Vector3d measured = measured_com_m(support_);
   for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].correct(measured[static_cast<Eigen::Index>(axis)]);
-  if (faults.forces_stale || in_the_air()) return;
+  // A model's ZMP follows from where the CoM is thought to be, so it does not say that it is elsewhere.
+  if (faults.forces_stale || in_the_air() || !senses_load_) return;
   com_offset_.update({com_[0].unexplained_m_per_s2(), com_[1].unexplained_m_per_s2()}, omega_rad_per_s(),
                      zmp_variance_, facts::kSlot_s);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "gaitway/geometry/tilt.hpp"
+
 namespace gaitway::zmp {
 namespace {
 
@@ -57,6 +59,11 @@ Eigen::Vector3d SupportKinematics::sole_point_m(urdf::Side foot, urdf::Side of,
   const Eigen::Vector3d in_base =
       base_from_sole_[index_of(of)] * Eigen::Vector3d(point_m.x(), point_m.y(), 0.0);
   return level_from_base_[i] * (in_base - base_from_sole_[i].translation());
+}
+
+Eigen::Vector2d SupportKinematics::tilt_on_level_soles() const noexcept {
+  const Eigen::Vector3d up_in_base = base_from_sole_[0].linear().col(2) + base_from_sole_[1].linear().col(2);
+  return geometry::tilt_at_rest(kinematics_.link_rotation(trunk_).transpose() * up_in_base);
 }
 
 Eigen::Matrix3d SupportKinematics::turn(urdf::Side to, urdf::Side from) const noexcept {

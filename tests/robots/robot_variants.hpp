@@ -1,6 +1,6 @@
-// humanoid22 with other legs, as folders that load: hips whose joints come in another order or whose axes
-// have no common point, and ankles. Names stay where they were, so that whoever goes by names or numbers goes
-// wrong.
+// humanoid22 with other legs and other sensors, as folders that load: hips whose joints come in another order
+// or whose axes have no common point, and ankles; feet that tell their load otherwise or not at all. Names
+// stay where they were, so that whoever goes by names or numbers goes wrong.
 #pragma once
 
 #include <unistd.h>
@@ -116,7 +116,65 @@ class RobotVariant {
     write();
   }
 
+  // Force and torques at a sensor 20 mm above each sole in place of the four cells, in three channels.
+  void give_six_axis_feet() {
+    for (const std::string side : {"left", "right"}) {
+      exchange(yaml_, side + "_cell_front_left, " + side + "_cell_front_right",
+               side + "_foot_force_z, " + side + "_foot_torque_x");
+      exchange(yaml_, side + "_cell_rear_left, " + side + "_cell_rear_right", side + "_foot_torque_y, none");
+    }
+    exchange(yaml_, "cell_inset_m: 0.005}", "sensor: six_axis, sensor_position_m: [0, 0, -0.02]}");
+    exchange(yaml_, "channel_scale: {force_N: 0.01",
+             "channel_scale: {foot_force_N: 0.01, foot_torque_Nm: 0.001");
+    exchange(yaml_, "force_N: 0.2", "force_N: 0.4, torque_Nm: 0.01");
+    write();
+  }
+
+  void take_foot_sensors() {
+    for (const std::string side : {"left", "right"}) {
+      exchange(yaml_, side + "_cell_front_left, " + side + "_cell_front_right", "none, none");
+      exchange(yaml_, side + "_cell_rear_left, " + side + "_cell_rear_right", "none, none");
+    }
+    exchange(yaml_, "cell_inset_m: 0.005}", "sensor: none}");
+    write();
+  }
+
+  void put_imu_into_base() {
+    exchange(yaml_, "imu: {link: trunk, position_m: [0, 0, 0.10]",
+             "imu: {link: pelvis, position_m: [0, 0, 0.02]");
+    write();
+  }
+
+  void trim_ankles_alone() {
+    for (const char* const hip : {"0", "1", "2", "3"})
+      exchange(yaml_, std::string(", trim_channel: ") + hip, "");
+    write();
+  }
+
+  void take_inclinometer() {
+    for (const char* const tilt : {"inclination_roll", "inclination_pitch"}) exchange(yaml_, tilt, "none");
+    exchange(yaml_, ", inclination_rad: 0.0001", "");
+    write();
+  }
+
+  void take_foot_accelerometers() {
+    for (const std::string side : {"left", "right"}) {
+      for (const char* const axis : {"x", "y", "z"}) {
+        exchange(yaml_, side + "_foot_acceleration_" + axis, "none");
+      }
+    }
+    write();
+  }
+
  private:
+  // Everywhere.
+  static void exchange(std::string& text, const std::string& before, const std::string& after) {
+    std::size_t place = text.find(before);
+    if (place == std::string::npos) throw std::runtime_error("humanoid22 has no " + before);
+    for (; place != std::string::npos; place = text.find(before, place + after.size())) {
+      text.replace(place, before.size(), after);
+    }
+  }
   // Every list of numbers between `from` and the first of the characters `to`.
   static void multiply(std::string& text, const std::string& from, const std::string& to, double factor) {
     for (std::size_t begin = text.find(from); begin != std::string::npos; begin = text.find(from, begin)) {

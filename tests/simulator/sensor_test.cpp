@@ -6,6 +6,7 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "home_servo.hpp"
+#include "robots/robot_variants.hpp"
 
 namespace gaitway::simulator {
 namespace {
@@ -45,6 +46,32 @@ TEST_F(SensorTest, TheCellsSeeTheCentreOfPressure) {
     }
   }
   EXPECT_GT(farthest_m, 0.03) << "the push did not move the centre of pressure";
+}
+
+// But for what the foot's own acceleration takes.
+TEST_F(SensorTest, ASixAxisSensorSeesWhatTheGroundDoesToTheFoot) {
+  gaitway::test::RobotVariant variant;
+  variant.give_six_axis_feet();
+  const urdf::RobotModel model = urdf::load_robot(variant.folder());
+  HomeServo servo(model);
+  Plant plant(model, exact_);
+  servo.hold(plant, 1000);
+  plant.push("trunk", Eigen::Vector3d(1.0, 0.5, 0.0), 0.5, 0.3);
+  for (int i = 0; i < 500; ++i) {
+    servo.hold(plant, 1);
+    for (std::size_t foot = 0; foot < 2; ++foot) {
+      const double force_N = plant.ground_contact().normal_force_N[foot];
+      const auto cells_N = model.feet[foot].cell_forces_N(plant.sensors().foot_wrench[foot]);
+      EXPECT_NEAR(std::accumulate(cells_N.begin(), cells_N.end(), 0.0), force_N, 0.5);
+      if (force_N < 15.0) continue;
+      Eigen::Vector2d moment_Nm = Eigen::Vector2d::Zero();
+      for (std::size_t cell = 0; cell < 4; ++cell) moment_Nm += cells_N[cell] * model.feet[foot].cell_m[cell];
+      EXPECT_LT((moment_Nm / force_N - plant.ground_contact().foot_cop_m[foot]).norm(), 0.003);
+    }
+  }
+  throw_up(plant, model);
+  servo.hold(plant, 300);
+  EXPECT_NEAR(plant.sensors().foot_wrench[0][2], 0.0, 3.5) << "in the air: no more than the foot's weight";
 }
 
 TEST_F(SensorTest, AccelerometersFeelGravityAtRest) {

@@ -34,8 +34,8 @@ std::string unique(const std::string& name, std::set<std::string>& taken) {
   return candidate;
 }
 
-std::string_view unit_of(urdf::SensorKind kind) {
-  switch (kind) {
+std::string_view unit_of(const urdf::SensorChannel& channel) {
+  switch (channel.kind) {
     case urdf::SensorKind::none:
       return "";
     case urdf::SensorKind::force_cell:
@@ -47,6 +47,8 @@ std::string_view unit_of(urdf::SensorKind kind) {
       return "rad/s";
     case urdf::SensorKind::inclination:
       return "rad";
+    case urdf::SensorKind::foot_wrench:
+      return channel.index < 3 ? "N" : "Nm";
   }
   return "";
 }
@@ -177,7 +179,7 @@ class Describer {
   }
 
   static void describe_channel(const urdf::SensorChannel& channel, DescribedSignal& signal) {
-    signal.unit = unit_of(channel.kind);
+    signal.unit = unit_of(channel);
     if (channel.kind == urdf::SensorKind::none) {
       signal.meaning = "carries no sensor";
       return;

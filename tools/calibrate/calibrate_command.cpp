@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/process/installation.hpp"
@@ -202,6 +203,11 @@ void add_simulation(const CommandLine& command, CalibrateOptions& options) {
 int calibrate_command(const CalibrateOptions& options) {
   check(options);
   const urdf::RobotModel robot = urdf::load_robot(options.robot, urdf::CalibrationUse::left_out);
+  if (robot.feet[0].sensor != urdf::FootSensor::cells) {
+    input::refuse({options.robot / "robot.yaml", 0, "feet", "",
+                   "a calibration needs four force cells in each foot",
+                   "Measure joint zeros and the trunk by hand, and write them into calibration.yaml"});
+  }
   if (options.simulate) return from_simulation(options, robot);
   if (!options.bus_log.empty()) return from_bus_log(options, robot);
   return from_measurements(options, robot, read_measurements(options.measurements, robot),

@@ -136,6 +136,7 @@ std::vector<StandingMeasurement> PosePerformer::perform(
     if (!is_pose) continue;
     if (progress) progress(key.name);
     StandingMeasurement& pose = poses.emplace_back(reading.result());
+    if (!robot_.carries(urdf::SensorKind::inclination)) pose.inclination_rad.reset();
     pose.pose = key.name;
     pose.placement = placement_;
     for (const urdf::Side side : urdf::kSides) {

@@ -151,6 +151,8 @@ std::vector<StandingMeasurement> standing_poses(const urdf::RobotModel& robot,
     if (end - begin < measured) continue;
     StandingMeasurement pose = measure(std::span(samples).subspan(end - measured, measured));
     if (!pose.stands[0] && !pose.stands[1]) continue;
+    if (!robot.carries(urdf::SensorKind::inclination))
+      pose.inclination_rad.reset();  // what is there is derived
     allow_counts(robot, pose);
     pose.pose = fmt::format("pose {}", poses.size() + 1);
     poses.push_back(std::move(pose));

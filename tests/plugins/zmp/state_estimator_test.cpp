@@ -348,24 +348,68 @@ TEST_F(StateEstimatorTest, RobotInTheAirHasNoContact) {
   for (const double value : estimate_.dcm) EXPECT_TRUE(std::isfinite(value));
 }
 
-TEST_F(StateEstimatorTest, RobotWithoutInclinometerTakesTheAccelerometer) {
-  urdf::RobotModel model = humanoid();
-  for (auto& joint : model.channels) {
-    for (auto& channel : joint) {
-      if (channel.kind == urdf::SensorKind::inclination) channel.kind = urdf::SensorKind::none;
+class WithoutInclinometer : public StateEstimatorTest {
+ protected:
+  static urdf::RobotModel model() {
+    urdf::RobotModel model = humanoid();
+    for (auto& joint : model.channels) {
+      for (auto& channel : joint) {
+        if (channel.kind == urdf::SensorKind::inclination) channel.kind = urdf::SensorKind::none;
+      }
+    }
+    return model;
+  }
+  void feel(const Eigen::Vector3d& specific_force, int ticks) {
+    Eigen::Map<Eigen::Vector3d>(sensors_.imu.acceleration) = specific_force;
+    for (int i = 0; i < ticks; ++i) {
+      now_ns_ += kTick_ns;
+      sensors_.stamp(now_ns_);
+      ASSERT_TRUE(blind_.update(now_ns_, sensors_.joints, sensors_.forces, sensors_.imu, estimate_));
     }
   }
-  StateEstimator estimator(model, EstimatorParameters{});
-  const Attitude tilted{0.05, -0.08, 0.0};
-  Eigen::Map<Eigen::Vector3d>(sensors_.imu.acceleration) =
-      tilted.tilt().transpose() * Eigen::Vector3d(0, 0, 9.81);
-  for (int i = 0; i < 10; ++i) {
-    now_ns_ += kTick_ns;
-    sensors_.stamp(now_ns_);
-    ASSERT_TRUE(estimator.update(now_ns_, sensors_.joints, sensors_.forces, sensors_.imu, estimate_));
+  static Eigen::Vector3d at_rest(const Attitude& attitude) {
+    return attitude.tilt().transpose() * Eigen::Vector3d(0, 0, 9.81);
   }
-  EXPECT_NEAR(estimate_.attitude[0], 0.05, 1e-6);
-  EXPECT_NEAR(estimate_.attitude[1], -0.08, 1e-6);
+  StateEstimator blind_{model(), EstimatorParameters{}};
+};
+
+TEST_F(WithoutInclinometer, BeginsWithLevelSolesHoweverItIsShaken) {
+  feel({-1.2, 0.4, 9.5}, 10);
+  EXPECT_NEAR(estimate_.attitude[0], 0.0, 0.01);
+  EXPECT_NEAR(estimate_.attitude[1], 0.0, 0.015);
+}
+
+TEST_F(WithoutInclinometer, ComesToWhatTheAccelerometerSaysAllTheTime) {
+  feel(at_rest({0.05, -0.08, 0.0}), 2000);
+  EXPECT_NEAR(estimate_.attitude[0], 0.05, 0.01);
+  EXPECT_NEAR(estimate_.attitude[1], -0.08, 0.01);
+}
+
+TEST_F(WithoutInclinometer, OneThatLiesKnowsItAtOnce) {
+  feel(at_rest({0.1, 1.4, 0.0}), 1);
+  EXPECT_NEAR(estimate_.attitude[0], 0.1, 1e-6);
+  EXPECT_NEAR(estimate_.attitude[1], 1.4, 1e-6);
+}
+
+// What it reckons goes the way of what cells tell.
+TEST(WithoutFootSensors, StandsOnBothFeetByAccelerometerAndLegs) {
+  urdf::RobotModel model = humanoid();
+  for (urdf::Foot& foot : model.feet) foot.sensor = urdf::FootSensor::none;
+  StateEstimator estimator(model, EstimatorParameters{});
+  Sensors sensors;
+  Estimate estimate{};
+  for (std::int64_t now_ns = kTick_ns; now_ns < 50 * kTick_ns; now_ns += kTick_ns) {
+    sensors.stamp(now_ns);
+    sensors.forces.stamp_ns = 0;  // they never come
+    ASSERT_TRUE(estimator.update(now_ns, sensors.joints, sensors.forces, sensors.imu, estimate));
+  }
+  EXPECT_FALSE(estimator.faults().forces_stale);
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    EXPECT_EQ(estimate.contact[foot], 1U);
+    EXPECT_NEAR(estimate.foot_force[foot], 0.5 * weight_N(), 0.02 * weight_N());
+  }
+  EXPECT_NEAR(estimate.zmp[0], estimate.com[0], 0.002);
+  EXPECT_GT(estimate.zmp_deviation[0], 0.009);
 }
 
 TEST_F(StateEstimatorTest, UpdateDoesNotAllocate) {

@@ -1,5 +1,6 @@
 // Gathers one time slot's feedback frames into the topics that everybody reads: joint states, foot forces,
-// IMU.
+// IMU. What comes from other sensors than the topics speak of is turned into theirs here, so that nobody else
+// need know: a six-axis sensor speaks as four force cells, gyro and accelerometer as an inclinometer.
 #pragma once
 
 #include <array>
@@ -32,6 +33,8 @@ class FeedbackCollector {
   [[nodiscard]] const Imu& imu() const noexcept { return imu_; }
 
  private:
+  void take_wrench(const urdf::SensorChannel& channel, double value) noexcept;
+  void derive_inclination(const urdf::SensorChannel& channel) noexcept;
   void take_channel(const urdf::SensorChannel& channel, double value, std::int64_t now_ns) noexcept;
 
   int joint_count_;
@@ -41,6 +44,12 @@ class FeedbackCollector {
   std::uint64_t awaited_ = 0;                          // of these, in this slot
   std::array<std::uint32_t, kMaxJoints> last_slot_{};  // in which the joint was heard last
   JointStates joint_states_{};
+  std::array<urdf::Foot, 2> feet_;  // [Side]
+  std::array<urdf::Wrench, 2> wrench_{urdf::Wrench::Zero(), urdf::Wrench::Zero()};
+  // Without an inclinometer, roll and pitch are derived from gyro and accelerometer.
+  bool has_inclinometer_;
+  unsigned imu_channels_ = 0;    // of the gyro and the accelerometer, that have come since the last time
+  std::uint32_t tilt_slot_ = 0;  // in which they were derived; 0: never
   FootForces foot_forces_{};
   Imu imu_{};
 };

@@ -36,6 +36,9 @@ struct PlantSensors {
   // [Side][cell], as a rigid plate loads four cells: sum and moments are the contact's. A cell far behind the
   // centre of pressure reads negative, as a preloaded cell does.
   std::array<std::array<double, 4>, 2> force_N{};
+  // [Side]: of feet that have a six-axis sensor: what the foot does to the leg above it, in the sensor's
+  // frame, less its weight while it hangs level.
+  std::array<urdf::Wrench, 2> foot_wrench{urdf::Wrench::Zero(), urdf::Wrench::Zero()};
   // [Side]: the same at the origin of the sole frame.
   std::array<Eigen::Vector3d, 2> foot_acceleration_m_per_s2{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 };

@@ -94,18 +94,23 @@ enum class SensorKind : std::uint8_t {
   foot_acceleration,
   angular_velocity,
   acceleration,
-  inclination
+  inclination,
+  foot_wrench
 };
 
 // A sensor channel that travels in a joint's feedback frame.
 struct SensorChannel {
   SensorKind kind = SensorKind::none;
-  Side side = Side::left;  // for force cells and foot accelerometers
+  Side side = Side::left;  // for what sits in a foot
   int index = 0;       // cell 0..3 (front left, front right, rear left, rear right), or axis x, y, z = 0..2
-                       // (inclination: roll, pitch = 0, 1)
-  double scale = 1.0;  // sensor unit (N, m/s², rad/s, rad) for one count of the 16-bit channel
+                       // (inclination: roll, pitch = 0, 1; wrench: force x, y, z, torque x, y, z = 0..5)
+  double scale = 1.0;  // sensor unit (N, N·m, m/s², rad/s, rad) for one count of the 16-bit channel
   double gain = 1.0;   // of the sensor, by which its readings are divided: from the calibration
 };
+
+// What a foot has to tell its load.
+enum class FootSensor : std::uint8_t { cells, six_axis, none };
+using Wrench = Eigen::Matrix<double, 6, 1>;  // force, torque
 
 struct Foot {
   int link = 0;  // index of the sole-carrying link
@@ -113,11 +118,24 @@ struct Foot {
   Eigen::Isometry3d sole = Eigen::Isometry3d::Identity();
   Eigen::Vector2d size_m = Eigen::Vector2d::Zero();    // length (x), width (y) of the sole
   Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();  // of the sole rectangle, in the sole frame
-  std::array<Eigen::Vector2d, 4> cell_m{};             // force cells in the sole frame: FL, FR, RL, RR
+  // Force cells in the sole frame: FL, FR, RL, RR. A foot without cells is spoken of as if it had them.
+  std::array<Eigen::Vector2d, 4> cell_m{};
+  FootSensor sensor = FootSensor::cells;
+  // Of a six-axis sensor, in the foot's link. It is tared with the foot hanging level, and tells what the
+  // ground does to the foot: a positive force z presses it upwards.
+  Eigen::Isometry3d sensor_pose = Eigen::Isometry3d::Identity();
 
   // Of the sole, counter-clockwise: in its own frame, or as it lies on the ground at `pose` (x, y, yaw).
   [[nodiscard]] std::array<Eigen::Vector2d, 4> corners_m() const noexcept;
   [[nodiscard]] std::array<Eigen::Vector2d, 4> corners_m(const Eigen::Vector3d& pose) const noexcept;
+
+  // [N], of four cells of equal stiffness under a rigid plate that carries this force at this place of the
+  // sole frame: their sum and moments are the force's. One far behind the place is negative, as a preloaded
+  // cell is.
+  [[nodiscard]] std::array<double, 4> cell_forces_N(double force_N,
+                                                    const Eigen::Vector2d& place_m) const noexcept;
+  // The same of what a six-axis sensor says, in its own frame.
+  [[nodiscard]] std::array<double, 4> cell_forces_N(const Wrench& sensed) const noexcept;
 };
 
 // One leg as the kinematics sees it: six joints from the base to the foot. What each does: LegJoints.
@@ -135,6 +153,7 @@ struct SensorNoise {  // standard deviations, for the simulated robot
   double acceleration_m_per_s2 = 0.0;
   double inclination_rad = 0.0;
   double force_N = 0.0;
+  double torque_Nm = 0.0;
 };
 
 struct Contact {  // how the feet touch the ground, for the simulated robot
@@ -189,6 +208,9 @@ struct RobotModel {
 
   [[nodiscard]] double total_mass_kg() const noexcept;
   [[nodiscard]] std::vector<std::filesystem::path> mesh_files() const;  // of all shapes, each once
+  [[nodiscard]] bool carries(SensorKind kind) const noexcept;           // any channel of this kind
+  // Both feet have the same kind of sensor.
+  [[nodiscard]] bool senses_load() const noexcept { return feet[0].sensor != FootSensor::none; }
   [[nodiscard]] facts::BodyScale body_scale() const noexcept { return {hip_height_m, total_mass_kg()}; }
   [[nodiscard]] int joint_index(std::string_view name) const;  // throws RobotError, names the nearest joint
   [[nodiscard]] int link_index(std::string_view name) const;
@@ -210,8 +232,8 @@ struct NamedChannel {
   SensorChannel channel;  // scale 1
 };
 
-// Every channel that a robot has: 4 force cells and 3 accelerations a foot, gyro, trunk accelerometer,
-// inclinometer.
+// Every channel that a robot can have: 4 force cells or a six-axis sensor, and 3 accelerations, a foot; gyro,
+// accelerometer, inclinometer.
 [[nodiscard]] const std::vector<NamedChannel>& all_channels();
 
 [[nodiscard]] std::string channel_name(const SensorChannel& channel);  // "none" for none

@@ -40,6 +40,7 @@ class AttitudeFilter {
   void release_heading() noexcept;
   // After a gap: roll and pitch start anew at the next measured tilt, yaw stays.
   void lose_tilt() noexcept { has_tilt_ = false; }
+  [[nodiscard]] bool has_tilt() const noexcept { return has_tilt_; }
 
   [[nodiscard]] const Attitude& attitude() const noexcept { return attitude_; }
   [[nodiscard]] const Eigen::Vector3d& bias_rad_per_s() const noexcept { return bias_; }

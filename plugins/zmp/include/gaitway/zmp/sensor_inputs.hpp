@@ -45,6 +45,7 @@ class SensorInputs {
   [[nodiscard]] std::span<const double> position_rad() const noexcept { return position_rad_; }
   // How fast the legs are meant to move: of the fastest joint. Play does not rattle in it.
   [[nodiscard]] double leg_reference_rate_rad_per_s() const noexcept { return leg_reference_rate_; }
+  // Zero where the feet have no sensors: what arrives then with each IMU sample is not theirs.
   [[nodiscard]] const std::array<std::array<double, 4>, 2>& cell_force_N() const noexcept { return force_N_; }
   // Specific force at a sole's origin, in its frame.
   [[nodiscard]] const Eigen::Vector3d& foot_acceleration_m_per_s2(urdf::Side side) const noexcept {
@@ -86,7 +87,8 @@ class SensorInputs {
   void take_imu(std::int64_t now_ns, const gaitway::Imu& imu, std::uint64_t missing) noexcept;
 
   std::int64_t stale_after_ns_;
-  bool has_inclinometer_ = false;
+  bool has_inclinometer_;
+  bool senses_load_;
   Source joints_, forces_, imu_;
   InputFaults faults_;
   std::vector<double> position_rad_;

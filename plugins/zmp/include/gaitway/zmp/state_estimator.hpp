@@ -14,6 +14,7 @@
 #include "gaitway/zmp/estimator_parameters.hpp"
 #include "gaitway/zmp/fall_recognition.hpp"
 #include "gaitway/zmp/foot_contact.hpp"
+#include "gaitway/zmp/foot_load_model.hpp"
 #include "gaitway/zmp/sensor_inputs.hpp"
 #include "gaitway/zmp/support_kinematics.hpp"
 
@@ -44,11 +45,12 @@ class StateEstimator {
   static void visit_state(Self& self, Archive& archive) {
     archive(self.contacts_, self.cells_, self.attitude_, self.com_, self.com_offset_, self.angular_velocity_,
             self.zmp_m_, self.zmp_variance_, self.support_, self.frame_heading_rad_, self.started_,
-            self.blind_ticks_, self.feet_planted_, self.slip_, self.fall_, self.inputs_);
+            self.blind_ticks_, self.feet_planted_, self.slip_, self.fall_, self.inputs_, self.load_model_);
   }
 
  private:
   void update_attitude() noexcept;
+  void correct_by_accelerometer(const Eigen::Vector2d& tilt_rad) noexcept;
   void hold_heading() noexcept;
   void update_pressure() noexcept;
   void update_slip() noexcept;
@@ -70,6 +72,8 @@ class StateEstimator {
   std::array<urdf::Foot, 2> feet_;
   SensorInputs inputs_;
   ContactDetector contacts_;
+  bool senses_load_;
+  FootLoadModel load_model_;  // speaks where the feet do not
   CellCalibration cells_;
   AttitudeFilter attitude_;
   PlantedFeet feet_planted_;

@@ -46,6 +46,8 @@ class SupportKinematics {
     const auto i = static_cast<std::size_t>(foot);
     return level_from_base_[i] * base_from_sole_[i].linear();
   }
+  // Roll and pitch that the trunk has if both soles, taken together, are level.
+  [[nodiscard]] Eigen::Vector2d tilt_on_level_soles() const noexcept;
   // Rotation from the level frame of one foot to that of another: a turn about the vertical.
   [[nodiscard]] Eigen::Matrix3d turn(urdf::Side to, urdf::Side from) const noexcept;
 

@@ -1,0 +1,57 @@
+// humanoid22 with other sensors stands and walks through the whole chain: six-axis feet, feet without
+// sensors, the IMU in the base, trims at the ankles alone, without inclinometer and foot accelerometers.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "robots/robot_variants.hpp"
+#include "simulated_run.hpp"
+
+namespace gaitway::scenarios {
+namespace {
+
+using gaitway::test::RobotVariant;
+
+struct Equipment {
+  std::string name;
+  std::function<void(RobotVariant&)> change;
+};
+
+class OtherSensors : public ::testing::TestWithParam<Equipment> {};
+
+TEST_P(OtherSensors, StandAndWalk) {
+  RobotVariant variant;
+  GetParam().change(variant);
+  const urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  for (int seed = 1; seed <= seeds(3); ++seed) {
+    auto run = SimulatedRun::of_robot(static_cast<std::uint64_t>(seed), robot);
+    run.play({.seconds = 12.0, .events = {walk_at(2.0, 0.15)}});
+    EXPECT_FALSE(run.metrics().fell) << "at " << run.metrics().fell_at_s << " s, seed " << seed;
+    EXPECT_NEAR(run.metrics().mean_speed_m_per_s(), 0.15, 0.0225) << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, OtherSensors,
+                         ::testing::Values(Equipment{"SixAxisFeet", &RobotVariant::give_six_axis_feet},
+                                           Equipment{"FeetWithoutSensors", &RobotVariant::take_foot_sensors},
+                                           Equipment{"ImuInTheBase", &RobotVariant::put_imu_into_base},
+                                           Equipment{"TrimsAtTheAnklesAlone",
+                                                     &RobotVariant::trim_ankles_alone},
+                                           Equipment{"NeitherInclinometerNorFootAccelerometers",
+                                                     [](RobotVariant& variant) {
+                                                       variant.take_inclinometer();
+                                                       variant.take_foot_accelerometers();
+                                                     }},
+                                           Equipment{"GyroAndAccelerometerInTheBaseAlone",
+                                                     [](RobotVariant& variant) {
+                                                       variant.take_foot_sensors();
+                                                       variant.put_imu_into_base();
+                                                       variant.trim_ankles_alone();
+                                                       variant.take_inclinometer();
+                                                       variant.take_foot_accelerometers();
+                                                     }}),
+                         [](const auto& tested) { return tested.param.name; });
+
+}  // namespace
+}  // namespace gaitway::scenarios
