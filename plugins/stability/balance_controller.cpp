@@ -35,10 +35,8 @@ bool leans_little(const PlanMoment& meant) noexcept {
          std::cos(kMostLean_rad);
 }
 
-// A push of 0.3 N·s turns the trunk faster; the sway of a robot that has just begun to stand is slower.
-bool sways(const Estimate& estimate) noexcept {
-  constexpr double kCalm_rad_per_s = 0.2;
-  return !(std::hypot(estimate.angular_velocity[0], estimate.angular_velocity[1]) < kCalm_rad_per_s);
+bool sways(const Estimate& estimate, double calm_rad_per_s) noexcept {
+  return !(std::hypot(estimate.angular_velocity[0], estimate.angular_velocity[1]) < calm_rad_per_s);
 }
 
 // As far as it is not what a key-frame motion wants.
@@ -110,7 +108,7 @@ BalanceController::Situation BalanceController::assess(std::int64_t now_ns,
   now.support = support.value_or(kBothFeet);
   now.grounded = !is_airborne(*now.estimate) && support && leans_little(now.meant);
   now.stands = now.grounded && now.moment && !now.meant.walking && !now.meant.motion;
-  now.sways = sways(*now.estimate);
+  now.sways = sways(*now.estimate, parameters_.calm_rate_rad_per_s);
   return now;
 }
 

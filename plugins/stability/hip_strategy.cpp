@@ -11,7 +11,6 @@ namespace gaitway::stability {
 namespace {
 
 constexpr double kNoBow_rad = 0.02;  // less is no bow
-constexpr double kSways_m = 0.015;   // what the DCM lies beyond the CoM of a body that is not pushed
 
 }  // namespace
 
@@ -23,7 +22,8 @@ HipStrategy::HipStrategy(const urdf::RobotModel& model, const BalanceParameters&
 void HipStrategy::follow(const std::optional<Standing>& standing) noexcept {
   const double ahead_m = standing ? standing->dcm_ahead_m - middle_m_ : 0.0;
   const double falling_m = standing ? standing->dcm_ahead_m - standing->com_ahead_m : 0.0;
-  const bool is_pushed = std::copysign(1.0, ahead_m) * falling_m > kSways_m || wanted_rad_ * ahead_m > 0.0;
+  const bool is_pushed =
+      std::copysign(1.0, ahead_m) * falling_m > parameters_.bow_sway_m || wanted_rad_ * ahead_m > 0.0;
   const double beyond_m =
       is_pushed && std::isfinite(ahead_m) ? std::max(std::abs(ahead_m) - parameters_.bow_beyond_m, 0.0) : 0.0;
   const double asked_rad =
