@@ -30,6 +30,11 @@ std::optional<std::uint32_t> accepted_sequence(const NetworkState* network, std:
   return network->accepted_sequence;
 }
 
+HipStrategy::Batching batching(const MotionPlan& plan) noexcept {
+  if (plan.motion == kFallPostureMotion) return HipStrategy::Batching::lies_down;
+  return plan.footstep_count > 0 ? HipStrategy::Batching::steps : HipStrategy::Batching::stands;
+}
+
 bool leans_little(const PlanMoment& meant) noexcept {
   return std::cos(meant.trunk_attitude_rad[0]) * std::cos(meant.trunk_attitude_rad[1]) >
          std::cos(kMostLean_rad);
@@ -84,7 +89,7 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
   learn(now);
   soles_.add_to(trim);
   steer(now, correction);
-  bow(now, inputs.plan, correction);
+  bow(now, inputs.plan, accepted_sequence(inputs.network, now_ns), correction);
   if (!timeline_.newest_stays_upright() || hips_.bows()) std::memset(trim.gain, 0, sizeof trim.gain);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     correction.base_attitude_offset[axis] = lean_.offset_rad()[axis];
@@ -188,10 +193,12 @@ void BalanceController::steer(const Situation& now, Correction& correction) noex
       now.meant.com_velocity_m_per_s, com_velocity_m_per_s(estimate, now.meant), now.meant.walking);
 }
 
-void BalanceController::bow(const Situation& now, const MotionPlan* plan, Correction& correction) noexcept {
+void BalanceController::bow(const Situation& now, const MotionPlan* plan,
+                            std::optional<std::uint32_t> accepted_sequence, Correction& correction) noexcept {
   hips_.follow(now.stands ? std::optional(HipStrategy::Standing{now.estimate->dcm[0], now.estimate->com[0]})
                           : std::nullopt);
-  if (plan != nullptr) hips_.begin_batch(plan->sequence, plan->footstep_count > 0, plan->tail_count);
+  if (plan != nullptr)
+    hips_.begin_batch(plan->sequence, batching(*plan), plan->tail_count, accepted_sequence);
   correction.bow[1] = hips_.target().angle_rad;
   correction.bow_rate[1] = hips_.target().rate_rad_per_s;
 }
