@@ -102,6 +102,7 @@ inline constexpr std::array kCommands{
     Command{"bus", "Analyse and describe the robot's CAN bus"},
     Command{"measure", "Measure how well the simulated robot does"},
     Command{"motion", "Key-frame motions: list, show, plan, check, draw and prepare them"},
+    Command{"robot", "Bring, describe and check a robot of your own"},
     Command{"calibrate",
             "Find joint zeros, trunk and force cells from standing poses, and how sure they are"}};
 
