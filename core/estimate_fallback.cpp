@@ -18,6 +18,7 @@ using facts::kGravity_m_per_s2;
 constexpr double kTiltTime_s = 0.5;  // gyro in less, inclinometer in more
 constexpr double kBiasTime_s = 1.0;  // in which the estimator's gyro bias is learned from it
 constexpr double kLargestBias_rad_per_s = 0.05;
+// Of a body like humanoid22:
 constexpr double kVelocityTime_s = 0.04;   // low-pass of the CoM's velocity
 constexpr double kDifferenceTime_s = 0.3;  // in which the CoM's difference fades
 constexpr double kAccelerometerBand_m_per_s2 = 1.0;
@@ -52,6 +53,7 @@ Eigen::Map<const Eigen::Vector3d> vector(const double (&values)[3]) noexcept {
 EstimateFallback::EstimateFallback(const FallbackSource& source)
     : robot_(load(source.robot_directory)),
       kinematics_(robot_),
+      slower_(robot_.body_scale().factor("s")),
       weight_N_(robot_.total_mass_kg() * kGravity_m_per_s2),
       joint_reader_(source.client.read<JointStates>("joint_states")),
       imu_reader_(source.client.read<Imu>("imu")),
@@ -241,9 +243,9 @@ void EstimateFallback::update_com() noexcept {
     }
   } else {
     const Eigen::Vector3d velocity = (com_seen_from(support_) - com_before_[support_]) / turn_s_;
-    com_velocity_ += turn_s_ / (kVelocityTime_s + turn_s_) * (velocity - com_velocity_);
+    com_velocity_ += turn_s_ / (slower_ * kVelocityTime_s + turn_s_) * (velocity - com_velocity_);
   }
-  com_difference_ *= 1.0 - turn_s_ / kDifferenceTime_s;
+  com_difference_ *= 1.0 - turn_s_ / (slower_ * kDifferenceTime_s);
   for (std::size_t foot = 0; foot < 2; ++foot) {
     com_before_[foot] = com_seen_from(foot);
   }

@@ -43,6 +43,7 @@ class EstimateFallback final : public Fallback {
 
   urdf::RobotModel robot_;
   urdf::ForwardKinematics kinematics_;
+  double slower_;  // than humanoid22: of its times
   double weight_N_;
   bool has_inclinometer_ = false;
   msgclient::Reader<JointStates> joint_reader_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -67,6 +68,17 @@ LegJoints::LegJoints(const RobotModel& model, const ForwardKinematics& home, Sid
   assign(std::array{LegJoint::hip_yaw, LegJoint::hip_roll, LegJoint::hip_pitch}, 0);
   assign(std::array{LegJoint::knee}, 3);
   assign(std::array{LegJoint::ankle_pitch, LegJoint::ankle_roll}, 4);
+}
+
+double slowest_leg_joint_rad_per_s(const RobotModel& model) noexcept {
+  double slowest_rad_per_s = std::numeric_limits<double>::infinity();
+  for (const Leg& leg : model.legs) {
+    for (const int joint : leg.joints) {
+      const double limit_rad_per_s = model.joints[static_cast<std::size_t>(joint)].velocity_limit_rad_per_s;
+      if (limit_rad_per_s > 0.0) slowest_rad_per_s = std::min(slowest_rad_per_s, limit_rad_per_s);
+    }
+  }
+  return slowest_rad_per_s;
 }
 
 }  // namespace gaitway::urdf

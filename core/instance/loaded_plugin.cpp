@@ -19,7 +19,7 @@ auto at_place(const std::string& place, const Function& function) {
 }  // namespace
 
 LoadedPlugin::LoadedPlugin(const PluginEntry& entry, const PluginSource& source, EventLog& events)
-    : ManagedPlugin(entry, source.configuration_file, events),
+    : ManagedPlugin(entry, source.configuration_file, events, source.robot_directory),
       robot_directory_(source.robot_directory.string()),
       memory_socket_(source.memory_socket.string()),
       library_(at_place(place_, [&] {

@@ -12,10 +12,10 @@
 namespace gaitway::core {
 
 ManagedPlugin::ManagedPlugin(const PluginEntry& entry, const std::filesystem::path& configuration_file,
-                             EventLog& events)
+                             EventLog& events, const std::filesystem::path& robot_directory)
     : name_(entry.name),
       place_(fmt::format("plug-in '{}' ({}:{})", entry.name, configuration_file.string(), entry.line)),
-      parameters_(configuration_file, entry.name, entry.parameters),
+      parameters_(configuration_file, entry.name, entry.parameters, robot_directory),
       events_(events),
       schedule_(entry.schedule) {}
 

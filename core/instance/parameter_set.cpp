@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/number.hpp"
+#include "gaitway/instance/parameter_unit.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -52,32 +54,85 @@ std::string range_of(const Parameter& parameter) {
   return fmt::format("from {} to {}{}", parameter.lowest, parameter.highest, unit);
 }
 
-void require_range(const Parameter& parameter, double value, const Refusal& refuse) {
-  if (value < parameter.lowest || value > parameter.highest) {
-    refuse(fmt::format("must be {}. The default is {}", range_of(parameter), parameter.fallback));
-  }
+// converted: a value that was written in another unit.
+void require_range(const Parameter& parameter, double value, bool converted, const Refusal& refuse) {
+  if (value >= parameter.lowest && value <= parameter.highest) return;
+  refuse(fmt::format("{}must be {}. The default is {}",
+                     converted ? fmt::format("is {:.6g} {}, but ", value, parameter.unit) : "",
+                     range_of(parameter), parameter.fallback));
 }
 
 template <class Number>
-Number read_number(const Parameter& parameter, std::string_view text, const Refusal& refuse) {
+input::NumberAndUnit<Number> split(const Parameter& parameter, std::string_view text, const Refusal& refuse) {
   constexpr std::string_view kWanted = std::is_integral_v<Number> ? "a whole number" : "a finite number";
   const bool plain_number = parameter.unit == "1";
-  input::NumberAndUnit<Number> given;
   try {
-    given = input::split_number<Number>(text);
+    return input::split_number<Number>(text);
   } catch (const input::ValueError& error) {
     refuse(error.remedy.empty()
                ? fmt::format("must be {} in {}. Write for example '{}{}{}'", kWanted, parameter.unit,
                              parameter.fallback, plain_number ? "" : " ", plain_number ? "" : parameter.unit)
                : error.what());
   }
+}
+
+[[noreturn]] void refuse_unit(const Parameter& parameter, std::string_view unit, std::string_view remedy,
+                              const Refusal& refuse) {
+  refuse(parameter.unit == "1"
+             ? fmt::format("is in '{}', but must be a plain number without unit", unit)
+             : fmt::format("is in '{}', but must be in '{}'{}", unit, parameter.unit, remedy));
+}
+
+std::int64_t read_integer(const Parameter& parameter, std::string_view text, const Refusal& refuse) {
+  const auto given = split<std::int64_t>(parameter, text, refuse);
   if (!given.unit.empty() && given.unit != parameter.unit) {
-    refuse(plain_number
-               ? fmt::format("is in '{}', but must be a plain number without unit", given.unit)
-               : fmt::format("is in '{}', but must be in '{}'. Convert it", given.unit, parameter.unit));
+    refuse_unit(parameter, given.unit, ". Convert it", refuse);
   }
-  require_range(parameter, static_cast<double>(given.number), refuse);
+  require_range(parameter, static_cast<double>(given.number), false, refuse);
   return given.number;
+}
+
+// How much of the parameter's unit one of `unit` is.
+double size_of(std::string_view unit, const Parameter& parameter,
+               const std::filesystem::path& robot_directory, const Refusal& refuse) {
+  const std::optional<UnitMeasure> wanted = measure_of(parameter.unit, nullptr);
+  const std::optional<UnitMeasure> kind = measure_of(unit, nullptr);
+  if (!wanted) {
+    refuse_unit(parameter, unit, ". Convert it", refuse);
+  }
+  const std::string remedy = fmt::format(
+      ", in another unit of that kind, or in '{}' of the robot's body (h: hip height, T: "
+      "sqrt(h/g), W: weight)",
+      in_body_units(*wanted));
+  if (!kind || !kind->is_like(*wanted)) {
+    refuse_unit(parameter, unit, remedy, refuse);
+  }
+  if (!kind->of_body) {
+    return kind->size / wanted->size;
+  }
+  if (robot_directory.empty()) {
+    refuse(
+        fmt::format("is in units of a body, but no robot is known here. Write it in '{}'", parameter.unit));
+  }
+  try {
+    const BodyUnits body = body_units_of(robot_directory);
+    return measure_of(unit, &body)->size / wanted->size;
+  } catch (const input::InputError& error) {
+    refuse(fmt::format("is in units of the body, but the robot cannot be read: {}", error.what()));
+  }
+}
+
+double read_real(const Parameter& parameter, std::string_view text,
+                 const std::filesystem::path& robot_directory, const Refusal& refuse) {
+  const auto given = split<double>(parameter, text, refuse);
+  const bool converted = !given.unit.empty() && given.unit != parameter.unit;
+  const double value =
+      converted ? given.number * size_of(given.unit, parameter, robot_directory, refuse) : given.number;
+  if (!std::isfinite(value)) {
+    refuse("is too large to be a number");
+  }
+  require_range(parameter, value, converted, refuse);
+  return value;
 }
 
 }  // namespace
@@ -142,10 +197,10 @@ gaitway_value ParameterSet::read(const Parameter& parameter, const std::string& 
   gaitway_value value{static_cast<gaitway_kind>(parameter.kind), 0, 0.0, 0, nullptr};
   switch (parameter.kind) {
     case ParameterKind::number:
-      value.number = read_number<double>(parameter, text, refuse);
+      value.number = read_real(parameter, text, robot_directory_, refuse);
       break;
     case ParameterKind::integer:
-      value.integer = read_number<std::int64_t>(parameter, text, refuse);
+      value.integer = read_integer(parameter, text, refuse);
       break;
     case ParameterKind::flag:
       if (text != "true" && text != "false") {

@@ -19,7 +19,7 @@ constexpr std::uint32_t kProven = 8;  // steps after which a restored state is n
 
 IsolatedPlugin::IsolatedPlugin(const PluginEntry& entry, const PluginSource& source,
                                const IsolationOptions& options, EventLog& events)
-    : ManagedPlugin(entry, source.configuration_file, events),
+    : ManagedPlugin(entry, source.configuration_file, events, source.robot_directory),
       settings_(entry.child),
       options_(options_for(entry.child, options)),
       containment_(entry.containment),

@@ -7,10 +7,14 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "gaitway/urdf/leg_joints.hpp"
+
 namespace gaitway::kinematics {
 namespace {
 
 constexpr std::uint8_t kBothFeet = 2;
+// The hips turn twice as fast as a bow whose CoM stays where it is; something is left for all else.
+constexpr double kBowShare = 0.47;
 constexpr int kPlacementSpacing = 4;  // points of the tail from one placement of the base to the next
 
 // Quadratic through three values at the points a, b, c, evaluated at t; they may be equal or lie anywhere.
@@ -84,7 +88,10 @@ struct BatchSolver::Run {
 };
 
 BatchSolver::BatchSolver(const urdf::RobotModel& model, SolverChoice choice, bool compensate_load)
-    : model_(model), placement_(model_, choice) {
+    : model_(model),
+      placement_(model_, choice),
+      fade_(kBowShare * urdf::slowest_leg_joint_rad_per_s(model)),
+      fade_before_(fade_) {
   if (compensate_load) load_compensation_ = std::make_unique<LoadCompensation>(model_);
   if (model_.joints.size() > static_cast<std::size_t>(kMaxJoints)) {
     throw urdf::RobotError(fmt::format("{}: {} joints; a joint plan holds at most {}", model_.name,
@@ -129,7 +136,7 @@ void BatchSolver::stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) n
   joint_plan.joint_count = static_cast<std::uint32_t>(home_rad_.size());
   joint_plan.tail_count = plan.tail_count;
   joint_plan.reserved = 0;
-  fade_ = CorrectionFade{};
+  fade_.forget();
   past_ = Past{};
   if (load_compensation_) load_compensation_->begin_anew();
 }
@@ -153,11 +160,19 @@ BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, cons
   joint_plan.tail_count = plan.tail_count;
   joint_plan.reserved = 0;
   std::memcpy(joint_plan.support, plan.support, kBatchPoints + plan.tail_count);
+  if (!revises) fade_before_ = fade_;
   fade_ = run.fade;
   past_before_ = past;
   past_.sequence = plan.sequence;
   std::copy(run.batch.end() - 3, run.batch.end(), past_.last.begin());
   return {};
+}
+
+void BatchSolver::go_on_from(std::uint32_t accepted_sequence) noexcept {
+  if (past_.sequence == 0 || past_.sequence == accepted_sequence) return;
+  fade_ = fade_before_;
+  past_ = past_before_;
+  if (load_compensation_) load_compensation_->take_back();
 }
 
 BatchOutcome BatchSolver::solve_point(Run& run, int point, const Eigen::Vector2d& guess_m, double tolerance_m,
@@ -194,8 +209,9 @@ BatchOutcome BatchSolver::solve_batch(Run& run) {
   std::array<Knot, 3> before = past.last;
   for (Knot& knot : before) {
     knot.point -= kBatchPoints;
+    // After a safe tail the robot stands, whatever the last batch did.
     if (!past.precedes(run.plan)) {
-      knot.refined_m = past.sequence != 0 ? past.last[2].refined_m : placement_.standing_offset_m();
+      knot.refined_m = placement_.standing_offset_m();
       knot.angle_rad = past.last[2].angle_rad;
     }
   }

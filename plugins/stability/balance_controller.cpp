@@ -30,15 +30,18 @@ std::optional<std::uint32_t> accepted_sequence(const NetworkState* network, std:
   return network->accepted_sequence;
 }
 
+HipStrategy::Batching batching(const MotionPlan& plan) noexcept {
+  if (plan.motion == kFallPostureMotion) return HipStrategy::Batching::lies_down;
+  return plan.footstep_count > 0 ? HipStrategy::Batching::steps : HipStrategy::Batching::stands;
+}
+
 bool leans_little(const PlanMoment& meant) noexcept {
   return std::cos(meant.trunk_attitude_rad[0]) * std::cos(meant.trunk_attitude_rad[1]) >
          std::cos(kMostLean_rad);
 }
 
-// A push of 0.3 N·s turns the trunk faster; the sway of a robot that has just begun to stand is slower.
-bool sways(const Estimate& estimate) noexcept {
-  constexpr double kCalm_rad_per_s = 0.2;
-  return !(std::hypot(estimate.angular_velocity[0], estimate.angular_velocity[1]) < kCalm_rad_per_s);
+bool sways(const Estimate& estimate, double calm_rad_per_s) noexcept {
+  return !(std::hypot(estimate.angular_velocity[0], estimate.angular_velocity[1]) < calm_rad_per_s);
 }
 
 // As far as it is not what a key-frame motion wants.
@@ -86,7 +89,7 @@ void BalanceController::update(std::int64_t now_ns, const BalanceInputs& inputs,
   learn(now);
   soles_.add_to(trim);
   steer(now, correction);
-  bow(now, inputs.plan, correction);
+  bow(now, inputs.plan, accepted_sequence(inputs.network, now_ns), correction);
   if (!timeline_.newest_stays_upright() || hips_.bows()) std::memset(trim.gain, 0, sizeof trim.gain);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     correction.base_attitude_offset[axis] = lean_.offset_rad()[axis];
@@ -110,7 +113,7 @@ BalanceController::Situation BalanceController::assess(std::int64_t now_ns,
   now.support = support.value_or(kBothFeet);
   now.grounded = !is_airborne(*now.estimate) && support && leans_little(now.meant);
   now.stands = now.grounded && now.moment && !now.meant.walking && !now.meant.motion;
-  now.sways = sways(*now.estimate);
+  now.sways = sways(*now.estimate, parameters_.calm_rate_rad_per_s);
   return now;
 }
 
@@ -190,10 +193,12 @@ void BalanceController::steer(const Situation& now, Correction& correction) noex
       now.meant.com_velocity_m_per_s, com_velocity_m_per_s(estimate, now.meant), now.meant.walking);
 }
 
-void BalanceController::bow(const Situation& now, const MotionPlan* plan, Correction& correction) noexcept {
+void BalanceController::bow(const Situation& now, const MotionPlan* plan,
+                            std::optional<std::uint32_t> accepted_sequence, Correction& correction) noexcept {
   hips_.follow(now.stands ? std::optional(HipStrategy::Standing{now.estimate->dcm[0], now.estimate->com[0]})
                           : std::nullopt);
-  if (plan != nullptr) hips_.begin_batch(plan->sequence, plan->footstep_count > 0, plan->tail_count);
+  if (plan != nullptr)
+    hips_.begin_batch(plan->sequence, batching(*plan), plan->tail_count, accepted_sequence);
   correction.bow[1] = hips_.target().angle_rad;
   correction.bow_rate[1] = hips_.target().rate_rad_per_s;
 }

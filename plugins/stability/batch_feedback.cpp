@@ -13,9 +13,6 @@ constexpr double kPlanJump_rad = 0.2;  // in one tick: the plan was placed anew,
 
 constexpr double kFadePerTick = 0.995;  // half in 1.4 s
 
-constexpr double kMostError_m = 0.005;  // of the CoM at a time: a body that is off by more is pushed
-constexpr double kCalm_m = 0.020;       // of the DCM: a body that is off by more is being caught
-
 }  // namespace
 
 double HeadingFeedback::update(double measured_yaw_rad, double commanded_yaw_rad, bool walking) noexcept {
@@ -58,9 +55,10 @@ void LeanIntegrator::fade() noexcept {
 }
 
 void ComCentring::learn(const Eigen::Vector2d& com_error_m, const Eigen::Vector2d& dcm_error_m) noexcept {
-  if (!com_error_m.allFinite() || !(dcm_error_m.norm() < kCalm_m)) return;
-  offset_m_ -= parameters_.centring_gain_per_s * facts::kSlot_s *
-               com_error_m.cwiseMax(-kMostError_m).cwiseMin(kMostError_m);
+  if (!com_error_m.allFinite() || !(dcm_error_m.norm() < parameters_.centring_calm_m)) return;
+  const double most_m = parameters_.centring_most_m;
+  offset_m_ -=
+      parameters_.centring_gain_per_s * facts::kSlot_s * com_error_m.cwiseMax(-most_m).cwiseMin(most_m);
   const double limit_m = parameters_.centring_limit_m;
   offset_m_ = offset_m_.cwiseMax(-limit_m).cwiseMin(limit_m);
 }

@@ -6,24 +6,29 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::stability {
 namespace {
 
 constexpr double kNoBow_rad = 0.02;  // less is no bow
-constexpr double kSways_m = 0.015;   // what the DCM lies beyond the CoM of a body that is not pushed
+constexpr double kHipShare =
+    0.45;  // the hips turn twice as fast as the trunk, since the CoM stays over the feet
 
 }  // namespace
 
 HipStrategy::HipStrategy(const urdf::RobotModel& model, const BalanceParameters& parameters)
-    : parameters_(parameters), middle_m_(0.5 * (model.feet[0].centre_m.x() + model.feet[1].centre_m.x())) {}
+    : parameters_(parameters),
+      middle_m_(0.5 * (model.feet[0].centre_m.x() + model.feet[1].centre_m.x())),
+      most_rad_per_s_(kHipShare * urdf::slowest_leg_joint_rad_per_s(model)) {}
 
 // The body swings back over its middle before it rests: only a bow that is nearly over gives way to one to
 // the other side.
 void HipStrategy::follow(const std::optional<Standing>& standing) noexcept {
   const double ahead_m = standing ? standing->dcm_ahead_m - middle_m_ : 0.0;
   const double falling_m = standing ? standing->dcm_ahead_m - standing->com_ahead_m : 0.0;
-  const bool is_pushed = std::copysign(1.0, ahead_m) * falling_m > kSways_m || wanted_rad_ * ahead_m > 0.0;
+  const bool is_pushed =
+      std::copysign(1.0, ahead_m) * falling_m > parameters_.bow_sway_m || wanted_rad_ * ahead_m > 0.0;
   const double beyond_m =
       is_pushed && std::isfinite(ahead_m) ? std::max(std::abs(ahead_m) - parameters_.bow_beyond_m, 0.0) : 0.0;
   const double asked_rad =
@@ -37,26 +42,43 @@ void HipStrategy::follow(const std::optional<Standing>& standing) noexcept {
 }
 
 // With one acceleration for the batch and its opposite for the next, the bow rests where it is wanted.
-void HipStrategy::begin_batch(std::uint32_t sequence, bool steps, std::uint32_t tail_count) noexcept {
-  const Batch& last = batches_[newest_];
-  if (sequence == 0 || sequence == last.sequence) return;
+void HipStrategy::begin_batch(std::uint32_t sequence, Batching what, std::uint32_t tail_count,
+                              std::optional<std::uint32_t> accepted_sequence) noexcept {
+  if (sequence == 0 || sequence == batches_[newest_].sequence) return;
   Batch next{.sequence = sequence, .tail_count = tail_count, .from = {}, .to = {}};
-  if (last.sequence != 0 && sequence > last.sequence) {
-    next.from = at(last.sequence, facts::kCycle_s * (sequence - last.sequence));
+  newest_ = (newest_ + 1) % kKept;
+  if (what == Batching::lies_down) {
+    wanted_rad_ = 0.0;
+    batches_[newest_] = next;
+    return;
   }
-  if (steps) wanted_rad_ = next.from.angle_rad + 0.5 * next.from.rate_rad_per_s * facts::kCycle_s;
+  if (const Batch* const before = played_before(sequence, accepted_sequence)) {
+    next.from = at(before->sequence, facts::kCycle_s * (sequence - before->sequence));
+  }
+  if (what == Batching::steps)
+    wanted_rad_ = next.from.angle_rad + 0.5 * next.from.rate_rad_per_s * facts::kCycle_s;
   const double to_go_rad =
       wanted_rad_ - next.from.angle_rad - 0.5 * next.from.rate_rad_per_s * facts::kCycle_s;
-  next.to.rate_rad_per_s = std::clamp(to_go_rad / facts::kCycle_s, -parameters_.bow_speed_rad_per_s,
-                                      parameters_.bow_speed_rad_per_s);
+  const double most_rad_per_s = std::min(parameters_.bow_speed_rad_per_s, most_rad_per_s_);
+  next.to.rate_rad_per_s = std::clamp(to_go_rad / facts::kCycle_s, -most_rad_per_s, most_rad_per_s);
   // Going back quickly would throw the body to where it came from.
   const double outwards = next.from.angle_rad + wanted_rad_ >= 0.0 ? 1.0 : -1.0;
   next.to.rate_rad_per_s =
       outwards * std::max(outwards * next.to.rate_rad_per_s, -parameters_.bow_return_rad_per_s);
   next.to.angle_rad =
       next.from.angle_rad + 0.5 * (next.from.rate_rad_per_s + next.to.rate_rad_per_s) * facts::kCycle_s;
-  newest_ = (newest_ + 1) % kKept;
   batches_[newest_] = next;
+}
+
+const HipStrategy::Batch* HipStrategy::played_before(
+    std::uint32_t sequence, std::optional<std::uint32_t> accepted_sequence) const noexcept {
+  const Batch* newest = nullptr;
+  for (const Batch& kept : batches_) {
+    const bool played = kept.sequence != 0 && kept.sequence < sequence &&
+                        kept.sequence <= accepted_sequence.value_or(kept.sequence);
+    if (played && (newest == nullptr || kept.sequence > newest->sequence)) newest = &kept;
+  }
+  return newest;
 }
 
 msgclient::Bow HipStrategy::at(std::uint32_t sequence, double since_start_s) const noexcept {

@@ -12,8 +12,8 @@ namespace {
 
 // A trunk that leans less may be balanced as if it were upright: the trims for it are small.
 constexpr double kUpright_rad = 0.05;
-constexpr std::uint32_t kKeyFrameMotion = 1, kFallPosture = 2;  // MotionPlan::motion
-constexpr std::size_t kMostSupport = 2;  // both feet; beyond it neither is meant to carry
+constexpr std::uint32_t kKeyFrameMotion = 1;  // MotionPlan::motion
+constexpr std::size_t kMostSupport = 2;       // both feet; beyond it neither is meant to carry
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void PlanTimeline::take(const MotionPlan& plan) noexcept {
   excerpt.start_ns = plan.start_ns;
   excerpt.walking = plan.footstep_count > 0;
   excerpt.motion = plan.motion == kKeyFrameMotion;
-  excerpt.fall_posture = plan.motion == kFallPosture;
+  excerpt.fall_posture = plan.motion == kFallPostureMotion;
   upright_ = !excerpt.fall_posture;
   std::copy_n(plan.support, count, excerpt.support.begin());
   std::copy_n(plan.commanded_yaw, count, excerpt.commanded_yaw_rad.begin());

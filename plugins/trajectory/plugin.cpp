@@ -15,6 +15,7 @@
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/fall_posture.hpp"
 #include "gaitway/trajectory/footstep_planner.hpp"
+#include "gaitway/trajectory/joint_torque.hpp"
 #include "gaitway/trajectory/motion_admission.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
 #include "gaitway/trajectory/motion_table.hpp"
@@ -25,12 +26,17 @@
 namespace gaitway::trajectory {
 namespace {
 
-// The parameters with the configuration's numbers. Throws std::invalid_argument if they break a rule or a leg
-// cannot reach the footsteps.
+// The parameters with the configuration's numbers. Throws std::invalid_argument if they break a rule, a leg
+// cannot reach the footsteps, or a motor cannot hold the robot on one leg; one that is too weak to walk with
+// is reported.
 const GaitParameters& configured(Setup& setup, const urdf::RobotModel& robot, GaitParameters& parameters) {
   setup.parameters(parameters.numbers());
   parameters.validate();
   require_reachable(parameters, robot);
+  require_strong_enough(parameters, robot);
+  if (const std::string weak = weakest_joint(leg_torques(parameters, robot), robot); !weak.empty()) {
+    setup.reporter()(Severity::warning, weak.c_str());
+  }
   return parameters;
 }
 

@@ -15,9 +15,8 @@ namespace gaitway::zmp {
 namespace {
 
 using facts::kGravity_m_per_s2;
-constexpr double kLowestCom_m = 0.05;  // above the edge: below, the pendulum says nothing
+
 constexpr double kShortestEdge_m = 1e-4;
-constexpr double kLongestFall_s = 2.0;
 
 struct Pendulum {
   double tilt_rad = 0.0;  // from the vertical above the edge, outwards
@@ -33,7 +32,7 @@ Pendulum pendulum_over(const Eigen::Vector3d& edge, const Eigen::Vector2d& outwa
                        const TippingModel& model) noexcept {
   const Eigen::Vector3d arm = body.com_m - edge;
   const double out = outwards.dot(arm.head<2>());
-  const double up = std::max(arm.z(), kLowestCom_m);
+  const double up = std::max(arm.z(), model.lowest_com_m);
   const double speed_out = outwards.dot(body.com_velocity_m_per_s.head<2>());
   const double length2 = out * out + up * up;
   return {.tilt_rad = std::atan2(out, up),
@@ -44,22 +43,23 @@ Pendulum pendulum_over(const Eigen::Vector3d& edge, const Eigen::Vector2d& outwa
 double time_to_impact_s(Pendulum pendulum, const TippingModel& model) noexcept {
   double time_s = 0.0;
   for (; pendulum.tilt_rad < model.impact_tilt_rad; time_s += facts::kSlot_s) {
-    if (time_s >= kLongestFall_s) return kNoImpact_s;
+    if (time_s >= model.longest_fall_s) return kNoImpact_s;
     pendulum.rate_rad_per_s += facts::kSlot_s * pendulum.omega2_per_s2 * std::sin(pendulum.tilt_rad);
     pendulum.tilt_rad += facts::kSlot_s * pendulum.rate_rad_per_s;
   }
   return time_s;
 }
 
-constexpr int kMostTicks = 1000;        // counters stay there
-constexpr double kLoadedShare = 0.04;   // of the weight: with less the feet stand on nothing
-constexpr int kCarriedTicks = 20;       // without load: somebody holds the robot
+constexpr int kMostTicks = 1000;       // counters stay there
+constexpr double kLoadedShare = 0.04;  // of the weight: with less the feet stand on nothing
+
 constexpr double kStraight_rad = 0.35;  // a standing robot's trunk leans no further
 constexpr double kStandingShare = 0.5;  // of the weight on the feet of one that stands
-constexpr int kStandsAfterTicks = 50;
+
 constexpr double kLying_rad = 1.0;
-constexpr int kLiesAfterTicks = 50;
-constexpr int kImpactPastTicks = 20;  // after the predicted impact
+int whole_ticks(double time_s) noexcept {
+  return std::max(1, static_cast<int>(std::lround(time_s / facts::kSlot_s)));
+}
 
 const FallParameters& checked(const FallParameters& parameters) {
   parameters.validate();
@@ -100,15 +100,26 @@ Tipping tipping_of(const BodyOverFeet& body, const TippingModel& model) noexcept
   return worst;
 }
 
-std::array<NumberParameter, 4> FallParameters::numbers() {
-  return {{{margin, "fall_margin", "1", 0.0, 2.0,
-            "of the tipping state, beyond which no foot can be put down in time"},
-           {confirm_s, "fall_confirm", "s", 0.0, 0.2,
-            "for so long without a break the robot tips: then it falls"},
-           {model.impact_tilt_rad, "fall_impact_tilt", "rad", 0.3, 1.5,
-            "tilt of the line from the edge to the CoM when the first link hits the ground"},
-           {model.inertia_factor, "fall_inertia", "1", 1.0, 3.0,
-            "inertia about the edge, over that of all the mass in the CoM"}}};
+std::array<NumberParameter, 10> FallParameters::numbers() {
+  return {
+      {{margin, "fall_margin", "1", 0.0, 2.0,
+        "of the tipping state, beyond which no foot can be put down in time"},
+       {confirm_s, "fall_confirm", "s", 0.0, 0.2,
+        "for so long without a break the robot tips: then it falls"},
+       {model.impact_tilt_rad, "fall_impact_tilt", "rad", 0.3, 1.5,
+        "tilt of the line from the edge to the CoM when the first link hits the ground"},
+       {model.inertia_factor, "fall_inertia", "1", 1.0, 3.0,
+        "inertia about the edge, over that of all the mass in the CoM"},
+       {model.lowest_com_m, "fall_lowest_com", "m", 1e-3, 1.0,
+        "height of the CoM above the edge, from which on the pendulum says something"},
+       {model.longest_fall_s, "fall_longest", "s", 0.1, kNoImpact_s,
+        "until the impact: of what takes longer none is told"},
+       {carried_s, "fall_carried", "s", 0.01, 5.0,
+        "without load on the feet: then somebody carries the robot, and it does not fall"},
+       {stands_after_s, "fall_stands_after", "s", 0.01, 5.0, "straight on its feet: then it stands again"},
+       {lies_after_s, "fall_lies_after", "s", 0.01, 5.0,
+        "tilted far, without its weight on the feet: then it lies"},
+       {impact_past_s, "fall_impact_past", "s", 0.01, 5.0, "after the predicted impact: then it lies"}}};
 }
 
 void FallParameters::validate() const {
@@ -118,7 +129,11 @@ void FallParameters::validate() const {
 
 FallRecognition::FallRecognition(const FallParameters& parameters)
     : parameters_(checked(parameters)),
-      confirm_ticks_(std::max(1, static_cast<int>(std::lround(parameters.confirm_s / facts::kSlot_s)))) {}
+      confirm_ticks_(whole_ticks(parameters.confirm_s)),
+      carried_ticks_(whole_ticks(parameters.carried_s)),
+      stands_after_ticks_(whole_ticks(parameters.stands_after_s)),
+      lies_after_ticks_(whole_ticks(parameters.lies_after_s)),
+      impact_past_ticks_(whole_ticks(parameters.impact_past_s)) {}
 
 void FallRecognition::update(const FallInputs& inputs) noexcept {
   tipping_ = tipping_of(inputs.body, parameters_.model);
@@ -137,10 +152,10 @@ void FallRecognition::update(const FallInputs& inputs) noexcept {
 
 void FallRecognition::watch_upright(const FallInputs& inputs) noexcept {
   // The first ticks after the feet have left the ground are still those of a fall.
-  count(beyond_ticks_, tipping_.state > parameters_.margin && airborne_ticks_ < kCarriedTicks);
+  count(beyond_ticks_, tipping_.state > parameters_.margin && airborne_ticks_ < carried_ticks_);
   if (beyond_ticks_ >= confirm_ticks_) {
     begin_fall(inputs);
-  } else if (lying_ticks_ >= kLiesAfterTicks) {
+  } else if (lying_ticks_ >= lies_after_ticks_) {
     begin_fall(inputs);
     fall_ = Fall::lies;
   }
@@ -162,7 +177,7 @@ void FallRecognition::watch_falling(const FallInputs& inputs) noexcept {
   count(overdue_ticks_, time_to_impact_s_ <= 0.0);
   if (stands_again(inputs)) {
     fall_ = Fall::upright;
-  } else if (overdue_ticks_ >= kImpactPastTicks || lying_ticks_ >= kLiesAfterTicks) {
+  } else if (overdue_ticks_ >= impact_past_ticks_ || lying_ticks_ >= lies_after_ticks_) {
     fall_ = Fall::lies;
   }
 }
@@ -170,7 +185,7 @@ void FallRecognition::watch_falling(const FallInputs& inputs) noexcept {
 bool FallRecognition::stands_again(const FallInputs& inputs) noexcept {
   count(straight_ticks_,
         inputs.trunk_tilt_rad < kStraight_rad && inputs.load_share > kStandingShare && tipping_.state < 0.0);
-  return straight_ticks_ >= kStandsAfterTicks;
+  return straight_ticks_ >= stands_after_ticks_;
 }
 
 }  // namespace gaitway::zmp

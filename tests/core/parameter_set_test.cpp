@@ -3,16 +3,20 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <filesystem>
 #include <limits>
+#include <numbers>
 
 namespace gaitway::core {
 namespace {
 
 using testing::HasSubstr;
 
-ParameterSet with(const std::string& name, const std::string& text) {
-  return {"walk.yaml", "gait", {{name, text, 12}}};
+ParameterSet with(const std::string& name, const std::string& text, const std::filesystem::path& robot = {}) {
+  return {"walk.yaml", "gait", {{name, text, 12}}, robot};
 }
+const std::filesystem::path kRobotOfUnits = GAITWAY_TEST_ROBOT;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -64,9 +68,59 @@ TEST(ParameterSet, NumberWithItsUnitWithoutItAndInManyForms) {
 }
 
 TEST(ParameterSet, AnotherUnitIsRefusedByName) {
-  EXPECT_THAT(number_refusal("500 ms"),
-              HasSubstr("walk.yaml:12: parameter 'x' of 'gait' = '500 ms': is in 'ms', but must be in 's'"));
+  EXPECT_THAT(number_refusal("0.5 m"),
+              HasSubstr("walk.yaml:12: parameter 'x' of 'gait' = '0.5 m': is in 'm', but must be in 's', in "
+                        "another unit of that kind, or in 'T' of the robot's body (h: hip height"));
+  EXPECT_THAT(number_refusal("0.5 h"), HasSubstr("is in 'h', but must be in 's'"));
+  EXPECT_THAT(number_refusal("0.5 parsec", "m/s"), HasSubstr("or in 'h*T^-1' of the robot's body"));
   EXPECT_THAT(number_refusal("0.1 m", "1"), HasSubstr("is in 'm', but must be a plain number"));
+}
+
+TEST(ParameterSet, AnotherUnitOfTheSameKindIsConverted) {
+  EXPECT_DOUBLE_EQ(number(with("x", "500 ms"), "x", 0.4, "s"), 0.5);
+  EXPECT_DOUBLE_EQ(number(with("x", "25 mm"), "x", 0.4, "m"), 0.025);
+  EXPECT_DOUBLE_EQ(number(with("x", "90 deg/s"), "x", 0.4, "rad/s"), std::numbers::pi / 2.0);
+  EXPECT_DOUBLE_EQ(number(with("x", "3 rad/(cm*s)"), "x", 0.4, "rad/(m*s)"), 300.0);
+}
+
+// 0.36 m of hip height, 6.84 kg.
+TEST(ParameterSet, UnitsOfTheRobotsBodyAreConverted) {
+  const double time_s = std::sqrt(0.36 / 9.81), weight_N = 6.84 * 9.81;
+  const auto read = [](const char* text, const char* unit) {
+    return number(with("x", text, kRobotOfUnits), "x", 0.4, unit);
+  };
+  EXPECT_NEAR(read("0.5 h", "m"), 0.18, 1e-9);
+  EXPECT_NEAR(read("1.67 T", "s"), 1.67 * time_s, 1e-9);
+  EXPECT_NEAR(read("0.25 h/T", "m/s"), 0.25 * 0.36 / time_s, 1e-9);
+  EXPECT_NEAR(read("2 1/T", "1/s"), 2.0 / time_s, 1e-9);
+  EXPECT_NEAR(read("0.1 W", "N"), 0.1 * weight_N, 1e-6);
+  EXPECT_NEAR(read("0.2 W*h", "N*m"), 0.2 * weight_N * 0.36, 1e-6);
+  EXPECT_NEAR(read("1e-4 T^6", "s^6"), 1e-4 * std::pow(time_s, 6.0), 1e-12);
+}
+
+TEST(ParameterSet, OfANumberInUnitsOfTheBodyTheRangeIsStillTheParameters) {
+  ParameterSet set = with("x", "0.5 h", kRobotOfUnits);
+  gaitway_parameter wanted = declaration("x", number_value(0.1), "m");
+  wanted.highest = 0.15;
+  EXPECT_THAT(refusal([&] { static_cast<void>(set.declare(wanted)); }),
+              HasSubstr("= '0.5 h': is 0.18 m, but must be at most 0.15 m"));
+}
+
+TEST(ParameterSet, UnitsOfTheBodyNeedARobotThatLoads) {
+  EXPECT_THAT(number_refusal("1 T"), HasSubstr("no robot is known here. Write it in 's'"));
+  EXPECT_THAT(refusal([] { static_cast<void>(number(with("x", "1 T", "/nowhere"), "x", 0.4, "s")); }),
+              HasSubstr("the robot cannot be read: /nowhere"));
+}
+
+TEST(ParameterSet, AChangeWhileThePluginRunsMayBeInUnitsOfTheBody) {
+  ParameterSet set = with("y", "1", kRobotOfUnits);
+  gaitway_parameter wanted = declaration("x", number_value(0.1), "m");
+  wanted.live = 1;
+  static_cast<void>(set.declare(wanted));
+  EXPECT_NEAR(set.read_change("x", "0.5 h").number, 0.18, 1e-9);
+  EXPECT_THAT(
+      refusal([&] { static_cast<void>(set.read_change("x", "0.5 T")); }),
+      HasSubstr("change at run time: parameter 'x' of 'gait' = '0.5 T': is in 'T', but must be in 'm'"));
 }
 
 TEST(ParameterSet, WhatIsNoNumberIsRefused) {

@@ -43,6 +43,13 @@ class RobotVariant {
     write();
   }
 
+  // All motors have so much at most.
+  void limit_torque(double torque_Nm) {
+    replace_numbers(urdf_, "effort=\"", "\"", torque_Nm);
+    replace_numbers(yaml_, "torque_limit_Nm: ", ",", torque_Nm);
+    write();
+  }
+
   // On both sides the joint names[i] turns as names[order[i]] did; names without their side.
   void reorder(const std::vector<std::string>& names, const std::vector<std::size_t>& order) {
     for (const std::string side : {"left_", "right_"}) {

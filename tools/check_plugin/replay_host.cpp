@@ -48,7 +48,7 @@ void set_joint_count(const TypeDescriptor& type, std::uint32_t count,
 ReplayHost::ReplayHost(const Job& job, const NominalRecord* record)
     : robot_(job.robot.string()),
       record_(record),
-      parameters_(job.configuration, job.plugin.filename().string(), job.parameters),
+      parameters_(job.configuration, job.plugin.filename().string(), job.parameters, job.robot),
       table_{.context = this,
              .open_topic = &open_topic,
              .parameter = &parameter,

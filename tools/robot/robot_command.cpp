@@ -1,13 +1,19 @@
-// `gaitway robot`: what it is made of.
+// `gaitway robot`: a robot of one's own, each thing that can be done about it a subcommand.
 #include "tools/robot/robot_commands.hpp"
 
 namespace gaitway::tools {
 
 void declare_program(const CommandLine& program) {
   const CommandLine robot = add_command(program, "robot");
-  add_robot_import(robot);
-  add_robot_check(robot);
   robot.needs_subcommand();
+  add_robot_import(robot);
+  add_robot_describe(robot);
+  add_robot_check(robot);
+  robot.footer(
+      "Examples:\n"
+      "  gaitway robot import my_robot.urdf    a folder from the URDF that its maker publishes\n"
+      "  gaitway robot describe my_robot       what it is, which gait was chosen for it, and why\n"
+      "  gaitway robot check my_robot          does it stand, step and walk in the simulator?");
 }
 
 }  // namespace gaitway::tools

@@ -6,6 +6,7 @@
 namespace gaitway::tools {
 
 void add_robot_import(const CommandLine& robot);
+void add_robot_describe(const CommandLine& robot);
 void add_robot_check(const CommandLine& robot);
 
 }  // namespace gaitway::tools

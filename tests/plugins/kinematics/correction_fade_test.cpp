@@ -107,5 +107,26 @@ TEST(CorrectionFade, KeepsTheTargetWithoutATail) {
   expect_offset(fade.at(8), 1.0);
 }
 
+TEST(CorrectionFade, ATargetThatIsTooFarForABatchIsApproachedOverSeveral) {
+  constexpr double kMost_rad_per_s = 3.0;
+  CorrectionFade fade(kMost_rad_per_s);
+  BaseOffset far;
+  far.bow[1].angle_rad = 0.6;
+  far.attitude_rad.x() = -0.4;
+  double bow_rad = 0.0, roll_rad = 0.0;
+  for (std::uint32_t sequence = 1; sequence <= 6; ++sequence) {
+    fade.begin(sequence, kBatch, kFadeTail, far);
+    for (unsigned point = 0; point < kBatch; ++point) {
+      const BaseOffset now = fade.at(point);
+      EXPECT_LE(std::abs(now.bow[1].angle_rad - bow_rad), kMost_rad_per_s * facts::kSlot_s + 1e-9);
+      EXPECT_LE(std::abs(now.attitude_rad.x() - roll_rad), kMost_rad_per_s * facts::kSlot_s + 1e-9);
+      bow_rad = now.bow[1].angle_rad;
+      roll_rad = now.attitude_rad.x();
+    }
+  }
+  EXPECT_NEAR(bow_rad, 0.6, 1e-9);
+  EXPECT_NEAR(roll_rad, -0.4, 1e-9);
+}
+
 }  // namespace
 }  // namespace gaitway::kinematics

@@ -45,5 +45,18 @@ TEST_F(ComCentringTest, LearnsNothingFromWhatIsNotFinite) {
   EXPECT_EQ(centring_.offset_m(), Eigen::Vector2d::Zero());
 }
 
+// A DCM that is 30 mm off is a small body's that is being caught, and a large one's that stands calmly.
+TEST(ComCentringOfALargerBody, LearnsFromWhatWouldBeAPushOfASmallOne) {
+  BalanceParameters small, large;
+  scale_to_body(large.numbers(), facts::BodyScale(0.72, 54.72));
+  ComCentring of_small(small), of_large(large);
+  for (int tick = 0; tick < 100; ++tick) {
+    of_small.learn({0.008, 0.0}, {0.03, 0.0});
+    of_large.learn({0.008, 0.0}, {0.03, 0.0});
+  }
+  EXPECT_EQ(of_small.offset_m().x(), 0.0);
+  EXPECT_LT(of_large.offset_m().x(), -0.005);
+}
+
 }  // namespace
 }  // namespace gaitway::stability

@@ -12,6 +12,7 @@
 namespace gaitway::stability {
 namespace {
 
+using Batching = HipStrategy::Batching;
 constexpr double kMiddle_m = 0.010;  // of the soles
 constexpr int kTicks = 8;            // of a batch
 constexpr double kBatch_s = 0.080;
@@ -26,7 +27,7 @@ class HipStrategyTest : public ::testing::Test {
   }
   msgclient::Bow batch_at(const std::optional<HipStrategy::Standing>& standing, bool steps = false) {
     for (int tick = 0; tick < kTicks; ++tick) hips_.follow(standing);
-    hips_.begin_batch(++sequence_, steps, kTail);
+    hips_.begin_batch(++sequence_, steps ? Batching::steps : Batching::stands, kTail);
     return hips_.target();
   }
 
@@ -111,7 +112,7 @@ TEST_F(HipStrategyTest, HoldsItsTrunkStillInABatchThatSteps) {
 TEST_F(HipStrategyTest, TheSameBatchAgainChangesNothing) {
   batch(kMiddle_m + 0.07);
   const msgclient::Bow bow = hips_.target();
-  hips_.begin_batch(sequence_, false, kTail);
+  hips_.begin_batch(sequence_, Batching::stands, kTail);
   EXPECT_EQ(hips_.target().angle_rad, bow.angle_rad);
   EXPECT_EQ(hips_.target().rate_rad_per_s, bow.rate_rad_per_s);
 }
@@ -122,6 +123,40 @@ TEST_F(HipStrategyTest, GoesOnFromWhereTheTailIsAfterBatchesThatWereMissed) {
   sequence_ += 3;
   batch(kMiddle_m + 0.07);
   EXPECT_NEAR(hips_.at(sequence_, 0.0).angle_rad, rests_rad, 1e-12);
+}
+
+TEST_F(HipStrategyTest, GoesOnFromWhatPlaysAfterABatchThatWasRefused) {
+  batch(kMiddle_m + 0.07);
+  const msgclient::Bow plays = hips_.target();
+  batch(kMiddle_m + 0.07);
+  ASSERT_GT(hips_.target().angle_rad, plays.angle_rad + 0.05);
+  ++sequence_;
+  hips_.begin_batch(sequence_, Batching::stands, kTail, sequence_ - 2);
+  EXPECT_NEAR(hips_.at(sequence_, 0.0).angle_rad, hips_.at(sequence_ - 2, 2.0 * kBatch_s).angle_rad, 1e-12);
+}
+
+TEST_F(HipStrategyTest, NothingIsLeftOfABowWhenTheJointsGoHome) {
+  for (int i = 0; i < 4; ++i) batch(kMiddle_m + 0.07);
+  hips_.begin_batch(++sequence_, Batching::lies_down, kTail);
+  EXPECT_EQ(hips_.target().angle_rad, 0.0);
+  batch(kMiddle_m + 0.07);
+  EXPECT_EQ(hips_.at(sequence_, 0.0).angle_rad, 0.0);
+  EXPECT_GT(hips_.target().angle_rad, 0.0);
+}
+
+// A body twice as large sways by twice as much before anybody has pushed it.
+TEST_F(HipStrategyTest, WhatIsAPushGrowsWithTheBody) {
+  BalanceParameters larger;
+  scale_to_body(larger.numbers(), facts::BodyScale(0.72, 54.72));
+  HipStrategy hips(test::humanoid(), larger);
+  const auto bow_at = [&hips](std::uint32_t sequence, double falling_m) {
+    for (int tick = 0; tick < kTicks; ++tick)
+      hips.follow(HipStrategy::Standing{kMiddle_m + 0.1, kMiddle_m + 0.1 - falling_m});
+    hips.begin_batch(sequence, Batching::stands, kTail);
+    return hips.target().angle_rad;
+  };
+  EXPECT_EQ(bow_at(1, 0.025), 0.0);
+  EXPECT_GT(bow_at(2, 0.035), 0.0);
 }
 
 // As the kinematics has it: trims that balanced a trunk about a bow which the tail has ended would fell it.

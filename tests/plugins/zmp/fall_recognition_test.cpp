@@ -279,5 +279,24 @@ TEST(FallParameters, RefusesNonsenseByName) {
   }
 }
 
+// What takes half a second with humanoid22 takes the root of two longer with a body twice as large.
+TEST(FallParameters, ALargerBodyTakesLongerToLie) {
+  const auto ticks_until_it_lies = [](const FallParameters& parameters) {
+    FallRecognition recognition(parameters);
+    FallInputs tilted;
+    tilted.trunk_tilt_rad = 1.3;
+    int ticks = 0;
+    while (recognition.fall() != Fall::lies && ticks < 500) {
+      recognition.update(tilted);
+      ++ticks;
+    }
+    return ticks;
+  };
+  FallParameters large;
+  scale_to_body(large.numbers(), facts::BodyScale(0.72, 54.72));
+  EXPECT_EQ(ticks_until_it_lies(FallParameters{}), 50);
+  EXPECT_EQ(ticks_until_it_lies(large), 71);
+}
+
 }  // namespace
 }  // namespace gaitway::zmp

@@ -32,4 +32,8 @@ class LegJoints {
   std::array<int, 6> index_{};
 };
 
+// The least velocity limit of the legs' joints, which all share a turn of the base; those that have none do
+// not count.
+[[nodiscard]] double slowest_leg_joint_rad_per_s(const RobotModel& model) noexcept;
+
 }  // namespace gaitway::urdf

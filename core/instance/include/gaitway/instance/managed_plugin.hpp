@@ -95,7 +95,8 @@ class ManagedPlugin : protected PluginDeclarations {
   [[nodiscard]] bool uses(std::string_view topic, Access access) const noexcept;
 
  protected:
-  ManagedPlugin(const PluginEntry& entry, const std::filesystem::path& configuration_file, EventLog& events);
+  ManagedPlugin(const PluginEntry& entry, const std::filesystem::path& configuration_file, EventLog& events,
+                const std::filesystem::path& robot_directory = {});
 
   // Runs one step of the plug-in's own code, which stages its outputs in the ports. False: error_text_ says
   // why.

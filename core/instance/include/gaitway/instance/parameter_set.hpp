@@ -40,12 +40,17 @@ struct Parameter {  // as declared, with the value in use
 // and remedy.
 class ParameterSet {
  public:
-  ParameterSet(std::filesystem::path file, std::string plugin, std::vector<ParameterEntry> entries)
-      : file_(std::move(file)), plugin_(std::move(plugin)), entries_(std::move(entries)) {}
+  // robot_directory: of the robot in whose body's units numbers may be written; empty: there is none.
+  ParameterSet(std::filesystem::path file, std::string plugin, std::vector<ParameterEntry> entries,
+               std::filesystem::path robot_directory = {})
+      : file_(std::move(file)),
+        plugin_(std::move(plugin)),
+        entries_(std::move(entries)),
+        robot_directory_(std::move(robot_directory)) {}
 
-  // The configuration's value, or the default. A number may carry its unit ("0.4 s"); without one it is taken
-  // in the parameter's, another one is refused; so is what lies out of range. A text stays valid for the
-  // set's life.
+  // The configuration's value, or the default. A number may carry a unit of the parameter's kind ("0.4 s",
+  // "25 mm", "1.1 h/T": parameter_unit.hpp); without one it is taken in the parameter's. A unit of another
+  // kind is refused; so is what lies out of range. A text stays valid for the set's life.
   gaitway_value declare(const gaitway_parameter& parameter);
   // The same again, by a new instance of the plug-in: gives the value in use.
   gaitway_value redeclare(const gaitway_parameter& parameter);
@@ -70,6 +75,7 @@ class ParameterSet {
   std::filesystem::path file_;
   std::string plugin_;
   std::vector<ParameterEntry> entries_;
+  std::filesystem::path robot_directory_;
   std::deque<Parameter> declared_;  // stable addresses: texts are given out
   std::set<std::string> live_texts_;
 };

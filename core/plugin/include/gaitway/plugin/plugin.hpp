@@ -157,8 +157,8 @@ class Setup {
   Setup(const Setup&) = delete;
   Setup& operator=(const Setup&) = delete;
 
-  // The configuration's value, or `fallback`. A number may carry its unit there ("0.4 s"); without one it is
-  // taken in `unit`, with another one, or outside of `limits`, it is refused.
+  // The configuration's value, or `fallback`. It may carry a unit of the kind of `unit` ("0.4 s", "2 T");
+  // without one it is taken in `unit`, with one of another kind, or outside of `limits`, it is refused.
   [[nodiscard]] double parameter(std::string_view name, double fallback, std::string_view unit = "1",
                                  const ParameterLimits& limits = {}) {
     return declare(name, number(fallback), unit, limits, false).number;

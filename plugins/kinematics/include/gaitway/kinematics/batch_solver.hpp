@@ -57,13 +57,18 @@ class BatchSolver {
                   JointPlan& joint_plan, std::span<const double> reference_rad = {},
                   const PosturePlan* posture = nullptr);
 
+  // The newest batch that plays, or whose tail does: one that was solved after it and refused is taken back,
+  // so that the next goes on from what is played. To be told before each batch.
+  void go_on_from(std::uint32_t accepted_sequence) noexcept;
+
   // A failure in words: which side, at which point, by how much. Allocates.
   [[nodiscard]] std::string describe(const BatchOutcome& outcome) const;
 
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.fade_, self.past_.sequence, self.past_.last);
+    archive(self.fade_, self.past_.sequence, self.past_.last, self.fade_before_, self.past_before_.sequence,
+            self.past_before_.last);
     if (self.load_compensation_) archive(*self.load_compensation_);
   }
 
@@ -101,7 +106,7 @@ class BatchSolver {
   WholeBodyPlacement placement_;
   std::unique_ptr<LoadCompensation> load_compensation_;  // large; none: the references are the planned angles
   std::vector<float> home_rad_;
-  CorrectionFade fade_;
+  CorrectionFade fade_, fade_before_;  // of the next batch, and of the last one
   struct Past {
     std::uint32_t sequence = 0;  // of the last batch that was solved
     std::array<Knot, 3> last{};  // its last three points

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/bow_curve.hpp"
@@ -22,9 +25,14 @@ struct BaseOffset {
 
 // Over the batch's points the offset goes linearly from what the robot plays just before the batch to the new
 // target, and the bow as bow_at() says. Over the first half of the tail it stays, over the second half it
-// goes smoothly to zero, so that every tail ends in the nominal posture.
+// goes smoothly to zero, so that every tail ends in the nominal posture. A target that is farther away than
+// the base may turn in a batch is approached over several.
 class CorrectionFade {
  public:
+  CorrectionFade() = default;
+  // most_rad_per_s: of the base's attitude, bow included.
+  explicit CorrectionFade(double most_rad_per_s) noexcept : most_rad_per_s_(most_rad_per_s) {}
+
   // Starts the batch `sequence`. A successor begins with what the last one has reached by then, in its batch
   // or in its tail; the same sequence again (a revision) begins where it began before.
   void begin(std::uint32_t sequence, std::uint32_t batch_count, std::uint32_t tail_count,
@@ -38,7 +46,16 @@ class CorrectionFade {
     batch_count_ = batch_count;
     tail_count_ = tail_count;
     target_ = target;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto row = static_cast<Eigen::Index>(axis);
+      const double most_rad = most_rad_per_s_ * batch_s();
+      target_.attitude_rad[row] = std::clamp(target.attitude_rad[row], start_.attitude_rad[row] - most_rad,
+                                             start_.attitude_rad[row] + most_rad);
+      if (fastest_bow_rad_per_s(axis) > most_rad_per_s_) slow_down(axis);
+    }
   }
+  // Nothing is played any more.
+  void forget() noexcept { *this = CorrectionFade(most_rad_per_s_); }
 
   // What the last batch goes to.
   [[nodiscard]] const BaseOffset& target() const noexcept { return target_; }
@@ -66,14 +83,33 @@ class CorrectionFade {
  private:
   [[nodiscard]] std::array<msgclient::Bow, 2> bow(std::uint64_t point) const noexcept {
     const double time_s = facts::kSlot_s * static_cast<double>(point + 1);
-    const double batch_s = facts::kSlot_s * static_cast<double>(batch_count_);
-    return {msgclient::bow_at(start_.bow[0], target_.bow[0], time_s, batch_s),
-            msgclient::bow_at(start_.bow[1], target_.bow[1], time_s, batch_s)};
+    return {msgclient::bow_at(start_.bow[0], target_.bow[0], time_s, batch_s()),
+            msgclient::bow_at(start_.bow[1], target_.bow[1], time_s, batch_s())};
+  }
+  [[nodiscard]] double batch_s() const noexcept { return facts::kSlot_s * static_cast<double>(batch_count_); }
+  // From one point of the batch to the next.
+  [[nodiscard]] double fastest_bow_rad_per_s(std::size_t axis) const noexcept {
+    double fastest = 0.0, before_rad = start_.bow[axis].angle_rad;
+    for (std::uint32_t point = 0; point < batch_count_; ++point) {
+      const double angle_rad = bow(point)[axis].angle_rad;
+      fastest = std::max(fastest, std::abs(angle_rad - before_rad) / facts::kSlot_s);
+      before_rad = angle_rad;
+    }
+    return fastest;
+  }
+  // With one acceleration through the batch.
+  void slow_down(std::size_t axis) noexcept {
+    const msgclient::Bow& from = start_.bow[axis];
+    msgclient::Bow& to = target_.bow[axis];
+    const double ends_rad_per_s = 2.0 * (to.angle_rad - from.angle_rad) / batch_s() - from.rate_rad_per_s;
+    to.rate_rad_per_s = std::clamp(ends_rad_per_s, -most_rad_per_s_, most_rad_per_s_);
+    to.angle_rad = from.angle_rad + 0.5 * (from.rate_rad_per_s + to.rate_rad_per_s) * batch_s();
   }
 
   std::uint32_t sequence_ = 0;  // 0: none yet
   std::uint32_t batch_count_ = 0, tail_count_ = 0;
   BaseOffset start_, target_;
+  double most_rad_per_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace gaitway::kinematics

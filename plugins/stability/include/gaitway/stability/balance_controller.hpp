@@ -69,7 +69,8 @@ class BalanceController {
   void balance_trunk(const Situation& now, TrimCommand& trim) noexcept;
   void learn(const Situation& now) noexcept;
   void steer(const Situation& now, Correction& correction) noexcept;
-  void bow(const Situation& now, const MotionPlan* plan, Correction& correction) noexcept;
+  void bow(const Situation& now, const MotionPlan* plan, std::optional<std::uint32_t> accepted_sequence,
+           Correction& correction) noexcept;
 
   [[nodiscard]] bool is_usable(const Estimate* estimate, const PlanMoment& meant,
                                std::int64_t now_ns) const noexcept;

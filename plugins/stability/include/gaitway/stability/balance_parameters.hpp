@@ -44,6 +44,9 @@ struct BalanceParameters {
   // Share of the trims' rate gains about the pitch axis while it stands calmly: all of them would have it
   // tremble in the play of its joints.
   double calm_damping = 0.67;
+  // A push of 0.3 N*s turns humanoid22's trunk faster; the sway of a robot that has just begun to stand is
+  // slower.
+  double calm_rate_rad_per_s = 0.2;
 
   // Lean, through the batches' base attitude and CoM.
   double lean_gain_per_s = 1.5;           // while standing; 0: off
@@ -54,12 +57,16 @@ struct BalanceParameters {
   double centring_gain_per_s = 2.0;  // 0: off
   double centring_limit_m = 0.02;
 
+  double centring_most_m = 0.005;  // of the CoM's error at a time: a body that is off by more is pushed
+  double centring_calm_m = 0.020;  // of the DCM's: a body that is off by more is being caught
+
   // Soles, through constant trims of the ankles.
   double sole_gain_rad_per_m_s = 3.0;  // of what a centre of pressure is beside its place; 0: off
   double sole_limit_rad = 0.04;
 
   // Bow, of a robot that stands: see HipStrategy.
   double bow_beyond_m = 0.02;        // of the DCM from the soles' middle, forward or back
+  double bow_sway_m = 0.015;         // of the DCM beyond the CoM, of a body that is not pushed
   double bow_gain_rad_per_m = 50.0;  // for what it is further; 0: off
   double bow_limit_rad = 0.6;
   double bow_speed_rad_per_s = 3.2;  // the hips turn twice as fast

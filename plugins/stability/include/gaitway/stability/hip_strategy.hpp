@@ -29,9 +29,17 @@ class HipStrategy {
   // only stands askew, as one on a slope that nobody told it of, is not pushed.
   void follow(const std::optional<Standing>& standing) noexcept;
 
-  // Once for each batch, before it is planned with target(). A batch of the same number changes nothing. One
-  // that steps brings the trunk to rest: the legs need their joints' speed for the step.
-  void begin_batch(std::uint32_t sequence, bool steps, std::uint32_t tail_count) noexcept;
+  // What a batch does beside the bow.
+  enum class Batching : std::uint8_t {
+    stands,
+    steps,     // the trunk comes to rest: the legs need their joints' speed for the step
+    lies_down  // the joints go their own way: into the posture of a fall, or home. There is no bow
+  };
+  // Once for each batch, before it is planned with target(). A batch of the same number changes nothing.
+  // accepted_sequence: the newest batch that the message controller took, if that is known. The bow goes on
+  // from what that one plays: a batch that was refused has bowed nothing.
+  void begin_batch(std::uint32_t sequence, Batching what, std::uint32_t tail_count,
+                   std::optional<std::uint32_t> accepted_sequence = std::nullopt) noexcept;
 
   // At the newest batch's end.
   [[nodiscard]] const msgclient::Bow& target() const noexcept { return batches_[newest_].to; }
@@ -54,8 +62,12 @@ class HipStrategy {
   };
   static constexpr std::size_t kKept = 4;  // a batch is planned less than three cycles ahead
 
+  [[nodiscard]] const Batch* played_before(std::uint32_t sequence,
+                                           std::optional<std::uint32_t> accepted_sequence) const noexcept;
+
   const BalanceParameters& parameters_;
   double middle_m_;          // of the soles, ahead of their frames
+  double most_rad_per_s_;    // of a bow, for the joints of the legs
   double wanted_rad_ = 0.0;  // forward is positive
   std::array<Batch, kKept> batches_{};
   std::size_t newest_ = 0;

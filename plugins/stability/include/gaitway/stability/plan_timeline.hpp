@@ -11,6 +11,9 @@
 
 namespace gaitway::stability {
 
+// MotionPlan::motion of the posture of a fall, and of the way back from it.
+inline constexpr std::uint32_t kFallPostureMotion = 2;
+
 struct PlanMoment {
   std::uint32_t sequence = 0;  // of the batch that plays, or whose tail does
   double since_start_s = 0.0;  // of that batch

@@ -13,8 +13,8 @@ namespace gaitway::trajectory {
 // with CoM height and place, hip height, foot spacing and sole of its standing posture (all joints at
 // home_rad), so that the nominal stand of the plans is the posture that the joints hold. The ZMP is put below
 // the middle of the sole. Steps are at most as long and wide as the legs reach (require_reachable), and as
-// low, slow and short as the motors of the legs need it (fastest_joint). Some milliseconds, a few hundred for
-// slow motors.
+// low, slow and short as the motors of the legs need it (fastest_joint, leg_torques). With its reasons:
+// choose_gait(). Some milliseconds, a few hundred for slow motors.
 [[nodiscard]] GaitParameters gait_of(const urdf::RobotModel& robot);
 
 // Whether a robot with `parameters` stands as one with `described` does: CoM, hips and feet.
@@ -36,6 +36,9 @@ struct LegReach {
 };
 
 [[nodiscard]] std::array<LegReach, 2> leg_reach(const urdf::RobotModel& robot);  // [Side]
+// The longest distance from hip to ankle that a plan may ask for: the rest is for balance feedback and the
+// way of the CoM.
+[[nodiscard]] double usable_reach_m(const urdf::RobotModel& robot, const LegReach& leg);
 
 // Largest distance of hip and ankle in double support over the corners of the footstep limits, m: the feet
 // stand (forward, spacing, turn) apart, the base turned half-way, the CoM between them as far from one foot
@@ -44,8 +47,8 @@ struct LegReach {
                                              double step_forward_m, double foot_spacing_m);
 
 // Throws std::invalid_argument naming parameter, value, rule ("footstep unreachable: ...") and remedy if a
-// leg is too short for the farthest footstep, or cannot be folded for the highest lift. Keeps 2 mm of the leg
-// in hand.
+// leg is too short for the farthest footstep, or cannot be folded for the highest lift. Keeps
+// usable_reach_m().
 void require_reachable(const GaitParameters& parameters, const urdf::RobotModel& robot);
 
 }  // namespace gaitway::trajectory

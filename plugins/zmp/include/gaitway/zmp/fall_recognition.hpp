@@ -21,6 +21,8 @@ struct BodyOverFeet {
 struct TippingModel {
   double impact_tilt_rad = 1.0;  // of the line from the edge to the CoM when the first link hits the ground
   double inertia_factor = 1.25;  // the body's inertia about the edge, over that of all its mass in the CoM
+  double lowest_com_m = 0.05;    // above the edge: below, the pendulum says nothing
+  double longest_fall_s = 2.0;   // until the impact: a slower one is none
 };
 
 struct Tipping {
@@ -47,9 +49,13 @@ struct FallParameters {
   double margin = 0.30;     // of the tipping state: beyond it no foot can be put down in time
   double confirm_s = 0.02;  // for so long, without a break
   TippingModel model;
+  double carried_s = 0.2;       // without load on the feet: somebody holds the robot
+  double stands_after_s = 0.5;  // straight on its feet
+  double lies_after_s = 0.5;    // tilted far, without its weight on the feet
+  double impact_past_s = 0.2;   // after the predicted impact
 
   // As the configuration has them.
-  [[nodiscard]] std::array<NumberParameter, 4> numbers();
+  [[nodiscard]] std::array<NumberParameter, 10> numbers();
 
   // Throws std::invalid_argument naming parameter, value, rule and remedy.
   void validate() const;
@@ -93,7 +99,7 @@ class FallRecognition {
   [[nodiscard]] bool stands_again(const FallInputs& inputs) noexcept;
 
   FallParameters parameters_;
-  int confirm_ticks_;
+  int confirm_ticks_, carried_ticks_, stands_after_ticks_, lies_after_ticks_, impact_past_ticks_;
   Tipping tipping_;
   Fall fall_ = Fall::upright;
   double direction_rad_ = 0.0;

@@ -1,0 +1,253 @@
+// The standing posture by forward kinematics; then one fit after the other, each of which says what it took
+// into account.
+#include "gaitway/trajectory/gait_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/trajectory/joint_pace.hpp"
+#include "gaitway/trajectory/joint_torque.hpp"
+#include "gaitway/trajectory/robot_gait.hpp"
+#include "gaitway/urdf/forward_kinematics.hpp"
+
+namespace gaitway::trajectory {
+namespace {
+
+constexpr double kSameSpacing_m = 1e-6;
+constexpr double kMostInward = 0.25;  // of the sole's width
+constexpr double kLeastStep = 0.05;   // of the hip height: a step that is not worth less
+// Walks whose planned joints turn at more than the first share of their limits at the usual speed are refused
+// batches on the simulated robot, since balance, load and steps that a push moves ask for more; the second is
+// the share of humanoid22's fastest.
+constexpr double kUsualShare = 0.78, kFastestShare = 0.92;
+constexpr double kUsualSpeed_m_per_s = 0.15;                             // of a body as large as humanoid22
+constexpr double kLongestStep_s = 1.0;                                   // that the parameter may be
+constexpr double kGoodLift = 0.6, kLeastLift = 0.3, kSlowestStep = 1.6;  // of the scaled defaults
+
+// Each link of the leg moves with the foot by its share of the way from hip to sole; what does not belong to
+// the leg moves the other way, so that the CoM does not follow.
+double swing_moment_s2(const urdf::RobotModel& robot, const urdf::ForwardKinematics& home,
+                       double sole_height_m) {
+  const double com_height_m = home.com_m().z();
+  const double hip_height_m = sole_height_m + robot.hip_height_m;
+  double moved_kg = 0.0, leg_kg = 0.0, leg_height_kg_m = 0.0, moment_kg_m = 0.0;
+  for (const int index : robot.legs[0].joints) {
+    const int child = robot.joints[static_cast<std::size_t>(index)].child_link;
+    const urdf::Link& link = robot.links[static_cast<std::size_t>(child)];
+    const double height_m = (home.link_pose(child) * link.com_m).z();
+    const double share = std::clamp((hip_height_m - height_m) / robot.hip_height_m, 0.0, 1.0);
+    moved_kg += link.mass_kg * share;
+    leg_kg += link.mass_kg;
+    leg_height_kg_m += link.mass_kg * height_m;
+    moment_kg_m += link.mass_kg * share * (com_height_m - height_m);
+  }
+  const double mass_kg = robot.total_mass_kg();
+  const double rest_height_m = (mass_kg * com_height_m - leg_height_kg_m) / (mass_kg - leg_kg);
+  moment_kg_m += moved_kg * (rest_height_m - com_height_m);
+  return moment_kg_m / (mass_kg * facts::kGravity_m_per_s2);
+}
+
+// What becomes of each number, and why.
+class ChoiceLog {
+ public:
+  explicit ChoiceLog(ChosenGait& gait) : gait_(gait), scaled_(values()), before_(scaled_) {}
+
+  // Everything that has changed since the last call did so for this reason.
+  void note(const std::string& reason) {
+    const auto numbers = gait_.parameters.numbers();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (numbers[i].value == before_[i]) continue;
+      GaitChoice& choice = entry(numbers[i], scaled_[i]);
+      choice.chosen = numbers[i].value;
+      choice.reasons.push_back(reason);
+    }
+    before_ = values();
+  }
+
+ private:
+  using Values = std::array<double, GaitParameters::kNumbers>;
+
+  [[nodiscard]] Values values() {
+    Values result{};
+    const auto numbers = gait_.parameters.numbers();
+    std::ranges::transform(numbers, result.begin(),
+                           [](const NumberParameter& number) { return number.value; });
+    return result;
+  }
+  GaitChoice& entry(const NumberParameter& number, double scaled) {
+    const auto found = std::ranges::find(gait_.choices, number.name, &GaitChoice::parameter);
+    if (found != gait_.choices.end()) return *found;
+    return gait_.choices.emplace_back(GaitChoice{
+        .parameter = number.name, .unit = number.unit, .scaled = scaled, .chosen = scaled, .reasons = {}});
+  }
+
+  ChosenGait& gait_;
+  Values scaled_, before_;
+};
+
+// Returns by how much wider the stance is than the scaled default's.
+double take_from_description(GaitParameters& p, const urdf::RobotModel& robot) {
+  const urdf::ForwardKinematics home(robot);
+  const Eigen::Vector3d& com = home.com_m();
+  const Eigen::Vector3d left = home.sole_pose(urdf::Side::left).translation();
+  const Eigen::Vector3d right = home.sole_pose(urdf::Side::right).translation();
+  const double wider_m = left.y() - right.y() - p.foot_spacing_m;
+  p.com_height_m = com.z() - 0.5 * (left.z() + right.z());
+  p.stand_com_forward_m = com.x() - 0.5 * (left.x() + right.x());
+  p.foot_spacing_m = left.y() - right.y();
+  p.hip_height_m = robot.hip_height_m;
+  p.fast_hip_height_m = std::min(p.fast_hip_height_m, robot.hip_height_m);
+  p.swing_moment_s2 = swing_moment_s2(robot, home, 0.5 * (left.z() + right.z()));
+  const urdf::Foot& foot = robot.feet[0];
+  p.sole = {foot.size_m.x(), foot.size_m.y(), foot.centre_m.x()};
+  p.zmp_forward_m = foot.centre_m.x();
+  return wider_m;
+}
+
+// A stance that is wider or narrower than that of the scaled defaults.
+void fit_stance(GaitParameters& p, double wider_m) {
+  if (std::abs(wider_m) > kSameSpacing_m) {
+    p.max_foot_spacing_m += wider_m;
+    p.adjust_spacing_m += wider_m;
+  }
+  p.zmp_inward_m = std::min(p.zmp_inward_m, kMostInward * p.sole.width_m);
+  p.min_sole_gap_m = std::clamp(p.foot_spacing_m - p.sole.width_m, 0.0, p.min_sole_gap_m);
+}
+
+// As long as a plan carries.
+void fit_tail(GaitParameters& p, ChoiceLog& log) {
+  while (p.longest_tail_points() > GaitParameters::kMostTailPoints) p.settle_s -= facts::kSlot_s;
+  log.note(
+      fmt::format("a plan holds a safe tail of {:.3g} s", GaitParameters::kMostTailPoints * facts::kSlot_s));
+}
+
+// Shorter and narrower steps, both by the same share, as far as the legs reach.
+void fit_reach(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
+  constexpr double kLess = 0.98;
+  const std::array<LegReach, 2> legs = leg_reach(robot);
+  const auto too_far = [&](double forward_m) {
+    return std::any_of(legs.begin(), legs.end(), [&](const LegReach& leg) {
+      return farthest_hip_to_ankle_m(p, leg, forward_m, p.max_foot_spacing_m) > usable_reach_m(robot, leg);
+    });
+  };
+  while (p.max_step_forward_m > kLeastStep * p.hip_height_m &&
+         (too_far(0.0) || too_far(p.max_step_forward_m) || too_far(p.max_step_backward_m))) {
+    p.max_step_forward_m *= kLess;
+    p.max_step_backward_m *= kLess;
+    p.max_foot_spacing_m = std::lerp(p.foot_spacing_m, p.max_foot_spacing_m, kLess);
+  }
+  p.adjust_spacing_m = std::min(p.adjust_spacing_m, p.max_foot_spacing_m);
+  const double reach_m = std::min(usable_reach_m(robot, legs[0]), usable_reach_m(robot, legs[1]));
+  log.note(fmt::format("reach: a leg reaches {:.3g} m from hip to ankle, with the hips at {:.3g} m", reach_m,
+                       p.hip_height_m));
+}
+
+// What keeps that joint from turning faster.
+std::string speed_reason(const urdf::RobotModel& robot, const JointPace& pace) {
+  const urdf::LegJoints joints(robot, urdf::ForwardKinematics(robot), urdf::Side::left);
+  const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(joints[pace.joint])];
+  const double byte_rad_per_s = facts::kLargestByte_counts * joint.count_rad / facts::kSlot_s;
+  const bool by_byte = joint.velocity_limit_rad_per_s > 0.99 * byte_rad_per_s;
+  return fmt::format("speed: the {} turns at {:.3g} rad/s at most{}", urdf::leg_joint_name(pace.joint),
+                     std::min(joint.velocity_limit_rad_per_s, byte_rad_per_s),
+                     by_byte ? ": more does not fit the byte on the wire" : "");
+}
+
+// A lower lift and slower steps, until a walk at the default speed leaves slow motors enough for the balance.
+void fit_step_to_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
+  constexpr double kLower = 0.95;
+  const GaitParameters wanted = p;
+  const double slowest_s = std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s) - facts::kSlot_s;
+  const double usual_m_per_s = kUsualSpeed_m_per_s * robot.body_scale().factor("m/s");
+  JointPace pace = fastest_joint(p, robot, usual_m_per_s);
+  const std::string reason = speed_reason(robot, pace);
+  for (; pace.share > kUsualShare; pace = fastest_joint(p, robot, usual_m_per_s)) {
+    if (p.lift_m > kGoodLift * wanted.lift_m) {
+      p.lift_m *= kLower;
+    } else if (p.step_time_s < slowest_s) {
+      p.step_time_s += facts::kSlot_s;
+    } else if (p.lift_m > kLeastLift * wanted.lift_m) {
+      p.lift_m *= kLower;
+    } else {
+      break;
+    }
+  }
+  const double slower = p.step_time_s / wanted.step_time_s;
+  p.adjust_shortest_swing_s *= slower;
+  p.adjust_longest_swing_s *= slower;
+  log.note(reason);
+}
+
+// Shorter steps, while `asks_too_much` says so; it returns its reason, or nothing.
+template <class AsksTooMuch>
+void shorten_steps(GaitParameters& p, ChoiceLog& log, const AsksTooMuch& asks_too_much) {
+  constexpr double kShorter = 0.98;
+  std::string reason;
+  while (p.max_step_forward_m > kLeastStep * p.hip_height_m) {
+    std::string why = asks_too_much();
+    if (why.empty()) break;
+    if (reason.empty()) reason = std::move(why);
+    p.max_step_forward_m *= kShorter;
+    p.max_step_backward_m *= kShorter;
+  }
+  log.note(reason);
+}
+
+// Until the fastest walk is one that the motors can follow, and swing the leg for.
+void fit_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
+  try {
+    p.validate();
+  } catch (const std::invalid_argument&) {
+    return;  // the configuration may mend it; else it is told then
+  }
+  fit_step_to_motors(p, robot, log);
+  shorten_steps(p, log, [&]() -> std::string {
+    const JointPace pace = fastest_joint(p, robot, p.max_step_forward_m / p.step_time_s);
+    return pace.share > kFastestShare ? speed_reason(robot, pace) : "";
+  });
+  shorten_steps(p, log, [&]() -> std::string {
+    for (const JointTorque& torque : leg_torques(p, robot)) {
+      if (JointTorque::kWalking * torque.swings_Nm <= torque.limit_Nm) continue;
+      return fmt::format("torque: the {} has {:.3g} N*m to swing the leg with",
+                         urdf::leg_joint_name(torque.joint), torque.limit_Nm);
+    }
+    return {};
+  });
+}
+
+}  // namespace
+
+const GaitChoice* ChosenGait::choice(const std::string& parameter) const noexcept {
+  const auto found = std::ranges::find(choices, parameter, &GaitChoice::parameter);
+  return found == choices.end() ? nullptr : &*found;
+}
+
+ChosenGait choose_gait(const urdf::RobotModel& robot) {
+  ChosenGait gait;
+  GaitParameters& p = gait.parameters;
+  scale_to_body(p.numbers(), robot.body_scale());
+  ChoiceLog log(gait);
+  const double wider_m = take_from_description(p, robot);
+  log.note("stance: the standing posture of the description");
+  fit_stance(p, wider_m);
+  log.note(fmt::format("stance: the soles are {:.3g} m wide and {:.3g} m apart", p.sole.width_m,
+                       p.foot_spacing_m));
+  fit_tail(p, log);
+  fit_reach(p, robot, log);
+  fit_motors(p, robot, log);
+  fit_tail(p, log);
+  return gait;
+}
+
+GaitParameters gait_of(const urdf::RobotModel& robot) {
+  return choose_gait(robot).parameters;
+}
+
+}  // namespace gaitway::trajectory

@@ -1,0 +1,119 @@
+// What a robot's gait is not the scaled default for, with the reason; and the torques that its legs need.
+#include "gaitway/trajectory/gait_choice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/trajectory/joint_torque.hpp"
+#include "gaitway/trajectory/robot_gait.hpp"
+
+namespace gaitway::trajectory {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+urdf::RobotModel chosen_robot() {
+  return urdf::load_robot(GAITWAY_ROBOTS "/humanoid22");
+}
+void limit_motors(urdf::RobotModel& robot, double torque_Nm) {
+  for (urdf::Joint& joint : robot.joints) joint.motor.torque_limit_Nm = torque_Nm;
+}
+
+TEST(ChooseGait, OfHumanoid22OnlyTheStandIsTakenFromTheDescription) {
+  const ChosenGait gait = choose_gait(chosen_robot());
+  for (const char* const number : {"step_time", "lift", "max_step_forward", "max_foot_spacing", "settle"}) {
+    EXPECT_EQ(gait.choice(number), nullptr) << number;
+  }
+  for (const GaitChoice& choice : gait.choices) {
+    EXPECT_EQ(choice.reasons.size(), 1U) << choice.parameter;
+    EXPECT_THAT(choice.reasons.front(), HasSubstr("stance")) << choice.parameter;
+  }
+}
+
+TEST(ChooseGait, NamesTheSlowKnee) {
+  urdf::RobotModel robot = chosen_robot();
+  for (urdf::Joint& joint : robot.joints) joint.velocity_limit_rad_per_s = 4.5;
+  const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const lift = gait.choice("lift");
+  ASSERT_NE(lift, nullptr);
+  EXPECT_LT(lift->chosen, lift->scaled);
+  EXPECT_EQ(lift->chosen, gait.parameters.lift_m);
+  EXPECT_THAT(lift->reasons.front(), AllOf(HasSubstr("speed: the knee"), HasSubstr("4.5 rad/s")));
+}
+
+TEST(ChooseGait, NamesTheByteOnTheWire) {
+  urdf::RobotModel robot = chosen_robot();
+  for (urdf::Joint& joint : robot.joints) {
+    joint.velocity_limit_rad_per_s = 4.5;
+    joint.count_rad = 4.5 * facts::kSlot_s / facts::kLargestByte_counts;
+  }
+  EXPECT_THAT(choose_gait(robot).choice("lift")->reasons.front(), HasSubstr("the byte on the wire"));
+}
+
+TEST(ChooseGait, ShortLegsAreAReason) {
+  urdf::RobotModel robot = chosen_robot();
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name.ends_with("knee")) joint.lower_rad = 0.6;  // it does not stretch
+  }
+  const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const step = gait.choice("max_step_forward");
+  ASSERT_NE(step, nullptr);
+  EXPECT_THAT(step->reasons.front(), HasSubstr("reach"));
+}
+
+// The knee carries all but shin and foot at the lever that its place has behind the CoM.
+TEST(LegTorques, OfTheKneeIsTheWeightAboveAtItsLever) {
+  const urdf::RobotModel robot = chosen_robot();
+  const urdf::ForwardKinematics home(robot);
+  for (const JointTorque& torque : leg_torques(gait_of(robot), robot)) {
+    if (torque.joint != urdf::LegJoint::knee) continue;
+    const urdf::Joint& knee = robot.joints[static_cast<std::size_t>(torque.index)];
+    const double lever_m = std::abs(home.com_m().x() - home.link_position_m(knee.child_link).x());
+    const double all_Nm = robot.total_mass_kg() * facts::kGravity_m_per_s2 * lever_m;
+    EXPECT_LT(torque.holds_Nm, all_Nm);
+    EXPECT_GT(torque.holds_Nm, 0.8 * all_Nm);
+    EXPECT_EQ(torque.limit_Nm, knee.motor.torque_limit_Nm);
+  }
+}
+
+TEST(LegTorques, ARobotThatCannotHoldItselfIsRefusedByJointAndTorques) {
+  urdf::RobotModel robot = chosen_robot();
+  const GaitParameters gait = gait_of(robot);
+  EXPECT_NO_THROW(require_strong_enough(gait, robot));
+  EXPECT_EQ(weakest_joint(leg_torques(gait, robot), robot), "");
+  limit_motors(robot, 0.05 * 6.84 * 9.81 * 0.36);
+  EXPECT_THAT([&] { require_strong_enough(gait, robot); },
+              ThrowsMessage<std::invalid_argument>(
+                  AllOf(HasSubstr("joint 'left_"), HasSubstr("N*m to stand on one leg"),
+                        HasSubstr("its motor has 1.21"), HasSubstr("stronger motor"))));
+}
+
+// As measured with the whole chain: 0.20 of weight times hip height walks, 0.12 falls.
+TEST(LegTorques, SayWhatWalksAndWhatFalls) {
+  urdf::RobotModel robot = chosen_robot();
+  limit_motors(robot, 0.20 * 6.84 * 9.81 * 0.36);
+  EXPECT_EQ(weakest_joint(leg_torques(gait_of(robot), robot), robot), "");
+  limit_motors(robot, 0.12 * 6.84 * 9.81 * 0.36);
+  EXPECT_THAT(weakest_joint(leg_torques(gait_of(robot), robot), robot), HasSubstr("its motor has 2.9"));
+}
+
+TEST(LegTorques, AWeakHipSwingsShorterSteps) {
+  urdf::RobotModel robot = chosen_robot();
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name.ends_with("hip_pitch")) joint.motor.torque_limit_Nm = 1.2;
+  }
+  const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const step = gait.choice("max_step_forward");
+  ASSERT_NE(step, nullptr);
+  EXPECT_LT(step->chosen, 0.9 * step->scaled);
+  EXPECT_THAT(step->reasons.back(), HasSubstr("torque: the hip pitch has 1.2 N*m"));
+}
+
+}  // namespace
+}  // namespace gaitway::trajectory
