@@ -65,25 +65,30 @@ void draw_motion(const urdf::RobotModel& robot, const motion::MotionPlan& plan, 
 }
 
 struct MotionOptions {
-  std::string motion;  // name of a shipped motion, or a file
-  std::filesystem::path folder, robot;
+  std::string motion;            // name of one of the robot's motions, or a file
+  std::filesystem::path folder;  // of motions; none: the robot's own
+  std::filesystem::path robot;
   std::filesystem::path out;
   int pictures = 8;
 };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// A shipped motion by its name, or the file itself.
-std::filesystem::path file_of(const MotionOptions& options) {
+std::filesystem::path folder_of(const MotionOptions& options) {
+  return options.folder.empty() ? process::motion_directory(options.robot) : options.folder;
+}
+
+// A motion of the folder by its name, or the file itself.
+std::filesystem::path file_of(const MotionOptions& options, const std::filesystem::path& folder) {
   const std::filesystem::path given = options.motion;
   if (given.has_parent_path() || given.extension() == ".yaml") return given;
   std::vector<std::string> known;
-  for (const std::filesystem::path& file : motion::motion_files(options.folder)) {
+  for (const std::filesystem::path& file : motion::motion_files(folder)) {
     if (file.stem() == options.motion) return file;
     known.push_back(file.stem().string());
   }
   throw std::invalid_argument(fmt::format("'{}': there is no such motion in {}. {}", options.motion,
-                                          options.folder.string(), input::suggest(options.motion, known)));
+                                          folder.string(), input::suggest(options.motion, known)));
 }
 
 struct Loaded {
@@ -93,7 +98,7 @@ struct Loaded {
 
 Loaded load(const MotionOptions& options) {
   urdf::RobotModel robot = urdf::load_robot(options.robot);
-  motion::Motion motion = motion::read_motion(file_of(options), robot);
+  motion::Motion motion = motion::read_motion(file_of(options, folder_of(options)), robot);
   return {std::move(robot), std::move(motion)};
 }
 
@@ -111,7 +116,7 @@ TimedPlan plan(const Loaded& loaded) {
 
 int list(const MotionOptions& options) {
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
-  for (const std::filesystem::path& file : motion::motion_files(options.folder)) {
+  for (const std::filesystem::path& file : motion::motion_files(folder_of(options))) {
     const motion::Motion motion = motion::read_motion(file, robot);
     fmt::print("{:<12} {:2} keys  {}\n", file.stem().string(), motion.keys.size(), motion.description);
   }
@@ -214,12 +219,12 @@ void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "motion");
   command.needs_subcommand();
   options.robot = process::default_robot_directory();
-  options.folder = process::motion_directory();
   const auto add = [&](const char* name, const char* text, int (*run)(const MotionOptions&),
                        bool of_one = true) {
     const CommandLine sub = command.subcommand(name, text);
     if (of_one) sub.option("motion", options.motion, "Name of a motion, or its file").required();
-    sub.option("--motions", options.folder, "Folder with the motions");
+    sub.option("--motions", options.folder,
+               "Folder with the motions; otherwise motions/ of the robot's folder");
     sub.option("--robot", options.robot, "Folder of the robot's description");
     sub.runs([given, run] { return run(*given); });
     return sub;
