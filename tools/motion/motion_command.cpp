@@ -20,6 +20,7 @@
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/trajectory/motion_table.hpp"
 #include "tools/command_line.hpp"
+#include "tools/motion/adapt_motion.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -67,7 +68,7 @@ void draw_motion(const urdf::RobotModel& robot, const motion::MotionPlan& plan, 
 struct MotionOptions {
   std::string motion;            // name of one of the robot's motions, or a file
   std::filesystem::path folder;  // of motions; none: the robot's own
-  std::filesystem::path robot;
+  std::filesystem::path robot, from;
   std::filesystem::path out;
   int pictures = 8;
 };
@@ -211,6 +212,18 @@ int draw(const MotionOptions& options) {
   return 0;
 }
 
+int adapt(const MotionOptions& options) {
+  std::error_code unknown;  // of a folder that is none, which the loader will name
+  if (std::filesystem::equivalent(options.from, options.robot, unknown)) {
+    throw std::invalid_argument(
+        fmt::format("--robot {}: the motion is this robot's own. Name the folder of another one",
+                    options.robot.string()));
+  }
+  adapt_motion_file({file_of(options, process::motion_directory(options.from)), options.from, options.robot,
+                     options.out.empty() ? process::motion_directory(options.robot) : options.out});
+  return 0;
+}
+
 }  // namespace
 
 void declare_program(const CommandLine& app) {
@@ -219,6 +232,7 @@ void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "motion");
   command.needs_subcommand();
   options.robot = process::default_robot_directory();
+  options.from = options.robot;
   const auto add = [&](const char* name, const char* text, int (*run)(const MotionOptions&),
                        bool of_one = true) {
     const CommandLine sub = command.subcommand(name, text);
@@ -236,6 +250,28 @@ void declare_program(const CommandLine& app) {
   add("check", "Plan, and say how near to each limit every point comes", check);
   add("prepare", "Plan it, and write what the robot plays: the way, and a way out of every batch", prepare)
       .option("--out", options.out, "Folder; otherwise the current one");
+  const CommandLine other = command.subcommand(
+      "adapt",
+      "Make one robot's motion another's: match the joints, scale, plan, and write it into its folder");
+  other.option("motion", options.motion, "Name of a motion of the robot that it is from, or its file")
+      .required();
+  other.option("--robot", options.robot, "Folder of the robot that shall play it").required();
+  other.option("--from", options.from, "Folder of the robot that the motion was made for");
+  other.option("--out", options.out, "Folder; otherwise motions/ of the robot's folder");
+  other.runs([given] { return adapt(*given); });
+  other.footer(
+      "Joints are matched by what they do: legs, arms, waist and neck by axis and place at home, never by "
+      "name. Lengths "
+      "and\nhip heights scale with the body, times with the root of it, angles are taken against how the "
+      "limbs hang at "
+      "home. What\nhas to be smaller, or is left out, stands in the comments of the new file.\n"
+      "Examples:\n"
+      "  gaitway motion adapt kick --robot my_robot\n"
+      "  gaitway motion adapt get_up_front --robot my_robot --out trial\n"
+      "  gaitway motion adapt dance.yaml --from first_robot --robot second_robot\n"
+      "Exit code: 0 planned within all limits and written, 1 it does not go on this robot, or the input was "
+      "bad: "
+      "nothing is\nwritten.");
   const CommandLine film = add("draw", "A film strip of the planned motion", draw);
   film.option("--out", options.out, "PNG file; otherwise NAME.png");
   film.option("--pictures", options.pictures, "How many").between(2, 64);
@@ -244,6 +280,7 @@ void declare_program(const CommandLine& app) {
       "  gaitway motion check kick\n"
       "  gaitway motion draw my_motion.yaml --out my_motion.png\n"
       "  gaitway motion prepare my_motion.yaml --out my_motions\n"
+      "  gaitway motion adapt kick --robot my_robot\n"
       "Exit code: 0 planned within all limits, 1 not, or the input was bad.");
 }
 
