@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kOffMiddle = 0.03;        // of the hip height: a joint so far aside is not in the middle
 constexpr double kElbowFrom = 0.25;        // of the arm's length
+constexpr double kSamePlace = 0.05;        // likewise
+constexpr double kUpperArm = 0.5;          // of the way from the first shoulder joint to the elbow
 constexpr double kTwistCosine = 0.8;       // of axis and limb: a joint that twists the limb bends nothing
 constexpr double kMirrorCosine = 0.99996;  // of 0.5 deg
 
@@ -68,11 +70,17 @@ std::size_t elbow_of(const RobotModel& model, const ForwardKinematics& home, con
   for (std::size_t i = 1; i < place_m.size(); ++i) {
     at_m.push_back(at_m.back() + (place_m[i] - place_m[i - 1]).norm());
   }
+  // Whether the joint turns about the straight line to a place of the limb: the nearest that is not its own.
+  const auto twists = [&](std::size_t at, int step) {
+    for (int i = static_cast<int>(at) + step; i >= 0 && i < static_cast<int>(place_m.size()); i += step) {
+      const Eigen::Vector3d way_m = place_m[place_of(i)] - place_m[at];
+      if (way_m.norm() < kSamePlace * at_m.back()) continue;
+      return std::abs(home.joint_axis(model, limb[at]).dot(way_m)) > kTwistCosine * way_m.norm();
+    }
+    return false;
+  };
   for (std::size_t i = 1; i < limb.size(); ++i) {
-    const Eigen::Vector3d ahead_m = place_m.back() - place_m[i];
-    const Eigen::Vector3d axis = home.joint_axis(model, limb[i]);
-    const bool twists = std::abs(axis.dot(ahead_m)) > kTwistCosine * ahead_m.norm();
-    if (at_m[i] >= kElbowFrom * at_m.back() && !twists) return i;
+    if (at_m[i] >= kElbowFrom * at_m.back() && !twists(i, 1) && !twists(i, -1)) return i;
   }
   return limb.size();
 }
@@ -132,10 +140,7 @@ std::string describe(const JointRole& role) {
     text = role.part == BodyPart::left_leg || role.part == BodyPart::left_arm ? "left " : "right ";
   }
   text += kPlaces[static_cast<std::size_t>(role.place)];
-  const bool hinge = role.place == JointPlace::knee || role.place == JointPlace::elbow;
-  if (!hinge || (role.place == JointPlace::elbow && role.turn != Turn::pitch)) {
-    text += fmt::format(" {}", kTurns[static_cast<std::size_t>(role.turn)]);
-  }
+  if (role.place != JointPlace::knee) text += fmt::format(" {}", kTurns[static_cast<std::size_t>(role.turn)]);
   if (role.nth > 0) text += fmt::format(" {}", role.nth + 1);
   return text;
 }
@@ -245,6 +250,14 @@ void BodyJoints::add_limbs(const RobotModel& model, const ForwardKinematics& hom
     set({part, JointPlace::knee, Turn::pitch, 0}, shank_rad - thigh_rad);
     set({part, JointPlace::ankle, Turn::pitch, 0}, -shank_rad);
   }
+  // Of the shoulder's joints the last that does not lie at the elbow already, as one does that twists the arm
+  // there.
+  const auto upper_arm_from_m = [&](const std::vector<int>& limb, auto elbow, const Eigen::Vector3d& end_m) {
+    const double long_m = (end_m - place_m(limb.front())).norm();
+    auto from = elbow - 1;
+    while (from != limb.begin() && (end_m - place_m(*from)).norm() < kUpperArm * long_m) --from;
+    return place_m(*from);
+  };
   for (const Side side : kSides) {
     const std::vector<int>& limb = arm(side);
     const auto elbow =
@@ -252,8 +265,9 @@ void BodyJoints::add_limbs(const RobotModel& model, const ForwardKinematics& hom
     if (elbow == limb.begin()) continue;  // there is no arm, or none of a shoulder
     const BodyPart part = role(limb.front()).part;
     const bool bends = elbow != limb.end();
-    const Eigen::Vector3d upper_m =
-        (bends ? place_m(*elbow) : carried_com_m(model, home, limb.back())) - place_m(*(elbow - 1));
+    const Eigen::Vector3d end_m = bends ? place_m(*elbow) : carried_com_m(model, home, limb.back());
+    const Eigen::Vector3d upper_m = end_m - upper_arm_from_m(limb, elbow, end_m);
+    if (upper_m.isZero(1e-6)) continue;
     set({part, JointPlace::shoulder, Turn::pitch, 0}, pitch_of(upper_m));
     set({part, JointPlace::shoulder, Turn::roll, 0}, roll_of(upper_m));
     if (!bends) continue;

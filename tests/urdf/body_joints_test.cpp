@@ -21,8 +21,8 @@ const std::map<std::string, std::string> kWhatJointsDo{{"left_hip_yaw", "left hi
                                                        {"neck_pitch", "neck pitch"},
                                                        {"left_shoulder_pitch", "left shoulder pitch"},
                                                        {"right_shoulder_roll", "right shoulder roll"},
-                                                       {"left_elbow", "left elbow"},
-                                                       {"right_elbow", "right elbow"}};
+                                                       {"left_elbow", "left elbow pitch"},
+                                                       {"right_elbow", "right elbow pitch"}};
 
 std::string what_does(const RobotModel& robot, int joint) {
   return describe(BodyJoints(robot, ForwardKinematics(robot)).role(joint));
@@ -77,6 +77,33 @@ TEST(BodyJoints, HaveMirrorImages) {
   EXPECT_EQ(angle_rad("waist_yaw", "waist_yaw"), -0.5);
   EXPECT_FALSE(
       mirror_angle(robot, home, robot.joint_index("left_elbow"), robot.joint_index("right_hip_yaw")));
+}
+
+// A joint that twists the arm at the elbow: the upper arm begins before it.
+TEST(BodyJoints, TakeTheUpperArmFromTheShoulder) {
+  const gaitway::test::RobotVariant variant;
+  RobotModel robot = load_robot(variant.folder());
+  Joint& roll = robot.joints[static_cast<std::size_t>(robot.joint_index("left_shoulder_roll"))];
+  Joint& elbow = robot.joints[static_cast<std::size_t>(robot.joint_index("left_elbow"))];
+  const int pitch = robot.joint_index("left_shoulder_pitch");
+  std::swap(roll.origin, elbow.origin);  // the upper arm now lies between the shoulder's two joints
+  const BodyJoints body(robot, ForwardKinematics(robot));
+  EXPECT_NEAR(body.limb_at_home_rad(pitch), robot.joints[static_cast<std::size_t>(pitch)].home_rad, 1e-9);
+}
+
+// Upper arms that twist in the middle, forearms that are held ahead: no twist is an elbow.
+TEST(BodyJoints, KnowTheElbowFromATwistBeforeIt) {
+  const gaitway::test::RobotVariant variant;
+  RobotModel robot = load_robot(variant.folder());
+  const int roll = robot.joint_index("left_shoulder_roll"), elbow = robot.joint_index("left_elbow");
+  Joint& twist = robot.joints[static_cast<std::size_t>(roll)];
+  twist.axis = Eigen::Vector3d::UnitZ();
+  twist.origin.translation().z() = -0.07;
+  twist.home_rad = 0.0;
+  robot.joints[static_cast<std::size_t>(elbow)].origin.translation().z() = -0.07;
+  robot.joints[static_cast<std::size_t>(elbow)].home_rad = -1.5;
+  EXPECT_EQ(what_does(robot, roll), "left shoulder yaw");
+  EXPECT_EQ(what_does(robot, elbow), "left elbow pitch");
 }
 
 TEST(BodyJoints, OfARobotWithoutArmsAreLegsWaistAndNeck) {

@@ -104,7 +104,8 @@ class Adaptation {
     }
     const double from_home_rad = from_.joints().limb_at_home_rad(angle.joint),
                  to_home_rad = to_.joints().limb_at_home_rad(*joint);
-    if (urdf::is_arm(role.part) && std::abs(to_home_rad - from_home_rad) > kMostHeldElsewhere_rad) {
+    if (role.place == urdf::JointPlace::shoulder &&
+        std::abs(to_home_rad - from_home_rad) > kMostHeldElsewhere_rad) {
       return leave_out(
           role, what,
           fmt::format("'{}' of the robot '{}' holds the limb at {:.0f} deg at home, and not at {:.0f}",
