@@ -60,13 +60,19 @@ std::filesystem::path template_directory() {
   return shared("templates");
 }
 
-std::filesystem::path motion_directory() {
-  return shared("motions");
+std::filesystem::path motion_directory(const std::filesystem::path& robot_directory) {
+  return robot_directory / "motions";
 }
 
-std::filesystem::path prepared_motion_directory() {
-  const std::filesystem::path found = installation_root();
-  return found.empty() ? found : found / "share" / "gaitway" / "prepared_motions";
+std::vector<std::filesystem::path> prepared_motion_directories(const std::filesystem::path& robot_directory) {
+  std::vector<std::filesystem::path> folders{motion_directory(robot_directory)};
+  const std::filesystem::path root = installation_root();
+  std::error_code unknown;
+  const std::filesystem::path robot = std::filesystem::weakly_canonical(robot_directory, unknown);
+  if (!root.empty() && robot.has_filename()) {
+    folders.push_back(root / "share" / "gaitway" / "prepared_motions" / robot.filename());
+  }
+  return folders;
 }
 
 std::filesystem::path calibration_directory() {

@@ -61,7 +61,8 @@ PushEvent read_push(const YamlValue& value, const urdf::RobotModel& robot) {
   constexpr std::array<std::string_view, 4> kKeys{"body", "direction", "impulse_Ns", "duration_s"};
   value.require_map(kKeys);
   PushEvent push;
-  push.body = read_body(value.at("body"), robot);
+  const auto body = value.find("body");
+  push.body = body ? read_body(*body, robot) : robot.links[static_cast<std::size_t>(robot.imu.link)].name;
   push.direction = three(value.at("direction"), {-1e6, 1e6, ""});
   if (push.direction.norm() < 1e-9) {
     value.at("direction")

@@ -84,7 +84,7 @@ struct Feed::Messages {
   explicit Messages(const urdf::RobotModel& model)
       : joints(make_joint_state(model)),
         imu(make_imu(model)),
-        wrenches{make_foot_wrench(urdf::Side::left), make_foot_wrench(urdf::Side::right)},
+        wrenches{make_foot_wrench(model, urdf::Side::left), make_foot_wrench(model, urdf::Side::right)},
         odometry(make_odometry(model)),
         transforms(model),
         description{text_of_file(model.directory / "robot.urdf")} {}

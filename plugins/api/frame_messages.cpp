@@ -46,6 +46,12 @@ void fill(ros::Odometry& message, const RobotFrames& frames, std::int64_t stamp_
   message.twist.twist.angular = {angular.x(), angular.y(), angular.z()};
 }
 
+std::string sole_frame(const urdf::RobotModel& model, urdf::Side side) {
+  std::string name(kSoleFrames[urdf::index_of(side)]);
+  while (std::ranges::find(model.links, name, &urdf::Link::name) != model.links.end()) name += "_frame";
+  return name;
+}
+
 LinkTransforms::LinkTransforms(const urdf::RobotModel& model)
     : base_(between(kOdomFrame, model.links.front().name)) {
   const auto link = [&](int index) -> const urdf::Link& {
@@ -58,7 +64,7 @@ LinkTransforms::LinkTransforms(const urdf::RobotModel& model)
   }
   for (std::size_t side = 0; side < kSoleFrames.size(); ++side) {
     const urdf::Foot& foot = model.feet[side];
-    message_.transforms.push_back(between(link(foot.link).name, kSoleFrames[side]));
+    message_.transforms.push_back(between(link(foot.link).name, sole_frame(model, urdf::kSides[side])));
     set(message_.transforms.back().transform, foot.sole.translation(),
         Eigen::Quaterniond(foot.sole.linear()));
   }

@@ -61,9 +61,9 @@ void fill(ros::Imu& message, const gaitway::Imu& imu, const Estimate* estimate) 
   message.orientation = {turn.x(), turn.y(), turn.z(), turn.w()};
 }
 
-ros::WrenchStamped make_foot_wrench(urdf::Side side) {
+ros::WrenchStamped make_foot_wrench(const urdf::RobotModel& model, urdf::Side side) {
   ros::WrenchStamped message;
-  message.header.frame_id = kSoleFrames[static_cast<std::size_t>(side)];
+  message.header.frame_id = sole_frame(model, side);
   return message;
 }
 

@@ -1,90 +1,21 @@
-// The postures, a polynomial of fifth degree for each joint, and the points that have been played.
+// A polynomial of fifth degree for each joint, and the points that have been played.
 #include "gaitway/trajectory/fall_posture.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
-#include <string_view>
+#include <utility>
 
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::trajectory {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
-constexpr double kKeep = std::numeric_limits<double>::quiet_NaN();
 // Of what a joint may do: a polynomial's points lie closer than its ends say, and wire counts are rounded.
 constexpr double kSpeedShare = 0.94;
 constexpr double kHomeSpeed_rad_per_s = 2.0;
 constexpr double kShortest_s = 0.05, kLongest_s = 1.9;  // the tail must hold the rest of it
-constexpr double kFromLimit_rad = 0.01;
-
-// Angles of the side that it falls to (ahead and back: of both) and of the other one, as the left side counts
-// them; of a joint in the middle as in a fall to the left.
-struct PostureAngle {
-  std::string_view joint;
-  double near_deg, far_deg;
-};
-
-// Found by a random search over these angles for the least force on the link that is hit hardest:
-// docs/gait.md.
-constexpr std::array<PostureAngle, 8> kAhead{{{"hip_pitch", -20, -20},
-                                              {"hip_roll", 0, 0},
-                                              {"knee", 60, 60},
-                                              {"ankle_pitch", -20, -20},
-                                              {"waist_pitch", 0, 0},
-                                              {"shoulder_pitch", -90, -90},
-                                              {"shoulder_roll", 53, 53},
-                                              {"elbow", -32, -32}}};
-
-constexpr std::array<PostureAngle, 8> kBack{{{"hip_pitch", -26, -26},
-                                             {"hip_roll", 0, 0},
-                                             {"knee", 93, 93},
-                                             {"ankle_pitch", -10, -10},
-                                             {"waist_pitch", 30, 30},
-                                             {"shoulder_pitch", 60, 60},
-                                             {"shoulder_roll", 29, 29},
-                                             {"elbow", -58, -58}}};
-constexpr std::array<PostureAngle, 9> kSide{{{"hip_pitch", -20, -50},
-                                             {"hip_roll", 0, 50},
-                                             {"knee", 60, 60},
-                                             {"ankle_pitch", -22, -29},
-                                             {"waist_yaw", 59, 59},
-                                             {"waist_pitch", 0, 0},
-                                             {"shoulder_pitch", -91, -101},
-                                             {"shoulder_roll", 13, -8},
-                                             {"elbow", -33, -114}}};
-
-bool is_mirrored(std::string_view joint) noexcept {
-  return joint.ends_with("_roll") || joint.ends_with("_yaw");
-}
-
-// Empty if the robot has not all of its joints.
-std::vector<double> angles_of(const urdf::RobotModel& robot, std::span<const PostureAngle> posture,
-                              bool left_is_near) {
-  std::vector<double> angles(robot.joints.size(), kKeep);
-  bool complete = true;
-  const auto set = [&](const std::string& name, double angle_rad) {
-    const auto limits = std::ranges::find(robot.joints, name, &urdf::Joint::name);
-    complete = complete && limits != robot.joints.end();
-    if (!complete) return;
-    angles[static_cast<std::size_t>(limits - robot.joints.begin())] =
-        std::max(limits->lower_rad + kFromLimit_rad, std::min(limits->upper_rad - kFromLimit_rad, angle_rad));
-  };
-  for (const PostureAngle& angle : posture) {
-    const std::string name(angle.joint);
-    const double mirror = is_mirrored(angle.joint) ? -1.0 : 1.0;
-    if (name.starts_with("waist_")) {
-      set(name, (left_is_near ? 1.0 : mirror) * angle.near_deg * kDeg);
-      continue;
-    }
-    set("left_" + name, (left_is_near ? angle.near_deg : angle.far_deg) * kDeg);
-    set("right_" + name, mirror * (left_is_near ? angle.far_deg : angle.near_deg) * kDeg);
-  }
-  return complete ? angles : std::vector<double>{};
-}
 
 // The stand that the fall began in: nothing is planned for the body as a whole.
 void write_stand(const Stand& stand, std::size_t i, MotionPlan& plan) noexcept {
@@ -121,21 +52,19 @@ double FallPosture::Way::fastest_rad_per_s() const noexcept {
   return fastest;
 }
 
-FallPosture::FallPosture(const urdf::RobotModel& robot)
-    : postures_rad_{angles_of(robot, kAhead, true), angles_of(robot, kSide, true),
-                    angles_of(robot, kBack, true), angles_of(robot, kSide, false)} {
+FallPosture::FallPosture(const urdf::RobotModel& robot, std::optional<FallPostures> postures)
+    : postures_rad_(std::move(postures)) {
   for (const urdf::Joint& joint : robot.joints) {
     joints_.push_back({joint.lower_rad, joint.upper_rad, joint.velocity_limit_rad_per_s, joint.home_rad});
     home_rad_.push_back(joint.home_rad);
   }
-  exists_ = std::ranges::none_of(postures_rad_, &Angles::empty);
 }
 
 void FallPosture::fall(double direction_rad, const References& references) noexcept {
   constexpr double kQuarter = std::numbers::pi / 2.0;
-  if (!exists_ || !std::isfinite(direction_rad)) return;
+  if (!exists() || !std::isfinite(direction_rad)) return;
   const auto quarter = static_cast<std::size_t>(std::lround(direction_rad / kQuarter) + 8) % 4;
-  begin(Stage::falls, references, postures_rad_[quarter], std::numeric_limits<double>::infinity());
+  begin(Stage::falls, references, (*postures_rad_)[quarter], std::numeric_limits<double>::infinity());
 }
 
 void FallPosture::go_home(const References& references) noexcept {

@@ -40,25 +40,33 @@ const GaitParameters& configured(Setup& setup, const urdf::RobotModel& robot, Ga
   return parameters;
 }
 
-// Beside the robot's description, as an installation has it; or in this code's own installation.
-std::filesystem::path shipped_motions(const std::filesystem::path& robot_directory) {
-  const std::filesystem::path beside = robot_directory.parent_path().parent_path() / "prepared_motions";
-  return std::filesystem::is_directory(beside) ? beside : process::prepared_motion_directory();
+// The tables of the folder that the parameter names, or of the robot's own; where two have a name, the first.
+std::vector<MotionTable> tables_of(Setup& setup, const std::filesystem::path& robot_directory) {
+  const std::string folder =
+      setup.parameter("motions", "", "folder with prepared motions; empty: those of the robot's folder");
+  const std::vector<std::filesystem::path> folders =
+      folder.empty() ? process::prepared_motion_directories(robot_directory)
+                     : std::vector<std::filesystem::path>{folder};
+  std::vector<MotionTable> tables;
+  for (const std::filesystem::path& place : folders) {
+    for (const std::filesystem::path& file : motion_table_files(place)) {
+      MotionTable table = read_motion_table(file);
+      if (std::ranges::find(tables, table.name, &MotionTable::name) == tables.end())
+        tables.push_back(std::move(table));
+    }
+  }
+  return tables;
 }
 
-// The prepared motions of the folder that the parameter names. One that was prepared for another robot, or
-// for another stand than this configuration's, is left out, and that is reported.
+// Those that can be played. One that was prepared for another robot, or for another stand than this
+// configuration's, is left out, and that is reported.
 std::vector<MotionTable> motions_of(Setup& setup, const urdf::RobotModel& robot,
                                     const GaitParameters& parameters, const GaitParameters& described) {
   const std::filesystem::path directory = setup.robot_directory();
-  std::filesystem::path folder =
-      setup.parameter("motions", "", "folder with prepared motions; empty: those that are shipped");
-  if (folder.empty()) folder = shipped_motions(directory);
   const std::uint64_t digest = robot_digest(directory);
   const bool own_stand = stands_as_described(parameters, described);
   std::vector<MotionTable> motions;
-  for (const std::filesystem::path& file : motion_table_files(folder)) {
-    MotionTable motion = read_motion_table(file);
+  for (MotionTable& motion : tables_of(setup, directory)) {
     if (motion.robot_digest == digest && own_stand && motion.joint_count == robot.joints.size()) {
       motions.push_back(std::move(motion));
       continue;

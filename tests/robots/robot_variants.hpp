@@ -1,12 +1,14 @@
-// humanoid22 with other legs and other sensors, as folders that load: hips whose joints come in another order
-// or whose axes have no common point, and ankles; feet that tell their load otherwise or not at all. Names
-// stay where they were, so that whoever goes by names or numbers goes wrong.
+// humanoid22 with another body, as folders that load: hips whose joints come in another order or whose axes have
+// no common point, and ankles, where names stay so that whoever goes by names or numbers goes wrong; feet that
+// tell their load otherwise or not at all; other sizes; other names; no arms. Motions and postures of a fall
+// are not among its files.
 #pragma once
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -79,6 +81,36 @@ class RobotVariant {
       shift_origins(urdf_.find(anchor), "</joint>", there_m);
       shift_origins(urdf_.find("<link name=\"" + link + "\""), "</link>", back_m);
       shift_origins(urdf_.find("<parent link=\"" + link + "\""), "</joint>", back_m);
+    }
+    write();
+  }
+
+  // Joints and links are called otherwise: read backwards.
+  void rename() {
+    std::vector<std::string> names;
+    for (const std::string element : {"<joint name=\"", "<link name=\""}) {
+      for (std::size_t at = urdf_.find(element); at != std::string::npos; at = urdf_.find(element, at)) {
+        at += element.size();
+        names.push_back(urdf_.substr(at, urdf_.find('"', at) - at));
+      }
+    }
+    for (std::string* const text : {&urdf_, &yaml_}) rename_words(*text, names);
+    write();
+  }
+  static std::string renamed(std::string name) {
+    std::reverse(name.begin(), name.end());
+    return name;
+  }
+
+  void remove_arms() {
+    for (const std::string side : {"left_", "right_"}) {
+      for (const std::string joint : {"shoulder_pitch", "shoulder_roll", "elbow"}) {
+        remove(urdf_, "  <joint name=\"" + side + joint + "\"", "</joint>");
+        remove(yaml_, "  - {name: " + side + joint + ",", "\n");
+      }
+      for (const std::string link : {"shoulder", "upper_arm", "forearm"}) {
+        remove(urdf_, "  <link name=\"" + side + link + "\"", "</link>");
+      }
     }
     write();
   }
@@ -216,6 +248,23 @@ class RobotVariant {
       }
       urdf_.replace(at, length, shifted.str().substr(0, shifted.str().size() - 1));
     }
+  }
+  // A word is what letters, digits and underscores make: a channel that begins with a link's name is another.
+  static void rename_words(std::string& text, const std::vector<std::string>& names) {
+    const auto is_of_word = [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    };
+    for (auto begin = text.begin(); begin != text.end();) {
+      const auto end = std::find_if_not(begin, text.end(), is_of_word);
+      if (std::find(names.begin(), names.end(), std::string(begin, end)) != names.end())
+        std::reverse(begin, end);
+      begin = end == text.end() ? end : end + 1;
+    }
+  }
+  static void remove(std::string& text, const std::string& from, const std::string& to) {
+    const std::size_t begin = text.find(from), end = text.find(to, begin);
+    if (end == std::string::npos) throw std::runtime_error("humanoid22 has no " + from);
+    text.erase(begin, end + to.size() - begin);
   }
   static void replace_numbers(std::string& text, const std::string& from, const std::string& to,
                               double number) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <variant>
 
 #include "robots/robot_variants.hpp"
 #include "simulated_run.hpp"
@@ -82,6 +84,21 @@ TEST(AnkleOrder, RollBeforePitchWalks) {
   RobotVariant variant;
   variant.reorder(kAnkle, {1, 0});
   expect_walk(variant, 1);
+}
+
+TEST(OtherNames, WalkAndArePushedByAShippedScenario) {
+  RobotVariant variant;
+  variant.rename();
+  expect_walk(variant, 1);
+  const urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  const simulator::Scenario pushes = simulator::load_scenario(
+      std::filesystem::path(GAITWAY_SOURCE_DIR) / "tools/scenarios/push.yaml", robot);
+  int on_trunk = 0;
+  for (const simulator::ScenarioEvent& event : pushes.events) {
+    const auto* const push = std::get_if<simulator::PushEvent>(&event.action);
+    if (push != nullptr) on_trunk += push->body == RobotVariant::renamed("trunk") ? 1 : 0;
+  }
+  EXPECT_EQ(on_trunk, 3) << "the link that bears the IMU";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/motion/motion.hpp"
+#include "gaitway/motion/motion_adaptation.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -61,8 +62,23 @@ void check(const CalibrateOptions& o) {
           "--out, --record: these are of one robot. Leave --seeds out");
 }
 
+std::filesystem::path shipped_poses() {
+  return process::calibration_directory() / "standing.yaml";
+}
+
+// The shipped poses are made for the shipped robot: another one takes them in its own size, and as long.
+motion::Motion poses_of(const CalibrateOptions& options, const urdf::RobotModel& robot) {
+  if (options.poses != shipped_poses()) return motion::read_motion(options.poses, robot);
+  const urdf::RobotModel shipped =
+      urdf::load_robot(process::default_robot_directory(), urdf::CalibrationUse::left_out);
+  const motion::Motion original = motion::read_motion(options.poses, shipped);
+  motion::Motion poses = motion::adapt_motion(shipped, original, robot).motion;
+  for (std::size_t i = 0; i < poses.keys.size(); ++i) poses.keys[i].hold_s = original.keys[i].hold_s;
+  return poses;
+}
+
 motion::MotionPlan plan_poses(const CalibrateOptions& options, const urdf::RobotModel& robot) {
-  const motion::Motion poses = motion::read_motion(options.poses, robot);
+  const motion::Motion poses = poses_of(options, robot);
   bool any = false;
   for (const motion::Key& key : poses.keys) any = any || key.hold_s >= options.measure_s;
   require(any, fmt::format("{}: no pose is held for --measure-s {}. Raise hold_s, or measure for less time",
@@ -218,7 +234,7 @@ void declare(const CommandLine& app) {
   const CommandLine command = add_command(app, "calibrate");
   CalibrateOptions& options = command.runs(calibrate_command);
   options.robot = process::default_robot_directory();
-  options.poses = process::calibration_directory() / "standing.yaml";
+  options.poses = shipped_poses();
   add_inputs(command, options);
   add_simulation(command.group("Simulation"), options);
   command.footer(

@@ -20,6 +20,7 @@
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/trajectory/motion_table.hpp"
 #include "tools/command_line.hpp"
+#include "tools/motion/adapt_motion.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -65,25 +66,30 @@ void draw_motion(const urdf::RobotModel& robot, const motion::MotionPlan& plan, 
 }
 
 struct MotionOptions {
-  std::string motion;  // name of a shipped motion, or a file
-  std::filesystem::path folder, robot;
+  std::string motion;            // name of one of the robot's motions, or a file
+  std::filesystem::path folder;  // of motions; none: the robot's own
+  std::filesystem::path robot, from;
   std::filesystem::path out;
   int pictures = 8;
 };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// A shipped motion by its name, or the file itself.
-std::filesystem::path file_of(const MotionOptions& options) {
+std::filesystem::path folder_of(const MotionOptions& options) {
+  return options.folder.empty() ? process::motion_directory(options.robot) : options.folder;
+}
+
+// A motion of the folder by its name, or the file itself.
+std::filesystem::path file_of(const MotionOptions& options, const std::filesystem::path& folder) {
   const std::filesystem::path given = options.motion;
   if (given.has_parent_path() || given.extension() == ".yaml") return given;
   std::vector<std::string> known;
-  for (const std::filesystem::path& file : motion::motion_files(options.folder)) {
+  for (const std::filesystem::path& file : motion::motion_files(folder)) {
     if (file.stem() == options.motion) return file;
     known.push_back(file.stem().string());
   }
   throw std::invalid_argument(fmt::format("'{}': there is no such motion in {}. {}", options.motion,
-                                          options.folder.string(), input::suggest(options.motion, known)));
+                                          folder.string(), input::suggest(options.motion, known)));
 }
 
 struct Loaded {
@@ -93,7 +99,7 @@ struct Loaded {
 
 Loaded load(const MotionOptions& options) {
   urdf::RobotModel robot = urdf::load_robot(options.robot);
-  motion::Motion motion = motion::read_motion(file_of(options), robot);
+  motion::Motion motion = motion::read_motion(file_of(options, folder_of(options)), robot);
   return {std::move(robot), std::move(motion)};
 }
 
@@ -111,7 +117,7 @@ TimedPlan plan(const Loaded& loaded) {
 
 int list(const MotionOptions& options) {
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
-  for (const std::filesystem::path& file : motion::motion_files(options.folder)) {
+  for (const std::filesystem::path& file : motion::motion_files(folder_of(options))) {
     const motion::Motion motion = motion::read_motion(file, robot);
     fmt::print("{:<12} {:2} keys  {}\n", file.stem().string(), motion.keys.size(), motion.description);
   }
@@ -206,6 +212,18 @@ int draw(const MotionOptions& options) {
   return 0;
 }
 
+int adapt(const MotionOptions& options) {
+  std::error_code unknown;  // of a folder that is none, which the loader will name
+  if (std::filesystem::equivalent(options.from, options.robot, unknown)) {
+    throw std::invalid_argument(
+        fmt::format("--robot {}: the motion is this robot's own. Name the folder of another one",
+                    options.robot.string()));
+  }
+  adapt_motion_file({file_of(options, process::motion_directory(options.from)), options.from, options.robot,
+                     options.out.empty() ? process::motion_directory(options.robot) : options.out});
+  return 0;
+}
+
 }  // namespace
 
 void declare_program(const CommandLine& app) {
@@ -214,12 +232,13 @@ void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "motion");
   command.needs_subcommand();
   options.robot = process::default_robot_directory();
-  options.folder = process::motion_directory();
+  options.from = options.robot;
   const auto add = [&](const char* name, const char* text, int (*run)(const MotionOptions&),
                        bool of_one = true) {
     const CommandLine sub = command.subcommand(name, text);
     if (of_one) sub.option("motion", options.motion, "Name of a motion, or its file").required();
-    sub.option("--motions", options.folder, "Folder with the motions");
+    sub.option("--motions", options.folder,
+               "Folder with the motions; otherwise motions/ of the robot's folder");
     sub.option("--robot", options.robot, "Folder of the robot's description");
     sub.runs([given, run] { return run(*given); });
     return sub;
@@ -231,6 +250,28 @@ void declare_program(const CommandLine& app) {
   add("check", "Plan, and say how near to each limit every point comes", check);
   add("prepare", "Plan it, and write what the robot plays: the way, and a way out of every batch", prepare)
       .option("--out", options.out, "Folder; otherwise the current one");
+  const CommandLine other = command.subcommand(
+      "adapt",
+      "Make one robot's motion another's: match the joints, scale, plan, and write it into its folder");
+  other.option("motion", options.motion, "Name of a motion of the robot that it is from, or its file")
+      .required();
+  other.option("--robot", options.robot, "Folder of the robot that shall play it").required();
+  other.option("--from", options.from, "Folder of the robot that the motion was made for");
+  other.option("--out", options.out, "Folder; otherwise motions/ of the robot's folder");
+  other.runs([given] { return adapt(*given); });
+  other.footer(
+      "Joints are matched by what they do: legs, arms, waist and neck by axis and place at home, never by "
+      "name. Lengths "
+      "and\nhip heights scale with the body, times with the root of it, angles are taken against how the "
+      "limbs hang at "
+      "home. What\nhas to be smaller, or is left out, stands in the comments of the new file.\n"
+      "Examples:\n"
+      "  gaitway motion adapt kick --robot my_robot\n"
+      "  gaitway motion adapt get_up_front --robot my_robot --out trial\n"
+      "  gaitway motion adapt dance.yaml --from first_robot --robot second_robot\n"
+      "Exit code: 0 planned within all limits and written, 1 it does not go on this robot, or the input was "
+      "bad: "
+      "nothing is\nwritten.");
   const CommandLine film = add("draw", "A film strip of the planned motion", draw);
   film.option("--out", options.out, "PNG file; otherwise NAME.png");
   film.option("--pictures", options.pictures, "How many").between(2, 64);
@@ -239,6 +280,7 @@ void declare_program(const CommandLine& app) {
       "  gaitway motion check kick\n"
       "  gaitway motion draw my_motion.yaml --out my_motion.png\n"
       "  gaitway motion prepare my_motion.yaml --out my_motions\n"
+      "  gaitway motion adapt kick --robot my_robot\n"
       "Exit code: 0 planned within all limits, 1 not, or the input was bad.");
 }
 

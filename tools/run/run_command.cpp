@@ -185,8 +185,7 @@ core::PluginExchange plugins_of(const RunOptions& options) {
 // own. People may ask for what there is not, and a record of that plays again.
 void require_known_motions(const simulator::Scenario& scenario, const RunOptions& options,
                            const core::Configuration& configuration) {
-  std::vector<std::filesystem::path> folders{process::prepared_motion_directory(),
-                                             options.robot.parent_path().parent_path() / "prepared_motions"};
+  std::vector<std::filesystem::path> folders = process::prepared_motion_directories(options.robot);
   for (const core::PluginEntry& plugin : configuration.plugins) {
     for (const core::ParameterEntry& parameter : plugin.parameters) {
       if (parameter.name == "motions") {
@@ -198,7 +197,7 @@ void require_known_motions(const simulator::Scenario& scenario, const RunOptions
   for (const std::filesystem::path& folder : folders) {
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
-      known.push_back(entry.path().stem().string());
+      if (entry.path().extension() == ".motion") known.push_back(entry.path().stem().string());
     }
   }
   std::ranges::sort(known);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/complaint.hpp"
@@ -17,10 +16,9 @@ namespace {
 using input::YamlValue;
 
 using facts::kRadPerDegree;
-constexpr input::Range kAngle{-180.0, 180.0, "deg"};
 constexpr input::Range kTilt{-60.0, 60.0, "deg"};
-constexpr input::Range kShift{-0.5, 0.5, "m"};
-constexpr input::Range kHipHeight{0.05, 1.0, "m"};
+constexpr input::Range kShift{-1.0, 1.0, "m"};
+constexpr input::Range kHipHeight{0.02, 2.0, "m"};
 constexpr input::Range kTime{0.0, 60.0, "s"};
 
 // The place of the value's text among the names.
@@ -31,55 +29,6 @@ std::size_t choice(const YamlValue& value, std::span<const std::string_view> nam
     value.refuse(fmt::format("must be {}", fmt::join(names, ", ")), "Choose one of them.");
   }
   return static_cast<std::size_t>(found - names.begin());
-}
-
-int joint_named(const YamlValue& value, const std::string& name, const urdf::RobotModel& robot) {
-  std::vector<std::string> known;
-  std::ranges::transform(robot.joints, std::back_inserter(known),
-                         [](const urdf::Joint& joint) { return joint.name; });
-  const auto found = std::ranges::find(known, name);
-  if (found == known.end()) {
-    value.refuse(fmt::format("the robot '{}' has no joint '{}'", robot.name, name),
-                 input::suggest(name, known));
-  }
-  return static_cast<int>(found - known.begin());
-}
-
-void add_joint(const YamlValue& value, const std::string& name, double angle_rad,
-               const urdf::RobotModel& robot, std::vector<JointAngle>& angles) {
-  const int index = joint_named(value, name, robot);
-  const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
-  if (angle_rad < joint.lower_rad || angle_rad > joint.upper_rad) {
-    value.refuse(fmt::format("{} turns from {:.1f} to {:.1f} deg", name, joint.lower_rad / kRadPerDegree,
-                             joint.upper_rad / kRadPerDegree),
-                 "Choose an angle between these.");
-  }
-  if (std::ranges::any_of(angles, [&](const JointAngle& a) { return a.joint == index; })) {
-    value.refuse(fmt::format("{} has an angle in this key already", name), "Give it once.");
-  }
-  angles.push_back({index, angle_rad});
-}
-
-// A mirror in the xz plane turns a rotation about (x, y, z) into one against (x, -y, z).
-double mirror_sign(const YamlValue& value, const urdf::Joint& left, const urdf::Joint& right) {
-  const Eigen::Vector3d mirrored(-left.axis.x(), left.axis.y(), -left.axis.z());
-  const double along = mirrored.dot(right.axis);
-  if (std::abs(std::abs(along) - 1.0) > 1e-6) {
-    value.refuse(fmt::format("{} and {} are no mirror images of each other", left.name, right.name),
-                 "Name both under joints.");
-  }
-  return along > 0.0 ? 1.0 : -1.0;
-}
-
-void add_both_sides(const YamlValue& value, const std::string& name, const urdf::RobotModel& robot,
-                    std::vector<JointAngle>& angles) {
-  const int left = joint_named(value, "left_" + name, robot);
-  const int right = joint_named(value, "right_" + name, robot);
-  const double angle = value.number(kAngle) * kRadPerDegree;
-  const double sign = mirror_sign(value, robot.joints[static_cast<std::size_t>(left)],
-                                  robot.joints[static_cast<std::size_t>(right)]);
-  add_joint(value, "left_" + name, angle, robot, angles);
-  add_joint(value, "right_" + name, sign * angle, robot, angles);
 }
 
 std::optional<double> number_in(const YamlValue& map, std::string_view key, const input::Range& range) {
@@ -123,20 +72,6 @@ FootWish read_foot(const YamlValue& value) {
   return wish;
 }
 
-void read_joints(const YamlValue& value, const urdf::RobotModel& robot, Key& key) {
-  if (const auto joints = value.find("joints")) {
-    for (const auto& [name, angle] : joints->entries()) {
-      joint_named(angle, name, robot);
-      add_joint(angle, name, angle.number(kAngle) * kRadPerDegree, robot, key.joints);
-    }
-  }
-  if (const auto both = value.find("symmetric")) {
-    for (const auto& [name, angle] : both->entries()) {
-      add_both_sides(angle, name, robot, key.joints);
-    }
-  }
-}
-
 bool moves_legs(const Key& key, const urdf::RobotModel& robot) {
   return std::ranges::any_of(key.joints, [&](const JointAngle& angle) {
     return std::ranges::any_of(robot.legs, [&](const urdf::Leg& leg) {
@@ -170,7 +105,7 @@ void read_stance(const YamlValue& value, const urdf::RobotModel& robot, Key& key
   }
 }
 
-Key read_key(const YamlValue& value, const urdf::RobotModel& robot) {
+Key read_key(const YamlValue& value, const urdf::RobotModel& robot, trajectory::PostureReader& postures) {
   constexpr std::array<std::string_view, 10> kKeys{"name",       "from",      "contact",   "hold_s",
                                                    "min_time_s", "joints",    "symmetric", "pelvis",
                                                    "left_foot",  "right_foot"};
@@ -187,7 +122,7 @@ Key read_key(const YamlValue& value, const urdf::RobotModel& robot) {
   }
   key.hold_s = number_in(value, "hold_s", kTime).value_or(0.0);
   key.min_time_s = number_in(value, "min_time_s", kTime).value_or(0.0);
-  read_joints(value, robot, key);
+  key.joints = postures.read(value);
   read_stance(value, robot, key);
   return key;
 }
@@ -211,8 +146,9 @@ Motion read(const YamlValue& file, const urdf::RobotModel& robot) {
     motion.lies_on = static_cast<trajectory::LyingSide>(choice(*side, trajectory::kLyingSideNames));
   }
   const YamlValue keys = file.at("keys");
+  trajectory::PostureReader postures(robot);
   for (const YamlValue& key : keys.items()) {
-    motion.keys.push_back(read_key(key, robot));
+    motion.keys.push_back(read_key(key, robot, postures));
   }
   if (motion.keys.size() < (motion.starts_at_first_key ? 2U : 1U)) {
     keys.refuse("a motion goes to at least one key", "Add one.");
@@ -233,8 +169,10 @@ Motion parse_motion(const std::string& text, const std::filesystem::path& file,
 
 std::vector<std::filesystem::path> motion_files(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) {
-    throw urdf::RobotError(
-        fmt::format("{}: is no folder. Name the one that holds the motions' files", folder.string()));
+    throw urdf::RobotError(fmt::format(
+        "{}: is no folder. Name the one that holds the motions' files, or make one with `gaitway motion "
+        "adapt`",
+        folder.string()));
   }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -111,7 +111,8 @@ TEST_F(FeedTest, StampsAreTheMeasurements) {
 
 TEST_F(FeedTest, FramesAreAsTheTableOfTopicsSays) {
   slot();
-  EXPECT_EQ(collector.of<ros::Imu>(Topic::imu).at(0).header.frame_id, row(Topic::imu).frame);
+  EXPECT_EQ(collector.of<ros::Imu>(Topic::imu).at(0).header.frame_id,
+            humanoid().links[static_cast<std::size_t>(humanoid().imu.link)].name);
   EXPECT_EQ(collector.of<ros::WrenchStamped>(Topic::left_wrench).at(0).header.frame_id,
             row(Topic::left_wrench).frame);
   EXPECT_EQ(collector.of<ros::WrenchStamped>(Topic::right_wrench).at(0).header.frame_id,

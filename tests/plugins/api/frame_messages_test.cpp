@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 
 #include "gaitway/urdf/forward_kinematics.hpp"
@@ -44,6 +45,18 @@ TEST(LinkTransformsMessage, PutsEveryLinkWhereForwardKinematicsHasIt) {
   EXPECT_TRUE(tree.pose("odom", "right_sole").isApprox(base * kinematics.sole_pose(urdf::Side::right), 1e-9));
   for (const ros::TransformStamped& transform : transforms.message().transforms) {
     EXPECT_EQ(transform.header.stamp.nanosec, 42U);
+  }
+}
+
+TEST(LinkTransformsMessage, HasNoTwoFramesOfOneNameWhereALinkIsCalledLikeASole) {
+  urdf::RobotModel robot = humanoid();
+  robot.links[static_cast<std::size_t>(robot.feet[0].link)].name = "left_sole";
+  EXPECT_EQ(sole_frame(robot, urdf::Side::left), "left_sole_frame");
+  EXPECT_EQ(sole_frame(robot, urdf::Side::right), "right_sole");
+  LinkTransforms transforms(robot);
+  std::set<std::string> children;
+  for (const ros::TransformStamped& transform : transforms.message().transforms) {
+    EXPECT_TRUE(children.insert(transform.child_frame_id).second) << transform.child_frame_id;
   }
 }
 

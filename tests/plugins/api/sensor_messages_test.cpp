@@ -84,7 +84,7 @@ TEST(FootWrench, IsTheCellsForceAndItsMomentsAboutTheSole) {
   forces.stamp_ns = 9;
   const std::array<double, 4> cell_N{10.0, 20.0, 5.0, 1.0};  // front left, front right, rear left, rear right
   std::copy(cell_N.begin(), cell_N.end(), forces.force[1]);
-  ros::WrenchStamped message = make_foot_wrench(urdf::Side::right);
+  ros::WrenchStamped message = make_foot_wrench(humanoid(), urdf::Side::right);
   fill(message, forces, humanoid(), urdf::Side::right);
   EXPECT_EQ(message.header.frame_id, "right_sole");
   EXPECT_DOUBLE_EQ(message.wrench.force.z, 36.0);
@@ -97,7 +97,7 @@ TEST(FootWrench, IsTheCellsForceAndItsMomentsAboutTheSole) {
 TEST(FootWrench, OfAnUnloadedFootIsZeroAgain) {
   FootForces forces{};
   forces.force[0][0] = 3.0;
-  ros::WrenchStamped message = make_foot_wrench(urdf::Side::left);
+  ros::WrenchStamped message = make_foot_wrench(humanoid(), urdf::Side::left);
   fill(message, forces, humanoid(), urdf::Side::left);
   forces.force[0][0] = 0.0;
   fill(message, forces, humanoid(), urdf::Side::left);

@@ -10,6 +10,8 @@
 #include <iterator>
 #include <string>
 
+#include "robots/robot_variants.hpp"
+
 namespace gaitway::calibration {
 namespace {
 
@@ -89,6 +91,16 @@ TEST_F(CalibrateCommand, refuses_bad_input) {
   std::ofstream(file("silent.log")) << "(0.000075) can0 008#000000\n";
   expect_refused("--bus-log " + file("silent.log"), "in 0 poses");
   expect_refused("--simulat", "--simulate");
+}
+
+// humanoid22's would be out of its reach.
+TEST_F(CalibrateCommand, another_body_takes_the_shipped_poses_in_its_own_size) {
+  test::RobotVariant variant;
+  variant.scale(0.7);
+  EXPECT_NE(run("--simulate --seed 4 --rounds 1 --measure-s 0.3 --robot '" + variant.folder().string() + "'"),
+            1)
+      << complaint_;
+  EXPECT_THAT(said_, HasSubstr("left_knee"));
 }
 
 }  // namespace

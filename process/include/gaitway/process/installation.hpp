@@ -3,11 +3,14 @@
 //
 //   <root>/bin                          programs
 //   <root>/lib/gaitway                  libraries that they bring along; plugins/ the plug-ins
-//   <root>/share/gaitway                urdf/, config/, scenarios/, templates/, motions/, prepared_motions/,
-//                                       calibration/
+//   <root>/share/gaitway                urdf/, config/, scenarios/, templates/, calibration/
+//
+// Of a build tree, urdf/ is the source tree's, into which nothing is built: what is prepared for its robots
+// lies in prepared_motions/ROBOT.
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace gaitway::process {
 
@@ -19,11 +22,16 @@ namespace gaitway::process {
 [[nodiscard]] std::filesystem::path default_config_file();
 [[nodiscard]] std::filesystem::path scenario_directory();
 [[nodiscard]] std::filesystem::path template_directory();
-[[nodiscard]] std::filesystem::path motion_directory();
 [[nodiscard]] std::filesystem::path calibration_directory();
 
-// Where the motions are that a robot can play; empty if this code lies in no installation.
-[[nodiscard]] std::filesystem::path prepared_motion_directory();
+// The key-frame motions of a robot, in its own folder: NAME.yaml as people write it, NAME.motion as it is
+// played.
+[[nodiscard]] std::filesystem::path motion_directory(const std::filesystem::path& robot_directory);
+
+// Where motions are that the robot can play, the first before the others: its folder's, and, in a build tree,
+// those that were built for it. The folders need not exist.
+[[nodiscard]] std::vector<std::filesystem::path> prepared_motion_directories(
+    const std::filesystem::path& robot_directory);
 
 // Where the shipped plug-ins are; empty if this code lies in no installation.
 [[nodiscard]] std::filesystem::path shipped_plugin_directory();

@@ -9,7 +9,9 @@
 //     - {at_s: 9.0, stop: true}                    # user command: the message controller plays the safe tail
 //     - {at_s: 9.5, emergency_stop: hold}          # or: soft
 //     - {at_s: 9.8, release: true}                 # of the emergency stop: the joints hold where they are
-//     - {at_s: 10.0, push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}
+//     - {at_s: 10.0, push: {direction: [0, 1, 0], impulse_Ns: 1.0, duration_s: 0.1}}  # of the link with the
+//     IMU;
+//                                                                                     # body: another link
 //     - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3.0}}
 //     - {at_s: 15.0, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}
 //     - {at_s: 16.0, fault: {kind: disturb_bus, corruption: 0.01, omission: 0.001, duplicate: 0.001,

@@ -53,23 +53,28 @@ inline void play(simulator::Plant& plant, const urdf::RobotModel& robot, const M
   }
 }
 
-// Pushed over forwards or backwards while it stands, then put into `lying_rad`.
+// Pushed over forwards or backwards while it stands, as hard as its size takes, then put into `lying_rad`.
 inline void fall(simulator::Plant& plant, const urdf::RobotModel& robot, double direction,
                  std::span<const double> lying_rad) {
-  constexpr int kStiff_points = 70, kGoing_points = 50, kLying_points = 50;
+  const facts::BodyScale scale = robot.body_scale();
+  const auto points = [&scale](double of_humanoid22) {
+    return static_cast<int>(std::lround(of_humanoid22 * scale.factor("s")));
+  };
+  const int stiff_points = points(70), going_points = points(50), lying_points = points(50);
   std::vector<double> home, before, after;
   for (const urdf::Joint& joint : robot.joints) home.push_back(joint.home_rad);
   before = after = home;
-  plant.push("trunk", {direction, 0.0, 0.0}, 7.0, 0.1);
-  for (int i = 0; i < kStiff_points; ++i) play_point(plant, robot, home, home);
-  for (int i = 0; i < kGoing_points; ++i) {
+  plant.push(robot.links[static_cast<std::size_t>(robot.imu.link)].name, {direction, 0.0, 0.0},
+             7.0 * scale.factor("N*s"), 0.1);
+  for (int i = 0; i < stiff_points; ++i) play_point(plant, robot, home, home);
+  for (int i = 0; i < going_points; ++i) {
     for (std::size_t j = 0; j < home.size(); ++j) {
-      before[j] = std::lerp(home[j], lying_rad[j], static_cast<double>(i) / kGoing_points);
-      after[j] = std::lerp(home[j], lying_rad[j], static_cast<double>(i + 1) / kGoing_points);
+      before[j] = std::lerp(home[j], lying_rad[j], static_cast<double>(i) / going_points);
+      after[j] = std::lerp(home[j], lying_rad[j], static_cast<double>(i + 1) / going_points);
     }
     play_point(plant, robot, before, after);
   }
-  for (int i = 0; i < kLying_points; ++i) play_point(plant, robot, lying_rad, lying_rad);
+  for (int i = 0; i < lying_points; ++i) play_point(plant, robot, lying_rad, lying_rad);
 }
 
 // Holds the last point for `settle_s`.

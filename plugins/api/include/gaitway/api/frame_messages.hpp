@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,8 @@ namespace gaitway::api {
 inline constexpr std::string_view kOdomFrame = "odom";
 // [Side]: below the ankle on the sole, as the robot's description has it; children of the feet's links.
 inline constexpr std::array<std::string_view, 2> kSoleFrames{"left_sole", "right_sole"};
+// So they are called, unless a link of the robot is: then with "_frame" behind it.
+[[nodiscard]] std::string sole_frame(const urdf::RobotModel& model, urdf::Side side);
 
 [[nodiscard]] ros::Odometry make_odometry(const urdf::RobotModel& model);
 // Covariances are not known: 0.

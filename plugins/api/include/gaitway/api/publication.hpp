@@ -32,17 +32,18 @@ struct TopicRow {
   Topic topic;
   std::string_view name;
   std::string_view type;
-  double rate_hz;  // 0: on change
-  bool latched;    // a new subscriber gets the last message at once
-  std::string_view frame;
+  double rate_hz;          // 0: on change
+  bool latched;            // a new subscriber gets the last message at once
+  std::string_view frame;  // its name, or what it is where the robot's description names it
   std::string_view doc;
 };
 
 inline constexpr std::array kTopics{
     TopicRow{Topic::joint_states, "/joint_states", ros::JointState::kName, 100.0, false, "",
              "Measured position [rad], velocity [rad/s] and motor torque [N m] of every joint"},
-    TopicRow{Topic::imu, "/imu/data", ros::Imu::kName, 100.0, false, "trunk",
-             "Trunk sensors: angular velocity [rad/s], specific force [m/s^2]; orientation as estimated"},
+    TopicRow{Topic::imu, "/imu/data", ros::Imu::kName, 100.0, false, "the IMU's link",
+             "Of the link that bears the IMU: angular velocity [rad/s], specific force [m/s^2]; orientation "
+             "as estimated"},
     TopicRow{
         Topic::left_wrench, "/foot/left/wrench", ros::WrenchStamped::kName, 100.0, false, "left_sole",
         "Force [N] and torque [N m] that the force cells of the left foot measure, about its sole frame"},

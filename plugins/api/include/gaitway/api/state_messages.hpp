@@ -26,7 +26,7 @@ void fill(ros::JointState& message, const JointStates& joints) noexcept;
 void fill(ros::Imu& message, const gaitway::Imu& imu, const Estimate* estimate) noexcept;
 
 // In the sole frame of that foot, about its origin.
-[[nodiscard]] ros::WrenchStamped make_foot_wrench(urdf::Side side);
+[[nodiscard]] ros::WrenchStamped make_foot_wrench(const urdf::RobotModel& model, urdf::Side side);
 // The cells measure vertical forces only: force z = Σ f, torque x = Σ y·f, torque y = −Σ x·f; the rest is 0.
 void fill(ros::WrenchStamped& message, const FootForces& forces, const urdf::RobotModel& model,
           urdf::Side side) noexcept;

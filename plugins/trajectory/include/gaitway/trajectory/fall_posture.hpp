@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/trajectory/fall_posture_file.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
 #include "gaitway/trajectory/quintic.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -26,9 +27,11 @@ class FallPosture {
     std::span<const double> before_rad, at_rad;
   };
 
-  // A robot that lacks one of the joints that the postures name has none: see exists().
-  explicit FallPosture(const urdf::RobotModel& robot);
-  [[nodiscard]] bool exists() const noexcept { return exists_; }
+  // With the postures of its folder, or those that its body allows; a robot with neither has none: see
+  // exists().
+  explicit FallPosture(const urdf::RobotModel& robot) : FallPosture(robot, fall_postures_of(robot)) {}
+  FallPosture(const urdf::RobotModel& robot, std::optional<FallPostures> postures);
+  [[nodiscard]] bool exists() const noexcept { return postures_rad_.has_value(); }
 
   // The next batch begins the way into the posture. direction_rad: as Estimate::fall_direction. 30 us.
   void fall(double direction_rad, const References& references) noexcept;
@@ -70,16 +73,13 @@ class FallPosture {
   struct Limits {
     double lower_rad, upper_rad, speed_rad_per_s, home_rad;
   };
-  // Of each joint; not a number: it stays where it is.
-  using Angles = std::vector<double>;
 
   void begin(Stage stage, const References& references, std::span<const double> to_rad,
              double most_rad_per_s) noexcept;
 
   std::vector<Limits> joints_;
-  Angles home_rad_;
-  std::array<Angles, 4> postures_rad_;  // ahead, to the left, back, to the right
-  bool exists_ = true;
+  PostureAngles home_rad_;
+  std::optional<FallPostures> postures_rad_;
   State state_;
 };
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gaitway/trajectory/motion_table.hpp"
+#include "gaitway/trajectory/posture_angles.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::motion {
@@ -32,10 +33,7 @@ inline constexpr std::array<std::string_view, 4> kContactNames{"both", "left", "
   return contact == Contact::both || contact == (side == urdf::Side::left ? Contact::left : Contact::right);
 }
 
-struct JointAngle {
-  int joint = 0;  // index into RobotModel::joints
-  double angle_rad = 0.0;
-};
+using trajectory::JointAngle;
 
 // Above what the centre of mass shall be.
 enum class Over : std::uint8_t { both, left, right };

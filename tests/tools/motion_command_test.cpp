@@ -1,0 +1,79 @@
+// `gaitway motion adapt` as a user meets it: a motion of one robot that another one plays.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "robots/robot_variants.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class MotionAdapt : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return robot_.folder() / name; }
+  int run(const std::string& arguments) {
+    const std::string line = std::string(GAITWAY_COMMAND) + " " + arguments + " --robot '" +
+                             robot_.folder().string() + "' >'" + file("said").string() + "' 2>'" +
+                             file("complaint").string() + "'";
+    const int status = std::system(line.c_str());
+    said_ = text_of(file("said"));
+    complaint_ = text_of(file("complaint"));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  test::RobotVariant robot_;
+  std::string said_, complaint_;
+};
+
+TEST_F(MotionAdapt, GivesTheRobotAMotionThatItPlays) {
+  robot_.scale(0.7);
+  robot_.rename();
+  std::ofstream(file("show.yaml")) << "seconds: 4\nevents:\n  - {at_s: 1.0, motion: wave}\n";
+  const std::string show = "run --quiet --no-pictures --scenario '" + file("show.yaml").string() +
+                           "' --out '" + file("out").string() + "'";
+  EXPECT_EQ(run(show), 1) << "it has none";
+  EXPECT_THAT(complaint_, HasSubstr("there is no motion 'wave'"));
+  ASSERT_EQ(run("motion adapt wave"), 0) << complaint_;
+  EXPECT_THAT(said_, AllOf(HasSubstr("lengths times 0.7"), HasSubstr("planned within all limits")));
+  EXPECT_THAT(text_of(file("motions/wave.yaml")),
+              AllOf(HasSubstr("# Adapted from humanoid22's wave"), HasSubstr("hctip_redluohs_tfel: "),
+                    HasSubstr("name: raise")));
+  EXPECT_EQ(run(show), 0) << complaint_;
+  EXPECT_EQ(run("motion list"), 0);
+  EXPECT_THAT(said_, HasSubstr("Waves with the left hand"));
+  EXPECT_EQ(run("motion adapt wave"), 0) << "what was adapted may be adapted again";
+}
+
+TEST_F(MotionAdapt, SaysByNameWhatDoesNotGoAndWritesNothing) {
+  robot_.remove_arms();
+  EXPECT_EQ(run("motion adapt wave"), 1);
+  EXPECT_THAT(complaint_, AllOf(HasSubstr("'left_shoulder_pitch'"), HasSubstr("has no left shoulder pitch")));
+  EXPECT_FALSE(std::filesystem::exists(file("motions")));
+  EXPECT_EQ(run("motion adapt jump"), 1);
+  EXPECT_THAT(complaint_, HasSubstr("there is no such motion"));
+}
+
+TEST_F(MotionAdapt, OverwritesNothingOfPeoplesOwn) {
+  std::filesystem::create_directory(file("motions"));
+  std::ofstream(file("motions/wave.yaml")) << "name: wave\n";
+  EXPECT_EQ(run("motion adapt wave"), 1);
+  EXPECT_THAT(complaint_, HasSubstr("was not adapted"));
+  EXPECT_EQ(text_of(file("motions/wave.yaml")), "name: wave\n");
+}
+
+}  // namespace
+}  // namespace gaitway::tools

@@ -1,0 +1,103 @@
+// Tries the motion as large as it was, and then smaller, until it is within every limit.
+#include "tools/motion/adapt_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gaitway/motion/motion_adaptation.hpp"
+#include "gaitway/motion/motion_planner.hpp"
+#include "gaitway/process/text_file.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+constexpr std::array kShares{1.0, 0.9, 0.8, 0.7, 0.6, 0.5};
+constexpr const char* kFirstWords = "# Adapted from ";
+
+struct Adapted {
+  std::string text;
+  motion::AdaptedMotion adapted;
+  motion::PreparedMotion prepared;
+};
+
+std::vector<std::string> comments_of(const motion::AdaptedMotion& adapted, const std::string& from,
+                                     const std::string& to, double share, const std::string& too_large) {
+  std::vector<std::string> comments{
+      fmt::format("Adapted from {}'s {} for {} by `gaitway motion adapt`: lengths times {:.4g}, times times "
+                  "{:.4g}. Changed:",
+                  from, adapted.motion.name, to, adapted.length_factor, adapted.time_factor)};
+  for (const std::string& change : adapted.changes) comments.push_back("- " + change);
+  if (share < 1.0)
+    comments.push_back(fmt::format("- made {:g} times as large; at first: {}", share, too_large));
+  if (motion::is_on_ground(adapted.motion)) {
+    comments.emplace_back(
+        "- on the ground neither balance nor torque is planned: see it in the simulator before the robot "
+        "plays it");
+  }
+  if (comments.size() == 1) comments.emplace_back("- nothing else");
+  return comments;
+}
+
+// The largest share of the motion that keeps every limit. Throws motion::MotionError, what was said first, if
+// none does.
+Adapted adapt_as_large_as_possible(const urdf::RobotModel& from, const motion::Motion& original,
+                                   const urdf::RobotModel& to, const std::filesystem::path& file) {
+  std::string too_large;
+  for (const double share : kShares) {
+    motion::AdaptedMotion adapted = motion::adapt_motion(from, original, to, share);
+    std::string text =
+        motion::motion_text(adapted.motion, to, comments_of(adapted, from.name, to.name, share, too_large));
+    const motion::Motion read = motion::parse_motion(text, file, to);
+    try {
+      return {std::move(text), std::move(adapted), motion::prepare_motion(to, read, {})};
+    } catch (const motion::MotionError& error) {
+      if (too_large.empty()) too_large = error.what();
+      if (motion::is_on_ground(original)) break;
+    }
+  }
+  throw motion::MotionError(fmt::format(
+      "motion '{}' does not go on the robot '{}'{}: {}", original.name, to.name,
+      motion::is_on_ground(original) ? "" : fmt::format(", even {:g} times as large", kShares.back()),
+      too_large));
+}
+
+void require_no_own_file(const std::filesystem::path& file) {
+  std::ifstream there(file);
+  std::string line;
+  if (there && !(std::getline(there, line) && line.starts_with(kFirstWords))) {
+    throw std::invalid_argument(fmt::format(
+        "{}: there is such a motion already, and it was not adapted from another one. Name another "
+        "folder with --out, or remove it",
+        file.string()));
+  }
+}
+
+}  // namespace
+
+void adapt_motion_file(const AdaptOptions& options) {
+  const urdf::RobotModel from = urdf::load_robot(options.from), to = urdf::load_robot(options.robot);
+  const motion::Motion original = motion::read_motion(options.motion, from);
+  const std::filesystem::path file = options.out / (original.name + ".yaml");
+  require_no_own_file(file);
+  const Adapted made = adapt_as_large_as_possible(from, original, to, file);
+  std::filesystem::create_directories(options.out);
+  process::write_text_file(file, made.text);
+  trajectory::write_motion_table(made.prepared.table,
+                                 options.out / (original.name + trajectory::kMotionTableEnding));
+  for (std::size_t end = 0, begin = 0; made.text[begin] == '#'; begin = end + 1) {
+    end = made.text.find('\n', begin);
+    fmt::print("{}\n", made.text.substr(begin + 2, end - begin - 2));
+  }
+  fmt::print("{}: {:.2f} s, planned within all limits, in {}\n", original.name,
+             made.prepared.planned.plan.duration_s(), file.string());
+}
+
+}  // namespace gaitway::tools
