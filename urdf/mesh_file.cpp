@@ -3,14 +3,16 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "gaitway/input/complaint.hpp"
 #include "robot_files.hpp"

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "gaitway/facts/facts.hpp"
 #include "robots/robot_variants.hpp"
