@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "gaitway/facts/facts.hpp"
 
@@ -47,35 +48,61 @@ void add_sky_and_sun(mjSpec* spec) {
   light->castshadow = 1;
 }
 
-void add_collision(mjsBody* body, const urdf::Link& link, double friction) {
-  for (const urdf::BoxShape& box : link.collision) {
-    mjsGeom* const geom = mjs_addGeom(body, nullptr);
-    geom->type = mjGEOM_BOX;
-    copy_pose(box.pose, geom->pos, geom->quat);
-    copy(box.size_m / 2.0, geom->size);
+void use_mesh(mjSpec* spec, const urdf::Mesh& file, mjsGeom* geom) {
+  mjsMesh* const mesh = mjs_addMesh(spec, nullptr);
+  const std::string name = "mesh " + std::to_string(mjs_getId(mesh->element));
+  mjs_setName(mesh->element, name.c_str());
+  mjs_setString(mesh->content_type, "model/stl");
+  mjs_setString(mesh->file, file.file.c_str());
+  copy(file.scale, mesh->scale);
+  mesh->inertia = mjMESH_INERTIA_SHELL;  // it weighs nothing here, and need not be closed
+  mjs_setString(geom->meshname, name.c_str());
+}
+
+mjsGeom* add_shape(mjSpec* spec, mjsBody* body, const urdf::Shape& shape) {
+  using Kind = urdf::Shape::Kind;
+  mjsGeom* const geom = mjs_addGeom(body, nullptr);
+  const Eigen::Vector3d half = shape.size_m / 2.0;
+  Eigen::Isometry3d pose = shape.pose;
+  switch (shape.kind) {
+    case Kind::box:
+      geom->type = mjGEOM_BOX;
+      copy(half, geom->size);
+      break;
+    case Kind::cylinder:
+      geom->type = mjGEOM_CYLINDER;
+      copy({half.x(), half.z(), 0.0}, geom->size);
+      break;
+    case Kind::sphere:
+      geom->type = mjGEOM_SPHERE;
+      copy(half, geom->size);
+      break;
+    case Kind::mesh:
+      geom->type = mjGEOM_MESH;
+      pose.translate(-shape.mesh.centre_m);
+      use_mesh(spec, shape.mesh, geom);
+      break;
+  }
+  copy_pose(pose, geom->pos, geom->quat);
+  geom->mass = 0.0;
+  return geom;
+}
+
+void add_collision(mjSpec* spec, mjsBody* body, const urdf::Link& link, double friction) {
+  for (const urdf::Shape& shape : link.collision) {
+    mjsGeom* const geom = add_shape(spec, body, shape);
     geom->contype = 0;
     geom->conaffinity = kTouchesGround;
     geom->condim = 3;
     geom->friction[0] = friction;
-    geom->mass = 0.0;
     geom->group = 3;  // not drawn
   }
 }
 
-void add_visuals(mjsBody* body, const urdf::Link& link) {
-  using Kind = urdf::VisualShape::Kind;
-  for (const urdf::VisualShape& shape : link.visual) {
-    mjsGeom* const geom = mjs_addGeom(body, nullptr);
-    copy_pose(shape.pose, geom->pos, geom->quat);
-    const Eigen::Vector3d half = shape.size_m / 2.0;
-    geom->type = shape.kind == Kind::box        ? mjGEOM_BOX
-                 : shape.kind == Kind::cylinder ? mjGEOM_CYLINDER
-                                                : mjGEOM_SPHERE;
-    const Eigen::Vector3d size =
-        shape.kind == Kind::cylinder ? Eigen::Vector3d(half.x(), half.z(), 0.0) : half;
-    copy(size, geom->size);
+void add_visuals(mjSpec* spec, mjsBody* body, const urdf::Link& link) {
+  for (const urdf::Shape& shape : link.visual) {
+    mjsGeom* const geom = add_shape(spec, body, shape);
     geom->contype = geom->conaffinity = 0;
-    geom->mass = 0.0;
     geom->group = 1;
     for (Eigen::Index i = 0; i < 4; ++i) {
       geom->rgba[i] = static_cast<float>(shape.rgba[i]);
@@ -143,8 +170,8 @@ void add_robot(mjSpec* spec, const urdf::RobotModel& robot, const ModelMismatch&
     const bool is_trunk = static_cast<int>(i) == robot.imu.link;
     set_inertia(body, link, mismatch.mass_factor[i] * (is_trunk ? conditions.body.trunk_mass_factor : 1.0),
                 is_trunk ? described_to_true_m : Eigen::Vector3d::Zero());
-    add_collision(body, link, friction);
-    add_visuals(body, link);
+    add_collision(spec, body, link, friction);
+    add_visuals(spec, body, link);
     bodies.push_back(body);
   }
 }

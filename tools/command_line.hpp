@@ -101,6 +101,7 @@ inline constexpr std::array kCommands{
     Command{"check-plugin", "Check that a plug-in keeps the rules; for its author and for CI"},
     Command{"bus", "Analyse and describe the robot's CAN bus"},
     Command{"measure", "Measure how well the simulated robot does"},
+    Command{"robot", "Bring a robot of your own from its URDF, and check that it walks"},
     Command{"motion", "Key-frame motions: list, show, plan, check, draw and prepare them"},
     Command{"calibrate",
             "Find joint zeros, trunk and force cells from standing poses, and how sure they are"}};

@@ -14,6 +14,24 @@ constexpr double kLargestMass_kg = 200.0;
 constexpr double kLargestLength_m = 2.0;
 constexpr double kLargestGyrationRadius_m = 1.0;
 
+void check_shapes(const UrdfFile& urdf, const std::string& link, const char* use,
+                  const std::map<std::string, std::vector<int>>& lines, const std::vector<Shape>& shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Shape& shape = shapes[i];
+    const bool is_mesh = shape.kind == Shape::Kind::mesh;  // it may be flat
+    if (shape.size_m.minCoeff() > (is_mesh ? -1.0 : 0.0) && shape.size_m.maxCoeff() <= kLargestLength_m &&
+        shape.pose.translation().norm() <= kLargestLength_m) {
+      continue;
+    }
+    input::refuse(
+        {urdf.file, lines.at(link).at(i), fmt::format("link '{}' {}", link, use),
+         fmt::format("{:g} x {:g} x {:g} m, {:g} m away", shape.size_m.x(), shape.size_m.y(),
+                     shape.size_m.z(), shape.pose.translation().norm()),
+         fmt::format("each edge must be above 0 and at most {:g} m, and so near", kLargestLength_m),
+         is_mesh ? "Choose the mesh's scale so that lengths are in metres" : "Write lengths in metres"});
+  }
+}
+
 }  // namespace
 
 void check_link(const UrdfFile& urdf, const Link& link) {
@@ -48,20 +66,8 @@ void check_link(const UrdfFile& urdf, const Link& link) {
              fmt::format("its radius of gyration must be at most {:g} m", kLargestGyrationRadius_m),
              "Write the inertia in kg·m²");
   }
-  const auto check_size = [&](const char* field, const Eigen::Isometry3d& pose, const Eigen::Vector3d& size) {
-    if (!(size.minCoeff() > 0.0) || size.maxCoeff() > kLargestLength_m ||
-        pose.translation().norm() > kLargestLength_m) {
-      complain(field, fmt::format("{:g} x {:g} x {:g} m", size.x(), size.y(), size.z()),
-               fmt::format("each edge must be above 0 and at most {:g} m, and so near", kLargestLength_m),
-               "Write lengths in metres");
-    }
-  };
-  for (const BoxShape& box : link.collision) {
-    check_size("collision", box.pose, box.size_m);
-  }
-  for (const VisualShape& shape : link.visual) {
-    check_size("visual", shape.pose, shape.size_m);
-  }
+  check_shapes(urdf, link.name, "collision", urdf.lines.collision, link.collision);
+  check_shapes(urdf, link.name, "visual", urdf.lines.visual, link.visual);
 }
 
 }  // namespace gaitway::urdf

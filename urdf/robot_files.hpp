@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -16,6 +17,9 @@ namespace gaitway::urdf {
 struct UrdfLines {
   std::map<std::string, int> link;
   std::map<std::string, int> joint;
+  // Of the shapes within each link's collision and visual elements.
+  std::map<std::string, std::vector<int>> collision;
+  std::map<std::string, std::vector<int>> visual;
 };
 
 // urdfdom itself neither tells lines nor minds misspelt elements. Checks that the text is well-formed XML and
@@ -41,6 +45,12 @@ struct UrdfFile {
 };
 
 [[nodiscard]] UrdfFile read_urdf_file(const std::filesystem::path& file);
+
+// Completes a shape whose pose is that of the mesh's own frame and whose scale is known: file, size, centre.
+// `field` names the element in refusals.
+enum class MeshUse : std::uint8_t { collision, visual };
+void read_mesh(const std::filesystem::path& urdf, int line, const std::string& field,
+               const std::string& filename, MeshUse use, Shape& shape);
 
 // robot.yaml; names of joints and links are not yet resolved.
 struct NetworkJoint {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "gaitway/input/complaint.hpp"
 
@@ -48,6 +49,18 @@ double RobotModel::total_mass_kg() const noexcept {
     mass_kg += link.mass_kg;
   }
   return mass_kg;
+}
+
+std::vector<std::filesystem::path> RobotModel::mesh_files() const {
+  std::set<std::filesystem::path> files;
+  for (const Link& link : links) {
+    for (const std::vector<Shape>* shapes : {&link.collision, &link.visual}) {
+      for (const Shape& shape : *shapes) {
+        if (shape.kind == Shape::Kind::mesh) files.insert(shape.mesh.file);
+      }
+    }
+  }
+  return {files.begin(), files.end()};
 }
 
 int RobotModel::joint_index(std::string_view joint_name) const {

@@ -50,23 +50,25 @@ Eigen::Isometry3d pose_of(const ::urdf::Pose& pose) {
   return result;
 }
 
-std::optional<VisualShape> visual_shape(const ::urdf::Visual& visual) {
-  VisualShape shape;
-  shape.pose = pose_of(visual.origin);
-  if (visual.material) {
-    const ::urdf::Color& colour = visual.material->color;
-    shape.rgba = Eigen::Vector4f(colour.r, colour.g, colour.b, colour.a).cast<double>();
-  }
-  if (const auto* box = dynamic_cast<const ::urdf::Box*>(visual.geometry.get())) {
+Shape read_shape(const ::urdf::Geometry* geometry, const ::urdf::Pose& origin, MeshUse use,
+                 const std::string& link, std::size_t index, const UrdfFile& urdf) {
+  Shape shape;
+  shape.pose = pose_of(origin);
+  if (const auto* box = dynamic_cast<const ::urdf::Box*>(geometry)) {
     shape.size_m = vector_of(box->dim);
-  } else if (const auto* cylinder = dynamic_cast<const ::urdf::Cylinder*>(visual.geometry.get())) {
-    shape.kind = VisualShape::Kind::cylinder;
+  } else if (const auto* cylinder = dynamic_cast<const ::urdf::Cylinder*>(geometry)) {
+    shape.kind = Shape::Kind::cylinder;
     shape.size_m = {2.0 * cylinder->radius, 2.0 * cylinder->radius, cylinder->length};
-  } else if (const auto* sphere = dynamic_cast<const ::urdf::Sphere*>(visual.geometry.get())) {
-    shape.kind = VisualShape::Kind::sphere;
+  } else if (const auto* sphere = dynamic_cast<const ::urdf::Sphere*>(geometry)) {
+    shape.kind = Shape::Kind::sphere;
     shape.size_m.setConstant(2.0 * sphere->radius);
-  } else {
-    return std::nullopt;  // a mesh: nothing that the robot model could hold
+  } else if (const auto* mesh = dynamic_cast<const ::urdf::Mesh*>(geometry)) {
+    shape.kind = Shape::Kind::mesh;
+    shape.mesh.scale = vector_of(mesh->scale);
+    const bool touches = use == MeshUse::collision;
+    read_mesh(urdf.file, (touches ? urdf.lines.collision : urdf.lines.visual).at(link).at(index),
+              fmt::format("link '{}' {}", link, touches ? "collision" : "visual"), mesh->filename, use,
+              shape);
   }
   return shape;
 }
@@ -87,18 +89,16 @@ Link read_link(const ::urdf::Link& source, const UrdfFile& urdf) {
   link.name = source.name;
   read_inertial(*source.inertial, link);
   for (const auto& visual : source.visual_array) {
-    if (const auto shape = visual_shape(*visual)) {
-      link.visual.push_back(*shape);
+    link.visual.push_back(read_shape(visual->geometry.get(), visual->origin, MeshUse::visual, link.name,
+                                     link.visual.size(), urdf));
+    if (visual->material) {
+      const ::urdf::Color& colour = visual->material->color;
+      link.visual.back().rgba = Eigen::Vector4f(colour.r, colour.g, colour.b, colour.a).cast<double>();
     }
   }
   for (const auto& collision : source.collision_array) {
-    const auto* box = dynamic_cast<const ::urdf::Box*>(collision->geometry.get());
-    if (!box) {
-      input::refuse({urdf.file, urdf.lines.link.at(link.name), fmt::format("link '{}' collision", link.name),
-                     "", "must be a box",
-                     "Put a box around the shape; visual elements may be of other shapes"});
-    }
-    link.collision.push_back({pose_of(collision->origin), vector_of(box->dim)});
+    link.collision.push_back(read_shape(collision->geometry.get(), collision->origin, MeshUse::collision,
+                                        link.name, link.collision.size(), urdf));
   }
   return link;
 }

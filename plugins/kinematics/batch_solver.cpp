@@ -65,6 +65,10 @@ BatchOutcome leg_failure(int point, const BothLegs& legs) noexcept {
           left ? legs[0] : legs[1]};
 }
 
+LegAngles angles_of(const BothLegs& legs) noexcept {
+  return {legs[0].angle_rad, legs[1].angle_rad};
+}
+
 }  // namespace
 
 struct BatchSolver::Run {
@@ -157,17 +161,31 @@ BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, cons
 }
 
 BatchOutcome BatchSolver::solve_point(Run& run, int point, const Eigen::Vector2d& guess_m, double tolerance_m,
-                                      Knot& knot) {
+                                      const std::optional<LegAngles>& start_rad, Knot& knot) {
   const PointFrames frames = placement_.frames(run.at(point));
-  const WholeBodyPlacement::Result result = placement_.place_com(frames, guess_m, tolerance_m);
+  const WholeBodyPlacement::Result result = placement_.place_com(frames, guess_m, tolerance_m, start_rad);
   if (!result.converged) {
     if (!result.legs[0].reached() || !result.legs[1].reached()) return leg_failure(point, result.legs);
     return {BatchOutcome::Kind::com_not_placed, point, urdf::Side::left, {}};
   }
-  knot = {static_cast<double>(point), result.offset_m, result.refined_m};
+  knot = {static_cast<double>(point), result.offset_m, result.refined_m, angles_of(result.legs)};
   write(run.joint_plan, point, result.legs);
   note_base(run.at(point), frames, result.offset_m, point);
   return {};
+}
+
+std::optional<LegAngles> BatchSolver::start_at(int point, const Knot& first, const Knot& second,
+                                               const Knot& third) const noexcept {
+  if (!placement_.wants_start()) return std::nullopt;
+  const QuadraticWeights w(first.point, second.point, third.point, point);
+  LegAngles start_rad;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      start_rad[side][i] = w.first * first.angle_rad[side][i] + w.second * second.angle_rad[side][i] +
+                           w.third * third.angle_rad[side][i];
+    }
+  }
+  return start_rad;
 }
 
 BatchOutcome BatchSolver::solve_batch(Run& run) {
@@ -178,16 +196,20 @@ BatchOutcome BatchSolver::solve_batch(Run& run) {
     knot.point -= kBatchPoints;
     if (!past.precedes(run.plan)) {
       knot.refined_m = past.sequence != 0 ? past.last[2].refined_m : placement_.standing_offset_m();
+      knot.angle_rad = past.last[2].angle_rad;
     }
   }
   for (int point = 0; point < kBatchPoints; ++point) {
     // Equidistant points: the quadratic through three of them goes on with 1, -3, 3.
     const Eigen::Vector2d guess = before[0].refined_m + 3.0 * (before[2].refined_m - before[1].refined_m);
+    const bool first_ever = point == 0 && past.sequence == 0;
+    const auto start = first_ever ? std::nullopt : start_at(point, before[0], before[1], before[2]);
     Knot& knot = run.batch[static_cast<std::size_t>(point)];
-    if (const BatchOutcome outcome = solve_point(run, point, guess, kBatchTolerance_m, knot);
+    if (const BatchOutcome outcome = solve_point(run, point, guess, kBatchTolerance_m, start, knot);
         !outcome.solved()) {
       return outcome;
     }
+    if (first_ever) before[1].angle_rad = before[2].angle_rad = knot.angle_rad;
     before = {before[1], before[2], knot};
   }
   return {};
@@ -197,29 +219,40 @@ BatchOutcome BatchSolver::solve_tail(Run& run) {
   const int end = kBatchPoints + static_cast<int>(run.plan.tail_count);
   // Quadratics through three knots: from the past ones to guess the next, from it to fill the points between.
   std::array<Knot, 3> knots{run.batch[0], run.batch[3], run.batch[7]};
+  std::array<Knot, 3> recent{run.batch[5], run.batch[6], run.batch[7]};
   while (static_cast<int>(knots[2].point) < end - 1) {
     const int last = static_cast<int>(knots[2].point);
     const int next = std::min(last + kPlacementSpacing, end - 1);
     const QuadraticWeights w(knots[0].point, knots[1].point, knots[2].point, next);
     const Eigen::Vector2d guess =
         w.first * knots[0].refined_m + w.second * knots[1].refined_m + w.third * knots[2].refined_m;
+    const auto start = start_at(next, recent[0], recent[1], recent[2]);
     Knot knot;
-    if (const BatchOutcome outcome = solve_point(run, next, guess, kTailTolerance_m, knot);
+    if (const BatchOutcome outcome = solve_point(run, next, guess, kTailTolerance_m, start, knot);
         !outcome.solved()) {
       return outcome;
     }
-    for (int point = last + 1; point < next; ++point) {
-      const QuadraticWeights between(knots[1].point, knots[2].point, knot.point, point);
-      const Eigen::Vector2d offset =
-          between.first * knots[1].used_m + between.second * knots[2].used_m + between.third * knot.used_m;
-      const PlanPoint planned = run.at(point);
-      const PointFrames frames = placement_.frames(planned);
-      const BothLegs legs = placement_.place(frames, offset);
-      if (!legs[0].reached() || !legs[1].reached()) return leg_failure(point, legs);
-      write(run.joint_plan, point, legs);
-      note_base(planned, frames, offset, point);
-    }
     knots = {knots[1], knots[2], knot};
+    if (const BatchOutcome outcome = solve_between(run, knots, recent); !outcome.solved()) return outcome;
+    recent = {recent[1], recent[2], knot};
+  }
+  return {};
+}
+
+BatchOutcome BatchSolver::solve_between(Run& run, const std::array<Knot, 3>& knots,
+                                        std::array<Knot, 3>& recent) {
+  const int last = static_cast<int>(knots[1].point), next = static_cast<int>(knots[2].point);
+  for (int point = last + 1; point < next; ++point) {
+    const QuadraticWeights between(knots[0].point, knots[1].point, knots[2].point, point);
+    const Eigen::Vector2d offset =
+        between.first * knots[0].used_m + between.second * knots[1].used_m + between.third * knots[2].used_m;
+    const PlanPoint planned = run.at(point);
+    const PointFrames frames = placement_.frames(planned);
+    const BothLegs legs = placement_.place(frames, offset, start_at(point, recent[1], recent[2], knots[2]));
+    if (!legs[0].reached() || !legs[1].reached()) return leg_failure(point, legs);
+    write(run.joint_plan, point, legs);
+    note_base(planned, frames, offset, point);
+    recent = {recent[1], recent[2], {static_cast<double>(point), offset, offset, angles_of(legs)}};
   }
   return {};
 }

@@ -1,26 +1,20 @@
 // Damped Newton iterations over a KDL chain.
-#include "gaitway/kinematics/leg_solver.hpp"
+#include "gaitway/kinematics/kdl_leg.hpp"
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 
+#include "damped_step.hpp"
+
 namespace gaitway::kinematics {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-constexpr int kLegIterationLimit = 60;
-constexpr double kStepLimit_rad = 0.5;
-constexpr double kSmallestDamping = 1e-12;
-constexpr double kLength_m =
-    0.3;  // makes position and orientation errors comparable; any leg's order of size
 
 KDL::Chain chain_to_sole(const urdf::RobotModel& model, urdf::Side side) {
   const urdf::Foot& foot = model.feet[static_cast<std::size_t>(side)];
@@ -102,15 +96,7 @@ struct KdlLeg::State {
 
   Vector6 newton_step(const Vector6& error) {
     jacobian_solver.JntToJac(angle, jacobian);
-    Matrix6 j = jacobian.data;
-    Vector6 e = error;
-    j.topRows<3>() /= kLength_m;
-    e.head<3>() /= kLength_m;
-    Matrix6 normal = j.transpose() * j;
-    normal.diagonal().array() += 0.5 * e.squaredNorm() + kSmallestDamping;
-    const Vector6 step = normal.llt().solve(j.transpose() * e);
-    const double largest = step.cwiseAbs().maxCoeff();
-    return largest > kStepLimit_rad ? Vector6(step * (kStepLimit_rad / largest)) : step;
+    return damped_step(jacobian.data, error.head<3>(), error.tail<3>());
   }
 
   Attempt iterate(const Eigen::Isometry3d& goal, const Vector6& from) {

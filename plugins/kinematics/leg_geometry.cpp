@@ -15,6 +15,7 @@ namespace {
 constexpr double kLengthTolerance_m = 1e-6;
 constexpr double kDirectionTolerance = 1e-6;
 constexpr double kShortestSegment_m = 1e-3;
+constexpr double kLeastAcross = 0.1;  // of an axis that is to be turned to a right angle with another
 
 enum Joint : std::size_t { hip_yaw, hip_roll, hip_pitch, knee, ankle_pitch, ankle_roll };
 std::string_view name_of(std::size_t joint) {
@@ -26,30 +27,6 @@ struct Line {  // a joint's axis in the base frame, zero posture
   Eigen::Vector3d direction;
 };
 using Axes = std::array<Line, 6>;
-
-// The legs must hang on the base, each joint on the one before: that is what "six joints" promises.
-std::string check_chain(const urdf::RobotModel& model, urdf::Side side) {
-  const urdf::Leg& leg = model.legs[static_cast<std::size_t>(side)];
-  int parent = 0;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const urdf::Joint& joint = model.joints.at(static_cast<std::size_t>(leg.joints[i]));
-    if (joint.parent_link != parent) {
-      return fmt::format("joint '{}' ({}) does not follow the one before it in the leg", joint.name,
-                         name_of(i));
-    }
-    parent = joint.child_link;
-  }
-  if (parent != model.feet[static_cast<std::size_t>(side)].link) {
-    return "the sole is not on the link that the ankle roll joint moves";
-  }
-  return {};
-}
-
-// The closed form wants the ankle's joints in the order pitch, roll.
-std::string check_ankle(const urdf::RobotModel& model, urdf::Side side, const urdf::LegJoints& joints) {
-  const bool roll_first = joints[urdf::LegJoint::ankle_roll] == model.legs[urdf::index_of(side)].joints[4];
-  return roll_first ? "the ankle rolls before it pitches" : "";
-}
 
 urdf::ForwardKinematics zero_posture(const urdf::RobotModel& model) {
   urdf::ForwardKinematics kinematics(model);
@@ -169,7 +146,44 @@ LegGeometry measure(const Axes& axes, const Eigen::Vector3d& hip, const Eigen::V
   return geometry;
 }
 
+// Behind a check that there is a closed form: with the axes of its joints, and where they meet.
+LegGeometry geometry_of(const urdf::RobotModel& model, urdf::Side side, const urdf::LegJoints& joints,
+                        const Axes& axes, const Eigen::Vector3d& hip, const Eigen::Vector3d& ankle) {
+  const urdf::Leg& leg = model.legs[urdf::index_of(side)];
+  LegGeometry geometry = measure(axes, hip, ankle, zero_posture(model).sole_pose(side));
+  const double upright = upright_sign(axes, geometry, urdf::ForwardKinematics(model).sole_pose(side));
+  const Eigen::Vector3d roll = geometry.base_from_leg.transpose() * axes[ankle_roll].direction;
+  geometry.ankle_roll_axis = upright * Eigen::Vector2d(roll.x(), roll.z()).normalized();
+  geometry.axis_sign[ankle_roll] = upright;
+  geometry.knee_sign = knee_sign(geometry, model.joints[static_cast<std::size_t>(leg.joints[knee])]);
+  geometry.hip_order = hip_order(leg, joints);
+  geometry.ankle_rolls_first = joints[urdf::LegJoint::ankle_roll] == leg.joints[4];
+  geometry.limits = leg_limits(model, side);
+  return geometry;
+}
+
+bool has_segments(const LegGeometry& geometry) {
+  return std::min(geometry.thigh_m.norm(), geometry.shin_m.norm()) >= kShortestSegment_m;
+}
+
 }  // namespace
+
+std::string leg_chain_fault(const urdf::RobotModel& model, urdf::Side side) {
+  const urdf::Leg& leg = model.legs[static_cast<std::size_t>(side)];
+  int parent = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const urdf::Joint& joint = model.joints.at(static_cast<std::size_t>(leg.joints[i]));
+    if (joint.parent_link != parent) {
+      return fmt::format("joint '{}' ({}) does not follow the one before it in the leg", joint.name,
+                         name_of(i));
+    }
+    parent = joint.child_link;
+  }
+  if (parent != model.feet[static_cast<std::size_t>(side)].link) {
+    return "the sole is not on the link that the ankle roll joint moves";
+  }
+  return {};
+}
 
 Eigen::Vector3d hip_centre(const urdf::RobotModel& model, urdf::Side side) {
   const urdf::ForwardKinematics zero = zero_posture(model);
@@ -179,18 +193,15 @@ Eigen::Vector3d hip_centre(const urdf::RobotModel& model, urdf::Side side) {
   const double cosine = roll.direction.dot(pitch.direction);
   const double sine_squared = 1.0 - cosine * cosine;
   if (sine_squared < kDirectionTolerance) return pitch.point;
-  const Eigen::Vector3d gap = pitch.point - roll.point;
-  const double along = (gap.dot(roll.direction) - cosine * gap.dot(pitch.direction)) / sine_squared;
-  return roll.point + along * roll.direction;
+  const Eigen::Vector3d gap = roll.point - pitch.point;
+  const double along = (gap.dot(pitch.direction) - cosine * gap.dot(roll.direction)) / sine_squared;
+  return pitch.point + along * pitch.direction;
 }
 
 LegRecognition recognise_leg(const urdf::RobotModel& model, urdf::Side side) {
-  if (std::string reason = check_chain(model, side); !reason.empty()) return {std::nullopt, reason};
-  const auto index = static_cast<std::size_t>(side);
+  if (std::string reason = leg_chain_fault(model, side); !reason.empty()) return {std::nullopt, reason};
   const urdf::LegJoints joints(model, urdf::ForwardKinematics(model), side);
-  if (std::string reason = check_ankle(model, side, joints); !reason.empty()) return {std::nullopt, reason};
-  const urdf::ForwardKinematics zero = zero_posture(model);
-  const Axes axes = joint_axes(model, joints, zero);
+  const Axes axes = joint_axes(model, joints, zero_posture(model));
   if (std::string reason = check_directions(axes); !reason.empty()) return {std::nullopt, reason};
 
   const Eigen::Vector3d hip = nearest_point(axes[hip_yaw], axes[hip_roll]);
@@ -198,20 +209,27 @@ LegRecognition recognise_leg(const urdf::RobotModel& model, urdf::Side side) {
   if (std::string reason = check_intersections(axes, hip, ankle); !reason.empty()) {
     return {std::nullopt, reason};
   }
-
-  LegGeometry geometry = measure(axes, hip, ankle, zero.sole_pose(side));
-  if (std::min(geometry.thigh_m.norm(), geometry.shin_m.norm()) < kShortestSegment_m) {
+  const LegGeometry geometry = geometry_of(model, side, joints, axes, hip, ankle);
+  if (!has_segments(geometry)) {
     return {std::nullopt, "the knee axis coincides with the hip or the ankle pitch axis"};
   }
-  const double upright = upright_sign(axes, geometry, urdf::ForwardKinematics(model).sole_pose(side));
-  const Eigen::Vector3d roll = geometry.base_from_leg.transpose() * axes[ankle_roll].direction;
-  geometry.ankle_roll_axis = upright * Eigen::Vector2d(roll.x(), roll.z()).normalized();
-  geometry.axis_sign[ankle_roll] = upright;
-  geometry.knee_sign =
-      knee_sign(geometry, model.joints[static_cast<std::size_t>(model.legs[index].joints[knee])]);
-  geometry.hip_order = hip_order(model.legs[index], joints);
-  geometry.limits = leg_limits(model, side);
   return {geometry, {}};
+}
+
+std::optional<LegGeometry> nearest_closed_form(const urdf::RobotModel& model, urdf::Side side) {
+  const urdf::LegJoints joints(model, urdf::ForwardKinematics(model), side);
+  Axes axes = joint_axes(model, joints, zero_posture(model));
+  const Eigen::Vector3d& y = axes[hip_pitch].direction;
+  for (const auto upright : {hip_yaw, ankle_roll}) {
+    Eigen::Vector3d& axis = axes[upright].direction;
+    axis -= y * y.dot(axis);
+    if (axis.norm() < kLeastAcross) return std::nullopt;
+    axis.normalize();
+  }
+  const Eigen::Vector3d ankle = nearest_point(axes[ankle_pitch], axes[ankle_roll]);
+  const LegGeometry geometry = geometry_of(model, side, joints, axes, hip_centre(model, side), ankle);
+  if (!has_segments(geometry)) return std::nullopt;
+  return geometry;
 }
 
 }  // namespace gaitway::kinematics

@@ -27,7 +27,7 @@ class Kinematics final : public Plugin {
     joint_plan_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 2; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 3; }
   void save_state(StateWriter& state) const override { state(solver_); }
   void restore_state(StateReader& state) override { state(solver_); }
 

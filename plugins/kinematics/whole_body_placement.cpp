@@ -164,7 +164,8 @@ PointFrames WholeBodyPlacement::frames(const PlanPoint& point) const noexcept {
   return frames;
 }
 
-BothLegs WholeBodyPlacement::place(const PointFrames& frames, const Eigen::Vector2d& offset_m) {
+BothLegs WholeBodyPlacement::place(const PointFrames& frames, const Eigen::Vector2d& offset_m,
+                                   const std::optional<LegAngles>& start_rad) {
   const Eigen::Vector3d base(offset_m.x(), offset_m.y(), frames.base_height_m);
   BothLegs solutions;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -172,7 +173,8 @@ BothLegs WholeBodyPlacement::place(const PointFrames& frames, const Eigen::Vecto
     base_from_sole.linear() = frames.base_from_sole[i];
     base_from_sole.translation() = frames.heading_from_base.transpose() * (frames.foot_m[i] - base);
     base_from_sole.makeAffine();
-    solutions[i] = legs_[i].solve(base_from_sole);
+    solutions[i] =
+        start_rad ? legs_[i].solve(base_from_sole, (*start_rad)[i]) : legs_[i].solve(base_from_sole);
   }
   return solutions;
 }
@@ -184,16 +186,18 @@ Eigen::Vector2d WholeBodyPlacement::com_error_m(const PointFrames& frames, const
 }
 
 WholeBodyPlacement::Result WholeBodyPlacement::place_com(const PointFrames& frames,
-                                                         const Eigen::Vector2d& guess_m, double tolerance_m) {
+                                                         const Eigen::Vector2d& guess_m, double tolerance_m,
+                                                         std::optional<LegAngles> start_rad) {
   Result result{{}, guess_m, guess_m, false};
   for (int i = 0; i < kPlacementIterationLimit; ++i) {
     result.offset_m = result.refined_m;
-    result.legs = place(frames, result.offset_m);
+    result.legs = place(frames, result.offset_m, start_rad);
     if (!result.legs[0].reached() || !result.legs[1].reached()) return result;
     const Eigen::Vector2d error = com_error_m(frames, result.legs, result.offset_m);
     result.refined_m = result.offset_m - base_per_com_ * error;
     result.converged = error.squaredNorm() <= tolerance_m * tolerance_m;
     if (result.converged) return result;
+    start_rad = {result.legs[0].angle_rad, result.legs[1].angle_rad};
   }
   return result;
 }

@@ -1,6 +1,6 @@
-// humanoid22 with another body, as folders that load: hips whose joints come in another order, and ankles,
-// where names stay so that whoever goes by names or numbers goes wrong; other sizes; other names; no arms.
-// Motions and postures of a fall are not among its files.
+// humanoid22 with another body, as folders that load: hips whose joints come in another order or whose axes
+// have no common point, and ankles, where names stay so that whoever goes by names or numbers goes wrong;
+// other sizes; other names; no arms. Motions and postures of a fall are not among its files.
 #pragma once
 
 #include <unistd.h>
@@ -90,6 +90,23 @@ class RobotVariant {
     write();
   }
 
+  // On both sides the joint turns about an axis that lies so much beside; `name` without its side, y away
+  // from the middle of the body. In the zero posture nothing else moves: neither the masses nor the other
+  // joints.
+  void move_axis(const std::string& name, const std::array<double, 3>& by_m) {
+    for (const std::string side : {"left_", "right_"}) {
+      std::array<double, 3> there_m = by_m;
+      if (side == "right_") there_m[1] = -there_m[1];
+      const std::array<double, 3> back_m{-there_m[0], -there_m[1], -there_m[2]};
+      const std::string anchor = "<joint name=\"" + side + name + "\"", child = "<child link=\"";
+      const std::string link = part(urdf_, anchor, child, "\"/>").substr(child.size());
+      shift_origins(urdf_.find(anchor), "</joint>", there_m);
+      shift_origins(urdf_.find("<link name=\"" + link + "\""), "</link>", back_m);
+      shift_origins(urdf_.find("<parent link=\"" + link + "\""), "</joint>", back_m);
+    }
+    write();
+  }
+
   // A body `larger` times as large that moves in the same way: lengths with it, masses with its cube, times
   // with its root.
   void scale(double larger) {
@@ -165,6 +182,23 @@ class RobotVariant {
     const std::size_t begin = text.find(from), end = text.find(to, begin);
     if (end == std::string::npos) throw std::runtime_error("humanoid22 has no " + from);
     text.erase(begin, end + to.size() - begin);
+  }
+  // Of all origins from `begin` to the first `end` of the URDF.
+  void shift_origins(std::size_t begin, const std::string& end, const std::array<double, 3>& by_m) {
+    const std::string origin = "<origin xyz=\"";
+    for (std::size_t at = urdf_.find(origin, begin); at < urdf_.find(end, begin);
+         at = urdf_.find(origin, at)) {
+      at += origin.size();
+      const std::size_t length = urdf_.find('"', at) - at;
+      std::istringstream words(urdf_.substr(at, length));
+      std::ostringstream shifted;
+      for (const double by : by_m) {
+        double number = 0.0;
+        words >> number;
+        shifted << number + by << ' ';
+      }
+      urdf_.replace(at, length, shifted.str().substr(0, shifted.str().size() - 1));
+    }
   }
   static void replace_numbers(std::string& text, const std::string& from, const std::string& to,
                               double number) {

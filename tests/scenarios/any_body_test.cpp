@@ -62,6 +62,24 @@ TEST_P(HipOrders, Walk) {
 }
 INSTANTIATE_TEST_SUITE_P(All, HipOrders, ::testing::Range(std::size_t{0}, kHipOrders.size()));
 
+// Hips whose axes have no common point: the yaw axis behind the others, the roll axis below the pitch axis.
+TEST(OffsetHips, Walk) {
+  RobotVariant variant;
+  variant.move_axis("hip_yaw", {-0.03, 0.0, 0.0});
+  variant.move_axis("hip_roll", {0.0, 0.0, -0.02});
+  expect_walk(variant, 1);
+}
+
+TEST(OffsetHips, PitchFirstWithAnklesThatRollFirstWalk) {
+  RobotVariant variant;
+  variant.reorder(kHip, {2, 1, 0});
+  variant.reorder(kAnkle, {1, 0});
+  variant.move_axis("hip_roll", {0.0, 0.01, -0.02});
+  variant.move_axis("hip_pitch", {-0.03, 0.0, -0.05});  // the third joint, which yaws
+  variant.move_axis("ankle_pitch", {0.0, 0.0, 0.015});  // the fifth, which rolls
+  expect_walk(variant, 1);
+}
+
 TEST(AnkleOrder, RollBeforePitchWalks) {
   RobotVariant variant;
   variant.reorder(kAnkle, {1, 0});

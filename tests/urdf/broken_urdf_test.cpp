@@ -184,12 +184,6 @@ TEST(BrokenUrdf, JointWithoutMotorIsRefused) {
       {robot.line_of(kUrdf, kLeftKnee), "joint 'left_knee' type: must be 'revolute'", "merge the link"});
 }
 
-TEST(BrokenUrdf, CollisionMustBeABox) {
-  BrokenRobot robot;
-  robot.replace(kUrdf, kLeftThigh, "<box size=\"0.06 0.06 0.12\"/>", "<sphere radius=\"0.06\"/>");
-  robot.expect_complaint({"link 'left_thigh' collision: must be a box"});
-}
-
 TEST(BrokenUrdf, ReferenceMustNotBeFasterThanTheMotor) {
   BrokenRobot robot;
   robot.replace(kUrdf, kLeftKnee, "velocity=\"8\"", "velocity=\"9\"");

@@ -138,7 +138,7 @@ TEST_F(Humanoid22, HasTheFeetOfTheFigures) {
     EXPECT_EQ(foot.size_m, Eigen::Vector2d(0.135, 0.085));
     EXPECT_EQ(foot.centre_m, Eigen::Vector2d(0.010, 0.0));
     EXPECT_EQ(foot.sole.translation(), Eigen::Vector3d(0.0, 0.0, -0.04));
-    const BoxShape& box = robot.links[static_cast<std::size_t>(foot.link)].collision.front();
+    const Shape& box = robot.links[static_cast<std::size_t>(foot.link)].collision.front();
     EXPECT_EQ(box.size_m.head<2>(), foot.size_m);
     EXPECT_NEAR(box.pose.translation().z() - 0.5 * box.size_m.z(), -0.04, 1e-15);
     EXPECT_NEAR(box.pose.translation().x(), 0.010, 1e-15);
@@ -233,7 +233,7 @@ TEST_F(Humanoid22, HasSomethingToSeeAndToTouchInEveryLink) {
   for (const Link& link : robot.links) {
     EXPECT_FALSE(link.collision.empty()) << link.name;
     EXPECT_FALSE(link.visual.empty()) << link.name;
-    for (const VisualShape& shape : link.visual) {
+    for (const Shape& shape : link.visual) {
       EXPECT_EQ(shape.rgba.w(), 1.0) << link.name;
     }
   }

@@ -41,8 +41,8 @@ void expect_clear(const RobotModel& robot, const std::vector<double>& posture) {
       if (parent_of(j) == i) continue;
       const Link& first = robot.links[static_cast<std::size_t>(i)];
       const Link& second = robot.links[static_cast<std::size_t>(j)];
-      for (const BoxShape& box : first.collision) {
-        for (const BoxShape& other : second.collision) {
+      for (const Shape& box : first.collision) {
+        for (const Shape& other : second.collision) {
           EXPECT_FALSE(overlap(kinematics.link_pose(i) * box.pose, box.size_m,
                                kinematics.link_pose(j) * other.pose, other.size_m))
               << first.name << " touches " << second.name;

@@ -53,6 +53,9 @@ std::uint64_t fingerprint_of(const TrialRobot& robot) {
   }
   hash.add_file(robot.model.directory / "robot.urdf");
   hash.add_file(robot.model.directory / "robot.yaml");
+  for (const std::filesystem::path& mesh : robot.model.mesh_files()) {
+    hash.add_file(mesh);
+  }
   hash.add_file(robot.plugins.file);
   for (const core::PluginEntry& plugin : robot.plugins.plugins) {
     const core::PluginLibrary library(plugin.library, robot.plugins.file.parent_path(),

@@ -1,7 +1,8 @@
-// Cost of one leg by both solvers, of the whole-body CoM, and of a whole batch with its tail.
+// Cost of one leg by each solver, of the whole-body CoM, and of a whole batch with its tail.
 #include <benchmark/benchmark.h>
 
-#include <string>
+#include <algorithm>
+#include <ctime>
 #include <vector>
 
 #include "gaitway/kinematics/batch_solver.hpp"
@@ -49,6 +50,23 @@ void BM_ClosedFormLeg(benchmark::State& state) {
 }
 BENCHMARK(BM_ClosedFormLeg);
 
+// From the posture of the sample before.
+void BM_GeneralLegWarm(benchmark::State& state) {
+  const urdf::RobotModel model = test::make_robot();
+  const GeneralLeg leg(model, urdf::Side::left);
+  struct Warm {
+    LegSolution solve(const Eigen::Isometry3d& sole) {
+      const LegSolution solution = leg.solve(sole, last_rad);
+      last_rad = solution.angle_rad;
+      return solution;
+    }
+    const GeneralLeg& leg;
+    std::array<double, 6> last_rad;
+  } warm{leg, test::LegSampler(model, urdf::Side::left, 0.0, 1).home()};
+  solve_walk(state, warm, walking_soles(model));
+}
+BENCHMARK(BM_GeneralLegWarm);
+
 void BM_KdlLegWarm(benchmark::State& state) {
   const urdf::RobotModel model = test::make_robot();
   KdlLeg leg(model, urdf::Side::left);
@@ -69,30 +87,76 @@ void BM_WholeBodyCom(benchmark::State& state) {
 }
 BENCHMARK(BM_WholeBodyCom);
 
-// Batches of a walk, 8 points and 140 of the tail; arguments: index of the solver's choice, whether the
-// references lead by what the servos give way.
-void BM_Batch(benchmark::State& state) {
-  const auto choice = state.range(0) == 0 ? SolverChoice::closed_form : SolverChoice::kdl;
-  urdf::RobotModel robot = test::make_robot();
+urdf::RobotModel robot_with(const test::LegVariant& legs) {
+  urdf::RobotModel robot = test::make_robot(legs);
   for (urdf::Joint& joint : robot.joints) joint.servo.stiffness_Nm_per_rad = 300.0;
-  BatchSolver solver(robot, choice, state.range(1) != 0);
-  const test::WalkingPlan walk(0.25, 0.3);
+  return robot;
+}
+
+// Of the processor, for this thread: what others take from it meanwhile does not count.
+double processor_time_us() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+// Batches of a walk, 8 points and 140 of the tail, by the solver of that choice. Counts how long each takes.
+void solve_batches(benchmark::State& state, const test::LegVariant& legs, SolverChoice choice,
+                   bool compensate_load) {
+  const urdf::RobotModel robot = robot_with(legs);
+  BatchSolver solver(robot, choice, compensate_load);
+  const test::WalkingPlan walk(0.25, 0.3, test::walking_hip_height_m(robot));
   std::vector<MotionPlan> plans;
   for (std::uint32_t sequence = 1; sequence <= 30; ++sequence) plans.push_back(walk.batch(sequence));
   JointPlan joint_plan{};
   const BaseOffset correction{{0.004, -0.003}, {0.01, 0.02}};
+  std::vector<double> batch_us;
+  batch_us.reserve(1U << 20U);
   std::size_t i = 0;
   for (auto _ : state) {
+    const double begin_us = processor_time_us();
     if (!solver.solve(plans[i], correction, joint_plan).solved()) {
       return state.SkipWithError("a batch of the walk is not solved");
     }
     benchmark::DoNotOptimize(joint_plan);
+    batch_us.push_back(processor_time_us() - begin_us);
     i = i + 1 == plans.size() ? 0 : i + 1;
   }
-  state.SetLabel(std::string(state.range(0) == 0 ? "closed form" : "KDL") +
-                 (state.range(1) == 0 ? "" : ", load compensated"));
+  std::ranges::sort(batch_us);
+  const auto quantile = [&](double share) {
+    return batch_us[static_cast<std::size_t>(share * static_cast<double>(batch_us.size() - 1))];
+  };
+  state.counters["p50_us"] = quantile(0.5);
+  state.counters["p99_us"] = quantile(0.99);
 }
-BENCHMARK(BM_Batch)->Args({0, 0})->Args({0, 1})->Args({1, 0})->Unit(benchmark::kMicrosecond);
+
+test::LegVariant ordered(test::LegVariant legs, const std::array<std::size_t, 6>& order) {
+  legs.order = order;
+  return legs;
+}
+
+void batch_benchmark(const char* name, const test::LegVariant& legs, SolverChoice choice,
+                     bool compensate_load) {
+  benchmark::RegisterBenchmark(name, [=](benchmark::State& state) {
+    solve_batches(state, legs, choice, compensate_load);
+  })->Unit(benchmark::kMicrosecond);
+}
+
+const bool kBatchBenchmarks = [] {
+  const test::LegVariant usual, offset_hip = test::offset_hip();
+  const test::LegVariant roll_first = ordered(usual, test::kAnkleRollFirst);
+  const test::LegVariant both = ordered(offset_hip, test::kAnkleRollFirst);
+  constexpr auto kAuto = SolverChoice::automatic;
+  batch_benchmark("Batch/usual_leg", usual, kAuto, false);
+  batch_benchmark("Batch/usual_leg/load_compensated", usual, kAuto, true);
+  batch_benchmark("Batch/offset_hip", offset_hip, kAuto, false);
+  batch_benchmark("Batch/offset_hip/load_compensated", offset_hip, kAuto, true);
+  batch_benchmark("Batch/ankle_roll_first/load_compensated", roll_first, kAuto, true);
+  batch_benchmark("Batch/offset_hip_ankle_roll_first/load_compensated", both, kAuto, true);
+  batch_benchmark("Batch/as_g1/load_compensated", test::general_variants()[2], kAuto, true);
+  batch_benchmark("Batch/offset_hip/kdl/load_compensated", offset_hip, SolverChoice::kdl, true);
+  return true;
+}();
 
 }  // namespace
 }  // namespace gaitway::kinematics

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "test_robot.hpp"
 #include "walking_plan.hpp"
@@ -34,6 +35,7 @@ using test::link_poses;
 using test::sole_pose;
 
 using test::make_robot;
+using test::walking_hip_height_m;
 using test::WalkingPlan;
 
 constexpr int kTail = 140;
@@ -123,14 +125,56 @@ TEST(BatchSolver, GivesTheSamePlanWithTheGeneralSolver) {
   }
 }
 
-TEST(BatchSolver, WorksOnLegsWithoutAClosedForm) {
-  test::LegVariant variant;
-  variant.hip_pitch_shift_m = {0.0, 0.0, -0.01};
-  variant.ankle_roll_shift_m = {0.0, 0.0, -0.01};
-  const Errors errors = walk_errors(make_robot(variant), WalkingPlan(0.2), SolverChoice::automatic);
-  EXPECT_LT(errors.batch_com_m, 0.1e-3);
-  EXPECT_LT(errors.tail_com_m, 0.3e-3);
-  EXPECT_LT(errors.foot_m, 1e-6);
+TEST(BatchSolver, KeepsTheComOnThePlanWithLegsWithoutAClosedForm) {
+  for (const test::LegVariant& variant : test::general_variants()) {
+    const urdf::RobotModel model = make_robot(variant);
+    const WalkingPlan walk(0.2, 0.2, walking_hip_height_m(model));
+    const Errors errors = walk_errors(model, walk, SolverChoice::automatic);
+    EXPECT_LT(errors.batch_com_m, 0.1e-3);
+    EXPECT_LT(errors.tail_com_m, 0.3e-3);
+    EXPECT_LT(errors.foot_m, 1e-6);
+  }
+}
+
+TEST(BatchSolver, GivesThePlanOfKdlWithLegsWithoutAClosedForm) {
+  for (const test::LegVariant& variant : test::general_variants()) {
+    const urdf::RobotModel model = make_robot(variant);
+    const WalkingPlan walk(0.25, 0.2, walking_hip_height_m(model));
+    BatchSolver kdl(model, SolverChoice::kdl), general(model, SolverChoice::automatic);
+    const auto expected = std::make_unique<JointPlan>(), joint_plan = std::make_unique<JointPlan>();
+    for (std::uint32_t sequence = 1; sequence <= 10; ++sequence) {
+      ASSERT_TRUE(kdl.solve(walk.batch(sequence), {}, *expected).solved());
+      ASSERT_TRUE(general.solve(walk.batch(sequence), {}, *joint_plan).solved());
+      for (int point = 0; point < kBatchPoints + kTail; ++point) {
+        for (std::size_t i = 0; i < model.joints.size(); ++i) {
+          ASSERT_NEAR(joint_plan->position[point][i], expected->position[point][i], 1e-6F);
+        }
+      }
+    }
+  }
+}
+
+// No leap from one branch to another: the joints go on as they went, over all batches and tails of a walk.
+TEST(BatchSolver, IsSmoothAlongAWalkWithLegsWithoutAClosedForm) {
+  for (const test::LegVariant& variant : test::general_variants()) {
+    const urdf::RobotModel model = make_robot(variant);
+    const WalkingPlan walk(0.25, 0.2, walking_hip_height_m(model));
+    BatchSolver solver(model, SolverChoice::automatic);
+    auto joint_plan = std::make_unique<JointPlan>(), before = std::make_unique<JointPlan>();
+    for (std::uint32_t sequence = 1; sequence <= 40; ++sequence) {
+      ASSERT_TRUE(solver.solve(walk.batch(sequence), {}, *joint_plan).solved());
+      for (int point = sequence == 1 ? 2 : 0; point < kBatchPoints + kTail; ++point) {
+        const auto row = [&](int at) {
+          return at < 0 ? before->position[kBatchPoints + at] : joint_plan->position[at];
+        };
+        for (std::size_t i = 0; i < 12; ++i) {
+          ASSERT_NEAR(row(point)[i], 2.0F * row(point - 1)[i] - row(point - 2)[i], 0.03F)
+              << "batch " << sequence << ", point " << point << ", joint " << i;
+        }
+      }
+      std::swap(joint_plan, before);
+    }
+  }
 }
 
 TEST(BatchSolver, FillsThePlansHeadSupportAndTheJointsAtHome) {
@@ -291,11 +335,14 @@ TEST(BatchSolver, BatchesJoinSmoothly) {
 
 #ifdef GAITWAY_COUNT_ALLOCATIONS
 TEST(BatchSolver, AllocatesNothing) {
-  const urdf::RobotModel model = make_robot();
-  for (const SolverChoice choice : {SolverChoice::closed_form, SolverChoice::kdl}) {
-    BatchSolver solver(model, choice);
+  const urdf::RobotModel usual = make_robot(), general = make_robot(test::offset_hip());
+  for (const auto& [model, choice] :
+       {std::pair{&usual, SolverChoice::closed_form}, std::pair{&usual, SolverChoice::kdl},
+        std::pair{&general, SolverChoice::automatic}}) {
+    BatchSolver solver(*model, choice);
     const auto joint_plan = std::make_unique<JointPlan>();
-    const auto plan = std::make_unique<MotionPlan>(WalkingPlan(0.2).batch(3));
+    const auto plan =
+        std::make_unique<MotionPlan>(WalkingPlan(0.2, 0.0, walking_hip_height_m(*model)).batch(3));
     plan->foot_position[100][0][2] = -0.3;  // and a failure
     const long before = allocations.load();
     const bool solved = solver.solve(*plan, {{0.003, 0.002}, {0.01, 0.01}}, *joint_plan).solved();
@@ -307,9 +354,7 @@ TEST(BatchSolver, AllocatesNothing) {
 #endif
 
 // The same sequence again replaces the batch: nothing of the first solution is left.
-TEST(BatchSolverRevision, OfTheSamePointsIsTheSameAndTheNextBatchGoesOnFromIt) {
-  const urdf::RobotModel model = make_robot();
-  const WalkingPlan walk;
+void expect_the_same_of_a_revision(const urdf::RobotModel& model, const WalkingPlan& walk) {
   BatchSolver plain(model, SolverChoice::automatic), revising(model, SolverChoice::automatic);
   const auto expected = std::make_unique<JointPlan>(), solved = std::make_unique<JointPlan>();
   for (std::uint32_t sequence = 1; sequence < 30; ++sequence) {
@@ -331,6 +376,15 @@ TEST(BatchSolverRevision, OfTheSamePointsIsTheSameAndTheNextBatchGoesOnFromIt) {
       }
     }
   }
+}
+
+TEST(BatchSolverRevision, OfTheSamePointsIsTheSameAndTheNextBatchGoesOnFromIt) {
+  expect_the_same_of_a_revision(make_robot(), WalkingPlan());
+}
+
+TEST(BatchSolverRevision, IsTheSameWithLegsWithoutAClosedForm) {
+  const urdf::RobotModel model = make_robot(test::offset_hip());
+  expect_the_same_of_a_revision(model, WalkingPlan(0.25, 0.0, walking_hip_height_m(model)));
 }
 
 }  // namespace

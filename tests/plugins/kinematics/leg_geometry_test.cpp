@@ -81,6 +81,26 @@ TEST(LegSolver, ChoosesTheClosedFormWhereThereIsOneAndSaysWhyNotElsewhere) {
   EXPECT_THROW(LegSolver(make_robot(shifted), urdf::Side::left, SolverChoice::closed_form), urdf::RobotError);
 }
 
+TEST(LegSolver, TakesAStartWhereItIterates) {
+  const urdf::RobotModel usual = make_robot(), offset = make_robot(test::offset_hip());
+  EXPECT_FALSE(LegSolver(usual, urdf::Side::left, SolverChoice::automatic).wants_start());
+  EXPECT_TRUE(LegSolver(offset, urdf::Side::left, SolverChoice::automatic).wants_start());
+  EXPECT_FALSE(LegSolver(offset, urdf::Side::left, SolverChoice::kdl).wants_start()) << "it has its own";
+}
+
+TEST(LegGeometry, FindsTheNearestLegWithAClosedForm) {
+  const LegGeometry usual = recognise_leg(make_robot(), urdf::Side::left).geometry.value();
+  const auto nearest = nearest_closed_form(make_robot(test::offset_hip()), urdf::Side::left);
+  ASSERT_TRUE(nearest);
+  EXPECT_NEAR((nearest->hip_m - Eigen::Vector3d(0.03, 0.05, 0.0)).norm(), 0.0, 1e-12)
+      << "on the pitch axis, where the roll axis is nearest";
+  EXPECT_NEAR((nearest->thigh_m - usual.thigh_m).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((nearest->shin_m - usual.shin_m).norm(), 0.0, 1e-12);
+  for (const LegVariant& variant : test::general_variants()) {
+    for (const urdf::Side side : urdf::kSides) EXPECT_TRUE(nearest_closed_form(make_robot(variant), side));
+  }
+}
+
 TEST(LegSolver, RefusesAnUnknownChoiceByName) {
   EXPECT_EQ(solver_choice("auto"), SolverChoice::automatic);
   EXPECT_EQ(solver_choice("closed_form"), SolverChoice::closed_form);

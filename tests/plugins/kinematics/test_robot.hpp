@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gaitway/kinematics/leg_geometry.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::kinematics::test {
@@ -17,12 +18,19 @@ struct LegVariant {
   std::array<double, 6> zero_rad{};  // nominal angle at which the joint reads zero
   double thigh_lateral_m = 0.0;      // of the knee against the hip
   double ankle_lateral_m = 0.0;      // of the ankle against the knee
+  // Of the hip's second joint against its first, of its third against its second, of the ankle's second
+  // against its first; in the usual order these are hip roll, hip pitch and ankle roll.
+  Eigen::Vector3d hip_roll_shift_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d hip_pitch_shift_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d ankle_roll_shift_m = Eigen::Vector3d::Zero();
-  double hip_roll_tilt_rad = 0.0;    // of the hip roll axis about z
-  double knee_tilt_rad = 0.0;        // of the knee axis about z
-  double ankle_roll_tilt_rad = 0.0;  // of the ankle roll axis about y
+  double hip_yaw_tilt_rad = 0.0;                       // of the hip yaw axis about y
+  double hip_roll_tilt_rad = 0.0;                      // of the hip roll axis about z
+  double knee_tilt_rad = 0.0;                          // of the knee axis about z
+  double ankle_roll_tilt_rad = 0.0;                    // of the ankle roll axis about y
+  std::array<std::size_t, 6> order{0, 1, 2, 3, 4, 5};  // which of the joints above comes where in the leg
 };
+inline constexpr std::array<std::size_t, 6> kPitchFirst{2, 1, 0, 3, 4, 5}, kAnkleRollFirst{0, 1, 2, 3, 5, 4},
+    kPitchAndAnkleRollFirst{2, 1, 0, 3, 5, 4};
 
 // Angles without the variant's signs and zeros; knee forward.
 inline constexpr std::array<double, 6> kNominalHome{0.0, 0.0, -0.345, 0.69, -0.345, 0.0};
@@ -92,24 +100,29 @@ class RobotBuilder {
     static constexpr std::array kMasses_kg{0.10, 0.15, 0.45, 0.35, 0.10, 0.30};
     const auto about = [](double angle, const Vector3d& axis) { return Eigen::AngleAxisd(angle, axis); };
     const std::array<Vector3d, 6> position{Vector3d(0, 0.05 * y, -0.02),
-                                           Vector3d::Zero(),
+                                           variant_.hip_roll_shift_m,
                                            variant_.hip_pitch_shift_m,
                                            Vector3d(0, variant_.thigh_lateral_m * y, -0.17),
                                            Vector3d(0, variant_.ankle_lateral_m * y, -0.17),
                                            variant_.ankle_roll_shift_m};
     const std::array<Vector3d, 6> axis{
-        Vector3d::UnitZ(), about(variant_.hip_roll_tilt_rad, Vector3d::UnitZ()) * Vector3d::UnitX(),
-        Vector3d::UnitY(), about(variant_.knee_tilt_rad, Vector3d::UnitZ()) * Vector3d::UnitY(),
-        Vector3d::UnitY(), about(variant_.ankle_roll_tilt_rad, Vector3d::UnitY()) * Vector3d::UnitX()};
+        about(variant_.hip_yaw_tilt_rad, Vector3d::UnitY()) * Vector3d::UnitZ(),
+        about(variant_.hip_roll_tilt_rad, Vector3d::UnitZ()) * Vector3d::UnitX(),
+        Vector3d::UnitY(),
+        about(variant_.knee_tilt_rad, Vector3d::UnitZ()) * Vector3d::UnitY(),
+        Vector3d::UnitY(),
+        about(variant_.ankle_roll_tilt_rad, Vector3d::UnitY()) * Vector3d::UnitX()};
     const std::array<Vector3d, 6> com{
         Vector3d(0, 0, 0.01),      Vector3d(-0.02, 0, 0),     Vector3d(0.01, 0.005 * y, -0.08),
         Vector3d(0.005, 0, -0.07), Vector3d(0, 0.003 * y, 0), Vector3d(0.01, 0, -0.025)};
     int parent = 0;
     for (std::size_t i = 0; i < 6; ++i) {
       const auto leg = static_cast<std::size_t>(side);
+      const std::size_t turns = variant_.order[i];
       model_.legs[leg].joints[i] = static_cast<int>(model_.joints.size());
-      parent = add(std::string(y > 0 ? "left_" : "right_") + kNames[i], parent, position[i], axis[i],
-                   kMasses_kg[i], com[i], kNominalHome[i], variant_.axis_sign[i], variant_.zero_rad[i]);
+      parent = add(std::string(y > 0 ? "left_" : "right_") + kNames[turns], parent, position[i], axis[turns],
+                   kMasses_kg[i], com[i], kNominalHome[turns], variant_.axis_sign[turns],
+                   variant_.zero_rad[turns]);
       model_.feet[leg].link = parent;
       model_.feet[leg].sole.translation() = Vector3d(0, 0, -0.04);
     }
@@ -123,8 +136,9 @@ class RobotBuilder {
     for (std::size_t i = 0; i < 6; ++i) {
       urdf::Joint& joint =
           model_.joints[static_cast<std::size_t>(model_.legs[static_cast<std::size_t>(side)].joints[i])];
-      const double a = variant_.axis_sign[i] * (kLower_rad[i] - variant_.zero_rad[i]);
-      const double b = variant_.axis_sign[i] * (kUpper_rad[i] - variant_.zero_rad[i]);
+      const std::size_t turns = variant_.order[i];
+      const double a = variant_.axis_sign[turns] * (kLower_rad[turns] - variant_.zero_rad[turns]);
+      const double b = variant_.axis_sign[turns] * (kUpper_rad[turns] - variant_.zero_rad[turns]);
       joint.lower_rad = std::min(a, b);
       joint.upper_rad = std::max(a, b);
     }
@@ -155,8 +169,46 @@ inline std::vector<LegVariant> closed_form_variants() {
   LegVariant tilted;
   tilted.ankle_roll_tilt_rad = 0.15;
   tilted.thigh_lateral_m = 0.01;
-  variants.insert(variants.end(), {flipped, mixed, bent, sideways, tilted});
+  LegVariant roll_first;
+  roll_first.order = kAnkleRollFirst;
+  LegVariant roll_first_tilted = mixed;
+  roll_first_tilted.order = kPitchAndAnkleRollFirst;
+  roll_first_tilted.ankle_roll_tilt_rad = 0.15;
+  roll_first_tilted.ankle_lateral_m = -0.02;
+  variants.insert(variants.end(), {flipped, mixed, bent, sideways, tilted, roll_first, roll_first_tilted});
   return variants;
+}
+
+// Legs without one: the hip's axes have no common point.
+inline LegVariant offset_hip() {
+  LegVariant variant;
+  variant.hip_roll_shift_m = {0.03, 0.0, 0.0};   // the yaw axis is behind,
+  variant.hip_pitch_shift_m = {0.0, 0.0, 0.02};  // the roll axis below the pitch axis
+  return variant;
+}
+inline std::vector<LegVariant> general_variants() {
+  LegVariant roll_first = offset_hip();
+  roll_first.order = kAnkleRollFirst;
+  LegVariant pitch_first;
+  pitch_first.order = kPitchFirst;
+  pitch_first.hip_roll_shift_m = {0.0, 0.01, -0.02};
+  pitch_first.hip_pitch_shift_m = {-0.03, 0.0, -0.05};
+  pitch_first.ankle_roll_shift_m = {0.0, 0.0, -0.0175};
+  LegVariant both_first = pitch_first;
+  both_first.order = kPitchAndAnkleRollFirst;
+  both_first.axis_sign = {-1, -1, -1, -1, -1, -1};
+  LegVariant tilted = offset_hip();
+  tilted.hip_yaw_tilt_rad = -0.2;
+  tilted.hip_roll_tilt_rad = 0.15;
+  tilted.knee_tilt_rad = 0.05;
+  tilted.ankle_roll_tilt_rad = 0.15;
+  tilted.ankle_roll_shift_m = {0.01, 0.0, -0.01};
+  LegVariant mixed = offset_hip();
+  mixed.axis_sign = {1, -1, -1, 1, -1, 1};
+  mixed.zero_rad = {0.0, 0.0, -0.3, 0.7, -0.4, 0.0};
+  mixed.order = kAnkleRollFirst;
+  mixed.ankle_roll_shift_m = {0.0, 0.0, -0.02};
+  return {offset_hip(), roll_first, pitch_first, both_first, tilted, mixed};
 }
 
 // base_from_link of every link for the given joint angles, order of RobotModel::joints.
@@ -183,6 +235,12 @@ inline Eigen::Isometry3d sole_pose(const urdf::RobotModel& model, urdf::Side sid
                                    std::span<const double> angle_rad) {
   const urdf::Foot& foot = model.feet[static_cast<std::size_t>(side)];
   return link_poses(model, angle_rad)[static_cast<std::size_t>(foot.link)] * foot.sole;
+}
+
+// A little below that of the home posture: all legs reach a walk's footholds from there.
+inline double walking_hip_height_m(const urdf::RobotModel& model) {
+  const Eigen::Isometry3d sole = sole_pose(model, urdf::Side::left, home_posture(model));
+  return (hip_centre(model, urdf::Side::left) - sole.translation()).z() - 0.02;
 }
 
 }  // namespace gaitway::kinematics::test

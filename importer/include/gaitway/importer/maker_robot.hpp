@@ -17,7 +17,7 @@ namespace gaitway::importer {
 struct Surface {
   std::vector<Eigen::Vector3d> point_m;
   std::vector<std::array<int, 3>> triangle;  // indices into point_m, counter-clockwise from outside
-  std::string source;                        // "box", "cylinder", "sphere" or the mesh's file name
+  std::string source;                        // "box", "cylinder", "sphere", "capsule" or the mesh's path
 };
 
 struct VisualSurface {
@@ -48,15 +48,13 @@ struct MakerJoint {
   std::optional<double> lower_rad, upper_rad;
   std::optional<double> velocity_rad_per_s, effort_Nm;
   std::optional<double> damping_Nms_per_rad, friction_Nm;
-  std::string mimics;  // name of the joint that it follows; empty: none
-  double mimic_multiplier = 1.0, mimic_offset_rad = 0.0;
 };
 
 struct MakerRobot {
   std::filesystem::path file;
   std::string name;
   std::vector<MakerLink> links;    // links[0] is the root; parents come before children
-  std::vector<MakerJoint> joints;  // parents before children; all turn
+  std::vector<MakerJoint> joints;  // joints[i] carries links[i + 1]; all turn
   std::vector<std::string> notes;  // what was done to the description, a sentence each
 
   [[nodiscard]] std::optional<int> joint_index(const std::string& name) const noexcept;

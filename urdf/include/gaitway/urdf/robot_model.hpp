@@ -27,18 +27,23 @@ inline constexpr std::array kSides{Side::left, Side::right};
   return static_cast<std::size_t>(side);
 }
 
-struct BoxShape {                                          // simple collision shape, in the link's frame
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of the box's centre
-  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();        // full edge lengths
+// A surface from a file of the robot's folder.
+struct Mesh {
+  std::filesystem::path file;                          // binary STL, absolute
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();     // metres for one unit of the file; negative: mirrored
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  // of its bounding box, from its own origin
 };
 
-// What the link looks like in a picture; weighs nothing and touches nothing.
-struct VisualShape {
-  enum class Kind : std::uint8_t { box, cylinder, sphere };
+// What a link is to the ground (collision) or in a picture (visual); it weighs nothing. A mesh touches as its
+// convex hull.
+struct Shape {
+  enum class Kind : std::uint8_t { box, cylinder, sphere, mesh };
   Kind kind = Kind::box;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of the shape's centre, in the link's frame
-  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();        // full extent; a cylinder's axis is z
-  Eigen::Vector4d rgba = Eigen::Vector4d::Ones();          // 0..1
+  // Of the middle of its extent, in the link's frame; a cylinder's axis is z.
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // full extent along the axes of the pose
+  Mesh mesh = {};                                    // of Kind::mesh
+  Eigen::Vector4d rgba = Eigen::Vector4d::Ones();    // 0..1, of what is seen
 };
 
 struct Link {
@@ -47,8 +52,8 @@ struct Link {
   double mass_kg = 0.0;
   Eigen::Vector3d com_m = Eigen::Vector3d::Zero();          // in the link's frame
   Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();  // about the CoM, axes of the link's frame
-  std::vector<BoxShape> collision;
-  std::vector<VisualShape> visual = {};
+  std::vector<Shape> collision;
+  std::vector<Shape> visual = {};
 };
 
 struct Servo {
@@ -183,6 +188,7 @@ struct RobotModel {
   KDL::Tree tree;
 
   [[nodiscard]] double total_mass_kg() const noexcept;
+  [[nodiscard]] std::vector<std::filesystem::path> mesh_files() const;  // of all shapes, each once
   [[nodiscard]] facts::BodyScale body_scale() const noexcept { return {hip_height_m, total_mass_kg()}; }
   [[nodiscard]] int joint_index(std::string_view name) const;  // throws RobotError, names the nearest joint
   [[nodiscard]] int link_index(std::string_view name) const;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -71,15 +72,22 @@ class BatchSolver {
     double point = 0.0;
     Eigen::Vector2d used_m = Eigen::Vector2d::Zero();     // offset with which the legs were solved
     Eigen::Vector2d refined_m = Eigen::Vector2d::Zero();  // best known offset
+    LegAngles angle_rad{};
     template <class Self, class Archive>
     static void visit_state(Self& self, Archive& archive) {
-      archive(self.point, self.used_m, self.refined_m);
+      archive(self.point, self.used_m, self.refined_m, self.angle_rad);
     }
   };
   struct Run;  // the state of one call
 
   BatchOutcome solve_point(Run& run, int point, const Eigen::Vector2d& guess_m, double tolerance_m,
-                           Knot& knot);
+                           const std::optional<LegAngles>& start_rad, Knot& knot);
+  // Drawn through three points, for legs that want a start.
+  [[nodiscard]] std::optional<LegAngles> start_at(int point, const Knot& first, const Knot& second,
+                                                  const Knot& third) const noexcept;
+  // The points of the tail between the last two of three at which the base was placed. recent: the last three
+  // that were solved.
+  BatchOutcome solve_between(Run& run, const std::array<Knot, 3>& knots, std::array<Knot, 3>& recent);
   BatchOutcome solve_standing_or_walking(const MotionPlan& plan, const BaseOffset& correction,
                                          JointPlan& joint_plan, std::span<const double> reference_rad);
   void stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) noexcept;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 
 #include "gaitway/kinematics/leg_solver.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -69,7 +70,8 @@ struct PointFrames {
   std::array<Eigen::Matrix3d, 2> base_from_sole;  // rotations
 };
 
-using BothLegs = std::array<LegSolution, 2>;  // [Side]
+using BothLegs = std::array<LegSolution, 2>;             // [Side]
+using LegAngles = std::array<std::array<double, 6>, 2>;  // [Side], rad
 
 class WholeBodyPlacement {
  public:
@@ -78,8 +80,10 @@ class WholeBodyPlacement {
 
   [[nodiscard]] PointFrames frames(const PlanPoint& point) const noexcept;
 
-  // Legs for a base whose origin is `offset_m` (heading frame) beside the planned CoM.
-  [[nodiscard]] BothLegs place(const PointFrames& frames, const Eigen::Vector2d& offset_m);
+  // Legs for a base whose origin is `offset_m` (heading frame) beside the planned CoM. start_rad: a posture
+  // near by, for legs that want one.
+  [[nodiscard]] BothLegs place(const PointFrames& frames, const Eigen::Vector2d& offset_m,
+                               const std::optional<LegAngles>& start_rad = std::nullopt);
 
   // Whole-body CoM minus planned CoM, heading frame, for what `place` returned; both legs must be reached.
   [[nodiscard]] Eigen::Vector2d com_error_m(const PointFrames& frames, const BothLegs& legs,
@@ -94,7 +98,10 @@ class WholeBodyPlacement {
   // Moves the base, from the guess on, until the CoM is within the tolerance of the planned point: Newton's
   // iteration with the sensitivity of the standing posture. One solution of the legs if the guess is good.
   [[nodiscard]] Result place_com(const PointFrames& frames, const Eigen::Vector2d& guess_m,
-                                 double tolerance_m);
+                                 double tolerance_m, std::optional<LegAngles> start_rad = std::nullopt);
+
+  // Whether a posture near by saves time.
+  [[nodiscard]] bool wants_start() const noexcept { return legs_[0].wants_start() || legs_[1].wants_start(); }
 
   // Offset of the base in the standing posture: a guess where there is no better one.
   [[nodiscard]] const Eigen::Vector2d& standing_offset_m() const noexcept { return standing_offset_m_; }
