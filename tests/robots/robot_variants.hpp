@@ -1,7 +1,7 @@
-// humanoid22 with another body, as folders that load: hips whose joints come in another order or whose axes have
-// no common point, and ankles, where names stay so that whoever goes by names or numbers goes wrong; feet that
-// tell their load otherwise or not at all; other sizes; other names; no arms. Motions and postures of a fall
-// are not among its files.
+// humanoid22 with another body, as folders that load: hips whose joints come in another order or whose axes
+// have no common point, and ankles, where names stay so that whoever goes by names or numbers goes wrong;
+// feet that tell their load otherwise or not at all; other sizes; other names; no arms. Motions and postures
+// of a fall are not among its files.
 #pragma once
 
 #include <unistd.h>

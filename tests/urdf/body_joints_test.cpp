@@ -86,7 +86,9 @@ TEST(BodyJoints, TakeTheUpperArmFromTheShoulder) {
   Joint& roll = robot.joints[static_cast<std::size_t>(robot.joint_index("left_shoulder_roll"))];
   Joint& elbow = robot.joints[static_cast<std::size_t>(robot.joint_index("left_elbow"))];
   const int pitch = robot.joint_index("left_shoulder_pitch");
-  std::swap(roll.origin, elbow.origin);  // the upper arm now lies between the shoulder's two joints
+  std::swap(roll.origin, elbow.origin);
+  roll.axis = Eigen::Vector3d::UnitZ();
+  roll.home_rad = 0.0;
   const BodyJoints body(robot, ForwardKinematics(robot));
   EXPECT_NEAR(body.limb_at_home_rad(pitch), robot.joints[static_cast<std::size_t>(pitch)].home_rad, 1e-9);
 }
