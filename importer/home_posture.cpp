@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kBend_rad = 0.69, kLeastBend_rad = 0.25;  // of the knee; wanted, and the least that walks
 constexpr double kBendStep_rad = 0.03;
-constexpr double kRoom_rad = 0.30;        // from hip pitch, knee and ankle pitch to their limits, for steps
+constexpr double kRoom_rad = 0.50;        // from hip pitch, knee and ankle pitch to their limits, for steps
 constexpr double kGap_m_per_m = 0.045;    // between the soles, of the hip height
 constexpr double kWidest_m_per_m = 0.28;  // between their origins
 constexpr double kHangs = 0.64;           // cosine of 50 deg

@@ -27,8 +27,12 @@ constexpr double kLeastStep = 0.05;   // of the hip height: a step that is not w
 // batches on the simulated robot, since balance, load and steps that a push moves ask for more; the second is
 // the share of humanoid22's fastest.
 constexpr double kUsualShare = 0.78, kFastestShare = 0.92;
-constexpr double kUsualSpeed_m_per_s = 0.15;                             // of a body as large as humanoid22
-constexpr double kLongestStep_s = 1.0;                                   // that the parameter may be
+constexpr double kUsualSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
+constexpr double kEverydaySpeed_m_per_s = 0.26, kFastSpeed_m_per_s = 0.455;  // Froude's number 0.02 and 0.06
+constexpr double kLeastRoom_rad = 0.03;  // to the limits, for balance and load
+constexpr double kMostTwist = 0.6;       // of what a sole bears: 0.7 slipped round, 0.6 did not
+constexpr double kSameHeight = 1e-3;     // of the hip height
+constexpr double kLongestStep_s = 1.0;   // that the parameter may be
 constexpr double kGoodLift = 0.6, kLeastLift = 0.3, kSlowestStep = 1.6;  // of the scaled defaults
 
 // Each link of the leg moves with the foot by its share of the way from hip to sole; what does not belong to
@@ -121,9 +125,13 @@ void fit_stance(GaitParameters& p, double wider_m) {
   p.min_sole_gap_m = std::clamp(p.foot_spacing_m - p.sole.width_m, 0.0, p.min_sole_gap_m);
 }
 
-// As long as a plan carries.
-void fit_tail(GaitParameters& p, ChoiceLog& log) {
+// A tail as long as a plan carries.
+void shorten_tail(GaitParameters& p) {
   while (p.longest_tail_points() > GaitParameters::kMostTailPoints) p.settle_s -= facts::kSlot_s;
+}
+
+void fit_tail(GaitParameters& p, ChoiceLog& log) {
+  shorten_tail(p);
   log.note(
       fmt::format("a plan holds a safe tail of {:.3g} s", GaitParameters::kMostTailPoints * facts::kSlot_s));
 }
@@ -160,6 +168,22 @@ std::string speed_reason(const urdf::RobotModel& robot, const JointPace& pace) {
                      by_byte ? ": more does not fit the byte on the wire" : "");
 }
 
+std::string room_reason(const urdf::RobotModel& robot, const JointRoom& room) {
+  const urdf::LegJoints joints(robot, urdf::ForwardKinematics(robot), urdf::Side::left);
+  const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(joints[room.joint])];
+  return fmt::format("limit: the {} turns from {:.3g} to {:.3g} rad", urdf::leg_joint_name(room.joint),
+                     joint.lower_rad, joint.upper_rad);
+}
+
+constexpr const char* kTwistReason = "ground: heavy legs in the air twist the foot on the ground";
+
+// What a push makes of a swing is as much quicker or slower as the step.
+void scale_adjusted_swings(GaitParameters& p, const GaitParameters& wanted) {
+  const double slower = p.step_time_s / wanted.step_time_s;
+  p.adjust_shortest_swing_s *= slower;
+  p.adjust_longest_swing_s *= slower;
+}
+
 // A lower lift and slower steps, until a walk at the default speed leaves slow motors enough for the balance.
 void fit_step_to_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
   constexpr double kLower = 0.95;
@@ -173,16 +197,63 @@ void fit_step_to_motors(GaitParameters& p, const urdf::RobotModel& robot, Choice
       p.lift_m *= kLower;
     } else if (p.step_time_s < slowest_s) {
       p.step_time_s += facts::kSlot_s;
+      shorten_tail(p);
     } else if (p.lift_m > kLeastLift * wanted.lift_m) {
       p.lift_m *= kLower;
     } else {
       break;
     }
   }
-  const double slower = p.step_time_s / wanted.step_time_s;
-  p.adjust_shortest_swing_s *= slower;
-  p.adjust_longest_swing_s *= slower;
+  scale_adjusted_swings(p, wanted);
   log.note(reason);
+}
+
+// Where the joints' limits are near, higher hips in a fast walk and quicker, so shorter, steps, as long as
+// the motors follow: the ankle of the leg behind is bent less.
+void fit_step_to_limits(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
+  constexpr double kQuickestStep = 0.75, kRaise = 0.2;
+  const GaitParameters wanted = p;
+  const facts::BodyScale larger = robot.body_scale();
+  const double fast_m_per_s =
+      std::min(kFastSpeed_m_per_s * larger.factor("m/s"), p.max_step_forward_m / p.step_time_s);
+  StrideDemand demand = stride_demand(p, robot, fast_m_per_s);
+  if (demand.room.room_rad >= kLeastRoom_rad) return;
+  const std::string reason = room_reason(robot, demand.room);
+  while (demand.room.room_rad < kLeastRoom_rad) {
+    GaitParameters next = p;
+    const double lowered_m = p.hip_height_m - p.fast_hip_height_m;
+    if (lowered_m > kSameHeight * p.hip_height_m) {
+      next.fast_hip_height_m += std::max(kRaise * lowered_m, 0.5 * kSameHeight * p.hip_height_m);
+    } else {
+      next.step_time_s -= facts::kSlot_s;
+    }
+    demand = stride_demand(next, robot, fast_m_per_s);
+    if (next.step_time_s < kQuickestStep * wanted.step_time_s || demand.pace.share > kFastestShare) break;
+    p = next;
+  }
+  scale_adjusted_swings(p, wanted);
+  log.note(reason);
+}
+
+// Heavy legs get a lower lift and slower steps, until the foot on the ground holds against their swing.
+void fit_step_to_ground(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
+  constexpr double kLower = 0.95;
+  const GaitParameters wanted = p;
+  const double everyday_m_per_s = std::min(kEverydaySpeed_m_per_s * robot.body_scale().factor("m/s"),
+                                           p.max_step_forward_m / p.step_time_s);
+  const double slowest_s = std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s) - facts::kSlot_s;
+  while (stride_demand(p, robot, everyday_m_per_s).twist_share > kMostTwist) {
+    if (p.lift_m > kGoodLift * wanted.lift_m) {
+      p.lift_m *= kLower;
+    } else if (p.step_time_s < slowest_s) {
+      p.step_time_s += facts::kSlot_s;
+      shorten_tail(p);
+    } else {
+      break;
+    }
+  }
+  scale_adjusted_swings(p, wanted);
+  log.note(kTwistReason);
 }
 
 // Shorter steps, while `asks_too_much` says so; it returns its reason, or nothing.
@@ -208,9 +279,13 @@ void fit_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log
     return;  // the configuration may mend it; else it is told then
   }
   fit_step_to_motors(p, robot, log);
+  fit_step_to_ground(p, robot, log);
+  fit_step_to_limits(p, robot, log);
   shorten_steps(p, log, [&]() -> std::string {
-    const JointPace pace = fastest_joint(p, robot, p.max_step_forward_m / p.step_time_s);
-    return pace.share > kFastestShare ? speed_reason(robot, pace) : "";
+    const StrideDemand demand = stride_demand(p, robot, p.max_step_forward_m / p.step_time_s);
+    if (demand.pace.share > kFastestShare) return speed_reason(robot, demand.pace);
+    if (demand.room.room_rad < kLeastRoom_rad) return room_reason(robot, demand.room);
+    return demand.twist_share > kMostTwist ? kTwistReason : "";
   });
   shorten_steps(p, log, [&]() -> std::string {
     for (const JointTorque& torque : leg_torques(p, robot)) {
