@@ -14,6 +14,9 @@ namespace {
 
 // A trunk that is to lean further is not balanced: near 90° roll and pitch do not say which way it falls.
 constexpr double kMostLean_rad = 1.0;
+constexpr double kHeldLean_rad = 0.15;  // more than a slope makes a robot lean that holds its home angles
+constexpr double kHeldReturn =
+    0.45;  // of the rate at which a bow returns: as the kinematics leads the joints
 constexpr std::int64_t kNetworkLifetime_ns = 50'000'000;
 // A batch and some delay: when no batches come, nothing that is asked of them is done, and none of it is
 // learned.
@@ -107,6 +110,8 @@ BalanceController::Situation BalanceController::assess(std::int64_t now_ns,
   now.bows = hips_.bows();
   now.meant.trunk_attitude_rad.y() += now.bow.angle_rad;
   now.meant.trunk_rate_rad_per_s.y() += now.bow.rate_rad_per_s;
+  lean_as_held(inputs, now.meant);
+  now.obeys = inputs.network == nullptr || inputs.network->mode != network_state::mode::emergency_stop;
   if (!is_usable(inputs.estimate, now.meant, now_ns)) return now;
   now.estimate = inputs.estimate;
   const std::optional<std::size_t> support = support_of(now.moment, *now.estimate);
@@ -115,6 +120,29 @@ BalanceController::Situation BalanceController::assess(std::int64_t now_ns,
   now.stands = now.grounded && now.moment && !now.meant.walking && !now.meant.motion;
   now.sways = sways(*now.estimate, parameters_.calm_rate_rad_per_s);
   return now;
+}
+
+// A robot that was held still in a bow stands as it is: the next batches lead its joints out of it, and with
+// them goes what its trunk is meant to lean. To bring it upright at once would throw it over.
+void BalanceController::lean_as_held(const BalanceInputs& inputs, PlanMoment& meant) noexcept {
+  if (inputs.network == nullptr || inputs.estimate == nullptr) return;
+  namespace mode = network_state::mode;
+  const bool holds = inputs.network->mode == mode::holding || inputs.network->mode == mode::emergency_stop;
+  const double less_rad = kHeldReturn * parameters_.bow_return_rad_per_s * facts::kSlot_s;
+  for (std::size_t axis = 0; axis < held_lean_rad_.size(); ++axis) {
+    const auto row = static_cast<Eigen::Index>(axis);
+    double& lean_rad = held_lean_rad_[axis];
+    if (holds) {
+      const double now_rad = inputs.estimate->attitude[axis] - meant.trunk_attitude_rad[row];
+      const bool is_posture =
+          std::abs(now_rad) > kHeldLean_rad && std::abs(now_rad) < parameters_.fallen_at_rad;
+      lean_rad = is_posture ? now_rad : 0.0;
+    } else if (lean_rad != 0.0) {
+      meant.trunk_rate_rad_per_s[row] -= std::copysign(less_rad / facts::kSlot_s, lean_rad);
+      lean_rad = std::copysign(std::max(std::abs(lean_rad) - less_rad, 0.0), lean_rad);
+    }
+    meant.trunk_attitude_rad[row] += lean_rad;
+  }
 }
 
 bool BalanceController::is_usable(const Estimate* estimate, const PlanMoment& meant,
@@ -170,9 +198,10 @@ void BalanceController::balance_trunk(const Situation& now, TrimCommand& trim) n
 // What is learned from a trunk that is being caught makes the robot fall.
 void BalanceController::learn(const Situation& now) noexcept {
   if (!now.grounded) return lean_.fade();
-  if (now.meant.motion || (now.sways && !now.meant.walking)) return;
+  if (now.meant.motion || !now.obeys || (now.sways && !now.meant.walking)) return;
   const Estimate& estimate = *now.estimate;
-  lean_.update(estimate.attitude[0], estimate.attitude[1] - now.bow.angle_rad, now.meant.walking);
+  lean_.update(estimate.attitude[0] - held_lean_rad_[0],
+               estimate.attitude[1] - now.bow.angle_rad - held_lean_rad_[1], now.meant.walking);
   if (!now.stands || now.support != kBothFeet || now.bows) return;
   soles_.learn(estimate);
   if (now.meant.since_start_s < kFresh_s)

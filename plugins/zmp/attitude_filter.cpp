@@ -18,8 +18,6 @@ constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kLargestYawDeviation_rad = std::numbers::pi;
 // The yaw is brought back by whole turns before it leaves what the topic holds.
 constexpr double kLargestYaw_rad = 1000.0 * kTurn_rad;
-// How fast a walking trunk turns: what it did while its gyro was not heard.
-constexpr double kUnheardRate_rad_per_s = 0.3;
 constexpr double kSmallTurn_rad = 1e-9;
 
 Eigen::Matrix3d turn_by(const Eigen::Vector3d& turn) noexcept {
@@ -46,6 +44,7 @@ Eigen::Matrix3d Attitude::tilt() const noexcept {
 
 AttitudeFilter::AttitudeFilter(const EstimatorParameters& parameters) noexcept
     : gyro_noise_(parameters.gyro_noise_rad_per_s),
+      unheard_rate_rad_per_s_(parameters.unheard_rate_rad_per_s),
       bias_deviation_(parameters.bias_deviation_rad_per_s),
       bias_lifetime_s_(parameters.bias_lifetime_s),
       heading_noise_(parameters.heading_noise_rad) {
@@ -61,7 +60,7 @@ void AttitudeFilter::predict(const Eigen::Vector3d& gyro_rad_per_s, double dt_s,
   covariance_ = (transition * covariance_ * transition.transpose()).eval();
   covariance_.block<3, 3>(kTurn, kTurn).diagonal().array() +=
       Eigen::numext::abs2(gyro_noise_ * (dt_s - unheard_s)) +
-      Eigen::numext::abs2(kUnheardRate_rad_per_s * unheard_s);
+      Eigen::numext::abs2(unheard_rate_rad_per_s_ * unheard_s);
   covariance_.block<3, 3>(kBias, kBias).diagonal().array() +=
       Eigen::numext::abs2(bias_deviation_) * (1.0 - kept * kept);
   world_from_trunk_ = (world_from_trunk_ * turn_by(dt_s * rate_rad_per_s())).eval();

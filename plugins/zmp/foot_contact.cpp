@@ -8,11 +8,8 @@ namespace gaitway::zmp {
 namespace {
 
 constexpr double kTurnedFoot_rad = 0.015;  // soles that turn against each other by more have slipped
-constexpr double kSettling_s = 1.0;        // time constant with which feet come to rest
 constexpr double kLongestPlanted_s = 60.0;
-constexpr double kRattleTime_s = 0.5;
 
-constexpr double kImpact_s = 0.030;              // after touchdown the sole rolls and strikes: no slip
 constexpr double kLargestOffset_m_per_s2 = 0.5;  // three degrees of tilt
 
 }  // namespace
@@ -53,7 +50,7 @@ void PlantedFeet::update(const std::array<double, 2>& force_N, double angle_rad,
   }
   last_force_N_ = force_N;
   leg_rate_rad_per_s_ = leg_rate_rad_per_s;
-  rattle_ += dt_s / (kRattleTime_s + dt_s) * (change * change - rattle_);
+  rattle_ += dt_s / (parameters_.rattle_time_s + dt_s) * (change * change - rattle_);
   const double least_force_N = parameters_.planted_share * weight_N_;
   const bool loaded = force_N[0] > least_force_N && force_N[1] > least_force_N;
   const bool turned = planted() && std::abs(angle_rad - angle_rad_) > kTurnedFoot_rad;
@@ -63,17 +60,19 @@ void PlantedFeet::update(const std::array<double, 2>& force_N, double angle_rad,
 
 double PlantedFeet::creep_rad_rts() const noexcept {
   const EstimatorParameters& p = parameters_;
-  return p.creep_rad_rts + p.settling_creep_rad_rts * std::exp(-planted_s_ / kSettling_s) +
+  return p.creep_rad_rts + p.settling_creep_rad_rts * std::exp(-planted_s_ / p.settling_time_s) +
          p.rattle_creep_rad_rts * rattle_ + p.moved_creep_rts * leg_rate_rad_per_s_;
 }
 
 SlipObserver::SlipObserver(const EstimatorParameters& parameters) noexcept
-    : leak_s_(parameters.slip_leak_s), offset_time_s_(parameters.slip_offset_time_s) {}
+    : impact_s_(parameters.slip_impact_s),
+      leak_s_(parameters.slip_leak_s),
+      offset_time_s_(parameters.slip_offset_time_s) {}
 
 void SlipObserver::update(bool in_contact, const Eigen::Vector2d& acceleration_m_per_s2,
                           double dt_s) noexcept {
   contact_s_ = in_contact ? std::min(contact_s_ + dt_s, offset_time_s_) : 0.0;
-  if (contact_s_ <= kImpact_s) {
+  if (contact_s_ <= impact_s_) {
     velocity_.setZero();
     return;
   }

@@ -270,8 +270,8 @@ TEST_F(PluginChangeTest, LiveParametersChangeBetweenTwoSteps) {
               HasSubstr("there is a plug-in 'c' already"));
   EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "offset", "11000 m"); }),
               HasSubstr("must be from -10 to 10000 m"));
-  EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "offset", "50 mm"); }),
-              HasSubstr("Convert it"));
+  EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "offset", "50 ms"); }),
+              HasSubstr("is in 'ms', but must be in 'm'"));
   EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "offst", "1"); }), HasSubstr("'offset'"));
   EXPECT_THAT(complaint([&] { manager->changes().set_parameter("c", "throws", "true"); }),
               HasSubstr("does not change while the plug-in runs (offset may)"));

@@ -328,7 +328,7 @@ TEST_F(ReferencePlugins, Work) {
     EXPECT_NEAR(value<TrimCommand>("trim").angle[4], 0.5 * 0.09, 1e-9);
     EXPECT_GT(value<WalkCommand>("walk_command").velocity[0], 0.0);
     EXPECT_THROW(manager->changes().set_parameter("lean", "share", "0.1"), ConfigurationError);
-    EXPECT_THROW(manager->changes().set_parameter("pace", "speed", "300 mm/s"), ConfigurationError);
+    EXPECT_THROW(manager->changes().set_parameter("pace", "speed", "300 mm"), ConfigurationError);
   }
 }
 

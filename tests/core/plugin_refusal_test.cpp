@@ -215,9 +215,9 @@ TEST_F(PluginRefusal, UnknownParameterNamesTheNearest) {
 }
 
 TEST_F(PluginRefusal, ParameterInAnotherUnit) {
-  EXPECT_THAT(refusal("  - {name: p, library: parameters.so, parameters: {step_time: 400 ms}}\n"),
-              AllOf(HasSubstr("test.yaml:2: parameter 'step_time' of 'p' = '400 ms'"),
-                    HasSubstr("is in 'ms'"), HasSubstr("must be in 's'")));
+  EXPECT_THAT(refusal("  - {name: p, library: parameters.so, parameters: {step_time: 400 mm}}\n"),
+              AllOf(HasSubstr("test.yaml:2: parameter 'step_time' of 'p' = '400 mm'"),
+                    HasSubstr("is in 'mm'"), HasSubstr("must be in 's'")));
 }
 
 }  // namespace

@@ -201,8 +201,8 @@ TEST_F(BadInput, UnknownKeysOfTheConfigurationNameTheNearest) {
 
 TEST_F(BadInput, ParametersInWrongUnitsOrOutOfRange) {
   expect_trajectory_refused(
-      "step_time: 400 ms",
-      {"walk.yaml:4: parameter 'step_time' of 'trajectory' = '400 ms'", "must be in 's'"});
+      "step_time: 400 mm",
+      {"walk.yaml:4: parameter 'step_time' of 'trajectory' = '400 mm'", "must be in 's'"});
   expect_trajectory_refused(
       "step_time: 400", {"walk.yaml:4: parameter 'step_time' of 'trajectory' = '400'", "from 0.2 to 1 s"});
   expect_trajectory_refused("step_time: fast", {"walk.yaml:4", "'fast'", "must be a finite number in s"});

@@ -1,6 +1,7 @@
 // The balance feedback of one tick: estimate and plan in, trims and batch corrections out.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -47,7 +48,7 @@ class BalanceController {
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.timeline_, self.trims_, self.heading_, self.speed_, self.lean_, self.fall_reaction_,
-            self.soles_, self.centring_, self.hips_, self.without_contact_s_);
+            self.soles_, self.centring_, self.hips_, self.without_contact_s_, self.held_lean_rad_);
   }
 
  private:
@@ -62,8 +63,10 @@ class BalanceController {
     bool stands = false;    // and the robot is to stand upon it
     bool sways = true;
     bool bows = false;
+    bool obeys = true;  // the joints do what is planned: no emergency stop
   };
 
+  void lean_as_held(const BalanceInputs& inputs, PlanMoment& meant) noexcept;
   [[nodiscard]] Situation assess(std::int64_t now_ns, const BalanceInputs& inputs) noexcept;
   void soften(const Estimate* estimate, const Situation& now, TrimCommand& trim) noexcept;
   void balance_trunk(const Situation& now, TrimCommand& trim) noexcept;
@@ -89,6 +92,7 @@ class BalanceController {
   ComCentring centring_;
   HipStrategy hips_;
   double without_contact_s_ = 0.0;
+  std::array<double, 2> held_lean_rad_{};  // roll, pitch: see lean_as_held()
 };
 
 }  // namespace gaitway::stability

@@ -34,6 +34,9 @@ struct EstimatorParameters {
   double moved_creep_rts = 0.01;
   double planted_share = 0.2;  // of the body weight on each foot, for planted_time: the feet stand
   double planted_time_s = 0.2;
+  double settling_time_s = 1.0;         // time constant with which feet come to rest
+  double rattle_time_s = 0.5;           // in which the load's changes are averaged
+  double unheard_rate_rad_per_s = 0.3;  // how fast a walking trunk turns: while its gyro is not heard
 
   // Force cells. Gains are factors; their lifetime is that in which a gain forgets itself.
   double cell_noise_N = 0.065;
@@ -55,7 +58,8 @@ struct EstimatorParameters {
   double com_offset_drift_m_per_rts = 0.0005;  // as the posture changes
 
   // Slip.
-  double slip_leak_s = 0.15;  // in which an integrated acceleration is forgotten
+  double slip_impact_s = 0.030;  // after touchdown the sole rolls and strikes: no slip
+  double slip_leak_s = 0.15;     // in which an integrated acceleration is forgotten
   double slip_offset_time_s =
       2.0;  // in which the tilt of a sole is learned that the kinematics does not know
 

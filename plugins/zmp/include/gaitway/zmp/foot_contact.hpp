@@ -111,7 +111,7 @@ class SlipObserver {
   }
 
  private:
-  double leak_s_, offset_time_s_;
+  double impact_s_, leak_s_, offset_time_s_;
   Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d offset_ = Eigen::Vector2d::Zero();
   double contact_s_ = 0.0;
