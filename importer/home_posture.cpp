@@ -14,9 +14,9 @@
 namespace gaitway::importer {
 namespace {
 
-constexpr double kBend_rad = 0.69, kLeastBend_rad = 0.25;  // of the knee; wanted, and the least that walks
+constexpr double kLeastBend_rad = 0.25;  // of the knee: the least that walks
 constexpr double kBendStep_rad = 0.03;
-constexpr double kRoom_rad = 0.50;        // from hip pitch, knee and ankle pitch to their limits, for steps
+constexpr double kRoom_rad = 0.30;        // from hip pitch, knee and ankle pitch to their limits, for steps
 constexpr double kGap_m_per_m = 0.045;    // between the soles, of the hip height
 constexpr double kWidest_m_per_m = 0.28;  // between their origins
 constexpr double kHangs = 0.64;           // cosine of 50 deg
@@ -66,8 +66,9 @@ struct LegInPlane {
 
 class Stand {
  public:
-  Stand(const MakerRobot& robot, const BodyPlan& plan, const std::array<FoundSole, 2>& soles)
-      : robot_(robot), soles_(soles), angle_rad_(robot.joints.size(), 0.0) {
+  Stand(const MakerRobot& robot, const BodyPlan& plan, const std::array<FoundSole, 2>& soles,
+        double most_bend_rad)
+      : robot_(robot), soles_(soles), most_bend_rad_(most_bend_rad), angle_rad_(robot.joints.size(), 0.0) {
     for (std::size_t i = 0; i < robot.joints.size(); ++i) angle_rad_[i] = neutral_rad(robot.joints[i]);
     const Posture zero(robot, angle_rad_);
     for (std::size_t side = 0; side < 2; ++side) {
@@ -88,8 +89,8 @@ class Stand {
     constexpr double kStraight_rad = 0.05;  // there the height hardly depends on the bend
     for (double bend = std::max(kStraight_rad, bend_at(Posture(robot_, angle_rad_), 0)); bends_on;
          bend += kBendStep_rad) {
-      bends_on = bend < kBend_rad;
-      bend = std::min(bend, kBend_rad);
+      bends_on = bend < most_bend_rad_;
+      bend = std::min(bend, most_bend_rad_);
       if (!solve(bend)) break;
       // The deepest that leaves room enough; of those that leave less, the one that leaves most.
       const double room = std::min(least_room_rad(), kRoom_rad);
@@ -103,7 +104,7 @@ class Stand {
     home.angle_rad = *chosen;
     const Posture posture(robot_, home.angle_rad);
     home.hip_height_m = 0.5 * (hip_above_sole_m(posture, 0) + hip_above_sole_m(posture, 1));
-    if (home.knee_bend_rad < kBend_rad - kBendStep_rad) {
+    if (home.knee_bend_rad < most_bend_rad_ - kBendStep_rad) {
       home.notes.push_back(
           fmt::format("the knees stand bent by {:.0f} deg only: more would leave '{}' less than "
                       "{:.0f} deg to its limit",
@@ -268,6 +269,7 @@ class Stand {
 
   const MakerRobot& robot_;
   const std::array<FoundSole, 2>& soles_;
+  double most_bend_rad_;
   std::vector<double> angle_rad_;
   std::array<std::vector<int>, 2> legs_;
   std::array<LegInPlane, 2> in_plane_;
@@ -368,8 +370,8 @@ double neutral_rad(const MakerJoint& joint) noexcept {
 }
 
 HomePosture find_home_posture(const MakerRobot& robot, const BodyPlan& plan,
-                              const std::array<FoundSole, 2>& soles) {
-  return Stand(robot, plan, soles).find();
+                              const std::array<FoundSole, 2>& soles, double most_bend_rad) {
+  return Stand(robot, plan, soles, most_bend_rad).find();
 }
 
 }  // namespace gaitway::importer

@@ -252,6 +252,14 @@ ImportedRobot import_robot(const std::filesystem::path& file, const ImportOption
   return result;
 }
 
+ImportedRobot with_knees_bent(const ImportedRobot& imported, double most_bend_rad) {
+  ImportedRobot result = imported;
+  result.home = find_home_posture(result.robot, result.plan, result.soles, most_bend_rad);
+  place_imu(result);
+  result.drives = drive_figures(result.robot, result.plan, result.home.hip_height_m);
+  return result;
+}
+
 ImportedRobot with_fewer_joints(const ImportedRobot& imported, std::size_t most) {
   if (most < kLegJoints) throw std::invalid_argument("the legs alone have twelve joints");
   const MakerRobot& robot = imported.robot;

@@ -211,22 +211,21 @@ class UrdfText {
   std::string text_;
 };
 
-// What each of a leg's twelve joints brings home of the sensors, and which of the trims it takes.
+// What each of the legs' twelve joints brings home of the sensors.
 struct LegNode {
   const char* channels;
-  int trim = -1;
 };
 constexpr std::array<std::array<LegNode, 6>, 2> kLegNodes{
     {{{{"angular_velocity_x, angular_velocity_y"},
-       {"angular_velocity_z, inclination_roll"},
-       {"left_foot_acceleration_z, none"},
-       {"left_foot_acceleration_x, left_foot_acceleration_y"},
+       {"angular_velocity_z, none"},
+       {"none, none"},
+       {"none, none"},
        {"left_cell_front_left, left_cell_front_right"},
        {"left_cell_rear_left, left_cell_rear_right"}}},
      {{{"acceleration_x, acceleration_y"},
-       {"acceleration_z, inclination_pitch"},
-       {"right_foot_acceleration_z, none"},
-       {"right_foot_acceleration_x, right_foot_acceleration_y"},
+       {"acceleration_z, none"},
+       {"none, none"},
+       {"none, none"},
        {"right_cell_front_left, right_cell_front_right"},
        {"right_cell_rear_left, right_cell_rear_right"}}}}};
 
@@ -366,7 +365,7 @@ class NetworkText {
     const ImuPlace& imu = imported_.imu;
     const Eigen::Vector3d rpy_deg = rpy_of(imu.pose.linear()) * 180.0 / std::numbers::pi;
     text_ += fmt::format(
-        "\n# Gyro, accelerometer and inclinometer sit together. {}.\nimu: {{link: {}, position_m: [{:.6g}, "
+        "\n# Gyro and accelerometer: {}.\nimu: {{link: {}, position_m: [{:.6g}, "
         "{:.6g}, {:.6g}], "
         "rotation_rpy_deg: [{:.6g}, {:.6g}, {:.6g}]}}\n",
         imu.why, quoted(imu.link), imu.pose.translation().x(), imu.pose.translation().y(),
@@ -374,9 +373,7 @@ class NetworkText {
     const double force = scale_.factor("N");
     text_ += fmt::format(
         "\n# Sensor unit for one count of a 16-bit channel (guess).\nchannel_scale: {{force_N: {:.3g}, "
-        "foot_acceleration_m_per_s2: "
-        "0.005, angular_velocity_rad_per_s: 0.001, acceleration_m_per_s2: 0.005, inclination_rad: "
-        "0.0001}}\n\n"
+        "angular_velocity_rad_per_s: 0.001, acceleration_m_per_s2: 0.005}}\n\n"
         "trim: {{count_deg: 0.05, slew_deg_per_s: {:.4g}, limit_deg: 6.35}}\n\nnetwork: {{profile: full}}\n\n"
         "standing: {{hip_height_m: {:.9g}}}      # of the hip axes above the soles in the home posture\n\n"
         "# For the simulated robot: standard deviations of the sensors' noise, ground contact, time step "

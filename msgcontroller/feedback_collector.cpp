@@ -24,7 +24,8 @@ FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot, std::span<co
     : joint_count_(static_cast<int>(robot.joints.size())),
       channels_(robot.channels),
       feet_(robot.feet),
-      has_inclinometer_(robot.carries(urdf::SensorKind::inclination)) {
+      has_inclinometer_(robot.carries(urdf::SensorKind::inclination)),
+      sensor_(robot.imu) {
   joint_states_.joint_count = static_cast<std::uint32_t>(joint_count_);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     joint_states_.position[joint] = robot.joints[joint].home_rad;
@@ -80,15 +81,18 @@ void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double 
       foot_forces_.stamp_ns = now_ns;
       return;
     case Kind::angular_velocity:
-      imu_.angular_velocity[index] = value;
+      sensed_.angular_velocity[channel.index] = value;
+      Eigen::Map<Eigen::Vector3d>(imu_.angular_velocity) = sensor_.in_link(sensed_.angular_velocity);
       derive_inclination(channel);
       break;
     case Kind::acceleration:
-      imu_.acceleration[index] = value;
+      sensed_.acceleration[channel.index] = value;
+      Eigen::Map<Eigen::Vector3d>(imu_.acceleration) = sensor_.in_link(sensed_.acceleration);
       derive_inclination(channel);
       break;
     case Kind::inclination:
-      imu_.inclination[index] = value;
+      sensed_.inclination[channel.index] = value;
+      Eigen::Map<Eigen::Vector2d>(imu_.inclination) = sensor_.tilt_in_link(sensed_.inclination);
       break;
   }
   imu_.stamp_ns = now_ns;

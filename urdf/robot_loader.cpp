@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "gaitway/input/complaint.hpp"
@@ -70,6 +71,7 @@ class Assembly {
     model_.physics_step_s = network_.physics_step_s;
     model_.hip_height_m = network_.hip_height_m;
     check_standing();
+    check_inclinometer();
     const std::filesystem::path found = directory / "calibration.yaml";
     if (calibration == CalibrationUse::applied && std::filesystem::exists(found)) {
       apply_calibration_file(found, model_);
@@ -230,6 +232,20 @@ class Assembly {
             "Make home_deg of the leg and this height agree");
       }
     }
+  }
+
+  // Roll and pitch of a sensor that lies on its side or its back jump by a turn in the middle of their range.
+  void check_inclinometer() const {
+    constexpr double kUpright = 0.5;  // cosine of 60 deg
+    const ForwardKinematics home(model_);
+    const Eigen::Matrix3d sensor = home.link_rotation(model_.imu.link) * model_.imu.pose.linear();
+    if (!model_.carries(SensorKind::inclination) || sensor(2, 2) > kUpright) return;
+    refuse_network(
+        network_.imu_line, "imu.rotation_rpy_deg", "",
+        fmt::format("in the home posture the sensor's z axis is {:.0f} deg from up, and an inclinometer "
+                    "tells no roll and pitch there",
+                    std::acos(std::clamp(sensor(2, 2), -1.0, 1.0)) * 180.0 / std::numbers::pi),
+        "Leave the inclination channels out: they are derived from gyro and accelerometer");
   }
 
   const UrdfFile& urdf_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,35 @@ TEST(FeedbackCollector, ASixAxisSensorSpeaksAsFourCells) {
     EXPECT_EQ(forces.force[1][cell], 0.0);
   }
   EXPECT_EQ(forces.stamp_ns, facts::kSlot_ns);
+}
+
+// Upside down and turned to the left, as boards are mounted.
+TEST(FeedbackCollector, AnImuThatIsTurnedSpeaksAlongItsLinksAxes) {
+  const RobotVariant variant;
+  urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()) *
+                                Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()))
+                                   .toRotationMatrix();
+  robot.imu.pose.linear() = turn;
+  // The link pitches forward by 0.1 rad, turns and is at rest otherwise.
+  const Eigen::Vector3d up(-std::sin(0.1), 0.0, std::cos(0.1)), rate(0.1, 0.2, 0.3);
+  const Eigen::Vector3d felt = turn.transpose() * up, turning = turn.transpose() * rate;
+  Feedback feedback(robot);
+  feedback.slot({{"acceleration_x", 9.81 * felt.x()},
+                 {"acceleration_y", 9.81 * felt.y()},
+                 {"acceleration_z", 9.81 * felt.z()},
+                 {"angular_velocity_x", turning.x()},
+                 {"angular_velocity_y", turning.y()},
+                 {"angular_velocity_z", turning.z()},
+                 {"inclination_roll", std::atan2(felt.y(), felt.z())},
+                 {"inclination_pitch", std::atan2(-felt.x(), std::hypot(felt.y(), felt.z()))}});
+  const Imu& imu = feedback.collector().imu();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(imu.acceleration[axis], 9.81 * up[axis], 0.01);
+    EXPECT_NEAR(imu.angular_velocity[axis], rate[axis], 0.001);
+  }
+  EXPECT_NEAR(imu.inclination[0], 0.0, 1e-3);
+  EXPECT_NEAR(imu.inclination[1], 0.1, 1e-3);
 }
 
 class DerivedInclination : public ::testing::Test {

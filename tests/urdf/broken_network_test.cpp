@@ -190,5 +190,12 @@ TEST(BrokenNetwork, SolesMustBeLevelAtHome) {
   robot.expect_complaint({"standing: in the home posture the left sole is not level"});
 }
 
+TEST(BrokenNetwork, AnInclinometerThatIsTurnedOverIsRefused) {
+  expect_refused(
+      "imu: {link: trunk, position_m: [0, 0, 0.10], rotation_rpy_deg: [0, 0, 0]}",
+      "imu: {link: trunk, position_m: [0, 0, 0.10], rotation_rpy_deg: [180, 0, 90]}",
+      {"imu.rotation_rpy_deg", "z axis is 180 deg from up", "derived from gyro and accelerometer"});
+}
+
 }  // namespace
 }  // namespace gaitway::urdf

@@ -25,7 +25,7 @@ struct StandingMeasurement {
   // Poses with the same number have both feet in the same places, which nobody knows.
   int placement = 0;
   std::vector<double> joint_rad;                              // encoders, without any calibration
-  Eigen::Vector3d specific_force_m_per_s2 = {0.0, 0.0, 0.0};  // trunk accelerometer, sensor frame
+  Eigen::Vector3d specific_force_m_per_s2 = {0.0, 0.0, 0.0};  // trunk accelerometer, along its link's axes
   Eigen::Vector3d specific_force_deviation_m_per_s2 = {0.0, 0.0, 0.0};
   std::optional<Eigen::Vector2d> inclination_rad;  // trunk inclinometer: roll, pitch
   Eigen::Vector2d inclination_deviation_rad = {0.0, 0.0};

@@ -123,9 +123,8 @@ void StandingModel::press_sole(const RobotDeviations& robot, const Ground& groun
 }
 
 void StandingModel::add_trunk(const Stance& stance, Noise& noise) {
-  const Eigen::Matrix3d sensor =
-      kinematics_.link_rotation(robot_.imu.link) * robot_.imu.pose.linear();  // in the base frame
-  const Eigen::Vector2d predicted = tilt_of(sensor.transpose() * stance.up);
+  const Eigen::Matrix3d trunk = kinematics_.link_rotation(robot_.imu.link);  // in the base frame
+  const Eigen::Vector2d predicted = tilt_of(trunk.transpose() * stance.up);
   Eigen::Vector3d force = measurement_.specific_force_m_per_s2;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     force[axis] += noise.next(measurement_.specific_force_deviation_m_per_s2[axis]);

@@ -18,14 +18,18 @@ struct HomePosture {
   std::vector<std::string> notes;
 };
 
+// Of the knees in the stand: humanoid22's.
+inline constexpr double kUsualBend_rad = 0.69;
+
 // Zero, or as near to it as the joint's limits allow and a little leeway inside them.
 [[nodiscard]] double neutral_rad(const MakerJoint& joint) noexcept;
 
-// Soles level side by side, the CoM over their middle, the knees bent forward as far as humanoid22's (0.69
-// rad) or as far as the limits of hip, knee and ankle leave them room for steps; arms as they are at zero if
-// they hang there, hanging otherwise; everything else at zero, or as near as its limits allow. `robot` is in
-// its base frame. Throws input::InputError naming the joint whose limits allow no such stand.
+// Soles level side by side, the CoM over their middle, the knees bent forward by `most_bend_rad` or as far as
+// the limits of hip, knee and ankle leave them room for steps; arms as they are at zero if they hang there,
+// hanging otherwise; everything else at zero, or as near as its limits allow. `robot` is in its base frame.
+// Throws input::InputError naming the joint whose limits allow no such stand.
 [[nodiscard]] HomePosture find_home_posture(const MakerRobot& robot, const BodyPlan& plan,
-                                            const std::array<FoundSole, 2>& soles);
+                                            const std::array<FoundSole, 2>& soles,
+                                            double most_bend_rad = kUsualBend_rad);
 
 }  // namespace gaitway::importer

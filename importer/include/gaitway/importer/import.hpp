@@ -41,6 +41,9 @@ struct ImportedRobot {
 // Throws input::InputError with file, line, element, value, rule and remedy for what can't be brought.
 [[nodiscard]] ImportedRobot import_robot(const std::filesystem::path& file, const ImportOptions& options);
 
+// The same with the knees bent by so much at most in the home posture.
+[[nodiscard]] ImportedRobot with_knees_bent(const ImportedRobot& imported, double most_bend_rad);
+
 // The same with at most `most` joints: the others, those that carry least first, are held still at home.
 // Legs keep theirs. Throws std::invalid_argument for fewer than the legs' twelve.
 [[nodiscard]] ImportedRobot with_fewer_joints(const ImportedRobot& imported, std::size_t most);

@@ -1,6 +1,7 @@
 // Gathers one time slot's feedback frames into the topics that everybody reads: joint states, foot forces,
 // IMU. What comes from other sensors than the topics speak of is turned into theirs here, so that nobody else
-// need know: a six-axis sensor speaks as four force cells, gyro and accelerometer as an inclinometer.
+// need know: a six-axis sensor speaks as four force cells, gyro and accelerometer as an inclinometer, an IMU
+// that is turned in its link along the link's axes.
 #pragma once
 
 #include <array>
@@ -51,6 +52,13 @@ class FeedbackCollector {
   unsigned imu_channels_ = 0;    // of the gyro and the accelerometer, that have come since the last time
   std::uint32_t tilt_slot_ = 0;  // in which they were derived; 0: never
   FootForces foot_forces_{};
+  // The IMU's channels come along its own axes, one joint's after the other; the topic has the link's.
+  struct Sensed {
+    Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(), acceleration = Eigen::Vector3d::Zero();
+    Eigen::Vector2d inclination = Eigen::Vector2d::Zero();
+  };
+  urdf::Imu sensor_;
+  Sensed sensed_;
   Imu imu_{};
 };
 

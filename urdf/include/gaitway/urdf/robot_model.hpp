@@ -146,6 +146,11 @@ struct Leg {
 struct Imu {
   int link = 0;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // sensor frame in the link
+
+  // What the sensor feels along its own axes, along the link's; roll and pitch against gravity likewise.
+  // Exactly the same where the axes are.
+  [[nodiscard]] Eigen::Vector3d in_link(const Eigen::Vector3d& along_own_axes) const noexcept;
+  [[nodiscard]] Eigen::Vector2d tilt_in_link(const Eigen::Vector2d& own_tilt_rad) const noexcept;
 };
 
 struct SensorNoise {  // standard deviations, for the simulated robot

@@ -1,0 +1,47 @@
+// Robots that other people published: brought from their URDFs by the command, without a hand, they stand,
+// step and walk at Froude's number 0.02 through the whole chain, with what the planner does not know of them.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "importer/maker_robots.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+int robot_command(const std::string& arguments) {
+  return WEXITSTATUS(std::system((std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments).c_str()));
+}
+
+class MakersRobot : public ::testing::TestWithParam<const char*> {
+ protected:
+  MakersRobot() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "gaitway-brought-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~MakersRobot() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+};
+
+TEST_P(MakersRobot, WalksWithoutAHand) {
+  GAITWAY_SKIP_WITHOUT_MAKER_ROBOTS();
+  const std::string robot = (folder_ / "robot").string();
+  const std::string urdf = (*importer::test::maker_robots() / GetParam()).string();
+  ASSERT_EQ(robot_command("import '" + urdf + "' --quiet --out '" + robot + "'"), 0);
+  EXPECT_EQ(robot_command("check '" + robot + "' --seconds 12"), 0);
+}
+INSTANTIATE_TEST_SUITE_P(Published, MakersRobot,
+                         ::testing::Values("talos_data/robots/talos_full_v2.urdf",
+                                           "talos_data/robots/talos_reduced_box.urdf",
+                                           "romeo_description/urdf/romeo.urdf",
+                                           "g1_description/urdf/g1_29dof_rev_1_0.urdf",
+                                           "icub_description/robots/icub_reduced.urdf",
+                                           "alexander_description/urdf/alexander_v1.lowerBodyOnly.urdf",
+                                           "human_description/robots/human.urdf"));
+
+}  // namespace
+}  // namespace gaitway::tools
