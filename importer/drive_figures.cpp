@@ -15,9 +15,10 @@ constexpr double kStiffness = 12.4, kServoDamping = 0.86, kArmature = 0.011, kMo
 constexpr double kSpeed = 1.53;                      // of omega: humanoid22's motors
 constexpr double kPlenty = 1.5;                      // of that speed: more is of no use to a walk
 constexpr double kFinestCount_deg = 0.05, kCountStep_deg = 0.005;
-constexpr double kWeakest = 0.02;                                     // share of a leg's drive
-constexpr double kCarriesMuch = 0.1;                                  // of the mass: a drive like a leg's
-constexpr double kFastest_rad_per_s = 100.0, kStrongest_Nm = 1000.0;  // that a network file may name
+constexpr double kWeakest = 0.02;     // share of a leg's drive
+constexpr double kCarriesMuch = 0.1;  // of the mass: a drive like a leg's
+constexpr double kFastest_rad_per_s = 100.0, kStrongest_Nm = 1000.0,
+                 kMostArmature_kg_m2 = 1.0;  // that a network file may name
 
 // Of what each joint carries.
 std::vector<double> carried_kg(const MakerRobot& robot) {
@@ -68,7 +69,8 @@ std::vector<DriveFigures> drive_figures(const MakerRobot& robot, const BodyPlan&
     const double share = strong ? 1.0 : std::clamp(drive.torque_Nm / (kTorque * moment_Nm), kWeakest, 1.0);
     drive.stiffness_Nm_per_rad = kStiffness * moment_Nm * share;
     drive.damping_Nms_per_rad = kServoDamping * moment_Nm / omega * share;
-    drive.armature_kg_m2 = kArmature * mass_kg * hip_height_m * hip_height_m * share;
+    drive.armature_kg_m2 =
+        std::min(kArmature * mass_kg * hip_height_m * hip_height_m * share, kMostArmature_kg_m2);
     drive.motor_damping_Nms_per_rad = kMotorDamping * moment_Nm / omega * share;
     drive.friction_Nm = kFriction * moment_Nm * share;
     drives.push_back(drive);

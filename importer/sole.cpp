@@ -20,6 +20,8 @@ constexpr double kTouches = 0.01;         // of the foot's length above the grou
 constexpr std::size_t kHullPoints = 400;  // of a foot
 constexpr std::size_t kOutlinePoints = 2048;
 constexpr int kGrid = 48;  // places along the sole at which an edge of the rectangle is tried
+// Of the sole's length: the ends are tried so far inside, lest a rounded corner be taken for the whole edge.
+constexpr double kInside = 1e-6;
 
 using Outline = std::vector<Eigen::Vector2d>;  // convex, counter-clockwise
 
@@ -109,7 +111,8 @@ Rectangle largest_rectangle(const Outline& outline) {
   std::vector<double> place;
   std::vector<Chord> chord;
   for (int i = 0; i <= kGrid; ++i) {
-    place.push_back(std::lerp(least->x(), most->x(), static_cast<double>(i) / kGrid));
+    place.push_back(
+        std::lerp(least->x(), most->x(), std::clamp(static_cast<double>(i) / kGrid, kInside, 1.0 - kInside)));
     chord.push_back(chord_at(outline, place.back()));
   }
   Rectangle best;

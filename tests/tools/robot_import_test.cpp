@@ -1,0 +1,105 @@
+// `gaitway robot import` as a user meets it: what it writes, what it leaves alone, and what it says of files
+// that it cannot bring.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "gaitway/process/private_folder.hpp"
+#include "importer/generated_humanoid.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using importer::test::Humanoid;
+using testing::HasSubstr;
+
+class RobotImport : public testing::Test {
+ protected:
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+
+  // The exit code; what it printed is in `said_`.
+  int command(const std::string& arguments) {
+    const std::filesystem::path said = path("said");
+    const int status = std::system(
+        (std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments + " >'" + said.string() + "' 2>&1")
+            .c_str());
+    said_ = text_of(said);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  int import(const Humanoid& humanoid, const std::string& options = "") {
+    const std::filesystem::path file = importer::test::write_humanoid(humanoid, path("maker"));
+    return command("import '" + file.string() + "' --out '" + path("robots/new").string() + "' " + options);
+  }
+  static std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(path(name).parent_path());
+    std::ofstream(path(name)) << text;
+  }
+  // Nothing lies beside the robot's folder: no folder in the making was left.
+  void expect_alone(const std::string& parent, std::size_t entries) const {
+    const auto all = std::filesystem::directory_iterator(path(parent));
+    EXPECT_EQ(static_cast<std::size_t>(std::distance(begin(all), end(all))), entries);
+  }
+
+  process::PrivateFolder folder_{"gaitway-import"};
+  std::string said_;
+};
+
+TEST_F(RobotImport, WritesAFolderThatIsDescribedWithAPageAndAPicture) {
+  ASSERT_EQ(import({}), 0) << said_;
+  for (const char* const part : {"60", "left_knee", "gaitway robot check"})
+    EXPECT_THAT(said_, HasSubstr(part));
+  for (const char* const file : {"robot.urdf", "robot.yaml", "import.html"}) {
+    EXPECT_TRUE(std::filesystem::is_regular_file(path("robots/new") / file)) << file;
+  }
+  EXPECT_TRUE(std::filesystem::exists(path("robots/new/robot.png")) ||
+              said_.find("no picture") != said_.npos);
+  EXPECT_THAT(text_of(path("robots/new/import.html")), HasSubstr("left_knee"));
+  EXPECT_THAT(text_of(path("robots/new/robot.yaml")), HasSubstr("guess"));
+  expect_alone("robots", 1);
+  EXPECT_NE(command("describe '" + path("robots/new").string() + "'"), 1) << said_;
+}
+
+TEST_F(RobotImport, OverwritesNothingUnaskedAndWithForceOnlyItsOwn) {
+  write("robots/new/robot.yaml", "mine\n");
+  write("robots/new/calibration.yaml", "measured\n");
+  EXPECT_EQ(import({}), 1);
+  EXPECT_THAT(said_, testing::AllOf(HasSubstr("is there already"), HasSubstr("--force")));
+  EXPECT_EQ(text_of(path("robots/new/robot.yaml")), "mine\n");
+  expect_alone("robots/new", 2);
+  ASSERT_EQ(import({}, "--force --quiet"), 0) << said_;
+  EXPECT_THAT(text_of(path("robots/new/robot.yaml")), HasSubstr("left_knee"));
+  EXPECT_EQ(text_of(path("robots/new/calibration.yaml")), "measured\n");
+  expect_alone("robots", 1);
+}
+
+TEST_F(RobotImport, LeavesNothingBehindWhenItFails) {
+  Humanoid endless;
+  endless.endless_knees = true;
+  EXPECT_EQ(import(endless), 1);
+  EXPECT_THAT(said_, testing::AllOf(HasSubstr("robot.urdf"), HasSubstr("left_knee"), HasSubstr("limit")));
+  EXPECT_FALSE(std::filesystem::exists(path("robots/new")));
+  write("robots/new/robot.yaml", "mine\n");
+  EXPECT_EQ(import(endless, "--force"), 1);
+  EXPECT_EQ(text_of(path("robots/new/robot.yaml")), "mine\n");
+  expect_alone("robots", 1);
+  EXPECT_EQ(command("import '" + path("nowhere.urdf").string() + "'"), 1);
+  EXPECT_THAT(said_, HasSubstr("nowhere.urdf"));
+}
+
+TEST_F(RobotImport, CheckTellsABadFolderByItsExitCode) {
+  EXPECT_EQ(command("check '" + path("nowhere").string() + "'"), 1);
+  EXPECT_THAT(said_, HasSubstr("nowhere"));
+}
+
+}  // namespace
+}  // namespace gaitway::tools
