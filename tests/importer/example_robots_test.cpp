@@ -1,6 +1,9 @@
 // Published descriptions are read as they are.
 #include <algorithm>
 
+#include "gaitway/importer/import.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
 #include "maker_folder.hpp"
 #include "maker_robots.hpp"
 #include "surface_measures.hpp"
@@ -78,6 +81,50 @@ INSTANTIATE_TEST_SUITE_P(
       std::replace(name.begin(), name.end(), '.', '_');
       return name;
     });
+
+class ExampleHumanoid : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExampleHumanoid, IsBroughtAndLoads) {
+  GAITWAY_SKIP_WITHOUT_MAKER_ROBOTS();
+  const test::MakerFolder folder;
+  const ImportedRobot imported = import_robot(*test::maker_robots() / GetParam(), {});
+  write_robot_folder(with_fewer_joints(imported, 24), folder.path() / "out");
+  const urdf::RobotModel robot = urdf::load_robot(folder.path() / "out");
+  EXPECT_NEAR(robot.total_mass_kg(), total_mass_kg(imported.robot), 0.01 * robot.total_mass_kg());
+  EXPECT_NEAR(robot.hip_height_m, imported.home.hip_height_m, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Published, ExampleHumanoid,
+    testing::Values("talos_data/robots/talos_full_v2.urdf", "talos_data/robots/talos_full_v2_box.urdf",
+                    "talos_data/robots/talos_reduced.urdf", "talos_data/robots/talos_reduced_box.urdf",
+                    "talos_data/robots/talos_reduced_corrected.urdf", "romeo_description/urdf/romeo.urdf",
+                    "romeo_description/urdf/romeo_small.urdf", "romeo_description/urdf/romeo_laas_small.urdf",
+                    "g1_description/urdf/g1_29dof_rev_1_0.urdf",
+                    "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf",
+                    "icub_description/robots/icub.urdf", "icub_description/robots/icub_reduced.urdf",
+                    "alexander_description/urdf/alexander_v1.lowerBodyOnly.urdf",
+                    "human_description/robots/human.urdf"),
+    [](const auto& test) {
+      std::string name = std::filesystem::path(test.param).stem();
+      std::replace(name.begin(), name.end(), '.', '_');
+      return name;
+    });
+
+TEST(ExampleRobots, WithoutLimitsOrAnklesAreRefusedForIt) {
+  GAITWAY_SKIP_WITHOUT_MAKER_ROBOTS();
+  const auto complaint = [](const char* urdf) -> std::string {
+    try {
+      (void)import_robot(*test::maker_robots() / urdf, {});
+    } catch (const input::InputError& error) {
+      return error.what();
+    }
+    return "(brought without complaint)";
+  };
+  EXPECT_THAT(complaint("simple_humanoid_description/urdf/simple_humanoid.urdf"),
+              testing::HasSubstr("limit"));
+  EXPECT_THAT(complaint("bolt_description/robots/bolt.urdf"), testing::HasSubstr("joints only"));
+}
 
 }  // namespace
 }  // namespace gaitway::importer
