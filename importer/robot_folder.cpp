@@ -353,8 +353,7 @@ class NetworkText {
       text_ += fmt::format(
           "  {}: {{link: {}, sole_position_m: [{:.6g}, {:.6g}, {:.6g}], sole_rotation_rpy_deg: [{:.6g}, "
           "{:.6g}, {:.6g}],\n"
-          "         size_m: [{:.5g}, {:.5g}], centre_m: [{:.5g}, {:.5g}], cell_inset_m: {:.3g}}}   # from "
-          "its {} geometry\n",
+          "         size_m: [{:.5g}, {:.5g}], centre_m: [{:.5g}, {:.5g}], cell_inset_m: {:.3g}}}   # {}\n",
           side == 0 ? "left" : "right", quoted(imported_.plan.legs[side].foot), at.x(), at.y(), at.z(),
           rpy_deg.x(), rpy_deg.y(), rpy_deg.z(), sole.size_m.x(), sole.size_m.y(), sole.centre_m.x(),
           sole.centre_m.y(), 0.06 * sole.size_m.minCoeff(), sole.source);

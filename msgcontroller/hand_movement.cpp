@@ -108,12 +108,18 @@ void HandMovement::enter_slot() noexcept {
 CountPlanProblem HandMovement::pulled_back_by(const CountPlan& plan,
                                               std::span<const std::int32_t> start) const noexcept {
   constexpr std::int32_t kThere = 2;  // counts
+  const auto complaint_about = [&](int point, std::int32_t most,
+                                   std::size_t j) -> std::optional<CountPlanProblem> {
+    const std::int32_t away = plan.count[static_cast<std::size_t>(point)][j] - start[j];
+    if (std::abs(away) <= most) return std::nullopt;
+    return CountPlanProblem{msgclient::Reason::moving_by_hand, static_cast<std::int32_t>(j), point,
+                            static_cast<double>(away)};
+  };
   for (std::size_t j = 0; j < link_.node.size(); ++j) {
-    const std::int32_t away = plan.count[static_cast<std::size_t>(plan.first_point)][j] - start[j];
-    if (moved_[j] && std::abs(away) > kThere) {
-      return {msgclient::Reason::moving_by_hand, static_cast<std::int32_t>(j), plan.first_point,
-              static_cast<double>(away)};
-    }
+    if (!moved_[j]) continue;
+    if (const auto at_once = complaint_about(plan.first_point, kThere, j)) return *at_once;
+    // A plan may also lead it back little by little.
+    if (const auto in_the_end = complaint_about(plan.point_count - 1, sway_counts_[j], j)) return *in_the_end;
   }
   return {};
 }

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Example{"romeo_description/urdf/romeo_laas_small.urdf", 40.8, 33, 0.0},
                     Example{"g1_description/urdf/g1_29dof_rev_1_0.urdf", 33.3411, 29, 1.32},
                     Example{"g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf", 34.3942, 43, 1.32},
-                    Example{"icub_description/robots/icub.urdf", 28.3469, 32, 0.95},
+                    Example{"icub_description/robots/icub.urdf", 28.3469, 32, 1.05},
                     Example{"simple_humanoid_description/urdf/simple_humanoid.urdf", 130.8, 29, 0.0},
                     Example{"alexander_description/urdf/alexander_v1.lowerBodyOnly.urdf", 49.0807, 13, 1.39},
                     Example{"human_description/robots/human.urdf", 74.712, 36, 1.79, 1},

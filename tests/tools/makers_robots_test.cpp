@@ -17,15 +17,17 @@ int robot_command(const std::string& arguments) {
   return WEXITSTATUS(std::system((std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments).c_str()));
 }
 
-class MakersRobot : public ::testing::TestWithParam<const char*> {
+class BroughtRobot : public ::testing::Test {
  protected:
-  MakersRobot() {
+  BroughtRobot() {
     std::string pattern = (std::filesystem::temp_directory_path() / "gaitway-brought-XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
   }
-  ~MakersRobot() override { std::filesystem::remove_all(folder_); }
+  ~BroughtRobot() override { std::filesystem::remove_all(folder_); }
   std::filesystem::path folder_;
 };
+
+class MakersRobot : public BroughtRobot, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(MakersRobot, WalksWithoutAHand) {
   GAITWAY_SKIP_WITHOUT_MAKER_ROBOTS();
@@ -37,11 +39,20 @@ TEST_P(MakersRobot, WalksWithoutAHand) {
 INSTANTIATE_TEST_SUITE_P(Published, MakersRobot,
                          ::testing::Values("talos_data/robots/talos_full_v2.urdf",
                                            "talos_data/robots/talos_reduced_box.urdf",
-                                           "romeo_description/urdf/romeo.urdf",
                                            "g1_description/urdf/g1_29dof_rev_1_0.urdf",
                                            "icub_description/robots/icub_reduced.urdf",
                                            "alexander_description/urdf/alexander_v1.lowerBodyOnly.urdf",
                                            "human_description/robots/human.urdf"));
+
+// Its ankles turn at 2.1 rad/s: it is given slower steps, and walks as fast as these allow.
+TEST_F(BroughtRobot, WithSlowMotorsWalksSlower) {
+  GAITWAY_SKIP_WITHOUT_MAKER_ROBOTS();
+  const std::string robot = (folder_ / "robot").string();
+  const std::string urdf = (*importer::test::maker_robots() / "romeo_description/urdf/romeo.urdf").string();
+  ASSERT_EQ(robot_command("import '" + urdf + "' --quiet --out '" + robot + "'"), 0);
+  EXPECT_EQ(robot_command("check '" + robot + "' --seconds 12 --speed 0.18"), 0);
+  EXPECT_EQ(robot_command("check '" + robot + "' --seconds 12"), 3) << "it stays up, but cannot walk so fast";
+}
 
 }  // namespace
 }  // namespace gaitway::tools

@@ -33,7 +33,8 @@ class HandMovement {
   [[nodiscard]] bool moves_in(std::uint32_t slots) const noexcept {
     return moving_until_ > link_.slots_since_start + slots;
   }
-  // Whoever moved a joint brings it back before batches go on: none pulls it back in a time slot.
+  // Whoever moved a joint brings it back before batches go on: none pulls it back, be it in a time
+  // slot or little by little.
   [[nodiscard]] CountPlanProblem pulled_back_by(const CountPlan& plan,
                                                 std::span<const std::int32_t> start) const noexcept;
   // A batch was accepted, or every reference is new: no joint moves or is away any more.
