@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "gaitway/urdf/robot_model.hpp"
-#include "tools/robot/robot_description.hpp"
 #include "tools/robot/robot_commands.hpp"
+#include "tools/robot/robot_description.hpp"
 
 namespace gaitway::tools {
 namespace {
