@@ -14,6 +14,7 @@
 
 #include "gaitway/facts/body_scale.hpp"
 #include "gaitway/importer/import.hpp"
+#include "gaitway/input/text.hpp"
 
 namespace gaitway::importer {
 namespace {
@@ -55,6 +56,13 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+// The file's name on one line, without what would end an XML comment.
+std::string in_comment(const std::filesystem::path& file) {
+  std::string name = input::terminal_text(file.filename().string());
+  for (std::size_t at = name.find("--"); at != std::string::npos; at = name.find("--", at)) name[at] = '_';
+  return name;
+}
+
 // A name as YAML takes it anywhere.
 std::string quoted(const std::string& name) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
@@ -77,10 +85,14 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   if (!stream) throw std::system_error(errno, std::generic_category(), file.string());
 }
 
-std::string file_name(const std::string& link, const char* kind, std::size_t number) {
+// Names come from strangers: what is no letter or digit stays out, and the link's number keeps apart what is
+// then alike.
+std::string file_name(std::size_t index, const std::string& link, const char* kind, std::size_t number) {
   std::string name;
   for (const char c : link) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return fmt::format("{}_{}_{}.stl", name, kind, number);
+  constexpr std::size_t kLongest = 60;
+  name.resize(std::min(name.size(), kLongest));
+  return fmt::format("{:02}_{}_{}_{}.stl", index, name, kind, number);
 }
 
 double volume_m3(const Surface& hull) {
@@ -104,7 +116,7 @@ class UrdfText {
     text_ = fmt::format(
         "<?xml version=\"1.0\"?>\n<!-- Made from {}: fixed joints merged, shapes as their convex hulls. -->\n"
         "<robot name=\"{}\">\n",
-        escaped(robot_.file.filename().string()), escaped(robot_.name));
+        in_comment(robot_.file), escaped(robot_.name));
     for (std::size_t i = 0; i < robot_.links.size(); ++i) add_link(i);
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) add_joint(i);
     return text_ + "</robot>\n";
@@ -124,7 +136,8 @@ class UrdfText {
     std::size_t number = 0;
     for (const VisualSurface& visual : link.visual) {
       const Eigen::Vector4d colour = visual.rgba.cwiseMax(0.0).cwiseMin(1.0);
-      if (const std::string mesh = hull_file(visual.surface, link.name, "visual", number, kVisualPoints);
+      if (const std::string mesh =
+              hull_file(visual.surface, index, link.name, "visual", number, kVisualPoints);
           !mesh.empty()) {
         text_ += fmt::format(
             "    <visual><geometry>{}</geometry><material name=\"{}_{}\"><color rgba=\"{:.3g} {:.3g} {:.3g} "
@@ -133,7 +146,7 @@ class UrdfText {
         ++number;
       }
     }
-    if (!add_sole(link)) add_collision(link);
+    if (!add_sole(link)) add_collision(index, link);
     text_ += "  </link>\n";
   }
 
@@ -153,10 +166,11 @@ class UrdfText {
     return false;
   }
 
-  void add_collision(const MakerLink& link) {
+  void add_collision(std::size_t index, const MakerLink& link) {
     std::size_t number = 0;
     const auto add = [&](const Surface& surface) {
-      if (const std::string mesh = hull_file(surface, link.name, "collision", number, kCollisionPoints);
+      if (const std::string mesh =
+              hull_file(surface, index, link.name, "collision", number, kCollisionPoints);
           !mesh.empty()) {
         text_ += fmt::format("    <collision><geometry>{}</geometry></collision>\n", mesh);
         ++number;
@@ -168,8 +182,8 @@ class UrdfText {
   }
 
   // Empty for what is too small or flat to be a body.
-  std::string hull_file(const Surface& surface, const std::string& link, const char* kind, std::size_t number,
-                        std::size_t most_points) {
+  std::string hull_file(const Surface& surface, std::size_t index, const std::string& link, const char* kind,
+                        std::size_t number, std::size_t most_points) {
     if (surface.point_m.size() < 4) return "";
     Eigen::Vector3d least = surface.point_m.front(), most = least;
     for (const Eigen::Vector3d& point : surface.point_m) {
@@ -184,7 +198,7 @@ class UrdfText {
       return "";
     }
     if (volume_m3(hull) < kLeastVolume_m3) return "";
-    const std::filesystem::path file = std::filesystem::path("meshes") / file_name(link, kind, number);
+    const std::filesystem::path file = std::filesystem::path("meshes") / file_name(index, link, kind, number);
     std::filesystem::create_directories(folder_ / "meshes");
     write_stl(folder_ / file, hull);
     return fmt::format("<mesh filename=\"{}\"/>", file.string());
@@ -244,7 +258,7 @@ class NetworkText {
         "# Every key ends in its unit; angles are in degrees (_deg), everything else is SI.\n"
         "# Written from {}. What is marked 'guess' the URDF does not say: correct it where you know "
         "better.\n",
-        robot_.name, robot_.file.filename().string());
+        input::terminal_text(robot_.name), in_comment(robot_.file));
     for (const std::string& note : imported_.notes) text_ += fmt::format("# - {}\n", note);
     add_defaults();
     add_joints();

@@ -197,6 +197,32 @@ INSTANTIATE_TEST_SUITE_P(
                     Build{"imu_on_the_chest", [](Humanoid& h) { h.imu_frame = true; }}),
     [](const auto& test) { return std::string(test.param.name); });
 
+// Names of strangers' links are no file names.
+TEST(ImportedFolder, KeepsMeshesApartWhoseLinksAreCalledAlike) {
+  const test::MakerFolder folder;
+  ImportedRobot imported = import_robot(test::write_humanoid({}, folder.path()), {});
+  std::vector<MakerLink*> renamed;
+  for (MakerLink& link : imported.robot.links) {
+    if (link.name.find("arm") != std::string::npos) renamed.push_back(&link);
+  }
+  ASSERT_GE(renamed.size(), 2U);
+  Surface tetrahedron;
+  tetrahedron.point_m = {{0.0, 0.0, 0.0}, {0.05, 0.0, 0.0}, {0.0, 0.05, 0.0}, {0.0, 0.0, 0.05}};
+  for (MakerLink* const link : {renamed[0], renamed[1]}) link->collision = {tetrahedron};
+  renamed[0]->name = "../../a b";
+  renamed[1]->name = "../../a_b";
+  const std::filesystem::path written = folder.path() / "written";
+  write_robot_folder(imported, written);
+  std::set<std::filesystem::path> meshes;
+  const urdf::RobotModel robot = urdf::load_robot(written);
+  for (const char* name : {"../../a b", "../../a_b"}) {
+    const urdf::Link& link = robot.links[static_cast<std::size_t>(robot.link_index(name))];
+    for (const urdf::Shape& shape : link.collision) meshes.insert(shape.mesh.file);
+    ASSERT_FALSE(link.collision.empty()) << name;
+  }
+  EXPECT_EQ(meshes.size(), renamed[0]->collision.size() + renamed[1]->collision.size());
+}
+
 class NoHumanoid : public testing::Test {
  protected:
   std::string complaint(const ImportOptions& options = {}) {
