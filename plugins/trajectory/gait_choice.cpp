@@ -29,7 +29,7 @@ constexpr double kLeastStep = 0.05;   // of the hip height: a step that is not w
 constexpr double kUsualShare = 0.78, kFastestShare = 0.92;
 constexpr double kUsualSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
 constexpr double kEverydaySpeed_m_per_s = 0.26, kFastSpeed_m_per_s = 0.455;  // Froude's number 0.02 and 0.06
-constexpr double kLeastRoom_rad = 0.01;  // to the limits, for balance and load
+constexpr double kLeastRoom_rad = 0.02;  // to the limits, for balance and load
 constexpr double kMostTwist = 0.5;       // of what a sole bears: 0.6 slipped round, 0.5 did not
 constexpr double kSameHeight = 1e-3;     // of the hip height
 constexpr double kLongestStep_s = 1.0;   // that the parameter may be
