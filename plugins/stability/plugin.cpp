@@ -2,6 +2,7 @@
 #include "gaitway/plugin/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/stability/balance_controller.hpp"
+#include "gaitway/stability/body_balance.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::stability {
@@ -9,7 +10,7 @@ namespace {
 
 const BalanceParameters& declared(Setup& setup, const urdf::RobotModel& robot,
                                   BalanceParameters& parameters) {
-  scale_to_body(parameters.numbers(), robot.body_scale());
+  parameters = balance_of(robot);
   setup.parameters(parameters.numbers());
   return parameters;
 }

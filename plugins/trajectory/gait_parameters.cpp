@@ -29,6 +29,8 @@ std::array<NumberParameter, GaitParameters::kNumbers> GaitParameters::numbers() 
       {freeze_share, "freeze_share", "1", 0.0, 0.9, "of the swing, from which a commanded footstep is fixed"},
       {absorb_s, "absorb", "s", 0.2, 1.0, "over which the ZMP absorbs a change of footsteps"},
       {lift_m, "lift", "m", 0.0, 0.2, "highest point of the swing foot's sole"},
+      {swing_flatness, "swing_flatness", "1", 0.0, 1.0,
+       "share of a cubic in the swing foot's way: slower at its fastest, quicker to start"},
       {adjust_threshold_m, "adjust_threshold", "m", 0.0, 1.0,
        "deviation of the DCM ahead or back, below which no step is adjusted", kLive},
       {adjust_side_threshold_m, "adjust_side_threshold", "m", 0.0, 1.0,

@@ -123,7 +123,7 @@ class Trajectory final : public Plugin {
     state_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 7; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 8; }
   void save_state(StateWriter& state) const override {
     state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_);
   }

@@ -95,6 +95,7 @@ bool StepSchedule::stop_after(PatternState& state) noexcept {
 
 WalkReference::WalkReference(const GaitParameters& parameters)
     : swing_moment_s2_(parameters.swing_moment_s2),
+      swing_flatness_(parameters.swing_flatness),
       stand_com_forward_m_(parameters.stand_com_forward_m),
       settle_points_(parameters.settle_points()),
       absorber_(parameters.com_height_m, parameters.absorb_points(), kRampPoints) {}
@@ -115,9 +116,9 @@ void WalkReference::lay_out(const PatternState& state, const StepSchedule& sched
   int row = 0;
   std::array<Pose2, 2> feet = state.feet;  // where the last step left them
   const auto lay_out_step = [&](const Step& step, int elapsed, bool in_flight) {
-    const SwingFoot swing =
-        in_flight ? state.swing
-                  : SwingFoot(feet[index_of(step.swing)], step.landing, step.swing_points * facts::kSlot_s);
+    const SwingFoot swing = in_flight ? state.swing
+                                      : SwingFoot(feet[index_of(step.swing)], step.landing,
+                                                  step.swing_points * facts::kSlot_s, swing_flatness_);
     // What the leg in the air adds to the ZMP is left to it: the cart gets the rest.
     for (; elapsed < step.points() && row < most; ++elapsed) {
       reference.point.row(row) = zmp_in_step(step, elapsed);

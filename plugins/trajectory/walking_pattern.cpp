@@ -208,7 +208,8 @@ void WalkingPattern::advance_step(PatternState& state) noexcept {
   const Step& step = state.step;
   const std::size_t foot = index_of(step.swing);
   if (state.elapsed_points == step.double_support_points) {
-    state.swing = SwingFoot(state.feet[foot], step.landing, step.swing_points * facts::kSlot_s);
+    state.swing = SwingFoot(state.feet[foot], step.landing, step.swing_points * facts::kSlot_s,
+                            parameters_.swing_flatness);
   }
   ++state.elapsed_points;
   const int in_swing = state.swing_points_done();

@@ -69,6 +69,7 @@ struct GaitParameters {
 
   // Shape of a step.
   double lift_m = 0.030;         // highest point of the swing foot's sole
+  double swing_flatness = 0.0;   // SwingFoot
   double zmp_forward_m = 0.010;  // reference ZMP ahead of the sole's origin
   double zmp_inward_m = 0.010;   // and towards the other foot
 
@@ -123,7 +124,7 @@ struct GaitParameters {
   }
 
   // As the configuration has them; all but the sole, which is the robot's.
-  static constexpr std::size_t kNumbers = 48;
+  static constexpr std::size_t kNumbers = 49;
   [[nodiscard]] std::array<NumberParameter, kNumbers> numbers();
   // The live numbers of `changed`; the others stay as they are. No allocation.
   void tune(GaitParameters changed) noexcept;

@@ -11,12 +11,16 @@ namespace gaitway::trajectory {
 [[nodiscard]] double swing_height_m(double share, double lift_m) noexcept;
 
 // The foot in the air: at rest at lift and at touch-down, and smooth when its target changes on the way.
+//
+// Its `flatness`, 0 to 1, is what share of a cubic there is in its way over the ground, beside least jerk. A
+// flat swing is slower at its fastest, 1.5 against 1.875 times the mean, and between 0 and 1 it needs less
+// acceleration than either (at 0.5: 4.8 against 5.8 times way / time²), which begins and ends with a jump.
 class SwingFoot {
  public:
   SwingFoot() = default;
 
   // At rest on `lift`, heading for `landing` within swing_s.
-  SwingFoot(const Pose2& lift, const Pose2& landing, double swing_s) noexcept;
+  SwingFoot(const Pose2& lift, const Pose2& landing, double swing_s, double flatness) noexcept;
 
   // Aims at another landing place, and at another time of touch-down, from time_s of the swing on, without a
   // jump in position, velocity or acceleration. time_s < swing_s.
@@ -28,7 +32,12 @@ class SwingFoot {
   [[nodiscard]] Eigen::RowVector2d acceleration_m_per_s2(double time_s) const noexcept;
 
  private:
+  [[nodiscard]] double end_acceleration(double way_m) const noexcept;
+  [[nodiscard]] MotionState at_landing(double lift_m, double landing_m) const noexcept;
+
   Quintic x_, y_, yaw_, share_;
+  double lift_x_m_ = 0.0, lift_y_m_ = 0.0;
+  double flatness_ = 0.0;
   double aimed_s_ = 0.0;  // when the polynomials begin
   double swing_s_ = 1.0;
   double landing_rate_per_s_ = 1.0;  // of the share

@@ -90,7 +90,7 @@ class WalkReference {
   [[nodiscard]] const DivergenceAbsorber& absorber() const noexcept { return absorber_; }
 
  private:
-  double swing_moment_s2_, stand_com_forward_m_;
+  double swing_moment_s2_, swing_flatness_, stand_com_forward_m_;
   int settle_points_;
   DivergenceAbsorber absorber_;
 };
