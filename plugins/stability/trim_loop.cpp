@@ -227,15 +227,25 @@ double TrimLoop::left_after_slot(const BalanceParameters& parameters) const {
   return Eigen::EigenSolver<MatrixXd>(slot, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
+// The hips answer a light trunk's rate within the slot; ankles, which move all of the body, steady that.
 BalanceParameters balance_of(const urdf::RobotModel& robot) {
-  constexpr double kLess = 0.95, kLeast = 0.1;
+  constexpr int kShares = 20;
   BalanceParameters balance;
   scale_to_body(balance.numbers(), robot.body_scale());
   const TrimLoop loop(robot);
-  for (double share = 1.0; share > kLeast && loop.left_after_slot(balance) > kMostLeft; share *= kLess) {
-    balance.ankle_pitch.rate_rad_per_rad_per_s *= kLess;
-    balance.hip_pitch.rate_rad_per_rad_per_s *= kLess;
+  double least_left = loop.left_after_slot(balance);
+  if (least_left <= kMostLeft) return balance;
+  double& rate_s = balance.hip_pitch.rate_rad_per_rad_per_s;
+  const double whole_s = rate_s;
+  double best_s = whole_s;
+  for (int i = kShares - 1; i >= 0; --i) {
+    rate_s = whole_s * i / kShares;
+    const double left = loop.left_after_slot(balance);
+    if (left >= least_left) continue;
+    least_left = left;
+    best_s = rate_s;
   }
+  rate_s = best_s;
   return balance;
 }
 

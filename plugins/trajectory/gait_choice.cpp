@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -30,10 +32,15 @@ constexpr double kUsualShare = 0.78, kFastestShare = 0.92;
 constexpr double kUsualSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
 constexpr double kEverydaySpeed_m_per_s = 0.26, kFastSpeed_m_per_s = 0.455;  // Froude's number 0.02 and 0.06
 constexpr double kLeastRoom_rad = 0.02;  // to the limits, for balance and load
-constexpr double kMostTwist = 0.5;       // of what a sole bears: 0.6 slipped round, 0.5 did not
-constexpr double kSameHeight = 1e-3;     // of the hip height
-constexpr double kLongestStep_s = 1.0;   // that the parameter may be
-constexpr double kGoodLift = 0.6, kLeastLift = 0.3, kSlowestStep = 1.6;  // of the scaled defaults
+constexpr double kMuchRoom_rad = 0.2;    // less than it may have: like twice the speed that it may have
+// Of what a sole bears. In a fast walk, robots turn a little on their feet; at 0.65 they fall.
+constexpr double kMostTwist = 0.5, kMostTwistFast = 0.55;
+constexpr double kSameHeight = 1e-3;    // of the hip height
+constexpr double kLongestStep_s = 1.0;  // that the parameter may be
+// Of the scaled defaults.
+constexpr double kGoodLift = 0.6, kLeastLift = 0.3;
+constexpr double kQuickestStep = 0.75, kSlowestStep = 1.6, kSlowestFastStep = 1.2;
+constexpr double kFlattest = 0.75;
 
 // Each link of the leg moves with the foot by its share of the way from hip to sole; what does not belong to
 // the leg moves the other way, so that the CoM does not follow.
@@ -70,7 +77,7 @@ class ChoiceLog {
       if (numbers[i].value == before_[i]) continue;
       GaitChoice& choice = entry(numbers[i], scaled_[i]);
       choice.chosen = numbers[i].value;
-      choice.reasons.push_back(reason);
+      if (std::ranges::find(choice.reasons, reason) == choice.reasons.end()) choice.reasons.push_back(reason);
     }
     before_ = values();
   }
@@ -184,76 +191,116 @@ void scale_adjusted_swings(GaitParameters& p, const GaitParameters& wanted) {
   p.adjust_longest_swing_s *= slower;
 }
 
-// A lower lift and slower steps, until a walk at the default speed leaves slow motors enough for the balance.
-void fit_step_to_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
-  constexpr double kLower = 0.95;
-  const GaitParameters wanted = p;
-  const double slowest_s = std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s) - facts::kSlot_s;
-  const double usual_m_per_s = kUsualSpeed_m_per_s * robot.body_scale().factor("m/s");
-  JointPace pace = fastest_joint(p, robot, usual_m_per_s);
-  const std::string reason = speed_reason(robot, pace);
-  for (; pace.share > kUsualShare; pace = fastest_joint(p, robot, usual_m_per_s)) {
-    if (p.lift_m > kGoodLift * wanted.lift_m) {
-      p.lift_m *= kLower;
-    } else if (p.step_time_s < slowest_s) {
-      p.step_time_s += facts::kSlot_s;
-      shorten_tail(p);
-    } else if (p.lift_m > kLeastLift * wanted.lift_m) {
-      p.lift_m *= kLower;
-    } else {
-      break;
-    }
+// A speed at which a walk is to ask no more than this.
+struct StrideGoal {
+  double forward_m_per_s, most_pace, most_twist;
+};
+
+// How much of what it may a gait asks, of the worst: more than 1 is too much.
+struct Asked {
+  double share = 0.0;
+  std::string reason;
+};
+
+Asked asked_of(const GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals) {
+  Asked worst;
+  const auto take = [&](double share, const auto& reason) {
+    if (share > worst.share) worst = {share, share > 1.0 ? reason() : std::string()};
+  };
+  for (const StrideGoal& goal : goals) {
+    const StrideDemand demand = stride_demand(p, robot, goal.forward_m_per_s);
+    take(demand.pace.share / goal.most_pace, [&] { return speed_reason(robot, demand.pace); });
+    take(1.0 + (kLeastRoom_rad - demand.room.room_rad) / kMuchRoom_rad,
+         [&] { return room_reason(robot, demand.room); });
+    take(demand.twist_share / goal.most_twist, [&] { return std::string(kTwistReason); });
   }
-  scale_adjusted_swings(p, wanted);
-  log.note(reason);
+  return worst;
 }
 
-// Where the joints' limits are near, higher hips in a fast walk and quicker, so shorter, steps, as long as
-// the motors follow: the ankle of the leg behind is bent less.
-void fit_step_to_limits(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
-  constexpr double kQuickestStep = 0.75, kRaise = 0.2;
-  const GaitParameters wanted = p;
-  const facts::BodyScale larger = robot.body_scale();
-  const double fast_m_per_s =
-      std::min(kFastSpeed_m_per_s * larger.factor("m/s"), p.max_step_forward_m / p.step_time_s);
-  StrideDemand demand = stride_demand(p, robot, fast_m_per_s);
-  if (demand.room.room_rad >= kLeastRoom_rad) return;
-  const std::string reason = room_reason(robot, demand.room);
-  while (demand.room.room_rad < kLeastRoom_rad) {
+// How far a gait may leave the scaled default.
+struct StepBounds {
+  double good_lift_m, least_lift_m, quickest_s, slowest_s;
+};
+
+bool flatten(GaitParameters& p) {
+  if (p.swing_flatness >= kFlattest) return false;
+  p.swing_flatness = std::min(p.swing_flatness + 0.25, kFlattest);
+  return true;
+}
+bool raise_fast_hips(GaitParameters& p) {
+  const double lowered_m = p.hip_height_m - p.fast_hip_height_m;
+  if (lowered_m <= kSameHeight * p.hip_height_m) return false;
+  p.fast_hip_height_m += std::max(0.25 * lowered_m, 0.5 * kSameHeight * p.hip_height_m);
+  return true;
+}
+bool lower_lift(GaitParameters& p, double least_m) {
+  constexpr double kLower = 0.92;
+  if (kLower * p.lift_m < least_m) return false;
+  p.lift_m *= kLower;
+  return true;
+}
+bool change_step_time(GaitParameters& p, double by_s, const StepBounds& bounds) {
+  p.step_time_s += by_s;
+  shorten_tail(p);
+  return p.step_time_s > bounds.quickest_s && p.step_time_s < bounds.slowest_s;
+}
+
+// One change of the step that makes it ask for less: what costs least first. False: there is none.
+bool ease(GaitParameters& p, const StepBounds& bounds, Asked& asked, const auto& ask) {
+  constexpr double kWorth = 0.003;
+  const std::array<std::function<bool(GaitParameters&)>, 6> changes{
+      flatten,
+      raise_fast_hips,
+      [&](GaitParameters& q) { return lower_lift(q, bounds.good_lift_m); },
+      [&](GaitParameters& q) { return change_step_time(q, -facts::kSlot_s, bounds); },
+      [&](GaitParameters& q) { return change_step_time(q, facts::kSlot_s, bounds); },
+      [&](GaitParameters& q) { return lower_lift(q, bounds.least_lift_m); },
+  };
+  for (const auto& change : changes) {
     GaitParameters next = p;
-    const double lowered_m = p.hip_height_m - p.fast_hip_height_m;
-    if (lowered_m > kSameHeight * p.hip_height_m) {
-      next.fast_hip_height_m += std::max(kRaise * lowered_m, 0.5 * kSameHeight * p.hip_height_m);
-    } else {
-      next.step_time_s -= facts::kSlot_s;
-    }
-    demand = stride_demand(next, robot, fast_m_per_s);
-    if (next.step_time_s < kQuickestStep * wanted.step_time_s || demand.pace.share > kFastestShare) break;
+    if (!change(next)) continue;
+    Asked then = ask(next);
+    if (then.share > asked.share - kWorth) continue;
     p = next;
+    asked = std::move(then);
+    return true;
   }
-  scale_adjusted_swings(p, wanted);
-  log.note(reason);
+  return false;
 }
 
-// Heavy legs get a lower lift and slower steps, until the foot on the ground holds against their swing.
-void fit_step_to_ground(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
-  constexpr double kLower = 0.95;
-  const GaitParameters wanted = p;
-  const double everyday_m_per_s = std::min(kEverydaySpeed_m_per_s * robot.body_scale().factor("m/s"),
-                                           p.max_step_forward_m / p.step_time_s);
-  const double slowest_s = std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s) - facts::kSlot_s;
-  while (stride_demand(p, robot, everyday_m_per_s).twist_share > kMostTwist) {
-    if (p.lift_m > kGoodLift * wanted.lift_m) {
-      p.lift_m *= kLower;
-    } else if (p.step_time_s < slowest_s) {
-      p.step_time_s += facts::kSlot_s;
-      shorten_tail(p);
-    } else {
-      break;
-    }
+// Changes of the step, until it asks no more than it may, or nothing helps.
+void ease_step(GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals,
+               const StepBounds& bounds, ChoiceLog& log) {
+  const auto ask = [&](const GaitParameters& q) { return asked_of(q, robot, goals); };
+  Asked asked = ask(p);
+  for (std::string reason = asked.reason; asked.share > 1.0 && ease(p, bounds, asked, ask);
+       reason = asked.reason) {
+    log.note(reason);
   }
-  scale_adjusted_swings(p, wanted);
-  log.note(kTwistReason);
+}
+
+// For a usual and an everyday walk whatever it takes; for a fast one what costs little.
+void fit_step(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
+  const GaitParameters wanted = p;
+  const double larger = robot.body_scale().factor("m/s");
+  const double longest_m_per_s = p.max_step_forward_m / p.step_time_s;
+  const std::array<StrideGoal, 3> goals{
+      {{kUsualSpeed_m_per_s * larger, kUsualShare, kMostTwist},
+       {std::min(kEverydaySpeed_m_per_s * larger, longest_m_per_s), kFastestShare, kMostTwist},
+       {std::min(kFastSpeed_m_per_s * larger, longest_m_per_s), kFastestShare, kMostTwistFast}}};
+  const double good_lift_m = kGoodLift * wanted.lift_m;
+  ease_step(p, robot, std::span(goals).first(2),
+            {good_lift_m, kLeastLift * wanted.lift_m, kQuickestStep * wanted.step_time_s,
+             std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s)},
+            log);
+  ease_step(
+      p, robot, goals,
+      {good_lift_m, good_lift_m, kQuickestStep * wanted.step_time_s, kSlowestFastStep * wanted.step_time_s},
+      log);
+  if (p.step_time_s != wanted.step_time_s) {
+    scale_adjusted_swings(p, wanted);
+    log.note("step: as much quicker or slower as its time");
+  }
 }
 
 // Shorter steps, while `asks_too_much` says so; it returns its reason, or nothing.
@@ -278,14 +325,12 @@ void fit_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log
   } catch (const std::invalid_argument&) {
     return;  // the configuration may mend it; else it is told then
   }
-  fit_step_to_motors(p, robot, log);
-  fit_step_to_ground(p, robot, log);
-  fit_step_to_limits(p, robot, log);
+  fit_step(p, robot, log);
   shorten_steps(p, log, [&]() -> std::string {
     const StrideDemand demand = stride_demand(p, robot, p.max_step_forward_m / p.step_time_s);
     if (demand.pace.share > kFastestShare) return speed_reason(robot, demand.pace);
     if (demand.room.room_rad < kLeastRoom_rad) return room_reason(robot, demand.room);
-    return demand.twist_share > kMostTwist ? kTwistReason : "";
+    return demand.twist_share > kMostTwistFast ? kTwistReason : "";
   });
   shorten_steps(p, log, [&]() -> std::string {
     for (const JointTorque& torque : leg_torques(p, robot)) {

@@ -84,11 +84,14 @@ void AttitudeFilter::correct_tilt(const Eigen::Vector2d& roll_pitch_rad, double 
     start_tilt(roll_pitch_rad, deviation_rad);
     return;
   }
+  correct_by_force(tilt_of(roll_pitch_rad.x(), roll_pitch_rad.y()).row(2).transpose(), deviation_rad);
+}
+
+void AttitudeFilter::correct_by_force(const Eigen::Vector3d& force_g, double deviation_rad) noexcept {
   // A mean over the slot is the tilt in its middle.
   constexpr double kHalfSlot_s = 0.005;
   const Eigen::Matrix3d middle = world_from_trunk_ * turn_by(-kHalfSlot_s * rate_rad_per_s());
-  const Eigen::Vector3d measured_up = tilt_of(roll_pitch_rad.x(), roll_pitch_rad.y()).row(2).transpose();
-  const Eigen::Vector3d up = middle * measured_up;  // exp(-turn) z: z, if the attitude is right
+  const Eigen::Vector3d up = middle * force_g;  // exp(-turn) z: z, if the attitude is right
   const double variance = Eigen::numext::abs2(deviation_rad);
   Vector sensitivity = Vector::Zero();
   sensitivity[kTurn] = 1.0;

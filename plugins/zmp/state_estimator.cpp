@@ -16,8 +16,9 @@ constexpr int kMostBlindTicks = 10;
 constexpr int kLongestGapSlots = 10;  // of the IMU; after a longer one, roll and pitch start anew
 // Of the accelerometer, one sample, where its length says nothing. A walk's accelerations are alike from one
 // sample to the next, so it is taken for larger than it is.
-constexpr double kRestlessTilt_rad = 0.2;
-constexpr double kLevelSoles_rad = 0.02;  // deviation of soles on a floor, by joint zeros and the floor
+constexpr double kRestlessTilt_rad = 0.2;  // of one sample while the body is accelerated
+constexpr double kRest_m_per_s2 = 1.0;     // from gravity, of a body that is hardly accelerated
+constexpr double kLevelSoles_rad = 0.02;   // deviation of soles on a floor, by joint zeros and the floor
 constexpr double kGainsaid_rad = 0.35;
 
 const EstimatorParameters& checked(const EstimatorParameters& parameters) {
@@ -78,8 +79,8 @@ void StateEstimator::update_attitude() noexcept {
   const Eigen::Vector3d& force = inputs_.acceleration_m_per_s2();
   if (inputs_.inclination_rad()) {
     attitude_.correct_tilt(*inputs_.inclination_rad(), parameters_.tilt_noise_rad);
-  } else if (const auto tilt = tilt_of_acceleration(force, parameters_.accelerometer_band_m_per_s2)) {
-    correct_by_accelerometer(*tilt);
+  } else {
+    correct_by_accelerometer(force);
   }
   angular_velocity_ +=
       dt_s / (parameters_.rate_filter_s + dt_s) * (attitude_.rate_rad_per_s() - angular_velocity_);
@@ -87,16 +88,18 @@ void StateEstimator::update_attitude() noexcept {
 
 // It begins with what level soles say, unless the accelerometer gainsays them: a robot that gets its load in
 // the first slots is shaken more than its soles are tilted, and one that lies is neither.
-void StateEstimator::correct_by_accelerometer(const Eigen::Vector2d& tilt_rad) noexcept {
+void StateEstimator::correct_by_accelerometer(const Eigen::Vector3d& force_m_per_s2) noexcept {
   if (!attitude_.has_tilt()) {
+    const auto tilt_rad = tilt_of_acceleration(force_m_per_s2, kRest_m_per_s2);
+    if (!tilt_rad) return;
     kinematics_.update(inputs_.position_rad(), Attitude{});
     const Eigen::Vector2d on_soles = kinematics_.tilt_on_level_soles();
-    if ((tilt_rad - on_soles).norm() < kGainsaid_rad) attitude_.correct_tilt(on_soles, kLevelSoles_rad);
+    const bool level = (*tilt_rad - on_soles).norm() < kGainsaid_rad;
+    attitude_.correct_tilt(level ? on_soles : *tilt_rad, level ? kLevelSoles_rad : kRestlessTilt_rad);
   }
-  // An acceleration that lengthens the specific force may tilt it as well.
-  const double unrest =
-      std::abs(inputs_.acceleration_m_per_s2().norm() - kGravity_m_per_s2) / kGravity_m_per_s2;
-  attitude_.correct_tilt(tilt_rad, std::hypot(kRestlessTilt_rad, unrest));
+  const double off_m_per_s2 = std::abs(force_m_per_s2.norm() - kGravity_m_per_s2);
+  if (off_m_per_s2 > parameters_.accelerometer_band_m_per_s2) return;
+  attitude_.correct_by_force(force_m_per_s2 / kGravity_m_per_s2, kRestlessTilt_rad);
 }
 
 void StateEstimator::hold_heading() noexcept {

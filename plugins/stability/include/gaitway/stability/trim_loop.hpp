@@ -28,8 +28,8 @@ class TrimLoop {
   Eigen::RowVectorXd pitch_, pitch_rate_;  // of the trunk, from the state
 };
 
-// The defaults scaled to the robot's body (BodyScale); the rate gains about pitch less by as much as TrimLoop
-// needs to fade.
+// The defaults scaled to the robot's body (BodyScale); the hips' rate gain about pitch less by as much as the
+// TrimLoop needs to fade.
 [[nodiscard]] BalanceParameters balance_of(const urdf::RobotModel& robot);
 
 }  // namespace gaitway::stability

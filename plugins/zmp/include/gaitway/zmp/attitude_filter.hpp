@@ -33,6 +33,10 @@ class AttitudeFilter {
   // Measured roll and pitch, mean over the slot that the last predict() ended with. The first one is taken as
   // it is.
   void correct_tilt(const Eigen::Vector2d& roll_pitch_rad, double deviation_rad) noexcept;
+  // The same from the mean specific force, in g and trunk axes: while the body is accelerated to and fro, its
+  // mean points upwards and is 1 long, and so is what the filter makes of it. What each sample says alone
+  // (its angles, or only those that are about 1 long) has another mean: a walk tilts it by 0.02 rad.
+  void correct_by_force(const Eigen::Vector3d& force_g, double deviation_rad) noexcept;
   // The feet stand; the kinematics says how they are turned against the trunk's heading. From the second call
   // on it corrects. creep: random walk of the feet's heading, per square root of a second.
   void hold_heading(double feet_against_trunk_rad, double creep_rad_rts, double dt_s) noexcept;

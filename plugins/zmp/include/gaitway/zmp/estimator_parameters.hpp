@@ -16,12 +16,12 @@ struct EstimatorParameters {
 
   // Attitude. Noise: standard deviation of one sample, the mean over 10 ms.
   double gyro_noise_rad_per_s = 0.0035;
-  double tilt_noise_rad = 0.001;  // of the inclinometer
-  double accelerometer_band_m_per_s2 =
-      1.0;                     // without inclinometer: specific forces further from g are not used
-  double rate_filter_s = 0.0;  // low-pass of the angular velocity; 0: none
-  double bias_deviation_rad_per_s = 0.005;  // of the gyro's bias, each axis
-  double bias_lifetime_s = 1e6;             // in which it forgets itself
+  double tilt_noise_rad = 0.001;             // of the inclinometer
+  double accelerometer_band_m_per_s2 = 6.0;  // without inclinometer: specific forces further from g, of a
+                                             // shock or a fall, are not used
+  double rate_filter_s = 0.0;                // low-pass of the angular velocity; 0: none
+  double bias_deviation_rad_per_s = 0.005;   // of the gyro's bias, each axis
+  double bias_lifetime_s = 1e6;              // in which it forgets itself
   // How far play lets trunk and feet turn unseen, some 0.002 rad. They stay so for tenths of a second, and a
   // hundred samples in a second know no more than a few of such times do: hence the larger number.
   double heading_noise_rad = 0.015;

@@ -50,7 +50,7 @@ class StateEstimator {
 
  private:
   void update_attitude() noexcept;
-  void correct_by_accelerometer(const Eigen::Vector2d& tilt_rad) noexcept;
+  void correct_by_accelerometer(const Eigen::Vector3d& force_m_per_s2) noexcept;
   void hold_heading() noexcept;
   void update_pressure() noexcept;
   void update_slip() noexcept;
