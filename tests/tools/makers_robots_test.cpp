@@ -1,14 +1,14 @@
 // Robots that other people published: brought from their URDFs by the command, without a hand, they stand,
 // step and walk at Froude's number 0.02 through the whole chain, with what the planner does not know of them.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "command_run.hpp"
 #include "importer/maker_robots.hpp"
 #include "repeats.hpp"
 
@@ -16,7 +16,9 @@ namespace gaitway::tools {
 namespace {
 
 int robot_command(const std::string& arguments) {
-  return WEXITSTATUS(std::system((std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments).c_str()));
+  const test::CommandRun run = test::run_command(std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments);
+  std::fputs(run.all().c_str(), stdout);
+  return run.code;
 }
 
 class BroughtRobot : public ::testing::Test {

@@ -2,20 +2,20 @@
 // that it cannot bring.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "command_run.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "importer/generated_humanoid.hpp"
 
 namespace gaitway::tools {
 namespace {
 
+using gaitway::test::text_of;
 using importer::test::Humanoid;
 using testing::HasSubstr;
 
@@ -25,20 +25,14 @@ class RobotImport : public testing::Test {
 
   // The exit code; what it printed is in `said_`.
   int command(const std::string& arguments) {
-    const std::filesystem::path said = path("said");
-    const int status = std::system(
-        (std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments + " >'" + said.string() + "' 2>&1")
-            .c_str());
-    said_ = text_of(said);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const gaitway::test::CommandRun run =
+        gaitway::test::run_command(std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments);
+    said_ = run.all();
+    return run.code;
   }
   int import(const Humanoid& humanoid, const std::string& options = "") {
     const std::filesystem::path file = importer::test::write_humanoid(humanoid, path("maker"));
     return command("import '" + file.string() + "' --out '" + path("robots/new").string() + "' " + options);
-  }
-  static std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
   }
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories(path(name).parent_path());
@@ -94,11 +88,6 @@ TEST_F(RobotImport, LeavesNothingBehindWhenItFails) {
   expect_alone("robots", 1);
   EXPECT_EQ(command("import '" + path("nowhere.urdf").string() + "'"), 1);
   EXPECT_THAT(said_, HasSubstr("nowhere.urdf"));
-}
-
-TEST_F(RobotImport, CheckTellsABadFolderByItsExitCode) {
-  EXPECT_EQ(command("check '" + path("nowhere").string() + "'"), 1);
-  EXPECT_THAT(said_, HasSubstr("nowhere"));
 }
 
 }  // namespace
