@@ -7,10 +7,12 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "command_run.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "importer/generated_humanoid.hpp"
+#include "tools/robot/import_page.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -88,6 +90,23 @@ TEST_F(RobotImport, LeavesNothingBehindWhenItFails) {
   expect_alone("robots", 1);
   EXPECT_EQ(command("import '" + path("nowhere.urdf").string() + "'"), 1);
   EXPECT_THAT(said_, HasSubstr("nowhere.urdf"));
+}
+
+TEST(ImportPicture, ShowsABodyThatItsMakerDrewBlack) {
+  urdf::RobotModel robot = urdf::load_robot(GAITWAY_URDF_DIR "/humanoid22");
+  std::vector<urdf::Shape>& drawn = robot.links.front().visual;
+  ASSERT_GE(drawn.size(), 1U);
+  drawn.resize(1);
+  drawn.insert(drawn.end(), 2, drawn.front());
+  drawn[0].rgba = {0.0, 0.0, 0.0, 0.5};
+  drawn[1].rgba = {0.2, 0.0, 0.0, 1.0};
+  drawn[2].rgba = {0.1, 0.4, 0.7, 1.0};
+  const std::vector<urdf::Shape> seen = with_visible_colours(robot).links.front().visual;
+  EXPECT_GE(seen[0].rgba.head<3>().minCoeff(), 0.2);
+  EXPECT_EQ(seen[0].rgba[3], 0.5) << "as transparent as before";
+  EXPECT_GE(seen[1].rgba.head<3>().mean(), 0.2);
+  EXPECT_GT(seen[1].rgba[0], seen[1].rgba[1] + 0.1) << "still red";
+  EXPECT_EQ(seen[2].rgba, drawn[2].rgba) << "bright enough";
 }
 
 }  // namespace
