@@ -64,33 +64,33 @@ void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double 
                                      std::int64_t now_ns) noexcept {
   const auto side = static_cast<std::size_t>(channel.side);
   const auto index = static_cast<std::size_t>(channel.index);
-  using Kind = urdf::SensorKind;
+  using Sensor = urdf::SensorKind;
   switch (channel.kind) {
-    case Kind::none:
+    case Sensor::none:
       return;
-    case Kind::force_cell:
+    case Sensor::force_cell:
       foot_forces_.force[side][index] = value;
       foot_forces_.stamp_ns = now_ns;
       return;
-    case Kind::foot_acceleration:
+    case Sensor::foot_acceleration:
       foot_forces_.acceleration[side][index] = value;
       foot_forces_.stamp_ns = now_ns;
       return;
-    case Kind::foot_wrench:
+    case Sensor::foot_wrench:
       take_wrench(channel, value);
       foot_forces_.stamp_ns = now_ns;
       return;
-    case Kind::angular_velocity:
+    case Sensor::angular_velocity:
       sensed_.angular_velocity[channel.index] = value;
       Eigen::Map<Eigen::Vector3d>(imu_.angular_velocity) = sensor_.in_link(sensed_.angular_velocity);
       derive_inclination(channel);
       break;
-    case Kind::acceleration:
+    case Sensor::acceleration:
       sensed_.acceleration[channel.index] = value;
       Eigen::Map<Eigen::Vector3d>(imu_.acceleration) = sensor_.in_link(sensed_.acceleration);
       derive_inclination(channel);
       break;
-    case Kind::inclination:
+    case Sensor::inclination:
       sensed_.inclination[channel.index] = value;
       Eigen::Map<Eigen::Vector2d>(imu_.inclination) = sensor_.tilt_in_link(sensed_.inclination);
       break;

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "repeats.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {
 namespace {
 
 TEST(StandingRobot, TurnsItsSolesFlatWhateverTheJointsZerosAre) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    SimulatedRun run(seed);
+  for (int seed = 1; seed <= test::repeats(6); ++seed) {
+    SimulatedRun run(static_cast<std::uint64_t>(seed));
     run.play({.seconds = 3.0, .events = {}});
     std::array<Eigen::Vector2d, 2> centre_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
     constexpr int kMilliseconds = 500;
@@ -31,7 +32,7 @@ TEST(StandingRobot, TurnsItsSolesFlatWhateverTheJointsZerosAre) {
 TEST(WalkingRobot, StepsAgainstAPushFromTheSideInAnyPhaseOfItsStep) {
   constexpr double kGaitCycle_s = 0.64;
   constexpr int kPhases = 8;
-  for (int phase = 0; phase < kPhases; ++phase) {
+  for (int phase = 0; phase < test::repeats(kPhases); ++phase) {
     for (const double left : {1.0, -1.0}) {
       SimulatedRun run(static_cast<std::uint64_t>(phase + 1));
       const double push_s = 3.5 + std::round(1e3 * kGaitCycle_s * phase / kPhases) * 1e-3;
@@ -54,7 +55,7 @@ simulator::PushEvent push_towards(double direction_rad, double impulse_Ns) {
 
 // 2.2 N·s move it at a third of a metre per second.
 TEST(StandingRobot, StandsWhereverItIsPushed) {
-  for (int direction = 0; direction < 8; ++direction) {
+  for (int direction = 0; direction < test::repeats(8); ++direction) {
     SimulatedRun run(static_cast<std::uint64_t>(direction + 1));
     run.play({.seconds = 8.0, .events = {{1.5, push_towards(direction * std::numbers::pi / 4.0, 2.2)}}});
     EXPECT_FALSE(run.metrics().fell) << "pushed towards " << 45 * direction << " degrees";
@@ -65,8 +66,8 @@ TEST(StandingRobot, StandsWhereverItIsPushed) {
 
 // That is more than its ankles can catch: without a bow it steps.
 TEST(StandingRobot, BowsWhenItIsPushedToItsToes) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    SimulatedRun run(seed);
+  for (int seed = 1; seed <= test::repeats(6); ++seed) {
+    SimulatedRun run(static_cast<std::uint64_t>(seed));
     while (run.time_s() < 1.5 - 1e-9) run.cosimulation.advance_millisecond();
     const std::array<Eigen::Isometry3d, 2> before = run.cosimulation.plant().ground_contact().sole;
     run.play({.seconds = 6.0, .events = {{1.5, push_towards(0.0, 2.1)}}});
@@ -84,8 +85,8 @@ TEST(StandingRobot, BowsWhenItIsPushedToItsToes) {
 // hardly one of these stays up.
 TEST(StandingRobot, StepsAfterItselfWhenItIsPushedOffItsFeet) {
   for (const double impulse_Ns : {2.4, 2.7}) {
-    for (std::uint64_t seed = 5; seed <= 10; ++seed) {
-      SimulatedRun run(seed);
+    for (int seed = 5; seed < 5 + test::repeats(6); ++seed) {
+      SimulatedRun run(static_cast<std::uint64_t>(seed));
       run.play({.seconds = 6.0, .events = {{1.5, push_towards(0.0, impulse_Ns)}}});
       EXPECT_FALSE(run.metrics().fell) << impulse_Ns << " N·s, seed " << seed;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "repeats.hpp"
 #include "simulated_run.hpp"
 
 namespace gaitway::scenarios {
@@ -61,7 +62,7 @@ TEST_P(StopsTurnsAndSideSteps, SideSteps) {
 // Nobody tells the robot of the slope.
 TEST(UnpreparedSlope, IsStoodAndWalkedOnInAnyDirection) {
   const double slope_rad = 6.0 * std::numbers::pi / 180.0;
-  for (int k = 0; k < 8; ++k) {
+  for (int k = 0; k < test::repeats(8); ++k) {
     const double uphill_rad = k * std::numbers::pi / 4.0;
     simulator::GroundConditions ground;
     ground.slope_rad = slope_rad * Eigen::Vector2d(std::cos(uphill_rad), std::sin(uphill_rad));

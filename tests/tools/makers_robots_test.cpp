@@ -1,20 +1,24 @@
 // Robots that other people published: brought from their URDFs by the command, without a hand, they stand,
 // step and walk at Froude's number 0.02 through the whole chain, with what the planner does not know of them.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "command_run.hpp"
 #include "importer/maker_robots.hpp"
+#include "repeats.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 int robot_command(const std::string& arguments) {
-  return WEXITSTATUS(std::system((std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments).c_str()));
+  const test::CommandRun run = test::run_command(std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments);
+  std::fputs(run.all().c_str(), stdout);
+  return run.code;
 }
 
 class BroughtRobot : public ::testing::Test {
@@ -36,13 +40,15 @@ TEST_P(MakersRobot, WalksWithoutAHand) {
   ASSERT_EQ(robot_command("import '" + urdf + "' --quiet --out '" + robot + "'"), 0);
   EXPECT_EQ(robot_command("check '" + robot + "' --seconds 12"), 0);
 }
+constexpr std::array kThatWalk{"g1_description/urdf/g1_29dof_rev_1_0.urdf",
+                               "talos_data/robots/talos_full_v2.urdf",
+                               "talos_data/robots/talos_reduced_box.urdf",
+                               "icub_description/robots/icub_reduced.urdf",
+                               "alexander_description/urdf/alexander_v1.lowerBodyOnly.urdf",
+                               "human_description/robots/human.urdf"};
 INSTANTIATE_TEST_SUITE_P(Published, MakersRobot,
-                         ::testing::Values("talos_data/robots/talos_full_v2.urdf",
-                                           "talos_data/robots/talos_reduced_box.urdf",
-                                           "g1_description/urdf/g1_29dof_rev_1_0.urdf",
-                                           "icub_description/robots/icub_reduced.urdf",
-                                           "alexander_description/urdf/alexander_v1.lowerBodyOnly.urdf",
-                                           "human_description/robots/human.urdf"));
+                         ::testing::ValuesIn(kThatWalk.begin(),
+                                             kThatWalk.begin() + test::repeats(kThatWalk.size())));
 
 // Its ankles turn at 2.1 rad/s: it is given slower steps, and walks as fast as these allow.
 TEST_F(BroughtRobot, WithSlowMotorsWalksSlower) {

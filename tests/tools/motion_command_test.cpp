@@ -1,14 +1,12 @@
 // `gaitway motion adapt` as a user meets it: a motion of one robot that another one plays.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
+#include "command_run.hpp"
 #include "robots/robot_variants.hpp"
 
 namespace gaitway::tools {
@@ -17,22 +15,17 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using test::text_of;
 
 class MotionAdapt : public ::testing::Test {
  protected:
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return robot_.folder() / name; }
   int run(const std::string& arguments) {
-    const std::string line = std::string(GAITWAY_COMMAND) + " " + arguments + " --robot '" +
-                             robot_.folder().string() + "' >'" + file("said").string() + "' 2>'" +
-                             file("complaint").string() + "'";
-    const int status = std::system(line.c_str());
-    said_ = text_of(file("said"));
-    complaint_ = text_of(file("complaint"));
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const test::CommandRun run = test::run_command(std::string(GAITWAY_COMMAND) + " " + arguments +
+                                                   " --robot '" + robot_.folder().string() + "'");
+    said_ = run.said;
+    complaint_ = run.complaint;
+    return run.code;
   }
 
   test::RobotVariant robot_;

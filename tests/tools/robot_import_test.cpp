@@ -2,20 +2,22 @@
 // that it cannot bring.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
+#include "command_run.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "importer/generated_humanoid.hpp"
+#include "tools/robot/import_page.hpp"
 
 namespace gaitway::tools {
 namespace {
 
+using gaitway::test::text_of;
 using importer::test::Humanoid;
 using testing::HasSubstr;
 
@@ -25,20 +27,14 @@ class RobotImport : public testing::Test {
 
   // The exit code; what it printed is in `said_`.
   int command(const std::string& arguments) {
-    const std::filesystem::path said = path("said");
-    const int status = std::system(
-        (std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments + " >'" + said.string() + "' 2>&1")
-            .c_str());
-    said_ = text_of(said);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const gaitway::test::CommandRun run =
+        gaitway::test::run_command(std::string(GAITWAY_ROBOT_COMMAND) + " robot " + arguments);
+    said_ = run.all();
+    return run.code;
   }
   int import(const Humanoid& humanoid, const std::string& options = "") {
     const std::filesystem::path file = importer::test::write_humanoid(humanoid, path("maker"));
     return command("import '" + file.string() + "' --out '" + path("robots/new").string() + "' " + options);
-  }
-  static std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
   }
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories(path(name).parent_path());
@@ -96,9 +92,21 @@ TEST_F(RobotImport, LeavesNothingBehindWhenItFails) {
   EXPECT_THAT(said_, HasSubstr("nowhere.urdf"));
 }
 
-TEST_F(RobotImport, CheckTellsABadFolderByItsExitCode) {
-  EXPECT_EQ(command("check '" + path("nowhere").string() + "'"), 1);
-  EXPECT_THAT(said_, HasSubstr("nowhere"));
+TEST(ImportPicture, ShowsABodyThatItsMakerDrewBlack) {
+  urdf::RobotModel robot = urdf::load_robot(GAITWAY_URDF_DIR "/humanoid22");
+  std::vector<urdf::Shape>& drawn = robot.links.front().visual;
+  ASSERT_GE(drawn.size(), 1U);
+  drawn.resize(1);
+  drawn.insert(drawn.end(), 2, drawn.front());
+  drawn[0].rgba = {0.0, 0.0, 0.0, 0.5};
+  drawn[1].rgba = {0.2, 0.0, 0.0, 1.0};
+  drawn[2].rgba = {0.1, 0.4, 0.7, 1.0};
+  const std::vector<urdf::Shape> seen = with_visible_colours(robot).links.front().visual;
+  EXPECT_GE(seen[0].rgba.head<3>().minCoeff(), 0.2);
+  EXPECT_EQ(seen[0].rgba[3], 0.5) << "as transparent as before";
+  EXPECT_GE(seen[1].rgba.head<3>().mean(), 0.2);
+  EXPECT_GT(seen[1].rgba[0], seen[1].rgba[1] + 0.1) << "still red";
+  EXPECT_EQ(seen[2].rgba, drawn[2].rgba) << "bright enough";
 }
 
 }  // namespace

@@ -81,10 +81,23 @@ std::string import_text(const ImportSummary& summary) {
   return text;
 }
 
+urdf::RobotModel with_visible_colours(urdf::RobotModel robot) {
+  constexpr double kDarkest = 0.25;  // of white
+  const Eigen::Vector3d luminance(0.2126, 0.7152, 0.0722);
+  for (urdf::Link& link : robot.links) {
+    for (urdf::Shape& shape : link.visual) {
+      auto colour = shape.rgba.head<3>();
+      const double seen = luminance.dot(colour);
+      if (seen < kDarkest) colour += (kDarkest - seen) / (1.0 - seen) * (Eigen::Vector3d::Ones() - colour);
+    }
+  }
+  return robot;
+}
+
 std::string write_import_page(const ImportSummary& summary, const std::filesystem::path& folder) {
   std::string without_picture;
   try {
-    const simulator::Plant plant(summary.robot, {.mismatch = 0.0});
+    const simulator::Plant plant(with_visible_colours(summary.robot), {.mismatch = 0.0});
     simulator::Camera camera(plant, kPictureWidth_px, kPictureHeight_px);
     const std::vector<simulator::Image> images{camera.render(plant.positions())};
     simulator::write_film_strip((folder / "robot.png").string(), images, 1);

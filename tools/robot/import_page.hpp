@@ -17,6 +17,9 @@ struct ImportSummary {
 
 [[nodiscard]] std::string import_text(const ImportSummary& summary);
 
+// The same robot for a picture: colours too dark to see its shape are mixed with white, as much as they need.
+[[nodiscard]] urdf::RobotModel with_visible_colours(urdf::RobotModel robot);
+
 // Writes robot.png, the robot in its home posture, and import.html. Without OpenGL the page has no picture,
 // and the function returns why; empty otherwise. Throws std::runtime_error for a file that can't be written.
 std::string write_import_page(const ImportSummary& summary, const std::filesystem::path& folder);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "leg_sampler.hpp"
+#include "repeats.hpp"
 #include "robots/robot_variants.hpp"
 #include "test_robot.hpp"
 
@@ -33,7 +34,7 @@ void expect_the_angles_that_made_the_pose(const urdf::RobotModel& model) {
   for (const urdf::Side side : urdf::kSides) {
     const ClosedFormLeg leg = leg_of(model, side);
     LegSampler sampler(model, side, 1.2, 7);
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < gaitway::test::repeats(5000); ++i) {
       const auto expected = sampler.angles();
       const LegSolution solution = leg.solve(sampler.sole(expected));
       ASSERT_TRUE(solution.reached()) << describe(solution, model, side);
@@ -64,7 +65,7 @@ TEST(ClosedFormLeg, ReachesPosesOfADeepSquat) {
     const urdf::RobotModel model = make_robot(variant);
     const ClosedFormLeg leg = leg_of(model, urdf::Side::left);
     LegSampler sampler(model, urdf::Side::left, 2.4, 9);
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < gaitway::test::repeats(5000); ++i) {
       const Eigen::Isometry3d sole = sampler.sole(sampler.any_angles());
       const LegSolution solution = leg.solve(sole);
       ASSERT_TRUE(solution.reached()) << describe(solution, model, urdf::Side::left);

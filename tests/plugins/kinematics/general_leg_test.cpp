@@ -14,6 +14,7 @@
 #include "gaitway/kinematics/kdl_leg.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "leg_sampler.hpp"
+#include "repeats.hpp"
 #include "robots/robot_variants.hpp"
 #include "test_robot.hpp"
 
@@ -75,7 +76,7 @@ void expect_the_angles_from_near_by(const std::vector<test::LegVariant>& variant
     LegSampler sampler(model, side, 1.2, 7);
     std::mt19937 random(3);
     int others = 0;
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < gaitway::test::repeats(5000); ++i) {
       const auto expected = bent(model, sampler, side);
       const Eigen::Isometry3d sole = sampler.sole(expected);
       const LegSolution solution = leg.solve(sole, near(expected, random));
@@ -99,7 +100,7 @@ TEST(GeneralLeg, ReturnsThemWithoutAPostureToStartFrom) {
   for_each_leg(general_variants(), [](const urdf::RobotModel& model, urdf::Side side) {
     const GeneralLeg leg(model, side);
     LegSampler sampler(model, side, 0.5, 5);
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < gaitway::test::repeats(5000); ++i) {
       const auto expected = sampler.angles();
       const LegSolution solution = leg.solve(sampler.sole(expected));
       ASSERT_TRUE(solution.reached()) << i << ": " << describe(solution, model, side);
@@ -113,7 +114,7 @@ TEST(GeneralLeg, ReachesThePoseFromAFarStart) {
   for_each_leg(general_variants(), [](const urdf::RobotModel& model, urdf::Side side) {
     const GeneralLeg leg(model, side);
     LegSampler sampler(model, side, 0.5, 6), elsewhere(model, side, 2.0, 8);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < gaitway::test::repeats(2000); ++i) {
       const Eigen::Isometry3d sole = sampler.sole(sampler.angles());
       const LegSolution solution = leg.solve(sole, elsewhere.any_angles());
       ASSERT_TRUE(solution.reached()) << i << ": " << describe(solution, model, side);
@@ -128,7 +129,7 @@ TEST(GeneralLeg, AgreesWithKdl) {
     KdlLeg kdl(model, side);
     LegSampler sampler(model, side, 0.8, 11);
     std::mt19937 random(4);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < gaitway::test::repeats(1000); ++i) {
       const auto angles = bent(model, sampler, side);
       const Eigen::Isometry3d sole = sampler.sole(angles);
       const auto start_rad = near(angles, random);

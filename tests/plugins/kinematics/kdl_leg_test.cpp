@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "leg_sampler.hpp"
+#include "repeats.hpp"
 #include "test_robot.hpp"
 
 namespace gaitway::kinematics {
@@ -43,11 +44,11 @@ void expect_agreement(double spread_rad, int samples) {
 }
 
 TEST(KdlLeg, AgreesWithTheClosedFormNearWalking) {
-  expect_agreement(0.35, 1000);
+  expect_agreement(0.35, gaitway::test::repeats(1000));
 }
 
 TEST(KdlLeg, AgreesWithTheClosedFormFarFromWalking) {
-  expect_agreement(1.0, 1000);
+  expect_agreement(1.0, gaitway::test::repeats(1000));
 }
 
 TEST(KdlLeg, SolvesALegWhoseAxesDoNotMeet) {
@@ -57,7 +58,7 @@ TEST(KdlLeg, SolvesALegWhoseAxesDoNotMeet) {
   const urdf::RobotModel model = make_robot(variant);
   KdlLeg leg(model, urdf::Side::right);
   LegSampler sampler(model, urdf::Side::right, 0.4, 5);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < gaitway::test::repeats(1000); ++i) {
     const auto expected = sampler.angles();
     leg.start_from(sampler.home());
     const LegSolution solution = leg.solve(sampler.sole(expected));

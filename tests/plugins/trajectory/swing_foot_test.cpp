@@ -8,6 +8,8 @@
 namespace gaitway::trajectory {
 namespace {
 
+constexpr double kFlatness = 0.3;
+
 TEST(SwingFoot, LiftsAndLandsWithoutVelocityAndAcceleration) {
   constexpr double kSmall = 1e-3;
   for (const double share : {kSmall, 1.0 - kSmall}) {
@@ -20,14 +22,14 @@ TEST(SwingFoot, LiftsAndLandsWithoutVelocityAndAcceleration) {
 
 TEST(SwingFoot, GoesFromLiftToLanding) {
   const Pose2 lift{0.1, 0.2, 0.3}, landing{0.4, -0.1, 0.5};
-  const SwingFoot swing(lift, landing, 0.34);
+  const SwingFoot swing(lift, landing, 0.34, kFlatness);
   EXPECT_NEAR(swing.at(0.0).x_m, lift.x_m, 1e-12);
   EXPECT_NEAR(swing.at(0.34).y_m, landing.y_m, 1e-12);
   EXPECT_NEAR(swing.at(0.17).yaw_rad, 0.4, 1e-12);
 }
 
 TEST(SwingFoot, NewTargetChangesNeitherPositionNorVelocityNorAcceleration) {
-  SwingFoot swing({}, {0.2, 0.0, 0.0}, 0.34);
+  SwingFoot swing({}, {0.2, 0.0, 0.0}, 0.34, kFlatness);
   constexpr double t = 0.1, h = 1e-4;
   const SwingFoot before = swing;
   swing.aim({0.1, 0.05, 0.2}, t, 0.34);
@@ -39,7 +41,7 @@ TEST(SwingFoot, NewTargetChangesNeitherPositionNorVelocityNorAcceleration) {
 
 TEST(SwingFoot, AimingAtTheSameTargetChangesNothing) {
   const Pose2 landing{0.2, 0.01, 0.1};
-  SwingFoot swing({}, landing, 0.34);
+  SwingFoot swing({}, landing, 0.34, kFlatness);
   const SwingFoot before = swing;
   swing.aim(landing, 0.08, 0.34);
   EXPECT_NEAR(swing.at(0.2).x_m, before.at(0.2).x_m, 1e-12);
@@ -48,7 +50,7 @@ TEST(SwingFoot, AimingAtTheSameTargetChangesNothing) {
 
 TEST(SwingFoot, DoesTheRestOfItsWayInTheTimeThatIsGiven) {
   for (const double swing_s : {0.24, 0.34, 0.50}) {
-    SwingFoot swing({}, {0.2, 0.0, 0.0}, 0.34);
+    SwingFoot swing({}, {0.2, 0.0, 0.0}, 0.34, kFlatness);
     constexpr double t = 0.12, h = 1e-5;
     const double rate_per_s = (swing.share(t) - swing.share(t - h)) / h;
     swing.aim({0.2, 0.0, 0.0}, t, swing_s);

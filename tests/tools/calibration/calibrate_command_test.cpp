@@ -1,15 +1,13 @@
 // `gaitway calibrate` as a user meets it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
+#include "command_run.hpp"
 #include "robots/robot_variants.hpp"
 
 namespace gaitway::calibration {
@@ -18,10 +16,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using gaitway::test::text_of;
 
 class CalibrateCommand : public ::testing::Test {
  protected:
@@ -30,12 +25,11 @@ class CalibrateCommand : public ::testing::Test {
 
   [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
   int run(const std::string& arguments) {
-    const std::string line = std::string(GAITWAY_COMMAND) + " calibrate " + arguments + " >'" + file("said") +
-                             "' 2>'" + file("complaint") + "'";
-    const int status = std::system(line.c_str());
-    said_ = text_of(file("said"));
-    complaint_ = text_of(file("complaint"));
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const gaitway::test::CommandRun run =
+        gaitway::test::run_command(std::string(GAITWAY_COMMAND) + " calibrate " + arguments);
+    said_ = run.said;
+    complaint_ = run.complaint;
+    return run.code;
   }
   void expect_refused(const std::string& arguments, const char* part) {
     EXPECT_EQ(run(arguments), 1) << arguments;

@@ -1,0 +1,72 @@
+// `gaitway robot check`: its exit code says what became of the robot.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+
+#include "command_run.hpp"
+#include "robots/robot_variants.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+using gaitway::test::RobotVariant;
+using testing::HasSubstr;
+
+gaitway::test::CommandRun check(const std::filesystem::path& robot, const std::string& options) {
+  return gaitway::test::run_command(std::string(GAITWAY_ROBOT_COMMAND) + " robot check '" + robot.string() +
+                                    "' --seconds 4 " + options);
+}
+
+// No gait is chosen by how fast the joints that roll may turn: what asks more of them is refused.
+void slow_down_roll(const std::filesystem::path& urdf, const std::string& rad_per_s) {
+  const std::string text = gaitway::test::text_of(urdf);
+  const std::regex limit("(<joint name=\"(?:left|right)_(?:hip|ankle)_roll\"[^]*?velocity=\")[^\"]*");
+  std::ofstream(urdf) << std::regex_replace(text, limit, "$01" + rad_per_s);
+}
+
+TEST(RobotCheck, SaysThatARobotWalks) {
+  const RobotVariant humanoid22;
+  const auto run = check(humanoid22.folder(), "");
+  EXPECT_EQ(run.code, 0) << run.all();
+  EXPECT_THAT(run.said, HasSubstr("walks: ok"));
+}
+
+TEST(RobotCheck, SaysThatAFolderIsBad) {
+  const RobotVariant humanoid22;
+  std::filesystem::remove(humanoid22.folder() / "robot.yaml");
+  const auto run = check(humanoid22.folder(), "");
+  EXPECT_EQ(run.code, 1) << run.all();
+  EXPECT_THAT(run.complaint, HasSubstr("robot.yaml"));
+}
+
+// With so much that its planner does not know it cannot step.
+TEST(RobotCheck, SaysThatARobotFell) {
+  const RobotVariant humanoid22;
+  const auto run = check(humanoid22.folder(), "--mismatch 10");
+  EXPECT_EQ(run.code, 2) << run.all();
+  EXPECT_THAT(run.said, HasSubstr("fell at"));
+}
+
+// It walks as fast as it can and stays up.
+TEST(RobotCheck, SaysThatARobotWalksTooSlowly) {
+  const RobotVariant humanoid22;
+  const auto run = check(humanoid22.folder(), "--speed 1.5");
+  EXPECT_EQ(run.code, 3) << run.all();
+  EXPECT_THAT(run.said, testing::AllOf(HasSubstr("steps: ok, walks: no"), HasSubstr(" 0 of ")));
+}
+
+// On the spot, where any speed is enough: it is the refused batches that count.
+TEST(RobotCheck, SaysThatTooManyBatchesWereRefused) {
+  const RobotVariant humanoid22;
+  slow_down_roll(humanoid22.folder() / "robot.urdf", "0.2");
+  const auto run = check(humanoid22.folder(), "--speed 0");
+  EXPECT_EQ(run.code, 3) << run.all();
+  EXPECT_THAT(run.said, testing::AllOf(HasSubstr("steps: ok, walks: no"), HasSubstr("velocity limit")));
+}
+
+}  // namespace
+}  // namespace gaitway::tools
