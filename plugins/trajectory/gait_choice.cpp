@@ -31,15 +31,15 @@ constexpr double kLeastStep = 0.05;   // of the hip height: a step that is not w
 constexpr double kUsualShare = 0.78, kFastestShare = 0.92;
 constexpr double kUsualSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
 constexpr double kEverydaySpeed_m_per_s = 0.26, kFastSpeed_m_per_s = 0.455;  // Froude's number 0.02 and 0.06
-constexpr double kLeastRoom_rad = 0.02;  // to the limits, for balance and load
+constexpr double kLeastRoom_rad = 0.03;  // to the limits, for balance and load
 constexpr double kMuchRoom_rad = 0.2;    // less than it may have: like twice the speed that it may have
-// Of what a sole bears. In a fast walk, robots turn a little on their feet; at 0.65 they fall.
-constexpr double kMostTwist = 0.5, kMostTwistFast = 0.55;
+// Of what a sole bears. Beyond it, robots turn on their feet; at 0.65 they fall.
+constexpr double kMostTwist = 0.5;
 constexpr double kSameHeight = 1e-3;    // of the hip height
 constexpr double kLongestStep_s = 1.0;  // that the parameter may be
 // Of the scaled defaults.
-constexpr double kGoodLift = 0.6, kLeastLift = 0.3;
-constexpr double kQuickestStep = 0.75, kSlowestStep = 1.6, kSlowestFastStep = 1.2;
+constexpr double kFastLift = 0.85, kGoodLift = 0.6, kLeastLift = 0.3;
+constexpr double kQuickestStep = 0.75, kSlowestStep = 1.6, kSlowestFastStep = 1.15;
 constexpr double kFlattest = 0.75;
 
 // Each link of the leg moves with the foot by its share of the way from hip to sole; what does not belong to
@@ -196,25 +196,30 @@ struct StrideGoal {
   double forward_m_per_s, most_pace, most_twist;
 };
 
-// How much of what it may a gait asks, of the worst: more than 1 is too much.
-struct Asked {
-  double share = 0.0;
-  std::string reason;
+// By how much a gait asks too much: the sum over the limits, each as a share of it. 0: it may be walked.
+struct Excess {
+  double sum = 0.0;
+  std::string reason;  // of the largest
 };
 
-Asked asked_of(const GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals) {
-  Asked worst;
-  const auto take = [&](double share, const auto& reason) {
-    if (share > worst.share) worst = {share, share > 1.0 ? reason() : std::string()};
+Excess excess_of(const GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals) {
+  Excess excess;
+  double largest = 0.0;
+  const auto add = [&](double share, const auto& reason) {
+    const double beyond = std::max(0.0, share - 1.0);
+    excess.sum += beyond;
+    if (beyond <= largest) return;
+    largest = beyond;
+    excess.reason = reason();
   };
   for (const StrideGoal& goal : goals) {
     const StrideDemand demand = stride_demand(p, robot, goal.forward_m_per_s);
-    take(demand.pace.share / goal.most_pace, [&] { return speed_reason(robot, demand.pace); });
-    take(1.0 + (kLeastRoom_rad - demand.room.room_rad) / kMuchRoom_rad,
-         [&] { return room_reason(robot, demand.room); });
-    take(demand.twist_share / goal.most_twist, [&] { return std::string(kTwistReason); });
+    add(demand.pace.share / goal.most_pace, [&] { return speed_reason(robot, demand.pace); });
+    add(1.0 + (kLeastRoom_rad - demand.room.room_rad) / kMuchRoom_rad,
+        [&] { return room_reason(robot, demand.room); });
+    add(demand.twist_share / goal.most_twist, [&] { return std::string(kTwistReason); });
   }
-  return worst;
+  return excess;
 }
 
 // How far a gait may leave the scaled default.
@@ -246,7 +251,7 @@ bool change_step_time(GaitParameters& p, double by_s, const StepBounds& bounds) 
 }
 
 // One change of the step that makes it ask for less: what costs least first. False: there is none.
-bool ease(GaitParameters& p, const StepBounds& bounds, Asked& asked, const auto& ask) {
+bool ease(GaitParameters& p, const StepBounds& bounds, Excess& excess, const auto& ask) {
   constexpr double kWorth = 0.003;
   const std::array<std::function<bool(GaitParameters&)>, 6> changes{
       flatten,
@@ -259,10 +264,10 @@ bool ease(GaitParameters& p, const StepBounds& bounds, Asked& asked, const auto&
   for (const auto& change : changes) {
     GaitParameters next = p;
     if (!change(next)) continue;
-    Asked then = ask(next);
-    if (then.share > asked.share - kWorth) continue;
+    Excess then = ask(next);
+    if (then.sum > 0.0 && then.sum > excess.sum - kWorth) continue;
     p = next;
-    asked = std::move(then);
+    excess = std::move(then);
     return true;
   }
   return false;
@@ -271,10 +276,10 @@ bool ease(GaitParameters& p, const StepBounds& bounds, Asked& asked, const auto&
 // Changes of the step, until it asks no more than it may, or nothing helps.
 void ease_step(GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals,
                const StepBounds& bounds, ChoiceLog& log) {
-  const auto ask = [&](const GaitParameters& q) { return asked_of(q, robot, goals); };
-  Asked asked = ask(p);
-  for (std::string reason = asked.reason; asked.share > 1.0 && ease(p, bounds, asked, ask);
-       reason = asked.reason) {
+  const auto ask = [&](const GaitParameters& q) { return excess_of(q, robot, goals); };
+  Excess excess = ask(p);
+  for (std::string reason = excess.reason; excess.sum > 0.0 && ease(p, bounds, excess, ask);
+       reason = excess.reason) {
     log.note(reason);
   }
 }
@@ -287,16 +292,14 @@ void fit_step(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) 
   const std::array<StrideGoal, 3> goals{
       {{kUsualSpeed_m_per_s * larger, kUsualShare, kMostTwist},
        {std::min(kEverydaySpeed_m_per_s * larger, longest_m_per_s), kFastestShare, kMostTwist},
-       {std::min(kFastSpeed_m_per_s * larger, longest_m_per_s), kFastestShare, kMostTwistFast}}};
-  const double good_lift_m = kGoodLift * wanted.lift_m;
+       {std::min(kFastSpeed_m_per_s * larger, longest_m_per_s), kFastestShare, kMostTwist}}};
+  const double quickest_s = kQuickestStep * wanted.step_time_s, fast_lift_m = kFastLift * wanted.lift_m;
   ease_step(p, robot, std::span(goals).first(2),
-            {good_lift_m, kLeastLift * wanted.lift_m, kQuickestStep * wanted.step_time_s,
+            {kGoodLift * wanted.lift_m, kLeastLift * wanted.lift_m, quickest_s,
              std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s)},
             log);
-  ease_step(
-      p, robot, goals,
-      {good_lift_m, good_lift_m, kQuickestStep * wanted.step_time_s, kSlowestFastStep * wanted.step_time_s},
-      log);
+  ease_step(p, robot, goals, {fast_lift_m, fast_lift_m, quickest_s, kSlowestFastStep * wanted.step_time_s},
+            log);
   if (p.step_time_s != wanted.step_time_s) {
     scale_adjusted_swings(p, wanted);
     log.note("step: as much quicker or slower as its time");
@@ -330,7 +333,7 @@ void fit_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log
     const StrideDemand demand = stride_demand(p, robot, p.max_step_forward_m / p.step_time_s);
     if (demand.pace.share > kFastestShare) return speed_reason(robot, demand.pace);
     if (demand.room.room_rad < kLeastRoom_rad) return room_reason(robot, demand.room);
-    return demand.twist_share > kMostTwistFast ? kTwistReason : "";
+    return demand.twist_share > kMostTwist ? kTwistReason : "";
   });
   shorten_steps(p, log, [&]() -> std::string {
     for (const JointTorque& torque : leg_torques(p, robot)) {
