@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "gaitway/msgcontroller/network_profile.hpp"
@@ -21,11 +22,17 @@ std::size_t joints_on_bus(urdf::RobotModel robot) {
   return robot.joints.size();
 }
 
-// How fast the gait is that is chosen for a robot in this stand.
+// How fast the gait is that is chosen for a robot in this stand; zero for one that it cannot walk.
 double fastest_m_per_s(urdf::RobotModel robot, const importer::HomePosture& home) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) robot.joints[i].home_rad = home.angle_rad[i];
   robot.hip_height_m = home.hip_height_m;
   const trajectory::GaitParameters gait = trajectory::gait_of(robot);
+  try {
+    gait.validate();
+    trajectory::require_walkable(gait, robot);
+  } catch (const std::invalid_argument&) {
+    return 0.0;
+  }
   return gait.max_step_forward_m / gait.step_time_s;
 }
 
@@ -43,7 +50,7 @@ importer::ImportedRobot with_best_stand(const importer::ImportedRobot& imported,
        bend -= kStep_rad) {
     importer::ImportedRobot straighter = importer::with_knees_bent(imported, bend);
     const double speed = fastest_m_per_s(robot, straighter.home);
-    if (speed < kWorthwhile * fastest) continue;
+    if (speed <= kWorthwhile * fastest) continue;
     fastest = speed;
     best = std::move(straighter);
   }
