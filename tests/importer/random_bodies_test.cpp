@@ -102,7 +102,8 @@ Outcome checked(const tools::RobotDescription& description, std::uint64_t seed) 
   } catch (const std::exception& reason) {
     return {End::plugin_refuses, first_line(reason.what())};
   }
-  if (outcome->walks()) return {End::walks, ""};
+  if (outcome->walks())
+    return {End::walks, outcome->trembles ? "trembling while it stands" : "at rest while it stands"};
   const std::string story = fmt::format("{}{:.3f} of {:.3f} m/s, {} of {} batches refused; {}",
                                         outcome->fell ? fmt::format("at {:.2f} s, ", outcome->fell_at_s) : "",
                                         outcome->speed_m_per_s, how.speed_m_per_s, outcome->refused,
@@ -186,7 +187,7 @@ void print_table(const std::map<End, std::map<std::string, int>>& kinds) {
     int all = 0;
     for (const auto& [reason, count] : reasons) all += count;
     fmt::print("{:>5}  {}\n", all, kEndNames.at(static_cast<std::size_t>(end)));
-    if (end != End::import_refuses && end != End::description_refuses && end != End::plugin_refuses) continue;
+    if (end > End::plugin_refuses) continue;
     for (const auto& [reason, count] : reasons) fmt::print("       {:>5}  {}\n", count, reason);
   }
 }
