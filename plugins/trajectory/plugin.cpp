@@ -26,14 +26,13 @@
 namespace gaitway::trajectory {
 namespace {
 
-// The parameters with the configuration's numbers. Throws std::invalid_argument if they break a rule, a leg
-// cannot reach the footsteps, or a motor cannot hold the robot on one leg; one that is too weak to walk with
+// The parameters with the configuration's numbers. Throws std::invalid_argument if they break a rule or
+// the robot cannot walk with them (require_walkable); one that is too weak to walk with
 // is reported.
 const GaitParameters& configured(Setup& setup, const urdf::RobotModel& robot, GaitParameters& parameters) {
   setup.parameters(parameters.numbers());
   parameters.validate();
-  require_reachable(parameters, robot);
-  require_strong_enough(parameters, robot);
+  require_walkable(parameters, robot);
   if (const std::string weak = weakest_joint(leg_torques(parameters, robot), robot); !weak.empty()) {
     setup.reporter()(Severity::warning, weak.c_str());
   }

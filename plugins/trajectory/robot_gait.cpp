@@ -12,12 +12,15 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/trajectory/joint_pace.hpp"
+#include "gaitway/trajectory/joint_torque.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::trajectory {
 namespace {
 
+constexpr double kShortStep = 0.05;  // of the hip height: a robot that cannot take it does not walk
 constexpr int kStepParts = 4;  // lengths of steps that are looked at: the hips are lower in a longer one
 // Of what a fast walk lowers the hips, this is still there at the end of a long step in which they rise for a
 // stop.
@@ -184,6 +187,37 @@ void require_reachable(const GaitParameters& p, const urdf::RobotModel& robot) {
              "Lower lift or raise fast_hip_height");
     }
   }
+}
+
+void require_room_for_steps(const GaitParameters& p, const urdf::RobotModel& robot) {
+  const double step_m = std::min(kShortStep * p.hip_height_m, p.max_step_forward_m);
+  const StrideDemand demand = stride_demand(p, robot, step_m / p.step_time_s);
+  const urdf::LegJoints left(robot, urdf::ForwardKinematics(robot), urdf::Side::left);
+  if (demand.room.room_rad < 0.0) {
+    const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(left[demand.room.joint])];
+    throw std::invalid_argument(fmt::format(
+        "trajectory: parameter hip_height = {:.4g} m: a step of {:.3g} m turns the {} {:.3f} rad "
+        "beyond its limits "
+        "({:.4g}..{:.4g} rad for '{}'). Widen them in robot.urdf, or choose a stand that leaves it "
+        "more room (home angles in robot.yaml)",
+        p.hip_height_m, step_m, urdf::leg_joint_name(demand.room.joint), -demand.room.room_rad,
+        joint.lower_rad, joint.upper_rad, joint.name));
+  }
+  if (demand.pace.share > 1.0) {
+    const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(left[demand.pace.joint])];
+    throw std::invalid_argument(fmt::format(
+        "trajectory: parameter step_time = {:.4g} s: a step of {:.3g} m turns the {} at {:.3g} "
+        "rad/s, but '{}' turns at {:.3g} at most. Raise step_time, lower lift, or put a quicker "
+        "motor there",
+        p.step_time_s, step_m, urdf::leg_joint_name(demand.pace.joint),
+        demand.pace.share * joint.velocity_limit_rad_per_s, joint.name, joint.velocity_limit_rad_per_s));
+  }
+}
+
+void require_walkable(const GaitParameters& parameters, const urdf::RobotModel& robot) {
+  require_reachable(parameters, robot);
+  require_room_for_steps(parameters, robot);
+  require_strong_enough(parameters, robot);
 }
 
 }  // namespace gaitway::trajectory

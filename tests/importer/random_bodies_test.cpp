@@ -1,119 +1,219 @@
-// Bodies that nobody has seen are brought with a gait, or refused with a reason; the first of them stand.
-// GAITWAY_RANDOM_BODIES=1000 random_bodies_tests brings more than the usual number of them.
+// Bodies that nobody has seen end in a walk or in a reason: none crashes, none falls.
+// GAITWAY_RANDOM_BODIES=1000 random_bodies_tests looks at bodies 1 to 1000, =37..37 at body 37 alone;
+// GAITWAY_RANDOM_BODIES_OUT=FOLDER keeps what was written of each of them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
-#include <random>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/importer/import.hpp"
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/process/private_folder.hpp"
-#include "gaitway/simulator/cosimulation.hpp"
-#include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "generated_humanoid.hpp"
-#include "tools/run/run_recorder.hpp"
+#include "random_humanoid.hpp"
+#include "tools/robot/bring_robot.hpp"
+#include "tools/robot/robot_check.hpp"
+#include "tools/robot/robot_description.hpp"
 
 namespace gaitway::importer {
 namespace {
 
-using test::Humanoid;
+#ifdef GAITWAY_SANITIZED
+constexpr int kUsual = 4;
+#else
+constexpr int kUsual = 12;
+#endif
+constexpr int kFirst = 101;  // of the usual ones
+constexpr double kHalfSpeed = 0.5;
+constexpr double kWalk_s = 6.0;
+constexpr double kOfFastest = 0.75;  // at most, of what the chosen gait walks
+constexpr unsigned kMost_s = 300;    // for one body: else it hangs
 
-int bodies() {
-  constexpr int kUsual = 60;
+// What becomes of a body, from best to worst.
+enum class End {
+  walks,
+  import_refuses,  // with a reason
+  description_refuses,
+  plugin_refuses,  // what the description had let pass
+  walks_badly,     // too slow, or its batches were refused
+  falls_walking,
+  falls_standing,
+  fault,  // of what an import wrote itself, or of the test
+  crashes
+};
+constexpr std::array kEndNames{"walks",
+                               "refused by the import",
+                               "refused by the description",
+                               "refused late",
+                               "walks badly",
+                               "falls walking",
+                               "falls standing",
+                               "fault",
+                               "crashes"};
+
+struct Outcome {
+  End end = End::crashes;
+  std::string reason;
+};
+
+struct Bodies {
+  int first = kFirst, last = kFirst + kUsual - 1;
+};
+Bodies bodies() {
   const char* const wanted = std::getenv("GAITWAY_RANDOM_BODIES");
-  return wanted ? std::atoi(wanted) : kUsual;
+  if (wanted == nullptr) return {};
+  Bodies range;
+  if (std::sscanf(wanted, "%d..%d", &range.first, &range.last) == 2) return range;
+  return {1, std::atoi(wanted)};
 }
 
-Humanoid random_body(std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  const auto between = [&](double least, double most) {
-    return least + (most - least) * static_cast<double>(engine() >> 11U) * 0x1p-53;
-  };
-  const auto maybe = [&] { return (engine() & 1U) != 0; };
-  Humanoid body;
-  body.hip_height_m = between(0.25, 1.3);
-  // The density of humanoids, half of it to twice of it.
-  body.mass_kg = 80.0 * std::pow(body.hip_height_m, 3) * between(0.5, 2.0);
-  std::shuffle(body.hip.begin(), body.hip.end(), engine);
-  std::shuffle(body.ankle.begin(), body.ankle.end(), engine);
-  body.turned_axes = static_cast<std::uint32_t>(engine() % 64U);
-  body.hip_offset = maybe() ? between(-0.05, 0.05) : 0.0;
-  for (std::uint64_t quarter = engine() % 4U; quarter > 0; --quarter) {
-    Eigen::Matrix3d turn;
-    turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-    body.base_in_root = turn * body.base_in_root;
+std::string first_line(const char* text) {
+  const std::string all = text;
+  return all.substr(0, all.find('\n'));
+}
+
+// Stands, steps on the spot, walks: with deviations from what the planner knows.
+Outcome checked(const tools::RobotDescription& description, std::uint64_t seed) {
+  const urdf::RobotModel& robot = description.robot;
+  tools::RobotCheckOptions how;
+  how.configuration = std::filesystem::path(GAITWAY_SOURCE_DIR) / "core/config/walk.yaml";
+  how.plugin_path = {GAITWAY_PLUGIN_DIR};
+  how.speed_m_per_s = std::min(tools::kFroudeSpeed * std::sqrt(facts::kGravity_m_per_s2 * robot.hip_height_m),
+                               kOfFastest * description.speeds.front().most);
+  how.walk_s = kWalk_s;
+  std::optional<tools::RobotCheckOutcome> outcome;
+  try {
+    outcome = tools::check_robot(robot, seed, how, {});
+  } catch (const std::exception& reason) {
+    return {End::plugin_refuses, first_line(reason.what())};
   }
-  body.plain_names = maybe();
-  body.fixed_joints = maybe();
-  body.massless_hip_links = maybe();
-  body.foot = static_cast<test::FootShape>(engine() % 4U);
-  body.foot_length = between(0.15, 0.35);
-  body.foot_width = between(0.08, 0.18);
-  body.foot_ahead = between(0.0, 0.08);
-  body.thigh = between(0.40, 0.52);
-  body.arm_joints = static_cast<int>(engine() % 8U);
-  body.arm_share = between(0.02, 0.08);
-  body.toes = maybe();
-  body.imu_frame = maybe();
-  body.unsound_inertia = maybe();
-  return body;
+  if (outcome->walks())
+    return {End::walks, outcome->trembles ? "trembling while it stands" : "at rest while it stands"};
+  const std::string story = fmt::format("{}{:.3f} of {:.3f} m/s, {} of {} batches refused; {}",
+                                        outcome->fell ? fmt::format("at {:.2f} s, ", outcome->fell_at_s) : "",
+                                        outcome->speed_m_per_s, how.speed_m_per_s, outcome->refused,
+                                        outcome->batches + outcome->refused, outcome->first_refusal);
+  if (!outcome->fell && outcome->refused == 0 && outcome->speed_m_per_s >= kHalfSpeed * how.speed_m_per_s)
+    return {End::walks, "at more than half of the speed that it was told"};
+  if (!outcome->fell) return {End::walks_badly, story};
+  const bool stood = outcome->reached >= tools::RobotCheckOutcome::Reached::stand;
+  return {stood ? End::falls_walking : End::falls_standing, story};
 }
 
-bool falls_while_standing(const urdf::RobotModel& robot) {
-  simulator::CosimulationOptions how;
-  how.plant.seed = 1;
-  how.main_controller.configuration = std::filesystem::path(GAITWAY_SOURCE_DIR) / "core/config/walk.yaml";
-  how.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
-  simulator::Cosimulation run(robot, how);
-  tools::RunRecorder recorder(run, {}, false);
-  run.observe(&recorder);
-  constexpr int kStands_ms = 4000;
-  for (int i = 0; i < kStands_ms && !recorder.metrics().fell; ++i) run.advance_millisecond();
-  return recorder.metrics().fell;
+Outcome outcome_of(std::uint64_t seed, const std::filesystem::path& folder) {
+  std::optional<ImportedRobot> imported;
+  try {
+    imported = import_robot(test::write_humanoid(test::RandomHumanoid(seed).draw(), folder / "maker"), {});
+  } catch (const input::InputError& reason) {
+    return {End::import_refuses, first_line(reason.what())};
+  }
+  // What was brought must load: a complaint about a file that the import itself wrote is a fault.
+  std::filesystem::create_directories(folder / "robot");
+  const tools::RobotDescription description =
+      tools::describe_robot(tools::bring_robot(*std::move(imported), folder / "robot").robot);
+  for (const std::string* complaint :
+       {&description.gait_complaint, &description.torque_complaint, &description.bus_complaint}) {
+    if (!complaint->empty()) return {End::description_refuses, *complaint};
+  }
+  return checked(description, seed);
 }
 
-TEST(RandomBodies, AreBroughtWithAGaitOrRefusedWithAReasonAndStand) {
-  constexpr int kStanding = 10;
-  int walk = 0, refused = 0, stood = 0, fell = 0;
-  for (int seed = 1; seed <= bodies(); ++seed) {
-    SCOPED_TRACE("body " + std::to_string(seed));
-    const process::PrivateFolder folder("gaitway-body");
-    ImportedRobot imported;
+// In a process of its own, which may crash.
+Outcome outcome_apart(int seed, const std::filesystem::path& folder) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) return {End::fault, "no pipe"};
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    alarm(kMost_s);
+    Outcome outcome;
     try {
-      imported = import_robot(
-          test::write_humanoid(random_body(static_cast<std::uint64_t>(seed)), folder.path() / "maker"), {});
-    } catch (const input::InputError& reason) {
-      EXPECT_FALSE(std::string(reason.what()).empty());
-      std::printf("body %d: %s\n", seed, reason.what());
-      ++refused;
-      continue;
-    }
-    // What was brought must load: a complaint about a file that the import itself wrote is a fault.
-    ASSERT_NO_THROW(write_robot_folder(imported, folder.path() / "out"));
-    std::optional<urdf::RobotModel> robot;
-    try {
-      robot = urdf::load_robot(folder.path() / "out");
+      outcome = outcome_of(static_cast<std::uint64_t>(seed), folder);
     } catch (const std::exception& fault) {
-      ADD_FAILURE() << fault.what();
-      continue;
+      outcome = {End::fault, first_line(fault.what())};
     }
-    try {
-      trajectory::gait_of(*robot).validate();
-      ++walk;
-    } catch (const std::invalid_argument& reason) {
-      std::printf("body %d: %s\n", seed, reason.what());
-      ++refused;
-      continue;
-    }
-    if (stood++ >= kStanding) continue;
-    if (falls_while_standing(*robot)) {
-      ++fell;
-      ADD_FAILURE() << "falls while it stands";
+    const std::string text = static_cast<char>('0' + static_cast<int>(outcome.end)) + outcome.reason;
+    _exit(write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1);
+  }
+  close(ends[1]);
+  std::string text;
+  std::array<char, 4096> part{};
+  for (ssize_t read_bytes = 0; (read_bytes = read(ends[0], part.data(), part.size())) > 0;)
+    text.append(part.data(), static_cast<std::size_t>(read_bytes));
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFSIGNALED(status)) return {End::crashes, fmt::format("signal {}", WTERMSIG(status))};
+  if (WEXITSTATUS(status) != 0 || text.empty()) return {End::crashes, "ended in its midst"};
+  return {static_cast<End>(text[0] - '0'), text.substr(1)};
+}
+
+// A reason without what differs from body to body: numbers, names, places.
+std::string kind_of(const std::string& reason) {
+  std::string kind;
+  for (std::size_t i = 0; i < reason.size(); ++i) {
+    const auto is_digit = [&](std::size_t at) {
+      return at < reason.size() && std::isdigit(static_cast<unsigned char>(reason[at])) != 0;
+    };
+    if (reason[i] == '\'') {
+      i = std::min(reason.find('\'', i + 1), reason.size());
+      kind += "'...'";
+    } else if (is_digit(i)) {
+      while (is_digit(i + 1) || (i + 1 < reason.size() && reason[i + 1] == '.' && is_digit(i + 2))) ++i;
+      kind += '#';
+    } else {
+      kind += reason[i];
     }
   }
-  std::printf("%d bodies: %d have a gait, %d a reason, %d fell\n", bodies(), walk, refused, fell);
-  EXPECT_GT(walk, bodies() / 2);
+  return kind;
+}
+
+void print_table(const std::map<End, std::map<std::string, int>>& kinds) {
+  for (const auto& [end, reasons] : kinds) {
+    int all = 0;
+    for (const auto& [reason, count] : reasons) all += count;
+    fmt::print("{:>5}  {}\n", all, kEndNames.at(static_cast<std::size_t>(end)));
+    if (end > End::plugin_refuses) continue;
+    for (const auto& [reason, count] : reasons) fmt::print("       {:>5}  {}\n", count, reason);
+  }
+}
+
+TEST(RandomBodies, EndInAWalkOrInAReason) {
+  const Bodies range = bodies();
+  const char* const kept = std::getenv("GAITWAY_RANDOM_BODIES_OUT");
+  std::map<End, std::map<std::string, int>> kinds;
+  for (int seed = range.first; seed <= range.last; ++seed) {
+    const process::PrivateFolder temporary("gaitway-body");
+    const std::filesystem::path folder =
+        kept != nullptr ? std::filesystem::path(kept) / fmt::format("{:04}", seed) : temporary.path();
+    const Outcome outcome = outcome_apart(seed, folder);
+    ++kinds[outcome.end][kind_of(outcome.reason)];
+    if (outcome.end == End::walks) continue;
+    const std::string line = fmt::format("body {}: {}: {}", seed,
+                                         kEndNames.at(static_cast<std::size_t>(outcome.end)), outcome.reason);
+    fmt::print("{}\n", line);
+    EXPECT_FALSE(outcome.reason.empty());
+    EXPECT_LE(outcome.end, End::description_refuses) << line;
+  }
+  print_table(kinds);
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ std::string described(const RobotCheckOutcome& outcome, double speed_m_per_s) {
   };
   std::string text =
       fmt::format("  seed {:<4} stands: {}", outcome.seed, stage(Reached::stand, kStandUntil_s));
+  if (outcome.trembles)
+    text += fmt::format(" but trembles with {:.2f} rad/s", outcome.stand_turn_rate_rad_per_s);
   if (outcome.reached >= Reached::stand) {
     text += fmt::format(", steps: {}", stage(Reached::steps, kStepsUntil_s));
   }

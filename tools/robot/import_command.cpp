@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,9 +11,7 @@
 #include <vector>
 
 #include "gaitway/importer/import.hpp"
-#include "gaitway/msgcontroller/network_profile.hpp"
-#include "gaitway/trajectory/robot_gait.hpp"
-#include "gaitway/urdf/robot_model.hpp"
+#include "tools/robot/bring_robot.hpp"
 #include "tools/robot/import_page.hpp"
 #include "tools/robot/robot_commands.hpp"
 
@@ -51,10 +48,6 @@ class FolderInTheMaking {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  void empty() const {
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
-      std::filesystem::remove_all(entry.path());
-  }
   // What it holds replaces what has the same name there; everything else there stays.
   void take_its_place() const {
     std::filesystem::create_directories(place_);
@@ -82,74 +75,6 @@ std::string folder_name(std::string name) {
   return name.empty() ? "robot" : name;
 }
 
-struct Brought {
-  importer::ImportedRobot imported;
-  urdf::RobotModel robot;
-  std::string bus;
-};
-
-// How many of a robot's joints, from the first on, its bus is proven for.
-std::size_t joints_on_bus(urdf::RobotModel robot) {
-  while (!robot.joints.empty() && !msgcontroller::complaint_about_network(robot).empty())
-    robot.joints.pop_back();
-  return robot.joints.size();
-}
-
-// How fast the gait is that is chosen for a robot in this stand.
-double fastest_m_per_s(urdf::RobotModel robot, const importer::HomePosture& home) {
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) robot.joints[i].home_rad = home.angle_rad[i];
-  robot.hip_height_m = home.hip_height_m;
-  const trajectory::GaitParameters gait = trajectory::gait_of(robot);
-  return gait.max_step_forward_m / gait.step_time_s;
-}
-
-// Straighter knees leave ankles more room and legs less reach: the stand from which the robot walks fastest;
-// the usual one, if it walks as fast as a robot needs.
-importer::ImportedRobot with_best_stand(const importer::ImportedRobot& imported,
-                                        const urdf::RobotModel& robot) {
-  constexpr double kStraightest_rad = 0.35, kStep_rad = 0.08;
-  constexpr double kFastEnough_m_per_s = 0.455;  // of a body as large as humanoid22: Froude's number 0.06
-  constexpr double kWorthwhile = 1.03;
-  importer::ImportedRobot best = imported;
-  double fastest = fastest_m_per_s(robot, imported.home);
-  const double enough = kFastEnough_m_per_s * robot.body_scale().factor("m/s");
-  for (double bend = imported.home.knee_bend_rad - kStep_rad; bend > kStraightest_rad && fastest < enough;
-       bend -= kStep_rad) {
-    importer::ImportedRobot straighter = importer::with_knees_bent(imported, bend);
-    const double speed = fastest_m_per_s(robot, straighter.home);
-    if (speed < kWorthwhile * fastest) continue;
-    fastest = speed;
-    best = std::move(straighter);
-  }
-  if (best.home.knee_bend_rad < imported.home.knee_bend_rad) {
-    constexpr double kDegree = 180.0 / std::numbers::pi;
-    best.notes.push_back(fmt::format(
-        "the knees stand bent by {:.0f} deg instead of {:.0f}: so the robot walks fastest, up to {:.2f} m/s",
-        best.home.knee_bend_rad * kDegree, imported.home.knee_bend_rad * kDegree, fastest));
-  }
-  return best;
-}
-
-// As many joints as the bus is proven for, those that carry most.
-Brought bring(importer::ImportedRobot imported, const FolderInTheMaking& folder) {
-  constexpr std::size_t kMostNodes = 64;
-  imported = importer::with_fewer_joints(imported, kMostNodes);
-  importer::write_robot_folder(imported, folder.path());
-  urdf::RobotModel robot = urdf::load_robot(folder.path());
-  const std::size_t most = joints_on_bus(robot);
-  importer::ImportedRobot best = with_best_stand(imported, robot);
-  if (most < robot.joints.size() || best.home.knee_bend_rad != imported.home.knee_bend_rad) {
-    imported = importer::with_fewer_joints(best, most);
-    folder.empty();
-    importer::write_robot_folder(imported, folder.path());
-    robot = urdf::load_robot(folder.path());
-  }
-  std::string bus =
-      fmt::format("{} joints on one bus, load {:.0f} % in the worst case, every deadline proven",
-                  robot.joints.size(), 100.0 * msgcontroller::prove_network(robot).load);
-  return {std::move(imported), std::move(robot), std::move(bus)};
-}
-
 int import_urdf(const ImportCommandOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   importer::ImportOptions how;
@@ -166,7 +91,7 @@ int import_urdf(const ImportCommandOptions& options) {
         out.string()));
   }
   const FolderInTheMaking folder(out);
-  const Brought brought = bring(std::move(imported), folder);
+  const BroughtRobot brought = bring_robot(std::move(imported), folder.path());
   const ImportSummary summary{brought.imported, brought.robot, brought.bus};
   const std::string without_picture = write_import_page(summary, folder.path());
   folder.take_its_place();

@@ -3,9 +3,11 @@
 
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/instance/event_log.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
+#include "tools/run/run_metrics.hpp"
 #include "tools/run/run_recorder.hpp"
 
 namespace gaitway::tools {
@@ -14,6 +16,8 @@ namespace {
 constexpr double kHeld = 0.8;         // of the commanded speed: else it does not walk
 constexpr double kMostRefused = 0.1;  // of the batches
 constexpr double kGathersSpeed_s = 3.0;
+constexpr double kSettles_s = 2.0;
+constexpr double kTrembles = 0.05;  // of sqrt(g / h): fifteen times what humanoid22 turns at rest
 
 simulator::ScenarioEvent walk_at(double at_s, double forward_m_per_s) {
   return {at_s, simulator::WalkEvent{.velocity_m_per_s = {forward_m_per_s, 0.0}}};
@@ -43,9 +47,12 @@ RobotCheckOutcome check_robot(const urdf::RobotModel& robot, std::uint64_t seed,
   const double end_s = kStepsUntil_s + options.walk_s;
   RobotCheckOutcome outcome;
   outcome.seed = seed;
+  RootMeanSquare stand_turn_rate_rad_per_s;
   const auto advance_to = [&](double time_s) {
     while (static_cast<double>(run.now_ns()) * 1e-9 < time_s && !recorder.metrics().fell) {
       run.advance_millisecond();
+      if (outcome.reached == RobotCheckOutcome::Reached::nothing && run.plant().time_s() > kSettles_s)
+        stand_turn_rate_rad_per_s.add(run.plant().sensors().angular_velocity_rad_per_s.norm());
       if (progress && run.now_ns() % 100'000'000 == 0) progress(static_cast<double>(run.now_ns()) * 1e-9);
     }
     return !recorder.metrics().fell;
@@ -74,6 +81,9 @@ RobotCheckOutcome check_robot(const urdf::RobotModel& robot, std::uint64_t seed,
   outcome.fell = metrics.fell;
   outcome.fell_at_s = metrics.fell_at_s;
   outcome.drift_m = metrics.lateral_drift_m();
+  outcome.stand_turn_rate_rad_per_s = stand_turn_rate_rad_per_s.value();
+  outcome.trembles = outcome.stand_turn_rate_rad_per_s >
+                     kTrembles * std::sqrt(facts::kGravity_m_per_s2 / robot.hip_height_m);
   outcome.batches = run.main_controller().statistics().handed_over;
   outcome.refused =
       run.main_controller().statistics().refused_locally + run.message_controller().state().refused;

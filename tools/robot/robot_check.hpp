@@ -25,8 +25,10 @@ struct RobotCheckOutcome {
   enum class Reached { nothing, stand, steps, walk } reached = Reached::nothing;
   bool fell = false;
   double fell_at_s = 0.0;
-  double speed_m_per_s = 0.0;  // held, from three seconds after its command
-  double drift_m = 0.0;        // sideways
+  double speed_m_per_s = 0.0;              // held, from three seconds after its command
+  double drift_m = 0.0;                    // sideways
+  double stand_turn_rate_rad_per_s = 0.0;  // of the trunk while it stands, RMS, once it has settled
+  bool trembles = false;                   // while it stands
   std::uint64_t batches = 0, refused = 0;
   std::string first_refusal;  // the first warning of the run; empty: none
   [[nodiscard]] bool walks() const noexcept { return reached == Reached::walk; }

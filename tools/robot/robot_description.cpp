@@ -21,8 +21,7 @@ using trajectory::GaitParameters;
 std::string gait_complaint(const GaitParameters& parameters, const urdf::RobotModel& robot) {
   try {
     parameters.validate();
-    trajectory::require_reachable(parameters, robot);
-    trajectory::require_strong_enough(parameters, robot);
+    trajectory::require_walkable(parameters, robot);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

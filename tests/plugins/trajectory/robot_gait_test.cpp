@@ -162,6 +162,34 @@ TEST(ReachCheck, ALowerHipAllowsLongerSteps) {
   EXPECT_NO_THROW(require_reachable(p, humanoid22()));
 }
 
+void limit_ankle_pitch(urdf::RobotModel& robot, double to_limit_rad) {
+  for (urdf::Joint& joint : robot.joints) {
+    if (!joint.name.ends_with("ankle_pitch")) continue;
+    joint.lower_rad = joint.home_rad - to_limit_rad;
+    joint.upper_rad = joint.home_rad + to_limit_rad;
+  }
+}
+
+TEST(RoomForSteps, IsLackedByAnAnkleThatStandsAtItsLimit) {
+  urdf::RobotModel robot = humanoid22();
+  EXPECT_NO_THROW(require_room_for_steps(shipped(), robot));
+  limit_ankle_pitch(robot, 0.05);
+  EXPECT_THAT([&] { require_walkable(shipped(), robot); },
+              ThrowsMessage<std::invalid_argument>(
+                  AllOf(HasSubstr("hip_height = 0.36 m"), HasSubstr("the ankle pitch"),
+                        HasSubstr("beyond its limits"), HasSubstr("home angles in robot.yaml"))));
+}
+
+TEST(RoomForSteps, AMotorThatIsTooSlowForAnyStepIsRefusedBySpeed) {
+  urdf::RobotModel robot = humanoid22();
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name.ends_with("knee")) joint.velocity_limit_rad_per_s = 1.0;
+  }
+  EXPECT_THAT([&] { require_walkable(shipped(), robot); },
+              ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("step_time"), HasSubstr("the knee"),
+                                                         HasSubstr("'left_knee' turns at 1 at most"))));
+}
+
 // The corner that the check takes is no nearer than what the pattern really plans at full speed.
 TEST(ReachCheck, BoundsThePlannedWalk) {
   const GaitParameters p = shipped();

@@ -51,4 +51,13 @@ struct LegReach {
 // usable_reach_m().
 void require_reachable(const GaitParameters& parameters, const urdf::RobotModel& robot);
 
+// Throws std::invalid_argument naming parameter, joint, limit and remedy if short steps, a twentieth of the
+// hip height or the longest if that is less, turn hip pitch, knee or ankle pitch of a leg beyond one of its
+// limits or faster than it turns. Some milliseconds.
+void require_room_for_steps(const GaitParameters& parameters, const urdf::RobotModel& robot);
+
+// All that a robot must be able to do with parameters that are valid, before anything moves: reach the
+// footsteps, have room and speed for short steps, stand on one leg. Throws std::invalid_argument.
+void require_walkable(const GaitParameters& parameters, const urdf::RobotModel& robot);
+
 }  // namespace gaitway::trajectory
