@@ -2,7 +2,7 @@
 #include "gaitway/plugin/plugin.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/stability/balance_controller.hpp"
-#include "gaitway/stability/trim_loop.hpp"
+#include "gaitway/stability/body_balance.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::stability {
