@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/trajectory/joint_pace.hpp"
 #include "gaitway/trajectory/joint_torque.hpp"
 #include "gaitway/trajectory/robot_gait.hpp"
 
@@ -45,6 +46,40 @@ TEST(ChooseGait, NamesTheSlowKnee) {
   EXPECT_LT(lift->chosen, lift->scaled);
   EXPECT_EQ(lift->chosen, gait.parameters.lift_m);
   EXPECT_THAT(lift->reasons.front(), AllOf(HasSubstr("speed: the knee"), HasSubstr("4.5 rad/s")));
+}
+
+// Heavy legs twist the foot on the ground. The swing gets flatter first, which costs nothing.
+TEST(ChooseGait, HeavyLegsSwingFlatter) {
+  urdf::RobotModel robot = chosen_robot();
+  for (const urdf::Leg& leg : robot.legs) {
+    for (const int index : leg.joints) {
+      const int link = robot.joints[static_cast<std::size_t>(index)].child_link;
+      robot.links[static_cast<std::size_t>(link)].mass_kg *= 2.0;
+    }
+  }
+  const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const flatness = gait.choice("swing_flatness");
+  ASSERT_NE(flatness, nullptr);
+  EXPECT_GT(flatness->chosen, 0.0);
+  EXPECT_THAT(flatness->reasons.front(), HasSubstr("twist the foot"));
+}
+
+// What is chosen asks no more than it may: the reason's limit is kept at the speed that is allowed.
+TEST(ChooseGait, KeepsWhatItWasChosenFor) {
+  urdf::RobotModel robot = chosen_robot();
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name.ends_with("ankle_pitch")) {
+      joint.lower_rad = joint.home_rad - 0.42;
+      joint.upper_rad = joint.home_rad + 0.42;
+    }
+  }
+  const GaitParameters gait = choose_gait(robot).parameters;
+  const double fastest_m_per_s = gait.max_step_forward_m / gait.step_time_s;
+  EXPECT_GT(fastest_m_per_s, 0.2);
+  const StrideDemand demand = stride_demand(gait, robot, fastest_m_per_s);
+  EXPECT_GE(demand.room.room_rad, 0.029);
+  EXPECT_LE(demand.twist_share, 0.501);
+  EXPECT_LE(demand.pace.share, 0.921);
 }
 
 TEST(ChooseGait, NamesTheByteOnTheWire) {

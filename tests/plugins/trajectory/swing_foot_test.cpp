@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gaitway::trajectory {
@@ -63,6 +64,33 @@ TEST(SwingFoot, DoesTheRestOfItsWayInTheTimeThatIsGiven) {
     swing.aim({0.2, 0.0, 0.0}, 0.15, swing_s);
     EXPECT_NEAR(swing.share(0.2), before.share(0.2), 1e-12) << "aiming again changes nothing";
   }
+}
+
+// Of a swing of 1 m in 1 s: what is fastest of it, and what is most accelerated.
+struct SwingExtremes {
+  double speed = 0.0, acceleration = 0.0;
+};
+SwingExtremes swing_extremes_of(double flatness) {
+  constexpr double kStep_s = 1e-3;
+  const SwingFoot swing({}, {1.0, 0.0, 0.0}, 1.0, flatness);
+  SwingExtremes most;
+  for (double t = 0.0; t < 1.0; t += kStep_s) {
+    most.speed = std::max(most.speed, (swing.at(t + kStep_s).x_m - swing.at(t).x_m) / kStep_s);
+    most.acceleration = std::max(most.acceleration, std::abs(swing.acceleration_m_per_s2(t).x()));
+  }
+  return most;
+}
+
+TEST(SwingFoot, AFlatterOneIsSlowerAtItsFastest) {
+  EXPECT_NEAR(swing_extremes_of(0.0).speed, 1.875, 1e-3);
+  EXPECT_NEAR(swing_extremes_of(0.5).speed, 0.5 * (1.875 + 1.5), 1e-3);
+  EXPECT_NEAR(swing_extremes_of(1.0).speed, 1.5, 1e-3);
+}
+
+TEST(SwingFoot, HalfFlatItIsAcceleratedLess) {
+  const double half = swing_extremes_of(0.5).acceleration;
+  EXPECT_LT(half, swing_extremes_of(0.0).acceleration - 0.5);
+  EXPECT_LT(half, swing_extremes_of(1.0).acceleration - 0.5);
 }
 
 TEST(Quintic, MeetsBothEndStates) {

@@ -1,6 +1,7 @@
 // Attitude from gyro and tilt.
 #include "gaitway/zmp/attitude_filter.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 
 #include <gtest/gtest.h>
 
@@ -203,6 +204,26 @@ TEST(AttitudeFilter, ThirtyDaysLaterItIsAsGoodAsAtTheStart) {
   EXPECT_NEAR(filter.attitude().roll_rad, 0.0, 1e-4);
   EXPECT_NEAR(filter.bias_deviation_rad_per_s().z(), fresh.bias_deviation_rad_per_s().z(), 1e-6);
   EXPECT_NEAR(filter.attitude().yaw_rad, heading, 0.02);
+}
+
+// What a walking trunk feels: ahead and upwards at once, back and downwards at once. The angles of such
+// forces have another mean than the forces.
+TEST(AttitudeFilter, KeepsUprightWhileTheTrunkIsAcceleratedToAndFro) {
+  constexpr double kRestless_rad = 0.2;
+  AttitudeFilter filter{EstimatorParameters{}};
+  filter.correct_tilt({0.0, 0.0}, kRestless_rad);
+  Eigen::Vector2d angles = Eigen::Vector2d::Zero();
+  constexpr int kSlots = 32 * 250;  // 80 s
+  for (int i = 0; i < kSlots; ++i) {
+    const double swing = std::cos(2.0 * M_PI * i / 32.0);
+    const Eigen::Vector3d force_g(0.25 * swing, -0.15 * swing, 1.0 + 0.3 * swing);
+    angles += geometry::tilt_at_rest(force_g) / kSlots;
+    filter.predict(Eigen::Vector3d::Zero(), kSlot_s);
+    filter.correct_by_force(force_g, kRestless_rad);
+  }
+  EXPECT_GT(angles.norm(), 0.03) << "else this tells nothing";
+  EXPECT_NEAR(filter.attitude().roll_rad, 0.0, 0.003);
+  EXPECT_NEAR(filter.attitude().pitch_rad, 0.0, 0.003);
 }
 
 TEST(TiltOfAcceleration, InvertsTheGravityThatATiltedTrunkFeels) {
