@@ -306,19 +306,52 @@ void fit_step(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) 
   }
 }
 
-// Shorter steps, while `asks_too_much` says so; it returns its reason, or nothing.
-template <class AsksTooMuch>
-void shorten_steps(GaitParameters& p, ChoiceLog& log, const AsksTooMuch& asks_too_much) {
-  constexpr double kShorter = 0.98;
+// One or more numbers of the gait get less, down to a share of what they are, while `asks_too_much` says so;
+// it returns its reason, or nothing.
+template <class Lessen, class AsksTooMuch>
+void lessen_while(ChoiceLog& log, double least_share, const Lessen& lessen,
+                  const AsksTooMuch& asks_too_much) {
+  constexpr double kLess = 0.98;
   std::string reason;
-  while (p.max_step_forward_m > kLeastStep * p.hip_height_m) {
+  for (double share = 1.0; share > least_share; share *= kLess) {
     std::string why = asks_too_much();
     if (why.empty()) break;
     if (reason.empty()) reason = std::move(why);
-    p.max_step_forward_m *= kShorter;
-    p.max_step_backward_m *= kShorter;
+    lessen(kLess);
   }
   log.note(reason);
+}
+
+template <class AsksTooMuch>
+void shorten_steps(GaitParameters& p, ChoiceLog& log, const AsksTooMuch& asks_too_much) {
+  const auto shorten = [&](double share) {
+    p.max_step_forward_m *= share;
+    p.max_step_backward_m *= share;
+  };
+  lessen_while(log, kLeastStep * p.hip_height_m / p.max_step_forward_m, shorten, asks_too_much);
+}
+
+std::string too_much_at(const GaitParameters& p, const urdf::RobotModel& robot, const Velocity2& velocity) {
+  const StrideDemand demand = stride_demand(p, robot, velocity);
+  if (demand.pace.share > kFastestShare) return speed_reason(robot, demand.pace);
+  return demand.room.room_rad < kLeastRoom_rad ? room_reason(robot, demand.room) : "";
+}
+
+// Until turning and side-stepping are such, too.
+void fit_turns_and_side_steps(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) {
+  constexpr double kLeastTurn = 0.02;  // of the scaled default
+  lessen_while(
+      log, kLeastTurn, [&](double share) { p.max_step_turn_rad *= share; },
+      [&] { return too_much_at(p, robot, {.turn_rad_per_s = FootstepPlanner(p).max_turn_rad_per_s()}); });
+  const double widened_m = p.max_foot_spacing_m - p.foot_spacing_m;
+  if (widened_m <= kSameSpacing_m) return;
+  lessen_while(
+      log, kLeastStep,
+      [&](double share) {
+        p.max_foot_spacing_m = std::lerp(p.foot_spacing_m, p.max_foot_spacing_m, share);
+        p.adjust_spacing_m = std::min(p.adjust_spacing_m, p.max_foot_spacing_m);
+      },
+      [&] { return too_much_at(p, robot, {.left_m_per_s = FootstepPlanner(p).max_left_m_per_s()}); });
 }
 
 // Until the fastest walk is one that the motors can follow, and swing the leg for.
@@ -330,11 +363,12 @@ void fit_motors(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log
   }
   fit_step(p, robot, log);
   shorten_steps(p, log, [&]() -> std::string {
-    const StrideDemand demand = stride_demand(p, robot, p.max_step_forward_m / p.step_time_s);
-    if (demand.pace.share > kFastestShare) return speed_reason(robot, demand.pace);
-    if (demand.room.room_rad < kLeastRoom_rad) return room_reason(robot, demand.room);
-    return demand.twist_share > kMostTwist ? kTwistReason : "";
+    const double fastest_m_per_s = p.max_step_forward_m / p.step_time_s;
+    std::string why = too_much_at(p, robot, {.forward_m_per_s = fastest_m_per_s});
+    if (!why.empty()) return why;
+    return stride_demand(p, robot, fastest_m_per_s).twist_share > kMostTwist ? kTwistReason : "";
   });
+  fit_turns_and_side_steps(p, robot, log);
   shorten_steps(p, log, [&]() -> std::string {
     for (const JointTorque& torque : leg_torques(p, robot)) {
       if (JointTorque::kWalking * torque.swings_Nm <= torque.limit_Nm) continue;

@@ -16,7 +16,17 @@ namespace gaitway::trajectory {
 namespace {
 
 using urdf::LegJoint;
-constexpr std::array kJoints{LegJoint::hip_pitch, LegJoint::knee, LegJoint::ankle_pitch};
+enum Axis : std::uint8_t { kRoll, kPitch, kYaw };
+struct TriangleJoint {
+  LegJoint joint;
+  Axis about;  // of the base
+};
+constexpr std::array<TriangleJoint, 6> kJoints{{{LegJoint::hip_pitch, kPitch},
+                                                {LegJoint::knee, kPitch},
+                                                {LegJoint::ankle_pitch, kPitch},
+                                                {LegJoint::hip_yaw, kYaw},
+                                                {LegJoint::hip_roll, kRoll},
+                                                {LegJoint::ankle_roll, kRoll}}};
 using Angles = std::array<double, kJoints.size()>;
 constexpr double kSteps = 8.0;  // until the walk is steady
 
@@ -37,7 +47,8 @@ Angles angles_at(const MotionPlan& plan, std::size_t i, std::size_t side, const 
   const double knee = std::acos(std::clamp(cosine, -1.0, 1.0));
   const double hip_pitch = -std::atan2(out.x(), depth) -
                            std::atan2(leg.shin_m * std::sin(knee), leg.thigh_m + leg.shin_m * std::cos(knee));
-  return {hip_pitch, knee, -hip_pitch - knee};
+  const double hip_roll = std::atan2(out.y(), down);
+  return {hip_pitch, knee, -hip_pitch - knee, plan.foot_yaw[i][side] - plan.base_yaw[i], hip_roll, -hip_roll};
 }
 
 // What the limits of a leg's joints leave, in the angles of the triangle.
@@ -51,10 +62,10 @@ LegLimits limits_of(const urdf::RobotModel& robot, const urdf::ForwardKinematics
   const urdf::LegJoints joints(robot, home, side);
   LegLimits limits;
   for (std::size_t j = 0; j < kJoints.size(); ++j) {
-    const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(joints[kJoints[j]])];
+    const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(joints[kJoints[j].joint])];
     limits.speed_rad_per_s[j] = joint.velocity_limit_rad_per_s;
     const double to_lower = joint.lower_rad - joint.home_rad, to_upper = joint.upper_rad - joint.home_rad;
-    const bool same_way = home.joint_axis(robot, joints[kJoints[j]]).y() > 0.0;
+    const bool same_way = home.joint_axis(robot, joints[kJoints[j].joint])[kJoints[j].about] > 0.0;
     limits.lowest_rad[j] = standing_rad[j] + (same_way ? to_lower : -to_upper);
     limits.highest_rad[j] = standing_rad[j] + (same_way ? to_upper : -to_lower);
   }
@@ -167,9 +178,9 @@ class StrideWatch {
   void look_at_joints(const LegLimits& limits, const Angles& before, const Angles& now) {
     for (std::size_t j = 0; j < kJoints.size(); ++j) {
       const double share = std::abs(now[j] - before[j]) / facts::kSlot_s / limits.speed_rad_per_s[j];
-      if (share > demand_.pace.share) demand_.pace = {kJoints[j], share};
+      if (share > demand_.pace.share) demand_.pace = {kJoints[j].joint, share};
       const double room = std::min(now[j] - limits.lowest_rad[j], limits.highest_rad[j] - now[j]);
-      if (room < demand_.room.room_rad) demand_.room = {kJoints[j], room};
+      if (room < demand_.room.room_rad) demand_.room = {kJoints[j].joint, room};
     }
   }
 
@@ -181,12 +192,18 @@ class StrideWatch {
 }  // namespace
 
 StrideDemand stride_demand(const GaitParameters& parameters, const urdf::RobotModel& robot,
-                           double forward_m_per_s) {
+                           const Velocity2& velocity) {
   StrideWatch watch(parameters, robot);
   WalkCommand walk{};
   walk.walk = 1;
-  walk.velocity[0] = forward_m_per_s;
-  const double to_speed_s = parameters.lead_in_s + forward_m_per_s / parameters.forward_acceleration_m_per_s2;
+  walk.velocity[0] = velocity.forward_m_per_s;
+  walk.velocity[1] = velocity.left_m_per_s;
+  walk.turn_rate = velocity.turn_rad_per_s;
+  const double to_speed_s =
+      parameters.lead_in_s +
+      std::max({std::abs(velocity.forward_m_per_s) / parameters.forward_acceleration_m_per_s2,
+                std::abs(velocity.left_m_per_s) / parameters.lateral_acceleration_m_per_s2,
+                std::abs(velocity.turn_rad_per_s) / parameters.turn_acceleration_rad_per_s2});
   const double seconds = to_speed_s + kSteps * parameters.step_time_s;
   WalkingPattern pattern(parameters);
   const auto plan = std::make_unique<MotionPlan>();

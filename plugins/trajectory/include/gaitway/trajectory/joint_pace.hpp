@@ -2,6 +2,7 @@
 // their limits, and how much the leg in the air twists the foot on the ground.
 #pragma once
 
+#include "gaitway/trajectory/footstep_planner.hpp"
 #include "gaitway/trajectory/gait_parameters.hpp"
 #include "gaitway/urdf/leg_joints.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -28,11 +29,16 @@ struct StrideDemand {
   double twist_share = 0.0;
 };
 
-// Of hip pitch, knee and ankle pitch of both legs in a walk straight ahead, from the stand to the steady
-// steps, safe tails included. The legs are taken as two links in the plane of their motion with level soles,
-// the hips above the CoM's place in the stand. Some milliseconds; allocates.
+// Of all joints of both legs in a walk at this velocity, from the stand to the steady steps, safe tails
+// included. The legs are taken as two links in the plane of their motion with level soles, the hips above the
+// CoM's place in the stand; rolls and yaws are those of hips that yaw first and roll then. The twist is that
+// of a walk straight ahead. Some milliseconds; allocates.
 [[nodiscard]] StrideDemand stride_demand(const GaitParameters& parameters, const urdf::RobotModel& robot,
-                                         double forward_m_per_s);
+                                         const Velocity2& velocity);
+[[nodiscard]] inline StrideDemand stride_demand(const GaitParameters& parameters,
+                                                const urdf::RobotModel& robot, double forward_m_per_s) {
+  return stride_demand(parameters, robot, Velocity2{.forward_m_per_s = forward_m_per_s});
+}
 
 [[nodiscard]] inline JointPace fastest_joint(const GaitParameters& parameters, const urdf::RobotModel& robot,
                                              double forward_m_per_s) {
