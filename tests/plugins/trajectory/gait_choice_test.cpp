@@ -11,6 +11,8 @@
 #include "gaitway/trajectory/joint_pace.hpp"
 #include "gaitway/trajectory/joint_torque.hpp"
 #include "gaitway/trajectory/robot_gait.hpp"
+#include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::trajectory {
 namespace {
@@ -80,6 +82,38 @@ TEST(ChooseGait, KeepsWhatItWasChosenFor) {
   EXPECT_GE(demand.room.room_rad, 0.029);
   EXPECT_LE(demand.twist_share, 0.501);
   EXPECT_LE(demand.pace.share, 0.921);
+}
+
+// A hip that yaws slowly turns the body slowly; without that its batches would be refused.
+TEST(ChooseGait, ASlowHipYawLimitsTheTurnAlone) {
+  urdf::RobotModel robot = chosen_robot();
+  const GaitParameters usual = choose_gait(robot).parameters;
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name.ends_with("hip_yaw")) joint.velocity_limit_rad_per_s = 1.0;
+  }
+  const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const turn = gait.choice("max_step_turn");
+  ASSERT_NE(turn, nullptr);
+  EXPECT_LT(turn->chosen, 0.5 * turn->scaled);
+  EXPECT_GT(turn->chosen, 0.02);
+  EXPECT_THAT(turn->reasons.front(), AllOf(HasSubstr("speed: the hip yaw"), HasSubstr("1 rad/s")));
+  EXPECT_EQ(gait.parameters.max_step_forward_m, usual.max_step_forward_m);
+}
+
+TEST(ChooseGait, NarrowHipRollsLimitTheSideStep) {
+  urdf::RobotModel robot = chosen_robot();
+  const urdf::ForwardKinematics home(robot);
+  for (const urdf::Side side : urdf::kSides) {
+    const int index = urdf::LegJoints(robot, home, side)[urdf::LegJoint::hip_roll];
+    urdf::Joint& roll = robot.joints[static_cast<std::size_t>(index)];
+    roll.lower_rad = roll.home_rad - 0.17;
+    roll.upper_rad = roll.home_rad + 0.17;
+  }
+  const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const spacing = gait.choice("max_foot_spacing");
+  ASSERT_NE(spacing, nullptr);
+  EXPECT_LT(spacing->chosen, spacing->scaled);
+  EXPECT_THAT(spacing->reasons.front(), HasSubstr("limit: the hip roll"));
 }
 
 TEST(ChooseGait, NamesTheByteOnTheWire) {
