@@ -34,7 +34,7 @@ std::string described(const RobotCheckOutcome& outcome, double speed_m_per_s) {
   std::string text =
       fmt::format("  seed {:<4} stands: {}", outcome.seed, stage(Reached::stand, kStandUntil_s));
   if (outcome.trembles)
-    text += fmt::format(" but trembles with {:.2f} rad/s", outcome.stand_turn_rate_rad_per_s);
+    text += fmt::format(", trembles with {:.2f} rad/s", outcome.stand_turn_rate_rad_per_s);
   if (outcome.reached >= Reached::stand) {
     text += fmt::format(", steps: {}", stage(Reached::steps, kStepsUntil_s));
   }
@@ -77,6 +77,9 @@ int check(const CheckOptions& options) {
     all_walk = all_walk && outcome.walks();
     any_fell = any_fell || outcome.fell;
   }
+  if (!options.quiet && !all_walk) {
+    fmt::print("  what limits it: gaitway robot describe {}\n", options.robot.string());
+  }
   return any_fell ? kExitFell : all_walk ? kExitFine : kExitNotDone;
 }
 
@@ -88,8 +91,10 @@ void add_robot_check(const CommandLine& robot) {
   CheckOptions& options = command.runs(check);
   command.option("robot", options.robot, "Folder with robot.urdf and robot.yaml").required();
   command.option("--seeds", options.seeds, "Robots to try, each with its own deviations").between(1, 1000);
-  command.option("--speed", options.speed_m_per_s,
-                 "Walking speed [m/s] (default: 0.14 sqrt(g h) of its hip height)");
+  command
+      .option("--speed", options.speed_m_per_s,
+              "Walking speed, negative: backward [m/s] (default: 0.14 sqrt(g h) of its hip height)")
+      .between(-10.0, 10.0);
   command.option("--seconds", options.seconds, "How long it walks [s]").between(1.0, 3600.0);
   command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       .between(0.0, 10.0);
@@ -101,7 +106,7 @@ void add_robot_check(const CommandLine& robot) {
       "  gaitway robot check robots/g1 --seeds 5 --seconds 60 --speed 0.5\n"
       "Exit code: 0 it walks with each seed, 2 it fell with one, 3 it stayed up, but held less than 80 % of "
       "the speed or\n"
-      "more than a tenth of its batches were refused, 1 the folder was bad and nothing moved.");
+      "more than a tenth of its batches were refused or lacking, 1 the folder was bad and nothing moved.");
 }
 
 }  // namespace gaitway::tools

@@ -35,6 +35,9 @@ void add_robot_describe(const CommandLine& robot) {
   command.option("robot", options.robot, "Folder with robot.urdf and robot.yaml").required();
   command.option("--json", options.json, "For programs");
   command.footer(
+      "Examples:\n"
+      "  gaitway robot describe robots/g1\n"
+      "  gaitway robot describe robots/g1 --json > g1.json\n"
       "Exit code: 0 it can walk, 3 it cannot, and the last lines say why; 1 the robot does not load.");
 }
 

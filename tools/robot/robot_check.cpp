@@ -14,7 +14,7 @@ namespace gaitway::tools {
 namespace {
 
 constexpr double kHeld = 0.8;         // of the commanded speed: else it does not walk
-constexpr double kMostRefused = 0.1;  // of the batches
+constexpr double kMostLacking = 0.1;  // of the batches
 constexpr double kGathersSpeed_s = 3.0;
 constexpr double kSettles_s = 2.0;
 constexpr double kTrembles = 0.05;  // of sqrt(g / h): fifteen times what humanoid22 turns at rest
@@ -88,10 +88,13 @@ RobotCheckOutcome check_robot(const urdf::RobotModel& robot, std::uint64_t seed,
   outcome.refused =
       run.main_controller().statistics().refused_locally + run.message_controller().state().refused;
   outcome.first_refusal = first_warning(run.main_controller().events());
-  const bool held = outcome.speed_m_per_s >= kHeld * options.speed_m_per_s;
-  const bool refused_much = static_cast<double>(outcome.refused) >
-                            kMostRefused * static_cast<double>(outcome.batches + outcome.refused);
-  if (outcome.reached == Reached::walk && (!held || refused_much)) outcome.reached = Reached::steps;
+  const double ahead = std::copysign(1.0, options.speed_m_per_s);
+  const bool held = options.speed_m_per_s == 0.0 ||
+                    ahead * outcome.speed_m_per_s >= kHeld * std::abs(options.speed_m_per_s);
+  // After a refused batch a safe tail plays, in which there are none.
+  const double cycles = static_cast<double>(run.now_ns()) / static_cast<double>(facts::kCycle_ns);
+  const bool lacks_many = static_cast<double>(outcome.batches) < (1.0 - kMostLacking) * cycles;
+  if (outcome.reached == Reached::walk && (!held || lacks_many)) outcome.reached = Reached::steps;
   return outcome;
 }
 

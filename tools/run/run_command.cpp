@@ -321,7 +321,8 @@ void add_run(const CommandLine& program) {
       "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
       "Exit code: 0 the robot stayed up and did what it was asked, 2 it fell, 3 it stayed up, but walked or "
       "turned less than\n"
-      "half of what was commanded, or more than a tenth of its batches were refused, or it had none; 1 the "
+      "half of what was commanded (start-ups not counted), or more than a tenth of its batches were refused, "
+      "or it had none; 1 the "
       "input was bad\n"
       "and nothing moved.");
 }
