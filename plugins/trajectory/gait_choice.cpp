@@ -35,8 +35,9 @@ constexpr double kLeastRoom_rad = 0.03;  // to the limits, for balance and load
 constexpr double kMuchRoom_rad = 0.2;    // less than it may have: like twice the speed that it may have
 // Of what a sole bears. Beyond it, robots turn on their feet; at 0.65 they fall.
 constexpr double kMostTwist = 0.5;
-constexpr double kSameHeight = 1e-3;    // of the hip height
-constexpr double kLongestStep_s = 1.0;  // that the parameter may be
+constexpr double kSameHeight = 1e-3;  // of the hip height
+// What the parameters may be.
+constexpr double kQuickestStep_s = 0.2, kLongestStep_s = 1.0, kQuickestSwing_s = 0.1;
 // Of the scaled defaults.
 constexpr double kFastLift = 0.85, kGoodLift = 0.6, kLeastLift = 0.3;
 constexpr double kQuickestStep = 0.75, kSlowestStep = 1.6, kSlowestFastStep = 1.15;
@@ -187,8 +188,9 @@ constexpr const char* kTwistReason = "ground: heavy legs in the air twist the fo
 // What a push makes of a swing is as much quicker or slower as the step.
 void scale_adjusted_swings(GaitParameters& p, const GaitParameters& wanted) {
   const double slower = p.step_time_s / wanted.step_time_s;
-  p.adjust_shortest_swing_s *= slower;
-  p.adjust_longest_swing_s *= slower;
+  p.adjust_shortest_swing_s =
+      std::clamp(slower * p.adjust_shortest_swing_s, kQuickestSwing_s, kLongestStep_s);
+  p.adjust_longest_swing_s = std::clamp(slower * p.adjust_longest_swing_s, kQuickestSwing_s, kLongestStep_s);
 }
 
 // A speed at which a walk is to ask no more than this.
@@ -203,10 +205,11 @@ struct Excess {
 };
 
 Excess excess_of(const GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals) {
+  constexpr double kHopeless = 1e6;
   Excess excess;
   double largest = 0.0;
   const auto add = [&](double share, const auto& reason) {
-    const double beyond = std::max(0.0, share - 1.0);
+    const double beyond = std::isfinite(share) ? std::max(0.0, share - 1.0) : kHopeless;
     excess.sum += beyond;
     if (beyond <= largest) return;
     largest = beyond;
@@ -265,7 +268,7 @@ bool ease(GaitParameters& p, const StepBounds& bounds, Excess& excess, const aut
     GaitParameters next = p;
     if (!change(next)) continue;
     Excess then = ask(next);
-    if (then.sum > 0.0 && then.sum > excess.sum - kWorth) continue;
+    if (then.sum > 0.0 && !(then.sum < excess.sum - kWorth)) continue;
     p = next;
     excess = std::move(then);
     return true;
@@ -293,7 +296,8 @@ void fit_step(GaitParameters& p, const urdf::RobotModel& robot, ChoiceLog& log) 
       {{kUsualSpeed_m_per_s * larger, kUsualShare, kMostTwist},
        {std::min(kEverydaySpeed_m_per_s * larger, longest_m_per_s), kFastestShare, kMostTwist},
        {std::min(kFastSpeed_m_per_s * larger, longest_m_per_s), kFastestShare, kMostTwist}}};
-  const double quickest_s = kQuickestStep * wanted.step_time_s, fast_lift_m = kFastLift * wanted.lift_m;
+  const double quickest_s = std::max(kQuickestStep * wanted.step_time_s, kQuickestStep_s);
+  const double fast_lift_m = kFastLift * wanted.lift_m;
   ease_step(p, robot, std::span(goals).first(2),
             {kGoodLift * wanted.lift_m, kLeastLift * wanted.lift_m, quickest_s,
              std::min(kSlowestStep * wanted.step_time_s, kLongestStep_s)},

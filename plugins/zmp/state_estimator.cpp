@@ -14,11 +14,11 @@ constexpr double kLeastForceShare = 0.02;  // of the body weight: with less, a Z
 // Without joint states the pendulum is predicted, but it is unstable: after so many ticks the CoM is held.
 constexpr int kMostBlindTicks = 10;
 constexpr int kLongestGapSlots = 10;  // of the IMU; after a longer one, roll and pitch start anew
-// Of the accelerometer, one sample, where its length says nothing. A walk's accelerations are alike from one
+// Of the accelerometer, one sample. A walk's accelerations are alike from one
 // sample to the next, so it is taken for larger than it is.
-constexpr double kRestlessTilt_rad = 0.2;  // of one sample while the body is accelerated
-constexpr double kRest_m_per_s2 = 1.0;     // from gravity, of a body that is hardly accelerated
-constexpr double kLevelSoles_rad = 0.02;   // deviation of soles on a floor, by joint zeros and the floor
+constexpr double kRestlessTilt_rad = 0.2;
+constexpr double kRest_m_per_s2 = 1.0;    // from gravity, of a body that is hardly accelerated
+constexpr double kLevelSoles_rad = 0.02;  // deviation of soles on a floor, by joint zeros and the floor
 constexpr double kGainsaid_rad = 0.35;
 
 const EstimatorParameters& checked(const EstimatorParameters& parameters) {
@@ -98,7 +98,7 @@ void StateEstimator::correct_by_accelerometer(const Eigen::Vector3d& force_m_per
     attitude_.correct_tilt(level ? on_soles : *tilt_rad, level ? kLevelSoles_rad : kRestlessTilt_rad);
   }
   const double off_m_per_s2 = std::abs(force_m_per_s2.norm() - kGravity_m_per_s2);
-  if (off_m_per_s2 > parameters_.accelerometer_band_m_per_s2) return;
+  if (!(off_m_per_s2 <= parameters_.accelerometer_band_m_per_s2)) return;
   attitude_.correct_by_force(force_m_per_s2 / kGravity_m_per_s2, kRestlessTilt_rad);
 }
 

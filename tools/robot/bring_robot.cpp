@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -26,14 +27,24 @@ std::size_t joints_on_bus(urdf::RobotModel robot) {
 double fastest_m_per_s(urdf::RobotModel robot, const importer::HomePosture& home) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) robot.joints[i].home_rad = home.angle_rad[i];
   robot.hip_height_m = home.hip_height_m;
-  const trajectory::GaitParameters gait = trajectory::gait_of(robot);
   try {
+    const trajectory::GaitParameters gait = trajectory::gait_of(robot);
     gait.validate();
     trajectory::require_walkable(gait, robot);
+    return gait.max_step_forward_m / gait.step_time_s;
   } catch (const std::invalid_argument&) {
     return 0.0;
   }
-  return gait.max_step_forward_m / gait.step_time_s;
+}
+
+// None: its joints do not let it stand so.
+std::optional<importer::ImportedRobot> stand_with_knees_bent(const importer::ImportedRobot& robot,
+                                                             double bend_rad) {
+  try {
+    return importer::with_knees_bent(robot, bend_rad);
+  } catch (const input::InputError&) {
+    return std::nullopt;
+  }
 }
 
 // Straighter knees leave ankles more room and legs less reach: the stand from which the robot walks fastest;
@@ -48,11 +59,12 @@ importer::ImportedRobot with_best_stand(const importer::ImportedRobot& imported,
   const double enough = kFastEnough_m_per_s * robot.body_scale().factor("m/s");
   for (double bend = imported.home.knee_bend_rad - kStep_rad; bend > kStraightest_rad && fastest < enough;
        bend -= kStep_rad) {
-    importer::ImportedRobot straighter = importer::with_knees_bent(imported, bend);
-    const double speed = fastest_m_per_s(robot, straighter.home);
+    std::optional<importer::ImportedRobot> straighter = stand_with_knees_bent(imported, bend);
+    if (!straighter) break;
+    const double speed = fastest_m_per_s(robot, straighter->home);
     if (speed <= kWorthwhile * fastest) continue;
     fastest = speed;
-    best = std::move(straighter);
+    best = std::move(*straighter);
   }
   if (best.home.knee_bend_rad < imported.home.knee_bend_rad) {
     constexpr double kDegree = 180.0 / std::numbers::pi;

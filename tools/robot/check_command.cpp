@@ -95,7 +95,8 @@ void add_robot_check(const CommandLine& robot) {
       .option("--speed", options.speed_m_per_s,
               "Walking speed, negative: backward [m/s] (default: 0.14 sqrt(g h) of its hip height)")
       .between(-10.0, 10.0);
-  command.option("--seconds", options.seconds, "How long it walks [s]").between(1.0, 3600.0);
+  command.option("--seconds", options.seconds, "How long it walks [s]; its speed counts from the third on")
+      .between(4.0, 3600.0);
   command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       .between(0.0, 10.0);
   command.option("--config", options.config, "Plug-ins of the main controller (YAML)");

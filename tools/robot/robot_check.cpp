@@ -82,8 +82,9 @@ RobotCheckOutcome check_robot(const urdf::RobotModel& robot, std::uint64_t seed,
   outcome.fell_at_s = metrics.fell_at_s;
   outcome.drift_m = metrics.lateral_drift_m();
   outcome.stand_turn_rate_rad_per_s = stand_turn_rate_rad_per_s.value();
-  outcome.trembles = outcome.stand_turn_rate_rad_per_s >
-                     kTrembles * std::sqrt(facts::kGravity_m_per_s2 / robot.hip_height_m);
+  outcome.trembles = outcome.reached >= Reached::stand &&
+                     outcome.stand_turn_rate_rad_per_s >
+                         kTrembles * std::sqrt(facts::kGravity_m_per_s2 / robot.hip_height_m);
   outcome.batches = run.main_controller().statistics().handed_over;
   outcome.refused =
       run.main_controller().statistics().refused_locally + run.message_controller().state().refused;

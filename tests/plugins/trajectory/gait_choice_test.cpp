@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/leg_joints.hpp"
+#include "robots/robot_variants.hpp"
 
 namespace gaitway::trajectory {
 namespace {
@@ -114,6 +116,30 @@ TEST(ChooseGait, NarrowHipRollsLimitTheSideStep) {
   ASSERT_NE(spacing, nullptr);
   EXPECT_LT(spacing->chosen, spacing->scaled);
   EXPECT_THAT(spacing->reasons.front(), HasSubstr("limit: the hip roll"));
+}
+
+// No search goes on for ever, or leaves what the parameters may be.
+TEST(ChooseGait, EndsAlsoWhereNothingHelps) {
+  urdf::RobotModel robot = chosen_robot();
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name.ends_with("knee")) joint.velocity_limit_rad_per_s = 1e-320;
+  }
+  EXPECT_NO_THROW(choose_gait(robot).parameters.validate());
+}
+
+TEST(ChooseGait, KeepsToWhatTheParametersMayBeOnASmallBody) {
+  test::RobotVariant variant;
+  variant.scale(0.63);
+  urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  robot.contact.friction = 3.0;
+  for (urdf::Joint& joint : robot.joints) {
+    if (!joint.name.ends_with("hip_pitch") && !joint.name.ends_with("ankle_pitch")) continue;
+    joint.lower_rad = std::max(joint.lower_rad, -0.5);
+    joint.upper_rad = std::min(joint.upper_rad, 0.5);
+  }
+  ChosenGait gait;
+  ASSERT_NO_THROW(gait = choose_gait(robot));
+  EXPECT_NO_THROW(gait.parameters.validate());
 }
 
 TEST(ChooseGait, NamesTheByteOnTheWire) {
