@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,7 +19,6 @@ namespace gaitway::tools {
 namespace {
 
 constexpr std::array kShares{1.0, 0.9, 0.8, 0.7, 0.6, 0.5};
-constexpr const char* kFirstWords = "# Adapted from ";
 
 struct Adapted {
   std::string text;
@@ -69,15 +67,10 @@ Adapted adapt_as_large_as_possible(const urdf::RobotModel& from, const motion::M
       too_large));
 }
 
-void require_no_own_file(const std::filesystem::path& file) {
-  std::ifstream there(file);
-  std::string line;
-  if (there && !(std::getline(there, line) && line.starts_with(kFirstWords))) {
-    throw std::invalid_argument(fmt::format(
-        "{}: there is such a motion already, and it was not adapted from another one. Name another "
-        "folder with --out, or remove it",
-        file.string()));
-  }
+void require_nothing_there(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file))) return;
+  throw std::invalid_argument(fmt::format(
+      "{}: is there already. Give --force to replace it, or name another folder with --out", file.string()));
 }
 
 }  // namespace
@@ -86,12 +79,15 @@ void adapt_motion_file(const AdaptOptions& options) {
   const urdf::RobotModel from = urdf::load_robot(options.from), to = urdf::load_robot(options.robot);
   const motion::Motion original = motion::read_motion(options.motion, from);
   const std::filesystem::path file = options.out / (original.name + ".yaml");
-  require_no_own_file(file);
+  const std::filesystem::path table = options.out / (original.name + trajectory::kMotionTableEnding);
+  if (!options.force) {
+    require_nothing_there(file);
+    require_nothing_there(table);
+  }
   const Adapted made = adapt_as_large_as_possible(from, original, to, file);
   std::filesystem::create_directories(options.out);
   process::write_text_file(file, made.text);
-  trajectory::write_motion_table(made.prepared.table,
-                                 options.out / (original.name + trajectory::kMotionTableEnding));
+  trajectory::write_motion_table(made.prepared.table, table);
   for (std::size_t end = 0, begin = 0; made.text[begin] == '#'; begin = end + 1) {
     end = made.text.find('\n', begin);
     fmt::print("{}\n", made.text.substr(begin + 2, end - begin - 2));

@@ -71,6 +71,7 @@ struct MotionOptions {
   std::filesystem::path robot, from;
   std::filesystem::path out;
   int pictures = 8;
+  bool force = false;
 };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -220,7 +221,8 @@ int adapt(const MotionOptions& options) {
                     options.robot.string()));
   }
   adapt_motion_file({file_of(options, process::motion_directory(options.from)), options.from, options.robot,
-                     options.out.empty() ? process::motion_directory(options.robot) : options.out});
+                     options.out.empty() ? process::motion_directory(options.robot) : options.out,
+                     options.force});
   return 0;
 }
 
@@ -258,6 +260,7 @@ void declare_program(const CommandLine& app) {
   other.option("--robot", options.robot, "Folder of the robot that shall play it").required();
   other.option("--from", options.from, "Folder of the robot that the motion was made for");
   other.option("--out", options.out, "Folder; otherwise motions/ of the robot's folder");
+  other.option("--force", options.force, "Replace NAME.yaml and NAME.motion that are there already");
   other.runs([given] { return adapt(*given); });
   other.footer(
       "Joints are matched by what they do: legs, arms, waist and neck by axis and place at home, never by "
@@ -269,9 +272,9 @@ void declare_program(const CommandLine& app) {
       "  gaitway motion adapt kick --robot my_robot\n"
       "  gaitway motion adapt get_up_front --robot my_robot --out trial\n"
       "  gaitway motion adapt dance.yaml --from first_robot --robot second_robot\n"
-      "Exit code: 0 planned within all limits and written, 1 it does not go on this robot, or the input was "
-      "bad: "
-      "nothing is\nwritten.");
+      "Exit code: 0 planned within all limits and written, 1 it does not go on this robot, it is there "
+      "already, "
+      "or the input\nwas bad: nothing is written.");
   const CommandLine film = add("draw", "A film strip of the planned motion", draw);
   film.option("--out", options.out, "PNG file; otherwise NAME.png");
   film.option("--pictures", options.pictures, "How many").between(2, 64);
