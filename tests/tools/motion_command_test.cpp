@@ -75,5 +75,12 @@ TEST_F(MotionAdapt, ReplacesNothingUnlessItIsForced) {
   EXPECT_EQ(text_of(file("motions/bow.yaml")), adapted);
 }
 
+TEST_F(MotionAdapt, LeavesTorqueToTheBalance) {
+  robot_.scale(1.4);
+  ASSERT_EQ(run("motion adapt squat"), 0) << complaint_;
+  EXPECT_THAT(text_of(file("motions/squat.yaml")), HasSubstr("torque_share: 0.57"));
+  EXPECT_EQ(run("motion check squat"), 0) << "planned in the same way: " << complaint_;
+}
+
 }  // namespace
 }  // namespace gaitway::tools

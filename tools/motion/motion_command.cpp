@@ -127,7 +127,8 @@ int list(const MotionOptions& options) {
 
 int show(const MotionOptions& options) {
   const Loaded loaded = load(options);
-  const auto postures = motion::key_postures(loaded.robot, loaded.motion, {});
+  const auto postures =
+      motion::key_postures(loaded.robot, loaded.motion, motion::limits_of(loaded.motion, {}));
   fmt::print("{}: {}\n", loaded.motion.name, loaded.motion.description);
   const std::size_t first = postures.size() - loaded.motion.keys.size();
   for (std::size_t i = 0; i < loaded.motion.keys.size(); ++i) {
