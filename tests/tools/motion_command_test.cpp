@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using test::text_of;
 
@@ -80,6 +81,17 @@ TEST_F(MotionAdapt, LeavesTorqueToTheBalance) {
   ASSERT_EQ(run("motion adapt squat"), 0) << complaint_;
   EXPECT_THAT(text_of(file("motions/squat.yaml")), HasSubstr("torque_share: 0.57"));
   EXPECT_EQ(run("motion check squat"), 0) << "planned in the same way: " << complaint_;
+}
+
+TEST_F(MotionAdapt, SaysThatNothingIsChanged) {
+  ASSERT_EQ(run("motion adapt bow"), 0) << complaint_;
+  EXPECT_THAT(said_, AllOf(HasSubstr("Changed: nothing\n"), Not(HasSubstr("nothing else"))));
+}
+
+TEST_F(MotionAdapt, NamesTheMotionAndItsRobotAndNoFileThatIsNotThere) {
+  robot_.limit_torque(0.4);
+  EXPECT_EQ(run("motion adapt squat"), 1);
+  EXPECT_THAT(complaint_, AllOf(HasSubstr("'squat' on the robot '"), Not(HasSubstr(".yaml"))));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/trajectory/motion_table.hpp"
+#include "tools/command_line.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -30,7 +31,7 @@ std::vector<std::string> comments_of(const motion::AdaptedMotion& adapted, const
                                      const std::string& to, double share, const std::string& too_large) {
   std::vector<std::string> comments{
       fmt::format("Adapted from {}'s {} for {} by `gaitway motion adapt`: lengths times {:.4g}, times times "
-                  "{:.4g}. Changed:",
+                  "{:.4g}.",
                   from, adapted.motion.name, to, adapted.length_factor, adapted.time_factor)};
   for (const std::string& change : adapted.changes) comments.push_back("- " + change);
   if (share < 1.0)
@@ -40,7 +41,7 @@ std::vector<std::string> comments_of(const motion::AdaptedMotion& adapted, const
         "- on the ground neither balance nor torque is planned: see it in the simulator before the robot "
         "plays it");
   }
-  if (comments.size() == 1) comments.emplace_back("- nothing else");
+  comments.front() += comments.size() == 1 ? " Changed: nothing" : " Changed:";
   return comments;
 }
 
@@ -48,23 +49,31 @@ std::vector<std::string> comments_of(const motion::AdaptedMotion& adapted, const
 // none does.
 Adapted adapt_as_large_as_possible(const urdf::RobotModel& from, const motion::Motion& original,
                                    const urdf::RobotModel& to, const std::filesystem::path& file) {
-  std::string too_large;
+  const ProgressLine progress(true);
+  std::string too_large, still_too_large;
   for (const double share : kShares) {
     motion::AdaptedMotion adapted = motion::adapt_motion(from, original, to, share);
     std::string text =
         motion::motion_text(adapted.motion, to, comments_of(adapted, from.name, to.name, share, too_large));
-    const motion::Motion read = motion::parse_motion(text, file, to);
+    motion::Motion read = motion::parse_motion(text, file, to);
+    // The file may never be written: what is refused is called by names that are there.
+    for (motion::Key& key : read.keys)
+      key.where = fmt::format("motion '{}' on the robot '{}': key '{}'", read.name, to.name, key.name);
+    progress.show(fmt::format("  planning it {:g} times as large ", share));
     try {
       return {std::move(text), std::move(adapted), motion::prepare_motion(to, read, {})};
     } catch (const motion::MotionError& error) {
       if (too_large.empty()) too_large = error.what();
+      still_too_large = error.what();
       if (motion::is_on_ground(original)) break;
     }
   }
+  std::string why = too_large;
+  if (still_too_large != too_large)
+    why += fmt::format("; {:g} times as large: {}", kShares.back(), still_too_large);
   throw motion::MotionError(fmt::format(
       "motion '{}' does not go on the robot '{}'{}: {}", original.name, to.name,
-      motion::is_on_ground(original) ? "" : fmt::format(", even {:g} times as large", kShares.back()),
-      too_large));
+      motion::is_on_ground(original) ? "" : fmt::format(", even {:g} times as large", kShares.back()), why));
 }
 
 void require_nothing_there(const std::filesystem::path& file) {
