@@ -13,6 +13,7 @@ namespace gaitway::tools {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -92,6 +93,17 @@ TEST_F(MotionAdapt, NamesTheMotionAndItsRobotAndNoFileThatIsNotThere) {
   robot_.limit_torque(0.4);
   EXPECT_EQ(run("motion adapt squat"), 1);
   EXPECT_THAT(complaint_, AllOf(HasSubstr("'squat' on the robot '"), Not(HasSubstr(".yaml"))));
+}
+
+TEST(MotionHelp, GivesExamplesAndExitCodesAndNoDefaultOfWhatIsRequired) {
+  for (const std::string part : {"list", "show", "plan", "check", "draw", "prepare", "adapt"}) {
+    const test::CommandRun help =
+        test::run_command(std::string(GAITWAY_COMMAND) + " motion " + part + " --help");
+    EXPECT_THAT(help.said,
+                AllOf(HasSubstr("Example"), HasSubstr("gaitway motion " + part), HasSubstr("Exit code: 0 ")))
+        << part;
+    EXPECT_THAT(help.said, Not(ContainsRegex("=[^ ]+ REQUIRED"))) << part;
+  }
 }
 
 }  // namespace
