@@ -58,6 +58,7 @@ TEST(MotionFile, TorqueShareLimitsWhatIsPlannedAndNeverLoosensIt) {
   EXPECT_LE(limit_of(0.6).first, 0.6);
   EXPECT_LE(limit_of(0.6).second, 0.0) << "and that is kept";
   EXPECT_LE(limit_of(1.0).first, MotionLimits{}.torque_share);
+  EXPECT_THROW(limit_of(0.05), MotionError) << "too little to hold still";
 }
 
 TEST(MotionFile, NamesFileLineFieldAndRemedyOfAWrongOne) {
