@@ -185,6 +185,7 @@ int parse_and_run(int argc, char** argv, void (*declare)(const CommandLine& prog
 
 Option Option::required() const {
   option_->required();
+  option_->default_str("");  // which nobody gets
   return *this;
 }
 

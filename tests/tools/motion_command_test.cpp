@@ -13,7 +13,9 @@ namespace gaitway::tools {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using test::text_of;
 
@@ -48,7 +50,6 @@ TEST_F(MotionAdapt, GivesTheRobotAMotionThatItPlays) {
   EXPECT_EQ(run(show), 0) << complaint_;
   EXPECT_EQ(run("motion list"), 0);
   EXPECT_THAT(said_, HasSubstr("Waves with the left hand"));
-  EXPECT_EQ(run("motion adapt wave"), 0) << "what was adapted may be adapted again";
 }
 
 TEST_F(MotionAdapt, SaysByNameWhatDoesNotGoAndWritesNothing) {
@@ -60,12 +61,49 @@ TEST_F(MotionAdapt, SaysByNameWhatDoesNotGoAndWritesNothing) {
   EXPECT_THAT(complaint_, HasSubstr("there is no such motion"));
 }
 
-TEST_F(MotionAdapt, OverwritesNothingOfPeoplesOwn) {
-  std::filesystem::create_directory(file("motions"));
-  std::ofstream(file("motions/wave.yaml")) << "name: wave\n";
-  EXPECT_EQ(run("motion adapt wave"), 1);
-  EXPECT_THAT(complaint_, HasSubstr("was not adapted"));
-  EXPECT_EQ(text_of(file("motions/wave.yaml")), "name: wave\n");
+TEST_F(MotionAdapt, ReplacesNothingUnlessItIsForced) {
+  ASSERT_EQ(run("motion adapt bow"), 0) << complaint_;
+  const std::string adapted = text_of(file("motions/bow.yaml")), table = text_of(file("motions/bow.motion"));
+  std::ofstream(file("motions/bow.yaml")) << adapted << "# a word of mine\n";
+  EXPECT_EQ(run("motion adapt bow"), 1);
+  EXPECT_THAT(complaint_,
+              AllOf(HasSubstr("motions/bow.yaml: is there already"), HasSubstr("--force to replace it")));
+  EXPECT_EQ(text_of(file("motions/bow.yaml")), adapted + "# a word of mine\n");
+  EXPECT_EQ(text_of(file("motions/bow.motion")), table);
+  std::filesystem::remove(file("motions/bow.yaml"));
+  EXPECT_EQ(run("motion adapt bow"), 1) << "what the robot plays is not replaced, either";
+  EXPECT_THAT(complaint_, HasSubstr("motions/bow.motion: is there already"));
+  EXPECT_EQ(run("motion adapt bow --force"), 0) << complaint_;
+  EXPECT_EQ(text_of(file("motions/bow.yaml")), adapted);
+}
+
+TEST_F(MotionAdapt, LeavesTorqueToTheBalance) {
+  robot_.scale(1.4);
+  ASSERT_EQ(run("motion adapt squat"), 0) << complaint_;
+  EXPECT_THAT(text_of(file("motions/squat.yaml")), HasSubstr("torque_share: 0.57"));
+  EXPECT_EQ(run("motion check squat"), 0) << "planned in the same way: " << complaint_;
+}
+
+TEST_F(MotionAdapt, SaysThatNothingIsChanged) {
+  ASSERT_EQ(run("motion adapt bow"), 0) << complaint_;
+  EXPECT_THAT(said_, AllOf(HasSubstr("Changed: nothing\n"), Not(HasSubstr("nothing else"))));
+}
+
+TEST_F(MotionAdapt, NamesTheMotionAndItsRobotAndNoFileThatIsNotThere) {
+  robot_.limit_torque(0.4);
+  EXPECT_EQ(run("motion adapt squat"), 1);
+  EXPECT_THAT(complaint_, AllOf(HasSubstr("'squat' on the robot '"), Not(HasSubstr(".yaml"))));
+}
+
+TEST(MotionHelp, GivesExamplesAndExitCodesAndNoDefaultOfWhatIsRequired) {
+  for (const std::string part : {"list", "show", "plan", "check", "draw", "prepare", "adapt"}) {
+    const test::CommandRun help =
+        test::run_command(std::string(GAITWAY_COMMAND) + " motion " + part + " --help");
+    EXPECT_THAT(help.said,
+                AllOf(HasSubstr("Example"), HasSubstr("gaitway motion " + part), HasSubstr("Exit code: 0 ")))
+        << part;
+    EXPECT_THAT(help.said, Not(ContainsRegex("=[^ ]+ REQUIRED"))) << part;
+  }
 }
 
 }  // namespace

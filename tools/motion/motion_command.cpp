@@ -71,6 +71,7 @@ struct MotionOptions {
   std::filesystem::path robot, from;
   std::filesystem::path out;
   int pictures = 8;
+  bool force = false;
 };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -126,7 +127,8 @@ int list(const MotionOptions& options) {
 
 int show(const MotionOptions& options) {
   const Loaded loaded = load(options);
-  const auto postures = motion::key_postures(loaded.robot, loaded.motion, {});
+  const auto postures =
+      motion::key_postures(loaded.robot, loaded.motion, motion::limits_of(loaded.motion, {}));
   fmt::print("{}: {}\n", loaded.motion.name, loaded.motion.description);
   const std::size_t first = postures.size() - loaded.motion.keys.size();
   for (std::size_t i = 0; i < loaded.motion.keys.size(); ++i) {
@@ -220,7 +222,8 @@ int adapt(const MotionOptions& options) {
                     options.robot.string()));
   }
   adapt_motion_file({file_of(options, process::motion_directory(options.from)), options.from, options.robot,
-                     options.out.empty() ? process::motion_directory(options.robot) : options.out});
+                     options.out.empty() ? process::motion_directory(options.robot) : options.out,
+                     options.force});
   return 0;
 }
 
@@ -233,22 +236,31 @@ void declare_program(const CommandLine& app) {
   command.needs_subcommand();
   options.robot = process::default_robot_directory();
   options.from = options.robot;
-  const auto add = [&](const char* name, const char* text, int (*run)(const MotionOptions&),
-                       bool of_one = true) {
+  const auto add = [&](const char* name, const char* text, const char* examples, const char* done,
+                       int (*run)(const MotionOptions&), bool of_one = true) {
     const CommandLine sub = command.subcommand(name, text);
     if (of_one) sub.option("motion", options.motion, "Name of a motion, or its file").required();
     sub.option("--motions", options.folder,
                "Folder with the motions; otherwise motions/ of the robot's folder");
     sub.option("--robot", options.robot, "Folder of the robot's description");
+    sub.footer(fmt::format("Examples:\n{}Exit code: 0 {}, 1 not, or the input was bad.", examples, done));
     sub.runs([given, run] { return run(*given); });
     return sub;
   };
-  add("list", "The motions there are", list, false);
-  add("show", "Postures at the keys, with the legs as they are solved", show);
-  add("plan", "Every point as CSV", write_plan)
+  add("list", "The motions there are", "  gaitway motion list\n  gaitway motion list --robot my_robot\n",
+      "they are listed", list, false);
+  add("show", "Postures at the keys, with the legs as they are solved",
+      "  gaitway motion show squat\n  gaitway motion show my_motion.yaml --robot my_robot\n",
+      "the keys are possible and shown", show);
+  add("plan", "Every point as CSV", "  gaitway motion plan kick --out kick.csv\n",
+      "planned within all limits", write_plan)
       .option("--out", options.out, "File; otherwise to the terminal");
-  add("check", "Plan, and say how near to each limit every point comes", check);
-  add("prepare", "Plan it, and write what the robot plays: the way, and a way out of every batch", prepare)
+  add("check", "Plan, and say how near to each limit every point comes",
+      "  gaitway motion check kick\n  gaitway motion check squat --robot my_robot\n",
+      "planned within all limits", check);
+  add("prepare", "Plan it, and write what the robot plays: the way, and a way out of every batch",
+      "  gaitway motion prepare my_motion.yaml --robot my_robot --out my_robot/motions\n",
+      "planned within all limits and written", prepare)
       .option("--out", options.out, "Folder; otherwise the current one");
   const CommandLine other = command.subcommand(
       "adapt",
@@ -258,6 +270,7 @@ void declare_program(const CommandLine& app) {
   other.option("--robot", options.robot, "Folder of the robot that shall play it").required();
   other.option("--from", options.from, "Folder of the robot that the motion was made for");
   other.option("--out", options.out, "Folder; otherwise motions/ of the robot's folder");
+  other.option("--force", options.force, "Replace NAME.yaml and NAME.motion that are there already");
   other.runs([given] { return adapt(*given); });
   other.footer(
       "Joints are matched by what they do: legs, arms, waist and neck by axis and place at home, never by "
@@ -269,10 +282,13 @@ void declare_program(const CommandLine& app) {
       "  gaitway motion adapt kick --robot my_robot\n"
       "  gaitway motion adapt get_up_front --robot my_robot --out trial\n"
       "  gaitway motion adapt dance.yaml --from first_robot --robot second_robot\n"
-      "Exit code: 0 planned within all limits and written, 1 it does not go on this robot, or the input was "
-      "bad: "
-      "nothing is\nwritten.");
-  const CommandLine film = add("draw", "A film strip of the planned motion", draw);
+      "Exit code: 0 planned within all limits and written, 1 it does not go on this robot, it is there "
+      "already, "
+      "or the input\nwas bad: nothing is written.");
+  const CommandLine film = add(
+      "draw", "A film strip of the planned motion",
+      "  gaitway motion draw kick\n  gaitway motion draw my_motion.yaml --out my_motion.png --pictures 16\n",
+      "planned within all limits and drawn", draw);
   film.option("--out", options.out, "PNG file; otherwise NAME.png");
   film.option("--pictures", options.pictures, "How many").between(2, 64);
   command.footer(

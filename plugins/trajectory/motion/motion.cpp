@@ -19,6 +19,7 @@ using facts::kRadPerDegree;
 constexpr input::Range kTilt{-60.0, 60.0, "deg"};
 constexpr input::Range kShift{-1.0, 1.0, "m"};
 constexpr input::Range kHipHeight{0.02, 2.0, "m"};
+constexpr input::Range kShare{0.05, 1.0, "1"};
 constexpr input::Range kTime{0.0, 60.0, "s"};
 
 // The place of the value's text among the names.
@@ -128,10 +129,12 @@ Key read_key(const YamlValue& value, const urdf::RobotModel& robot, trajectory::
 }
 
 Motion read(const YamlValue& file, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 5> kKeys{"name", "description", "start", "lies_on", "keys"};
+  constexpr std::array<std::string_view, 6> kKeys{"name",    "description",  "start",
+                                                  "lies_on", "torque_share", "keys"};
   file.require_map(kKeys);
   Motion motion{.name = file.at("name").text(),
                 .description = file.at("description").text(),
+                .torque_share = number_in(file, "torque_share", kShare),
                 .lies_on = {},
                 .keys = {}};
   if (const auto start = file.find("start")) {

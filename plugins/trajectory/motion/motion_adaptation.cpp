@@ -11,6 +11,7 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/motion/motion_limits.hpp"
 #include "gaitway/motion/motion_path.hpp"
+#include "gaitway/trajectory/joint_torque.hpp"
 #include "gaitway/urdf/body_joints.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
@@ -22,6 +23,9 @@ using facts::kRadPerDegree;
 using urdf::BodyPart;
 using urdf::JointRole;
 
+// The balance needs the rest, as in a walk: another body is not the one whose squat was tried.
+constexpr MotionLimits kLimits{.torque_share =
+                                   MotionLimits{}.torque_share / trajectory::JointTorque::kWalking};
 constexpr double kMostBeyondStop_rad = 10.0 * kRadPerDegree;
 constexpr double kMostHeldElsewhere_rad = 45.0 * kRadPerDegree;
 constexpr double kRounding_rad = 0.01 * kRadPerDegree;  // of an angle in a file
@@ -55,6 +59,7 @@ class Adaptation {
 
   AdaptedMotion adapt() {
     adapted_.motion = original_;
+    if (!is_on_ground(original_)) adapted_.motion.torque_share = limits_of(original_, kLimits).torque_share;
     for (Key& key : adapted_.motion.keys) {
       key.hold_s *= adapted_.time_factor;
       key.min_time_s *= adapted_.time_factor;

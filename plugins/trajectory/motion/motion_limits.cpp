@@ -145,6 +145,11 @@ void PlanChecker::check_sole(std::size_t point, urdf::Side side, const Eigen::Is
 
 }  // namespace
 
+MotionLimits limits_of(const Motion& motion, MotionLimits limits) noexcept {
+  if (motion.torque_share) limits.torque_share = std::min(limits.torque_share, *motion.torque_share);
+  return limits;
+}
+
 JointLimits::JointLimits(const urdf::RobotModel& robot, const MotionLimits& limits) {
   const auto count = static_cast<Eigen::Index>(robot.joints.size());
   for (Eigen::VectorXd* const values : {&lower_rad, &upper_rad, &speed_rad_per_s, &acceleration_rad_per_s2,

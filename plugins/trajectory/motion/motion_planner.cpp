@@ -128,11 +128,12 @@ MotionPlan points_of(const urdf::RobotModel& robot, const Motion& motion, const 
 
 PlannedMotion plan_motion(const urdf::RobotModel& robot, const Motion& motion,
                           const PlannerOptions& options) {
-  MotionPath path = first_path(robot, motion, key_postures(robot, motion, options.limits), options.limits);
+  const MotionLimits limits = limits_of(motion, options.limits);
+  MotionPath path = first_path(robot, motion, key_postures(robot, motion, limits), limits);
   PlannedMotion result;
   for (const Segment& segment : path.segments) result.first_duration_s += segment.duration_s + segment.hold_s;
   for (const double penalty : kPenalties) {
-    optimise(robot, aimed_at(options.limits), {options.smoothness, penalty}, path);
+    optimise(robot, aimed_at(limits), {options.smoothness, penalty}, path);
   }
   // In growing steps: most often little or nothing is missing.
   for (double slower = 0.0; slower <= kMostSlower; slower = slower == 0.0 ? kSlowerStep : 1.6 * slower) {
@@ -140,7 +141,7 @@ PlannedMotion plan_motion(const urdf::RobotModel& robot, const Motion& motion,
     slow.stretch(1.0 + slower);
     slow.round_up_to_points();
     result.plan = points_of(robot, motion, slow);
-    result.report = check_plan(robot, result.plan, options.limits);
+    result.report = check_plan(robot, result.plan, limits);
     result.stretch = 1.0 + slower;
     if (result.report.broken() == nullptr) return result;
   }

@@ -142,7 +142,7 @@ PreparedMotion prepare_motion(const urdf::RobotModel& robot, const Motion& motio
   PreparedMotion result;
   result.planned = plan_motion(robot, motion, options);
   const MotionPlan plan = in_whole_batches(robot, result.planned.plan);
-  const ExitPlan exits = plan_exits(robot, plan, options.limits);
+  const ExitPlan exits = plan_exits(robot, plan, limits_of(motion, options.limits));
   trajectory::MotionTable& table = result.table;
   table.name = motion.name;
   table.description = motion.description;

@@ -107,6 +107,7 @@ std::string motion_text(const Motion& motion, const urdf::RobotModel& robot,
   text += fmt::format("name: {}\ndescription: {}\n", quoted(motion.name), quoted(motion.description));
   if (motion.starts_at_first_key) text += "start: first_key\n";
   if (motion.lies_on) text += fmt::format("lies_on: {}\n", trajectory::name_of(*motion.lies_on));
+  if (motion.torque_share) text += fmt::format("torque_share: {}\n", rounded(*motion.torque_share, 1e-3));
   text += "keys:\n";
   for (const Key& key : motion.keys) add_key(key, robot, text);
   return text;

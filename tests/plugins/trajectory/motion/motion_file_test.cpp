@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gaitway/motion/motion_adaptation.hpp"
+#include "gaitway/motion/motion_planner.hpp"
 #include "motion_fixture.hpp"
 
 namespace gaitway::motion {
@@ -28,6 +30,10 @@ double angle_of(const Key& key, const std::string& joint) {
   return 99.0;
 }
 
+const urdf::Motor& motor_of(const std::string& joint) {
+  return humanoid22().joints.at(static_cast<std::size_t>(humanoid22().joint_index(joint))).motor;
+}
+
 TEST(MotionFile, SymmetricAnglesAreMirrorImages) {
   const Motion motion = of_keys("  - {name: arms, symmetric: {shoulder_pitch: -30, shoulder_roll: 40}}\n");
   const Key& key = motion.keys.at(0);
@@ -35,6 +41,24 @@ TEST(MotionFile, SymmetricAnglesAreMirrorImages) {
   EXPECT_DOUBLE_EQ(angle_of(key, "right_shoulder_pitch"), angle_of(key, "left_shoulder_pitch"));
   EXPECT_DOUBLE_EQ(angle_of(key, "right_shoulder_roll"), -angle_of(key, "left_shoulder_roll"));
   EXPECT_NEAR(angle_of(key, "left_shoulder_roll"), 0.6981, 1e-4);
+}
+
+TEST(MotionFile, TorqueShareLimitsWhatIsPlannedAndNeverLoosensIt) {
+  Motion squat = shipped("squat");
+  EXPECT_FALSE(squat.torque_share);
+  const auto limit_of = [&](double share) {
+    squat.torque_share = share;
+    const Motion read = parse_motion(motion_text(squat, humanoid22(), {}), "squat.yaml", humanoid22());
+    for (const LimitUse& use : plan_motion(humanoid22(), read, {}).report.uses) {
+      if (use.kind == LimitKind::torque)
+        return std::pair(use.limit / motor_of(use.what).torque_limit_Nm, use.excess);
+    }
+    return std::pair(0.0, 1.0);
+  };
+  EXPECT_LE(limit_of(0.6).first, 0.6);
+  EXPECT_LE(limit_of(0.6).second, 0.0) << "and that is kept";
+  EXPECT_LE(limit_of(1.0).first, MotionLimits{}.torque_share);
+  EXPECT_THROW(limit_of(0.05), MotionError) << "too little to hold still";
 }
 
 TEST(MotionFile, NamesFileLineFieldAndRemedyOfAWrongOne) {

@@ -69,6 +69,8 @@ struct Motion {
   std::string description;
   // A motion starts in the standing posture; with this, in that of the first key (which takes no time then).
   bool starts_at_first_key = false;
+  // Of the motors' torque, what the motion itself may take at most; not said: MotionLimits::torque_share.
+  std::optional<double> torque_share;
   std::optional<trajectory::LyingSide> lies_on;  // there, on which side; not said: any
   std::vector<Key> keys;
 };

@@ -21,7 +21,8 @@ struct AdaptedMotion {
 // is 1. A joint that is missing, or an arm that hangs more than 45 deg elsewhere, is left out where the
 // motion goes without it: heads always, arms and waist while feet, pelvis or legs do the motion in a stand.
 // So is an angle beyond the joint's stops: the stop is taken there, else up to 10 deg beyond. Throws
-// MotionError with key, joint and reason where the motion does not go so.
+// MotionError with key, joint and reason where the motion does not go so. The adapted motion of a stand may
+// take 1/1.4 of the torque that others may, as a walk: the rest is the balance's (Motion::torque_share).
 [[nodiscard]] AdaptedMotion adapt_motion(const urdf::RobotModel& from, const Motion& motion,
                                          const urdf::RobotModel& to, double share = 1.0);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_plan.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -22,6 +23,9 @@ struct MotionLimits {
   double friction_share = 0.6;      // of the ground's coefficient
   double least_weight_share = 0.3;  // of the weight that stays on the ground
 };
+
+// Those of the motion: no more torque than its own share, if it says one.
+[[nodiscard]] MotionLimits limits_of(const Motion& motion, MotionLimits limits) noexcept;
 
 // The same in numbers for each joint.
 struct JointLimits {
