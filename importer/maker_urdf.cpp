@@ -27,7 +27,7 @@ class MakerFile {
       : robot_(file, xml, ""), surfaces_(file, options, y_up) {
     written_.file = file;
     written_.line = robot_.line();
-    written_.name = robot_.text("name").value_or("");
+    written_.name = robot_.name("name").value_or("");
     if (written_.name.empty()) {
       written_.name = file.stem().string();
     }
@@ -62,7 +62,7 @@ class MakerFile {
  private:
   MakerLink read_link(const UrdfElement& element) {
     MakerLink link;
-    link.name = element.required_text("name");
+    link.name = element.required_name("name");
     link.line = element.line();
     if (const auto inertial = element.child("inertial")) {
       read_inertial(*inertial, link);
@@ -96,11 +96,11 @@ class MakerFile {
                                                  "prismatic", "floating",   "planar"};
     WrittenJoint result;
     MakerJoint& joint = result.joint;
-    joint.name = element.required_text("name");
+    joint.name = element.required_name("name");
     joint.line = element.line();
     joint.origin = element.origin();
-    result.parent = element.required_child("parent").required_text("link");
-    result.child = element.required_child("child").required_text("link");
+    result.parent = element.required_child("parent").required_name("link");
+    result.child = element.required_child("child").required_name("link");
     const std::string type = element.required_text("type");
     if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
       element.refuse("type", "there is no such type of joint", input::suggest(type, kTypes));

@@ -9,6 +9,7 @@
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/number.hpp"
+#include "gaitway/input/text.hpp"
 
 namespace gaitway::importer {
 
@@ -69,6 +70,19 @@ std::optional<std::string> UrdfElement::text(const char* attribute) const {
     refuse(attribute, "must be a value, not an expression of xacro", xacro_remedy());
   }
   return *value;
+}
+
+std::optional<std::string> UrdfElement::name(const char* attribute) const {
+  const auto value = text(attribute);
+  if (value && (value->find_first_of("\n\t") != value->npos || input::terminal_text(*value) != *value)) {
+    refuse(attribute, "must be one line of UTF-8 without control characters", "Give it another name");
+  }
+  return value;
+}
+
+std::string UrdfElement::required_name(const char* attribute) const {
+  (void)name(attribute);
+  return required_text(attribute);
 }
 
 std::string UrdfElement::required_text(const char* attribute) const {

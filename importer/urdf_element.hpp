@@ -32,6 +32,9 @@ class UrdfElement {
   // lie within +-1e12, which leaves room to reckon with them; `limit` takes any.
   [[nodiscard]] std::optional<std::string> text(const char* attribute) const;
   [[nodiscard]] std::string required_text(const char* attribute) const;  // not empty either
+  // What the written files and the terminal will show: nothing in it may end a line or be obeyed.
+  [[nodiscard]] std::optional<std::string> name(const char* attribute) const;
+  [[nodiscard]] std::string required_name(const char* attribute) const;
   [[nodiscard]] std::optional<double> number(const char* attribute) const;
   [[nodiscard]] std::optional<double> limit(const char* attribute) const;
   [[nodiscard]] double required_number(const char* attribute) const;

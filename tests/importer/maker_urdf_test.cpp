@@ -206,9 +206,9 @@ TEST(MakerUrdf, ColoursAreTheVisualsOrTheMaterialsThatItNames) {
 }
 
 TEST(MakerUrdf, NotesHoldNothingThatATerminalObeys) {
-  const MakerRobot robot = MakerFolder().read_robot(link("a", mass(1.0)) + link("b", mass(1.0)) +
-                                                    joint("j\x1B[2J", "prismatic", "a", "b"));
-  EXPECT_THAT(robot.notes, ElementsAre(HasSubstr("j\\x1B[2J")));
+  const MakerRobot robot = MakerFolder().read_robot(
+      link("a", "<visual><geometry><mesh filename=\"m\x1B[2J.stl\"/></geometry></visual>"));
+  EXPECT_THAT(robot.notes, ElementsAre(HasSubstr("m\\x1B[2J.stl")));
 }
 
 }  // namespace
