@@ -45,6 +45,17 @@ class RobotVariant {
     write();
   }
 
+  // The named joints of both sides turn at most so fast, by their URDF; names without their side.
+  void limit_speed_of(const std::vector<std::string>& names, double rad_per_s) {
+    const std::string limit = "velocity=\"" + std::to_string(rad_per_s);
+    for (const std::string side : {"left_", "right_"}) {
+      for (const std::string& name : names) {
+        part(urdf_, "<joint name=\"" + side + name + "\"", "velocity=\"", "\"/>", &limit);
+      }
+    }
+    write();
+  }
+
   // All motors have so much at most.
   void limit_torque(double torque_Nm) {
     replace_numbers(urdf_, "effort=\"", "\"", torque_Nm);
