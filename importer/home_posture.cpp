@@ -60,6 +60,30 @@ class Posture {
   std::vector<Eigen::Isometry3d> link_;
 };
 
+// What a joint carries, and where that is.
+struct Carried {
+  std::vector<int> joints;  // the joint itself first
+  double mass_kg = 0.0;
+  Eigen::Vector3d com_m = Eigen::Vector3d::Zero();
+};
+
+Carried carried_by(const MakerRobot& robot, const Posture& posture, int first) {
+  Carried carried{.joints = {first}};
+  std::vector<int> links{robot.joints[static_cast<std::size_t>(first)].child_link};
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    if (std::find(links.begin(), links.end(), robot.joints[i].parent_link) == links.end()) continue;
+    links.push_back(robot.joints[i].child_link);
+    carried.joints.push_back(static_cast<int>(i));
+  }
+  for (const int link : links) {
+    const MakerLink& body = robot.links[static_cast<std::size_t>(link)];
+    carried.mass_kg += body.mass_kg;
+    carried.com_m += body.mass_kg * (posture.link(link) * body.com_m);
+  }
+  if (carried.mass_kg > 0.0) carried.com_m /= carried.mass_kg;
+  return carried;
+}
+
 struct LegInPlane {
   int hip_pitch = 0, knee = 0, ankle_pitch = 0;
 };
@@ -266,6 +290,8 @@ class Stand {
   // Joints of branches that lie on one side of the body and are no legs, the first ones of each.
   [[nodiscard]] std::vector<int> shoulders() const;
   void hang_arms();
+  void hang(const Carried& arm);
+  void leave_room_to_swing(const Carried& arm);
 
   const MakerRobot& robot_;
   const std::array<FoundSole, 2>& soles_;
@@ -277,30 +303,6 @@ class Stand {
   std::array<double, 2> straight_rad_{};  // of the knees, at zero
   double half_width_m_ = 0.0, middle_m_ = 0.0;
 };
-
-// What a joint carries, and where that is.
-struct Carried {
-  std::vector<int> joints;  // the joint itself first
-  double mass_kg = 0.0;
-  Eigen::Vector3d com_m = Eigen::Vector3d::Zero();
-};
-
-Carried carried_by(const MakerRobot& robot, const Posture& posture, int first) {
-  Carried carried{.joints = {first}};
-  std::vector<int> links{robot.joints[static_cast<std::size_t>(first)].child_link};
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    if (std::find(links.begin(), links.end(), robot.joints[i].parent_link) == links.end()) continue;
-    links.push_back(robot.joints[i].child_link);
-    carried.joints.push_back(static_cast<int>(i));
-  }
-  for (const int link : links) {
-    const MakerLink& body = robot.links[static_cast<std::size_t>(link)];
-    carried.mass_kg += body.mass_kg;
-    carried.com_m += body.mass_kg * (posture.link(link) * body.com_m);
-  }
-  if (carried.mass_kg > 0.0) carried.com_m /= carried.mass_kg;
-  return carried;
-}
 
 std::vector<int> Stand::shoulders() const {
   constexpr double kAside = 0.5;  // of the hips' distance from the middle
@@ -329,36 +331,53 @@ std::vector<int> Stand::shoulders() const {
   return found;
 }
 
-// Arms that do not hang in the zero posture are turned, joint by joint, to where they lie lowest.
 void Stand::hang_arms() {
-  constexpr int kSweeps = 6, kPlaces = 48;
-  constexpr double kFromLimit_rad = 0.1;
   for (const int shoulder : shoulders()) {
     const Posture posture(robot_, angle_rad_);
     const Carried arm = carried_by(robot_, posture, shoulder);
     const Eigen::Vector3d hangs = (arm.com_m - posture.joint_m(shoulder)).normalized();
-    if (-hangs.z() > kHangs) continue;
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-      for (const int index : arm.joints) {
-        const double from = lower_of(joint(index)) + kFromLimit_rad,
-                     to = upper_of(joint(index)) - kFromLimit_rad;
-        if (!(from < to)) continue;
-        const double lightly = 1e-3 * arm.mass_kg;  // rather near zero, where it makes no difference
-        double best = std::clamp(angle(index), from, to), lowest = std::numeric_limits<double>::infinity();
-        for (int place = 0; place <= kPlaces; ++place) {
-          angle(index) = std::lerp(from, to, static_cast<double>(place) / kPlaces);
-          const double height =
-              carried_by(robot_, Posture(robot_, angle_rad_), shoulder).com_m.z() * arm.mass_kg +
-              lightly * angle(index) * angle(index);
-          if (height < lowest) {
-            lowest = height;
-            best = angle(index);
-          }
+    if (-hangs.z() <= kHangs) hang(arm);
+    leave_room_to_swing(arm);
+  }
+}
+
+// An arm that does not hang in the zero posture is turned, joint by joint, to where it lies lowest.
+void Stand::hang(const Carried& arm) {
+  constexpr int kSweeps = 6, kPlaces = 48;
+  constexpr double kFromLimit_rad = 0.1;
+  const int shoulder = arm.joints.front();
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (const int index : arm.joints) {
+      const double from = lower_of(joint(index)) + kFromLimit_rad,
+                   to = upper_of(joint(index)) - kFromLimit_rad;
+      if (!(from < to)) continue;
+      const double lightly = 1e-3 * arm.mass_kg;  // rather near zero, where it makes no difference
+      double best = std::clamp(angle(index), from, to), lowest = std::numeric_limits<double>::infinity();
+      for (int place = 0; place <= kPlaces; ++place) {
+        angle(index) = std::lerp(from, to, static_cast<double>(place) / kPlaces);
+        const double height =
+            carried_by(robot_, Posture(robot_, angle_rad_), shoulder).com_m.z() * arm.mass_kg +
+            lightly * angle(index) * angle(index);
+        if (height < lowest) {
+          lowest = height;
+          best = angle(index);
         }
-        angle(index) = best;
       }
+      angle(index) = best;
     }
   }
+}
+
+// Ahead and back, in a walk: an arm whose shoulder hardly goes back hangs a little ahead.
+void Stand::leave_room_to_swing(const Carried& arm) {
+  constexpr double kRoomToSwing_rad = 0.6, kPitches = 0.7;
+  const Posture posture(robot_, angle_rad_);
+  const auto pitch = std::ranges::find_if(
+      arm.joints, [&](int index) { return std::abs(posture.axis(index).y()) > kPitches; });
+  if (pitch == arm.joints.end()) return;
+  const double from = lower_of(joint(*pitch)) + kRoomToSwing_rad,
+               to = upper_of(joint(*pitch)) - kRoomToSwing_rad;
+  if (from < to) angle(*pitch) = std::clamp(angle(*pitch), from, to);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -98,6 +99,7 @@ BatchSolver::BatchSolver(const urdf::RobotModel& model, SolverChoice choice, boo
                                        model_.joints.size(), kMaxJoints));
   }
   for (const urdf::Joint& joint : model_.joints) home_rad_.push_back(static_cast<float>(joint.home_rad));
+  arms_ = urdf::arm_swing(model_, urdf::ForwardKinematics(model_));
 }
 
 BatchOutcome BatchSolver::solve(const MotionPlan& plan, const BaseOffset& correction, JointPlan& joint_plan,
@@ -184,7 +186,7 @@ BatchOutcome BatchSolver::solve_point(Run& run, int point, const Eigen::Vector2d
     return {BatchOutcome::Kind::com_not_placed, point, urdf::Side::left, {}};
   }
   knot = {static_cast<double>(point), result.offset_m, result.refined_m, angles_of(result.legs)};
-  write(run.joint_plan, point, result.legs);
+  write(run.plan, point, result.legs, run.joint_plan);
   note_base(run.at(point), frames, result.offset_m, point);
   return {};
 }
@@ -266,7 +268,7 @@ BatchOutcome BatchSolver::solve_between(Run& run, const std::array<Knot, 3>& kno
     const PointFrames frames = placement_.frames(planned);
     const BothLegs legs = placement_.place(frames, offset, start_at(point, recent[1], recent[2], knots[2]));
     if (!legs[0].reached() || !legs[1].reached()) return leg_failure(point, legs);
-    write(run.joint_plan, point, legs);
+    write(run.plan, point, legs, run.joint_plan);
     note_base(planned, frames, offset, point);
     recent = {recent[1], recent[2], {static_cast<double>(point), offset, offset, angles_of(legs)}};
   }
@@ -284,13 +286,29 @@ void BatchSolver::note_base(const PlanPoint& planned, const PointFrames& frames,
                        Eigen::Vector3d(planned.com_m.x(), planned.com_m.y(), 0.0);
 }
 
-void BatchSolver::write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept {
+void BatchSolver::write(const MotionPlan& plan, int point, const BothLegs& legs,
+                        JointPlan& joint_plan) const noexcept {
   float* row = joint_plan.position[point];
   std::memcpy(row, home_rad_.data(), home_rad_.size() * sizeof(float));
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t i = 0; i < 6; ++i) {
       row[model_.legs[side].joints[i]] = static_cast<float>(legs[side].angle_rad[i]);
     }
+  }
+  swing_arms(plan, point, row);
+}
+
+// Each arm against the leg of its side: both masses together turn the body as little as may be.
+void BatchSolver::swing_arms(const MotionPlan& plan, int point, float* row_rad) const noexcept {
+  if (!arms_ || plan.arm_swing == 0.0) return;
+  const double* const left = plan.foot_position[point][0];
+  const double* const right = plan.foot_position[point][1];
+  const double left_ahead_m = std::cos(plan.base_yaw[point]) * (left[0] - right[0]) +
+                              std::sin(plan.base_yaw[point]) * (left[1] - right[1]);
+  const double back_rad = arms_->limited_rad(plan.arm_swing * left_ahead_m);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double way = side == 0 ? back_rad : -back_rad;
+    row_rad[arms_->joint[side]] += static_cast<float>(arms_->sign[side] * way);
   }
 }
 

@@ -73,6 +73,8 @@ std::array<NumberParameter, GaitParameters::kNumbers> GaitParameters::numbers() 
       {fast_speed_m_per_s, "fast_speed", "m/s", 0.01, 3.0, "from which on they are at fast_hip_height"},
       {swing_moment_s2, "swing_moment", "s^2", 0.0, 0.05,
        "shift of the ZMP for the swing foot's acceleration; 0: not reckoned with"},
+      {arm_swing_rad_per_m, "arm_swing", "rad/m", 0.0, 100.0,
+       "of both arms against the legs, for each metre by which the feet are apart"},
       {max_step_forward_m, "max_step_forward", "m", 0.0, 1.0, "longest step ahead"},
       {max_step_backward_m, "max_step_backward", "m", 0.0, 1.0, "longest step back"},
       {max_foot_spacing_m, "max_foot_spacing", "m", 0.01, 1.0,

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
+#include "gaitway/urdf/arm_swing.hpp"
 
 namespace gaitway::trajectory {
 namespace {
@@ -148,6 +150,7 @@ class StrideWatch {
                   masses_of(robot, home, side)};
     }
     demand_.room.room_rad = std::numbers::pi;
+    arms_ = urdf::arm_swing(robot, home);
     borne_Nm_ = robot.contact.friction * robot.total_mass_kg() * facts::kGravity_m_per_s2 *
                 mean_distance_m(parameters.sole);
   }
@@ -155,14 +158,21 @@ class StrideWatch {
   void look(const MotionPlan& plan, bool steady) {
     std::array<Angles, 2> before{};
     std::array<double, 2> moments{};  // of the two points before
+    double back_before_rad = 0.0;     // the left arm
     for (std::size_t i = 0; i < kBatchPoints + plan.tail_count; ++i) {
       double moment = 0.0;
       for (std::size_t side = 0; side < 2; ++side) {
         const Angles now = angles_at(plan, i, side, legs_[side].reach);
-        if (i > 0) look_at_joints(legs_[side].limits, before[side], now);
+        if (i > 0) look_at_joints(side, before[side], now);
         before[side] = now;
         moment += way_moment_kg_m2(legs_[side].masses, legs_[side].reach, now,
                                    plan.foot_position[i][side][0] - plan.com[i][0]);
+      }
+      if (arms_) {
+        const double back_rad = arm_back_rad(plan, i);
+        moment -= arms_->moment_kg_m2 * back_rad;
+        if (i > 0) look_at_arms(back_rad - back_before_rad);
+        back_before_rad = back_rad;
       }
       if (steady && i >= 2 && i < kBatchPoints) {
         const double twist_Nm =
@@ -175,21 +185,37 @@ class StrideWatch {
   [[nodiscard]] const StrideDemand& demand() const noexcept { return demand_; }
 
  private:
-  void look_at_joints(const LegLimits& limits, const Angles& before, const Angles& now) {
+  [[nodiscard]] double arm_back_rad(const MotionPlan& plan, std::size_t i) const noexcept {
+    const double left_ahead_m = plan.foot_position[i][0][0] - plan.foot_position[i][1][0];
+    return arms_->limited_rad(plan.arm_swing * left_ahead_m);
+  }
+  void look_at_arms(double turned_rad) {
+    demand_.arm_pace_share =
+        std::max(demand_.arm_pace_share, std::abs(turned_rad) / facts::kSlot_s / arms_->most_rad_per_s);
+  }
+  void look_at_joints(std::size_t index, const Angles& before, const Angles& now) {
+    const LegLimits& limits = legs_[index].limits;
+    const urdf::Side side = urdf::kSides[index];
     for (std::size_t j = 0; j < kJoints.size(); ++j) {
       const double share = std::abs(now[j] - before[j]) / facts::kSlot_s / limits.speed_rad_per_s[j];
-      if (share > demand_.pace.share) demand_.pace = {kJoints[j].joint, share};
+      if (share > demand_.pace.share) demand_.pace = {side, kJoints[j].joint, share};
       const double room = std::min(now[j] - limits.lowest_rad[j], limits.highest_rad[j] - now[j]);
-      if (room < demand_.room.room_rad) demand_.room = {kJoints[j].joint, room};
+      if (room < demand_.room.room_rad) demand_.room = {side, kJoints[j].joint, room};
     }
   }
 
   std::array<WalkingLeg, 2> legs_;
+  std::optional<urdf::ArmSwing> arms_;
   double borne_Nm_ = 0.0;
   StrideDemand demand_;
 };
 
 }  // namespace
+
+const urdf::Joint& joint_of(const urdf::RobotModel& robot, urdf::Side side, urdf::LegJoint which) {
+  const urdf::LegJoints joints(robot, urdf::ForwardKinematics(robot), side);
+  return robot.joints[static_cast<std::size_t>(joints[which])];
+}
 
 StrideDemand stride_demand(const GaitParameters& parameters, const urdf::RobotModel& robot,
                            const Velocity2& velocity) {

@@ -192,9 +192,8 @@ void require_reachable(const GaitParameters& p, const urdf::RobotModel& robot) {
 void require_room_for_steps(const GaitParameters& p, const urdf::RobotModel& robot) {
   const double step_m = std::min(kShortStep * p.hip_height_m, p.max_step_forward_m);
   const StrideDemand demand = stride_demand(p, robot, step_m / p.step_time_s);
-  const urdf::LegJoints left(robot, urdf::ForwardKinematics(robot), urdf::Side::left);
   if (demand.room.room_rad < 0.0) {
-    const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(left[demand.room.joint])];
+    const urdf::Joint& joint = joint_of(robot, demand.room.side, demand.room.joint);
     throw std::invalid_argument(fmt::format(
         "trajectory: parameter hip_height = {:.4g} m: a step of {:.3g} m turns the {} {:.3f} rad "
         "beyond its limits "
@@ -204,7 +203,7 @@ void require_room_for_steps(const GaitParameters& p, const urdf::RobotModel& rob
         joint.lower_rad, joint.upper_rad, joint.name));
   }
   if (demand.pace.share > 1.0) {
-    const urdf::Joint& joint = robot.joints[static_cast<std::size_t>(left[demand.pace.joint])];
+    const urdf::Joint& joint = joint_of(robot, demand.pace.side, demand.pace.joint);
     throw std::invalid_argument(fmt::format(
         "trajectory: parameter step_time = {:.4g} s: a step of {:.3g} m turns the {} at {:.3g} "
         "rad/s, but '{}' turns at {:.3g} at most. Raise step_time, lower lift, or put a quicker "

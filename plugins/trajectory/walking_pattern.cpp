@@ -63,6 +63,7 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
   plan.sequence = sequence;
   plan.start_ns = start_ns;
   plan.motion = 0;
+  plan.arm_swing = parameters_.arm_swing_rad_per_m;
   schedule(command, correction, dcm_deviation_m);
   write_batch(0, plan);
   write_tail(plan);

@@ -50,6 +50,15 @@ INSTANTIATE_TEST_SUITE_P(Published, MakersRobot,
                          ::testing::ValuesIn(kThatWalk.begin(),
                                              kThatWalk.begin() + test::repeats(kThatWalk.size())));
 
+// Its legs are heavy for its soles: it swings its arms against them.
+TEST_F(BroughtRobot, WalksFastWithItsArms) {
+  GAITWAY_SKIP_WITHOUT_MAKER_ROBOTS();
+  const std::string robot = (folder_ / "robot").string();
+  const std::string urdf = (*importer::test::maker_robots() / "icub_description/robots/icub.urdf").string();
+  ASSERT_EQ(robot_command("import '" + urdf + "' --quiet --out '" + robot + "'"), 0);
+  EXPECT_EQ(robot_command("check '" + robot + "' --seconds 12 --speed 0.51"), 0) << "Froude's number 0.06";
+}
+
 // Its ankles turn at 2.1 rad/s: it is given slower steps, and walks as fast as these allow.
 TEST_F(BroughtRobot, WithSlowMotorsWalksSlower) {
   GAITWAY_SKIP_WITHOUT_MAKER_ROBOTS();

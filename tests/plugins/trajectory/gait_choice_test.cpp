@@ -52,20 +52,76 @@ TEST(ChooseGait, NamesTheSlowKnee) {
   EXPECT_THAT(lift->reasons.front(), AllOf(HasSubstr("speed: the knee"), HasSubstr("4.5 rad/s")));
 }
 
-// Heavy legs twist the foot on the ground. The swing gets flatter first, which costs nothing.
-TEST(ChooseGait, HeavyLegsSwingFlatter) {
-  urdf::RobotModel robot = chosen_robot();
+void make_legs_heavier(urdf::RobotModel& robot, double times) {
   for (const urdf::Leg& leg : robot.legs) {
     for (const int index : leg.joints) {
       const int link = robot.joints[static_cast<std::size_t>(index)].child_link;
-      robot.links[static_cast<std::size_t>(link)].mass_kg *= 2.0;
+      robot.links[static_cast<std::size_t>(link)].mass_kg *= times;
     }
   }
+}
+
+// Heavy legs twist the foot on the ground. The arms swing against them first, which costs least.
+TEST(ChooseGait, ArmsSwingAgainstHeavyLegs) {
+  urdf::RobotModel robot = chosen_robot();
+  EXPECT_EQ(choose_gait(robot).parameters.arm_swing_rad_per_m, 0.0);
+  make_legs_heavier(robot, 2.0);
   const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const arms = gait.choice("arm_swing");
+  ASSERT_NE(arms, nullptr);
+  EXPECT_THAT(arms->reasons.front(), HasSubstr("twist the foot"));
+  const GaitParameters& p = gait.parameters;
+  const double fastest_m_per_s = p.max_step_forward_m / p.step_time_s;
+  GaitParameters still = p;
+  still.arm_swing_rad_per_m = 0.0;
+  const StrideDemand swinging = stride_demand(p, robot, fastest_m_per_s);
+  EXPECT_LT(swinging.twist_share, 0.9 * stride_demand(still, robot, fastest_m_per_s).twist_share);
+  EXPECT_LE(swinging.arm_pace_share, 0.51);
+}
+
+// The swing gets flatter where arms do not help.
+TEST(ChooseGait, HeavyLegsSwingFlatterWithoutArms) {
+  test::RobotVariant variant;
+  variant.remove_arms();
+  urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  make_legs_heavier(robot, 2.0);
+  const ChosenGait gait = choose_gait(robot);
+  EXPECT_EQ(gait.parameters.arm_swing_rad_per_m, 0.0);
   const GaitChoice* const flatness = gait.choice("swing_flatness");
   ASSERT_NE(flatness, nullptr);
   EXPECT_GT(flatness->chosen, 0.0);
   EXPECT_THAT(flatness->reasons.front(), HasSubstr("twist the foot"));
+}
+
+// Shoulders that turn slowly do not swing faster than they may.
+TEST(ChooseGait, SlowShouldersSwingLess) {
+  urdf::RobotModel robot = chosen_robot();
+  make_legs_heavier(robot, 2.0);
+  const double quick = choose_gait(robot).parameters.arm_swing_rad_per_m;
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name.ends_with("shoulder_pitch")) joint.velocity_limit_rad_per_s = 0.5;
+  }
+  const GaitParameters slow = choose_gait(robot).parameters;
+  EXPECT_LT(slow.arm_swing_rad_per_m, quick);
+  EXPECT_LE(stride_demand(slow, robot, slow.max_step_forward_m / slow.step_time_s).arm_pace_share, 0.51);
+}
+
+// Legs that are not alike are both looked at, and the one that is short of it is named.
+TEST(ChooseGait, NamesTheLimitsOfTheSideThatKeepsThem) {
+  urdf::RobotModel robot = chosen_robot();
+  for (urdf::Joint& joint : robot.joints) {
+    if (joint.name == "right_knee") joint.velocity_limit_rad_per_s = 4.5;
+  }
+  const ChosenGait gait = choose_gait(robot);
+  const GaitChoice* const lift = gait.choice("lift");
+  ASSERT_NE(lift, nullptr);
+  EXPECT_THAT(lift->reasons.front(), AllOf(HasSubstr("speed: the knee"), HasSubstr("4.5 rad/s")));
+}
+
+TEST(ChooseGait, GoesByTheSmallerSole) {
+  urdf::RobotModel robot = chosen_robot();
+  robot.feet[1].size_m.y() *= 0.8;
+  EXPECT_EQ(choose_gait(robot).parameters.sole.width_m, robot.feet[1].size_m.y());
 }
 
 // What is chosen asks no more than it may: the reason's limit is kept at the speed that is allowed.

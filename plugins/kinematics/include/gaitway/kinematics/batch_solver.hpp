@@ -13,6 +13,7 @@
 #include "gaitway/kinematics/load_compensation.hpp"
 #include "gaitway/kinematics/whole_body_placement.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/arm_swing.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::kinematics {
@@ -30,9 +31,9 @@ struct BatchOutcome {
 
 // Solves every point of the batch with the CoM where it is planned (kBatchTolerance_m). In the tail, the
 // base's offset from the CoM is solved at every fourth point and interpolated between; the legs are solved at
-// each. Joints outside the legs stay at home. Remembers the last batch's offsets as first guess, and the
-// correction. The last batch's sequence again is a revision of it: it is solved from what it was solved from,
-// with its correction, so that points that have not changed come out as they were.
+// each. Arms swing as the plan has it; all other joints stay at home. Remembers the last batch's offsets as
+// first guess, and the correction. The last batch's sequence again is a revision of it: it is solved from
+// what it was solved from, with its correction, so that points that have not changed come out as they were.
 class BatchSolver {
  public:
   static constexpr double kBatchTolerance_m = 0.05e-3;
@@ -98,7 +99,8 @@ class BatchSolver {
   void stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) noexcept;
   BatchOutcome solve_batch(Run& run);
   BatchOutcome solve_tail(Run& run);
-  void write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept;
+  void write(const MotionPlan& plan, int point, const BothLegs& legs, JointPlan& joint_plan) const noexcept;
+  void swing_arms(const MotionPlan& plan, int point, float* row_rad) const noexcept;
   void note_base(const PlanPoint& planned, const PointFrames& frames, const Eigen::Vector2d& offset_m,
                  int point) noexcept;
 
@@ -106,6 +108,7 @@ class BatchSolver {
   WholeBodyPlacement placement_;
   std::unique_ptr<LoadCompensation> load_compensation_;  // large; none: the references are the planned angles
   std::vector<float> home_rad_;
+  std::optional<urdf::ArmSwing> arms_;
   CorrectionFade fade_, fade_before_;  // of the next batch, and of the last one
   struct Past {
     std::uint32_t sequence = 0;  // of the last batch that was solved

@@ -84,6 +84,10 @@ struct GaitParameters {
   // with.
   double swing_moment_s2 = 0.0042;
 
+  // The arms go back and ahead against the legs, so that these do not twist the stance foot on the ground:
+  // for each metre by which the feet are apart.
+  double arm_swing_rad_per_m = 0.0;
+
   // Limits of a footstep against its stance foot.
   double max_step_forward_m = 0.150;  // 0.47 m/s at 0.32 s a step: the joints' speed allows little more
   double max_step_backward_m = 0.100;
@@ -124,7 +128,7 @@ struct GaitParameters {
   }
 
   // As the configuration has them; all but the sole, which is the robot's.
-  static constexpr std::size_t kNumbers = 49;
+  static constexpr std::size_t kNumbers = 50;
   [[nodiscard]] std::array<NumberParameter, kNumbers> numbers();
   // The live numbers of `changed`; the others stay as they are. No allocation.
   void tune(GaitParameters changed) noexcept;
