@@ -109,13 +109,20 @@ class Stand {
     HomePosture home;
     std::optional<std::vector<double>> chosen;
     double most_room = 0.0;
-    bool bends_on = true;
+    bool bends_on = true, is_solved = false;
     constexpr double kStraight_rad = 0.05;  // there the height hardly depends on the bend
     for (double bend = std::max(kStraight_rad, bend_at(Posture(robot_, angle_rad_), 0)); bends_on;
          bend += kBendStep_rad) {
       bends_on = bend < most_bend_rad_;
       bend = std::min(bend, most_bend_rad_);
-      if (!solve(bend)) break;
+      // A nearly straight leg may be too long, or too short, for the other one's ground.
+      const std::vector<double> before = angle_rad_;
+      if (!solve(bend)) {
+        if (is_solved) break;
+        angle_rad_ = before;
+        continue;
+      }
+      is_solved = true;
       // The deepest that leaves room enough; of those that leave less, the one that leaves most.
       const double room = std::min(least_room_rad(), kRoom_rad);
       if (room < 0.0 || room < most_room || (bend < kLeastBend_rad && bends_on)) continue;
@@ -276,14 +283,22 @@ class Stand {
   }
   [[noreturn]] void refuse_stand() const {
     const std::string name = nearest_to_limit();
-    const MakerJoint& limited = joint(*robot_.joint_index(name));
+    const int index = *robot_.joint_index(name);
+    const MakerJoint& limited = joint(index);
+    if (room_rad(index) >= 0.0) {
+      const MakerJoint& knee = joint(in_plane_[1].knee);
+      input::refuse({robot_.file, knee.line, "legs", "",
+                     fmt::format("the robot cannot stand with both soles level on one ground and the left "
+                                 "knee bent by at most {:.0f} deg",
+                                 degrees(most_bend_rad_)),
+                     "Compare the legs' lengths, the joints' origins and axes, and where the soles lie"});
+    }
     input::refuse(
         {robot_.file, limited.line, fmt::format("joint '{}' limit", name),
          fmt::format("{:g}..{:g} rad", lower_of(limited), upper_of(limited)),
          fmt::format("the robot cannot stand on level soles with its knees bent forward by {:.0f} deg: "
                      "this joint would have to be at {:.3f} rad",
-                     degrees(kLeastBend_rad),
-                     angle_rad_[static_cast<std::size_t>(*robot_.joint_index(name))]),
+                     degrees(kLeastBend_rad), angle_rad_[static_cast<std::size_t>(index)]),
          "Widen the limit, or correct the axis' sign"});
   }
 

@@ -41,6 +41,12 @@ std::vector<std::string> settle_limits(MakerRobot& robot, const BodyPlan& plan,
   for (MakerJoint& joint : robot.joints) {
     const bool of_leg = is_of_leg(plan, joint.name);
     if (!joint.lower_rad || !joint.upper_rad) {
+      if (of_leg && joint.is_continuous) {
+        input::refuse({robot.file, joint.line, fmt::format("joint '{}' type", joint.name), "'continuous'",
+                       "a leg's joint must have limits",
+                       "Write type=\"revolute\", and how far it turns: <limit lower=\"...\" "
+                       "upper=\"...\"/> in radians"});
+      }
       if (of_leg) refuse_limit(robot, joint, "", "a leg's joint must have limits");
       endless.push_back(joint.name);
       joint.lower_rad = joint.lower_rad.value_or(-kCarriedTurn_rad);
@@ -82,10 +88,72 @@ MakerRobot without(const MakerRobot& robot, const std::vector<std::string>& name
   return hold_still(robot, held);
 }
 
+[[noreturn]] void refuse_hold(const MakerRobot& robot, const std::string& name) {
+  std::vector<std::string> movable;
+  for (const MakerJoint& joint : robot.joints) movable.push_back(joint.name);
+  throw std::invalid_argument(fmt::format(
+      "{}: --hold '{}': no joint that turns by itself is called so (fixed, prismatic and mimicking "
+      "ones are held still anyway). {}",
+      robot.file.string(), name, input::suggest(name, movable)));
+}
+
 std::vector<double> neutral(const MakerRobot& robot) {
   std::vector<double> angle_rad;
   for (const MakerJoint& joint : robot.joints) angle_rad.push_back(neutral_rad(joint));
   return angle_rad;
+}
+
+// What no robot's folder may hold is refused here, where the maker's lines are known.
+void require_reasonable(const MakerRobot& robot) {
+  constexpr double kLargestMass_kg = 200.0, kLargestLength_m = 2.0;
+  constexpr double kLeastEffort_Nm = 0.01, kLeastVelocity_rad_per_s = 0.1;
+  const auto require = [&](bool holds, int line, const std::string& field, const std::string& value,
+                           const std::string& rule, const std::string& remedy) {
+    if (!holds) input::refuse({robot.file, line, field, value, rule, remedy});
+  };
+  for (const MakerLink& link : robot.links) {
+    require(link.mass_kg <= kLargestMass_kg, link.line, fmt::format("link '{}' mass", link.name),
+            fmt::format("{:g} kg", link.mass_kg),
+            fmt::format("must be at most {:g} kg, with all that is fixed to it", kLargestMass_kg),
+            "Write the mass in kilograms");
+    require(link.com_m.norm() <= kLargestLength_m, link.line,
+            fmt::format("link '{}' inertial origin", link.name),
+            fmt::format("{:g} m from the link's origin", link.com_m.norm()),
+            fmt::format("must be at most {:g} m, with all that is fixed to it", kLargestLength_m),
+            "Write lengths in metres");
+  }
+  for (const MakerJoint& joint : robot.joints) {
+    const auto field = [&](const char* name) { return fmt::format("joint '{}' {}", joint.name, name); };
+    require(joint.origin.translation().norm() <= kLargestLength_m, joint.line, field("origin"),
+            fmt::format("{:g} m", joint.origin.translation().norm()),
+            fmt::format("must lie within {:g} m of the joint before it", kLargestLength_m),
+            "Write lengths in metres");
+    require(joint.effort_Nm.value_or(kLeastEffort_Nm) >= kLeastEffort_Nm, joint.line, field("limit effort"),
+            fmt::format("{:g}", joint.effort_Nm.value_or(0.0)),
+            fmt::format("must be at least {:g} N·m", kLeastEffort_Nm),
+            "Write N·m, or 0 where it is not known");
+    require(joint.velocity_rad_per_s.value_or(kLeastVelocity_rad_per_s) >= kLeastVelocity_rad_per_s,
+            joint.line, field("limit velocity"), fmt::format("{:g}", joint.velocity_rad_per_s.value_or(0.0)),
+            fmt::format("must be at least {:g} rad/s", kLeastVelocity_rad_per_s),
+            "Write rad/s, or 0 where it is not known");
+  }
+}
+
+void require_usual_size(const ImportedRobot& imported) {
+  constexpr double kLowest_m = 0.02, kHighest_m = 2.0, kShortestSole_m = 0.001, kLongestSole_m = 1.0;
+  const auto refuse = [&](const std::string& field, const std::string& value, double least, double most) {
+    input::refuse({imported.robot.file, 0, field, value, fmt::format("must be {:g}..{:g} m", least, most),
+                   "Write lengths in metres"});
+  };
+  const double height_m = imported.home.hip_height_m;
+  if (height_m < kLowest_m || height_m > kHighest_m)
+    refuse("hips above the soles", fmt::format("{:.4g} m", height_m), kLowest_m, kHighest_m);
+  for (std::size_t side = 0; side < imported.soles.size(); ++side) {
+    const Eigen::Vector2d& size_m = imported.soles[side].size_m;
+    if (size_m.minCoeff() < kShortestSole_m || size_m.maxCoeff() > kLongestSole_m)
+      refuse(fmt::format("link '{}' sole", imported.plan.legs[side].foot),
+             fmt::format("{:.4g} x {:.4g} m", size_m.x(), size_m.y()), kShortestSole_m, kLongestSole_m);
+  }
 }
 
 // A link must weigh something, and no body has a principal moment above the other two together.
@@ -97,10 +165,12 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
   constexpr double kMargin = 1e-6;
   constexpr double kWorthTelling = 0.01;
   const double dummy_kg = kDummy * total_mass_kg(robot);
-  std::vector<std::string> dummies, unsound;
+  std::vector<std::string> dummies, light, unsound;
+  double added_kg = 0.0;
   for (MakerLink& link : robot.links) {
     if (link.mass_kg < dummy_kg) {
-      if (link.mass_kg <= 0.0) dummies.push_back(link.name);
+      (link.mass_kg > 0.0 ? light : dummies).push_back(link.name);
+      added_kg += link.mass_kg > 0.0 ? dummy_kg - link.mass_kg : 0.0;
       link.mass_kg = dummy_kg;
     }
     const double gyration_m = kDummyGyration_m_per_m3 * std::cbrt(link.mass_kg / kWaterDensity_kg_per_m3);
@@ -120,6 +190,10 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
   if (!dummies.empty()) {
     notes.push_back(
         fmt::format("links without mass got {:.3g} kg each (guess): {}", dummy_kg, fmt::join(dummies, ", ")));
+  }
+  if (!light.empty()) {
+    notes.push_back(fmt::format("links lighter than {:.3g} kg were raised to it, {:.3g} kg more in all: {}",
+                                dummy_kg, added_kg, fmt::join(light, ", ")));
   }
   if (!unsound.empty()) {
     notes.push_back(fmt::format("inertias that no body has were raised: {}", fmt::join(unsound, ", ")));
@@ -220,7 +294,7 @@ ImportedRobot import_robot(const std::filesystem::path& file, const ImportOption
   result.held_still = options.held_still;
   for (const std::string& name : options.held_still) {
     if (!result.robot.joint_index(name)) {
-      throw std::invalid_argument(fmt::format("'{}': there is no such joint in {}", name, file.string()));
+      refuse_hold(result.robot, name);
     }
     if (is_of_leg(result.plan, name)) {
       throw std::invalid_argument(fmt::format("'{}' is a leg's joint: it can't be held still", name));
@@ -239,9 +313,11 @@ ImportedRobot import_robot(const std::filesystem::path& file, const ImportOption
   if (!(total_mass_kg(result.robot) > 0.0)) {
     input::refuse({file, 0, "robot", "", "no link has a mass", "Give the links <inertial> elements"});
   }
+  require_reasonable(result.robot);
   make_sound(result.robot, result.notes);
   result.soles = find_soles(result.robot, result.plan, result.notes);
   result.home = find_home_posture(result.robot, result.plan, result.soles);
+  require_usual_size(result);
   place_imu(result);
   result.drives = drive_figures(result.robot, result.plan, result.home.hip_height_m);
   const auto add = [&result](const std::vector<std::string>& notes) {

@@ -13,6 +13,14 @@ namespace {
 
 constexpr std::size_t kMostPoints = 10'000'000;  // of a whole robot: some hundreds of MiB
 
+constexpr double kLongestSurface_m = 2.0;  // that a robot's folder may hold
+
+double longest_edge_m(const Surface& surface) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : surface.point_m) box.extend(point);
+  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
 }  // namespace
 
 LinkSurfaces::LinkSurfaces(const std::filesystem::path& urdf, const ReadOptions& options, YUp y_up)
@@ -86,6 +94,14 @@ std::optional<Mesh> LinkSurfaces::surface_of(const UrdfElement& element) {
   }
   if (result) {
     move_surface(result->surface, Eigen::Affine3d(element.origin()));
+    if (const double edge_m = longest_edge_m(result->surface); edge_m > kLongestSurface_m) {
+      const bool in_millimetres = shape.tag() == "mesh" && edge_m <= 1000.0 * kLongestSurface_m;
+      return leave_out(fmt::format("are larger than {:g} m", kLongestSurface_m),
+                       fmt::format("line {}, {}, {:.3g} m long{}", shape.line(), shape.title(), edge_m,
+                                   in_millimetres ? " (for a file in millimetres write scale=\"0.001 0.001 "
+                                                    "0.001\")"
+                                                  : ""));
+    }
     points_ += result->surface.point_m.size() + result->surface.triangle.size();
     if (points_ > kMostPoints) {
       element.refuse(nullptr,

@@ -9,6 +9,7 @@
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/text.hpp"
+#include "gaitway/input/written_text.hpp"
 #include "gaitway/urdf/urdf_xml.hpp"
 #include "link_surfaces.hpp"
 #include "maker_tree.hpp"
@@ -29,7 +30,7 @@ class MakerFile {
     written_.line = robot_.line();
     written_.name = robot_.name("name").value_or("");
     if (written_.name.empty()) {
-      written_.name = file.stem().string();
+      written_.name = input::one_line(file.stem().string());
     }
   }
 
@@ -52,7 +53,7 @@ class MakerFile {
       written_.notes.push_back(std::move(note));
     }
     for (std::string& note : written_.notes) {
-      note = input::terminal_text(note);
+      note = input::one_line(note);
     }
     return std::move(written_);
   }
@@ -144,10 +145,11 @@ class MakerFile {
     if (!limit || type == "prismatic") {
       return;
     }
+    joint.is_continuous = type == "continuous";
     joint.velocity_rad_per_s = believed(*limit, "velocity", kLargestVelocity_rad_per_s, joint);
     joint.effort_Nm = believed(*limit, "effort", kLargestEffort_Nm, joint);
     const auto lower = limit->limit("lower"), upper = limit->limit("upper");
-    if (type == "continuous" || (lower.value_or(0.0) == 0.0 && upper.value_or(0.0) == 0.0)) {
+    if (joint.is_continuous || (lower.value_or(0.0) == 0.0 && upper.value_or(0.0) == 0.0)) {
       return;
     }
     if (lower.value_or(0.0) > upper.value_or(0.0)) {
@@ -176,12 +178,23 @@ class MakerFile {
     const auto mimic = element.child("mimic");
     const double offset = mimic ? mimic->number("offset").value_or(0.0) : 0.0;
     if (type == "prismatic") {
-      result.rigid = result.joint.origin * Eigen::Translation3d(offset * result.joint.axis);
-      prismatic_.push_back(result.joint.name);
+      const double place_m = mimic ? offset : nearest_to_zero_m(element);
+      result.rigid = result.joint.origin * Eigen::Translation3d(place_m * result.joint.axis);
+      (place_m == offset ? prismatic_ : off_zero_)
+          .push_back(place_m == offset ? result.joint.name
+                                       : fmt::format("{} at {:g} m", result.joint.name, place_m));
     } else if (mimic) {
       result.rigid = result.joint.origin * Eigen::AngleAxisd(offset, result.joint.axis);
       mimicking_.push_back(result.joint.name);
     }
+  }
+
+  // Where a joint that slides comes nearest to zero.
+  static double nearest_to_zero_m(const UrdfElement& joint) {
+    const auto limit = joint.child("limit");
+    const double lower_m = limit ? limit->number("lower").value_or(0.0) : 0.0;
+    const double upper_m = limit ? limit->number("upper").value_or(0.0) : 0.0;
+    return lower_m <= upper_m ? std::clamp(0.0, lower_m, upper_m) : 0.0;
   }
 
   void note_joints() {
@@ -191,6 +204,7 @@ class MakerFile {
       }
     };
     note("Prismatic joints are held still at zero", prismatic_);
+    note("Prismatic joints whose limits leave out zero are held still at the nearer limit", off_zero_);
     note("Joints that mimic others are held still, where they are when those stand at zero", mimicking_);
     note("Limits that no joint has are taken for none", unbelieved_);
   }
@@ -198,7 +212,7 @@ class MakerFile {
   UrdfElement robot_;
   LinkSurfaces surfaces_;
   WrittenRobot written_;
-  std::vector<std::string> prismatic_, mimicking_, unbelieved_;
+  std::vector<std::string> prismatic_, off_zero_, mimicking_, unbelieved_;
 };
 
 // How far the links' surfaces lie from their centres of mass, weighted by mass.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -13,26 +12,11 @@
 
 #include "gaitway/facts/body_scale.hpp"
 #include "gaitway/importer/import.hpp"
-#include "gaitway/input/text.hpp"
+#include "gaitway/input/written_text.hpp"
 #include "robot_text.hpp"
 
 namespace gaitway::importer {
 namespace {
-
-// A name as YAML takes it anywhere.
-std::string quoted(const std::string& name) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  if (!name.empty() && std::all_of(name.begin(), name.end(), plain) &&
-      std::isalpha(static_cast<unsigned char>(name[0])) != 0) {
-    return name;
-  }
-  std::string result = "\"";
-  for (const char c : name) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
 
 // What each of the legs' twelve joints brings home of the sensors.
 struct LegNode {
@@ -67,7 +51,7 @@ class NetworkText {
         "# Every key ends in its unit; angles are in degrees (_deg), everything else is SI.\n"
         "# Written from {}. What is marked 'guess' the URDF does not say: correct it where you know "
         "better.\n",
-        input::terminal_text(robot_.name), in_comment(robot_.file));
+        robot_.name, in_comment(robot_.file));
     for (const std::string& note : imported_.notes) text_ += fmt::format("# - {}\n", note);
     add_defaults();
     add_joints();
@@ -132,7 +116,7 @@ class NetworkText {
         "trim frame.\njoints:\n";
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
       const MakerJoint& joint = robot_.joints[i];
-      text_ += fmt::format("  - {{name: {}, node: {}", quoted(joint.name), i + 1);
+      text_ += fmt::format("  - {{name: {}, node: {}", input::yaml_text(joint.name), i + 1);
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& leg = imported_.plan.legs[side].joints;
         const auto found = std::find(leg.begin(), leg.end(), joint.name);
@@ -158,7 +142,7 @@ class NetworkText {
 
   static std::string list(const std::array<std::string, 6>& names) {
     std::vector<std::string> all;
-    for (const std::string& name : names) all.push_back(quoted(name));
+    for (const std::string& name : names) all.push_back(input::yaml_text(name));
     return fmt::format("[{}]", fmt::join(all, ", "));
   }
 
@@ -177,8 +161,8 @@ class NetworkText {
           "  {}: {{link: {}, sole_position_m: [{:.6g}, {:.6g}, {:.6g}], sole_rotation_rpy_deg: [{:.6g}, "
           "{:.6g}, {:.6g}],\n"
           "         size_m: [{:.5g}, {:.5g}], centre_m: [{:.5g}, {:.5g}], cell_inset_m: {:.3g}}}   # {}\n",
-          side == 0 ? "left" : "right", quoted(imported_.plan.legs[side].foot), at.x(), at.y(), at.z(),
-          rpy_deg.x(), rpy_deg.y(), rpy_deg.z(), sole.size_m.x(), sole.size_m.y(), sole.centre_m.x(),
+          side == 0 ? "left" : "right", input::yaml_text(imported_.plan.legs[side].foot), at.x(), at.y(),
+          at.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z(), sole.size_m.x(), sole.size_m.y(), sole.centre_m.x(),
           sole.centre_m.y(), 0.06 * sole.size_m.minCoeff(), sole.source);
     }
   }
@@ -190,7 +174,7 @@ class NetworkText {
         "\n# Gyro and accelerometer: {}.\nimu: {{link: {}, position_m: [{:.6g}, "
         "{:.6g}, {:.6g}], "
         "rotation_rpy_deg: [{:.6g}, {:.6g}, {:.6g}]}}\n",
-        imu.why, quoted(imu.link), imu.pose.translation().x(), imu.pose.translation().y(),
+        imu.why, input::yaml_text(imu.link), imu.pose.translation().x(), imu.pose.translation().y(),
         imu.pose.translation().z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
     const double force = scale_.factor("N");
     text_ += fmt::format(
@@ -223,7 +207,7 @@ Eigen::Vector3d rpy_of(const Eigen::Matrix3d& r) {
 }
 
 std::string in_comment(const std::filesystem::path& file) {
-  std::string name = input::terminal_text(file.filename().string());
+  std::string name = input::one_line(file.filename().string());
   for (std::size_t at = name.find("--"); at != std::string::npos; at = name.find("--", at)) name[at] = '_';
   return name;
 }

@@ -14,8 +14,11 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
+#include "dae_outline.hpp"
+#include "mesh_files.hpp"
 #include "surfaces.hpp"
 
 namespace gaitway::importer {
@@ -112,12 +115,15 @@ class Collection {
   std::map<unsigned, std::size_t> triangles_of_material_;
 };
 
-bool names_y_up(const std::filesystem::path& file) {
+// Whether a DAE that may be read says that its y axis is up.
+bool look_over_dae(const std::filesystem::path& file) {
   constexpr std::size_t kHead_bytes = 65536;  // <asset> stands before everything else
-  std::string head(kHead_bytes, '\0');
+  std::string text(std::filesystem::file_size(file), '\0');
   std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head.find("<up_axis>Y_UP") != std::string::npos;
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  check_dae(text);
+  return std::string_view(text).substr(0, kHead_bytes).find("<up_axis>Y_UP") != std::string_view::npos;
 }
 
 }  // namespace
@@ -130,7 +136,9 @@ Mesh read_mesh(const std::filesystem::path& file, YUp y_up) {
   if (std::filesystem::file_size(file) > kLargestMesh_bytes) {
     throw std::runtime_error(fmt::format("the file is larger than {} MiB", kLargestMesh_bytes >> 20U));
   }
+  const bool says_y_up = extension == ".dae" && look_over_dae(file);
   Assimp::Importer importer;
+  importer.SetIOHandler(new MeshFiles(file));  // the importer owns it
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) {
@@ -146,7 +154,7 @@ Mesh read_mesh(const std::filesystem::path& file, YUp y_up) {
   }
   mesh.surface = collection.take_surface();
   mesh.surface.source = file.string();
-  mesh.says_y_up = extension == ".dae" && names_y_up(file);
+  mesh.says_y_up = says_y_up;
   if (mesh.says_y_up && y_up == YUp::turned) {
     move_surface(mesh.surface,
                  Eigen::Affine3d(Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX())));

@@ -3,7 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <fstream>
 #include <functional>
+#include <iterator>
 
 #include "gaitway/importer/import.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
@@ -198,6 +200,41 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 // Names of strangers' links are no file names.
+TEST(ImportedStand, IsFoundForLegsThatDifferALittle) {
+  for (const double less : {-0.01, -0.0005, 0.0002, 0.0005, 0.002, 0.01}) {
+    const test::MakerFolder folder;
+    const ImportedRobot imported =
+        import_robot(test::write_humanoid({.right_shin_less = less}, folder.path()), {});
+    EXPECT_NEAR(imported.home.knee_bend_rad, kUsualBend_rad, 0.01) << less;
+  }
+}
+
+TEST(ImportedFolder, LoadsWhateverYamlTakesItsNamesFor) {
+  const test::MakerFolder folder;
+  const std::filesystem::path file = test::write_humanoid({}, folder.path());
+  std::ifstream stream(file);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (std::size_t at = 0; (at = text.find("\"left_knee\"", at)) != text.npos;)
+    text.replace(at, 11, "\"null\"");
+  write_robot_folder(import_robot(folder.write("robot.urdf", text), {}), folder.path() / "out");
+  EXPECT_EQ(urdf::load_robot(folder.path() / "out").legs[0].joints.size(), 6U);
+}
+
+TEST(ImportedFolder, TellsOfEveryLinkThatIsMadeHeavier) {
+  const test::MakerFolder folder;
+  const std::filesystem::path file = test::write_humanoid({}, folder.path());
+  std::ifstream stream(file);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string bulb =
+      "<link name=\"bulb\"><inertial><mass value=\"1e-4\"/></inertial></link><joint name=\"lamp\" "
+      "type=\"revolute\"><parent link=\"chest\"/><child link=\"bulb\"/><limit lower=\"-1\" "
+      "upper=\"1\"/></joint>";
+  const ImportedRobot imported =
+      import_robot(folder.write("robot.urdf", text.insert(text.find("</robot>"), bulb)), {});
+  EXPECT_THAT(imported.notes,
+              testing::Contains(testing::AllOf(HasSubstr("0.0299 kg more in all"), HasSubstr("bulb"))));
+}
+
 TEST(ImportedFolder, KeepsMeshesApartWhoseLinksAreCalledAlike) {
   const test::MakerFolder folder;
   ImportedRobot imported = import_robot(test::write_humanoid({}, folder.path()), {});

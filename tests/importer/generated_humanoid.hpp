@@ -53,6 +53,7 @@ struct Humanoid {
   double base_share = 0.15;                                         // of the mass; the chest has the rest
   double gyration = 0.040825;                                       // of each link, of the hip height
   double thigh = 0.46;                                              // of the hip height
+  double right_shin_less = 0.0;                                     // than the left one, of the hip height
   std::array<Range, 3> hip_range{{{-0.8, 0.8}, {-0.7, 0.7}, {-1.9, 1.9}}};  // yaw, roll, pitch
   double most_knee_rad = 2.3;
   std::array<Range, 2> ankle_range{{{-1.2, 1.2}, {-0.6, 0.6}}};  // pitch, roll
@@ -196,7 +197,8 @@ class HumanoidUrdf {
       at = {i == 0 ? of_.hip_offset : -of_.hip_offset, side * of_.hip_aside, -of_.hip_drop};
       parent = child;
     }
-    const double thigh = of_.thigh, shin = 1.0 - kAnkleHeight - thigh;
+    const double thigh = of_.thigh,
+                 shin = 1.0 - kAnkleHeight - thigh - (side < 0 ? of_.right_shin_less : 0.0);
     add_link(parent, leg_part(0.08), {0.0, 0.0, -0.4 * thigh},
              box({0.0, 0.0, -0.5 * thigh}, {0.09, 0.09, 0.7 * thigh}));
     if (of_.fixed_joints) {

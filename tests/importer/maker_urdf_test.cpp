@@ -48,6 +48,13 @@ TEST(MakerUrdf, ARobotWithoutANameIsCalledLikeItsFile) {
   EXPECT_EQ(MakerFolder().read("<robot>" + link("a") + "</robot>").name, "robot");
 }
 
+TEST(MakerUrdf, AFilesNameWithoutWhichARobotHasNoneIsOneLine) {
+  const MakerFolder folder;
+  const MakerRobot robot =
+      read_maker_urdf(folder.write("new\nx: 1.urdf", "<robot>" + link("a") + "</robot>"), {});
+  EXPECT_EQ(robot.name, "new\\x0Ax: 1");
+}
+
 TEST(MakerUrdf, ElementsOfOtherProgramsArePassedOver) {
   const MakerRobot robot = MakerFolder().read_robot(
       "<gazebo reference=\"a\"><mu1>0.2</mu1></gazebo><transmission name=\"t\"/><sensor/>" +

@@ -1,4 +1,6 @@
 // Shapes and meshes of links: where they are found, how they are read, written, scaled and mirrored.
+#include <sys/stat.h>
+
 #include <cstdlib>
 #include <numbers>
 
@@ -205,6 +207,101 @@ TEST(Meshes, ThatAreMissingOrBrokenAreNotedOnce) {
                         HasSubstr("broken.dae ("), HasSubstr("empty.obj ("),
                         HasSubstr("other.blend (meshes are read from STL, OBJ and DAE files)")),
                   "Surfaces that name a mesh that was not found are left out: none.stl."));
+}
+
+// What is noted of a DAE whose nodes are these.
+std::string note_on_dae(const std::string& library, const std::string& node) {
+  const MakerFolder folder;
+  std::string text = dae("", node);
+  text.insert(text.find("<library_visual_scenes>"), "<library_nodes>" + library + "</library_nodes>");
+  folder.write("a.dae", text);
+  const MakerRobot robot = folder.read_robot(link("a", collision(mesh("a.dae"))));
+  return robot.notes.empty() ? "" : robot.notes.front();
+}
+
+std::string repeated(const std::string& text, std::size_t times) {
+  std::string result;
+  for (std::size_t i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+const std::string kGeometry = "<instance_geometry url=\"#g\"/>";
+
+TEST(Meshes, OfDaeMayInstanceNodes) {
+  EXPECT_EQ(
+      note_on_dae("<node id=\"x\">" + kGeometry + "</node>", repeated("<instance_node url=\"#x\"/>", 100)),
+      "");
+}
+
+TEST(Meshes, OfDaeMayCallAnInstanceLikeItsNode) {
+  EXPECT_EQ(note_on_dae("<node id=\"x\" name=\"x\">" + kGeometry + "</node>",
+                        "<node id=\"first\" name=\"x\"><instance_node url=\"#x\"/></node>"),
+            "");
+}
+
+TEST(Meshes, OfDaeWhoseNodesHoldThemselvesAreRefused) {
+  const std::string x = "<instance_node url=\"#x\"/>", y = "<instance_node url=\"#y\"/>";
+  for (const std::string& library :
+       {"<node id=\"x\">" + kGeometry + y + "</node><node id=\"y\">" + x + "</node>",
+        "<node id=\"z\" name=\"x\"><node><!-- > -->" + x + "</node></node>",
+        "<node id='x' name='>'>" + x + "</node>"}) {
+    EXPECT_THAT(note_on_dae(library, x), AllOf(HasSubstr("a.dae ("), HasSubstr("hold themselves")))
+        << library;
+  }
+  EXPECT_THAT(note_on_dae("", "<instance_node url=\"#s\"/>"), HasSubstr("hold themselves"));
+  EXPECT_THAT(note_on_dae("<node id=\"&#120;\">" + x + "</node>", x), HasSubstr("plain text"));
+}
+
+TEST(Meshes, OfDaeWithElementsNestedTooDeepAreRefused) {
+  constexpr std::size_t kDeep = 100'000;
+  EXPECT_THAT(note_on_dae("", repeated("<node>", kDeep) + kGeometry + repeated("</node>", kDeep)),
+              HasSubstr("nested more than 64 deep"));
+  std::string chain;
+  for (std::size_t i = 0; i < kDeep; ++i)
+    chain += "<node id=\"x" + std::to_string(i) + "\"><instance_node url=\"#x" + std::to_string(i + 1) +
+             "\"/></node>";
+  EXPECT_THAT(note_on_dae(chain, "<instance_node url=\"#x0\"/>"), HasSubstr("nested more than 64 deep"));
+}
+
+TEST(Meshes, OfDaeWithMoreInstancesThanARobotNeedsAreRefused) {
+  constexpr int kDoublings = 16;
+  std::string library = "<node id=\"x" + std::to_string(kDoublings) + "\">" + kGeometry + "</node>";
+  for (int i = 0; i < kDoublings; ++i) {
+    const std::string next = "<instance_node url=\"#x" + std::to_string(i + 1) + "\"/>";
+    library += "<node id=\"x" + std::to_string(i) + "\">" + next + next + "</node>";
+  }
+  EXPECT_THAT(note_on_dae(library, "<instance_node url=\"#x0\"/>"), HasSubstr("more than 10000 nodes"));
+}
+
+TEST(Meshes, OfDaeThatIsNoPlainXmlAreRefused) {
+  const MakerFolder folder;
+  std::string wide;
+  for (const char letter : dae("")) wide += {letter, '\0'};
+  folder.write("a.dae", wide);
+  folder.write("b.dae", "<!DOCTYPE COLLADA [<!ENTITY a \"<node>\">]>" + dae(""));
+  const MakerRobot robot = folder.read_robot(link("a", collision(mesh("a.dae")) + collision(mesh("b.dae"))));
+  EXPECT_THAT(robot.notes, ElementsAre(AllOf(HasSubstr("a.dae (its text must be UTF-8"),
+                                             HasSubstr("b.dae (a DOCTYPE is not read"))));
+}
+
+TEST(Meshes, MaterialsAreReadFromRegularFilesBelowTheMeshAlone) {
+  const MakerFolder folder;
+  ASSERT_EQ(mkfifo((folder.path() / "fifo").c_str(), 0600), 0);
+  folder.write("green.mtl", "newmtl green\nKd 0 1 0\n");
+  folder.write("below/a.obj", "mtllib ../green.mtl\nusemtl green\n" + kObj);
+  folder.write("b.obj", "mtllib fifo\n" + kObj);
+  const MakerRobot robot = folder.read_robot(link(
+      "a", "<visual><geometry>" + mesh("below/a.obj") + "</geometry></visual>" + collision(mesh("b.obj"))));
+  EXPECT_THAT(robot.notes, IsEmpty());
+  EXPECT_EQ(robot.links[0].collision.size(), 1U);
+  EXPECT_NE(robot.links[0].visual.at(0).rgba, Eigen::Vector4d(0.0, 1.0, 0.0, 1.0));
+}
+
+TEST(Meshes, AreNotedInOneLine) {
+  const MakerRobot robot = MakerFolder().read_robot(
+      link("a", collision(mesh("x.stl&#10;joints: []&#13;&#9;#")) + "<visual name=\"b&#10;c: 1\"/>"));
+  for (const std::string& note : robot.notes) EXPECT_EQ(note.find_first_of("\n\r\t"), note.npos) << note;
+  EXPECT_THAT(robot.notes, testing::Contains(HasSubstr("x.stl\\x0Ajoints: []\\x0D\\x09#")));
 }
 
 TEST(Meshes, AreOfLimitedSize) {

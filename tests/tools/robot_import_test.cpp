@@ -66,15 +66,50 @@ TEST_F(RobotImport, WritesAFolderThatIsDescribedWithAPageAndAPicture) {
 }
 
 TEST_F(RobotImport, OverwritesNothingUnaskedAndWithForceOnlyItsOwn) {
-  write("robots/new/robot.yaml", "mine\n");
-  write("robots/new/calibration.yaml", "measured\n");
+  ASSERT_EQ(import({}, "--quiet"), 0) << said_;
+  write("robots/new/robot.yaml", text_of(path("robots/new/robot.yaml")) + "# corrected\n");
+  write("robots/new/notes.txt", "mine\n");
+  write("robots/new/meshes/mine.stl", "mine\n");
   EXPECT_EQ(import({}), 1);
   EXPECT_THAT(said_, testing::AllOf(HasSubstr("is there already"), HasSubstr("--force")));
-  EXPECT_EQ(text_of(path("robots/new/robot.yaml")), "mine\n");
-  expect_alone("robots/new", 2);
+  EXPECT_THAT(text_of(path("robots/new/robot.yaml")), HasSubstr("# corrected"));
   ASSERT_EQ(import({}, "--force --quiet"), 0) << said_;
-  EXPECT_THAT(text_of(path("robots/new/robot.yaml")), HasSubstr("left_knee"));
-  EXPECT_EQ(text_of(path("robots/new/calibration.yaml")), "measured\n");
+  EXPECT_THAT(text_of(path("robots/new/robot.yaml")), testing::Not(HasSubstr("# corrected")));
+  EXPECT_EQ(text_of(path("robots/new/notes.txt")), "mine\n");
+  EXPECT_EQ(text_of(path("robots/new/meshes/mine.stl")), "mine\n");
+  expect_alone("robots", 1);
+}
+
+TEST_F(RobotImport, EvenWithForceReplacesNothingThatNoImportWrote) {
+  write("robots/new/robot.yaml", "mine\n");
+  for (const char* const force : {"", "--force"}) {
+    EXPECT_EQ(import({}, force), 1);
+    EXPECT_THAT(said_, testing::AllOf(HasSubstr("no import wrote"), testing::Not(HasSubstr("--force"))))
+        << force;
+  }
+  EXPECT_EQ(text_of(path("robots/new/robot.yaml")), "mine\n");
+  expect_alone("robots/new", 1);
+}
+
+TEST_F(RobotImport, NeverWritesIntoTheFolderThatItReads) {
+  const std::filesystem::path urdf = importer::test::write_humanoid(
+      {.foot = importer::test::FootShape::tapered_mesh}, path("generated/urdf"));
+  for (const char* const out : {"generated", "generated/urdf", "generated/urdf/."}) {
+    EXPECT_EQ(command("import '" + urdf.string() + "' --force --out '" + path(out).string() + "'"), 1);
+    EXPECT_THAT(said_, HasSubstr("is read from there")) << out;
+  }
+  EXPECT_TRUE(std::filesystem::exists(path("generated/urdf/left_foot.stl")));
+  expect_alone("generated", 1);
+}
+
+TEST_F(RobotImport, IntoALinkedFolderStaysThere) {
+  std::filesystem::create_directories(path("elsewhere/new"));
+  std::filesystem::create_directories(path("robots"));
+  std::filesystem::create_directory_symlink(path("elsewhere/new"), path("robots/new"));
+  ASSERT_EQ(import({}, "--quiet"), 0) << said_;
+  ASSERT_EQ(import({}, "--quiet --force"), 0) << said_;
+  EXPECT_TRUE(std::filesystem::is_symlink(path("robots/new")));
+  EXPECT_TRUE(std::filesystem::exists(path("elsewhere/new/robot.urdf")));
   expect_alone("robots", 1);
 }
 
@@ -84,9 +119,11 @@ TEST_F(RobotImport, LeavesNothingBehindWhenItFails) {
   EXPECT_EQ(import(endless), 1);
   EXPECT_THAT(said_, testing::AllOf(HasSubstr("robot.urdf"), HasSubstr("left_knee"), HasSubstr("limit")));
   EXPECT_FALSE(std::filesystem::exists(path("robots/new")));
-  write("robots/new/robot.yaml", "mine\n");
+  EXPECT_FALSE(std::filesystem::exists(path("robots")));
+  ASSERT_EQ(import({}, "--quiet"), 0) << said_;
+  const std::string before = text_of(path("robots/new/robot.yaml"));
   EXPECT_EQ(import(endless, "--force"), 1);
-  EXPECT_EQ(text_of(path("robots/new/robot.yaml")), "mine\n");
+  EXPECT_EQ(text_of(path("robots/new/robot.yaml")), before);
   expect_alone("robots", 1);
   EXPECT_EQ(command("import '" + path("nowhere.urdf").string() + "'"), 1);
   EXPECT_THAT(said_, HasSubstr("nowhere.urdf"));

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/trajectory/robot_gait.hpp"
 
@@ -75,13 +76,30 @@ importer::ImportedRobot with_best_stand(const importer::ImportedRobot& imported,
   return best;
 }
 
+// The folder that was written, as it is read again. What is wrong with it is told of the maker's file: the
+// folder will be gone.
+urdf::RobotModel load_brought(const importer::ImportedRobot& imported, const std::filesystem::path& folder) {
+  try {
+    return urdf::load_robot(folder);
+  } catch (const input::InputError& error) {
+    std::string why = error.what();
+    const std::string place = folder.string() + "/";
+    if (why.starts_with(place)) {
+      const std::size_t file_end = why.find(": ");
+      why.erase(0, file_end == why.npos ? place.size() : file_end + 2);
+    }
+    throw input::InputError(
+        fmt::format("{}: what is made of it cannot be loaded: {}", imported.robot.file.string(), why));
+  }
+}
+
 }  // namespace
 
 BroughtRobot bring_robot(importer::ImportedRobot imported, const std::filesystem::path& folder) {
   constexpr std::size_t kMostNodes = 64;
   imported = importer::with_fewer_joints(imported, kMostNodes);
   importer::write_robot_folder(imported, folder);
-  urdf::RobotModel robot = urdf::load_robot(folder);
+  urdf::RobotModel robot = load_brought(imported, folder);
   const std::size_t most = joints_on_bus(robot);
   importer::ImportedRobot best = with_best_stand(imported, robot);
   if (most < robot.joints.size() || best.home.knee_bend_rad != imported.home.knee_bend_rad) {
@@ -89,7 +107,7 @@ BroughtRobot bring_robot(importer::ImportedRobot imported, const std::filesystem
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       std::filesystem::remove_all(entry.path());
     importer::write_robot_folder(imported, folder);
-    robot = urdf::load_robot(folder);
+    robot = load_brought(imported, folder);
   }
   std::string bus =
       fmt::format("{} joints on one bus, load {:.0f} % in the worst case, every deadline proven",

@@ -1,17 +1,17 @@
 // `gaitway robot import`: a maker's URDF becomes a folder that loads; nothing is overwritten unasked.
 #include <fmt/format.h>
-#include <unistd.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "gaitway/importer/import.hpp"
 #include "tools/robot/bring_robot.hpp"
+#include "tools/robot/import_folder.hpp"
 #include "tools/robot/import_page.hpp"
 #include "tools/robot/robot_commands.hpp"
 
@@ -24,42 +24,6 @@ struct ImportCommandOptions {
   std::vector<std::filesystem::path> packages;
   std::optional<std::string> forward;
   std::vector<std::string> hold;
-};
-
-// A folder beside `place` that is gone again unless it is given its name.
-class FolderInTheMaking {
- public:
-  explicit FolderInTheMaking(const std::filesystem::path& place) : place_(place) {
-    const std::filesystem::path parent = std::filesystem::absolute(place).lexically_normal().parent_path();
-    std::filesystem::create_directories(parent);
-    std::string pattern = (parent / ".import-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), "cannot make a folder in " + parent.string());
-    }
-    path_ = pattern;
-    std::filesystem::permissions(path_, std::filesystem::perms(0755));
-  }
-  ~FolderInTheMaking() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  FolderInTheMaking(const FolderInTheMaking&) = delete;
-  FolderInTheMaking& operator=(const FolderInTheMaking&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  // What it holds replaces what has the same name there; everything else there stays.
-  void take_its_place() const {
-    std::filesystem::create_directories(place_);
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
-      const std::filesystem::path target = place_ / entry.path().filename();
-      std::filesystem::remove_all(target);
-      std::filesystem::rename(entry.path(), target);
-    }
-  }
-
- private:
-  std::filesystem::path place_, path_;
 };
 
 Eigen::Vector3d axis_of(const std::string& word) {
@@ -84,23 +48,20 @@ int import_urdf(const ImportCommandOptions& options) {
   importer::ImportedRobot imported = importer::import_robot(options.file, how);
   const std::filesystem::path out =
       options.out.empty() ? std::filesystem::path(folder_name(imported.robot.name)) : options.out;
-  if (!options.force && std::filesystem::exists(out) &&
-      (!std::filesystem::is_directory(out) || !std::filesystem::is_empty(out))) {
-    throw std::invalid_argument(fmt::format(
-        "{}: is there already. Give another --out, or --force to replace what an import writes there",
-        out.string()));
-  }
-  const FolderInTheMaking folder(out);
+  ImportFolder folder(out, imported, options.force);
   const BroughtRobot brought = bring_robot(std::move(imported), folder.path());
   const ImportSummary summary{brought.imported, brought.robot, brought.bus};
   const std::string without_picture = write_import_page(summary, folder.path());
+  const std::vector<std::string> kept = folder.kept();
   folder.take_its_place();
   if (!without_picture.empty()) fmt::print(stderr, "gaitway robot import: no picture: {}\n", without_picture);
   if (!options.quiet) {
-    fmt::print("{}  {:<14}{} in {:.1f} s\n  {:<14}gaitway robot check {}\n", import_text(summary), "written",
-               (out / "import.html").string(),
+    const std::string kept_text =
+        kept.empty() ? "" : fmt::format("  {:<14}{}\n", "kept", fmt::join(kept, ", "));
+    fmt::print("{}{}  {:<14}{} in {:.1f} s\n  {:<14}gaitway robot check {}\n", import_text(summary),
+               kept_text, "written", (folder.place() / "import.html").string(),
                std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "next",
-               out.string());
+               folder.place().string());
   }
   return kExitFine;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -46,18 +47,26 @@ double between_soles_m(const urdf::RobotModel& robot) {
          home.sole_pose(urdf::Side::right).translation().y();
 }
 
+// One text for both, where they are alike.
+std::string soles_text(const std::array<importer::FoundSole, 2>& soles) {
+  const auto text = [](const importer::FoundSole& sole) {
+    return fmt::format("{:.3f} x {:.3f} m, {}", sole.size_m.x(), sole.size_m.y(), sole.source);
+  };
+  const std::string left = text(soles[0]), right = text(soles[1]);
+  return left == right ? left : fmt::format("left {}; right {}", left, right);
+}
+
 std::vector<Finding> findings(const ImportSummary& summary) {
   const importer::ImportedRobot& found = summary.imported;
   const auto leg = [&](std::size_t side) {
     return fmt::format("{} -> {}", fmt::join(found.plan.legs[side].joints, ", "), found.plan.legs[side].foot);
   };
-  const importer::FoundSole& sole = found.soles[0];
   std::vector<Finding> all{
       {"robot", fmt::format("{}, {:.2f} kg, hips {:.3f} m above the soles", summary.robot.name,
                             summary.robot.total_mass_kg(), summary.robot.hip_height_m)},
       {"left leg", leg(0)},
       {"right leg", leg(1)},
-      {"soles", fmt::format("{:.3f} x {:.3f} m, {}", sole.size_m.x(), sole.size_m.y(), sole.source)},
+      {"soles", soles_text(found.soles)},
       {"home posture",
        fmt::format("soles level, {:.3f} m apart, knees bent by {:.0f} deg", between_soles_m(summary.robot),
                    found.home.knee_bend_rad * 180.0 / std::numbers::pi)},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
@@ -128,11 +129,20 @@ Key read_key(const YamlValue& value, const urdf::RobotModel& robot, trajectory::
   return key;
 }
 
+// Files are called after it.
+std::string read_name(const YamlValue& value) {
+  const std::string name = value.text();
+  const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  if (name.empty() || !std::ranges::all_of(name, is_allowed))
+    value.refuse("a motion's name must be letters, digits, '_' and '-'", "Give it another name.");
+  return name;
+}
+
 Motion read(const YamlValue& file, const urdf::RobotModel& robot) {
   constexpr std::array<std::string_view, 6> kKeys{"name",    "description",  "start",
                                                   "lies_on", "torque_share", "keys"};
   file.require_map(kKeys);
-  Motion motion{.name = file.at("name").text(),
+  Motion motion{.name = read_name(file.at("name")),
                 .description = file.at("description").text(),
                 .torque_share = number_in(file, "torque_share", kShare),
                 .lies_on = {},

@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/input/written_text.hpp"
 #include "gaitway/motion/motion_adaptation.hpp"
 
 namespace gaitway::motion {
@@ -28,18 +27,7 @@ std::string seconds(double time_s) {
 }
 
 std::string quoted(const std::string& text) {
-  const bool plain =
-      !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
-      std::ranges::all_of(text, [](unsigned char c) {
-        return std::isalnum(c) != 0 || c == ' ' || c == '_' || c == '-' || c == '.' || c == ',';
-      });
-  if (plain) return text;
-  std::string all = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') all += '\\';
-    all += c;
-  }
-  return all + "\"";
+  return input::yaml_text(text, " _-.,");
 }
 
 std::string map_of(const std::vector<std::string>& fields) {

@@ -46,6 +46,7 @@ struct MakerJoint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           // unit, in the joint's frame
   // What the file says; none: a continuous joint has no limits, and zeros stand for "unknown" in many files.
   std::optional<double> lower_rad, upper_rad;
+  bool is_continuous = false;  // by its type: it has no limits, whatever else is written of them
   std::optional<double> velocity_rad_per_s, effort_Nm;
   std::optional<double> damping_Nms_per_rad, friction_Nm;
 };
