@@ -385,7 +385,7 @@ void Stand::hang(const Carried& arm) {
 
 // Ahead and back, in a walk: an arm whose shoulder hardly goes back hangs a little ahead.
 void Stand::leave_room_to_swing(const Carried& arm) {
-  constexpr double kRoomToSwing_rad = 0.6, kPitches = 0.7;
+  constexpr double kRoomToSwing_rad = 0.7, kPitches = 0.7;
   const Posture posture(robot_, angle_rad_);
   const auto pitch = std::ranges::find_if(
       arm.joints, [&](int index) { return std::abs(posture.axis(index).y()) > kPitches; });

@@ -300,6 +300,19 @@ TEST_F(NoHumanoid, WithoutMassIsRefused) {
   humanoid_.no_mass = true;
   EXPECT_THAT(complaint(), HasSubstr("no link has a mass"));
 }
+// By the maker's line: the folder that would be made of it could not be loaded.
+TEST_F(NoHumanoid, ThatNoFolderMayHoldIsRefusedByTheMakersLine) {
+  humanoid_.mass_kg = 5000.0;
+  EXPECT_THAT(complaint(), testing::AllOf(testing::ContainsRegex("robot.urdf:[0-9]+: link '"),
+                                          HasSubstr("must be at most 200 kg"), HasSubstr("kilograms")));
+  humanoid_.mass_kg = 60.0;
+  humanoid_.rating[1] = {.torque = 1e-6, .speed = 2.0};
+  EXPECT_THAT(complaint(), testing::AllOf(testing::ContainsRegex("robot.urdf:[0-9]+: joint 'left_knee'"),
+                                          HasSubstr("effort"), HasSubstr("at least 0.01 N·m")));
+  humanoid_.rating[1] = {.torque = 0.4, .speed = 1e-3};
+  EXPECT_THAT(complaint(), testing::AllOf(testing::ContainsRegex("robot.urdf:[0-9]+: joint 'left_knee'"),
+                                          HasSubstr("velocity"), HasSubstr("at least 0.1 rad/s")));
+}
 TEST_F(NoHumanoid, ThatLooksEitherWayIsRefusedUnlessItIsTold) {
   humanoid_.symmetric_knees = true;
   humanoid_.foot_ahead = 0.0;
@@ -314,7 +327,7 @@ TEST_F(NoHumanoid, NoLegsJointAndNoUnknownOneIsHeldStill) {
   held.held_still = {"left_knee"};
   EXPECT_THAT(complaint(held), HasSubstr("'left_knee' is a leg's joint"));
   held.held_still = {"wing"};
-  EXPECT_THAT(complaint(held), HasSubstr("'wing': there is no such joint"));
+  EXPECT_THAT(complaint(held), HasSubstr("--hold 'wing': no joint that turns by itself is called so"));
 }
 
 TEST(HeldStill, AJointIsMergedAndTheMassStays) {

@@ -45,11 +45,11 @@ TEST(ConvexHull, HoldsAllPoints) {
 
 TEST(ConvexHull, OfABoxIsTheBox) {
   const MakerRobot robot = test::MakerFolder().read_robot(
-      test::link("a", "<collision><geometry><box size=\"1 2 3\"/></geometry></collision>"));
+      test::link("a", "<collision><geometry><box size=\"0.5 1 1.5\"/></geometry></collision>"));
   const Surface hull = convex_hull(robot.links[0].collision.at(0), 8);
   EXPECT_EQ(hull.point_m.size(), 8U);
   EXPECT_EQ(hull.triangle.size(), 12U);
-  EXPECT_NEAR(test::volume_m3(hull), 6.0, 1e-12);
+  EXPECT_NEAR(test::volume_m3(hull), 0.75, 1e-12);
 }
 
 TEST(ConvexHull, KeepsToAFewPointsAndNearlyTheVolume) {

@@ -63,10 +63,10 @@ struct Expected {
 
 TEST(Shapes, AreClosedAndFaceOutwards) {
   for (const Expected& expected :
-       {Expected{"<box size=\"1 2 3\"/>", 6.0, {1.0, 2.0, 3.0}},
-        Expected{"<cylinder radius=\"0.5\" length=\"3\"/>", 0.75 * kPi, {1.0, 1.0, 3.0}},
+       {Expected{"<box size=\"0.5 1 1.5\"/>", 0.75, {0.5, 1.0, 1.5}},
+        Expected{"<cylinder radius=\"0.5\" length=\"1.5\"/>", 0.375 * kPi, {1.0, 1.0, 1.5}},
         Expected{"<sphere radius=\"0.5\"/>", kPi / 6.0, {1.0, 1.0, 1.0}},
-        Expected{"<capsule radius=\"0.5\" length=\"3\"/>", 0.75 * kPi + kPi / 6.0, {1.0, 1.0, 4.0}}}) {
+        Expected{"<capsule radius=\"0.5\" length=\"0.9\"/>", 0.225 * kPi + kPi / 6.0, {1.0, 1.0, 1.9}}}) {
     const Surface surface = shape(expected.element);
     EXPECT_TRUE(test::is_closed(surface)) << expected.element;
     EXPECT_TRUE(box_of(surface).sizes().isApprox(expected.size_m, 1e-12)) << expected.element;
@@ -78,10 +78,22 @@ TEST(Shapes, AreClosedAndFaceOutwards) {
 
 TEST(Shapes, LieWhereTheirOriginPutsThem) {
   const MakerRobot robot = MakerFolder().read_robot(link(
-      "a", collision("<box size=\"1 2 3\"/>", "<origin xyz=\"1 1 1\" rpy=\"1.5707963267948966 0 0\"/>")));
+      "a", collision("<box size=\"0.5 1 1.5\"/>", "<origin xyz=\"1 1 1\" rpy=\"1.5707963267948966 0 0\"/>")));
   const Eigen::AlignedBox3d box = box_of(robot.links[0].collision.at(0));
   EXPECT_TRUE(box.center().isApprox(Eigen::Vector3d(1.0, 1.0, 1.0), 1e-12));
-  EXPECT_TRUE(box.sizes().isApprox(Eigen::Vector3d(1.0, 3.0, 2.0), 1e-12));
+  EXPECT_TRUE(box.sizes().isApprox(Eigen::Vector3d(0.5, 1.5, 1.0), 1e-12));
+}
+
+// Whose maker drew it in millimetres.
+TEST(Shapes, LargerThanABodyAreLeftOutWithTheRemedy) {
+  const MakerFolder folder;
+  folder.write("a.obj", kObj);
+  const MakerRobot robot = folder.read_robot(
+      link("a", collision(mesh("a.obj", "400 400 400")) + collision("<box size=\"0.1 0.1 2.5\"/>")));
+  EXPECT_THAT(robot.links[0].collision, IsEmpty());
+  EXPECT_THAT(robot.notes,
+              ElementsAre(AllOf(HasSubstr("larger than 2 m"), HasSubstr("scale=\"0.001 0.001 0.001\""),
+                                HasSubstr("box, 2.5 m long"))));
 }
 
 TEST(Shapes, WithoutExtentOrOfUnknownKindAreNoted) {
@@ -132,11 +144,11 @@ TEST(Meshes, DaeIsInItsUnitButItsUpAxisIsIgnored) {
 TEST(Meshes, AreScaledAndMirrored) {
   const MakerFolder folder;
   folder.write("a.obj", kObj);
-  const MakerRobot robot = folder.read_robot(link("a", collision(mesh("a.obj", "2 -3 4"))));
+  const MakerRobot robot = folder.read_robot(link("a", collision(mesh("a.obj", "1 -1.5 2"))));
   const Surface& surface = robot.links[0].collision.at(0);
-  EXPECT_NEAR(volume_m3(surface), 4.0, 1e-6);
-  EXPECT_TRUE(box_of(surface).min().isApprox(Eigen::Vector3d(0.0, -3.0, 0.0), 1e-9));
-  EXPECT_TRUE(box_of(surface).max().isApprox(Eigen::Vector3d(2.0, 0.0, 4.0), 1e-9));
+  EXPECT_NEAR(volume_m3(surface), 0.5, 1e-6);
+  EXPECT_TRUE(box_of(surface).min().isApprox(Eigen::Vector3d(0.0, -1.5, 0.0), 1e-9));
+  EXPECT_TRUE(box_of(surface).max().isApprox(Eigen::Vector3d(1.0, 0.0, 2.0), 1e-9));
 }
 
 TEST(Meshes, ColourIsTheMeshesUnlessTheUrdfSaysOne) {

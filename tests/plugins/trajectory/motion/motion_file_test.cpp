@@ -87,6 +87,23 @@ TEST(MotionFile, NamesFileLineFieldAndRemedyOfAWrongOne) {
   }
 }
 
+// Files are called after it: what is planned of it would be written elsewhere.
+TEST(MotionFile, ANameIsNoPath) {
+  const auto complaint = [](const std::string& name) -> std::string {
+    try {
+      static_cast<void>(
+          parse_motion("name: \"" + name + "\"\ndescription: for a test\nkeys:\n  - {name: a}\n", "test.yaml",
+                       humanoid22()));
+    } catch (const urdf::RobotError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  for (const char* const name : {"../evil", "/evil", "a b", "", "a.b"})
+    EXPECT_THAT(complaint(name), AllOf(HasSubstr("test.yaml:1"), HasSubstr("letters, digits"))) << name;
+  EXPECT_EQ(complaint("kick_2-left"), "nothing");
+}
+
 TEST(MotionFile, OneOnTheGroundMaySayTheSide) {
   const std::string head = "name: test\ndescription: for a test\n";
   const std::string keys = "keys:\n  - {name: lie, contact: none}\n  - {name: up, contact: none}\n";
