@@ -187,7 +187,9 @@ ApiParameters declare_parameters(Setup& setup) {
       setup.parameter("address", server.address, "to listen on; not loopback: with TLS and token");
   server.port = static_cast<std::uint16_t>(setup.parameter("port", static_cast<std::int64_t>(server.port),
                                                            "1", {0.0, 65535.0, "TCP port; 0: any free one"}));
-  server.origins = split(setup.parameter("origins", "", "web origins that may connect, with commas between"));
+  server.origins = split(setup.parameter(
+      "origins", "",
+      "web origins that may connect besides this computer's, with commas between; null: pages from files"));
   server.token_file = setup.parameter("token_file", "", "file with the token that clients must know");
   server.certificate_file = setup.parameter("certificate_file", "", "certificate chain (PEM)");
   server.key_file = setup.parameter("key_file", "", "its private key (PEM)");
