@@ -87,7 +87,8 @@ class Door {
         hub_(port_, hub_options(parameters.server.limits, setup_, robot_directory)),
         server_(hub_, std::move(setup_),
                 {.on_tick = [this](std::int64_t wall_ns) { on_tick(wall_ns); },
-                 .on_poll = [this](std::int64_t wall_ns) { on_poll(wall_ns); }}) {
+                 .on_poll = [this](std::int64_t wall_ns) { on_poll(wall_ns); },
+                 .on_refusals = [this](const std::string& line) { reports_.put(Severity::warning, line); }}) {
     client_.seal();
     thread_ = std::thread([this] { server_.run(); });
     reports_.put(Severity::info, fmt::format("serves {}", url_));
