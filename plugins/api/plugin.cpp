@@ -124,6 +124,14 @@ class Door {
                        }
                      });
     feed_.poll(wall_ns, sink);
+    tell_commander(sink);
+  }
+  void tell_commander(PublicationSink& sink) {
+    if (commander_ && commander_->data == hub_.commander()) {
+      return;
+    }
+    commander_ = ros::String{std::string(hub_.commander())};
+    sink.publish(Topic::commander, *commander_, feed_.robot_ns());
   }
   void on_tick(std::int64_t wall_ns) {
     if (recorder_ == nullptr) {
@@ -145,6 +153,7 @@ class Door {
   ServerSetup setup_;
   std::string url_;
   Hub hub_;
+  std::optional<ros::String> commander_;  // as told last
   Server server_;
   std::thread thread_;
 };

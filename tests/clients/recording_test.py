@@ -20,7 +20,7 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 FULL_RATE = [
     "/joint_states", "/imu/data", "/foot/left/wrench", "/foot/right/wrench", "/zmp", "/com", "/odom", "/tf", "/clock",
 ]
-LATCHED = ["/footsteps", "/motion_state", "/robot_description", "/diagnostics"]
+LATCHED = ["/footsteps", "/motion_state", "/robot_state", "/commander", "/robot_description", "/diagnostics"]
 SECONDS = 5.0
 
 
@@ -29,7 +29,8 @@ def plain(value):
     if isinstance(value, (bool, int, float, str)):
         return value
     if dataclasses.is_dataclass(value):
-        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)
+                if field.name != "__msgtype__"}
     if hasattr(value, "tolist"):
         return value.tolist()
     if hasattr(value, "__slots__"):
