@@ -186,8 +186,9 @@ void ServiceDesk::start_recording(const Caller& caller) {
   try {
     const auto begun = [this, by = caller.claimant](const auto& call, const auto& result) {
       records_ = result.done ? std::optional(by) : records_;
-      reply(call, result.done ? ros::StartRecording::Response{true, "recording", result.text}
-                              : ros::StartRecording::Response{false, result.text, ""});
+      reply(call, result.done
+                      ? ros::StartRecording::Response{true, "records into " + result.text, result.text}
+                      : ros::StartRecording::Response{false, result.text, ""});
     };
     await_result(caller, robot_.start_recording(asked.name), begun);
   } catch (const std::runtime_error& error) {
