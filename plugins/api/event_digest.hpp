@@ -14,7 +14,7 @@ namespace gaitway::api {
 class EventDigest {
  public:
   static constexpr std::int64_t kPeriod_ns = 10'000'000'000;  // from one line to the next that says the same
-  static constexpr std::size_t kMostKinds = 64;               // that are counted; the others are told as they come
+  static constexpr std::size_t kMostKinds = 64;  // that are counted; the others are told as they come
 
   // Whether the event is to be told now; if not, repeats() tells of it.
   [[nodiscard]] bool is_news(const ros::Log& event, std::int64_t now_ns);

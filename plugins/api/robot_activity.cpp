@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 8> kWords{"stands",  "walks", "plays",  "
 bool steps(const MotionPlan& plan, std::int64_t robot_ns) noexcept {
   constexpr std::uint8_t kBothFeet = 2;
   const auto support = std::span(plan.support).first(kBatchPoints);
-  const auto landings = std::span(plan.footstep_landing_ns).first(std::min<std::size_t>(plan.footstep_count, kMaxFootsteps));
+  const auto landings =
+      std::span(plan.footstep_landing_ns).first(std::min<std::size_t>(plan.footstep_count, kMaxFootsteps));
   return std::ranges::any_of(support, [](std::uint8_t feet) { return feet != kBothFeet; }) ||
          std::ranges::any_of(landings, [robot_ns](std::int64_t landing_ns) { return landing_ns > robot_ns; });
 }

@@ -63,7 +63,9 @@ TEST_F(RobotActivityTest, WhatIsWorseIsToldFirst) {
   EXPECT_EQ(told(), Activity::gone);
 }
 
-TEST_F(RobotActivityTest, NothingKnownIsGone) { EXPECT_EQ(activity_of({}), Activity::gone); }
+TEST_F(RobotActivityTest, NothingKnownIsGone) {
+  EXPECT_EQ(activity_of({}), Activity::gone);
+}
 
 TEST_F(RobotActivityTest, HasAWordForEach) {
   EXPECT_EQ(robot_state_of(Activity::stands, 0).state, "stands");
