@@ -120,6 +120,11 @@ std::optional<Origin> parse(std::string_view given) {
   return origin;
 }
 
+// What browsers send for pages from files, and for frames that are kept apart from every origin.
+bool is_of_files(std::string_view origin) {
+  return origin == "null" || origin == "file://";
+}
+
 }  // namespace
 
 AccessToken::AccessToken(std::string_view text) {
@@ -168,25 +173,23 @@ bool AccessToken::matches(std::string_view offered) const noexcept {
 OriginRule::OriginRule(std::span<const std::string> allowed) {
   for (const std::string& entry : allowed) {
     const auto origin = parse(entry);
-    if (!origin) {
-      throw ServerSetupError("origins: '" + entry +
-                             "' is no origin of a web page: name each as http://host, https://host or with "
-                             ":port after it, without a path; there is no entry for all");
+    if (!origin && !is_of_files(entry)) {
+      throw ServerSetupError(
+          "origins: '" + entry +
+          "' is no origin of a web page: name each as http://host, https://host or with "
+          ":port after it, without a path, and pages from files as null; there is no entry "
+          "for all");
     }
-    allowed_.push_back(origin->text());
+    allowed_.push_back(origin ? origin->text() : entry);
   }
 }
 
 bool OriginRule::allows(std::string_view origin) const {
   static constexpr std::array<std::string_view, 3> kThisMachine{"localhost", "127.0.0.1", "[::1]"};
   const auto parsed = parse(origin);
-  if (!parsed) {
-    return false;
-  }
-  if (allowed_.empty()) {
-    return std::ranges::find(kThisMachine, parsed->host) != kThisMachine.end();
-  }
-  return std::ranges::find(allowed_, parsed->text()) != allowed_.end();
+  const bool is_local = parsed && std::ranges::find(kThisMachine, parsed->host) != kThisMachine.end();
+  return is_local ||
+         std::ranges::find(allowed_, parsed ? parsed->text() : std::string(origin)) != allowed_.end();
 }
 
 }  // namespace gaitway::api

@@ -17,6 +17,8 @@ constexpr std::size_t kTurnFrames = OutgoingQueue::kBuffers / 2;
 constexpr int kTurns = 4;
 // Pings and pongs that a client may send in a second.
 constexpr unsigned kControlFrames = 100;
+// Urgent messages that need not wait, from one sweep to the next; who sends more must wait for his turn.
+constexpr unsigned kUrgentAtOnce = 4;
 using facts::kSecond_ns;
 
 std::string shortened(std::string_view reason) {
@@ -45,6 +47,7 @@ ClientLink::ClientLink(ServerCore& core, const Endpoint& peer, bool surplus, std
       peer_(text(peer)),
       since_ns_(now_ns),
       surplus_(surplus),
+      inbox_(core.options.limits.message_bytes),
       deadline_ns_(now_ns + core.options.limits.handshake_ns) {}
 
 void ClientLink::wake() noexcept {
@@ -69,13 +72,13 @@ void ClientLink::pump_woken(std::int64_t now_ns) {
 }
 
 void ClientLink::fill(std::int64_t now_ns) {
-  while (session_ && queue_.bytes() < kTurnBytes && queue_.frames() < kTurnFrames) {
+  while (phase_ == Phase::open && session_ && queue_.bytes() < kTurnBytes && queue_.frames() < kTurnFrames) {
     auto frame = session_->next_frame(now_ns);
     if (!frame) {
       return;
     }
     if (queue_.empty()) {
-      front_ns_ = now_ns;
+      front_ns_ = core_.listening.now_ns();
     }
     ++core_.statistics.messages_out;
     core_.statistics.bytes_out += frame->bytes->size();
@@ -104,15 +107,34 @@ void ClientLink::pump(std::int64_t now_ns) {
 void ClientLink::consumed(std::size_t bytes) {
   const auto progress = queue_.consume(bytes);
   if (progress.finished_any) {
-    front_ns_ = wall_now_ns();
+    front_ns_ = core_.listening.now_ns();
   }
   if (progress.finished_raw) {
     raw_written();
   }
 }
 
-void ClientLink::refusing(Refusal cause) {
+void ClientLink::refuse(Refusal cause, const std::string& origin) {
   core_.statistics.count(cause);
+  const std::int64_t now_ns = wall_now_ns();
+  std::int64_t wait_ns = 0;
+  if (cause == Refusal::wrong_token || cause == Refusal::foreign_origin) {
+    core_.refusal_log.note(cause, address_.to_string() + (origin.empty() ? "" : ", origin " + origin));
+    wait_ns = core_.patience.refused(address_, now_ns);
+  }
+  phase_ = Phase::refused;
+  deadline_ns_ = now_ns + wait_ns;
+  if (wait_ns == 0) {
+    answer_refusal();
+  }
+}
+
+void ClientLink::shown_wrong_token() noexcept {
+  core_.statistics.count(Refusal::wrong_token);
+  core_.refusal_log.note(Refusal::wrong_token, address_.to_string());
+}
+
+void ClientLink::refusing() {
   phase_ = Phase::refusing;
   deadline_ns_ = wall_now_ns() + core_.options.closing_ns;
 }
@@ -122,7 +144,8 @@ void ClientLink::opened(bool authorised) {
   ++core_.statistics.opened;
   was_open_ = true;
   phase_ = Phase::open;
-  heard_ns_ = pinged_ns_ = second_ns_ = now_ns;
+  pinged_ns_ = second_ns_ = now_ns;
+  heard_ns_ = core_.listening.now_ns();
   session_ = core_.hub.open(*this, peer_, authorised, now_ns);
   if (!session_) {
     end_conversation(Closing::refused, kTryAgainLater,
@@ -133,22 +156,72 @@ void ClientLink::opened(bool authorised) {
 void ClientLink::received(std::string_view message, bool binary) {
   ++core_.statistics.messages_in;
   core_.statistics.bytes_in += message.size();
-  if (session_ && !close_asked_) {
+  if (!session_ || close_asked_) {
+    return;
+  }
+  if (may_overtake(message, binary)) {
+    inbox_.overtake();
     session_->take(message, binary, wall_now_ns());
+    return;
+  }
+  inbox_.put(message, binary);
+  if (!std::exchange(in_line_, true)) {
+    core_.want_work(shared_from_this());
+  }
+}
+
+bool ClientLink::may_overtake(std::string_view message, bool binary) noexcept {
+  return overtook_ < kUrgentAtOnce && session_->is_urgent(message, binary) && ++overtook_ > 0;
+}
+
+void ClientLink::read_on() {
+  reading_rests_ = phase_ == Phase::open && !inbox_.has_room();
+  if (phase_ == Phase::open && !reading_rests_) {
+    read();
+  }
+}
+
+bool ClientLink::work() {
+  if (session_ && !inbox_.empty()) {
+    const ClientInbox::Message message = inbox_.take();
+    if (message.overtaken) {
+      session_->take_overtaken(message.text, message.binary, wall_now_ns());
+    } else {
+      session_->take(message.text, message.binary, wall_now_ns());
+    }
+  }
+  if (close_asked_) {
+    inbox_.clear();
+  }
+  if (phase_ != Phase::open) {
+    let_session_finish();
+  } else if (reading_rests_) {
+    read_on();
+  }
+  in_line_ = !inbox_.empty();
+  return in_line_;
+}
+
+void ClientLink::drop_session() noexcept {
+  inbox_.clear();
+  session_.reset();
+}
+
+void ClientLink::let_session_finish() noexcept {
+  if (inbox_.empty()) {
+    session_.reset();
   }
 }
 
 void ClientLink::heard(std::size_t bytes) {
   if (bytes > 0) {
-    heard_ns_ = wall_now_ns();
+    heard_ns_ = core_.listening.now_ns();
   }
 }
 
 void ClientLink::control_frame() {
-  heard_ns_ = wall_now_ns();
-  if (session_) {
-    session_->heard(heard_ns_);
-  }
+  ++core_.statistics.control_frames;
+  heard_ns_ = core_.listening.now_ns();
   if (++control_frames_ == kControlFrames) {
     cause_ = Closing::flood;
     close(kPolicyViolation, "more than " + std::to_string(kControlFrames) + " pings and pongs in a second");
@@ -159,14 +232,14 @@ void ClientLink::control_frame() {
 
 void ClientLink::client_closes() {
   if (phase_ == Phase::open) {
-    session_.reset();
+    let_session_finish();
     enter_closing(Closing::by_client);
   }
 }
 
 void ClientLink::library_closes() {
   if (phase_ == Phase::open) {
-    session_.reset();
+    let_session_finish();
     enter_closing(Closing::protocol_error);
   }
 }
@@ -186,8 +259,13 @@ void ClientLink::left(Refusal cause) {
 }
 
 void ClientLink::sweep(std::int64_t now_ns) {
+  overtook_ = 0;
   if (phase_ == Phase::open) {
     sweep_open(now_ns);
+  } else if (phase_ == Phase::refused) {
+    if (now_ns >= deadline_ns_) {
+      answer_refusal();
+    }
   } else if (now_ns > deadline_ns_) {
     left(Refusal::handshake_time);
   }
@@ -199,8 +277,12 @@ void ClientLink::sweep_open(std::int64_t now_ns) {
     second_ns_ = now_ns;
     control_frames_ = 0;
   }
-  const bool silent = now_ns - heard_ns_ > limits.silence_ns;
-  if (blocked_ && (silent || now_ns - front_ns_ > limits.write_ns)) {
+  const std::int64_t listened_ns = core_.listening.now_ns();
+  if (reading_rests_) {
+    heard_ns_ = listened_ns;  // it has sent more than has been read
+  }
+  const bool silent = listened_ns - heard_ns_ > limits.silence_ns;
+  if (blocked_ && (silent || listened_ns - front_ns_ > limits.write_ns)) {
     end_conversation(Closing::slow, kTryAgainLater,
                      "too slow: did not take within " + in_ms(silent ? limits.silence_ns : limits.write_ns) +
                          " what was written; subscribe to less, or more slowly");
@@ -219,12 +301,13 @@ void ClientLink::sweep_open(std::int64_t now_ns) {
 void ClientLink::shut_down() {
   if (phase_ == Phase::open) {
     end_conversation(Closing::shut_down, kGoingAway, "the robot API stops");
-  } else if (phase_ == Phase::handshake) {
+  } else if (phase_ == Phase::handshake || phase_ == Phase::refused) {
     left(Refusal::left);
   }
 }
 
 void ClientLink::cut(Closing cause) {
+  drop_session();
   if (phase_ == Phase::open) {
     cause_ = cause;
   }
@@ -236,6 +319,7 @@ bool ClientLink::may_give_way() const noexcept {
 }
 
 void ClientLink::give_way() {
+  drop_session();
   if (phase_ == Phase::open) {
     cause_ = Closing::refused;
   }
@@ -245,7 +329,7 @@ void ClientLink::give_way() {
 // What waits is dropped, but for what the client has seen in part: the close frame must reach it soon, if at
 // all. A full send buffer is widened for that, and goes on to its end in the kernel after the cut.
 void ClientLink::end_conversation(Closing cause, std::uint16_t code, const std::string& reason) {
-  session_.reset();
+  drop_session();
   enter_closing(cause);
   if (blocked_) {
     queue_.drop_messages(holds_gathered());
@@ -269,7 +353,7 @@ void ClientLink::end() {
   }
   const auto self = shared_from_this();
   phase_ = Phase::over;
-  session_.reset();
+  let_session_finish();
   cut_socket();
   core_.remove(*this);
 }

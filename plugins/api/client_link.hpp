@@ -11,22 +11,29 @@
 #include <string>
 #include <string_view>
 
+#include "client_inbox.hpp"
 #include "gaitway/api/session.hpp"
 #include "outgoing_queue.hpp"
 #include "server_core.hpp"
 
 namespace gaitway::api {
 
-class ClientLink : public Connection, public std::enable_shared_from_this<ClientLink> {
+class ClientLink : public Connection,
+                   public FairTurns::Worker,
+                   public std::enable_shared_from_this<ClientLink> {
  public:
   using Endpoint = boost::asio::ip::tcp::endpoint;
 
   // `surplus`: takes nobody's place, and is only told that there is none.
   ClientLink(ServerCore& core, const Endpoint& peer, bool surplus, std::int64_t now_ns);
 
-  // Connection: both only take note, and act from the server's loop.
+  // Connection: all only take note, and act from the server's loop.
   void wake() noexcept final;
+  void shown_wrong_token() noexcept final;
   void close(std::uint16_t code, std::string_view reason) noexcept final;
+
+  // FairTurns::Worker: the session takes the oldest message that waits.
+  bool work() final;
 
   virtual void start() = 0;
   void pump_woken(std::int64_t now_ns);
@@ -54,13 +61,17 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   virtual void begin_close(std::uint16_t code, const std::string& reason) = 0;
   virtual void begin_ping() = 0;
   virtual void raw_written() = 0;
+  virtual void read() = 0;
+  virtual void answer_refusal() = 0;
   virtual void cut_socket() noexcept = 0;
   virtual void widen_send_buffer() noexcept = 0;
   // Buffers of the queue are in use by a write that is under way.
   [[nodiscard]] virtual bool holds_gathered() const noexcept = 0;
 
   // Told by the WebSocket.
-  void refusing(Refusal cause);  // an answer is being written
+  void refusing();  // an answer is being written
+  // answer_refusal() comes as late as the address must wait for it. `origin`: of a web page, or empty.
+  void refuse(Refusal cause, const std::string& origin);
   void opened(bool authorised);
   void received(std::string_view message, bool binary);
   void heard(std::size_t bytes);
@@ -78,13 +89,18 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   [[nodiscard]] OutgoingQueue& queue() noexcept { return queue_; }
   // A step of the handshake may end after the deadline, or the server, has ended the connection.
   [[nodiscard]] bool in_handshake() const noexcept { return phase_ == Phase::handshake; }
-  [[nodiscard]] bool reads() const noexcept { return phase_ == Phase::open; }
+  // What follows is read now, or once there is room for it.
+  void read_on();
   void pinged() noexcept { pinging_ = false; }
 
  private:
-  enum class Phase : std::uint8_t { handshake, refusing, open, closing, over };
+  enum class Phase : std::uint8_t { handshake, refused, refusing, open, closing, over };
 
   void fill(std::int64_t now_ns);
+  [[nodiscard]] bool may_overtake(std::string_view message, bool binary) noexcept;
+  void drop_session() noexcept;
+  // Ends the session once it has taken what waits.
+  void let_session_finish() noexcept;
   void sweep_open(std::int64_t now_ns);
   void end_conversation(Closing cause, std::uint16_t code, const std::string& reason);
   void enter_closing(Closing cause);
@@ -97,15 +113,20 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   const bool surplus_;
   Phase phase_ = Phase::handshake;
   std::unique_ptr<Session> session_;
+  ClientInbox inbox_;
   OutgoingQueue queue_;
   Closing cause_ = Closing::lost;
   std::uint16_t close_code_ = 0;
   std::string close_reason_;
   bool woken_ = false, blocked_ = false, pinging_ = false, was_open_ = false;
   bool close_asked_ = false;
-  std::int64_t deadline_ns_;  // of handshake, refusal, closing
-  std::int64_t heard_ns_ = 0, pinged_ns_ = 0, front_ns_ = 0, second_ns_ = 0;
+  bool in_line_ = false;        // for its turn
+  bool reading_rests_ = false;  // since the inbox is full
+  std::int64_t deadline_ns_;    // of handshake, refusal (its begin, then its end), closing
+  std::int64_t pinged_ns_ = 0, second_ns_ = 0;
+  std::int64_t heard_ns_ = 0, front_ns_ = 0;  // by the time in which it was listened to
   unsigned control_frames_ = 0;
+  unsigned overtook_ = 0;  // urgent messages, since the last sweep
 };
 
 using TcpSocket =

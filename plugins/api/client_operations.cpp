@@ -8,6 +8,7 @@
 #include "gaitway/api/message_definition.hpp"
 #include "gaitway/api/service_table.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "stop_call.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -87,8 +88,7 @@ bool asks_for_stop(const json& message) {
   if (op == message.end() || *op != "call_service" || service == message.end() || !service->is_string()) {
     return false;
   }
-  const ServiceRow* const row = find_service(service->get_ref<const std::string&>());
-  return row != nullptr && (row->name == "/stop" || row->name == "/emergency_stop");
+  return is_stop_service(service->get_ref<const std::string&>());
 }
 
 }  // namespace
@@ -132,6 +132,7 @@ void ClientSession::authenticate(const Json& message, const Json& id) {
   }
   const bool right = hub_.options.is_token && hub_.options.is_token(*token);
   if (!right && !authorised_) {
+    connection_.shown_wrong_token();
     tell_error("the token is wrong", id);
     close(1008, "wrong token");
     return;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "client_message.hpp"
+#include "message_head.hpp"
+#include "stop_call.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -12,12 +14,6 @@ namespace {
 // Codes of the WebSocket protocol (RFC 6455, 7.4.1).
 constexpr std::uint16_t kPolicyViolation = 1008;
 constexpr std::int64_t kBetweenWarnings_ns = 1'000'000'000;
-
-// Too many messages or not: a stop is heard. Short ones only, so that this is no way around the limit.
-bool may_be_stop(std::string_view message) {
-  constexpr std::size_t kMostStopBytes = 1024;
-  return message.size() <= kMostStopBytes && message.find("stop") != std::string_view::npos;
-}
 
 bool is_time(std::optional<std::int64_t>& last_ns, std::int64_t now_ns) {
   const bool so = !last_ns || now_ns - *last_ns >= kBetweenWarnings_ns;
@@ -35,7 +31,6 @@ ClientSession::ClientSession(HubState& hub, Connection& connection, Claimant cla
       claimant_(std::move(claimant)),
       authorised_(authorised),
       opened_ns_(hub.now_ns),
-      heard_ns_(hub.now_ns),
       rate_(hub.options.limits.messages_per_s, hub.now_ns),
       outbox_(hub.options.limits.waiting_bytes, hub.waiting_bytes) {
   hub_.sessions.emplace(claimant_.number, this);
@@ -48,7 +43,6 @@ ClientSession::~ClientSession() {
 
 void ClientSession::take(std::string_view message, bool binary, std::int64_t wall_ns) {
   hub_.now_ns = wall_ns;
-  heard_ns_ = wall_ns;
   if (closing_) {
     return;
   }
@@ -69,12 +63,23 @@ void ClientSession::take(std::string_view message, bool binary, std::int64_t wal
   carry_out(message);
 }
 
+// What was sent before a stop moves the robot no more, though it is looked at after it.
+void ClientSession::take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) {
+  claimant_.overtaken = true;
+  take(message, binary, wall_ns);
+  claimant_.overtaken = false;
+}
+
+bool ClientSession::is_urgent(std::string_view message, bool binary) const noexcept {
+  return !binary && authorised_ && !closing_ && is_stop_call(message);
+}
+
 bool ClientSession::within_rate(std::string_view message) {
   const MessageRate::Verdict verdict = rate_.count(hub_.now_ns);
   if (verdict == MessageRate::Verdict::fine) {
     return true;
   }
-  const bool stop = authorised_ && may_be_stop(message);
+  const bool stop = is_urgent(message, false);
   if (stop) {
     carry_out(message);
   }
@@ -82,14 +87,27 @@ bool ClientSession::within_rate(std::string_view message) {
     close(kPolicyViolation, "too many messages");
   } else if (!stop) {
     ++hub_.counts.refused;
-    if (is_time(told_rate_ns_, hub_.now_ns)) {
-      tell(Level::error,
-           "too many messages: at most " + shown_json(Json(hub_.options.limits.messages_per_s)) +
-               " a second are taken, the others are dropped; if that goes on, the connection is closed",
-           nullptr);
-    }
+    tell_rate(message);
   }
   return false;
+}
+
+// Who called a service waits for its answer; the others are told once a second.
+void ClientSession::tell_rate(std::string_view message) {
+  const std::string why =
+      "too many messages: at most " + shown_json(Json(hub_.options.limits.messages_per_s)) +
+      " a second are taken, the others are dropped; if that goes on, the connection is closed";
+  const auto head = authorised_ ? head_of(message) : std::nullopt;
+  if (head && head->op == "call_service" && head->service.size() <= kMostNameBytes &&
+      head->id.dump().size() <= kMostNameBytes) {
+    ServiceCall call;
+    call.id = head->id;
+    call.service = head->service;
+    call.encoding = head->compression == "cbor" ? Encoding::cbor : Encoding::json;
+    push(service_failure(call, why));
+  } else if (is_time(told_rate_ns_, hub_.now_ns)) {
+    tell(Level::error, why, nullptr);
+  }
 }
 
 void ClientSession::carry_out(std::string_view text) {
@@ -127,10 +145,7 @@ void ClientSession::step(std::int64_t now_ns) {
   if (closing_) {
     return;
   }
-  const Limits& limits = hub_.options.limits;
-  if (now_ns - heard_ns_ >= limits.silence_ns) {
-    close(kPolicyViolation, "no sign of life: neither message nor pong");
-  } else if (!authorised_ && now_ns - opened_ns_ >= limits.authentication_ns) {
+  if (!authorised_ && now_ns - opened_ns_ >= hub_.options.limits.authentication_ns) {
     close(kPolicyViolation, "not authorised in time");
   } else {
     if (outbox_.has_drops() && is_time(told_drops_ns_, now_ns)) {

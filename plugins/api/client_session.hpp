@@ -87,7 +87,8 @@ class ClientSession final : public Session, private Subscriber {
   ClientSession& operator=(const ClientSession&) = delete;
 
   void take(std::string_view message, bool binary, std::int64_t wall_ns) override;
-  void heard(std::int64_t wall_ns) noexcept override { heard_ns_ = wall_ns; }
+  void take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) override;
+  [[nodiscard]] bool is_urgent(std::string_view message, bool binary) const noexcept override;
   std::optional<Frame> next_frame(std::int64_t wall_ns) override;
   [[nodiscard]] bool authorised() const noexcept override { return authorised_; }
 
@@ -127,6 +128,7 @@ class ClientSession final : public Session, private Subscriber {
   void refuse_transformation(const Json& message, const Json& id);
 
   [[nodiscard]] bool within_rate(std::string_view message);
+  void tell_rate(std::string_view message);
   void carry_out(std::string_view text);
   // Nothing in its message keeps a stop from being carried out: fields that could not be read count as
   // absent. What was wrong with them; empty: nothing, or this is no stop.
@@ -149,7 +151,7 @@ class ClientSession final : public Session, private Subscriber {
   bool closing_ = false;
   bool awake_ = false;  // the connection has been woken and not been told yet that nothing waits
   Level level_ = Level::warning;
-  std::int64_t opened_ns_, heard_ns_;
+  std::int64_t opened_ns_;
   std::optional<std::int64_t> told_rate_ns_, told_drops_ns_;
   MessageRate rate_;
   Outbox outbox_;

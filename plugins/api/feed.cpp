@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "event_digest.hpp"
 #include "gaitway/api/diagnostics.hpp"
 #include "gaitway/api/frame_messages.hpp"
 #include "gaitway/api/planned_motion.hpp"
@@ -13,6 +14,7 @@
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/api/state_messages.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "robot_activity.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -106,6 +108,8 @@ struct Feed::State {
   RobotFrames frames;
   Diagnostics diagnostics;
   PlannedMotion motion;
+  EventDigest digest;
+  std::optional<Activity> activity;  // as told last
   std::int64_t robot_ns = 0, beat_wall_ns = kNever, heartbeat_age_ns = 0;
   // Newest of each, so that nothing is published twice.
   std::int64_t joints_ns = 0, imu_ns = 0, forces_ns = 0, estimate_ns = 0, edge_ns = kNever;
@@ -146,6 +150,7 @@ void Feed::poll(std::int64_t wall_ns, PublicationSink& sink) {
   publish_at_slot_edge(sink);
   publish_diagnostics(wall_ns, sink);
   publish_motion(sink);
+  publish_robot_state(sink);
   publish_events(sink);
 }
 
@@ -163,6 +168,7 @@ void Feed::forget() {
   state.frames.reset();
   state.diagnostics.reset();
   state.motion.clear();
+  state.digest.clear();
   topics_->estimate.forget();
   state.joints_ns = state.imu_ns = state.forces_ns = state.estimate_ns = 0;
   state.edge_ns = state.diagnostics_ns = kNever;
@@ -316,18 +322,43 @@ void Feed::publish_motion(PublicationSink& sink) {
     sink.publish(Topic::motion_state, motion_state_of(motion), state.robot_ns);
 }
 
+void Feed::publish_robot_state(PublicationSink& sink) {
+  State& state = *state_;
+  const std::int64_t instant_ns = slot_edge(state.robot_ns);
+  const NetworkState* const network = topics_->network.if_there();
+  const auto moment = state.motion.at(
+      instant_ns, network != nullptr ? std::optional(network->accepted_sequence) : std::nullopt);
+  const Activity activity = activity_of({.network = network,
+                                         .estimate = topics_->estimate.if_there(),
+                                         .plan = moment ? moment->plan : nullptr,
+                                         .motion = topics_->motion.if_there(),
+                                         .robot_ns = state.robot_ns,
+                                         .heartbeat_age_ns = state.heartbeat_age_ns});
+  if (activity == state.activity || !sink.wants(Topic::robot_state)) return;
+  state.activity = activity;
+  sink.publish(Topic::robot_state, robot_state_of(activity, state.robot_ns), state.robot_ns);
+}
+
+void Feed::tell(PublicationSink& sink, const ros::Log& log) {
+  for (const Topic topic : {Topic::events, Topic::rosout}) {
+    if (sink.wants(topic)) sink.publish(topic, log, state_->robot_ns);
+  }
+}
+
 void Feed::publish_events(PublicationSink& sink) {
+  State& state = *state_;
   Event event;
   while (topics_->events.read(event).status == msgclient::ReadStatus::value) {
-    if (sink.wants(Topic::events)) sink.publish(Topic::events, log_of(event), state_->robot_ns);
+    const ros::Log log = log_of(event);
+    if (state.digest.is_news(log, state.robot_ns)) tell(sink, log);
+  }
+  while (const auto log = state.digest.repeats(state.robot_ns)) {
+    tell(sink, *log);
   }
   const std::uint64_t missed = topics_->events.missed();
-  if (missed == state_->missed_events) return;
-  if (sink.wants(Topic::events)) {
-    sink.publish(Topic::events, log_of_missed(missed - state_->missed_events, state_->robot_ns),
-                 state_->robot_ns);
-  }
-  state_->missed_events = missed;
+  if (missed == state.missed_events) return;
+  tell(sink, log_of_missed(missed - state.missed_events, state.robot_ns));
+  state.missed_events = missed;
 }
 
 }  // namespace gaitway::api

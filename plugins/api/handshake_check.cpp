@@ -62,11 +62,12 @@ std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request,
   }
   for (const auto& field : request) {
     if (field.name() == http::field::origin && !origins.allows(view(field.value()))) {
-      return HandshakeRefusal{
-          http::status::forbidden, Refusal::foreign_origin,
-          "web pages of the origin " + quoted(field.value()) +
-              " may not talk to the robot: add it to the API's parameter origins, or serve "
-              "the page from an origin that is listed there\n"};
+      return HandshakeRefusal{http::status::forbidden, Refusal::foreign_origin,
+                              "web pages of the origin " + quoted(field.value()) +
+                                  " may not talk to the robot: add it to the API's parameter origins "
+                                  "(--origins of gaitway serve), "
+                                  "or serve the page from an origin that is listed there\n",
+                              quoted(field.value())};
     }
   }
   if (token && request.count(http::field::authorization) != 0 && !is_authorised(request, token)) {

@@ -19,7 +19,8 @@ using HttpAnswer = http::response<http::string_body>;
 struct HandshakeRefusal {
   http::status status;
   Refusal cause;
-  std::string text;  // for people
+  std::string text;         // for people
+  std::string origin = {};  // of the web page that was refused, quoted
 };
 
 [[nodiscard]] std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request,

@@ -38,6 +38,22 @@ void append_map_entry(std::string& out, std::string_view key, std::string_view v
   append_text(out, value);
 }
 
+// As rosbag2 writes it, with every field, since readers want all; times without a limit are infinite. 1:
+// reliable, automatic; 1 and 2: transient local and volatile.
+std::string quality_of_service(bool latched) {
+  constexpr std::string_view kInfinite = "{sec: 9223372036, nsec: 854775807}";
+  std::string text = "- history: 1\n";
+  text += latched ? "  depth: 1\n" : "  depth: 10\n";
+  text += "  reliability: 1\n";
+  text += latched ? "  durability: 1\n" : "  durability: 2\n";
+  for (const std::string_view limit : {"deadline", "lifespan"}) {
+    text.append("  ").append(limit).append(": ").append(kInfinite).append("\n");
+  }
+  text += "  liveliness: 1\n";
+  text.append("  liveliness_lease_duration: ").append(kInfinite).append("\n");
+  return text + "  avoid_ros_namespace_conventions: false\n";
+}
+
 }  // namespace
 
 McapWriter::McapWriter(int file, std::vector<McapChannel> channels, McapSettings settings)
@@ -81,10 +97,7 @@ void McapWriter::append_channels(std::string& out) const {
   for (std::size_t channel = 0; channel < channels_.size(); ++channel) {
     content.clear();
     metadata.clear();
-    // As rosbag2 writes it; 1: reliable, 1 and 2: transient local and volatile.
-    append_map_entry(metadata, "offered_qos_profiles",
-                     channels_[channel].latched ? "- {history: 1, depth: 1, reliability: 1, durability: 1}"
-                                                : "- {history: 1, depth: 10, reliability: 1, durability: 2}");
+    append_map_entry(metadata, "offered_qos_profiles", quality_of_service(channels_[channel].latched));
     append_number(content, id_of(channel));
     append_number(content, schema_ids_[channel]);
     append_text(content, channels_[channel].topic);

@@ -87,7 +87,8 @@ class Door {
         hub_(port_, hub_options(parameters.server.limits, setup_, robot_directory)),
         server_(hub_, std::move(setup_),
                 {.on_tick = [this](std::int64_t wall_ns) { on_tick(wall_ns); },
-                 .on_poll = [this](std::int64_t wall_ns) { on_poll(wall_ns); }}) {
+                 .on_poll = [this](std::int64_t wall_ns) { on_poll(wall_ns); },
+                 .on_refusals = [this](const std::string& line) { reports_.put(Severity::warning, line); }}) {
     client_.seal();
     thread_ = std::thread([this] { server_.run(); });
     reports_.put(Severity::info, fmt::format("serves {}", url_));
@@ -123,6 +124,14 @@ class Door {
                        }
                      });
     feed_.poll(wall_ns, sink);
+    tell_commander(sink);
+  }
+  void tell_commander(PublicationSink& sink) {
+    if (commander_ && commander_->data == hub_.commander()) {
+      return;
+    }
+    commander_ = ros::String{std::string(hub_.commander())};
+    sink.publish(Topic::commander, *commander_, feed_.robot_ns());
   }
   void on_tick(std::int64_t wall_ns) {
     if (recorder_ == nullptr) {
@@ -144,6 +153,7 @@ class Door {
   ServerSetup setup_;
   std::string url_;
   Hub hub_;
+  std::optional<ros::String> commander_;  // as told last
   Server server_;
   std::thread thread_;
 };
@@ -187,7 +197,9 @@ ApiParameters declare_parameters(Setup& setup) {
       setup.parameter("address", server.address, "to listen on; not loopback: with TLS and token");
   server.port = static_cast<std::uint16_t>(setup.parameter("port", static_cast<std::int64_t>(server.port),
                                                            "1", {0.0, 65535.0, "TCP port; 0: any free one"}));
-  server.origins = split(setup.parameter("origins", "", "web origins that may connect, with commas between"));
+  server.origins = split(setup.parameter(
+      "origins", "",
+      "web origins that may connect besides this computer's, with commas between; null: pages from files"));
   server.token_file = setup.parameter("token_file", "", "file with the token that clients must know");
   server.certificate_file = setup.parameter("certificate_file", "", "certificate chain (PEM)");
   server.key_file = setup.parameter("key_file", "", "its private key (PEM)");

@@ -73,11 +73,19 @@ std::optional<std::uint32_t> RobotCommands::order(Claimant& claimant, const Plug
 }
 
 std::optional<std::uint32_t> RobotCommands::end_emergency_stop(Claimant& claimant, std::int64_t now_ns) {
+  demand_not_overtaken(claimant);
   demand(claimant, now_ns);
   return robot_.release();
 }
 
+void RobotCommands::demand_not_overtaken(const Claimant& claimant) {
+  if (claimant.overtaken) {
+    throw CommandDenied("a stop that this connection called later has been carried out before this");
+  }
+}
+
 void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns) {
+  demand_not_overtaken(claimant);
   demand(claimant, now_ns);
   if (robot_.emergency_stopped()) {
     throw CommandDenied(kEmergencyStopped);

@@ -50,6 +50,7 @@ class RobotCommands {
   [[nodiscard]] const Authority& authority() const noexcept { return authority_; }
 
  private:
+  static void demand_not_overtaken(const Claimant& claimant);
   void demand(Claimant& claimant, std::int64_t now_ns);
   void demand_movement(Claimant& claimant, std::int64_t now_ns);
   void end_walk();

@@ -184,20 +184,31 @@ void ServiceDesk::start_recording(const Caller& caller) {
   }
   orders_.require_room(caller.call.client);
   try {
-    await_result(caller, robot_.start_recording(asked.name), [this](const auto& call, const auto& result) {
-      reply(call, result.done ? ros::StartRecording::Response{true, "recording", result.text}
-                              : ros::StartRecording::Response{false, result.text, ""});
-    });
+    const auto begun = [this, by = caller.claimant](const auto& call, const auto& result) {
+      records_ = result.done ? std::optional(by) : records_;
+      reply(call, result.done
+                      ? ros::StartRecording::Response{true, "records into " + result.text, result.text}
+                      : ros::StartRecording::Response{false, result.text, ""});
+    };
+    await_result(caller, robot_.start_recording(asked.name), begun);
   } catch (const std::runtime_error& error) {
     reply(caller.call, ros::StartRecording::Response{false, error.what(), ""});
   }
 }
 
+void ServiceDesk::require_own_recording(const Claimant& claimant) const {
+  if (records_ && records_->number != claimant.number && !commands_.authority().held_by(claimant)) {
+    throw CommandDenied("the recording is of \"" + records_->name +
+                        "\": it is ended there, by who has the command, or once that client has gone");
+  }
+}
+
 void ServiceDesk::stop_recording(const Caller& caller) {
   static_cast<void>(request<ros::Trigger>(caller));
+  require_own_recording(caller.claimant);
   orders_.require_room(caller.call.client);
   try {
-    await<ros::Trigger>(caller, robot_.stop_recording());
+    await<ros::Trigger>(caller, robot_.stop_recording(), [this] { records_.reset(); });
   } catch (const std::runtime_error& error) {
     reply(caller.call, ros::Trigger::Response{false, error.what()});
   }

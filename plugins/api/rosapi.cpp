@@ -198,7 +198,7 @@ ros::GetParamNames::Response Rosapi::answer(const ros::GetParamNames::Request&) 
 ros::GetParam::Response Rosapi::answer(const ros::GetParam::Request& request) const {
   const auto found = parameters_.find(request.name);
   if (found == parameters_.end()) {
-    return {"", false,
+    return {"null", false,  // clients parse it before they look whether there is one
             "name is " + shown(request.name) + ", but must be one that /rosapi/get_param_names lists"};
   }
   return {as_json(found->second), true, ""};

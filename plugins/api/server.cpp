@@ -195,9 +195,15 @@ class Server::Impl {
   }
 
   void tick(std::int64_t now_ns) {
+    core_.listening.tick(now_ns);
     core_.hub.step(now_ns);
     if (callbacks_.on_tick) {
       callbacks_.on_tick(now_ns);
+    }
+    if (callbacks_.on_refusals) {
+      while (const auto line = core_.refusal_log.take(now_ns)) {
+        callbacks_.on_refusals(*line);
+      }
     }
     for (std::size_t at = core_.links().size(); at-- > 0;) {  // a link that ends gives its place to the last
       core_.links()[at]->sweep(now_ns);

@@ -14,7 +14,10 @@ std::int64_t wall_now_ns() noexcept {
 }
 
 ServerCore::ServerCore(SessionHub& sessions, const ServerSetup& server_setup)
-    : hub(sessions), setup(server_setup), options(server_setup.options()) {}
+    : hub(sessions),
+      setup(server_setup),
+      options(server_setup.options()),
+      listening(wall_now_ns(), 2 * options.tick_ns) {}
 
 bool ServerCore::make_room_for(const boost::asio::ip::address& address) {
   const auto known = of_address_.find(address);
@@ -69,6 +72,24 @@ void ServerCore::want_pump(std::shared_ptr<ClientLink> link) noexcept {
   woken_.push_back(std::move(link));
   if (!std::exchange(pump_posted_, true)) {
     boost::asio::post(io, [this] { pump_all(); });
+  }
+}
+
+void ServerCore::want_work(std::shared_ptr<ClientLink> link) {
+  turns_.add(std::move(link));
+  if (!std::exchange(work_posted_, true)) {
+    boost::asio::post(io, [this] { work(); });
+  }
+}
+
+// Sockets first: a stop may be among what has come.
+void ServerCore::work() {
+  const std::int64_t begin_ns = wall_now_ns();
+  while (io.poll_one() > 0 && wall_now_ns() - begin_ns < kSockets_ns) {
+  }
+  work_posted_ = turns_.run();
+  if (work_posted_) {
+    boost::asio::post(io, [this] { work(); });
   }
 }
 

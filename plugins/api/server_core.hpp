@@ -8,9 +8,13 @@
 #include <memory>
 #include <vector>
 
+#include "address_patience.hpp"
+#include "fair_turns.hpp"
 #include "gaitway/api/server_setup.hpp"
 #include "gaitway/api/server_statistics.hpp"
 #include "gaitway/api/session.hpp"
+#include "listening_time.hpp"
+#include "refusal_log.hpp"
 
 namespace gaitway::api {
 
@@ -30,6 +34,8 @@ class ServerCore {
   void remove(ClientLink& link);
   // The link's pump() is called soon, but not from here.
   void want_pump(std::shared_ptr<ClientLink> link) noexcept;
+  // The link has work that waits for its turn; not while it waits already.
+  void want_work(std::shared_ptr<ClientLink> link);
   [[nodiscard]] const std::vector<std::shared_ptr<ClientLink>>& links() const noexcept { return links_; }
   [[nodiscard]] std::size_t surplus_links() const noexcept { return links_.size() - places_taken_; }
 
@@ -38,9 +44,18 @@ class ServerCore {
   const ServerSetup& setup;
   const ServerOptions& options;
   ServerStatistics statistics;
+  RefusalLog refusal_log;
+  AddressPatience patience;
+  ListeningTime listening;  // ticked by the server; what clients owe is counted in it
 
  private:
+  // Of the time in which messages are carried out, before the sockets are looked at again: for a stop, say.
+  static constexpr FairTurns::Budget kBudget{.each_ns = 200'000, .all_ns = 1'000'000};
+  // In which the sockets are looked at meanwhile, at most.
+  static constexpr std::int64_t kSockets_ns = 2'000'000;
+
   void pump_all();
+  void work();
 
   std::vector<std::shared_ptr<ClientLink>> links_;
   // Without those that are surplus.
@@ -48,6 +63,8 @@ class ServerCore {
   std::size_t places_taken_ = 0;
   std::vector<std::shared_ptr<ClientLink>> woken_, pumped_;
   bool pump_posted_ = false;
+  FairTurns turns_{kBudget, wall_now_ns};
+  bool work_posted_ = false;
 };
 
 }  // namespace gaitway::api

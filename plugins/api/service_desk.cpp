@@ -56,6 +56,13 @@ ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits
       rosapi_(robot_, parameters_),
       orders_(robot_) {}
 
+void ServiceDesk::leave(const Claimant& claimant) {
+  orders_.forget(claimant.number);
+  if (records_ && records_->number == claimant.number) {
+    records_.reset();
+  }
+}
+
 void ServiceDesk::call(const ServiceCall& call, const nlohmann::json& arguments, Claimant& claimant,
                        std::int64_t now_ns) {
   const ServiceRow* const row = find_service(call.service);

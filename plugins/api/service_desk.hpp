@@ -64,7 +64,7 @@ class ServiceDesk {
   // Takes what the robot says, and ends what has waited for too long.
   void step(std::int64_t now_ns) { orders_.step(now_ns); }
   // The connection has ended: its orders are answered to nobody.
-  void leave(const Claimant& claimant) { orders_.forget(claimant.number); }
+  void leave(const Claimant& claimant);
 
  private:
   struct Caller {
@@ -107,6 +107,8 @@ class ServiceDesk {
   void keep_alive(const Caller& caller);
   void release_command(const Caller& caller);
   void require_plugin(const std::string& name) const;
+  // A recording is ended by who began it, by who commands, and by anybody once its beginner has gone.
+  void require_own_recording(const Claimant& claimant) const;
   void deny(const ServiceRow& row, const ServiceCall& call, std::string_view why) const;
 
   template <class S>
@@ -141,6 +143,7 @@ class ServiceDesk {
   Send send_;
   Rosapi rosapi_;
   Orders orders_;
+  std::optional<Claimant> records_;  // who began the recording, while it is connected
 };
 
 }  // namespace gaitway::api

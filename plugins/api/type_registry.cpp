@@ -89,7 +89,7 @@ void add_services(TypeRegistry& registry) {
 void add_all_messages(TypeRegistry& registry) {
   using namespace ros;
   add_messages<Clock, DiagnosticArray, Imu, JointState, Log, MotionState, Odometry, PointStamped, PoseArray,
-               String, TFMessage, Twist, WrenchStamped>(registry);
+               RobotState, String, TFMessage, Twist, WrenchStamped>(registry);
 }
 
 void add_all_services(TypeRegistry& registry) {

@@ -50,11 +50,12 @@ class WebSocketConnection final : public ClientLink {
   void read_request();
   void decide(ErrorCode error);
   void refuse(HandshakeRefusal refusal);
+  void answer_refusal() override;
   void await_end();
   void accept(bool authorised);
   void serve(bool authorised);
   void watch_control_frames();
-  void read();
+  void read() override;
   void take(ErrorCode error, std::size_t bytes);
   void append_raw(const std::string& bytes);
 
@@ -126,8 +127,13 @@ void WebSocketConnection<Stream>::decide(ErrorCode error) {
 
 template <class Stream>
 void WebSocketConnection<Stream>::refuse(HandshakeRefusal refusal) {
-  refusing(refusal.cause);
   answer_ = answer(refusal);
+  ClientLink::refuse(refusal.cause, refusal.origin);
+}
+
+template <class Stream>
+void WebSocketConnection<Stream>::answer_refusal() {
+  refusing();
   http::async_write(socket_.next_layer(), answer_,
                     [self = self()](ErrorCode, std::size_t) { self->await_end(); });
 }
@@ -160,7 +166,8 @@ void WebSocketConnection<Stream>::accept(bool authorised) {
     if (!error) {
       self->serve(authorised);
     } else if (error.category() == make_error_code(websocket::error::bad_sec_key).category()) {
-      self->refusing(Refusal::bad_request);  // Beast has answered 400
+      self->core().statistics.count(Refusal::bad_request);  // Beast has answered 400
+      self->refusing();
       self->await_end();
     } else {
       self->left(Refusal::left);
@@ -172,9 +179,7 @@ template <class Stream>
 void WebSocketConnection<Stream>::serve(bool authorised) {
   watch_control_frames();
   opened(authorised);
-  if (reads()) {
-    read();
-  }
+  read_on();
 }
 
 template <class Stream>
@@ -211,9 +216,7 @@ void WebSocketConnection<Stream>::take(ErrorCode error, std::size_t bytes) {
       received({static_cast<const char*>(data.data()), data.size()}, socket_.got_binary());
       message_.consume(data.size());
     }
-    if (reads()) {
-      read();
-    }
+    read_on();
   }
 }
 

@@ -68,12 +68,15 @@ void record(const std::filesystem::path& folder, const char* robot_folder, const
                    [&witness](Topic topic, const auto& message, std::int64_t robot_ns) {
                      witness.take(topic, message, robot_ns);
                    });
+  sink.publish(Topic::commander, ros::String{"nobody"}, 0);  // which the hub's owner tells
   while (run.now_ns() < kEnd_ns) {
     run.advance_millisecond();
     feed.poll(run.now_ns(), sink);
     recorder.step(run.now_ns());
     if (run.now_ns() % kEventPeriod_ns == 0) {
-      sink.publish(Topic::events, event(run.now_ns()), feed.robot_ns());
+      for (const Topic topic : {Topic::events, Topic::rosout}) {
+        sink.publish(topic, event(run.now_ns()), feed.robot_ns());
+      }
     }
   }
   recorder.stop(2);

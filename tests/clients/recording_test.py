@@ -1,7 +1,8 @@
-"""A recorded walk, opened with the MCAP project's own readers: every message of every topic is what was published, and what
-a killed recorder leaves behind can be read."""
+"""A recorded walk, opened with the MCAP project's own readers and with rosbags: every message of every topic is what was
+published, and what a killed recorder leaves behind can be read."""
 
 import collections
+import dataclasses
 import json
 import os
 import pathlib
@@ -12,10 +13,14 @@ import unittest
 from mcap.reader import NonSeekingReader, SeekingReader
 from mcap.stream_reader import StreamReader
 from mcap_ros2.decoder import DecoderFactory
+from rosbags.interfaces import QosDurability
+from rosbags.rosbag2 import Reader
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 FULL_RATE = [
     "/joint_states", "/imu/data", "/foot/left/wrench", "/foot/right/wrench", "/zmp", "/com", "/odom", "/tf", "/clock",
 ]
+LATCHED = ["/footsteps", "/motion_state", "/robot_state", "/commander", "/robot_description", "/diagnostics"]
 SECONDS = 5.0
 
 
@@ -23,6 +28,11 @@ def plain(value):
     """A decoded message as dictionaries, lists, texts and numbers."""
     if isinstance(value, (bool, int, float, str)):
         return value
+    if dataclasses.is_dataclass(value):
+        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)
+                if field.name != "__msgtype__"}
+    if hasattr(value, "tolist"):
+        return value.tolist()
     if hasattr(value, "__slots__"):
         return {name.lstrip("_"): plain(getattr(value, name)) for name in value.__slots__}
     return [plain(element) for element in value]
@@ -58,6 +68,26 @@ class Recording(unittest.TestCase):
                 self.assertEqual(topic, published["topic"])
                 self.assertEqual(message.log_time, published["robot_ns"])
                 self.assertEqual(content, published["msg"], topic)
+
+    def test_rosbags_reads_the_same(self):
+        read = collections.defaultdict(list)
+        with Reader(self.file) as reader:
+            types = {}
+            for connection in reader.connections:
+                types |= get_types_from_msg(connection.msgdef.data, connection.msgtype)
+                quality, = connection.ext.offered_qos_profiles
+                latched = connection.topic in LATCHED
+                self.assertEqual(quality.durability is QosDurability.TRANSIENT_LOCAL, latched, connection.topic)
+            store = get_typestore(Stores.EMPTY)
+            store.register(types)
+            for connection, time_ns, data in reader.messages():
+                read[connection.topic].append((time_ns, plain(store.deserialize_cdr(data, connection.msgtype))))
+        published = collections.defaultdict(list)
+        for line in self.published:
+            published[line["topic"]].append((line["robot_ns"], line["msg"]))
+        self.assertEqual(read.keys(), published.keys())
+        for topic, messages in published.items():
+            self.assertEqual(read[topic], messages, topic)
 
     def test_every_topic_is_there_at_its_rate(self):
         counts = collections.Counter(topic for topic, _, _ in self.decoded(SeekingReader))

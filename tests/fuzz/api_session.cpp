@@ -83,6 +83,7 @@ Limits tight() {
 
 struct Peer final : Connection {
   void wake() noexcept override { awake = true; }
+  void shown_wrong_token() noexcept override {}
   void close(std::uint16_t, std::string_view reason) noexcept override {
     closed = true;
     reason_fits = reason.size() <= 123;
@@ -158,9 +159,6 @@ class Trial {
         connect(peer);
         return false;
       case 15:
-        for (Peer& each : peers_) {
-          each.session->heard(now_ns_);
-        }
         robot_.is_connected = !input_.flag() || !input_.flag();
         robot_.is_blocked = input_.flag() && input_.flag();
         return false;

@@ -23,8 +23,6 @@ struct Word {
   const char* examples;
 };
 constexpr std::array kRobotWords{
-    Word{"stand", "/stand", "End the walk or the motion by its next steps, and stand",
-         "  gaitway ctl stand\n"},
     Word{"release", "/release", "After an emergency stop: hold the joints where they are, and obey again",
          "  gaitway ctl release && gaitway ctl stand\n"}};
 constexpr std::array kRecordingWords{
@@ -58,6 +56,31 @@ json twist(const std::vector<double>& velocity) {
           {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", at(2)}}}};
 }
 
+// Tells the robot to stand, and waits until it does, so that what is ordered next finds it standing.
+int stand(ApiClient& client) {
+  const int code = call_and_print(client, "/stand", json::object());
+  if (code != kExitFine) {
+    return code;
+  }
+  client.subscribe("/robot_state");
+  std::string state;
+  while (state != "stands") {
+    const auto message = client.next_message();
+    if (!message) {
+      fmt::print(stderr,
+                 "gaitway ctl: the robot was told to stand, but does not within the time-out: it {}\n",
+                 state.empty() ? "says nothing of its state" : "still " + input::terminal_text(state));
+      return kExitNoAnswer;
+    }
+    state = message->value("msg", json::object()).value("state", "");
+    if (state == "stopped" || state == "fallen" || state == "gone") {
+      fmt::print(stderr, "gaitway ctl: the robot does not stand: it is {}\n", state);
+      return kExitRefused;
+    }
+  }
+  return kExitFine;
+}
+
 // Walks for so long, or until it is told to end, and stands.
 int walk(ApiClient& client, const std::vector<double>& velocity, double seconds) {
   json values;
@@ -75,7 +98,7 @@ int walk(ApiClient& client, const std::vector<double>& velocity, double seconds)
     client.throw_reported_errors();
   };
   client.repeat(renew, kRenew_s, seconds);
-  return call_and_print(client, "/stand", json::object());
+  return stand(client);
 }
 
 int echo(ApiClient& client, const std::string& topic, int count, double timeout_s) {
@@ -182,7 +205,7 @@ void add_recordings(const CommandLine& ctl, const SharedCtlOptions& options) {
   const auto name = std::make_shared<std::string>();
   const CommandLine start = add_order(recording, options, "start", "Start a recording (MCAP)",
                                       "  gaitway ctl recording start walk1\n");
-  start.option("name", *name, "Of the file, without folder and ending").required();
+  start.option("name", *name, "Of the file, without folder and ending; named by the time without it");
   start.runs([options, name] { return order(*options, "/recording/start", {{"name", *name}}); });
   add_words(recording, options, kRecordingWords);
 }
@@ -213,6 +236,12 @@ void add_topics(const CommandLine& ctl, const SharedCtlOptions& options) {
 void add_robot_orders(const CommandLine& ctl, const SharedCtlOptions& options) {
   add_stops(ctl, options);
   add_words(ctl, options, kRobotWords);
+  add_order(ctl, options, "stand", "End the walk or the motion by its next steps, and stand",
+            "  gaitway ctl stand && gaitway ctl play wave\n")
+      .runs([options] {
+        ApiClient client = connect(*options);
+        return stand(client);
+      });
   add_walk(ctl, options);
   add_motions(ctl, options);
   add_recordings(ctl, options);

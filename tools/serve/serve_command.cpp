@@ -265,8 +265,10 @@ void declare_program(const CommandLine& app) {
   command.option("--address", options.address,
                  "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
                  "--key-file");
-  command.option("--origins", options.origins,
-                 "Web origins that may connect besides this computer's, with commas between them");
+  command.option(
+      "--origins", options.origins,
+      "Web origins that may connect besides this computer's, with commas between them; null: pages "
+      "from files");
   command.option("--token-file", options.token_file, "File with the token that clients must know");
   command.option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
   command.option("--key-file", options.key_file, "Its private key (PEM)");

@@ -44,6 +44,7 @@ class DeafRobot final : public RobotPort {
 
 struct Client final : Connection {
   void wake() noexcept override { awake = true; }
+  void shown_wrong_token() noexcept override {}
   void close(std::uint16_t, std::string_view) noexcept override {}
   std::unique_ptr<Session> session;
   bool awake = false;

@@ -53,7 +53,8 @@ class Broadcast final : public SessionHub {
     }
     ~Subscriber() override { std::erase(hub_.subscribers_, this); }
     void take(std::string_view, bool, std::int64_t) override {}
-    void heard(std::int64_t) noexcept override {}
+    void take_overtaken(std::string_view, bool, std::int64_t) override {}
+    [[nodiscard]] bool is_urgent(std::string_view, bool) const noexcept override { return false; }
     std::optional<Frame> next_frame(std::int64_t) override {
       if (next_ == waiting_.size()) {
         waiting_.clear();

@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "raw_client.hpp"
@@ -142,6 +145,64 @@ TEST_F(CrowdingTest, OneAddressTakesPlacesFromItselfOnly) {
       << "the oldest of all, but of another";
   EXPECT_TRUE(echoes(*foreigner));
   EXPECT_EQ(server.statistics().connected, kPlaces);
+}
+
+// So many sockets without a word, each opened again as it is cut.
+class Renewing {
+ public:
+  Renewing(std::uint16_t port, std::size_t count)
+      : port_(port), sockets_(count), thread_([this] { renew(); }) {}
+  ~Renewing() {
+    end_ = true;
+    thread_.join();
+  }
+  Renewing(const Renewing&) = delete;
+  Renewing& operator=(const Renewing&) = delete;
+
+ private:
+  void open(process::FileDescriptor& at) const {
+    at = process::FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    sockaddr_in server{};
+    server.sin_family = AF_INET;
+    server.sin_port = htons(port_);
+    server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    static_cast<void>(connect(at.get(), reinterpret_cast<const sockaddr*>(&server), sizeof server));
+  }
+  void renew() {
+    std::vector<pollfd> polled(sockets_.size());
+    while (!end_) {
+      for (std::size_t i = 0; i < sockets_.size(); ++i) {
+        if (!sockets_[i] || polled[i].revents != 0) {
+          open(sockets_[i]);
+        }
+        polled[i] = {sockets_[i].get(), POLLIN, 0};
+      }
+      poll(polled.data(), polled.size(), 10);
+    }
+  }
+
+  std::uint16_t port_;
+  std::vector<process::FileDescriptor> sockets_;
+  std::atomic<bool> end_ = false;
+  std::thread thread_;
+};
+
+TEST_F(CrowdingTest, WhoRenewsHisSocketsLocksNobodyOut) {
+  constexpr std::size_t kStrangers = 300, kTries = 20;
+  ServerOptions many = options(true, files_);
+  many.limits.connections = Limits{}.connections;
+  RunningServer server(many);
+  const Renewing strangers(server.port(), kStrangers);
+  server.await(
+      [](const ServerStatistics& statistics, EchoHub&) { return statistics.accepted > 2 * kStrangers; });
+  Clients clients;
+  for (std::size_t count = 0; count < kTries; ++count) {
+    clients.push_back(let_in(server));
+    EXPECT_TRUE(echoes(*clients.back())) << count;
+  }
+  for (const auto& client : clients) {
+    EXPECT_TRUE(echoes(*client));
+  }
 }
 
 TEST_F(CrowdingTest, OneAddressCannotHaveAllPlacesUnlessAsked) {

@@ -46,7 +46,6 @@ class EmergencyStopTest : public ::testing::Test {
       if (run_.now_ns() % (10 * kMillisecond_ns) == 0) {
         hub_.step(now_ns_);
         for (std::size_t i = 0; i < clients_.size(); ++i) {
-          clients_[i]->pong();
           for (const json& message : clients_[i]->receive()) {
             answers_[i].push_back(message);
           }

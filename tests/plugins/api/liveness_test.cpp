@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "gaitway/facts/facts.hpp"
 #include "raw_client.hpp"
 #include "running_server.hpp"
@@ -14,6 +17,12 @@ using testing::HasSubstr;
 
 constexpr std::int64_t kMs = facts::kMillisecond_ns;
 constexpr std::int64_t kForEver = 3'600'000 * kMs;
+
+// A computer that is busy elsewhere for so long.
+void stall(std::int64_t duration_ns) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::nanoseconds(duration_ns);
+  std::this_thread::sleep_until(end);
+}
 
 TEST(Liveness, SilentClientsAreDropped) {
   ServerOptions options = local();
@@ -31,10 +40,32 @@ TEST(Liveness, SilentClientsAreDropped) {
   EXPECT_THAT(close_reason(close), HasSubstr("100 ms"));
 }
 
-TEST(Liveness, DefaultsNoticeADeadConnectionWithinASecondOrSo) {
+TEST(Liveness, DefaultsEndACommandWithinASecondAndAWatcherWithinTen) {
   const ServerOptions options;
-  EXPECT_LE(options.limits.silence_ns, 1000 * kMs);
+  EXPECT_EQ(options.limits.lease_ns, 1000 * kMs);
+  EXPECT_EQ(options.limits.silence_ns, 10'000 * kMs);
   EXPECT_GE(options.limits.silence_ns, 3 * options.ping_ns);
+}
+
+TEST(Liveness, AServerThatStoodStillDropsNobody) {
+  ServerOptions options = local();
+  options.limits.silence_ns = options.limits.write_ns = 200 * kMs;
+  options.ping_ns = 50 * kMs;
+  RunningServer server(options);
+  WebSocketClient client(server.port());
+  RawClient holder(server.port()), asking(server.port());
+  holder.open_websocket();
+  asking.open_websocket();
+  asking.send(masked_frame(kText, "many 2000"));  // so that a write to it is under way
+  std::thread reading([&] { EXPECT_EQ(client.receive_close(), 1001U); });
+  server.while_held(holder, [&] { stall(3 * options.limits.silence_ns); });
+  server.await([steps = std::uint64_t{0}](const ServerStatistics&, EchoHub& hub) mutable {
+    steps = steps == 0 ? hub.steps : steps;
+    return hub.steps > steps + 5;
+  });
+  EXPECT_EQ(server.statistics().of(Closing::silent) + server.statistics().of(Closing::slow), 0U);
+  server.stop();
+  reading.join();
 }
 
 TEST(Liveness, AnswersToPingsKeepAQuietConnection) {
@@ -45,7 +76,7 @@ TEST(Liveness, AnswersToPingsKeepAQuietConnection) {
   WebSocketClient client(server.port());
   std::thread reading([&] { EXPECT_EQ(client.receive_close(), 1001U); });
   // More than silence_ns can hold without them.
-  server.await([](const ServerStatistics&, EchoHub& hub) { return hub.signs_of_life >= 30; });
+  server.await([](const ServerStatistics& statistics, EchoHub&) { return statistics.control_frames >= 30; });
   EXPECT_EQ(server.statistics().of(Closing::silent), 0U);
   server.stop();
   reading.join();
@@ -73,7 +104,7 @@ TEST(Liveness, PingsAreAnsweredWithTheirOwnBytes) {
   const auto pong = client.receive_frame().value();
   EXPECT_EQ(pong.opcode, kPong);
   EXPECT_EQ(pong.payload, "are you there");
-  server.await([](const ServerStatistics&, EchoHub& hub) { return hub.signs_of_life == 1; });
+  server.await([](const ServerStatistics& statistics, EchoHub&) { return statistics.control_frames == 1; });
 }
 
 std::string pings(int count) {

@@ -35,7 +35,6 @@ class MotionRequestTest : public ::testing::Test {
                        [this](Topic topic, const auto& value, std::int64_t) { hub_.publish(topic, value); });
       feed_.poll(now_ns_, sink);
       hub_.step(now_ns_);
-      client_.pong();
       for (const json& message : client_.receive()) {
         (message["op"] == "publish" ? states_ : answers_).push_back(message);
       }

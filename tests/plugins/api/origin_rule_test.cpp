@@ -35,11 +35,28 @@ TEST(OriginRule, LetsInExactlyThoseListed) {
   EXPECT_TRUE(rule.allows("http://dashboard.example"));
   EXPECT_FALSE(rule.allows("https://robot.example"));
   EXPECT_FALSE(rule.allows("http://robot.example:8443"));
-  EXPECT_FALSE(rule.allows("http://localhost"));
+  EXPECT_FALSE(rule.allows("null"));
+}
+
+TEST(OriginRule, PagesOfThisMachineNeedNotBeListed) {
+  const std::vector<std::string> listed{"https://robot.example:8443"};
+  const OriginRule rule(listed);
+  EXPECT_TRUE(rule.allows("http://localhost:8080"));
+  EXPECT_TRUE(rule.allows("http://[::1]"));
+}
+
+TEST(OriginRule, PagesFromFilesAreLetInWhereTheyAreListed) {
+  const std::vector<std::string> listed{"null", "file://"};
+  const OriginRule rule(listed);
+  EXPECT_TRUE(rule.allows("null"));
+  EXPECT_TRUE(rule.allows("file://"));
+  EXPECT_FALSE(rule.allows("file:///page.html"));
+  EXPECT_FALSE(rule.allows(""));
 }
 
 TEST(OriginRule, RefusesEntriesThatAreNoOrigins) {
-  for (const auto* const entry : {"*", "null", "robot.example", "https://robot.example/page", "file://"}) {
+  for (const auto* const entry :
+       {"*", "Null", "robot.example", "https://robot.example/page", "file:///page"}) {
     const std::vector<std::string> listed{entry};
     try {
       const OriginRule rule(listed);

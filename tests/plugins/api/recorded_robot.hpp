@@ -14,7 +14,7 @@
 
 namespace gaitway::api {
 
-class RecordedRobot final : public RobotPort {
+class RecordedRobot : public RobotPort {
  public:
   std::vector<std::string> told;  // "walk", "stand", "stop", ... in their order
   std::vector<Velocity> velocities;

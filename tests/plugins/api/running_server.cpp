@@ -1,13 +1,17 @@
 // The echoing hub, and the thread.
 #include "running_server.hpp"
 
+#include <chrono>
 #include <deque>
 #include <utility>
+
+#include "raw_client.hpp"
 
 namespace gaitway::api {
 namespace {
 
 constexpr std::size_t kManyBytes = 16 * 1024;
+constexpr std::chrono::milliseconds kWork{1};
 
 class EchoSession final : public Session {
  public:
@@ -26,11 +30,29 @@ class EchoSession final : public Session {
       for (int left = std::stoi(std::string(message.substr(5))); left > 0; --left) {
         answer(std::string(kManyBytes, 'm'), true);
       }
+    } else if (message == "hold") {
+      hub_.held.release();
+      hub_.released.acquire();
+    } else if (message == "work") {
+      hub_.taken.emplace_back(message);
+      const auto begin = std::chrono::steady_clock::now();
+      while (std::chrono::steady_clock::now() - begin < kWork) {
+      }
+    } else if (message.starts_with("urgent")) {
+      hub_.taken.emplace_back(message);
     } else {
       answer(std::string(message), binary);
     }
   }
-  void heard(std::int64_t /*wall_ns*/) noexcept override { ++hub_.signs_of_life; }
+  void take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) override {
+    take(message, binary, wall_ns);
+    if (!hub_.taken.empty()) {
+      hub_.taken.back().insert(0, "overtaken ");
+    }
+  }
+  [[nodiscard]] bool is_urgent(std::string_view message, bool /*binary*/) const noexcept override {
+    return message.starts_with("urgent");
+  }
   std::optional<Frame> next_frame(std::int64_t /*wall_ns*/) override {
     if (frames_.empty()) {
       return std::nullopt;
@@ -77,7 +99,9 @@ ServerOptions local() {
 
 RunningServer::RunningServer(ServerOptions options, std::function<void()> before_running)
     : server_(hub_, ServerSetup(std::move(options)),
-              {.on_tick = [this](std::int64_t) { look(); }, .on_poll = {}}),
+              {.on_tick = [this](std::int64_t) { look(); },
+               .on_poll = {},
+               .on_refusals = [this](const std::string& line) { refusals_.push_back(line); }}),
       thread_([this, before_running = std::move(before_running)] {
         if (before_running) {
           before_running();
@@ -87,6 +111,15 @@ RunningServer::RunningServer(ServerOptions options, std::function<void()> before
 
 RunningServer::~RunningServer() {
   stop();
+}
+
+std::vector<std::string> RunningServer::refusals() {
+  std::vector<std::string> result;
+  await([&](const ServerStatistics&, EchoHub&) {
+    result = refusals_;
+    return true;
+  });
+  return result;
 }
 
 void RunningServer::stop() {
@@ -108,6 +141,13 @@ void RunningServer::await(Condition condition) {
   std::unique_lock lock(mutex_);
   condition_ = std::move(condition);
   met_.wait(lock, [this] { return !condition_; });
+}
+
+void RunningServer::while_held(RawClient& client, const std::function<void()>& meanwhile) {
+  client.send(masked_frame(kText, "hold"));
+  hub_.held.acquire();
+  meanwhile();
+  hub_.released.release();
 }
 
 ServerStatistics RunningServer::statistics() {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <semaphore>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,7 +17,8 @@
 namespace gaitway::api {
 
 // Messages are echoed, but for some: `close` asks the connection to close (1008, "as you wish") after two
-// further frames, `many N` is answered with N frames of 16 KiB.
+// further frames, `many N` is answered with N frames of 16 KiB, `hold` keeps the server's thread until the
+// test releases it, `work` takes a millisecond of it, and what begins with `urgent` is urgent.
 class EchoHub final : public SessionHub {
  public:
   struct Opened {
@@ -31,9 +33,12 @@ class EchoHub final : public SessionHub {
   std::vector<Opened> opened;
   std::size_t sessions = 0;  // now
   std::size_t most_sessions = 1'000'000;
-  std::uint64_t signs_of_life = 0;
   std::uint64_t steps = 0;
+  std::vector<std::string> taken;  // `work`, `urgent...`, and these after "overtaken ", in their order
+  std::binary_semaphore held{0}, released{0};
 };
+
+class RawClient;
 
 class RunningServer {
  public:
@@ -46,8 +51,12 @@ class RunningServer {
   [[nodiscard]] std::uint16_t port() const noexcept { return server_.port(); }
   // Returns when it holds at a tick; looked at in the server's thread.
   void await(Condition condition);
+  // Nothing is read or done by the server while `meanwhile` runs, which a client's `hold` begins.
+  void while_held(RawClient& client, const std::function<void()>& meanwhile);
   // The statistics at the next tick.
   [[nodiscard]] ServerStatistics statistics();
+  // Lines about refusals so far.
+  [[nodiscard]] std::vector<std::string> refusals();
   void stop();  // and waits until run() has ended
 
  private:
@@ -58,6 +67,7 @@ class RunningServer {
   std::mutex mutex_;
   std::condition_variable met_;
   Condition condition_;
+  std::vector<std::string> refusals_;  // of the server's thread
   std::thread thread_;
 };
 

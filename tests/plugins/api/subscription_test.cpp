@@ -153,7 +153,7 @@ TEST_F(SubscriptionTest, ThrottledMessagesComeAtTheirRateAndAreTheNewest) {
       received.push_back(x);
       last_ns = now_ns;
     }
-    pass(10 * kMillisecond_ns, {client.get()});
+    pass(10 * kMillisecond_ns);
   }
   EXPECT_THAT(received, SizeIs(10));
   EXPECT_EQ(hub.statistics().dropped, 0U) << "throttling is no loss";
@@ -166,7 +166,7 @@ TEST_F(SubscriptionTest, AThrottledMessageIsNotForgottenWhenNoOtherFollows) {
   publish(2);
   EXPECT_THAT(client->receive(), IsEmpty());
   const int wakes = client->wakes;
-  pass(100 * kMillisecond_ns, {client.get()});
+  pass(100 * kMillisecond_ns);
   EXPECT_EQ(client->wakes, wakes + 1);
   EXPECT_THAT(xs(client->receive()), ElementsAre(2));
 }
@@ -177,7 +177,7 @@ TEST_F(SubscriptionTest, AThrottledClientThatDoesNotReadIsTold) {
   EXPECT_THAT(xs(client->receive()), ElementsAre(0));
   for (int i = 1; i <= 100; ++i) {
     publish(i);
-    pass(10 * kMillisecond_ns, {client.get()});
+    pass(10 * kMillisecond_ns);
   }
   EXPECT_GE(hub.statistics().dropped, 1U);
 }
@@ -293,7 +293,7 @@ TEST_F(SubscriptionTest, DropsAreToldAtMostOnceASecond) {
         warnings.push_back(message["msg"]);
       }
     }
-    pass(10 * kMillisecond_ns, {client.get()});
+    pass(10 * kMillisecond_ns);
   }
   ASSERT_THAT(warnings, SizeIs(3));
   EXPECT_THAT(warnings[0], HasSubstr("1 of /zmp"));

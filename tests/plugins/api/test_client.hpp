@@ -33,9 +33,15 @@ class TestClient final : public Connection {
     closed = {code, std::string(reason)};
   }
 
+  void shown_wrong_token() noexcept override { ++wrong_tokens; }
+
   void send(const json& message) { send_text(message.dump()); }
   void send_text(std::string_view message, bool binary = false) { session_->take(message, binary, now_ns_); }
-  void pong() { session_->heard(now_ns_); }
+  // After a stop that came later.
+  void send_overtaken(const json& message) { session_->take_overtaken(message.dump(), false, now_ns_); }
+  [[nodiscard]] bool is_urgent(std::string_view message, bool binary = false) const {
+    return session_->is_urgent(message, binary);
+  }
   void disconnect() { session_.reset(); }
   [[nodiscard]] bool is_open() const { return session_ != nullptr; }
 
@@ -85,6 +91,7 @@ class TestClient final : public Connection {
   }
 
   int wakes = 0;
+  int wrong_tokens = 0;
   std::optional<std::pair<std::uint16_t, std::string>> closed;
 
  private:
@@ -100,13 +107,10 @@ class HubTest : public testing::Test {
   std::unique_ptr<TestClient> connect(std::string peer, bool authorised = true) {
     return std::make_unique<TestClient>(hub, now_ns, std::move(peer), authorised);
   }
-  // Time passes in steps of 10 ms, and all of `clients` give signs of life.
-  void pass(std::int64_t duration_ns, std::initializer_list<TestClient*> clients) {
+  // Time passes in steps of 10 ms.
+  void pass(std::int64_t duration_ns) {
     for (const std::int64_t end_ns = now_ns + duration_ns; now_ns < end_ns;) {
       now_ns += 10 * kMillisecond_ns;
-      for (TestClient* const client : clients) {
-        client->pong();
-      }
       hub.step(now_ns);
     }
   }

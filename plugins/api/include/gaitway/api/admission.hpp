@@ -40,11 +40,12 @@ class AccessToken {
 // Which web pages may connect.
 class OriginRule {
  public:
-  // None listed: http and https pages of localhost, 127.0.0.1 and [::1], on any port. Throws ServerSetupError
-  // for an entry that is not `http(s)://host` or `http(s)://host:port`.
+  // Those listed, and always http and https pages of localhost, 127.0.0.1 and [::1], on any port. `null` and
+  // `file://` stand for pages from files. Throws ServerSetupError for an entry that is neither, nor
+  // `http(s)://host` or `http(s)://host:port`.
   explicit OriginRule(std::span<const std::string> allowed = {});
 
-  // `origin`: the header's value. Anything else than a web origin, such as `null` or `file://`, is refused.
+  // `origin`: the header's value.
   [[nodiscard]] bool allows(std::string_view origin) const;
 
  private:

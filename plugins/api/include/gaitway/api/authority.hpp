@@ -21,6 +21,7 @@ struct Claimant {
   std::string name;                        // for people: its address, or as it calls itself
   std::uint64_t stops_seen = 0;            // up to which it may take the command without asking for it
   std::optional<std::int64_t> tried_ns{};  // its latest command, granted or not
+  bool overtaken = false;                  // what it asks for was sent before a stop that it has called since
 };
 
 // The lease is bound to its connection: its id is worth nothing on another one. It ends when neither a

@@ -17,7 +17,8 @@ namespace gaitway::api {
 //   comes /clock, /zmp/reference, /footsteps         when the robot's clock passes a multiple of 10 ms
 //   /diagnostics                               each second, of the robot's clock or of the caller's
 //   /motion_state                              as it changes, and with each batch while a motion plays
-//   /events                                    as they come;   /robot_description   in the first poll
+//   /robot_state                               as it changes
+//   /events, /rosout                           as they come;   /robot_description   in the first poll
 //
 // A topic keeps only its newest values: who polls less often than each 10 ms misses some. When the robot's
 // clock runs backwards (it was started anew), all that was remembered is dropped, and publishing goes on with
@@ -56,6 +57,8 @@ class Feed {
   void publish_at_slot_edge(PublicationSink& sink);
   void publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink);
   void publish_motion(PublicationSink& sink);
+  void publish_robot_state(PublicationSink& sink);
+  void tell(PublicationSink& sink, const ros::Log& log);
   void publish_events(PublicationSink& sink);
 
   std::unique_ptr<Topics> topics_;

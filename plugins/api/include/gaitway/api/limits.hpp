@@ -22,7 +22,7 @@ struct Limits {
   std::int64_t handshake_ns = 5'000'000'000;       // from connecting to the end of the handshake
   std::int64_t authentication_ns = 5'000'000'000;  // from the handshake to the token
   std::int64_t write_ns = 2'000'000'000;           // in which a client must take what was written to it
-  std::int64_t silence_ns = 1'000'000'000;         // without a sign of life: the connection is dead
+  std::int64_t silence_ns = 10'000'000'000;        // without a sign of life: the connection is dead
   std::int64_t lease_ns = 1'000'000'000;           // of the command, without a command or a keep-alive
   std::int64_t answer_ns = 10'000'000'000;         // in which a service that takes time must have answered
   std::int64_t velocity_ns = 500'000'000;          // that a velocity command holds
@@ -35,8 +35,10 @@ struct Limits {
   constexpr std::size_t kKiB = 1024, kMiB = 1024 * kKiB;
   constexpr std::size_t kWithoutClients_bytes = 256 * kMiB;  // programs, stacks, memory block, recorder
   constexpr std::size_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
-  constexpr std::size_t kRoom = 2;  // a text that has grown has up to so many times its bytes
-  return kWithoutClients_bytes + limits.connections * (kConnection_bytes + limits.message_bytes) +
+  constexpr std::size_t kRoom = 2;        // a text that has grown has up to so many times its bytes
+  constexpr std::size_t kUnlookedAt = 3;  // messages of one client: one that is being read, two that wait
+  return kWithoutClients_bytes +
+         limits.connections * (kConnection_bytes + kUnlookedAt * limits.message_bytes) +
          kRoom * limits.waiting_bytes_of_all;
 }
 
@@ -75,7 +77,9 @@ void visit_limits(AnyLimits& limits, Visitor&& visit) {
   visit(LimitRow{"handshake", "s", "from connecting to the end of the handshake"}, handshake);
   visit(LimitRow{"authentication", "s", "from the handshake to the token"}, authentication);
   visit(LimitRow{"write", "s", "in which a client takes what was written to it"}, write);
-  visit(LimitRow{"silence", "s", "without a sign of life, after which a connection is dead"}, silence);
+  visit(LimitRow{"silence", "s",
+                 "without a sign of life while it is listened to, after which a connection is dead"},
+        silence);
   visit(LimitRow{"lease", "s", "of the command, without a command or a keep-alive"}, lease);
   visit(LimitRow{"answer", "s", "in which a service that takes time has answered"}, answer);
   visit(LimitRow{"velocity", "s", "that a velocity command holds; then the robot stops smoothly"}, velocity);

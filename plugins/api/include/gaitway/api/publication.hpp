@@ -22,10 +22,13 @@ enum class Topic : std::uint8_t {
   transforms,
   footsteps,
   motion_state,
+  robot_state,
+  commander,
   robot_description,
   clock,
   diagnostics,
-  events
+  events,
+  rosout
 };
 
 struct TopicRow {
@@ -63,13 +66,21 @@ inline constexpr std::array kTopics{
              "Planned footsteps that have not landed yet"},
     TopicRow{Topic::motion_state, "/motion_state", ros::MotionState::kName, 0.0, true, "",
              "Which key-frame motion plays, how far it is [s], and how the last one ended"},
+    TopicRow{Topic::robot_state, "/robot_state", ros::RobotState::kName, 0.0, true, "",
+             "What the robot does: \"stands\", \"walks\", \"plays\" a motion, \"stops\" by its safe tail, is "
+             "\"stopped\" by an emergency stop, \"falls\", has \"fallen\", or is \"gone\""},
+    TopicRow{Topic::commander, "/commander", ros::String::kName, 0.0, true, "",
+             "Name of who has the command; empty: nobody"},
     TopicRow{Topic::robot_description, "/robot_description", ros::String::kName, 0.0, true, "",
              "The robot's URDF"},
     TopicRow{Topic::clock, "/clock", ros::Clock::kName, 100.0, false, "", "The robot's clock"},
     TopicRow{Topic::diagnostics, "/diagnostics", ros::DiagnosticArray::kName, 1.0, true, "",
              "Plug-ins, bus, nodes and loop"},
-    TopicRow{Topic::events, "/events", ros::Log::kName, 0.0, false, "",
-             "The main controller's events, as they happen"},
+    TopicRow{
+        Topic::events, "/events", ros::Log::kName, 0.0, false, "",
+        "The main controller's events, as they happen; what is said again within 10 s is told once for all"},
+    TopicRow{Topic::rosout, "/rosout", ros::Log::kName, 0.0, false, "",
+             "The same as /events, where tools of ROS look for it"},
 };
 inline constexpr std::size_t kTopicCount = kTopics.size();
 

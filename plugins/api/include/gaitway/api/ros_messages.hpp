@@ -173,6 +173,13 @@ struct MotionState {
   GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/MotionState", header, motion, state, time, duration, ended, result);
 };
 
+// What the robot does, in a word.
+struct RobotState {
+  Header header;
+  std::string state;
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/RobotState", header, state);
+};
+
 struct Log {
   Time stamp;
   std::uint8_t level = 20;  // 10 DEBUG, 20 INFO, 30 WARN, 40 ERROR, 50 FATAL

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "gaitway/api/server_setup.hpp"
 #include "gaitway/api/server_statistics.hpp"
@@ -15,6 +16,8 @@ namespace gaitway::api {
 struct ServerCallbacks {
   std::function<void(std::int64_t wall_ns)> on_tick;  // every tick_ns, after the hub's step
   std::function<void(std::int64_t wall_ns)> on_poll;  // every poll_ns
+  // Who was refused, for people: a line for all that have the same cause, at most every ten seconds.
+  std::function<void(const std::string& line)> on_refusals = {};
 };
 
 // All work is done by the thread in run(). After the constructor it makes no socket but by accept4, opens no

@@ -24,8 +24,8 @@ struct ServerOptions {
   // token.
   std::string address = "127.0.0.1";
   std::uint16_t port = 9090;  // 0: any that is free
-  // Web pages that may connect, as `https://host:port`; empty: those that this machine serves itself. Clients
-  // that are no web pages send no origin, and are not asked for one.
+  // Web pages that may connect beside those that this machine serves itself, as `https://host:port`; `null`:
+  // from files. Clients that are no web pages send no origin, and are not asked for one.
   std::vector<std::string> origins;
   std::filesystem::path token_file;        // empty: no token is wanted
   std::filesystem::path certificate_file;  // PEM, the server's first, then its issuers; empty: no TLS

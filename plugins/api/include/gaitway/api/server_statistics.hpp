@@ -42,6 +42,7 @@ struct ServerStatistics {
   std::size_t connected = 0;  // now, with those that are still in their handshake or closing
   std::uint64_t opened = 0;   // WebSockets
   std::uint64_t messages_in = 0, bytes_in = 0;
+  std::uint64_t control_frames = 0;  // pings and pongs of clients
   std::uint64_t messages_out = 0, bytes_out = 0;
   std::uint64_t writes = 0;  // system calls or TLS writes for them: several messages share one
   std::array<std::uint64_t, kRefusalCount> refused{};

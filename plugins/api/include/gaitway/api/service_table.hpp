@@ -61,7 +61,9 @@ inline constexpr std::array kServices{
                "grows too large or whose disk is too slow or too full ends, and an event says so",
                R"({"name": "walk"})"},
     ServiceRow{"/recording/stop", ros::Trigger::kName, false,
-               "End the recording. `message`: the path of the finished file", "{}"},
+               "End the recording: for who began it, who commands, and everybody once the former has gone. "
+               "`message`: the path of the finished file",
+               "{}"},
     ServiceRow{
         "/recording/list", ros::ListRecordings::kName, false,
         "The recordings, newest first and 100 at most: each one's path, size and start. `message`: how many "

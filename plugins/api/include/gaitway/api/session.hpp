@@ -26,6 +26,8 @@ class Connection {
   // Close after what waits has been written, at the latest after a short while. `reason`: for people, at most
   // 123 bytes; `code`: of the WebSocket protocol (1008 policy violation, 1009 too big, 1013 try again later).
   virtual void close(std::uint16_t code, std::string_view reason) noexcept = 0;
+  // The client has shown a token that is not the right one.
+  virtual void shown_wrong_token() noexcept = 0;
 };
 
 class Session {
@@ -33,8 +35,10 @@ class Session {
   virtual ~Session() = default;
   // A whole message that arrived. Never throws for what a client sends.
   virtual void take(std::string_view message, bool binary, std::int64_t wall_ns) = 0;
-  // A sign of life that is no message: a ping or pong.
-  virtual void heard(std::int64_t wall_ns) noexcept = 0;
+  // The same, when an urgent message that came after it has been taken already.
+  virtual void take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) = 0;
+  // Whether the message, a stop say, must not wait for those before it. Cheap, whatever the message is.
+  [[nodiscard]] virtual bool is_urgent(std::string_view message, bool binary) const noexcept = 0;
   // The next frame to write.
   virtual std::optional<Frame> next_frame(std::int64_t wall_ns) = 0;
   // Whether the client has shown that it may be here.

@@ -1,0 +1,78 @@
+// Which word is told for what the robot's parts publish.
+#include "robot_activity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "gaitway/facts/facts.hpp"
+
+namespace gaitway::api {
+namespace {
+
+class RobotActivityTest : public testing::Test {
+ protected:
+  RobotActivityTest() { std::ranges::fill(plan->support, std::uint8_t{2}); }
+  [[nodiscard]] Activity told() const {
+    return activity_of({.network = &network,
+                        .estimate = &estimate,
+                        .plan = plan.get(),
+                        .motion = &motion,
+                        .robot_ns = facts::kSecond_ns,
+                        .heartbeat_age_ns = heartbeat_age_ns});
+  }
+
+  NetworkState network{};
+  Estimate estimate{};
+  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
+  gaitway::MotionState motion{};
+  std::int64_t heartbeat_age_ns = 0;
+};
+
+TEST_F(RobotActivityTest, StandsOnBothFeet) {
+  EXPECT_EQ(told(), Activity::stands);
+  network.mode = network_state::mode::holding;
+  plan->support[3] = 0;
+  EXPECT_EQ(told(), Activity::stands) << "it waits for a batch, whatever was planned";
+}
+
+TEST_F(RobotActivityTest, WalksWhileAFootIsLiftedOrAStepIsToCome) {
+  plan->support[3] = 0;
+  EXPECT_EQ(told(), Activity::walks);
+  plan->support[3] = 2;
+  plan->footstep_count = 1;
+  plan->footstep_landing_ns[0] = facts::kSecond_ns + 1;
+  EXPECT_EQ(told(), Activity::walks);
+  plan->footstep_landing_ns[0] = facts::kSecond_ns;
+  EXPECT_EQ(told(), Activity::stands);
+}
+
+TEST_F(RobotActivityTest, WhatIsWorseIsToldFirst) {
+  motion.state = 1;
+  EXPECT_EQ(told(), Activity::plays);
+  network.mode = network_state::mode::safe_tail;
+  EXPECT_EQ(told(), Activity::stops);
+  estimate.fall = estimate::fall::falls;
+  EXPECT_EQ(told(), Activity::falls);
+  estimate.fall = estimate::fall::lies;
+  EXPECT_EQ(told(), Activity::fallen);
+  network.mode = network_state::mode::emergency_stop;
+  EXPECT_EQ(told(), Activity::stopped);
+  heartbeat_age_ns = facts::kSecond_ns;
+  EXPECT_EQ(told(), Activity::gone);
+}
+
+TEST_F(RobotActivityTest, NothingKnownIsGone) {
+  EXPECT_EQ(activity_of({}), Activity::gone);
+}
+
+TEST_F(RobotActivityTest, HasAWordForEach) {
+  EXPECT_EQ(robot_state_of(Activity::stands, 0).state, "stands");
+  const ros::RobotState gone = robot_state_of(Activity::gone, facts::kSecond_ns);
+  EXPECT_EQ(gone.state, "gone");
+  EXPECT_EQ(gone.header.stamp.sec, 1);
+}
+
+}  // namespace
+}  // namespace gaitway::api
