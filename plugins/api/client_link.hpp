@@ -45,6 +45,7 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   [[nodiscard]] const boost::asio::ip::address& address() const noexcept { return address_; }
   [[nodiscard]] std::int64_t since_ns() const noexcept { return since_ns_; }
   [[nodiscard]] bool is_surplus() const noexcept { return surplus_; }
+  [[nodiscard]] bool is_view() const noexcept { return view_; }
   std::size_t place = 0;  // in the core's table
 
  protected:
@@ -61,7 +62,8 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
 
   // Told by the WebSocket.
   void refusing(Refusal cause);  // an answer is being written
-  void opened(bool authorised);
+  void giving_page();            // so is a file of the page
+  void opened(bool authorised, bool view);
   void received(std::string_view message, bool binary);
   void heard(std::size_t bytes);
   void control_frame();
@@ -95,6 +97,7 @@ class ClientLink : public Connection, public std::enable_shared_from_this<Client
   const std::string peer_;
   const std::int64_t since_ns_;
   const bool surplus_;
+  bool view_ = false;
   Phase phase_ = Phase::handshake;
   std::unique_ptr<Session> session_;
   OutgoingQueue queue_;

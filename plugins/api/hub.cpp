@@ -69,8 +69,12 @@ HubStatistics Hub::statistics() const {
     statistics.subscriptions += session->subscriptions();
   }
   statistics.waiting_bytes = state_->waiting_bytes;
-  statistics.commander = state_->commands.authority().holder();
+  statistics.commander = commander();
   return statistics;
+}
+
+std::string_view Hub::commander() const noexcept {
+  return state_->commands.authority().holder();
 }
 
 void Hub::require_type(Topic topic, std::string_view type) {

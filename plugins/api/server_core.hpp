@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "gaitway/api/server.hpp"
 #include "gaitway/api/server_setup.hpp"
 #include "gaitway/api/server_statistics.hpp"
 #include "gaitway/api/session.hpp"
@@ -21,7 +22,7 @@ class ClientLink;
 
 class ServerCore {
  public:
-  ServerCore(SessionHub& sessions, const ServerSetup& server_setup);
+  ServerCore(SessionHub& sessions, const ServerSetup& server_setup, const ServerPage& server_page);
 
   // Whether a connection of this address is within the limits. When all places are taken, or all of this
   // address, the oldest link there gives way that may.
@@ -37,6 +38,7 @@ class ServerCore {
   SessionHub& hub;
   const ServerSetup& setup;
   const ServerOptions& options;
+  const ServerPage page;
   ServerStatistics statistics;
 
  private:

@@ -80,6 +80,8 @@ class Hub final : public SessionHub {
   [[nodiscard]] bool wanted(Topic topic) const noexcept;
 
   [[nodiscard]] HubStatistics statistics() const;
+  // Name of who commands, until the next call of the hub; empty: nobody.
+  [[nodiscard]] std::string_view commander() const noexcept;
 
  private:
   using Encode = std::function<void(Encoding encoding, std::string& out)>;
