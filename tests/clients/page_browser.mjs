@@ -1,0 +1,71 @@
+// A headless Chromium, and a page in it as a person sees and handles it.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import path from "node:path";
+
+const puppeteer = createRequire(path.join(process.env.GAITWAY_PAGE_PACKAGES, "package.json"))("puppeteer-core");
+const patience_ms = 20_000;
+
+// `elsewhere.example` is this computer, too.
+export const openBrowser = () => puppeteer.launch({
+  executablePath: process.env.GAITWAY_CHROMIUM,
+  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", "--host-resolver-rules=MAP elsewhere.example 127.0.0.1"],
+});
+
+export class RobotPage {
+  errors = [];
+
+  static async open(browser, url, { width = 1280, height = 800 } = {}) {
+    const opened = new RobotPage();
+    opened.page = await browser.newPage();
+    opened.page.on("pageerror", (error) => opened.errors.push(error.message));
+    opened.page.on("console", (message) => message.type() === "error" && opened.errors.push(message.text()));
+    await opened.page.setViewport({ width, height });
+    await opened.page.goto(url);
+    return opened;
+  }
+
+  // `look`: a function of the page's own; waits until it gives something true, and gives that.
+  async until(look, what, timeout_ms = patience_ms, ...inputs) {
+    try {
+      const found = await this.page.waitForFunction(look, { polling: 20, timeout: timeout_ms }, ...inputs);
+      return await found.jsonValue();
+    } catch (error) {
+      assert.fail(`not within ${timeout_ms} ms: ${what} (${error.message}); the page says: ${await this.said()}`);
+    }
+  }
+  live(timeout_ms) {
+    return this.until(() => document.getElementById("link").classList.contains("live"), "live", timeout_ms);
+  }
+  // Of the top line and the hint below the stick.
+  says(id, text, timeout_ms) {
+    return this.until((where, words) => document.getElementById(where)?.textContent.includes(words), `${id} says '${text}'`, timeout_ms, id, text);
+  }
+  hints(text, timeout_ms) {
+    return this.until((words) => document.querySelector(".drive .hint").textContent.includes(words), `hint '${text}'`, timeout_ms, text);
+  }
+  newsOf(text, timeout_ms) {
+    return this.until((words) => document.getElementById("news").textContent.includes(words), `news '${text}'`, timeout_ms, text);
+  }
+  text(id) {
+    return this.page.$eval(`#${id}`, (element) => element.textContent);
+  }
+  said() {
+    return this.page.evaluate(() => document.getElementById("top").innerText.replaceAll("\n", " | ") + " || " + document.getElementById("news").innerText);
+  }
+  hold(key) {
+    return this.page.keyboard.down(key);
+  }
+  letGo(key) {
+    return this.page.keyboard.up(key);
+  }
+  press(id) {
+    return this.page.click(`#${id}`);
+  }
+  async tab(title) {
+    await this.page.evaluate((wanted) => [...document.querySelectorAll("[role=tab]")].find((tab) => tab.textContent === wanted).click(), title);
+  }
+  close() {
+    return this.page.close();
+  }
+}

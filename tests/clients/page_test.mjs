@@ -1,0 +1,194 @@
+// The robot's page in a real browser. Arguments: the port of a robot, that of one that wants a token, the token.
+import assert from "node:assert/strict";
+import http from "node:http";
+import test, { after, before } from "node:test";
+import { openBrowser, RobotPage } from "./page_browser.mjs";
+import { Link } from "./page_link.mjs";
+
+const [port, guardedPort, token] = process.argv.slice(2);
+const address = (ofPort = port) => `http://127.0.0.1:${ofPort}/`;
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+test("loads, shows the robot within a second or two, and goes on drawing", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.until(() => performance.getEntriesByName("first-picture").length > 0, "a picture");
+  const first_ms = await robot.page.evaluate(() => performance.getEntriesByName("first-picture")[0].startTime);
+  await robot.live();
+  assert.equal(await robot.text("robot-name"), "humanoid22");
+  assert.equal(await robot.text("activity"), "stands");
+  await robot.tab("State");
+  const perSecond = () => {
+    const fact = [...document.querySelectorAll(".facts div")].find((row) => row.textContent.startsWith("pictures"));
+    return Number.parseInt(fact?.querySelector("dd").textContent) >= 20;
+  };
+  await robot.until(perSecond, "20 pictures a second");
+  assert.deepEqual(robot.errors, []);
+  assert.ok(first_ms < 3000, `the first picture came after ${first_ms} ms`);
+  console.log(`first picture after ${first_ms.toFixed(0)} ms`);
+  await robot.close();
+});
+
+test("drives with keys and with the mouse, as long as they are held", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  await robot.hold("w");
+  await robot.says("commander", "you command");
+  await robot.says("activity", "walks");
+  await robot.letGo("w");
+  await robot.hints("Hold the stick");
+  await robot.says("activity", "stands");
+  const stick = await (await robot.page.$(".stick.round")).boundingBox();
+  await robot.page.mouse.move(stick.x + stick.width / 2, stick.y + stick.height / 2);
+  await robot.page.mouse.down();
+  await robot.page.mouse.move(stick.x + stick.width / 2, stick.y + 20, { steps: 3 });
+  await robot.says("activity", "walks");
+  await robot.page.mouse.up();
+  await robot.says("activity", "stands");
+  await robot.press("give");
+  await robot.says("commander", "nobody commands");
+  await robot.close();
+});
+
+test("stops by Escape and Space, and a stick that is still held does not undo it", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  for (const stop of ["Escape", "Space"]) {
+    await robot.hold("w");
+    await robot.says("activity", "walks");
+    await robot.page.focus("#take, #give");
+    await robot.page.keyboard.press(stop);
+    await robot.newsOf("Stop: done");
+    await robot.hints("Ended");
+    await robot.says("activity", "stands");
+    await robot.hints("Ended");
+    await robot.letGo("w");
+    await robot.hints("Hold the stick");
+  }
+  await robot.close();
+});
+
+test("stops in an emergency, tells so, and releases", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  const size = await (await robot.page.$("#stop")).boundingBox();
+  assert.ok(size.width >= 64 && size.height >= 64);
+  await robot.press("emergency");
+  await robot.says("activity", "emergency stop");
+  await robot.page.waitForSelector("#release:not([hidden])");
+  await robot.press("release");
+  await robot.newsOf("Release: done");
+  await robot.until(() => document.getElementById("activity").textContent === "stands", "it stands");
+  await robot.press("give");
+  await robot.close();
+});
+
+test("loses the link while it drives: the robot stands; back within a second, and nothing begins again", async () => {
+  const link = await Link.to(port);
+  const [robot, watcher] = [await RobotPage.open(browser, address(link.port)), await RobotPage.open(browser, address())];
+  await Promise.all([robot.live(), watcher.live()]);
+  await robot.page.bringToFront();
+  await robot.hold("w");
+  await watcher.says("activity", "walks");
+  link.cut();
+  await robot.says("link-text", "no connection", 1500);
+  await robot.says("old", "Connection lost");
+  await watcher.says("activity", "stands");
+  await watcher.says("commander", "nobody commands");
+  link.mend();
+  await robot.live(1000);
+  await robot.hints("Ended");
+  assert.equal(await watcher.text("commander"), "nobody commands");
+  await robot.letGo("w");
+  await robot.hints("Hold the stick");
+  await Promise.all([robot.close(), watcher.close()]);
+  link.end();
+});
+
+test("a link that stalls is not green any more, and what was missed is told", async () => {
+  const link = await Link.to(port);
+  const robot = await RobotPage.open(browser, address(link.port));
+  await robot.live();
+  link.stall();
+  const stalled_ms = performance.now();
+  await robot.until(() => !document.getElementById("link").classList.contains("live"), "old", 1000);
+  assert.ok(performance.now() - stalled_ms < 800, "the page was green for too long");
+  await robot.says("link-text", "no connection", 2000);
+  assert.match(await robot.text("old"), /Connection lost/);
+  link.mend();
+  await robot.live(1000);
+  await robot.tab("State");
+  await robot.until(() => /[1-9]\d* outages/.test(document.querySelector(".state").textContent), "the outage is told");
+  await robot.close();
+  link.end();
+});
+
+test("of two tabs one commands, and both may stop", async () => {
+  const [one, other] = [await RobotPage.open(browser, address()), await RobotPage.open(browser, address())];
+  await Promise.all([one.live(), other.live()]);
+  await one.page.bringToFront();
+  await one.press("take");
+  await one.says("commander", "you command");
+  await other.says("commander", "page ");
+  assert.ok(await other.page.$eval("#take", (button) => button.disabled));
+  await one.hold("w");
+  await other.says("activity", "walks");
+  await other.page.evaluate(() => document.getElementById("stop").click());
+  await other.says("activity", "stands");
+  await one.hints("Ended");
+  await one.newsOf("You do not command any more");
+  await one.letGo("w");
+  await Promise.all([one.close(), other.close()]);
+});
+
+test("a page that is hidden stands and gives the command back", async () => {
+  const [robot, watcher] = [await RobotPage.open(browser, address()), await RobotPage.open(browser, address())];
+  await Promise.all([robot.live(), watcher.live()]);
+  await robot.page.bringToFront();
+  await robot.hold("w");
+  await watcher.says("activity", "walks");
+  await watcher.page.bringToFront();
+  await watcher.says("activity", "stands");
+  await watcher.says("commander", "nobody commands");
+  await Promise.all([robot.close(), watcher.close()]);
+});
+
+test("asks for the token until it is right", async () => {
+  const robot = await RobotPage.open(browser, address(guardedPort));
+  await robot.page.waitForSelector("dialog[open]");
+  await robot.page.type("#token-text", "not-the-token-of-it");
+  await robot.page.keyboard.press("Enter");
+  await robot.says("token-why", "not the right one");
+  await robot.page.type("#token-text", token);
+  await robot.page.keyboard.press("Enter");
+  await robot.live();
+  const kept = await robot.page.evaluate(() => JSON.stringify([document.cookie, { ...localStorage }, { ...sessionStorage }]));
+  assert.equal(kept, '["",{},{}]');
+  await robot.press("take");
+  await robot.says("commander", "you command");
+  await robot.close();
+});
+
+test("pages from elsewhere get nothing", async () => {
+  const elsewhere = http.createServer((_request, response) => response.end("<p>another page"));
+  await new Promise((resolve) => elsewhere.listen(0, "127.0.0.1", resolve));
+  const page = await browser.newPage();
+  const answer = await page.goto(`http://elsewhere.example:${port}/`);
+  assert.equal(answer.status(), 421);
+  await page.goto(`http://elsewhere.example:${elsewhere.address().port}/`);
+  const got = await page.evaluate(async (ofPort) => {
+    const opens = (path) => new Promise((resolve) => {
+      const socket = new WebSocket(`ws://127.0.0.1:${ofPort}${path}`);
+      socket.onopen = () => resolve(true);
+      socket.onerror = () => resolve(false);
+    });
+    const fetched = await fetch(`http://127.0.0.1:${ofPort}/robot.json`).then(() => true, () => false);
+    return [await opens("/"), await opens("/view"), fetched];
+  }, port);
+  assert.deepEqual(got, [false, false, false]);
+  await page.close();
+  elsewhere.close();
+});
