@@ -15,12 +15,12 @@ export const openBrowser = () => puppeteer.launch({
 export class RobotPage {
   errors = [];
 
-  static async open(browser, url, { width = 1280, height = 800 } = {}) {
+  static async open(browser, url, viewport = { width: 1280, height: 800 }) {
     const opened = new RobotPage();
     opened.page = await browser.newPage();
     opened.page.on("pageerror", (error) => opened.errors.push(error.message));
     opened.page.on("console", (message) => message.type() === "error" && opened.errors.push(message.text()));
-    await opened.page.setViewport({ width, height });
+    await opened.page.setViewport(viewport);
     await opened.page.goto(url);
     return opened;
   }

@@ -53,6 +53,88 @@ test("drives with keys and with the mouse, as long as they are held", async () =
   await robot.close();
 });
 
+test("drives by touch and with a game pad, whose buttons stop", async () => {
+  const robot = await RobotPage.open(browser, address(), { width: 360, height: 740, hasTouch: true, isMobile: true });
+  await robot.live();
+  const stick = await (await robot.page.$(".stick.round")).boundingBox();
+  const finger = await robot.page.touchscreen.touchStart(stick.x + stick.width / 2, stick.y + stick.height / 2);
+  await finger.move(stick.x + stick.width / 2, stick.y + 20);
+  await robot.says("activity", "walks");
+  await finger.end();
+  await robot.says("activity", "stands");
+  await robot.page.evaluate(() => {
+    const buttons = Array.from({ length: 4 }, () => ({ pressed: false }));
+    window.pad = { connected: true, axes: [0, -1, 0, 0], buttons };
+    navigator.getGamepads = () => [window.pad];
+  });
+  await robot.says("activity", "walks");
+  await robot.page.evaluate(() => (window.pad.buttons[1].pressed = true));
+  await robot.hints("Ended");
+  await robot.says("activity", "stands");
+  await robot.close();
+});
+
+test("plays a motion, and tells how far it is", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  await robot.page.evaluate(() => [...document.querySelectorAll(".drive button")].find((button) => button.textContent === "wave").click());
+  await robot.newsOf("Motion wave: done");
+  await robot.until(() => /wave: playing/.test(document.querySelector(".drive").textContent), "it plays");
+  await robot.says("activity", "plays a motion");
+  await robot.page.evaluate(() => [...document.querySelectorAll(".drive button")].find((button) => button.textContent === "Leave the motion").click());
+  await robot.until(() => document.getElementById("activity").textContent === "stands", "it stands");
+  await robot.close();
+});
+
+test("every view fits a narrow phone, with Stop where it was, and can be walked through by keys", async () => {
+  const robot = await RobotPage.open(browser, address(), { width: 360, height: 740 });
+  await robot.live();
+  const stop = await (await robot.page.$("#stop")).boundingBox();
+  await robot.page.focus("[role=tab]");
+  const seen = [];
+  for (let count = 0; count < 6; ++count) {
+    seen.push(await robot.page.$eval("[role=tab][aria-selected=true]", (tab) => tab.textContent));
+    assert.deepEqual(await (await robot.page.$("#stop")).boundingBox(), stop);
+    const tooWide = await robot.page.evaluate(() => [document.documentElement, document.getElementById("panels")].map((part) => part.scrollWidth - part.clientWidth));
+    assert.deepEqual(tooWide, [0, 0], seen.at(-1));
+    await robot.page.keyboard.press("ArrowRight");
+  }
+  assert.deepEqual(seen, ["Drive", "State", "Plots", "Events", "Plug-ins", "Recordings"]);
+  assert.equal(await robot.page.evaluate(() => document.activeElement.textContent), "Drive");
+  assert.equal(await robot.text("commander"), "nobody commands");
+  await robot.close();
+});
+
+test("shows joints, plots, plug-ins with live parameters, events and recordings", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  await robot.tab("State");
+  await robot.until(() => [...document.querySelectorAll(".joints tbody tr")].filter((row) => /-?\d+\.\d/.test(row.cells[2].textContent)).length === 22, "22 joints");
+  await robot.tab("Plots");
+  await robot.until(() => document.querySelectorAll(".plots canvas").length === 3, "three plots");
+  await robot.tab("Plug-ins");
+  await robot.page.waitForSelector('[aria-label="Parameters of stability"]');
+  await robot.page.click('[aria-label="Parameters of stability"]');
+  await robot.page.waitForSelector("#parameter-stability-trim_limit");
+  await robot.page.$eval("#parameter-stability-trim_limit", (input) => (input.value = "0.11 rad"));
+  await robot.page.focus("#parameter-stability-trim_limit");
+  await robot.page.keyboard.press("Enter");
+  await robot.newsOf("trim_limit = 0.11 rad: done");
+  await robot.until(() => document.getElementById("parameter-stability-trim_limit").value.startsWith("0.11"), "the new value");
+  await robot.tab("Recordings");
+  await robot.page.$eval("#recording-name", (input) => (input.value = "of_the_page"));
+  await robot.page.evaluate(() => [...document.querySelectorAll(".recordings button")].find((button) => button.textContent === "Record").click());
+  await robot.newsOf("Recording: done");
+  await robot.page.evaluate(() => [...document.querySelectorAll(".recordings button")].find((button) => button.textContent === "End the recording").click());
+  await robot.until(() => document.querySelector(".recordings tbody").textContent.includes("of_the_page.mcap"), "the recording");
+  await robot.tab("Events");
+  await robot.until(() => document.querySelectorAll(".events li").length > 0, "events");
+  await robot.page.type(".events-tab input", "no event has these words");
+  await robot.until(() => document.querySelectorAll(".events li").length === 0, "no events");
+  assert.deepEqual(robot.errors, []);
+  await robot.close();
+});
+
 test("stops by Escape and Space, and a stick that is still held does not undo it", async () => {
   const robot = await RobotPage.open(browser, address());
   await robot.live();

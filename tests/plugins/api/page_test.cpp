@@ -2,12 +2,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "gaitway/api/view_hub.hpp"
 #include "gaitway/page/view_frame.hpp"
+#include "gaitway/process/real_time.hpp"
 #include "page_host.hpp"
 #include "raw_client.hpp"
 #include "running_server.hpp"
@@ -187,6 +190,25 @@ TEST(View, SendsNoMoreThanEightToWhoAcknowledgesNone) {
   EXPECT_LT(frame_of(frame), newest);
   idle.send(frame.substr(2, 4), true);
   EXPECT_GE(frame_of(idle.receive().text), newest) << "an old frame waited";
+}
+
+TEST(View, DoesNotWaitForClientsThatLeaveMuchUnread) {
+  const PageServer server;
+  std::vector<std::unique_ptr<RawClient>> greedy;
+  for (int count = 0; count < 20; ++count) {
+    greedy.push_back(std::make_unique<RawClient>(server.port()));
+    greedy.back()->open_websocket();
+    greedy.back()->send(masked_frame(kText, "many 200"));
+  }
+  WebSocketClient client(server.port(), to_view());
+  std::int64_t longest_ns = 0;
+  for (int count = 0; count < 30; ++count) {
+    const std::int64_t asked_ns = process::monotonic_ns();
+    const std::string frame = client.receive().text;
+    longest_ns = std::max(longest_ns, process::monotonic_ns() - asked_ns);
+    client.send(frame.substr(2, 4), true);
+  }
+  EXPECT_LT(longest_ns, 250'000'000);
 }
 
 TEST(View, ClosesOnWhatIsNoAcknowledgement) {

@@ -1,6 +1,7 @@
 // Brings what is held to the robot, and ends it for whatever reason there is.
 import type { Context } from "./context.ts";
 import { readBounds, apiBounds } from "./bounds.ts";
+import { Refused } from "./rosbridge.ts";
 import { velocityOf, standstill, isStandstill, type Bounds, type Velocity } from "./drive.ts";
 import { GamePad, Keys, ScreenStick, strongest } from "./sticks.ts";
 import { commanderOf } from "./view_decoder.ts";
@@ -42,8 +43,10 @@ export class Driver {
 
   // The connection has ended: nothing can be said any more, and nothing is said later.
   lost(): void {
-    this.context.drive.end();
-    this.context.command.lost();
+    const { drive, command, news } = this.context;
+    if (command.mine) news.say("The connection was lost, and with it the command.", "bad");
+    drive.end();
+    command.lost();
     this.sent = standstill;
   }
 
@@ -99,7 +102,7 @@ export class Driver {
       return;
     }
     command.keep(now_ms).catch((error: Error) => {
-      if (command.mine) return; // it was not answered; the frames tell whether it still is
+      if (!(error instanceof Refused)) return; // it was not answered: the frames tell who commands
       drive.end();
       news.say(`You do not command any more: ${error.message}`, "bad");
     });

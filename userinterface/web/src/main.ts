@@ -67,10 +67,7 @@ function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar,
   view.onFrame = (frame) => context.frameTakers.forEach((take) => take(frame));
   view.onWrongVersion = (text) => news.say(`${text}: load the page again`, "bad");
   view.onWrongToken = () => location.reload();
-  robot.onClose = (unanswered) => {
-    driver.lost();
-    if (unanswered.length > 0) news.say(`Connection lost. Not answered: ${unanswered.join(", ")}`, "bad");
-  };
+  robot.onClose = () => driver.lost();
   robot.onStatus = (level, text) => {
     if (level === "error") context.drive.end();
     news.say(text, level === "error" ? "bad" : "plain");

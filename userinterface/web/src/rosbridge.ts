@@ -35,7 +35,7 @@ export class Rosbridge implements SocketUser {
   private lastId = 0;
   private open = false;
   onOpen: () => void = () => {};
-  onClose: (unanswered: string[]) => void = () => {};
+  onClose: () => void = () => {};
   onStatus: (level: string, text: string) => void = () => {};
 
   constructor(
@@ -111,7 +111,7 @@ export class Rosbridge implements SocketUser {
       clearTimeout(timer);
       reject(new Unanswered(`${service} was sent, but the connection was lost before its answer`));
     }
-    if (this.open) this.onClose(unanswered.map(({ service }) => service));
+    if (this.open) this.onClose();
     this.open = false;
   }
 

@@ -52,7 +52,7 @@ export class StatusBar {
   private showFrame(frame: ViewFrame): void {
     const mode = frame.mode[0] ?? NaN;
     const activity = activities[frame.activity[0] ?? 0] ?? "";
-    const text = mode === modes.batches ? activity : `${activity}, ${modeTexts[mode] ?? "state not known"}`;
+    const text = mode === modes.batches ? activity : `${modeTexts[mode] ?? "state not known"}, ${activity}`;
     setText(this.activity, text);
     this.activity.classList.toggle("alarm", mode === modes.emergencyStop || (frame.activity[0] ?? 0) >= 4);
     this.activity.classList.toggle("caution", mode === modes.safeTail);

@@ -6,7 +6,11 @@ export class TabBar {
   private current: Tab | undefined;
   private readonly buttons = new Map<Tab, HTMLButtonElement>();
 
-  constructor(bar: HTMLElement, panels: HTMLElement, tabs: readonly Tab[]) {
+  constructor(
+    bar: HTMLElement,
+    private readonly panels: HTMLElement,
+    tabs: readonly Tab[],
+  ) {
     for (const [index, tab] of tabs.entries()) {
       const id = `tab-${index}`;
       const button = element("button", { type: "button", role: "tab", id, "aria-controls": `${id}-panel` }, tab.title);
@@ -38,6 +42,7 @@ export class TabBar {
       other.content.hidden = !chosen;
     }
     this.buttons.get(tab)?.scrollIntoView({ inline: "nearest", block: "nearest" });
+    this.panels.scrollTop = 0;
     tab.show?.();
     tab.look?.(performance.now());
   }

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { gaitBounds } from "../src/bounds.ts";
+import { FramePace } from "../src/scene/frame_pace.ts";
 import { convexHull } from "../src/scene/polygon.ts";
 import { strongest } from "../src/sticks.ts";
 import { passes } from "../src/tabs/events_tab.ts";
@@ -34,6 +35,8 @@ test("a history gives the newest seconds, and begins anew with the robot's clock
   assert.deepEqual(history.data([0], 0.2), [[9.8, 9.9, 10], [98, 99, 100]]);
   add(10.1, NaN);
   assert.equal(history.data([0], 0)[1]?.[0], null);
+  add(11.1, 5);
+  assert.deepEqual(history.data([0], 0.6), [[10.6, 11.1], [null, 5]]);
   add(0.1, 7);
   assert.deepEqual(history.data([0], 100), [[0.1], [7]]);
 });
@@ -42,6 +45,32 @@ test("events pass by their level and by all of the words", () => {
   const event = { time_s: 1, level: 30, source: "stability", text: "Trim limited" };
   assert.ok(passes(event, 30, "trim STAB") && passes(event, 0, ""));
   assert.ok(!passes(event, 40, "") && !passes(event, 0, "trim api"));
+});
+
+test("the picture gets coarser where the computer does not keep up, and finer again later", () => {
+  const pace = new FramePace();
+  const run = (from_ms: number, until_ms: number, drawEvery_ms: number) => {
+    for (let now_ms = from_ms, draw_ms = from_ms; now_ms < until_ms; now_ms += 33) {
+      pace.wish();
+      if (now_ms < draw_ms) continue;
+      pace.drew(now_ms);
+      draw_ms = now_ms + drawEvery_ms;
+    }
+  };
+  run(0, 5000, 30);
+  assert.equal(pace.fineness, 1);
+  run(5000, 30_000, 120);
+  assert.equal(pace.fineness, 0.5);
+  assert.ok(pace.perSecond < 10);
+  run(30_000, 150_000, 30);
+  assert.equal(pace.fineness, 1);
+});
+
+test("nothing new to draw is no slowness", () => {
+  const pace = new FramePace();
+  for (let now_ms = 0; now_ms < 20_000; now_ms += 500) pace.drew(now_ms);
+  assert.equal(pace.fineness, 1);
+  assert.equal(pace.isDue(19_510), false);
 });
 
 test("sizes in words", () => assert.deepEqual([12, 999_999, 2_500_000].map(sizeText), ["1 kB", "1000 kB", "2.5 MB"]));

@@ -72,12 +72,12 @@ test("without a connection an order is refused, and not sent later", async () =>
 
 test("an order whose answer the connection took along is unanswered, and not sent again", async () => {
   const robot = connected();
-  let told: string[] = [];
-  robot.onClose = (unanswered) => (told = unanswered);
+  let ended = 0;
+  robot.onClose = () => (ended += 1);
   const order = robot.order("/play_motion", { motion: "wave" });
   newest().lose();
   await assert.rejects(order, Unanswered);
-  assert.deepEqual(told, ["/play_motion"]);
+  assert.equal(ended, 1);
   mock.timers.tick(250);
   assert.equal(FakeSocket.made.length, 2, "looked for another connection");
   newest().open();

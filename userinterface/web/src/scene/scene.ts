@@ -15,11 +15,17 @@ const palettes: Record<"light" | "dark", Palette> = {
   dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d },
 };
 
+// Then every pixel costs the processor's time.
+function drawsInSoftware(): boolean {
+  return document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true }) === null;
+}
+
 export type Look = "behind" | "front" | "side" | "top";
 
 export class Scene {
   readonly body: RobotBody;
   readonly pace = new FramePace();
+  private readonly software: boolean;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
   private readonly camera = new THREE.PerspectiveCamera(38, 1, 0.02, 200);
@@ -38,11 +44,12 @@ export class Scene {
     description: Description,
   ) {
     this.size_m = description.hip_height * 2;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, powerPreference: "low-power" });
+    this.software = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, powerPreference: "low-power" });
     this.body = new RobotBody(description);
     const [sole] = description.soles;
     this.ground = new Ground({ length: sole.size[0], width: sole.size[1], ahead: sole.centre[0] }, this.size_m, palettes.light);
-    this.scene.add(this.body.base, this.ground.group, new THREE.HemisphereLight(0xffffff, 0x8899aa, 1.6));
+    this.scene.add(this.body.base, this.ground.group, new THREE.HemisphereLight(0xffffff, 0x8899aa, 2));
     const sun = new THREE.DirectionalLight(0xffffff, 2.2);
     sun.position.set(1.5, 2, 4);
     this.scene.add(sun);
@@ -72,6 +79,7 @@ export class Scene {
     this.body.pose(frame.joint);
     this.ground.show(frame, this.body);
     if (this.follows) this.follow();
+    this.pace.wish();
     this.ask();
   }
 
@@ -121,7 +129,7 @@ export class Scene {
     }
     this.pending = false;
     this.renderer.render(this.scene, this.camera);
-    this.pace.drew(now_ms);
+    if (this.pace.drew(now_ms)) this.resize();
     this.onDrawn();
   }
 
@@ -145,7 +153,7 @@ export class Scene {
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 1.5));
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, this.software ? 1 : 2) * this.pace.fineness);
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();

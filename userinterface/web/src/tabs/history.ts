@@ -7,6 +7,7 @@ export interface Curve {
 }
 
 export const keptFrames = 30 * 120;
+const gap_s = 0.3; // of the robot's time without a frame: nothing is known of it, and no curve is drawn through it
 
 // Time [s] and one column a curve; of unknown values null.
 export class History {
@@ -21,6 +22,7 @@ export class History {
     const times = this.columns[0] ?? [];
     const last_s = times[times.length - 1];
     if (typeof last_s === "number" && time_s < last_s) this.columns.forEach((column) => (column.length = 0)); // the robot was started anew
+    if (typeof last_s === "number" && time_s - last_s > gap_s) this.columns.forEach((column, index) => column.push(index === 0 ? (last_s + time_s) / 2 : null));
     times.push(time_s);
     for (const [index, { value }] of this.curves.entries()) {
       const number = value(frame);

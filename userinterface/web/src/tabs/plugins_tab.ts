@@ -1,6 +1,7 @@
 // The plug-ins: what they cost, what went wrong; reload, and the parameters that can be changed while they work.
 import type { Context, Tab } from "../context.ts";
-import { button, element, setText, table } from "../dom.ts";
+import { button, element, setText } from "../dom.ts";
+import { Facts } from "../facts.ts";
 import type { Message } from "../rosbridge.ts";
 
 interface Plugin {
@@ -13,11 +14,12 @@ interface Plugin {
   p99_step_us: number;
   worst_step_us: number;
 }
-interface Row {
-  element: HTMLTableRowElement;
-  cells: HTMLTableCellElement[];
-  steps: number;
-  looked_ms: number;
+interface Card {
+  box: HTMLElement;
+  state: HTMLElement;
+  facts: Facts;
+  steps: number; // when it was first seen
+  seen_s: number; // then, by the robot's clock
 }
 
 const listEvery_ms = 1000;
@@ -28,73 +30,82 @@ function parameterForm(context: Context, plugin: string, parameters: Message, li
   const lines = of("names").map((name, index) => {
     const id = `parameter-${plugin}-${name}`;
     const value = element("input", { id, value: of("values")[index] ?? "", disabled: !live[index], spellcheck: false, autocomplete: "off" });
-    const set = () => void context.attempt(`${plugin}: ${name} = ${value.value}`, async () => {
-      if (!context.command.mine) await context.command.take();
-      await context.robot.order("/plugins/set_parameter", { plugin, parameter: name, value: value.value });
-    }).then(list);
-    const change = element("form", { class: "parameter" }, element("label", { for: id, title: of("docs")[index] ?? "" }, name), value,
+    const change = element("form", { class: "parameter" }, element("label", { for: id }, name), value,
       element("button", { type: "submit", disabled: !live[index] }, "Set"), element("small", {}, of("docs")[index] ?? ""));
     change.addEventListener("submit", (event) => {
       event.preventDefault();
-      set();
+      void context.attempt(`${plugin}: ${name} = ${value.value}`, async () => {
+        if (!context.command.mine) await context.command.take();
+        await context.robot.order("/plugins/set_parameter", { plugin, parameter: name, value: value.value });
+      }).then(list);
     });
     return { change, live: live[index] ?? false };
   });
   const fixed = lines.filter((line) => !line.live).map((line) => line.change);
   const open = lines.filter((line) => line.live).map((line) => line.change);
-  return element("div", {}, ...open, element("details", {}, element("summary", {}, `${fixed.length} that need a restart`), ...fixed));
+  return element("div", {}, ...open, element("details", {}, element("summary", {}, `${fixed.length} that hold until a restart`), ...fixed));
 }
 
-function statistics(row: Row, plugin: Plugin, now_ms: number): string[] {
-  const steps = plugin.steps - row.steps;
-  const period_ms = steps > 0 && row.looked_ms > 0 ? (now_ms - row.looked_ms) / steps : NaN;
-  row.steps = plugin.steps;
-  row.looked_ms = now_ms;
-  return [plugin.state, Number.isNaN(period_ms) ? "–" : period_ms.toFixed(period_ms < 20 ? 1 : 0), plugin.p50_step_us.toFixed(0), plugin.p99_step_us.toFixed(0),
-    plugin.worst_step_us.toFixed(0), String(plugin.faults)];
+function showCard(card: Card, plugin: Plugin, now_s: number): void {
+  const steps = plugin.steps - card.steps;
+  const period_ms = steps > 0 ? ((now_s - card.seen_s) * 1000) / steps : NaN;
+  setText(card.state, plugin.state);
+  card.box.classList.toggle("bad-card", plugin.state !== "works");
+  card.facts.set("period", Number.isNaN(period_ms) ? "–" : `${period_ms.toFixed(1)} ms`);
+  card.facts.set("p50", `${plugin.p50_step_us.toFixed(0)} µs`);
+  card.facts.set("p99", `${plugin.p99_step_us.toFixed(0)} µs`);
+  card.facts.set("worst", `${plugin.worst_step_us.toFixed(0)} µs`);
+  card.facts.set("faults", String(plugin.faults), plugin.faults > 0);
+  card.facts.set("over budget", String(plugin.overruns), plugin.overruns > 0);
 }
 
 export function pluginsTab(context: Context): Tab {
-  const { robot, attempt, command, news } = context;
-  const { table: listing, body } = table("Plug-ins", "name", "state", "period, ms", "p50, µs", "p99, µs", "worst, µs", "faults", "");
+  const { robot, attempt, command, news, freshness } = context;
+  const list = element("div");
   const parameters = element("section", { "aria-label": "Parameters", hidden: true });
-  const rows = new Map<string, Row>();
+  const cards = new Map<string, Card>();
   let listed_ms = -Infinity;
 
-  const showParameters = (plugin: string) => async () => {
+  const showParameters = async (plugin: string) => {
     const answer = await robot.order("/plugins/get_parameters", { plugin });
     parameters.hidden = false;
-    parameters.replaceChildren(element("h2", {}, `Parameters of ${plugin}`), parameterForm(context, plugin, answer, open(plugin)));
+    parameters.replaceChildren(element("h2", { tabindex: -1 }, `Parameters of ${plugin}`), parameterForm(context, plugin, answer, () => open(plugin)));
   };
-  const open = (plugin: string) => () => void showParameters(plugin)().catch((error: Error) => news.say(error.message, "bad"));
-  const reload = (name: string) => () => void attempt(`Reload ${name}`, async () => {
+  const open = (plugin: string) => void showParameters(plugin).catch((error: Error) => news.say(error.message, "bad"));
+  const openAndGo = (plugin: string) => void showParameters(plugin).then(() => parameters.querySelector("h2")?.focus(),
+    (error: Error) => news.say(error.message, "bad"));
+  const reload = (name: string) => void attempt(`Reload ${name}`, async () => {
     if (!command.mine) await command.take();
     await robot.order("/plugins/reload", { name, library: "" }, 10_000);
   });
-  const addRow = ({ name, steps }: Plugin): Row => {
-    const cells = Array.from({ length: 6 }, (_, index) => element("td", index > 0 ? { class: "number" } : {}));
-    const buttons = element("td", { class: "buttons" }, button("Parameters", open(name), { "aria-label": `Parameters of ${name}` }),
-      button("Reload", reload(name), { "aria-label": `Reload ${name}` }));
-    const made = { element: element("tr", {}, element("th", { scope: "row" }, name), ...cells, buttons), cells, steps, looked_ms: 0 };
-    rows.set(name, made);
-    body.append(made.element);
-    return made;
+  const addCard = ({ name, steps }: Plugin, now_s: number): Card => {
+    const state = element("span", { class: "plugin-state" });
+    const facts = new Facts();
+    const box = element("article", { class: "card", "aria-label": name },
+      element("header", {}, element("h2", {}, name), state, button("Parameters", () => openAndGo(name), { "aria-label": `Parameters of ${name}` }),
+        button("Reload", () => reload(name), { "aria-label": `Reload ${name}` })),
+      facts.list);
+    list.append(box);
+    const card = { box, state, facts, steps, seen_s: now_s };
+    cards.set(name, card);
+    return card;
   };
-  const list = async (now_ms: number) => {
+  const look = async () => {
     const { plugins } = (await robot.order("/plugins/list")) as unknown as { plugins: Plugin[] };
+    const now_s = freshness.newest?.robot_time[0] ?? 0;
     for (const plugin of plugins) {
-      const row = rows.get(plugin.name) ?? addRow(plugin);
-      for (const [index, text] of statistics(row, plugin, now_ms).entries()) setText(row.cells[index] as Element, text);
-      row.element.classList.toggle("bad", plugin.state !== "works");
+      const card = cards.get(plugin.name) ?? addCard(plugin, now_s);
+      if (plugin.steps < card.steps) Object.assign(card, { steps: plugin.steps, seen_s: now_s }); // it was started anew
+      showCard(card, plugin, now_s);
     }
   };
   return {
     title: "Plug-ins",
-    content: element("div", { class: "plugins" }, element("div", { class: "scrolls" }, listing), parameters),
+    content: element("div", { class: "plugins" }, list, parameters),
     look: (now_ms) => {
       if (!robot.isOpen || now_ms - listed_ms < listEvery_ms) return;
       listed_ms = now_ms;
-      list(now_ms).catch((error: Error) => news.say(error.message, "bad"));
+      look().catch((error: Error) => news.say(error.message, "bad"));
     },
   };
 }

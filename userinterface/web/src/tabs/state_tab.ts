@@ -1,27 +1,11 @@
 // Batches, ages, what the page lost, the bus, and each joint.
 import type { Context, Tab } from "../context.ts";
 import { element, setText, table } from "../dom.ts";
+import { Facts } from "../facts.ts";
 import { ageText, oldAfter_ms } from "../freshness.ts";
 import type { Message } from "../rosbridge.ts";
 import type { Scene } from "../scene/scene.ts";
 import { ageNames, hasTrouble } from "../view_decoder.ts";
-
-// A list of names and values, whose values are written anew as they change.
-class Facts {
-  readonly list = element("dl", { class: "facts" });
-  private readonly values = new Map<string, HTMLElement>();
-
-  set(name: string, text: string, bad = false): void {
-    let value = this.values.get(name);
-    if (!value) {
-      value = element("dd");
-      this.values.set(name, value);
-      this.list.append(element("div", {}, element("dt", {}, name), value));
-    }
-    setText(value, text);
-    value.classList.toggle("bad", bad);
-  }
-}
 
 interface JointCells {
   row: HTMLTableRowElement;

@@ -33,8 +33,9 @@ struct Limits {
 // Bytes that the process takes at most; the `memory` of its configuration must be more.
 [[nodiscard]] constexpr std::size_t most_memory_bytes(const Limits& limits) noexcept {
   constexpr std::size_t kKiB = 1024, kMiB = 1024 * kKiB;
-  constexpr std::size_t kWithoutClients_bytes = 256 * kMiB;  // programs, stacks, memory block, recorder
-  constexpr std::size_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
+  constexpr std::size_t kWithoutClients_bytes =
+      320 * kMiB;  // programs, stacks, memory block, recorder, meshes for the page
+  constexpr std::size_t kConnection_bytes = 512 * kKiB;  // WebSocket, TLS, and what is being written
   constexpr std::size_t kRoom = 2;  // a text that has grown has up to so many times its bytes
   return kWithoutClients_bytes + limits.connections * (kConnection_bytes + limits.message_bytes) +
          kRoom * limits.waiting_bytes_of_all;
