@@ -1,5 +1,6 @@
 // A headless Chromium, and a page in it as a person sees and handles it.
 import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 
@@ -11,6 +12,29 @@ export const openBrowser = () => puppeteer.launch({
   executablePath: process.env.GAITWAY_CHROMIUM,
   args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", "--host-resolver-rules=MAP elsewhere.example 127.0.0.1"],
 });
+
+// Processor time that the browser and all of its processes have taken.
+export function processorSeconds(browser) {
+  const parents = new Map(), ticks = new Map();
+  for (const entry of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
+    const text = readFileOr(`/proc/${entry}/stat`, "");
+    const fields = text.slice(text.lastIndexOf(")") + 2).split(" ");
+    parents.set(Number(entry), Number(fields[1]));
+    ticks.set(Number(entry), Number(fields[11]) + Number(fields[12]));
+  }
+  const root = browser.process().pid;
+  const belongs = (id) => id === root || (parents.has(id) && belongs(parents.get(id)));
+  const ticksPerSecond = 100; // of /proc, on every Linux
+  return [...ticks].reduce((sum, [id, count]) => sum + (belongs(id) && count > 0 ? count / ticksPerSecond : 0), 0);
+}
+
+function readFileOr(file, otherwise) {
+  try {
+    return readFileSync(file, "utf8");
+  } catch {
+    return otherwise; // the process has ended
+  }
+}
 
 export class RobotPage {
   errors = [];

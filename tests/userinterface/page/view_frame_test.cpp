@@ -3,9 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 

@@ -3,6 +3,9 @@ import type { Bounds } from "./drive.ts";
 import type { Description } from "./description.ts";
 import type { Message, Rosbridge } from "./rosbridge.ts";
 
+// The robot asks the plug-in for one after the other.
+export const parametersWait_ms = 10_000;
+
 export function apiBounds({ bounds }: Description): Bounds {
   return { forward: bounds.forward, backward: bounds.forward, left: bounds.forward, turn: bounds.turn };
 }
@@ -25,6 +28,6 @@ export function gaitBounds(parameters: Message, most: Bounds): Bounds {
 // A robot without that plug-in has the API's alone.
 export async function readBounds(robot: Rosbridge, description: Description): Promise<Bounds> {
   const most = apiBounds(description);
-  const parameters = await robot.call("/plugins/get_parameters", { plugin: "trajectory" });
+  const parameters = await robot.call("/plugins/get_parameters", { plugin: "trajectory" }, parametersWait_ms);
   return parameters["success"] === true ? gaitBounds(parameters, most) : most;
 }

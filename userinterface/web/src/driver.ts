@@ -7,7 +7,8 @@ import { GamePad, Keys, ScreenStick, strongest } from "./sticks.ts";
 import { commanderOf } from "./view_decoder.ts";
 
 const look_ms = 20;
-const boundsEvery_ms = 5000;
+const boundsEvery_ms = 30_000; // they are many parameters
+const boundsAgain_ms = 2000; // where they did not come
 const foreign_ms = 700; // so long another name in the frames may be an old one
 
 export class Driver {
@@ -119,6 +120,9 @@ export class Driver {
     const { robot, description } = this.context;
     if (!robot.isOpen || document.hidden || now_ms - this.boundsRead_ms < boundsEvery_ms) return;
     this.boundsRead_ms = now_ms;
-    readBounds(robot, description).then((bounds) => (this.bounds = bounds), () => {}); // those that are known hold on
+    readBounds(robot, description).then(
+      (bounds) => (this.bounds = bounds),
+      () => (this.boundsRead_ms = now_ms - boundsEvery_ms + boundsAgain_ms), // till then those that are known hold on
+    );
   }
 }

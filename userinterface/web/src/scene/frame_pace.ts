@@ -16,6 +16,7 @@ export class FramePace {
   private goodWindows = 0;
   // Of the resolution that the screen has.
   fineness = 1;
+  total = 0;
 
   isDue(now_ms: number): boolean {
     return now_ms - this.last_ms >= least_ms;
@@ -32,6 +33,7 @@ export class FramePace {
     this.drawn_ms.push(now_ms);
     while ((this.drawn_ms[0] ?? now_ms) < now_ms - 1000) this.drawn_ms.shift();
     this.drawn += 1;
+    this.total += 1;
     if (now_ms - this.windowBegan_ms < window_ms) return false;
     const judged = this.windowBegan_ms > -Infinity && now_ms - this.windowBegan_ms < 2 * window_ms;
     const changed = judged && this.judge(this.drawn / Math.max(this.wished, 1), (this.wished * 1000) / (now_ms - this.windowBegan_ms));

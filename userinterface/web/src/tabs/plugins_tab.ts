@@ -1,4 +1,5 @@
 // The plug-ins: what they cost, what went wrong; reload, and the parameters that can be changed while they work.
+import { parametersWait_ms } from "../bounds.ts";
 import type { Context, Tab } from "../context.ts";
 import { button, element, setText } from "../dom.ts";
 import { Facts } from "../facts.ts";
@@ -67,7 +68,7 @@ export function pluginsTab(context: Context): Tab {
   let listed_ms = -Infinity;
 
   const showParameters = async (plugin: string) => {
-    const answer = await robot.order("/plugins/get_parameters", { plugin });
+    const answer = await robot.order("/plugins/get_parameters", { plugin }, parametersWait_ms);
     parameters.hidden = false;
     parameters.replaceChildren(element("h2", { tabindex: -1 }, `Parameters of ${plugin}`), parameterForm(context, plugin, answer, () => open(plugin)));
   };

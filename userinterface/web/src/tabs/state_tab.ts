@@ -43,7 +43,7 @@ function showFrame({ freshness }: Context, scene: Scene, now_ms: number, batches
   ages.set("way there and back", Number.isNaN(frame.round_trip[0]) ? "–" : ageText((frame.round_trip[0] ?? 0) * 1000));
   const { frames, outages, longest_ms } = freshness.loss;
   ages.set("lost by this page", `${frames} frames, ${outages} outages${outages > 0 ? `, the longest ${ageText(longest_ms)}` : ""}`, outages > 0);
-  ages.set("pictures", `${scene.pace.perSecond} /s`);
+  ages.set("pictures", `${scene.pace.perSecond} /s, ${scene.pace.total} in all`);
 }
 
 export function stateTab(context: Context, scene: Scene): Tab {
