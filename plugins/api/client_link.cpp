@@ -139,14 +139,21 @@ void ClientLink::refusing() {
   deadline_ns_ = wall_now_ns() + core_.options.closing_ns;
 }
 
-void ClientLink::opened(bool authorised) {
+void ClientLink::giving_page() {
+  ++core_.statistics.pages;
+  phase_ = Phase::refusing;
+  deadline_ns_ = wall_now_ns() + core_.options.page_ns;
+}
+
+void ClientLink::opened(bool authorised, bool view) {
   const std::int64_t now_ns = wall_now_ns();
   ++core_.statistics.opened;
   was_open_ = true;
   phase_ = Phase::open;
   pinged_ns_ = second_ns_ = now_ns;
   heard_ns_ = core_.listening.now_ns();
-  session_ = core_.hub.open(*this, peer_, authorised, now_ns);
+  view_ = view;
+  session_ = (view ? *core_.page.view : core_.hub).open(*this, peer_, authorised, now_ns);
   if (!session_) {
     end_conversation(Closing::refused, kTryAgainLater,
                      "the robot has no place for another client: try again later");

@@ -52,6 +52,7 @@ class ClientLink : public Connection,
   [[nodiscard]] const boost::asio::ip::address& address() const noexcept { return address_; }
   [[nodiscard]] std::int64_t since_ns() const noexcept { return since_ns_; }
   [[nodiscard]] bool is_surplus() const noexcept { return surplus_; }
+  [[nodiscard]] bool is_view() const noexcept { return view_; }
   std::size_t place = 0;  // in the core's table
 
  protected:
@@ -72,7 +73,8 @@ class ClientLink : public Connection,
   void refusing();  // an answer is being written
   // answer_refusal() comes as late as the address must wait for it. `origin`: of a web page, or empty.
   void refuse(Refusal cause, const std::string& origin);
-  void opened(bool authorised);
+  void giving_page();  // a file of the page is being written
+  void opened(bool authorised, bool view);
   void received(std::string_view message, bool binary);
   void heard(std::size_t bytes);
   void control_frame();
@@ -111,6 +113,7 @@ class ClientLink : public Connection,
   const std::string peer_;
   const std::int64_t since_ns_;
   const bool surplus_;
+  bool view_ = false;
   Phase phase_ = Phase::handshake;
   std::unique_ptr<Session> session_;
   ClientInbox inbox_;

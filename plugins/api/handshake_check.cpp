@@ -5,20 +5,18 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <string_view>
 
+#include "page_host.hpp"
+
 namespace gaitway::api {
 namespace {
 
 constexpr std::size_t kQuotedBytes = 200;
 constexpr std::size_t kKeyBytes = 24;  // 16 in base64
 
-std::string_view view(boost::beast::string_view text) {
-  return {text.data(), text.size()};
-}
-
 // What a client sent, fit to be shown to people.
 std::string quoted(boost::beast::string_view text) {
   std::string result = "'";
-  for (const char c : view(text).substr(0, kQuotedBytes)) {
+  for (const char c : plain(text).substr(0, kQuotedBytes)) {
     result += c >= ' ' && c <= '~' ? c : '?';
   }
   return result + (text.size() > kQuotedBytes ? "...'" : "'");
@@ -30,7 +28,7 @@ std::optional<std::string_view> bearer_token(boost::beast::string_view header) {
   if (header.size() < kScheme.size() || !boost::beast::iequals(header.substr(0, kScheme.size()), kScheme)) {
     return std::nullopt;
   }
-  return view(header.substr(kScheme.size()));
+  return plain(header.substr(kScheme.size()));
 }
 
 bool is_root(boost::beast::string_view target) {
@@ -39,9 +37,18 @@ bool is_root(boost::beast::string_view target) {
 
 }  // namespace
 
-std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request, const OriginRule& origins,
-                                                const std::optional<AccessToken>& token) {
-  if (!is_root(request.target())) {
+std::string_view plain(boost::beast::string_view text) noexcept {
+  return {text.data(), text.size()};
+}
+
+bool asks_for_view(const HandshakeRequest& request) {
+  return request.target() == "/view";
+}
+
+std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request, const ServerSetup& setup,
+                                                bool view) {
+  const std::optional<AccessToken>& token = setup.token();
+  if (!is_root(request.target()) && !(view && asks_for_view(request))) {
     return HandshakeRefusal{http::status::not_found, Refusal::wrong_path,
                             "there is nothing at " + quoted(request.target()) + ": the robot API is at /\n"};
   }
@@ -61,7 +68,8 @@ std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request,
                             "Sec-WebSocket-Key must be there once, with 16 random bytes in base64\n"};
   }
   for (const auto& field : request) {
-    if (field.name() == http::field::origin && !origins.allows(view(field.value()))) {
+    if (field.name() == http::field::origin && !setup.origins().allows(plain(field.value())) &&
+        !is_own_page(plain(field.value()), plain(request[http::field::host]), setup.has_tls())) {
       return HandshakeRefusal{http::status::forbidden, Refusal::foreign_origin,
                               "web pages of the origin " + quoted(field.value()) +
                                   " may not talk to the robot: add it to the API's parameter origins "

@@ -6,6 +6,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "gaitway/api/server_setup.hpp"
 #include "gaitway/api/server_statistics.hpp"
@@ -16,6 +17,9 @@ namespace http = boost::beast::http;
 using HandshakeRequest = http::request<http::empty_body>;
 using HttpAnswer = http::response<http::string_body>;
 
+// Of a request's field.
+[[nodiscard]] std::string_view plain(boost::beast::string_view text) noexcept;
+
 struct HandshakeRefusal {
   http::status status;
   Refusal cause;
@@ -23,9 +27,12 @@ struct HandshakeRefusal {
   std::string origin = {};  // of the web page that was refused, quoted
 };
 
+// `view`: there is one.
 [[nodiscard]] std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request,
-                                                              const OriginRule& origins,
-                                                              const std::optional<AccessToken>& token);
+                                                              const ServerSetup& setup, bool view);
+
+// Whether it asks for the view rather than for the robot API.
+[[nodiscard]] bool asks_for_view(const HandshakeRequest& request);
 
 // Whether the request carries the token, or none is wanted. Of a request that has been checked.
 [[nodiscard]] bool is_authorised(const HandshakeRequest& request, const std::optional<AccessToken>& token);

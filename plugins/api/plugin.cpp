@@ -23,7 +23,11 @@
 #include "gaitway/api/memory_robot_port.hpp"
 #include "gaitway/api/recorder.hpp"
 #include "gaitway/api/server.hpp"
+#include "gaitway/api/view_hub.hpp"
+#include "gaitway/api/view_source.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/page/asset_table.hpp"
+#include "gaitway/page/robot_assets.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::api {
@@ -82,16 +86,21 @@ class Door {
                       recordings, RecorderOptions{.limits = {.file_bytes = parameters.recording_bytes}})),
         port_(client_, robot_, recorder_.get()),
         feed_(client_, robot_),
+        view_source_(client_, robot_),
+        assets_(assets_of(robot_, parameters.server.limits)),
         setup_(parameters.server),
         url_(setup_.url()),
         hub_(port_, hub_options(parameters.server.limits, setup_, robot_directory)),
+        view_hub_({.is_token = token_check(setup_),
+                   .authentication_ns = parameters.server.limits.authentication_ns}),
         server_(hub_, std::move(setup_),
                 {.on_tick = [this](std::int64_t wall_ns) { on_tick(wall_ns); },
                  .on_poll = [this](std::int64_t wall_ns) { on_poll(wall_ns); },
-                 .on_refusals = [this](const std::string& line) { reports_.put(Severity::warning, line); }}) {
+                 .on_refusals = [this](const std::string& line) { reports_.put(Severity::warning, line); }},
+                {.assets = &assets_, .view = &view_hub_}) {
     client_.seal();
     thread_ = std::thread([this] { server_.run(); });
-    reports_.put(Severity::info, fmt::format("serves {}", url_));
+    reports_.put(Severity::info, fmt::format("serves {}, and the page at http{}", url_, url_.substr(2)));
   }
   Door(const Door&) = delete;
   Door& operator=(const Door&) = delete;
@@ -106,25 +115,46 @@ class Door {
     HubOptions options;
     options.limits = limits;
     options.parameters["robot_description"] = read_text(robot_directory / "robot.urdf");
-    if (setup.token()) {
-      options.is_token = [token = *setup.token()](std::string_view offered) {
-        return token.matches(offered);
-      };
-    }
+    options.is_token = token_check(setup);
     return options;
+  }
+  static std::function<bool(std::string_view)> token_check(const ServerSetup& setup) {
+    if (!setup.token()) {
+      return {};
+    }
+    return [token = *setup.token()](std::string_view offered) { return token.matches(offered); };
+  }
+  static page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits) {
+    constexpr double kSecond_ns = 1e9;
+    page::AssetTable assets;
+    page::add_page(assets);
+    page::add_robot(assets, robot,
+                    {.forward_m_per_s = limits.forward_m_per_s,
+                     .turn_rad_per_s = limits.turn_rad_per_s,
+                     .velocity_holds_s = static_cast<double>(limits.velocity_ns) / kSecond_ns,
+                     .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns});
+    return assets;
   }
   void on_poll(std::int64_t wall_ns) {
     port_.observe(wall_ns);
     hub_.answer(wall_ns);
-    GenericSink sink([this](Topic topic) { return hub_.wanted(topic) || records(topic); },
-                     [this](Topic topic, const auto& message, std::int64_t robot_ns) {
-                       hub_.publish(topic, message);
-                       if (records(topic)) {
-                         recorder_->publish(topic, message, robot_ns);
-                       }
-                     });
+    GenericSink sink(
+        [this](Topic topic) {
+          return hub_.wanted(topic) || records(topic) || (view_hub_.watched() && ViewSource::wants(topic));
+        },
+        [this, wall_ns](Topic topic, const auto& message, std::int64_t robot_ns) {
+          view_source_.take(topic, message, wall_ns);
+          hub_.publish(topic, message);
+          if (records(topic)) {
+            recorder_->publish(topic, message, robot_ns);
+          }
+        });
     feed_.poll(wall_ns, sink);
     tell_commander(sink);
+    if (view_hub_.due(wall_ns)) {
+      view_hub_.show(
+          view_source_.state(feed_.robot_ns(), feed_.heartbeat_age_ns(), hub_.commander(), wall_ns), wall_ns);
+    }
   }
   void tell_commander(PublicationSink& sink) {
     if (commander_ && commander_->data == hub_.commander()) {
@@ -150,10 +180,13 @@ class Door {
   std::unique_ptr<Recorder> recorder_;
   MemoryRobotPort port_;
   Feed feed_;
+  ViewSource view_source_;
+  page::AssetTable assets_;
   ServerSetup setup_;
   std::string url_;
   Hub hub_;
   std::optional<ros::String> commander_;  // as told last
+  ViewHub view_hub_;
   Server server_;
   std::thread thread_;
 };

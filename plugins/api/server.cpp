@@ -62,10 +62,10 @@ bool is_of_one_client(int error) {
 
 class Server::Impl {
  public:
-  Impl(SessionHub& hub, ServerSetup setup, ServerCallbacks callbacks)
+  Impl(SessionHub& hub, ServerSetup setup, ServerCallbacks callbacks, const ServerPage& page)
       : setup_(std::move(setup)),
         callbacks_(std::move(callbacks)),
-        core_(hub, setup_),
+        core_(hub, setup_, page),
         listener_(core_.io),
         timer_(core_.io),
         period_ns_(callbacks_.on_poll ? setup_.options().poll_ns : setup_.options().tick_ns) {
@@ -197,6 +197,9 @@ class Server::Impl {
   void tick(std::int64_t now_ns) {
     core_.listening.tick(now_ns);
     core_.hub.step(now_ns);
+    if (core_.page.view != nullptr) {
+      core_.page.view->step(now_ns);
+    }
     if (callbacks_.on_tick) {
       callbacks_.on_tick(now_ns);
     }
@@ -225,8 +228,8 @@ class Server::Impl {
   bool stopping_ = false;
 };
 
-Server::Server(SessionHub& hub, ServerSetup setup, ServerCallbacks callbacks)
-    : impl_(std::make_unique<Impl>(hub, std::move(setup), std::move(callbacks))) {}
+Server::Server(SessionHub& hub, ServerSetup setup, ServerCallbacks callbacks, ServerPage page)
+    : impl_(std::make_unique<Impl>(hub, std::move(setup), std::move(callbacks), page)) {}
 
 Server::~Server() = default;
 

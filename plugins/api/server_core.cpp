@@ -1,6 +1,7 @@
 // The table of connections, and the turns in which they write.
 #include "server_core.hpp"
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <chrono>
 #include <utility>
@@ -13,10 +14,11 @@ std::int64_t wall_now_ns() noexcept {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
-ServerCore::ServerCore(SessionHub& sessions, const ServerSetup& server_setup)
+ServerCore::ServerCore(SessionHub& sessions, const ServerSetup& server_setup, const ServerPage& server_page)
     : hub(sessions),
       setup(server_setup),
       options(server_setup.options()),
+      page(server_page),
       listening(wall_now_ns(), 2 * options.tick_ns) {}
 
 bool ServerCore::make_room_for(const boost::asio::ip::address& address) {
@@ -97,6 +99,7 @@ void ServerCore::pump_all() {
   pump_posted_ = false;
   pumped_.swap(woken_);
   const std::int64_t now_ns = wall_now_ns();
+  std::stable_partition(pumped_.begin(), pumped_.end(), [](const auto& link) { return link->is_view(); });
   for (const auto& link : pumped_) {
     link->pump_woken(now_ns);
   }

@@ -10,6 +10,7 @@
 
 #include "address_patience.hpp"
 #include "fair_turns.hpp"
+#include "gaitway/api/server.hpp"
 #include "gaitway/api/server_setup.hpp"
 #include "gaitway/api/server_statistics.hpp"
 #include "gaitway/api/session.hpp"
@@ -25,7 +26,7 @@ class ClientLink;
 
 class ServerCore {
  public:
-  ServerCore(SessionHub& sessions, const ServerSetup& server_setup);
+  ServerCore(SessionHub& sessions, const ServerSetup& server_setup, const ServerPage& server_page);
 
   // Whether a connection of this address is within the limits. When all places are taken, or all of this
   // address, the oldest link there gives way that may.
@@ -43,6 +44,7 @@ class ServerCore {
   SessionHub& hub;
   const ServerSetup& setup;
   const ServerOptions& options;
+  const ServerPage page;
   ServerStatistics statistics;
   RefusalLog refusal_log;
   AddressPatience patience;

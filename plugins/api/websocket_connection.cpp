@@ -8,6 +8,7 @@
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "client_link.hpp"
 #include "gathering_stream.hpp"
 #include "handshake_check.hpp"
+#include "page_answer.hpp"
 
 namespace gaitway::api {
 
@@ -51,6 +53,7 @@ class WebSocketConnection final : public ClientLink {
   void decide(ErrorCode error);
   void refuse(HandshakeRefusal refusal);
   void answer_refusal() override;
+  void give_page();
   void await_end();
   void accept(bool authorised);
   void serve(bool authorised);
@@ -71,6 +74,8 @@ class WebSocketConnection final : public ClientLink {
   beast::flat_buffer request_bytes_;
   http::request_parser<http::empty_body> request_;
   HttpAnswer answer_;
+  PageAnswer page_;
+  std::optional<http::response_serializer<PageAnswer::body_type>> head_;
   beast::flat_buffer message_;
   ErrorCode ignored_;
 };
@@ -115,7 +120,9 @@ void WebSocketConnection<Stream>::decide(ErrorCode error) {
   } else if (is_surplus()) {
     refuse({http::status::service_unavailable, Refusal::too_many,
             "there are too many connections, to the robot or from your address: try again later\n"});
-  } else if (auto refusal = check_handshake(request_.get(), core().setup.origins(), core().setup.token())) {
+  } else if (core().page.assets != nullptr && !websocket::is_upgrade(request_.get())) {
+    give_page();
+  } else if (auto refusal = check_handshake(request_.get(), core().setup, core().page.view != nullptr)) {
     refuse(std::move(*refusal));
   } else if (!request_.is_done() || request_bytes_.size() > 0) {
     refuse({http::status::bad_request, Refusal::bad_request,
@@ -136,6 +143,24 @@ void WebSocketConnection<Stream>::answer_refusal() {
   refusing();
   http::async_write(socket_.next_layer(), answer_,
                     [self = self()](ErrorCode, std::size_t) { self->await_end(); });
+}
+
+template <class Stream>
+void WebSocketConnection<Stream>::give_page() {
+  auto answer = answer_page(request_.get(), *core().page.assets, core().setup);
+  if (auto* const refusal = std::get_if<HandshakeRefusal>(&answer)) {
+    refuse(std::move(*refusal));
+    return;
+  }
+  giving_page();
+  page_ = std::move(std::get<PageAnswer>(answer));
+  const auto finish = [self = self()](ErrorCode, std::size_t) { self->await_end(); };
+  if (request_.get().method() == http::verb::head) {
+    head_.emplace(page_);
+    http::async_write_header(socket_.next_layer(), *head_, finish);
+  } else {
+    http::async_write(socket_.next_layer(), page_, finish);
+  }
 }
 
 // The client closes first: if it had sent more, closing here would reset the connection, and take the answer
@@ -178,7 +203,7 @@ void WebSocketConnection<Stream>::accept(bool authorised) {
 template <class Stream>
 void WebSocketConnection<Stream>::serve(bool authorised) {
   watch_control_frames();
-  opened(authorised);
+  opened(authorised, asks_for_view(request_.get()));
   read_on();
 }
 

@@ -1,4 +1,5 @@
-// `gaitway serve`: the simulated robot at the pace of real time, with the robot API on a WebSocket.
+// `gaitway serve`: the simulated robot at the pace of real time, with the robot API on a WebSocket, and the
+// page.
 
 #include <fmt/format.h>
 
@@ -287,7 +288,7 @@ void declare_program(const CommandLine& app) {
   command.option("--quiet", options.quiet, "No events and no table");
   command.footer(
       "Examples:\n"
-      "  gaitway serve                              ws://127.0.0.1:9090, until Ctrl-C\n"
+      "  gaitway serve                              until Ctrl-C; its page is http://127.0.0.1:9090\n"
       "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
       "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
       "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"

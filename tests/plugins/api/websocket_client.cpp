@@ -57,7 +57,7 @@ class WebSocketClient::Over final : public Impl {
         request.set(name, value);
       }
     }));
-    socket_.handshake("localhost", "/");
+    socket_.handshake("localhost", options.target);
   }
 
   void send(std::string_view message, bool binary) override {

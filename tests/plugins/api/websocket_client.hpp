@@ -17,6 +17,7 @@ class WebSocketClient {
     Headers headers;
     bool tls = false;
     int highest_tls = 0;  // OpenSSL's number; 0: any
+    std::string target = "/";
   };
 
   // Throws std::runtime_error (boost::system::system_error) when the handshake fails.

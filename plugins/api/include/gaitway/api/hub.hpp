@@ -80,7 +80,7 @@ class Hub final : public SessionHub {
   [[nodiscard]] bool wanted(Topic topic) const noexcept;
 
   [[nodiscard]] HubStatistics statistics() const;
-  // Name of who has the command; empty: nobody.
+  // Name of who commands, until the next call of the hub; empty: nobody.
   [[nodiscard]] std::string_view commander() const noexcept;
 
  private:

@@ -33,8 +33,9 @@ struct Limits {
 // Bytes that the process takes at most; the `memory` of its configuration must be more.
 [[nodiscard]] constexpr std::size_t most_memory_bytes(const Limits& limits) noexcept {
   constexpr std::size_t kKiB = 1024, kMiB = 1024 * kKiB;
-  constexpr std::size_t kWithoutClients_bytes = 256 * kMiB;  // programs, stacks, memory block, recorder
-  constexpr std::size_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
+  constexpr std::size_t kWithoutClients_bytes =
+      320 * kMiB;                                        // programs, stacks, memory block, recorder, meshes
+  constexpr std::size_t kConnection_bytes = 512 * kKiB;  // WebSocket, TLS, and what is being written
   constexpr std::size_t kRoom = 2;        // a text that has grown has up to so many times its bytes
   constexpr std::size_t kUnlookedAt = 3;  // messages of one client: one that is being read, two that wait
   return kWithoutClients_bytes +

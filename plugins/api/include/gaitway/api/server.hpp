@@ -9,6 +9,7 @@
 #include "gaitway/api/server_setup.hpp"
 #include "gaitway/api/server_statistics.hpp"
 #include "gaitway/api/session.hpp"
+#include "gaitway/page/asset_table.hpp"
 
 namespace gaitway::api {
 
@@ -20,6 +21,12 @@ struct ServerCallbacks {
   std::function<void(const std::string& line)> on_refusals = {};
 };
 
+// What there is for browsers; each outlives the server. Null: none.
+struct ServerPage {
+  const page::AssetTable* assets = nullptr;
+  SessionHub* view = nullptr;  // of the WebSockets at /view, which are written before all others
+};
+
 // All work is done by the thread in run(). After the constructor it makes no socket but by accept4, opens no
 // file and starts no thread. But glibc's allocator does, in a thread beside the first, when it gives memory
 // back
@@ -27,8 +34,8 @@ struct ServerCallbacks {
 // before.
 class Server {
  public:
-  // `hub` must outlive the server. Throws std::system_error when the kernel gives no descriptor.
-  Server(SessionHub& hub, ServerSetup setup, ServerCallbacks callbacks = {});
+  // `hub` must outlive the server, too. Throws std::system_error when the kernel gives no descriptor.
+  Server(SessionHub& hub, ServerSetup setup, ServerCallbacks callbacks = {}, ServerPage page = {});
   // Ends what is still connected. Not while run() runs.
   ~Server();
   Server(const Server&) = delete;

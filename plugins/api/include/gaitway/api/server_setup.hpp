@@ -36,6 +36,7 @@ struct ServerOptions {
       std::size_t{64} * 1024;                  // in the kernel, for each client: a slow one sees old data
   std::int64_t ping_ns = 300'000'000;          // between pings
   std::int64_t closing_ns = 500'000'000;       // from the decision to close a connection to its end
+  std::int64_t page_ns = 20'000'000'000;       // in which a browser takes a file of the page
   std::int64_t accept_pause_ns = 100'000'000;  // before accepting again, when descriptors or memory ran out
   std::int64_t tick_ns = 10'000'000;
   std::int64_t poll_ns = 2'000'000;

@@ -41,6 +41,7 @@ struct ServerStatistics {
   std::uint64_t accept_errors = 0;
   std::size_t connected = 0;  // now, with those that are still in their handshake or closing
   std::uint64_t opened = 0;   // WebSockets
+  std::uint64_t pages = 0;    // answers to browsers
   std::uint64_t messages_in = 0, bytes_in = 0;
   std::uint64_t control_frames = 0;  // pings and pongs of clients
   std::uint64_t messages_out = 0, bytes_out = 0;

@@ -1,0 +1,23 @@
+// The robot's description as a page wants it.
+#pragma once
+
+#include <cstddef>
+
+#include "gaitway/page/asset_table.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::page {
+
+// What a velocity command may ask for, for how long it holds, and how long the command is kept without a
+// sign.
+struct CommandBounds {
+  double forward_m_per_s = 0.0, turn_rad_per_s = 0.0;
+  double velocity_holds_s = 0.0, lease_s = 0.0;
+};
+
+inline constexpr std::size_t kMostMeshBytes = std::size_t{32} * 1024 * 1024;  // of all; the others are boxes
+
+// Adds /robot.json (links, joints, shapes, soles, motions, bounds) and the meshes that it names.
+void add_robot(AssetTable& table, const urdf::RobotModel& robot, const CommandBounds& bounds);
+
+}  // namespace gaitway::page

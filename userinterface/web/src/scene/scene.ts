@@ -1,0 +1,162 @@
+// The picture: robot, ground and camera, drawn when there is something new, and no more often than it pays.
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Description } from "../description.ts";
+import type { ViewFrame } from "../view_decoder.ts";
+import { Ground, type GroundColours } from "./ground.ts";
+import { FramePace } from "./frame_pace.ts";
+import { RobotBody } from "./robot_body.ts";
+
+interface Palette extends GroundColours {
+  sky: number;
+}
+const palettes: Record<"light" | "dark", Palette> = {
+  light: { sky: 0xe8edf2, ground: 0xdde3e9, grid: 0xc3ccd6, made: 0x8a97a6, planned: 0x1766c2, support: 0x1b8a4b, zmp: 0xd12c2c, plannedZmp: 0x1766c2, com: 0xb06a00 },
+  dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d },
+};
+
+// Then every pixel costs the processor's time.
+function drawsInSoftware(): boolean {
+  return document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true }) === null;
+}
+
+export type Look = "behind" | "front" | "side" | "top";
+
+export class Scene {
+  readonly body: RobotBody;
+  readonly pace = new FramePace();
+  private readonly software: boolean;
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.PerspectiveCamera(38, 1, 0.02, 200);
+  private readonly controls: OrbitControls;
+  private readonly ground: Ground;
+  private readonly size_m: number;
+  private followed = new THREE.Vector3();
+  private pending = true;
+  private old = false;
+  private asked = false;
+  follows = true;
+  onDrawn: () => void = () => {};
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    description: Description,
+  ) {
+    this.size_m = description.hip_height * 2;
+    this.software = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, powerPreference: "low-power" });
+    this.body = new RobotBody(description);
+    const [sole] = description.soles;
+    this.ground = new Ground({ length: sole.size[0], width: sole.size[1], ahead: sole.centre[0] }, this.size_m, palettes.light);
+    this.scene.add(this.body.base, this.ground.group, new THREE.HemisphereLight(0xffffff, 0x8899aa, 2));
+    const sun = new THREE.DirectionalLight(0xffffff, 2.2);
+    sun.position.set(1.5, 2, 4);
+    this.scene.add(sun);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.maxPolarAngle = Math.PI * 0.53;
+    this.controls.minDistance = this.size_m * 0.6;
+    this.controls.maxDistance = this.size_m * 20;
+    this.controls.addEventListener("change", () => this.ask());
+    this.body.base.position.z = description.hip_height;
+    this.followed.set(0, 0, this.size_m * 0.56);
+    this.lookFrom("behind");
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    const dark = matchMedia("(prefers-color-scheme: dark)");
+    dark.addEventListener("change", () => this.paint(dark.matches));
+    this.paint(dark.matches);
+  }
+
+  show(frame: ViewFrame): void {
+    const [x = NaN, y = NaN] = frame.base_place;
+    const z = frame.base_height[0] ?? NaN;
+    if (!Number.isNaN(x + y + z)) {
+      this.body.base.position.set(x, y, z);
+      const [a = 0, b = 0, c = 0, d = 1] = frame.base_turn;
+      this.body.base.quaternion.set(a, b, c, d).normalize();
+    }
+    this.body.pose(frame.joint);
+    this.ground.show(frame, this.body);
+    if (this.follows) this.follow();
+    this.pace.wish();
+    this.ask();
+  }
+
+  setOld(old: boolean): void {
+    if (old === this.old) return;
+    this.old = old;
+    this.body.setOld(old);
+    this.ask();
+  }
+
+  lookFrom(look: Look): void {
+    const away = this.size_m * 2.5;
+    const from: Record<Look, [number, number, number]> = {
+      behind: [-0.78 * away, -0.52 * away, 0.42 * away],
+      front: [away, 0.15 * away, 0.25 * away],
+      side: [0, -away, 0.2 * away],
+      top: [-0.02 * away, 0, 1.2 * away],
+    };
+    this.controls.target.copy(this.followed);
+    this.camera.position.copy(this.followed).add(new THREE.Vector3(...from[look]));
+    this.controls.update();
+    this.ask();
+  }
+
+  zoom(share: number): void {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    arm.setLength(THREE.MathUtils.clamp(arm.length() * share, this.controls.minDistance, this.controls.maxDistance));
+    this.camera.position.copy(this.controls.target).add(arm);
+    this.controls.update();
+    this.ask();
+  }
+
+  // A picture is wanted; several wishes are one.
+  ask(): void {
+    this.pending = true;
+    if (this.asked || document.hidden) return;
+    this.asked = true;
+    requestAnimationFrame((now_ms) => this.draw(now_ms));
+  }
+
+  private draw(now_ms: number): void {
+    this.asked = false;
+    if (!this.pending) return;
+    if (!this.pace.isDue(now_ms)) {
+      this.ask();
+      return;
+    }
+    this.pending = false;
+    this.renderer.render(this.scene, this.camera);
+    if (this.pace.drew(now_ms)) this.resize();
+    this.onDrawn();
+  }
+
+  private follow(): void {
+    const { x, y } = this.body.base.position;
+    const step = new THREE.Vector3(x - this.followed.x, y - this.followed.y, 0);
+    this.followed.add(step);
+    this.controls.target.add(step);
+    this.camera.position.add(step);
+    this.camera.updateMatrixWorld();
+  }
+
+  private paint(dark: boolean): void {
+    const palette = palettes[dark ? "dark" : "light"];
+    this.scene.background = new THREE.Color(palette.sky);
+    this.scene.fog = new THREE.Fog(palette.sky, this.size_m * 3.5, this.size_m * 9);
+    this.ground.setColours(palette);
+    this.ask();
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, this.software ? 1 : 2) * this.pace.fineness);
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.ask();
+  }
+}

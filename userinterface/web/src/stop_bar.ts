@@ -1,0 +1,58 @@
+// Stop and emergency stop: in the same place on every view, and on Escape and Space wherever the focus is.
+import type { Context } from "./context.ts";
+import { byId, isTyping } from "./dom.ts";
+import { modes, type ViewFrame } from "./view_decoder.ts";
+
+export class StopBar {
+  private readonly stopButton = byId<HTMLButtonElement>("stop");
+  private readonly emergencyButton = byId<HTMLButtonElement>("emergency");
+  private readonly releaseButton = byId<HTMLButtonElement>("release");
+
+  // `ended`: whatever was being driven is ended before the stop is sent.
+  constructor(
+    private readonly context: Context,
+    private readonly ended: () => void,
+  ) {
+    this.stopButton.addEventListener("click", () => this.stop());
+    this.emergencyButton.addEventListener("click", () => this.emergencyStop());
+    this.releaseButton.addEventListener("click", () => this.release());
+    document.addEventListener("keydown", (event) => this.key(event), { capture: true });
+    // A button is pressed when Space is let go.
+    document.addEventListener("keyup", (event) => event.code === "Space" && !isTyping(event.target) && event.preventDefault(), { capture: true });
+  }
+
+  stop(): void {
+    this.ended();
+    void this.context.attempt("Stop", () => this.context.robot.order("/stop"));
+  }
+
+  show(frame: ViewFrame): void {
+    const stopped = frame.mode[0] === modes.emergencyStop;
+    this.releaseButton.hidden = !stopped;
+    this.emergencyButton.hidden = stopped;
+  }
+
+  private emergencyStop(): void {
+    this.ended();
+    void this.context.attempt("Emergency stop", () => this.context.robot.order("/emergency_stop", { data: false }));
+  }
+
+  private release(): void {
+    const { attempt, command, robot } = this.context;
+    void attempt("Release", async () => {
+      if (!command.mine) await command.take();
+      await robot.order("/release");
+    });
+  }
+
+  private key(event: KeyboardEvent): void {
+    const stops = event.code === "Escape" || (event.code === "Space" && !isTyping(event.target));
+    if (!stops || event.repeat) {
+      if (stops) event.preventDefault();
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+    this.stop();
+  }
+}

@@ -1,0 +1,68 @@
+// Sticks, speeds and motions.
+import type { Context, Tab } from "../context.ts";
+import { button, element, setText } from "../dom.ts";
+import type { Driver } from "../driver.ts";
+
+const signed = (value: number) => (Number.isNaN(value) ? "–" : `${value < -0.005 ? "−" : ""}${Math.abs(value).toFixed(2)}`);
+
+function speedTable(): { table: HTMLTableElement; cells: HTMLTableCellElement[][] } {
+  const cells: HTMLTableCellElement[][] = [];
+  const rows = ["forward, m/s", "left, m/s", "turn, rad/s"].map((name) => {
+    const values = [0, 1, 2].map(() => element("td", { class: "number" }));
+    cells.push(values);
+    return element("tr", {}, element("th", { scope: "row" }, name), ...values);
+  });
+  const head = element("tr", {}, element("td"), ...["asked", "is", "at most"].map((name) => element("th", { scope: "col" }, name)));
+  const table = element("table", { class: "speeds" }, element("caption", { class: "hidden" }, "Speeds"), element("thead", {}, head), element("tbody", {}, ...rows));
+  return { table, cells };
+}
+
+const states = {
+  rests: "Hold the stick, or W A S D: the robot walks while you hold it.",
+  waits: "Asking for the command…",
+  drives: "Driving. Let go, and it stands.",
+  blocked: "Ended. Let go of the stick first.",
+} as const;
+
+export function driveTab(context: Context, driver: Driver): Tab {
+  const { attempt, command, robot, description, freshness, drive } = context;
+  const { table, cells } = speedTable();
+  const hint = element("p", { class: "hint", role: "status" });
+  const commanded = (what: string, order: () => Promise<unknown>) => () =>
+    void attempt(what, async () => {
+      if (!command.mine) await command.take();
+      await order();
+    });
+  const stand = button("Stand", commanded("Stand", () => robot.order("/stand")));
+  const motions = description.motions.map((motion) =>
+    button(motion.replaceAll("_", " "), commanded(`Motion ${motion}`, () => robot.order("/play_motion", { motion }, 15_000))));
+  const leave = button("Leave the motion", commanded("Leave the motion", () => robot.order("/play_motion", { motion: "" })));
+  const progress = element("p", { class: "hint", role: "status" });
+  const content = element("div", { class: "drive" },
+    element("div", { class: "sticks" }, driver.walk.field, element("div", { class: "beside" }, driver.side.field, hint, stand)),
+    table,
+    element("h2", {}, "Motions"),
+    element("div", { class: "buttons", role: "group", "aria-label": "Motions" }, ...motions, leave),
+    progress);
+  robot.subscribe("/motion_state", "gaitway_msgs/msg/MotionState", 200, (message) => {
+    const plays = message["state"] !== "none";
+    leave.disabled = !plays;
+    const part = plays ? `${message["motion"]}: ${message["state"]}, ${Number(message["time"]).toFixed(1)} of ${Number(message["duration"]).toFixed(1)} s` : "";
+    setText(progress, part || (message["result"] === "none" ? "" : `${message["motion"]}: ${message["result"]}`));
+  });
+  return {
+    title: "Drive",
+    content,
+    look: () => {
+      setText(hint, states[drive.state]);
+      const { forward, left, turn } = driver.sent;
+      const is = freshness.newest?.velocity ?? [];
+      const { bounds } = driver;
+      const most = [`${signed(-bounds.backward)} … ${signed(bounds.forward)}`, `± ${signed(bounds.left)}`, `± ${signed(bounds.turn)}`];
+      for (const [index, asked] of [forward, left, turn].entries()) {
+        const values = [signed(asked), signed(is[index] ?? NaN), most[index] ?? ""];
+        for (const [at, cell] of (cells[index] ?? []).entries()) setText(cell, values[at] ?? "");
+      }
+    },
+  };
+}
