@@ -30,6 +30,7 @@ struct LinkStatistics {
 // The next frame is made when the last one has left, so that nothing waits longer than for one frame.
 class LinkEnd {
  public:
+  virtual ~LinkEnd() = default;
   LinkEnd(const LinkEnd&) = delete;
   LinkEnd& operator=(const LinkEnd&) = delete;
 
@@ -52,7 +53,6 @@ class LinkEnd {
   using Room = std::span<std::uint8_t>;
 
   LinkEnd(const LinkIdentity& identity, const LinkSettings& settings);
-  ~LinkEnd() = default;
 
   // Content of a frame that goes ahead of all others; 0: none.
   virtual std::size_t make_urgent(Room room, std::int64_t now_ns) noexcept = 0;

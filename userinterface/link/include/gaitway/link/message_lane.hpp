@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kLaneMessages = 32;  // under way at a time
 struct LanePosition {
   std::uint32_t message = 1;
   std::uint8_t part = 0;
-  auto operator<=>(const LanePosition&) const = default;
+  auto operator<=>(const LanePosition&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
 // Sends in order, keeps what is not confirmed, and goes back to it when no confirmation comes. Holds
