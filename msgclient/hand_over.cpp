@@ -1,12 +1,11 @@
 // Packs a hand-over (batch, tail, trim gains) into the words that cross the EMI, and reads it back.
 #include "gaitway/msgclient/hand_over.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <bit>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/process/crc32.hpp"
 
 namespace gaitway::msgclient {
 namespace {
@@ -77,9 +76,9 @@ bool make_hand_over(const JointPlan& plan, const TrimCommand& trim, HandOver& ha
 }
 
 std::uint32_t crc32(std::span<const std::uint32_t> words) noexcept {
-  static_assert(std::endian::native == std::endian::little, "zlib takes the bytes as they lie in memory");
-  return static_cast<std::uint32_t>(
-      ::crc32_z(0, reinterpret_cast<const Bytef*>(words.data()), words.size_bytes()));
+  static_assert(std::endian::native == std::endian::little,
+                "the checksum takes the bytes as they lie in memory");
+  return process::crc32(std::as_bytes(words));
 }
 
 std::size_t encode(const HandOver& hand_over, std::span<std::uint32_t> words) noexcept {

@@ -3,15 +3,16 @@
 #include "gaitway/api/mcap_writer.hpp"
 
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <set>
+#include <span>
 #include <utility>
 
+#include "gaitway/process/crc32.hpp"
 #include "mcap_record.hpp"
 
 namespace gaitway::api {
@@ -25,8 +26,7 @@ using mcap::Opcode;
 constexpr std::string_view kLibrary = "gaitway";
 
 std::uint32_t crc_of(std::string_view bytes, std::uint32_t before = 0) noexcept {
-  return static_cast<std::uint32_t>(
-      crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return process::crc32(std::as_bytes(std::span(bytes)), before);
 }
 
 std::uint16_t id_of(std::size_t channel) noexcept {

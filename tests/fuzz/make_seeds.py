@@ -234,6 +234,32 @@ def conversation_seeds():
           b"\1" + bytes([8, 2, 4, 1, 2, 3, 4, 0]) + read)
 
 
+def link_seeds():
+    def order(payload, validity):
+        return bytes([0, 3]) + struct.pack("<H", len(payload)) + payload + bytes([validity])
+
+    def value(channel, content):
+        return bytes([0, 4, channel]) + struct.pack("<H", len(content)) + content
+
+    def said(kind, body, to_module):
+        content = bytes([kind, 0, 0, 0, 0]) + body
+        return bytes([1, 1, len(content) - 1]) + content + bytes([to_module])
+
+    def wait(milliseconds):
+        return bytes([0, 7, milliseconds])
+
+    stop, silence = bytes([0, 5]), bytes([0, 6, 255])
+    write("link_frames", "orders", order(b"walk", 200) + wait(3) + order(b"x" * 1000, 240) + wait(9) + order(b"late", 0) + wait(9))
+    write("link_frames", "state_and_stops", value(0, b"small") + value(1, b"l" * 600) + stop + wait(5) + silence + value(1, b"n" * 300) +
+          stop + wait(19) * 3)
+    write("link_frames", "forged", order(b"walk", 200) + said(2, struct.pack("<qIBIHI", 1, 9, 0, 99, 3, 7), 0) +
+          said(5, struct.pack("<IBB", 1, 0, 1) + struct.pack("<qH", 1 << 40, 1) + b"go", 0) +
+          said(5, struct.pack("<IBB", 1, 0, 1) + struct.pack("<IBH", 1, 1, 0), 1) +
+          said(6, struct.pack("<HBHIHB", 0, 1, 1, 16, 1, 8) + b"12345678", 1) + said(3, struct.pack("<6I", 1, 2, 3, 0, 0, 0), 0) + wait(9))
+    write("link_frames", "strangers", bytes([0, 1, 72, 1]) + struct.pack("<IHBBQIQIQq", 0, 1, 2, 1, 9, 0, 1, 0, 3, 5) + b"controller".ljust(24, b"\0") +
+          b"\1" + order(b"walk", 200) + wait(19) + bytes([0, 0, 5]) + b"\0\2\1\7\0" + wait(9))
+
+
 def main():
     if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
         sys.exit(__doc__)
@@ -246,6 +272,7 @@ def main():
     motion_seeds()
     api_seeds()
     conversation_seeds()
+    link_seeds()
 
 
 if __name__ == "__main__":

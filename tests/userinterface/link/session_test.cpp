@@ -1,0 +1,140 @@
+// Beginning, ending and refusing sessions.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "link_pair.hpp"
+
+namespace gaitway::link::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Session, OpensWithinTwoHelloPeriods) {
+  LinkPair link;
+  EXPECT_FALSE(link.open());
+  link.run(100 * kMs);
+  EXPECT_TRUE(link.open());
+  EXPECT_EQ(link.module->session().tag(), link.controller->session().tag());
+}
+
+TEST(Session, StaysOpenWhileNothingIsSaid) {
+  LinkPair link;
+  link.run(10'000 * kMs);
+  EXPECT_TRUE(link.open());
+  EXPECT_EQ(link.module->session().count(), 1U);
+  EXPECT_EQ(link.controller->session().count(), 1U);
+}
+
+TEST(Session, EndsAtBothEndsWhenOneDirectionIsCut) {
+  LinkPair link;
+  link.run(100 * kMs);
+  link.wire.cut_to_right(true);
+  link.run(260 * kMs);
+  EXPECT_FALSE(link.controller->session().open());
+  EXPECT_EQ(link.controller->session().why(), SessionEnd::silence);
+  link.run(40 * kMs);
+  EXPECT_FALSE(link.module->session().open());
+  EXPECT_EQ(link.module->session().why(), SessionEnd::peer_anew);
+  link.wire.cut_to_right(false);
+  link.run(200 * kMs);
+  EXPECT_TRUE(link.open());
+}
+
+TEST(Session, OfOneRunIsNotThatOfTheNext) {
+  LinkPair link;
+  link.run(100 * kMs);
+  const std::uint32_t before = link.module->session().tag();
+  link.restart_controller();
+  link.run(100 * kMs);
+  ASSERT_TRUE(link.open());
+  EXPECT_NE(link.module->session().tag(), before);
+  EXPECT_EQ(link.module->session().count(), 2U);
+}
+
+TEST(Session, TagsOfConsecutiveSessionsDiffer) {
+  LinkPair link;
+  std::uint32_t before = 0;
+  for (int i = 0; i < 20; ++i) {
+    link.run(200 * kMs);
+    ASSERT_TRUE(link.open());
+    EXPECT_NE(link.module->session().tag(), before);
+    before = link.module->session().tag();
+    link.module->cut(link.now_ns);
+  }
+}
+
+TEST(Session, LeavesOutFramesOfAnotherOne) {
+  LinkPair link;
+  link.run(100 * kMs);
+  const std::array<std::uint8_t, 12> order{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x7F};  // never expires
+  for (const std::uint32_t other : {1U, 0U}) {
+    std::array<std::uint8_t, kMostContentBytes> content{};
+    std::array<std::uint8_t, kMostFrameBytes> wire{};
+    const std::size_t size =
+        encode(Part{.message = 1, .payload = order}, link.module->session().tag() + other, content);
+    link.controller->on_bytes(Bytes(wire).first(encode_frame(Bytes(content).first(size), wire)),
+                              link.robot_ns());
+    EXPECT_EQ(link.controller->next_order(link.robot_ns()).has_value(), other == 0);
+  }
+  EXPECT_EQ(link.controller->statistics().strangers, 1U);
+}
+
+// Two ends that are connected directly, byte by byte.
+template <class Left, class Right>
+void exchange(Left& left, Right& right, std::int64_t until_ns) {
+  for (std::int64_t now_ns = 0; now_ns < until_ns; now_ns += kMs) {
+    for (Bytes bytes; !(bytes = left.pending(now_ns)).empty(); left.taken(bytes.size()))
+      right.on_bytes(bytes, now_ns);
+    for (Bytes bytes; !(bytes = right.pending(now_ns)).empty(); right.taken(bytes.size()))
+      left.on_bytes(bytes, now_ns);
+  }
+}
+
+TEST(Session, IsRefusedToOneOfTheSameRole) {
+  ModuleEnd first(module_identity(1), kChannels, {}), second(module_identity(2), kChannels, {});
+  exchange(first, second, 200 * kMs);
+  EXPECT_EQ(first.session().why(), SessionEnd::wrong_role);
+  EXPECT_THAT(first.session().description(), HasSubstr("both have the same role"));
+}
+
+TEST(Session, IsRefusedToOneWithAnotherTable) {
+  LinkIdentity other = controller_identity(2);
+  other.table_hash = 5;
+  ModuleEnd module(module_identity(1), kChannels, {});
+  ControllerEnd controller(other, kChannels, {});
+  exchange(module, controller, 200 * kMs);
+  EXPECT_EQ(module.session().why(), SessionEnd::wrong_table);
+  EXPECT_EQ(controller.session().why(), SessionEnd::wrong_table);
+  EXPECT_THAT(module.session().description(),
+              HasSubstr("'main_controller' (controller, protocol 1, table 5)"));
+}
+
+TEST(Session, IsRefusedToAnotherVersion) {
+  ModuleEnd module(module_identity(1), kChannels, {});
+  Hello hello{.version = 99, .role = Role::controller, .self = {5, 0}};
+  std::array<std::uint8_t, kMostContentBytes> content{};
+  std::array<std::uint8_t, kMostFrameBytes> wire{};
+  const std::size_t size = encode(hello, content);
+  module.on_bytes(Bytes(wire).first(encode_frame(Bytes(content).first(size), wire)), 0);
+  EXPECT_EQ(module.session().why(), SessionEnd::wrong_version);
+  EXPECT_THAT(module.session().description(), HasSubstr("protocol 99"));
+}
+
+TEST(Session, TwoThatDisagreeDoNotFillTheCarrier) {
+  ModuleEnd first(module_identity(1), kChannels, {}), second(module_identity(2), kChannels, {});
+  exchange(first, second, 1000 * kMs);
+  EXPECT_LE(first.statistics().sent_frames, 41U);  // each half period at most
+}
+
+TEST(Session, SettingsThatCannotWorkAreRefusedByName) {
+  LinkSettings settings;
+  settings.silence_ns = settings.status_period_ns;
+  EXPECT_THROW(ModuleEnd(module_identity(1), kChannels, settings), std::invalid_argument);
+  settings = {};
+  settings.fragment_bytes = kMostFragmentBytes + 1;
+  EXPECT_THROW(ModuleEnd(module_identity(1), kChannels, settings), std::invalid_argument);
+  EXPECT_THROW(ModuleEnd(module_identity(0), kChannels, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gaitway::link::test

@@ -1,0 +1,83 @@
+// Whether the two ends know each other: who they are, since when, and until when.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gaitway/link/link_settings.hpp"
+#include "gaitway/link/messages.hpp"
+
+namespace gaitway::link {
+
+// What an end says of itself.
+struct LinkIdentity {
+  Role role = Role::module;
+  std::uint64_t boot = 0;        // random and not 0: no two runs have the same
+  std::uint64_t table_hash = 0;  // of the channels and orders: both ends must have been built with the same
+  std::string_view name;         // software, version and robot; the first 24 bytes are told
+};
+
+// Why there is no session (any more).
+enum class SessionEnd : std::uint8_t {
+  none,           // it goes on
+  not_begun,      // nobody was heard yet
+  silence,        // nothing came for `silence_ns`
+  cut,            // the carrier has nobody at its other end
+  peer_anew,      // the other end was started again, or has ended the session
+  wrong_version,  // the other end speaks another version of the protocol
+  wrong_role,     // it has this end's own role: two modules, or two controllers
+  wrong_table     // it knows other channels or orders
+};
+
+//             hello that has heard this end
+//   closed ───────────────────────────────► open
+//     ▲  every hello_period_ns: hello         │ silence, cut, or a hello of another run or session of the
+//     └───────────────────────────────────────┘ peer: the own session count rises, so that no frame of the
+//                                               old session is taken any more
+class Session {
+ public:
+  // Throws std::invalid_argument when boot is 0.
+  Session(const LinkIdentity& identity, const LinkSettings& settings);
+
+  // Ends a session that has been silent for too long.
+  void step(std::int64_t now_ns) noexcept;
+  void on_hello(const Hello& hello, std::int64_t now_ns) noexcept;
+  // True: this frame belongs to the session, which it keeps alive.
+  bool admits(std::uint32_t session, std::int64_t now_ns) noexcept;
+  void end(SessionEnd why) noexcept;
+
+  [[nodiscard]] bool hello_due(std::int64_t now_ns) const noexcept;
+  [[nodiscard]] Hello hello(std::int64_t now_ns) noexcept;  // counts as sent
+
+  [[nodiscard]] bool open() const noexcept { return end_ == SessionEnd::none; }
+  // In every frame of the session: the CRC-32 of both identities. Sessions that follow each other differ in
+  // few neighbouring bits of these, which a CRC never maps to the same.
+  [[nodiscard]] std::uint32_t tag() const noexcept { return tag_; }
+  // How many sessions this end has begun.
+  [[nodiscard]] std::uint32_t count() const noexcept { return begun_; }
+  [[nodiscard]] std::uint64_t peer_boot() const noexcept { return peer_.boot; }
+  [[nodiscard]] SessionEnd why() const noexcept { return end_; }
+  // Whole frames that belonged to no session of now.
+  [[nodiscard]] std::uint64_t strangers() const noexcept { return strangers_; }
+  // Why there is no session, for people: names both sides' versions, names and tables. Allocates.
+  [[nodiscard]] std::string description() const;
+
+ private:
+  [[nodiscard]] SessionEnd refusal_of(const Hello& hello) const noexcept;
+  void begin(std::int64_t now_ns) noexcept;
+
+  Hello self_;
+  Identity peer_;
+  Hello refused_;  // the last hello that did not fit
+  std::int64_t hello_period_ns_, silence_ns_;
+  SessionEnd end_ = SessionEnd::not_begun;
+  std::uint32_t tag_ = 0, begun_ = 0;
+  std::int64_t heard_ns_ = 0;
+  std::optional<std::int64_t> hello_sent_ns_;
+  bool hello_wanted_ = true;
+  std::uint64_t strangers_ = 0;
+};
+
+}  // namespace gaitway::link

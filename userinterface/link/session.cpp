@@ -1,0 +1,160 @@
+// A hello carries both identities, so each end knows that the other means it, in this run and this session.
+#include "gaitway/link/session.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <stdexcept>
+
+#include "byte_order.hpp"
+#include "gaitway/process/crc32.hpp"
+
+namespace gaitway::link {
+namespace {
+
+// The same at both ends: the module first.
+std::uint32_t tag_of(const Identity& module, const Identity& controller) noexcept {
+  std::array<std::uint8_t, 24> bytes{};
+  ByteWriter(bytes).put(module.boot).put(module.sessions).put(controller.boot).put(controller.sessions);
+  return process::crc32(std::as_bytes(std::span(bytes)));
+}
+
+std::string text_of(const Hello& hello) {
+  const auto end = std::ranges::find(hello.name, '\0');
+  std::string name(hello.name.begin(), end);
+  std::ranges::replace_if(
+      name, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
+  return "'" + name + "' (" + (hello.role == Role::module ? "module" : "controller") + ", protocol " +
+         std::to_string(hello.version) + ", table " + std::to_string(hello.table_hash) + ")";
+}
+
+}  // namespace
+
+void check(const LinkSettings& settings) {
+  const auto require = [](bool holds, const char* rule) {
+    if (!holds) throw std::invalid_argument(std::string("link settings: ") + rule);
+  };
+  require(settings.hello_period_ns > 0, "hello_period_ns must be above 0");
+  require(settings.status_period_ns > 0, "status_period_ns must be above 0");
+  require(settings.silence_ns > settings.status_period_ns,
+          "silence_ns must be longer than status_period_ns, else every pause ends the session");
+  require(settings.resend_after_ns > 0, "resend_after_ns must be above 0");
+  require(settings.stop_repeat_ns > 0, "stop_repeat_ns must be above 0");
+  require(settings.answer_limit_ns >= 0, "answer_limit_ns must not be negative");
+  require(settings.fragment_bytes >= 8 && settings.fragment_bytes <= kMostFragmentBytes,
+          "fragment_bytes must be 8 to kMostFragmentBytes");
+  require(settings.state_window >= 1 && settings.state_window <= kMostStateWindow,
+          "state_window must be 1 to kMostStateWindow");
+}
+
+Session::Session(const LinkIdentity& identity, const LinkSettings& settings)
+    : hello_period_ns_(settings.hello_period_ns), silence_ns_(settings.silence_ns) {
+  check(settings);
+  if (identity.boot == 0) {
+    throw std::invalid_argument("link identity: boot must be random and not 0");
+  }
+  self_.role = identity.role;
+  self_.self.boot = identity.boot;
+  self_.table_hash = identity.table_hash;
+  std::copy_n(identity.name.begin(), std::min(identity.name.size(), self_.name.size()), self_.name.begin());
+}
+
+void Session::step(std::int64_t now_ns) noexcept {
+  if (open() && now_ns - heard_ns_ >= silence_ns_) {
+    end(SessionEnd::silence);
+  }
+}
+
+void Session::on_hello(const Hello& hello, std::int64_t now_ns) noexcept {
+  if (const SessionEnd refusal = refusal_of(hello); refusal != SessionEnd::none) {
+    refused_ = hello;
+    end(refusal);
+    return;
+  }
+  if (open() && hello.self != peer_) {
+    end(SessionEnd::peer_anew);
+  }
+  peer_ = hello.self;
+  const bool means_this = hello.heard == self_.self;
+  if (!open() && means_this) {
+    begin(now_ns);
+  } else if (open() && means_this) {
+    heard_ns_ = now_ns;
+  }
+  hello_wanted_ = hello_wanted_ || !hello.open || !means_this;
+}
+
+bool Session::admits(std::uint32_t session, std::int64_t now_ns) noexcept {
+  if (open() && session == tag_) {
+    heard_ns_ = now_ns;
+    return true;
+  }
+  ++strangers_;
+  hello_wanted_ = hello_wanted_ || !open();  // who sends it believes in a session that this end does not have
+  return false;
+}
+
+void Session::end(SessionEnd why) noexcept {
+  if (open()) {
+    ++self_.self.sessions;
+    peer_ = {};
+    hello_wanted_ = true;
+  }
+  end_ = why;
+}
+
+void Session::begin(std::int64_t now_ns) noexcept {
+  const bool module = self_.role == Role::module;
+  tag_ = module ? tag_of(self_.self, peer_) : tag_of(peer_, self_.self);
+  end_ = SessionEnd::none;
+  heard_ns_ = now_ns;
+  ++begun_;
+}
+
+SessionEnd Session::refusal_of(const Hello& hello) const noexcept {
+  if (hello.version != self_.version) return SessionEnd::wrong_version;
+  if (hello.role == self_.role) return SessionEnd::wrong_role;
+  return hello.table_hash == self_.table_hash ? SessionEnd::none : SessionEnd::wrong_table;
+}
+
+bool Session::hello_due(std::int64_t now_ns) const noexcept {
+  // Also what is wanted at once keeps half a period: two ends that do not agree must not fill the carrier.
+  const std::int64_t pause_ns = hello_wanted_ ? hello_period_ns_ / 2 : hello_period_ns_;
+  return (hello_wanted_ || !open()) && (!hello_sent_ns_ || now_ns - *hello_sent_ns_ >= pause_ns);
+}
+
+Hello Session::hello(std::int64_t now_ns) noexcept {
+  hello_sent_ns_ = now_ns;
+  hello_wanted_ = false;
+  Hello hello = self_;
+  hello.open = open();
+  hello.heard = peer_;
+  hello.time_ns = now_ns;
+  return hello;
+}
+
+std::string Session::description() const {
+  switch (end_) {
+    case SessionEnd::none:
+      return "the session goes on";
+    case SessionEnd::not_begun:
+      return "nobody was heard yet";
+    case SessionEnd::silence:
+      return "nothing came for " + std::to_string(silence_ns_ / facts::kMillisecond_ns) + " ms";
+    case SessionEnd::cut:
+      return "the other end has closed the connection";
+    case SessionEnd::peer_anew:
+      return "the other end has begun anew";
+    case SessionEnd::wrong_version:
+    case SessionEnd::wrong_role:
+    case SessionEnd::wrong_table:
+      break;
+  }
+  const char* const remedy =
+      end_ == SessionEnd::wrong_role
+          ? ": both have the same role; connect one module to one controller"
+          : ": they were built from different sources; install the same version on both sides";
+  return "this is " + text_of(self_) + ", the other end is " + text_of(refused_) + remedy;
+}
+
+}  // namespace gaitway::link
