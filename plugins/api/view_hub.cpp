@@ -45,7 +45,11 @@ class ViewSession final : public Session {
       close("the view takes nothing but acknowledgements of its frames");
     }
   }
-  void heard(std::int64_t) noexcept override {}
+  // Nothing that it takes is urgent, so nothing is overtaken.
+  void take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) override {
+    take(message, binary, wall_ns);
+  }
+  [[nodiscard]] bool is_urgent(std::string_view, bool) const noexcept override { return false; }
   std::optional<Frame> next_frame(std::int64_t wall_ns) override {
     if (!ready()) {
       return std::nullopt;
@@ -82,6 +86,7 @@ class ViewSession final : public Session {
   void authorise(std::string_view message, bool binary) {
     authorised_ = !binary && hub_.options_.is_token && hub_.options_.is_token(message);
     if (!authorised_) {
+      connection_.shown_wrong_token();
       close("the token is wrong");
     }
   }
