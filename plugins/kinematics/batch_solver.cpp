@@ -8,6 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/leg_joints.hpp"
 
 namespace gaitway::kinematics {
@@ -16,7 +17,8 @@ namespace {
 constexpr std::uint8_t kBothFeet = 2;
 // The hips turn twice as fast as a bow whose CoM stays where it is; something is left for all else.
 constexpr double kBowShare = 0.47;
-constexpr int kPlacementSpacing = 4;  // points of the tail from one placement of the base to the next
+constexpr double kArmSpeedShare = 0.8;  // of the slower shoulder's limit
+constexpr int kPlacementSpacing = 4;    // points of the tail from one placement of the base to the next
 
 // Quadratic through three values at the points a, b, c, evaluated at t; they may be equal or lie anywhere.
 struct QuadraticWeights {
@@ -64,6 +66,14 @@ void stand_still(const MotionPlan& plan, const PosturePlan& posture, MotionPlan&
   }
 }
 
+// By which the left foot is ahead of the right one, along the base.
+double left_ahead_m(const MotionPlan& plan, int point) noexcept {
+  const double* const left = plan.foot_position[point][0];
+  const double* const right = plan.foot_position[point][1];
+  return std::cos(plan.base_yaw[point]) * (left[0] - right[0]) +
+         std::sin(plan.base_yaw[point]) * (left[1] - right[1]);
+}
+
 BatchOutcome leg_failure(int point, const BothLegs& legs) noexcept {
   const bool left = !legs[0].reached();
   return {BatchOutcome::Kind::leg_unreachable, point, left ? urdf::Side::left : urdf::Side::right,
@@ -82,6 +92,7 @@ struct BatchSolver::Run {
   const Past& past;
   CorrectionFade fade;
   std::array<Knot, kBatchPoints> batch{};
+  double arm_back_rad = 0.0;  // the left arm at the batch's end
 
   [[nodiscard]] PlanPoint at(int point) const noexcept {
     return point_of(plan, point, fade.at(static_cast<std::uint64_t>(point)));
@@ -152,6 +163,7 @@ BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, cons
   run.fade.begin(plan.sequence, kBatchPoints, plan.tail_count, revises ? fade_.target() : correction);
   if (const BatchOutcome outcome = solve_batch(run); !outcome.solved()) return outcome;
   if (const BatchOutcome outcome = solve_tail(run); !outcome.solved()) return outcome;
+  swing_arms(run);
   if (load_compensation_) {
     if (revises) load_compensation_->take_back();
     load_compensation_->apply(plan, past.precedes(plan), reference_rad, joint_plan);
@@ -167,6 +179,7 @@ BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, cons
   past_before_ = past;
   past_.sequence = plan.sequence;
   std::copy(run.batch.end() - 3, run.batch.end(), past_.last.begin());
+  past_.arm_back_rad = run.arm_back_rad;
   return {};
 }
 
@@ -186,7 +199,7 @@ BatchOutcome BatchSolver::solve_point(Run& run, int point, const Eigen::Vector2d
     return {BatchOutcome::Kind::com_not_placed, point, urdf::Side::left, {}};
   }
   knot = {static_cast<double>(point), result.offset_m, result.refined_m, angles_of(result.legs)};
-  write(run.plan, point, result.legs, run.joint_plan);
+  write(run.joint_plan, point, result.legs);
   note_base(run.at(point), frames, result.offset_m, point);
   return {};
 }
@@ -268,7 +281,7 @@ BatchOutcome BatchSolver::solve_between(Run& run, const std::array<Knot, 3>& kno
     const PointFrames frames = placement_.frames(planned);
     const BothLegs legs = placement_.place(frames, offset, start_at(point, recent[1], recent[2], knots[2]));
     if (!legs[0].reached() || !legs[1].reached()) return leg_failure(point, legs);
-    write(run.plan, point, legs, run.joint_plan);
+    write(run.joint_plan, point, legs);
     note_base(planned, frames, offset, point);
     recent = {recent[1], recent[2], {static_cast<double>(point), offset, offset, angles_of(legs)}};
   }
@@ -286,8 +299,7 @@ void BatchSolver::note_base(const PlanPoint& planned, const PointFrames& frames,
                        Eigen::Vector3d(planned.com_m.x(), planned.com_m.y(), 0.0);
 }
 
-void BatchSolver::write(const MotionPlan& plan, int point, const BothLegs& legs,
-                        JointPlan& joint_plan) const noexcept {
+void BatchSolver::write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept {
   float* row = joint_plan.position[point];
   std::memcpy(row, home_rad_.data(), home_rad_.size() * sizeof(float));
   for (std::size_t side = 0; side < 2; ++side) {
@@ -295,20 +307,24 @@ void BatchSolver::write(const MotionPlan& plan, int point, const BothLegs& legs,
       row[model_.legs[side].joints[i]] = static_cast<float>(legs[side].angle_rad[i]);
     }
   }
-  swing_arms(plan, point, row);
 }
 
-// Each arm against the leg of its side: both masses together turn the body as little as may be.
-void BatchSolver::swing_arms(const MotionPlan& plan, int point, float* row_rad) const noexcept {
-  if (!arms_ || plan.arm_swing == 0.0) return;
-  const double* const left = plan.foot_position[point][0];
-  const double* const right = plan.foot_position[point][1];
-  const double left_ahead_m = std::cos(plan.base_yaw[point]) * (left[0] - right[0]) +
-                              std::sin(plan.base_yaw[point]) * (left[1] - right[1]);
-  const double back_rad = arms_->limited_rad(plan.arm_swing * left_ahead_m);
-  for (std::size_t side = 0; side < 2; ++side) {
-    const double way = side == 0 ? back_rad : -back_rad;
-    row_rad[arms_->joint[side]] += static_cast<float>(arms_->sign[side] * way);
+// Each arm against the leg of its side: both masses together turn the body as little as may be. A step that a
+// push makes quicker than the shoulders are is followed later: no batch is to be refused for its arms.
+void BatchSolver::swing_arms(Run& run) const noexcept {
+  if (!arms_ || run.plan.arm_swing == 0.0) return;
+  const double most_step_rad = kArmSpeedShare * arms_->most_rad_per_s * facts::kSlot_s;
+  double back_rad = run.past.arm_back_rad;
+  for (int point = 0; point < kBatchPoints + static_cast<int>(run.plan.tail_count); ++point) {
+    const double asked_rad = arms_->limited_rad(run.plan.arm_swing * left_ahead_m(run.plan, point));
+    const bool begins = point == 0 && !run.past.precedes(run.plan);
+    back_rad =
+        begins ? asked_rad : back_rad + std::clamp(asked_rad - back_rad, -most_step_rad, most_step_rad);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double way = side == 0 ? back_rad : -back_rad;
+      run.joint_plan.position[point][arms_->joint[side]] += static_cast<float>(arms_->sign[side] * way);
+    }
+    if (point == kBatchPoints - 1) run.arm_back_rad = back_rad;
   }
 }
 

@@ -31,8 +31,6 @@ constexpr std::array<TriangleJoint, 6> kJoints{{{LegJoint::hip_pitch, kPitch},
                                                 {LegJoint::ankle_roll, kRoll}}};
 using Angles = std::array<double, kJoints.size()>;
 constexpr double kSteps = 8.0;  // until the walk is steady
-// Of a joint that rolls, beside the plan: what makes the trunk upright and the soles flat.
-constexpr double kForUpright_rad = 0.02;
 
 // Of a leg over the point `i` of a plan.
 Angles angles_at(const MotionPlan& plan, std::size_t i, std::size_t side, const LegReach& leg) noexcept {
@@ -201,8 +199,7 @@ class StrideWatch {
     for (std::size_t j = 0; j < kJoints.size(); ++j) {
       const double share = std::abs(now[j] - before[j]) / facts::kSlot_s / limits.speed_rad_per_s[j];
       if (share > demand_.pace.share) demand_.pace = {side, kJoints[j].joint, share};
-      const double room = std::min(now[j] - limits.lowest_rad[j], limits.highest_rad[j] - now[j]) -
-                          (kJoints[j].about == kRoll ? kForUpright_rad : 0.0);
+      const double room = std::min(now[j] - limits.lowest_rad[j], limits.highest_rad[j] - now[j]);
       if (room < demand_.room.room_rad) demand_.room = {side, kJoints[j].joint, room};
     }
   }

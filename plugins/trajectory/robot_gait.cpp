@@ -196,7 +196,7 @@ void require_room_for_steps(const GaitParameters& p, const urdf::RobotModel& rob
     const urdf::Joint& joint = joint_of(robot, demand.room.side, demand.room.joint);
     throw std::invalid_argument(fmt::format(
         "trajectory: parameter hip_height = {:.4g} m: a step of {:.3g} m turns the {} {:.3f} rad "
-        "beyond what its limits leave it "
+        "beyond its limits "
         "({:.4g}..{:.4g} rad for '{}'). Widen them in robot.urdf, or choose a stand that leaves it "
         "more room (home angles in robot.yaml)",
         p.hip_height_m, step_m, urdf::leg_joint_name(demand.room.joint), -demand.room.room_rad,

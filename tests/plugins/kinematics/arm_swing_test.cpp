@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -79,6 +80,28 @@ TEST_F(ArmsOfAJointPlan, KeepToTheirLimitsWhateverIsAsked) {
       for (const std::size_t side : {0U, 1U}) ASSERT_LT(std::abs(back_rad(point, side)), 0.3);
     }
   });
+}
+
+// A batch is not to be refused because a step is quicker than the shoulders are.
+TEST_F(ArmsOfAJointPlan, KeepToTheirSpeedWhateverIsAsked) {
+  constexpr double kSlow_rad_per_s = 0.6;
+  for (const int joint : arms_.joint)
+    robot_.joints[static_cast<std::size_t>(joint)].velocity_limit_rad_per_s = kSlow_rad_per_s;
+  std::array<double, 2> before_rad{};
+  double quickest = 0.0;
+  walk(5.0, [&](const MotionPlan&, int points) {
+    std::array<double, 2> last_rad = before_rad;
+    for (int point = 0; point < points; ++point) {
+      for (const std::size_t side : {0U, 1U}) {
+        const double step_rad = std::abs(back_rad(point, side) - last_rad[side]);
+        ASSERT_LE(step_rad, kSlow_rad_per_s * facts::kSlot_s) << "point " << point;
+        quickest = std::max(quickest, step_rad);
+        last_rad[side] = back_rad(point, side);
+        if (point == kBatchPoints - 1) before_rad[side] = last_rad[side];
+      }
+    }
+  });
+  EXPECT_GT(quickest, 0.7 * kSlow_rad_per_s * facts::kSlot_s);
 }
 
 }  // namespace

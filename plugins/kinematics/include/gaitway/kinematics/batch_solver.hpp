@@ -68,8 +68,8 @@ class BatchSolver {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.fade_, self.past_.sequence, self.past_.last, self.fade_before_, self.past_before_.sequence,
-            self.past_before_.last);
+    archive(self.fade_, self.past_.sequence, self.past_.last, self.past_.arm_back_rad, self.fade_before_,
+            self.past_before_.sequence, self.past_before_.last, self.past_before_.arm_back_rad);
     if (self.load_compensation_) archive(*self.load_compensation_);
   }
 
@@ -99,8 +99,8 @@ class BatchSolver {
   void stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) noexcept;
   BatchOutcome solve_batch(Run& run);
   BatchOutcome solve_tail(Run& run);
-  void write(const MotionPlan& plan, int point, const BothLegs& legs, JointPlan& joint_plan) const noexcept;
-  void swing_arms(const MotionPlan& plan, int point, float* row_rad) const noexcept;
+  void write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept;
+  void swing_arms(Run& run) const noexcept;
   void note_base(const PlanPoint& planned, const PointFrames& frames, const Eigen::Vector2d& offset_m,
                  int point) noexcept;
 
@@ -113,6 +113,7 @@ class BatchSolver {
   struct Past {
     std::uint32_t sequence = 0;  // of the last batch that was solved
     std::array<Knot, 3> last{};  // its last three points
+    double arm_back_rad = 0.0;   // the left arm at its end
     [[nodiscard]] bool precedes(const MotionPlan& plan) const noexcept {
       return sequence != 0 && plan.sequence == sequence + 1;
     }

@@ -20,7 +20,7 @@ struct JointPace {
 struct JointRoom {
   urdf::Side side = urdf::Side::left;
   urdf::LegJoint joint = urdf::LegJoint::knee;
-  double room_rad = 0.0;  // less what balance takes of a joint that rolls; negative: there is none
+  double room_rad = 0.0;  // negative: beyond it
 };
 
 struct StrideDemand {
