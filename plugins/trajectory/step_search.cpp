@@ -136,11 +136,12 @@ bool change_step_time(GaitParameters& p, double by_s, const StepBounds& bounds) 
   return p.step_time_s > bounds.quickest_s && p.step_time_s < bounds.slowest_s;
 }
 
-// One change of the step that makes it ask for less: what costs least first. False: there is none.
-bool ease(GaitParameters& p, const StepBounds& bounds, Excess& excess, const auto& ask) {
+// Changes of the step, until it asks no more than it may, or nothing helps: what costs least first.
+void ease_step(GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals,
+               const StepBounds& bounds, const NoteReason& note) {
   constexpr double kWorth = 0.003;
-  const std::array<std::function<bool(GaitParameters&)>, 7> changes{
-      [&](GaitParameters& q) { return swing_arms(q, bounds); },
+  using Change = std::function<bool(GaitParameters&)>;
+  const std::array<Change, 6> changes{
       flatten,
       raise_fast_hips,
       [&](GaitParameters& q) { return lower_lift(q, bounds.good_lift_m); },
@@ -148,26 +149,25 @@ bool ease(GaitParameters& p, const StepBounds& bounds, Excess& excess, const aut
       [&](GaitParameters& q) { return change_step_time(q, facts::kSlot_s, bounds); },
       [&](GaitParameters& q) { return lower_lift(q, bounds.least_lift_m); },
   };
-  for (const auto& change : changes) {
+  Excess excess = excess_of(p, robot, goals);
+  const auto helps = [&](const Change& change) {
     GaitParameters next = p;
-    if (!change(next)) continue;
-    Excess then = ask(next);
-    if (then.sum > 0.0 && !(then.sum < excess.sum - kWorth)) continue;
+    if (!change(next)) return false;
+    Excess then = excess_of(next, robot, goals);
+    if (then.sum > 0.0 && !(then.sum < excess.sum - kWorth)) return false;
     p = next;
     excess = std::move(then);
     return true;
-  }
-  return false;
-}
-
-// Changes of the step, until it asks no more than it may, or nothing helps.
-void ease_step(GaitParameters& p, const urdf::RobotModel& robot, std::span<const StrideGoal> goals,
-               const StepBounds& bounds, const NoteReason& note) {
-  const auto ask = [&](const GaitParameters& q) { return excess_of(q, robot, goals); };
-  Excess excess = ask(p);
-  for (std::string reason = excess.reason; excess.sum > 0.0 && ease(p, bounds, excess, ask);
-       reason = excess.reason) {
-    note(reason);
+  };
+  while (excess.sum > 0.0) {
+    const std::string reason = excess.reason;
+    if (helps([&](GaitParameters& q) { return swing_arms(q, bounds); })) {
+      note(kTwistReason);  // they make nothing else less
+    } else if (std::ranges::any_of(changes, helps)) {
+      note(reason);
+    } else {
+      return;
+    }
   }
 }
 
@@ -212,16 +212,21 @@ void fit_cadence(GaitParameters& p, const urdf::RobotModel& robot, const StepBou
     tried.arm_swing_rad_per_m = swing_rad_per_m;
     return take(tried);
   };
-  take_with_arms(p);
+  if (take_with_arms(p)) note(kTwistReason);
   int in_vain = 0;
   for (GaitParameters quicker = p;
        in_vain < kMostInVain && change_step_time(quicker, -facts::kSlot_s, bounds);) {
-    const bool by_time = take(quicker);
-    const bool by_arms = take_with_arms(quicker);
-    in_vain = by_time || by_arms ? 0 : in_vain + 1;
+    ++in_vain;
+    if (take(quicker)) {
+      in_vain = 0;
+      note(reason);
+    }
+    if (take_with_arms(quicker)) {
+      in_vain = 0;
+      note(kTwistReason);
+    }
     quicker.arm_swing_rad_per_m = p.arm_swing_rad_per_m;
   }
-  note(reason);
 }
 
 }  // namespace
