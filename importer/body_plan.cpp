@@ -15,10 +15,11 @@
 namespace gaitway::importer {
 namespace {
 
-constexpr double kLeastCosine = 0.643;   // of 50 deg: what the loader takes for a leg's joint
-constexpr double kSameAxis = 0.985;      // cosine of 10 deg: meant to be the axis
-constexpr double kLeastDrop = 0.3;       // of the chain's length: a foot lies at least so far below its hip
-constexpr double kClear = 0.05;          // of the foot's length: by how much it reaches farther to the front
+constexpr double kLeastCosine = 0.643;  // of 50 deg: what the loader takes for a leg's joint
+constexpr double kSameAxis = 0.985;     // cosine of 10 deg: meant to be the axis
+constexpr double kAcross = 0.5;         // of a unit: an axis that is said is the one or the other, or neither
+constexpr double kLeastDrop = 0.3;      // of the chain's length: a foot lies at least so far below its hip
+constexpr double kClear = 0.05;         // of the foot's length: by how much it reaches farther to the front
 constexpr double kReachesGround = 0.85;  // of the lowest foot's drop
 
 using Chain = std::vector<int>;  // joints, from the root on
@@ -307,6 +308,12 @@ BodyPlan find_body_plan(const MakerRobot& robot, const PlanHints& hints) {
   Eigen::Vector3d forward = found.left.cross(found.up);
   const double evidence =
       hints.forward ? hints.forward->dot(forward) : forward_evidence(robot, zero, found, forward);
+  if (hints.forward && std::abs(evidence) < kAcross) {
+    refuse(robot, first.line, "forward",
+           fmt::format("{} was said, but the robot looks along {} or {}", axis_name(*hints.forward),
+                       axis_name(forward), axis_name(-forward)),
+           "Say --forward " + axis_name(forward) + " or " + axis_name(-forward) + ", or leave it out");
+  }
   if (evidence == 0.0) {
     refuse(robot, first.line, "forward",
            fmt::format("neither the feet nor the knees tell whether {} or {} is forward", axis_name(forward),

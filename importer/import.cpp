@@ -165,7 +165,7 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
   constexpr double kMargin = 1e-6;
   constexpr double kWorthTelling = 0.01;
   const double dummy_kg = kDummy * total_mass_kg(robot);
-  std::vector<std::string> dummies, light, unsound;
+  std::vector<std::string> dummies, light, pointlike, unsound;
   double added_kg = 0.0;
   for (MakerLink& link : robot.links) {
     if (link.mass_kg < dummy_kg) {
@@ -178,7 +178,10 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(link.inertia_kg_m2);
     const Eigen::Vector3d found = solver.eigenvalues();  // ascending
     Eigen::Vector3d moment = found.cwiseMax(std::max(kLeastMoment * found[2], 0.1 * least_kg_m2));
-    if (found[2] <= 0.0) moment.setConstant(least_kg_m2);
+    if (found[2] <= 0.0) {
+      moment.setConstant(least_kg_m2);
+      if (link.mass_kg > dummy_kg) pointlike.push_back(link.name);
+    }
     // With a margin, since the numbers are rounded when they are written.
     const double missing = (1.0 + kMargin) * moment[2] - moment[0] - moment[1];
     if (missing > 0.0) moment.head<2>().array() += 0.5 * missing;
@@ -194,6 +197,10 @@ void make_sound(MakerRobot& robot, std::vector<std::string>& notes) {
   if (!light.empty()) {
     notes.push_back(fmt::format("links lighter than {:.3g} kg were raised to it, {:.3g} kg more in all: {}",
                                 dummy_kg, added_kg, fmt::join(light, ", ")));
+  }
+  if (!pointlike.empty()) {
+    notes.push_back(fmt::format("links without inertia got that of a ball of water of their mass (guess): {}",
+                                fmt::join(pointlike, ", ")));
   }
   if (!unsound.empty()) {
     notes.push_back(fmt::format("inertias that no body has were raised: {}", fmt::join(unsound, ", ")));

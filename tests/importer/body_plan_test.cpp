@@ -220,19 +220,27 @@ TEST(ImportedFolder, LoadsWhateverYamlTakesItsNamesFor) {
   EXPECT_EQ(urdf::load_robot(folder.path() / "out").legs[0].joints.size(), 6U);
 }
 
-TEST(ImportedFolder, TellsOfEveryLinkThatIsMadeHeavier) {
+// What is told of a humanoid with a lamp on its chest that weighs so much, and has no inertia.
+std::vector<std::string> notes_with_lamp(const std::string& mass_kg) {
   const test::MakerFolder folder;
   const std::filesystem::path file = test::write_humanoid({}, folder.path());
   std::ifstream stream(file);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::string bulb =
-      "<link name=\"bulb\"><inertial><mass value=\"1e-4\"/></inertial></link><joint name=\"lamp\" "
-      "type=\"revolute\"><parent link=\"chest\"/><child link=\"bulb\"/><limit lower=\"-1\" "
-      "upper=\"1\"/></joint>";
-  const ImportedRobot imported =
-      import_robot(folder.write("robot.urdf", text.insert(text.find("</robot>"), bulb)), {});
-  EXPECT_THAT(imported.notes,
+  const std::string lamp =
+      "<link name=\"bulb\"><inertial><mass value=\"" + mass_kg +
+      "\"/></inertial></link><joint name=\"lamp\" type=\"revolute\"><parent link=\"chest\"/>"
+      "<child link=\"bulb\"/><limit lower=\"-1\" upper=\"1\"/></joint>";
+  return import_robot(folder.write("robot.urdf", text.insert(text.find("</robot>"), lamp)), {}).notes;
+}
+
+TEST(ImportedFolder, TellsOfEveryLinkThatIsMadeHeavier) {
+  EXPECT_THAT(notes_with_lamp("1e-4"),
               testing::Contains(testing::AllOf(HasSubstr("0.0299 kg more in all"), HasSubstr("bulb"))));
+}
+
+TEST(ImportedFolder, TellsOfEveryLinkThatGetsAnInertia) {
+  EXPECT_THAT(notes_with_lamp("1"),
+              testing::Contains(testing::AllOf(HasSubstr("links without inertia"), HasSubstr("bulb"))));
 }
 
 TEST(ImportedFolder, KeepsMeshesApartWhoseLinksAreCalledAlike) {
@@ -321,6 +329,11 @@ TEST_F(NoHumanoid, ThatLooksEitherWayIsRefusedUnlessItIsTold) {
   told.plan.forward = -Eigen::Vector3d::UnitX();
   const ImportedRobot imported = import_robot(folder_.path() / "robot.urdf", told);
   EXPECT_EQ(imported.plan.legs[0].foot, "right_foot") << "the left one, seen from behind";
+}
+TEST_F(NoHumanoid, ThatIsSaidToLookAcrossItsLegsIsRefused) {
+  ImportOptions told;
+  told.plan.forward = Eigen::Vector3d::UnitY();
+  EXPECT_THAT(complaint(told), testing::AllOf(HasSubstr("y was said"), HasSubstr("--forward x or -x")));
 }
 TEST_F(NoHumanoid, NoLegsJointAndNoUnknownOneIsHeldStill) {
   ImportOptions held;

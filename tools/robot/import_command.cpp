@@ -78,7 +78,7 @@ void add_robot_import(const CommandLine& robot) {
                    "Folder in which package:// is looked for; may be given again");
   command.option("--forward", options.forward, "Which way the robot looks: an axis of the root link")
       .one_of({"x", "-x", "y", "-y", "z", "-z"});
-  command.option("--hold", options.hold, "Joints that shall not move");
+  command.repeated("--hold", options.hold, "Joint that shall not move; may be given again");
   command.option("--quiet", options.quiet, "Print nothing");
   command.footer(
       "Examples:\n"

@@ -206,9 +206,13 @@ void require_known_motions(const simulator::Scenario& scenario, const RunOptions
     const auto* const motion = std::get_if<simulator::MotionEvent>(&event.action);
     if (motion != nullptr && !event.asked && !motion->name.empty() &&
         std::ranges::find(known, motion->name) == known.end()) {
+      const std::string remedy =
+          known.empty()
+              ? fmt::format("The robot has none yet. Take one over: gaitway motion adapt {} --robot {}",
+                            motion->name, options.robot.string())
+              : input::suggest(motion->name, known);
       throw std::invalid_argument(fmt::format("{}: the event at {:g} s: there is no motion '{}'. {}",
-                                              options.scenario->string(), event.at_s, motion->name,
-                                              input::suggest(motion->name, known)));
+                                              options.scenario->string(), event.at_s, motion->name, remedy));
     }
   }
 }
