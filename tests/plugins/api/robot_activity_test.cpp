@@ -48,6 +48,13 @@ TEST_F(RobotActivityTest, WalksWhileAFootIsLiftedOrAStepIsToCome) {
   EXPECT_EQ(told(), Activity::stands);
 }
 
+TEST_F(RobotActivityTest, WalksUntilItHasComeToRestAfterTheLastStep) {
+  plan->com_velocity[kBatchPoints - 1][1] = -0.01;
+  EXPECT_EQ(told(), Activity::walks);
+  plan->com_velocity[kBatchPoints - 1][1] = 0.0;
+  EXPECT_EQ(told(), Activity::stands);
+}
+
 TEST_F(RobotActivityTest, WhatIsWorseIsToldFirst) {
   motion.state = 1;
   EXPECT_EQ(told(), Activity::plays);
