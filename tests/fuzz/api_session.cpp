@@ -15,7 +15,7 @@
 #include "fuzz_input.hpp"
 #include "gaitway/api/hub.hpp"
 #include "gaitway/facts/facts.hpp"
-#include "tests/plugins/api/recorded_robot.hpp"
+#include "tests/userinterface/sessions/recorded_robot.hpp"
 
 namespace gaitway::fuzz {
 namespace {

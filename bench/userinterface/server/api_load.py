@@ -2,7 +2,7 @@
 """A walkless robot under `gaitway serve`, once without and once with many clients that subscribe to everything: late batches,
 pace, memory and processor time of the API's process, side by side.
 
-    bench/plugins/api/api_load.py --seconds 300 --clients 200
+    bench/userinterface/server/api_load.py --seconds 300 --clients 200
 """
 import argparse
 import json

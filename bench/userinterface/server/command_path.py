@@ -2,7 +2,7 @@
 """From a command's way into the API's socket to its frame on the bus, in real time: virtual_robot, message_controller,
 main_controller and the api's process, all against the clock. The bus stamps its frames with the clock that all of them share.
 
-    .deps/python/bin/python bench/plugins/api/command_path.py --trials 1000
+    .deps/python/bin/python bench/userinterface/server/command_path.py --trials 1000
 """
 import argparse
 import base64
