@@ -19,7 +19,7 @@ install(FILES LICENSE DESTINATION share/doc/gaitway)
 
 # Programs and what they load.
 get_property(gaitway_programs GLOBAL PROPERTY gaitway_programs)
-foreach(program IN ITEMS gaitway ${gaitway_programs} main_controller gaitway_plugin_child message_controller virtual_robot)
+foreach(program IN ITEMS gaitway ${gaitway_programs} main_controller gaitway_plugin_child message_controller virtual_robot user_interface)
   set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/gaitway")
   install(TARGETS ${program} RUNTIME DESTINATION bin)
 endforeach()

@@ -120,39 +120,26 @@ ContainmentSettings read_containment(const YamlValue& plugin) {
   return settings;
 }
 
-bool read_network(const YamlValue& value) {
+bool read_sockets(const YamlValue& value) {
   const std::string text = value.text();
-  if (text != "serve" && text != "none") {
-    value.refuse("must be 'serve' or 'none'",
-                 "'serve' lets the plug-in accept connections, 'none' keeps it from the network");
+  if (text != "local" && text != "none") {
+    value.refuse("must be 'local' or 'none'",
+                 "'local' lets the plug-in use Unix sockets, 'none' keeps it from all; what serves a network "
+                 "belongs beside the user interface module, as its client");
   }
-  return text == "serve";
-}
-
-std::filesystem::path read_folder(const YamlValue& value, bool serves_network) {
-  if (!serves_network) {
-    value.refuse("is for plug-ins with 'network: serve' alone", "Add 'network: serve', or leave it out");
-  }
-  const std::string text = value.text();
-  if (text.empty()) {
-    value.refuse("must not be empty", "Name a folder, or leave the key out");
-  }
-  return std::filesystem::absolute(value.file().parent_path() / text).lexically_normal();
+  return text == "local";
 }
 
 ChildSettings read_child_settings(const YamlValue& plugin, bool isolated) {
   ChildSettings settings;
-  for (const std::string_view key : {"network", "writes", "descriptors", "memory"}) {
+  for (const std::string_view key : {"sockets", "descriptors", "memory"}) {
     if (const auto value = plugin.find(key); value && !isolated) {
       value->refuse("is for plug-ins in processes of their own alone",
                     "Add 'isolation: process', or leave it out");
     }
   }
-  if (const auto network = plugin.find("network")) {
-    settings.serves_network = read_network(*network);
-  }
-  if (const auto writes = plugin.find("writes")) {
-    settings.writes = read_folder(*writes, settings.serves_network);
+  if (const auto sockets = plugin.find("sockets")) {
+    settings.local_sockets = read_sockets(*sockets);
   }
   if (const auto descriptors = plugin.find("descriptors")) {
     settings.descriptor_limit = static_cast<std::uint32_t>(descriptors->integer(16, 4096));
@@ -165,9 +152,9 @@ ChildSettings read_child_settings(const YamlValue& plugin, bool isolated) {
 }
 
 PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
-  constexpr std::array<std::string_view, 13> kKeys{
-      "name",   "library",       "isolation", "parameters", "period",      "phase", "fallback",
-      "budget", "give_up_after", "network",   "writes",     "descriptors", "memory"};
+  constexpr std::array<std::string_view, 12> kKeys{"name",          "library", "isolation",   "parameters",
+                                                   "period",        "phase",   "fallback",    "budget",
+                                                   "give_up_after", "sockets", "descriptors", "memory"};
   map.require_map(kKeys);
   PluginEntry entry;
   entry.line = map.line();
@@ -186,8 +173,8 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
   entry.schedule = schedule_of(map);
   entry.containment = read_containment(map);
   entry.child = read_child_settings(map, entry.isolation == Isolation::process);
-  // Whoever reaches it over the network must not be able to put it out of service by keeping it busy.
-  entry.containment.give_up.never = entry.child.serves_network && !map.find("give_up_after");
+  // What users reach the robot through is never put out of service.
+  entry.containment.give_up.never = entry.child.local_sockets && !map.find("give_up_after");
   return entry;
 }
 

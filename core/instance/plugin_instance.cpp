@@ -93,7 +93,7 @@ struct PluginInstance::Functions {
   static const char* memory_socket(void* context) noexcept {
     return of(context).surroundings_.memory_socket();
   }
-  static const char* write_folder(void* context) noexcept { return of(context).surroundings_.write_folder(); }
+  static const char* write_folder(void*) noexcept { return ""; }
   static gaitway_status read(void* context, gaitway_port* port, void* value,
                              gaitway_sample* sample) noexcept {
     return port == nullptr ? gaitway_status{GAITWAY_FAILED}

@@ -1,10 +1,8 @@
-// Resource limits, capabilities, seccomp filters made with libseccomp, and Landlock. The filters name what is
-// forbidden: what a plug-in's libraries need differs from one machine to the next, what no plug-in needs does
-// not.
+// Resource limits, and a seccomp filter made with libseccomp. The filter names what is forbidden: what a
+// plug-in's libraries need differs from one machine to the next, what no plug-in needs does not.
 #include "bounds.hpp"
 
 #include <fcntl.h>
-#include <linux/capability.h>
 #include <linux/sockios.h>
 #include <sched.h>
 #include <seccomp.h>
@@ -27,15 +25,11 @@
 #include <initializer_list>
 #include <memory>
 #include <string_view>
-#include <utility>
-
-#include "gaitway/instance/configuration.hpp"
-#include "gaitway/process/file_descriptor.hpp"
 
 namespace gaitway::core {
 namespace {
 
-constexpr std::string_view kSocketCalls = "socket socketpair connect bind listen";
+constexpr std::string_view kSocketCalls = "socket socketpair connect bind listen accept accept4";
 
 // A filter of system calls: everything is allowed but what is refused; calls of another architecture end the
 // process.
@@ -82,14 +76,8 @@ class SeccompFilter {
     }
   }
 
-  // For the calling thread and those that it starts from now on, or for all threads of the process; that
-  // fails where one of them has a filter that this one has not.
-  enum class Threads : std::uint8_t { this_one, all };
-  [[nodiscard]] bool install(Threads threads) noexcept {
-    return sound_ &&
-           (threads == Threads::this_one || seccomp_attr_set(context_, SCMP_FLTATR_CTL_TSYNC, 1) == 0) &&
-           seccomp_load(context_) == 0;
-  }
+  // For the calling thread and those that it starts from now on.
+  [[nodiscard]] bool install() noexcept { return sound_ && seccomp_load(context_) == 0; }
 
  private:
   std::uint32_t refusal_;
@@ -101,22 +89,19 @@ constexpr std::string_view kForbidden =
     "fork vfork execve execveat ptrace process_vm_readv process_vm_writev pidfd_open pidfd_getfd "
     "pidfd_send_signal rt_sigqueueinfo rt_tgsigqueueinfo tkill setrlimit setpgid setsid setpriority "
     "sched_setscheduler sched_setparam sched_setattr unshare setns mount bpf perf_event_open io_uring_setup";
-constexpr std::string_view kAccepting = "accept accept4";
-
-enum class Reach : std::uint8_t { nothing, accepted_connections, network };
 
 volatile sig_atomic_t refused_call = -1;
-bool remembers_all_threads = true;
 
-// `refusal`: see SeccompFilter. What is forbidden but for some uses has conditions.
-bool install_filter(Reach reach, std::uint32_t refusal) noexcept {
-  SeccompFilter filter(refusal);
+// What is forbidden but for some uses has conditions. `local_sockets`: Unix sockets may be made and used; no
+// others.
+bool install_filter(bool local_sockets) noexcept {
+  SeccompFilter filter(SCMP_ACT_TRAP);
   filter.refuse_all(kForbidden);
-  if (reach != Reach::network) {
+  if (local_sockets) {
+    filter.refuse(SCMP_SYS(socket), {SeccompFilter::is_not(0, AF_UNIX)});
+    filter.refuse(SCMP_SYS(socketpair), {SeccompFilter::is_not(0, AF_UNIX)});
+  } else {
     filter.refuse_all(kSocketCalls);
-  }
-  if (reach == Reach::nothing) {
-    filter.refuse_all(kAccepting);
   }
   // Its flags lie in memory, where no filter sees them; without it libraries use clone.
   filter.refuse(SCMP_SYS(clone3), SCMP_ACT_ERRNO(ENOSYS));
@@ -132,12 +117,12 @@ bool install_filter(Reach reach, std::uint32_t refusal) noexcept {
   for (const int request : {FIOSETOWN, SIOCSPGRP, TIOCSTI, TIOCLINUX}) {
     filter.refuse(SCMP_SYS(ioctl), {SeccompFilter::is(1, static_cast<std::uint32_t>(request))});
   }
-  return filter.install(SeccompFilter::Threads::this_one);
+  return filter.install();
 }
 
 // Answers EPERM in the kernel's stead.
 void refuse(int, siginfo_t* info, void* context) {
-  if (refused_call < 0 && (remembers_all_threads || syscall(SYS_gettid) == getpid())) {
+  if (refused_call < 0) {
     refused_call = info->si_syscall;
   }
   auto* const state = static_cast<ucontext_t*>(context);
@@ -169,37 +154,11 @@ void step_back_behind_manager() noexcept {
   }
 }
 
-// What comes over the network is never in the way of a controller.
-void step_back_behind_everybody() noexcept {
-  constexpr int kNice = 5;
-  const sched_param none{};
-  sched_setscheduler(0, SCHED_OTHER, &none);
-  errno = 0;
-  const int now = getpriority(PRIO_PROCESS, 0);
-  if (errno == 0 && now < kNice) {
-    setpriority(PRIO_PROCESS, 0, kNice);
-  }
-}
-
-// Of root's powers only those that set-up may need: a port below 1024, and files of others. Once set-up is
-// over both are of no use, since neither can be asked for any more.
-void drop_capabilities() noexcept {
-  constexpr std::uint32_t kKept =
-      1U << CAP_NET_BIND_SERVICE | 1U << CAP_DAC_OVERRIDE | 1U << CAP_DAC_READ_SEARCH;
-  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
-  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> sets{};
-  if (syscall(SYS_capget, &header, sets.data()) == 0) {
-    sets[0] = {sets[0].effective & kKept, sets[0].permitted & kKept, 0};
-    sets[1] = {};
-    syscall(SYS_capset, &header, sets.data());
-  }
-}
-
 }  // namespace
 
 void enter_child_bounds(const ChildBounds& bounds, int first_closed) noexcept {
   syscall(SYS_close_range, static_cast<unsigned>(first_closed), ~0U, 0U);
-  bounds.serves_network ? step_back_behind_everybody() : step_back_behind_manager();
+  step_back_behind_manager();
   limit(RLIMIT_CORE, 0);
   if (bounds.memory_limit_bytes == 0) {
     return;
@@ -212,20 +171,10 @@ void enter_child_bounds(const ChildBounds& bounds, int first_closed) noexcept {
   action.sa_sigaction = &refuse;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigaction(SIGSYS, &action, nullptr);
-  remembers_all_threads = !bounds.serves_network;
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  if (bounds.serves_network) {
-    drop_capabilities();
-  }
-  // A trap ends a thread that blocks its signal, as those of network libraries do.
-  if (bounds.serves_network ? !install_filter(Reach::network, SCMP_ACT_ERRNO(EPERM))
-                            : !install_filter(Reach::nothing, SCMP_ACT_TRAP)) {
+  if (!install_filter(bounds.local_sockets)) {
     limit(RLIMIT_NPROC, 0);
   }
-}
-
-bool remember_refused_calls() noexcept {
-  return install_filter(Reach::accepted_connections, SCMP_ACT_TRAP);
 }
 
 std::string take_refused_call() {
@@ -237,108 +186,6 @@ std::string take_refused_call() {
   const std::unique_ptr<char, decltype(&std::free)> name(
       seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, number), &std::free);
   return name == nullptr ? "system call " + std::to_string(number) : name.get();
-}
-
-// --- Of one that serves the network: Landlock for where files are written; a filter for everything else.
-
-namespace {
-
-// Landlock's own numbers: the system's header may be older than its kernel.
-namespace landlock {
-constexpr long kCreateRuleset = 444, kAddRule = 445, kRestrictSelf = 446;
-constexpr unsigned kAskVersion = 1;
-constexpr int kPathBeneath = 1;
-constexpr std::uint64_t kWriteFile = 1U << 1U, kMakeRegular = 1U << 8U, kRefer = 1U << 13U,
-                        kTruncate = 1U << 14U;
-// Remove a folder or a file, make a device, folder, file, socket, pipe or link: bits 4 to 12.
-constexpr std::uint64_t kChangeFolders = 0x1ff0;
-constexpr std::uint64_t kScopeSignals = 1U << 1U;
-
-struct Ruleset {
-  std::uint64_t handled_files = 0, handled_network = 0, scoped = 0;
-};
-struct [[gnu::packed]] Beneath {
-  std::uint64_t allowed = 0;
-  std::int32_t folder = -1;
-};
-
-int version() noexcept {
-  return static_cast<int>(syscall(kCreateRuleset, nullptr, 0, kAskVersion));
-}
-}  // namespace landlock
-
-process::FileDescriptor open_folder(const std::filesystem::path& folder) {
-  process::FileDescriptor opened(open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  if (!opened) {
-    throw PluginError("its writes cannot be confined to '" + folder.string() + "': " + strerror(errno));
-  }
-  return opened;
-}
-
-constexpr std::string_view kFiles =
-    "creat unlink rename mkdir rmdir link symlink chmod chown lchown mknod utime utimes futimesat renameat "
-    "openat2 open_by_handle_at unlinkat renameat2 mkdirat linkat symlinkat fchmod fchmodat fchown fchownat "
-    "mknodat truncate utimensat setxattr lsetxattr fsetxattr removexattr lremovexattr fremovexattr mount "
-    "umount2 chroot pivot_root open_tree move_mount fsopen fspick fsmount mount_setattr chdir fchdir";
-// Other ways to other processes, and what no server does.
-constexpr std::string_view kOthers =
-    "execve execveat memfd_create shmget shmat semget semop semtimedop semctl msgget msgsnd msgctl mq_open "
-    "mq_unlink keyctl add_key request_key sched_setaffinity ioprio_set migrate_pages move_pages personality "
-    "userfaultfd";
-
-}  // namespace
-
-bool confine_writes(const std::filesystem::path& folder) {
-  const process::FileDescriptor opened = folder.empty() ? process::FileDescriptor() : open_folder(folder);
-  const int version = landlock::version();
-  if (version < 1) {
-    return false;
-  }
-  const std::uint64_t truncate = version >= 3 ? landlock::kTruncate : 0;
-  landlock::Ruleset rules;
-  rules.handled_files =
-      landlock::kWriteFile | landlock::kChangeFolders | truncate | (version >= 2 ? landlock::kRefer : 0);
-  rules.scoped = version >= 6 ? landlock::kScopeSignals : 0;
-  const std::size_t known = version >= 6 ? 3 : version >= 4 ? 2 : 1;  // fields
-  const process::FileDescriptor ruleset(
-      static_cast<int>(syscall(landlock::kCreateRuleset, &rules, known * sizeof(std::uint64_t), 0)));
-  const landlock::Beneath beneath{landlock::kWriteFile | landlock::kMakeRegular | truncate, opened.get()};
-  const bool ruled = ruleset && (!opened || syscall(landlock::kAddRule, ruleset.get(), landlock::kPathBeneath,
-                                                    &beneath, 0) == 0);
-  return ruled && syscall(landlock::kRestrictSelf, ruleset.get(), 0) == 0;
-}
-
-void end_set_up(bool may_write) {
-  SeccompFilter filter(SCMP_ACT_ERRNO(EPERM));
-  filter.refuse_all(kSocketCalls);
-  filter.refuse_all(kFiles);
-  filter.refuse_all(kOthers);
-  // A way to connect without connect().
-  for (const auto& [call, flags] :
-       {std::pair{SCMP_SYS(sendto), 3U}, {SCMP_SYS(sendmsg), 2U}, {SCMP_SYS(sendmmsg), 3U}}) {
-    filter.refuse(call, {SeccompFilter::has(flags, MSG_FASTOPEN, MSG_FASTOPEN)});
-  }
-  constexpr std::uint32_t kRefusal = SCMP_ACT_ERRNO(EACCES);
-  for (const auto& [call, flags] : {std::pair{SCMP_SYS(open), 1U}, {SCMP_SYS(openat), 2U}}) {
-    if (!may_write) {
-      filter.refuse(call, kRefusal);
-      continue;
-    }
-    // But for O_WRONLY | O_CREAT.
-    filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_PATH, O_PATH)});
-    filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_CREAT, 0)});
-    for (const int mode : {O_RDONLY, O_RDWR, O_ACCMODE}) {
-      filter.refuse(call, kRefusal, {SeccompFilter::has(flags, O_ACCMODE, static_cast<std::uint32_t>(mode))});
-    }
-  }
-  if (!filter.install(SeccompFilter::Threads::all)) {
-    throw PluginError(
-        "its process cannot be closed off from files and connections: network: serve needs a kernel with "
-        "seccomp, and a plug-in whose threads have no filters of their own");
-  }
-  if (!remember_refused_calls()) {
-    throw PluginError(std::string("its own thread cannot be bound: ") + strerror(errno));
-  }
 }
 
 }  // namespace gaitway::core

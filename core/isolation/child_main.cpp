@@ -38,12 +38,12 @@ int main(int argc, char** argv) {
   }
   const core::ChildBounds bounds{.memory_limit_bytes = std::strtoull(argv[2], nullptr, 10),
                                  .descriptor_limit = std::strtoull(argv[3], nullptr, 10),
-                                 .serves_network = std::string_view(argv[4]) == core::kServesNetwork};
+                                 .local_sockets = std::string_view(argv[4]) == core::kLocalSockets};
   core::enter_child_bounds(bounds, core::kChildSocket + 1);
   try {
     // _exit: what the plug-in left for the process's end must not run beside a manager that waits.
     std::fflush(nullptr);
-    _exit(core::ChildProgram(process::FileDescriptor(core::kChildSocket), bounds.serves_network).run());
+    _exit(core::ChildProgram(process::FileDescriptor(core::kChildSocket)).run());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gaitway_plugin_child: %s\n", error.what());
     _exit(kExitBadInput);

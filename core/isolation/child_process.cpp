@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <poll.h>
-#include <sched.h>
 #include <signal.h>
 #include <spawn.h>
 #include <string.h>
@@ -30,7 +29,7 @@ constexpr auto kPidfdType = static_cast<idtype_t>(3);  // P_PIDFD, which older h
 
 class SpawnSettings {
  public:
-  SpawnSettings(int socket, bool ordinary_priority) {
+  explicit SpawnSettings(int socket) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", 0, 0);
     posix_spawn_file_actions_adddup2(&actions_, socket, kChildSocket);
@@ -41,13 +40,8 @@ class SpawnSettings {
     posix_spawnattr_setsigmask(&attributes_, &none);
     posix_spawnattr_setsigdefault(&attributes_, &all);
     posix_spawnattr_setpgroup(&attributes_, 0);
-    // From its first moment: who starts it may be real-time.
-    const sched_param ordinary{};
-    posix_spawnattr_setschedpolicy(&attributes_, SCHED_OTHER);
-    posix_spawnattr_setschedparam(&attributes_, &ordinary);
-    const int scheduler = ordinary_priority ? POSIX_SPAWN_SETSCHEDULER : 0;
     posix_spawnattr_setflags(&attributes_, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
-                                                              POSIX_SPAWN_SETPGROUP | scheduler));
+                                                              POSIX_SPAWN_SETPGROUP));
   }
   ~SpawnSettings() {
     posix_spawn_file_actions_destroy(&actions_);
@@ -91,10 +85,10 @@ std::filesystem::path find_plugin_child() {
 
 ChildProcess::ChildProcess(const std::filesystem::path& binary, const process::FileDescriptor& socket,
                            const ChildBounds& bounds) {
-  const SpawnSettings settings(socket.get(), bounds.serves_network);
+  const SpawnSettings settings(socket.get());
   std::array<std::string, 5> words{
       binary.string(), std::to_string(getpid()), std::to_string(bounds.memory_limit_bytes),
-      std::to_string(bounds.descriptor_limit), bounds.serves_network ? kServesNetwork : "-"};
+      std::to_string(bounds.descriptor_limit), bounds.local_sockets ? kLocalSockets : "-"};
   std::array<char*, 6> arguments{};
   std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
   const int error = posix_spawn(&pid_, binary.c_str(), settings.actions(), settings.attributes(),

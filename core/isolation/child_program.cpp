@@ -53,7 +53,6 @@ bool ChildProgram::create() {
   const std::filesystem::path base = packet.text();
   robot_directory_ = packet.text();
   memory_socket_ = packet.text();
-  write_folder_ = packet.text();
   SearchPath path;
   for (auto left = packet.number<std::uint32_t>(); left > 0; --left) {
     path.emplace_back(packet.text());
@@ -63,9 +62,6 @@ bool ChildProgram::create() {
 
 bool ChildProgram::load(const std::string& file, const std::filesystem::path& base, const SearchPath& path) {
   try {
-    if (serves_network_) {
-      may_write_ = confine_writes(write_folder_) && !write_folder_.empty();
-    }
     library_ = std::make_unique<PluginLibrary>(file, base, path);
   } catch (const PluginError& error) {
     tell(PacketWriter(ChildMessage::library_failed).text(error.what()));
@@ -109,14 +105,6 @@ bool ChildProgram::attach() {
     ports_[i].area = reinterpret_cast<PortArea*>(begin + layout.port_offset[i]);
   }
   leave_last_words_in(exchange_->last_words);
-  if (serves_network_) {
-    try {
-      end_set_up(may_write_);
-    } catch (const PluginError& error) {
-      tell(PacketWriter(ChildMessage::library_failed).text(error.what()));
-      return false;
-    }
-  }
   if (!tell(PacketWriter(ChildMessage::attached))) {
     return false;
   }

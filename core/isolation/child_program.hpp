@@ -23,7 +23,7 @@
 namespace gaitway::core {
 
 inline constexpr int kChildSocket = 3;                   // where the manager left it
-inline constexpr const char* kServesNetwork = "serves";  // last word of the child's command line, or another
+inline constexpr const char* kLocalSockets = "sockets";  // last word of the child's command line, or another
 
 // --- What it can still tell when it dies, and when it has used up what it may use (last_words.cpp).
 
@@ -38,9 +38,7 @@ enum class Resource : std::uint32_t { none = 0, memory = 1, descriptors = 2 };
 
 class ChildProgram final : private PluginDeclarations, private PluginSurroundings {
  public:
-  // `serves_network`: it is bound as bounds.hpp says of such a one.
-  ChildProgram(process::FileDescriptor socket, bool serves_network)
-      : socket_(std::move(socket)), serves_network_(serves_network) {}
+  explicit ChildProgram(process::FileDescriptor socket) : socket_(std::move(socket)) {}
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
@@ -62,7 +60,6 @@ class ChildProgram final : private PluginDeclarations, private PluginSurrounding
   void report(gaitway_severity severity, std::string_view text) noexcept override;
   const char* robot_directory() const noexcept override { return robot_directory_.c_str(); }
   const char* memory_socket() const noexcept override { return memory_socket_.c_str(); }
-  const char* write_folder() const noexcept override { return write_folder_.c_str(); }
   gaitway_status read(gaitway_port& port, void* value, gaitway_sample& sample) noexcept override;
   gaitway_status publish(gaitway_port& port, const void* value) noexcept override;
   // Throws PluginError with what the manager refuses it with.
@@ -84,10 +81,8 @@ class ChildProgram final : private PluginDeclarations, private PluginSurrounding
   gaitway_status set_parameter(const ChildRequest& request, const gaitway_text& error) noexcept;
 
   process::FileDescriptor socket_;
-  const bool serves_network_;
-  bool may_write_ = false;  // of one that does, once it is set up
   std::unique_ptr<PluginLibrary> library_;
-  std::string robot_directory_, memory_socket_, write_folder_;
+  std::string robot_directory_, memory_socket_;
   std::deque<Port> ports_;       // stable addresses: the plug-in holds them
   std::set<std::string> texts_;  // values of parameters: the plug-in may keep them
   PluginInstance instance_{*this, *this};

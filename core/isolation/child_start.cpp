@@ -18,18 +18,6 @@ namespace {
 using facts::kMillisecond_ns;
 constexpr std::int64_t kLastMoments_ns = 100 * kMillisecond_ns;
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code problem;
-  if (!folder.empty()) {
-    std::filesystem::create_directories(folder, problem);
-  }
-  if (problem) {
-    throw PluginError(
-        fmt::format("its folder '{}' cannot be made: {}. Correct the key 'writes', or its rights",
-                    folder.string(), problem.message()));
-  }
-}
-
 }  // namespace
 
 void StartUp::require(State state, ChildMessage message) const {
@@ -145,13 +133,11 @@ ChildPlan::ChildPlan(const PluginEntry& entry, const PluginSource& source, const
     : binary(find_plugin_child()),
       bounds{.memory_limit_bytes = options.memory_limit_bytes,
              .descriptor_limit = options.descriptor_limit,
-             .serves_network = entry.child.serves_network},
+             .local_sockets = entry.child.local_sockets},
       start_limit_ns(options.start_limit_ns),
       library(entry.library) {
-  make_folder(entry.child.writes);
   create.text(library).text(source.configuration_file.parent_path().native());
   create.text(source.robot_directory.native()).text(source.memory_socket.native());
-  create.text(entry.child.writes.native());
   create.number(static_cast<std::uint32_t>(source.search_path.size()));
   for (const std::filesystem::path& folder : source.search_path) {
     create.text(folder.native());

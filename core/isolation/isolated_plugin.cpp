@@ -23,7 +23,7 @@ IsolatedPlugin::IsolatedPlugin(const PluginEntry& entry, const PluginSource& sou
       settings_(entry.child),
       options_(options_for(entry.child, options)),
       containment_(entry.containment),
-      restarts_(options_, settings_.serves_network) {
+      restarts_(options_, settings_.local_sockets) {
   try {
     plan_.emplace(entry, source, options_);
     start();

@@ -97,8 +97,8 @@ class IsolatedPlugin final : public ManagedPlugin {
       return options_.watchdog_ns;
     }
     // Whoever takes such a plug-in over must not have the ticks wait for it.
-    return settings_.serves_network ? step_budget_ns(containment_, period_ == Period::batch)
-                                    : kBetweenSteps_ns;
+    return settings_.local_sockets ? step_budget_ns(containment_, period_ == Period::batch)
+                                   : kBetweenSteps_ns;
   }
   bool call(ChildCall call, std::int64_t limit_ns) noexcept;
   void lose(std::string_view what, std::int64_t now_ns) noexcept;

@@ -9,36 +9,6 @@
 #include "plugin_loader.hpp"
 
 namespace gaitway::core {
-namespace {
-
-bool lies_in(const std::filesystem::path& inner, const std::filesystem::path& outer) {
-  const std::filesystem::path path =
-      std::filesystem::weakly_canonical(inner).lexically_relative(std::filesystem::weakly_canonical(outer));
-  return !path.empty() && *path.begin() != "..";
-}
-
-// Whoever takes over a plug-in that serves the network writes files there: none of them must be loaded.
-void require_apart(const PluginEntry& server, const Configuration& configuration, const SearchPath& path) {
-  const auto refuse = [&](const std::filesystem::path& place) {
-    throw ConfigurationError(fmt::format(
-        "{}:{}: writes = '{}': '{}' lies there, from which plug-ins are loaded. Choose a folder of its own",
-        configuration.file.string(), server.line, server.child.writes.string(), place.string()));
-  };
-  for (const std::filesystem::path& folder : path) {
-    if (lies_in(folder, server.child.writes)) {
-      refuse(folder);
-    }
-  }
-  for (const PluginEntry& entry : configuration.plugins) {
-    const std::filesystem::path file = configuration.file.parent_path() / entry.library;
-    if (entry.library.find('/') != std::string::npos && lies_in(file, server.child.writes)) {
-      refuse(file);
-    }
-  }
-}
-
-}  // namespace
-
 PluginManager::PluginManager(const Configuration& configuration, const PluginManagerOptions& options,
                              msgclient::Client& client)
     : options_(options),
@@ -76,9 +46,6 @@ void PluginManager::load_all(const Configuration& configuration, const msgclient
           fmt::format("{}:{}: name: '{}' is there twice. Names must be unique: give one of them "
                       "another name",
                       configuration.file.string(), entry.line, entry.name));
-    }
-    if (!entry.child.writes.empty()) {
-      require_apart(entry, configuration, loader_->search_path());
     }
     if (std::ranges::find(options_.stopped, entry.name) != options_.stopped.end()) {
       continue;

@@ -50,9 +50,9 @@ std::unique_ptr<PluginChange> prepared(PluginManager& manager, const PluginReque
 void require_allowed_over_network(const PluginRequest& request, const PluginManager& manager) {
   const std::string plugin = text_of(request.plugin);
   const auto verb = static_cast<PluginVerb>(request.verb);
-  if ((verb == PluginVerb::unload || verb == PluginVerb::stop) && manager.plugins().serves_network(plugin)) {
+  if ((verb == PluginVerb::unload || verb == PluginVerb::stop) && manager.plugins().local_sockets(plugin)) {
     throw PluginError(
-        fmt::format("'{0}' serves the network, over which this came: nothing could bring it back from there. "
+        fmt::format("'{0}' keeps the link over which this came: nothing could bring it back from there. "
                     "On the robot: "
                     "gaitway ctl plugin {1} {0}",
                     plugin, verb == PluginVerb::unload ? "unload" : "stop"));

@@ -131,9 +131,9 @@ void PluginSet::copy_value(std::string_view plugin, std::size_t parameter,
   copy_text(slots_[index]->plugin->parameters().declared()[parameter].value, to);
 }
 
-bool PluginSet::serves_network(std::string_view plugin) const noexcept {
+bool PluginSet::local_sockets(std::string_view plugin) const noexcept {
   const std::size_t index = index_of(plugin);
-  return index < slots_.size() && slots_[index]->entry.child.serves_network;
+  return index < slots_.size() && slots_[index]->entry.child.local_sockets;
 }
 
 std::vector<PluginTiming> PluginSet::timings() const {

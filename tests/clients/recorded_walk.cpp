@@ -11,6 +11,7 @@
 
 #include "gaitway/api/feed.hpp"
 #include "gaitway/api/json_codec.hpp"
+#include "gaitway/api/plan_digest.hpp"
 #include "gaitway/api/recorder.hpp"
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
@@ -59,6 +60,7 @@ void record(const std::filesystem::path& folder, const char* robot_folder, const
   simulator::Cosimulation run(robot, options);
   run.apply({0.0, simulator::WalkEvent{.velocity_m_per_s = {0.15, 0.0}}});
 
+  PlanDigest digest(run.client());
   Feed feed(run.client(), robot);
   // More than its disk takes meanwhile: the robot's time is not the computer's.
   Recorder recorder(folder, {.waiting_bytes = 1 << 30});
@@ -71,6 +73,7 @@ void record(const std::filesystem::path& folder, const char* robot_folder, const
   sink.publish(Topic::commander, ros::String{"nobody"}, 0);  // which the hub's owner tells
   while (run.now_ns() < kEnd_ns) {
     run.advance_millisecond();
+    digest.step(run.now_ns());
     feed.poll(run.now_ns(), sink);
     recorder.step(run.now_ns());
     if (run.now_ns() % kEventPeriod_ns == 0) {

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "gaitway/core/events.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -28,6 +29,7 @@
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/serve/command_log.hpp"
+#include "tools/serve/module_keeper.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -43,7 +45,7 @@ struct ServeOptions {
   std::string address = "127.0.0.1";
   int port = 9090;
   std::string origins;  // further web origins that may connect, with commas between them
-  std::filesystem::path token_file, certificate_file, key_file;
+  std::filesystem::path token_file, certificate_file, key_file, limits;
   std::optional<double> seconds;
   double speed = 1.0;  // times real time
   std::uint64_t seed = 1;
@@ -98,39 +100,43 @@ class ServeObserver final : public simulator::CosimulationObserver {
 
 core::PluginEntry& api_of(core::Configuration& configuration) {
   const auto api = std::ranges::find_if(
-      configuration.plugins, [](const core::PluginEntry& entry) { return entry.child.serves_network; });
+      configuration.plugins, [](const core::PluginEntry& entry) { return entry.child.local_sockets; });
   if (api == configuration.plugins.end()) {
     throw std::invalid_argument(fmt::format(
-        "--config {}: has no plug-in that serves the network. Add one with `isolation: process` and "
-        "`network: serve`, as the shipped serve.yaml does",
+        "--config {}: has no plug-in that keeps a link to the user interface module. Add `api` with "
+        "`isolation: process` and `sockets: local`, as the shipped serve.yaml does",
         configuration.file.string()));
   }
   return *api;
 }
 
-// What the command line says goes before the configuration.
-core::Configuration configuration_of(const ServeOptions& options) {
+core::Configuration configuration_of(const ServeOptions& options, const std::string& link) {
   core::Configuration configuration = core::read_configuration(options.config);
   core::PluginEntry& api = api_of(configuration);
-  const auto set = [&api](const char* name, const std::string& value) {
-    std::erase_if(api.parameters, [name](const core::ParameterEntry& entry) { return entry.name == name; });
-    api.parameters.push_back({name, value, api.line});
-  };
-  const auto set_path = [&set](const char* name, const std::filesystem::path& path) {
-    if (!path.empty()) {
-      set(name, std::filesystem::absolute(path).string());
+  std::erase_if(api.parameters, [](const core::ParameterEntry& entry) { return entry.name == "link"; });
+  api.parameters.push_back({"link", link, api.line});
+  return configuration;
+}
+
+// The user interface module's command line.
+std::vector<std::string> module_arguments(const ServeOptions& options, const std::string& link) {
+  std::vector<std::string> words{
+      "--robot",      options.robot.string(),
+      "--link",       link,
+      "--address",    options.address,
+      "--port",       std::to_string(options.port),
+      "--recordings", (std::filesystem::absolute(options.out) / "recordings").string()};
+  const auto add = [&words](const char* name, const std::string& value) {
+    if (!value.empty()) {
+      words.insert(words.end(), {name, value});
     }
   };
-  set("address", options.address);
-  set("port", std::to_string(options.port));
-  if (!options.origins.empty()) {
-    set("origins", options.origins);
-  }
-  set_path("token_file", options.token_file);
-  set_path("certificate_file", options.certificate_file);
-  set_path("key_file", options.key_file);
-  api.child.writes = std::filesystem::absolute(options.out) / "recordings";
-  return configuration;
+  add("--origins", options.origins);
+  add("--token-file", options.token_file.string());
+  add("--certificate-file", options.certificate_file.string());
+  add("--key-file", options.key_file.string());
+  add("--limits", options.limits.string());
+  return words;
 }
 
 // When each millisecond of the robot's is due by the wall clock.
@@ -217,6 +223,7 @@ int serve(const ServeOptions& options) {
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   prepare_output(options.out);
   const process::PrivateFolder folder("gaitway_serve");
+  const std::string link = "unix:" + (folder.path() / "link.sock").string();
   msgclient::MemoryBlock block;
   const BlockThread block_thread(block, folder.path() / "memory.sock");
 
@@ -226,7 +233,7 @@ int serve(const ServeOptions& options) {
   settings.memory_block = &block;
   settings.obey_walk_requests = true;
   settings.main_controller.configuration = options.config;
-  settings.main_controller.plugins = configuration_of(options);
+  settings.main_controller.plugins = configuration_of(options, link);
   settings.main_controller.try_at_start = true;
   settings.main_controller.memory_socket = folder.path() / "memory.sock";
   settings.main_controller.isolation.lock_step = false;  // the API's process may hang as it likes
@@ -236,6 +243,8 @@ int serve(const ServeOptions& options) {
   msgclient::Client requests_client = block.local_client("plugin_requests");
   core::PluginRequests requests(requests_client, run.plugins());
   const core::PluginWorkshop workshop(requests);
+
+  const ModuleKeeper module(module_arguments(options, link));
 
   Loop loop{.run = run, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
   Pace pace(options.speed);
@@ -273,6 +282,9 @@ void declare_program(const CommandLine& app) {
   command.option("--token-file", options.token_file, "File with the token that clients must know");
   command.option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
   command.option("--key-file", options.key_file, "Its private key (PEM)");
+  command.option(
+      "--limits", options.limits,
+      "Limits of clients (YAML: name: value) in place of the shipped ones; docs/api.md lists them");
   command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop")
       .between(0.001, 86400.0 * 365.0);
   command.option("--speed", options.speed, "Times real time").between(0.01, 100.0);

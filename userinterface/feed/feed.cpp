@@ -9,7 +9,6 @@
 #include "event_digest.hpp"
 #include "gaitway/api/diagnostics.hpp"
 #include "gaitway/api/frame_messages.hpp"
-#include "gaitway/api/planned_motion.hpp"
 #include "gaitway/api/robot_frames.hpp"
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/api/state_messages.hpp"
@@ -76,7 +75,7 @@ struct Feed::Topics {
   Latest<NetworkState> network{client, "network_state"};
   Latest<NetworkHealth> health{client, "network_health"};
   Latest<Estimate> estimate{client, "estimate"};
-  Latest<MotionPlan> plan{client, "motion_plan"};
+  Latest<PlannedState> planned{client, "planned_state"};
   Latest<gaitway::MotionState> motion{client, "motion_state"};
   Latest<PluginStatistics> statistics{client, "plugin_statistics"};
   msgclient::StreamReader<Event> events;
@@ -107,12 +106,12 @@ struct Feed::State {
   urdf::RobotModel model;
   RobotFrames frames;
   Diagnostics diagnostics;
-  PlannedMotion motion;
   EventDigest digest;
   std::optional<Activity> activity;  // as told last
   std::int64_t robot_ns = 0, beat_wall_ns = kNever, heartbeat_age_ns = 0;
   // Newest of each, so that nothing is published twice.
-  std::int64_t joints_ns = 0, imu_ns = 0, forces_ns = 0, estimate_ns = 0, edge_ns = kNever;
+  std::int64_t joints_ns = 0, imu_ns = 0, forces_ns = 0, estimate_ns = 0, planned_ns = kNever,
+               edge_ns = kNever;
   bool joints_wait = false, estimate_waits = false;  // to be made frames of
   bool described = false, footsteps_told = false;
   std::int64_t diagnostics_ns = kNever, diagnostics_wall_ns = kNever;
@@ -148,6 +147,7 @@ void Feed::poll(std::int64_t wall_ns, PublicationSink& sink) {
   publish_imu(sink);
   publish_wrenches(sink);
   publish_at_slot_edge(sink);
+  publish_planned(sink);
   publish_diagnostics(wall_ns, sink);
   publish_motion(sink);
   publish_robot_state(sink);
@@ -167,11 +167,11 @@ void Feed::forget() {
   State& state = *state_;
   state.frames.reset();
   state.diagnostics.reset();
-  state.motion.clear();
+  topics_->planned.forget();
   state.digest.clear();
   topics_->estimate.forget();
   state.joints_ns = state.imu_ns = state.forces_ns = state.estimate_ns = 0;
-  state.edge_ns = state.diagnostics_ns = kNever;
+  state.planned_ns = state.edge_ns = state.diagnostics_ns = kNever;
   state.joints_wait = state.estimate_waits = false;
 }
 
@@ -183,7 +183,6 @@ void Feed::publish_once(PublicationSink& sink) {
 
 void Feed::read_network() {
   topics_->network.update();
-  if (topics_->plan.update()) state_->motion.take(topics_->plan.value());
 }
 
 void Feed::publish_joints(PublicationSink& sink) {
@@ -234,10 +233,8 @@ void Feed::publish_frames(PublicationSink& sink) {
   const JointStates& joints = topics_->joints.value();
   const std::size_t count = state.model.joints.size();
   const std::int64_t instant_ns = slot_edge(joints.stamp_ns);  // the joints measure at the slot's beginning
-  const NetworkState* network = topics_->network.if_there();
-  const auto accepted = network != nullptr ? std::optional(network->accepted_sequence) : std::nullopt;
-  state.frames.update(instant_ns, {joints.position, count}, {joints.velocity, count}, estimate,
-                      state.motion.at(instant_ns, accepted));
+  topics_->planned.update();
+  state.frames.update(instant_ns, {joints.position, count}, {joints.velocity, count}, estimate, planned());
   if (state.joints_wait) publish_transforms(sink, true);
   if (sink.wants(Topic::odometry)) {
     fill(messages_->odometry, state.frames, joints.stamp_ns);
@@ -270,21 +267,27 @@ void Feed::publish_at_slot_edge(PublicationSink& sink) {
   if (sink.wants(Topic::clock)) {
     sink.publish(Topic::clock, ros::Clock{ros_time(state.robot_ns)}, state.robot_ns);
   }
-  const bool wants_zmp = sink.wants(Topic::reference_zmp);
-  const bool wants_footsteps = sink.wants(Topic::footsteps);
-  if (!wants_zmp && !wants_footsteps) return;
-  const NetworkState* network = topics_->network.if_there();
-  const std::optional<PlannedMoment> moment =
-      state.motion.at(edge_ns, network != nullptr ? std::optional(network->accepted_sequence) : std::nullopt);
-  if (wants_zmp && moment) {
-    fill(messages_->point, state.frames.odom_from_plan(), {moment->zmp_m.x(), moment->zmp_m.y(), 0.0},
-         edge_ns);
+}
+
+// Null: no plan is in force.
+const PlannedState* Feed::planned() const noexcept {
+  const PlannedState* const planned = topics_->planned.if_there();
+  return planned != nullptr && planned->sequence != 0 ? planned : nullptr;
+}
+
+void Feed::publish_planned(PublicationSink& sink) {
+  State& state = *state_;
+  topics_->planned.update();
+  const std::int64_t stamp_ns = topics_->planned.value().stamp_ns;
+  if (topics_->planned.if_there() == nullptr || stamp_ns == state.planned_ns) return;
+  state.planned_ns = stamp_ns;
+  const PlannedState& moment = topics_->planned.value();
+  if (sink.wants(Topic::reference_zmp) && planned() != nullptr) {
+    fill(messages_->point, state.frames.odom_from_plan(), {moment.zmp[0], moment.zmp[1], 0.0}, stamp_ns);
     sink.publish(Topic::reference_zmp, messages_->point, state.robot_ns);
   }
-  if (!wants_footsteps) return;
-  const bool changed =
-      messages_->footsteps.update(moment ? moment->plan : nullptr, edge_ns, state.frames.odom_from_plan());
-  if (changed || !state.footsteps_told) {
+  if (!sink.wants(Topic::footsteps)) return;
+  if (messages_->footsteps.update(moment, state.frames.odom_from_plan()) || !state.footsteps_told) {
     sink.publish(Topic::footsteps, messages_->footsteps.message(), state.robot_ns);
     state.footsteps_told = true;
   }
@@ -324,15 +327,10 @@ void Feed::publish_motion(PublicationSink& sink) {
 
 void Feed::publish_robot_state(PublicationSink& sink) {
   State& state = *state_;
-  const std::int64_t instant_ns = slot_edge(state.robot_ns);
-  const NetworkState* const network = topics_->network.if_there();
-  const auto moment = state.motion.at(
-      instant_ns, network != nullptr ? std::optional(network->accepted_sequence) : std::nullopt);
-  const Activity activity = activity_of({.network = network,
+  const Activity activity = activity_of({.network = topics_->network.if_there(),
                                          .estimate = topics_->estimate.if_there(),
-                                         .plan = moment ? moment->plan : nullptr,
+                                         .planned = planned(),
                                          .motion = topics_->motion.if_there(),
-                                         .robot_ns = state.robot_ns,
                                          .heartbeat_age_ns = state.heartbeat_age_ns});
   if (activity == state.activity || !sink.wants(Topic::robot_state)) return;
   state.activity = activity;

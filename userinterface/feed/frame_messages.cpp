@@ -106,23 +106,17 @@ Footsteps::Footsteps() {
   message_.header.frame_id = kOdomFrame;
 }
 
-bool Footsteps::update(const MotionPlan* plan, std::int64_t instant_ns,
-                       const Eigen::Isometry3d& odom_from_plan) {
-  const std::size_t count = plan != nullptr ? std::min<std::size_t>(plan->footstep_count, kMaxFootsteps) : 0;
-  bool changed = false;
-  std::size_t kept = 0;
+bool Footsteps::update(const PlannedState& planned, const Eigen::Isometry3d& odom_from_plan) {
+  const std::size_t count = std::min<std::size_t>(planned.footstep_count, kMaxFootsteps);
+  bool changed = count != steps_.size();
+  steps_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (plan->footstep_landing_ns[i] <= instant_ns) continue;
-    const Eigen::Vector3d step(plan->footstep[i][0], plan->footstep[i][1], plan->footstep[i][2]);
-    if (kept == steps_.size()) steps_.emplace_back(step + Eigen::Vector3d::Ones());
-    changed = changed || steps_[kept] != step;
-    steps_[kept] = step;
-    ++kept;
+    const Eigen::Vector3d step(planned.footstep[i]);
+    changed = changed || steps_[i] != step;
+    steps_[i] = step;
   }
-  changed = changed || kept != steps_.size();
-  steps_.resize(kept);
   if (!changed) return false;
-  message_.header.stamp = ros_time(instant_ns);
+  message_.header.stamp = ros_time(planned.stamp_ns);
   message_.poses.clear();
   for (const Eigen::Vector3d& step : steps_) message_.poses.push_back(pose_of(step, odom_from_plan));
   return true;

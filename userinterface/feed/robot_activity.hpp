@@ -14,9 +14,8 @@ enum class Activity : std::uint8_t { stands, walks, plays, stops, stopped, falls
 struct ActivityEvidence {
   const NetworkState* network = nullptr;
   const Estimate* estimate = nullptr;
-  const MotionPlan* plan = nullptr;  // in force
+  const PlannedState* planned = nullptr;
   const gaitway::MotionState* motion = nullptr;
-  std::int64_t robot_ns = 0;
   std::int64_t heartbeat_age_ns = 0;
 };
 

@@ -52,16 +52,16 @@ void RobotFrames::reset() noexcept {
 
 void RobotFrames::update(std::int64_t instant_ns, std::span<const double> position_rad,
                          std::span<const double> velocity_rad_per_s, const Estimate& estimate,
-                         const std::optional<PlannedMoment>& planned) noexcept {
+                         const PlannedState* planned) noexcept {
   const std::array<Eigen::Isometry3d, 2> last = level_from_base_;
   const std::size_t side = estimate.support == 0 ? 0 : 1;
   kinematics_.compute(position_rad);
   update_levels(estimate);
   place_support(side, estimate.attitude[2]);
   odom_from_base_ = odom_from_support_ * level_from_base_[side];
-  if (planned && planned->feet[side].on_ground) {
-    const PlannedFoot& foot = planned->feet[side];
-    odom_from_plan_ = odom_from_support_ * pose(about_z(foot.yaw_rad), foot.position_m).inverse();
+  if (planned != nullptr && planned->on_ground[side] != 0) {
+    const Eigen::Vector3d place_m(planned->foot_position[side]);
+    odom_from_plan_ = odom_from_support_ * pose(about_z(planned->foot_yaw[side]), place_m).inverse();
   }
   update_velocity(instant_ns, side, last);
   update_turn(velocity_rad_per_s, estimate);

@@ -29,7 +29,7 @@ std::optional<Order> ControllerEnd::next_order(std::int64_t now_ns) noexcept {
     const auto expiry_ns = in.get<std::int64_t>();
     const auto kind = in.get<std::uint16_t>();
     const Bytes payload = in.get_rest();
-    if (!in.ok() || now_ns > expiry_ns) {
+    if (!in.ok() || shown_ns(now_ns) > expiry_ns) {
       ++late_orders_;
       push_answer(number, Verdict::late, 0, {});
       continue;

@@ -108,7 +108,9 @@ std::size_t LinkEnd::make_content(Room room, std::int64_t now_ns) noexcept {
     if (const std::size_t size = make_urgent(room, now_ns); size > 0) return size;
   }
   if (session_.hello_due(now_ns)) {
-    return encode(session_.hello(now_ns), room);
+    Hello hello = session_.hello(now_ns);
+    hello.time_ns = shown_ns(now_ns);
+    return encode(hello, room);
   }
   return session_.open() ? make_session_content(room, now_ns) : 0;
 }
@@ -134,7 +136,7 @@ Status LinkEnd::make_status(std::int64_t now_ns) noexcept {
   part_came_ = false;
   told_limit_ = message_limit();
   const LanePosition received = incoming_.position();
-  Status status{.time_ns = now_ns,
+  Status status{.time_ns = shown_ns(now_ns),
                 .message = received.message - 1,
                 .part = received.part,
                 .message_limit = told_limit_};

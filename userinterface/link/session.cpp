@@ -19,13 +19,17 @@ std::uint32_t tag_of(const Identity& module, const Identity& controller) noexcep
   return process::crc32(std::as_bytes(std::span(bytes)));
 }
 
-std::string text_of(const Hello& hello) {
-  const auto end = std::ranges::find(hello.name, '\0');
-  std::string name(hello.name.begin(), end);
+std::string printable(const std::array<char, 24>& bytes) {
+  const auto end = std::ranges::find(bytes, '\0');
+  std::string name(bytes.begin(), end);
   std::ranges::replace_if(
       name, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
-  return "'" + name + "' (" + (hello.role == Role::module ? "module" : "controller") + ", protocol " +
-         std::to_string(hello.version) + ", table " + std::to_string(hello.table_hash) + ")";
+  return name;
+}
+
+std::string text_of(const Hello& hello) {
+  return "'" + printable(hello.name) + "' (" + (hello.role == Role::module ? "module" : "controller") +
+         ", protocol " + std::to_string(hello.version) + ", table " + std::to_string(hello.table_hash) + ")";
 }
 
 }  // namespace
@@ -74,7 +78,12 @@ void Session::on_hello(const Hello& hello, std::int64_t now_ns) noexcept {
   if (open() && hello.self != peer_) {
     end(SessionEnd::peer_anew);
   }
+  if (!open() && hello.role == Role::controller && hello.open && hello.heard.boot != self_.self.boot) {
+    refused_ = hello;  // or it has not heard yet that this module was started anew
+    end_ = SessionEnd::occupied;
+  }
   peer_ = hello.self;
+  peer_name_ = hello.name;
   const bool means_this = hello.heard == self_.self;
   if (!open() && means_this) {
     begin(now_ns);
@@ -133,6 +142,18 @@ Hello Session::hello(std::int64_t now_ns) noexcept {
   return hello;
 }
 
+Hello Session::refusal_of_another() const noexcept {
+  Hello hello = self_;
+  hello.open = true;
+  hello.heard = peer_;
+  hello.name = peer_name_;
+  return hello;
+}
+
+std::string Session::peer_name() const {
+  return printable(peer_name_);
+}
+
 std::string Session::description() const {
   switch (end_) {
     case SessionEnd::none:
@@ -145,6 +166,9 @@ std::string Session::description() const {
       return "the other end has closed the connection";
     case SessionEnd::peer_anew:
       return "the other end has begun anew";
+    case SessionEnd::occupied:
+      return "the main controller is linked to another module, '" + printable(refused_.name) +
+             "': end that one first; a robot has one";
     case SessionEnd::wrong_version:
     case SessionEnd::wrong_role:
     case SessionEnd::wrong_table:
@@ -153,7 +177,8 @@ std::string Session::description() const {
   const char* const remedy =
       end_ == SessionEnd::wrong_role
           ? ": both have the same role; connect one module to one controller"
-          : ": they were built from different sources; install the same version on both sides";
+          : ": they were built from different sources, or have different descriptions of the robot; install "
+            "the same version and the same robot folder on both sides";
   return "this is " + text_of(self_) + ", the other end is " + text_of(refused_) + remedy;
 }
 

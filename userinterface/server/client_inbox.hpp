@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -15,15 +16,16 @@ class ClientInbox {
   struct Message {
     std::string text;
     bool binary = false;
-    bool overtaken = false;  // an urgent one that came after it has been taken already
+    std::int64_t sent_after_ns = 0;  // it was
+    bool overtaken = false;          // an urgent one that came after it has been taken already
   };
 
   // Another message is read while fewer bytes, and fewer messages, wait: so one message more may come.
   explicit ClientInbox(std::size_t most_bytes) noexcept : most_bytes_(most_bytes) {}
 
-  void put(std::string_view text, bool binary) {
+  void put(std::string_view text, bool binary, std::int64_t sent_after_ns) {
     bytes_ += text.size();
-    messages_.push_back({std::string(text), binary, false});
+    messages_.push_back({std::string(text), binary, sent_after_ns, false});
   }
   // The oldest; not when it is empty.
   [[nodiscard]] Message take() {

@@ -150,7 +150,7 @@ void ClientLink::opened(bool authorised, bool view) {
   ++core_.statistics.opened;
   was_open_ = true;
   phase_ = Phase::open;
-  pinged_ns_ = second_ns_ = now_ns;
+  pinged_ns_ = second_ns_ = answered_ns_ = sent_after_ns_ = now_ns;
   heard_ns_ = core_.listening.now_ns();
   view_ = view;
   session_ = (view ? *core_.page.view : core_.hub).open(*this, peer_, authorised, now_ns);
@@ -168,10 +168,11 @@ void ClientLink::received(std::string_view message, bool binary) {
   }
   if (may_overtake(message, binary)) {
     inbox_.overtake();
+    sent_after_ns_ = answered_ns_;
     session_->take(message, binary, wall_now_ns());
     return;
   }
-  inbox_.put(message, binary);
+  inbox_.put(message, binary, answered_ns_);
   if (!std::exchange(in_line_, true)) {
     core_.want_work(shared_from_this());
   }
@@ -191,6 +192,7 @@ void ClientLink::read_on() {
 bool ClientLink::work() {
   if (session_ && !inbox_.empty()) {
     const ClientInbox::Message message = inbox_.take();
+    sent_after_ns_ = message.sent_after_ns;
     if (message.overtaken) {
       session_->take_overtaken(message.text, message.binary, wall_now_ns());
     } else {
@@ -234,6 +236,12 @@ void ClientLink::control_frame() {
     close(kPolicyViolation, "more than " + std::to_string(kControlFrames) + " pings and pongs in a second");
   } else if (control_frames_ == 2 * kControlFrames) {
     cut(Closing::flood);
+  }
+}
+
+void ClientLink::answered_ping(std::int64_t pinged_ns) noexcept {
+  if (pinged_ns > answered_ns_ && pinged_ns <= pinged_ns_) {
+    answered_ns_ = pinged_ns;
   }
 }
 
@@ -298,11 +306,15 @@ void ClientLink::sweep_open(std::int64_t now_ns) {
                      "no sign of life within " + in_ms(limits.silence_ns) + ": answer pings");
   } else if (close_asked_ && now_ns > deadline_ns_) {
     end_conversation(cause_ == Closing::lost ? Closing::by_session : cause_, close_code_, close_reason_);
-  } else if (!pinging_ && now_ns - pinged_ns_ >= core_.options.ping_ns) {
+  } else if (!pinging_ && now_ns - pinged_ns_ >= ping_period_ns()) {
     pinged_ns_ = now_ns;
     pinging_ = true;
-    begin_ping();
+    begin_ping(now_ns);
   }
+}
+
+std::int64_t ClientLink::ping_period_ns() const noexcept {
+  return session_ && session_->gives_orders() ? core_.options.order_ping_ns : core_.options.ping_ns;
 }
 
 void ClientLink::shut_down() {

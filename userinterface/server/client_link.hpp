@@ -30,6 +30,9 @@ class ClientLink : public Connection,
   // Connection: all only take note, and act from the server's loop.
   void wake() noexcept final;
   void shown_wrong_token() noexcept final;
+  [[nodiscard]] std::int64_t message_age_ns(std::int64_t wall_ns) const noexcept final {
+    return wall_ns - sent_after_ns_;
+  }
   void close(std::uint16_t code, std::string_view reason) noexcept final;
 
   // FairTurns::Worker: the session takes the oldest message that waits.
@@ -60,7 +63,8 @@ class ClientLink : public Connection,
   // unblocked().
   virtual void write_queue() = 0;
   virtual void begin_close(std::uint16_t code, const std::string& reason) = 0;
-  virtual void begin_ping() = 0;
+  // The client gives it back: see answered_ping().
+  virtual void begin_ping(std::int64_t now_ns) = 0;
   virtual void raw_written() = 0;
   virtual void read() = 0;
   virtual void answer_refusal() = 0;
@@ -78,6 +82,8 @@ class ClientLink : public Connection,
   void received(std::string_view message, bool binary);
   void heard(std::size_t bytes);
   void control_frame();
+  // What it sends from now on it has sent after that ping had reached it.
+  void answered_ping(std::int64_t pinged_ns) noexcept;
   void client_closes();
   void library_closes();       // a close frame is on its way that nobody here asked for
   void failed(Closing cause);  // the conversation has ended
@@ -104,6 +110,7 @@ class ClientLink : public Connection,
   // Ends the session once it has taken what waits.
   void let_session_finish() noexcept;
   void sweep_open(std::int64_t now_ns);
+  [[nodiscard]] std::int64_t ping_period_ns() const noexcept;
   void end_conversation(Closing cause, std::uint16_t code, const std::string& reason);
   void enter_closing(Closing cause);
   void end();
@@ -127,6 +134,8 @@ class ClientLink : public Connection,
   bool reading_rests_ = false;  // since the inbox is full
   std::int64_t deadline_ns_;    // of handshake, refusal (its begin, then its end), closing
   std::int64_t pinged_ns_ = 0, second_ns_ = 0;
+  std::int64_t answered_ns_ = 0;    // the newest ping that the client has answered, or when it was let in
+  std::int64_t sent_after_ns_ = 0;  // of the message that is being taken
   std::int64_t heard_ns_ = 0, front_ns_ = 0;  // by the time in which it was listened to
   unsigned control_frames_ = 0;
   unsigned overtook_ = 0;  // urgent messages, since the last sweep

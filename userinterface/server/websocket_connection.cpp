@@ -7,6 +7,7 @@
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/stream.hpp>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,7 +65,7 @@ class WebSocketConnection final : public ClientLink {
 
   void write_queue() override;
   void begin_close(std::uint16_t code, const std::string& reason) override;
-  void begin_ping() override;
+  void begin_ping(std::int64_t now_ns) override;
   void raw_written() override { socket_.next_layer().end_write({}); }
   void cut_socket() noexcept override;
   void widen_send_buffer() noexcept override;
@@ -209,11 +210,16 @@ void WebSocketConnection<Stream>::serve(bool authorised) {
 
 template <class Stream>
 void WebSocketConnection<Stream>::watch_control_frames() {
-  socket_.control_callback([this](websocket::frame_type kind, beast::string_view) {
+  socket_.control_callback([this](websocket::frame_type kind, beast::string_view payload) {
     if (kind == websocket::frame_type::close) {
       client_closes();
-    } else {
-      control_frame();
+      return;
+    }
+    control_frame();
+    std::int64_t pinged_ns = 0;
+    const char* const end = payload.data() + payload.size();
+    if (kind == websocket::frame_type::pong && std::from_chars(payload.data(), end, pinged_ns).ptr == end) {
+      answered_ping(pinged_ns);
     }
   });
 }
@@ -294,8 +300,10 @@ void WebSocketConnection<Stream>::begin_close(std::uint16_t code, const std::str
 }
 
 template <class Stream>
-void WebSocketConnection<Stream>::begin_ping() {
-  socket_.async_ping({}, [self = self()](ErrorCode) { self->pinged(); });
+void WebSocketConnection<Stream>::begin_ping(std::int64_t now_ns) {
+  websocket::ping_data payload;
+  payload.append(std::to_string(now_ns));
+  socket_.async_ping(payload, [self = self()](ErrorCode) { self->pinged(); });
 }
 
 template <class Stream>

@@ -57,7 +57,8 @@ void Authority::use(Claimant& claimant, std::int64_t now_ns) {
   require_free_for(claimant);
   if (!let_go && claimant.stops_seen != stops_) {
     throw CommandDenied(
-        "the robot was stopped by somebody else: let go for a while, or call /command/acquire, to go on");
+        "the robot was stopped by somebody else, or was not there for a while: let go for a while, or call "
+        "/command/acquire, to go on");
   }
   claimant.stops_seen = stops_;
   grant(claimant, now_ns);
@@ -87,6 +88,11 @@ void Authority::stop(Claimant& by) noexcept {
   if (!held_by(by)) {
     lease_.reset();
   }
+}
+
+void Authority::end_all() noexcept {
+  ++stops_;
+  lease_.reset();
 }
 
 bool Authority::lapse(std::int64_t now_ns) noexcept {

@@ -166,7 +166,7 @@ void ClientSession::unadvertise(const Json& message, const Json& id) {
   }
 }
 
-void ClientSession::publish(const Json& message, const Json&) {
+void ClientSession::publish(const Json& message, const Json& id) {
   static_cast<void>(velocity_topic_in(message));
   const auto content = message.find("msg");
   if (content == message.end()) {
@@ -174,7 +174,11 @@ void ClientSession::publish(const Json& message, const Json&) {
   }
   ros::Twist twist;
   api::from_json(*content, twist);
-  hub_.commands.walk(claimant_, twist, hub_.now_ns);
+  const auto order = hub_.commands.walk(claimant_, twist, hub_.now_ns);
+  if (order) {
+    hub_.desk.watch(*order, claimant_, hub_.now_ns,
+                    [this, id](const std::string& why) { tell_error(why, id); });
+  }
 }
 
 void ClientSession::subscribe(const Json& message, const Json& id) {

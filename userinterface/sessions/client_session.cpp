@@ -43,6 +43,7 @@ ClientSession::~ClientSession() {
 
 void ClientSession::take(std::string_view message, bool binary, std::int64_t wall_ns) {
   hub_.now_ns = wall_ns;
+  claimant_.age_ns = connection_.message_age_ns(wall_ns);
   if (closing_) {
     return;
   }
@@ -68,6 +69,10 @@ void ClientSession::take_overtaken(std::string_view message, bool binary, std::i
   claimant_.overtaken = true;
   take(message, binary, wall_ns);
   claimant_.overtaken = false;
+}
+
+bool ClientSession::gives_orders() const noexcept {
+  return hub_.commands.authority().held_by(claimant_) || claimant_.tried_ns.has_value();
 }
 
 bool ClientSession::is_urgent(std::string_view message, bool binary) const noexcept {

@@ -52,6 +52,10 @@ void Hub::step(std::int64_t wall_ns) {
   }
 }
 
+void Hub::robot_lost() {
+  state_->commands.robot_lost();
+}
+
 void Hub::answer(std::int64_t wall_ns) {
   state_->now_ns = wall_ns;
   state_->desk.step(wall_ns);

@@ -40,30 +40,31 @@ Velocity velocity_of(const ros::Twist& twist, const Limits& limits) {
 
 }  // namespace
 
-void RobotCommands::walk(Claimant& claimant, const ros::Twist& twist, std::int64_t now_ns) {
+std::optional<std::uint32_t> RobotCommands::walk(Claimant& claimant, const ros::Twist& twist,
+                                                 std::int64_t now_ns) {
   const Velocity velocity = velocity_of(twist, limits_);
-  demand_movement(claimant, now_ns);
+  demand_movement(claimant, now_ns, kVelocityValidity_ns);
   walks_ = true;
-  robot_.walk(velocity, limits_.velocity_ns);
+  return robot_.walk(velocity, limits_.velocity_ns, claimant.age_ns);
 }
 
 void RobotCommands::stand(Claimant& claimant, std::int64_t now_ns) {
-  demand_movement(claimant, now_ns);
+  demand_movement(claimant, now_ns, kOrderValidity_ns);
   walks_ = false;
   robot_.stand();
-  static_cast<void>(robot_.play_motion(""));
+  static_cast<void>(robot_.play_motion("", claimant.age_ns));
 }
 
 std::optional<std::uint32_t> RobotCommands::play_motion(Claimant& claimant, const std::string& name,
                                                         std::int64_t now_ns) {
-  demand_movement(claimant, now_ns);
-  return robot_.play_motion(name);
+  demand_movement(claimant, now_ns, kOrderValidity_ns);
+  return robot_.play_motion(name, claimant.age_ns);
 }
 
 std::optional<std::uint32_t> RobotCommands::move_joint(Claimant& claimant, int joint, double position_rad,
                                                        double duration_s, std::int64_t now_ns) {
-  demand_movement(claimant, now_ns);
-  return robot_.move_joint(joint, position_rad, duration_s);
+  demand_movement(claimant, now_ns, kOrderValidity_ns);
+  return robot_.move_joint(joint, position_rad, duration_s, claimant.age_ns);
 }
 
 std::optional<std::uint32_t> RobotCommands::order(Claimant& claimant, const PluginOrder& order,
@@ -74,8 +75,9 @@ std::optional<std::uint32_t> RobotCommands::order(Claimant& claimant, const Plug
 
 std::optional<std::uint32_t> RobotCommands::end_emergency_stop(Claimant& claimant, std::int64_t now_ns) {
   demand_not_overtaken(claimant);
+  demand_timely(claimant, kOrderValidity_ns);
   demand(claimant, now_ns);
-  return robot_.release();
+  return robot_.release(claimant.age_ns);
 }
 
 void RobotCommands::demand_not_overtaken(const Claimant& claimant) {
@@ -84,8 +86,18 @@ void RobotCommands::demand_not_overtaken(const Claimant& claimant) {
   }
 }
 
-void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns) {
+void RobotCommands::demand_timely(const Claimant& claimant, std::int64_t validity_ns) {
+  constexpr std::int64_t kMillisecond_ns = 1'000'000;
+  if (claimant.age_ns > validity_ns) {
+    throw CommandDenied("late: it may have been sent " + std::to_string(claimant.age_ns / kMillisecond_ns) +
+                        " ms ago, and is carried out for " + std::to_string(validity_ns / kMillisecond_ns) +
+                        " ms; the connection is slow, or its client does not answer pings");
+  }
+}
+
+void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns) {
   demand_not_overtaken(claimant);
+  demand_timely(claimant, validity_ns);
   demand(claimant, now_ns);
   if (robot_.emergency_stopped()) {
     throw CommandDenied(kEmergencyStopped);
@@ -130,6 +142,11 @@ void RobotCommands::release(const Claimant& claimant, std::string_view lease, st
   step(now_ns);
   authority_.release(claimant, lease, now_ns);
   end_walk();
+}
+
+void RobotCommands::robot_lost() noexcept {
+  authority_.end_all();
+  walks_ = false;  // its own side sees to that it stands
 }
 
 void RobotCommands::leave(const Claimant& claimant) {

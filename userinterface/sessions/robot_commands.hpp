@@ -16,6 +16,10 @@ namespace gaitway::api {
 // Commands throw CommandDenied to who may not give them, and when the robot is not there. Orders give their
 // number, or nothing when the way to the robot is full. Whoever drove the robot and has the command no more:
 // the robot is told to stand.
+// How old an order may be when it comes; the robot's side judges the same again, by its own clock.
+inline constexpr std::int64_t kVelocityValidity_ns = 200'000'000;
+inline constexpr std::int64_t kOrderValidity_ns = 1'000'000'000;
+
 inline constexpr const char* kEmergencyStopped =
     "the robot is in emergency stop and stays where it is: call /release to end that";
 
@@ -26,7 +30,7 @@ class RobotCommands {
 
   // What moves the robot is denied while an emergency stop holds. Throws Refused for a velocity that the
   // robot cannot walk.
-  void walk(Claimant& claimant, const ros::Twist& twist, std::int64_t now_ns);
+  std::optional<std::uint32_t> walk(Claimant& claimant, const ros::Twist& twist, std::int64_t now_ns);
   void stand(Claimant& claimant, std::int64_t now_ns);
   std::optional<std::uint32_t> move_joint(Claimant& claimant, int joint, double position_rad,
                                           double duration_s, std::int64_t now_ns);
@@ -42,6 +46,8 @@ class RobotCommands {
   void keep_alive(const Claimant& claimant, std::string_view lease, std::int64_t now_ns);
   void release(const Claimant& claimant, std::string_view lease, std::int64_t now_ns);
 
+  // Nobody has the command afterwards.
+  void robot_lost() noexcept;
   // The connection has ended.
   void leave(const Claimant& claimant);
   // A lease that has run out ends.
@@ -51,8 +57,10 @@ class RobotCommands {
 
  private:
   static void demand_not_overtaken(const Claimant& claimant);
+  static void demand_timely(const Claimant& claimant, std::int64_t validity_ns);
   void demand(Claimant& claimant, std::int64_t now_ns);
-  void demand_movement(Claimant& claimant, std::int64_t now_ns);
+  // `validity_ns`: how old what it asks for may be.
+  void demand_movement(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns);
   void end_walk();
 
   RobotPort& robot_;

@@ -10,16 +10,17 @@
 namespace gaitway::api {
 
 void Orders::require_room(std::uint64_t client) const {
-  const auto count =
-      std::ranges::count_if(waiting_, [client](const auto& order) { return order.second.client == client; });
+  const auto count = std::ranges::count_if(
+      waiting_, [client](const auto& order) { return order.second.client == client && order.second.counts; });
   if (static_cast<std::size_t>(count) >= kMostOfOneClient) {
     throw CommandDenied("this connection waits for " + std::to_string(count) +
                         " answers already: wait for one of them first");
   }
 }
 
-void Orders::wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish) {
-  waiting_.insert_or_assign(number, Waiting{client, ends_ns, std::move(finish)});
+void Orders::wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish,
+                  bool counts) {
+  waiting_.insert_or_assign(number, Waiting{client, ends_ns, std::move(finish), counts});
 }
 
 void Orders::step(std::int64_t now_ns) {
@@ -55,6 +56,18 @@ ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits
       send_(std::move(send)),
       rosapi_(robot_, parameters_),
       orders_(robot_) {}
+
+void ServiceDesk::watch(std::uint32_t order, const Claimant& claimant, std::int64_t now_ns,
+                        std::function<void(const std::string& why)> refused) {
+  orders_.wait(
+      order, claimant.number, now_ns + limits_.answer_ns,
+      [refused = std::move(refused)](const OrderResult* result) {
+        if (result != nullptr && !result->done) {
+          refused(result->text);
+        }
+      },
+      false);
+}
 
 void ServiceDesk::leave(const Claimant& claimant) {
   orders_.forget(claimant.number);

@@ -32,7 +32,9 @@ class Orders {
 
   // Throws CommandDenied when the client waits for too many answers already; before it gives another order.
   void require_room(std::uint64_t client) const;
-  void wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish);
+  // `counts`: among those of which one client may wait for so many.
+  void wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish,
+            bool counts = true);
   // Finishes what the robot has told of, and what has waited for too long.
   void step(std::int64_t now_ns);
   // The client is gone: its orders are finished without a word.
@@ -43,6 +45,7 @@ class Orders {
     std::uint64_t client = 0;
     std::int64_t ends_ns = 0;
     Finish finish;
+    bool counts = true;
   };
   RobotPort& robot_;
   std::unordered_map<std::uint32_t, Waiting> waiting_;
@@ -61,6 +64,10 @@ class ServiceDesk {
   // Answers by `send`, now or later; never throws for what a client wrote. `arguments`: an object or a list.
   void call(const ServiceCall& call, const nlohmann::json& arguments, Claimant& claimant,
             std::int64_t now_ns);
+  // An order that its client waits for no answer of: `refused` is called if it is not carried out, while the
+  // client is there.
+  void watch(std::uint32_t order, const Claimant& claimant, std::int64_t now_ns,
+             std::function<void(const std::string& why)> refused);
   // Takes what the robot says, and ends what has waited for too long.
   void step(std::int64_t now_ns) { orders_.step(now_ns); }
   // The connection has ended: its orders are answered to nobody.

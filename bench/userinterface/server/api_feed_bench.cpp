@@ -12,6 +12,7 @@
 
 #include "gaitway/api/cdr_codec.hpp"
 #include "gaitway/api/feed.hpp"
+#include "gaitway/api/plan_digest.hpp"
 #include "gaitway/api/recorder.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
@@ -81,10 +82,12 @@ void poll_slots(benchmark::State& state, PublicationSink& sink) {
   msgclient::MemoryBlock block;
   Robot robot(block);
   msgclient::Client client = block.local_client("api");
+  PlanDigest digest(client);
   Feed feed(client, humanoid());
   for (auto _ : state) {
     robot.slot();
     const auto begin = std::chrono::steady_clock::now();
+    digest.step(robot.now_ns());
     feed.poll(robot.now_ns(), sink);
     state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }

@@ -22,14 +22,17 @@ class DeafRobot final : public RobotPort {
 
   [[nodiscard]] std::int64_t now_ns() const override { return 0; }
   [[nodiscard]] bool connected() const override { return true; }
-  void walk(const Velocity&, std::int64_t) override { ++walks; }
+  std::optional<std::uint32_t> walk(const Velocity&, std::int64_t, std::int64_t) override {
+    ++walks;
+    return std::nullopt;
+  }
   void stand() override {}
   std::optional<std::uint32_t> stop() override { return std::nullopt; }
   std::optional<std::uint32_t> emergency_stop(bool) override { return std::nullopt; }
-  std::optional<std::uint32_t> release() override { return std::nullopt; }
+  std::optional<std::uint32_t> release(std::int64_t) override { return std::nullopt; }
   [[nodiscard]] bool emergency_stopped() const override { return false; }
-  std::optional<std::uint32_t> move_joint(int, double, double) override { return std::nullopt; }
-  std::optional<std::uint32_t> play_motion(std::string_view) override { return std::nullopt; }
+  std::optional<std::uint32_t> move_joint(int, double, double, std::int64_t) override { return std::nullopt; }
+  std::optional<std::uint32_t> play_motion(std::string_view, std::int64_t) override { return std::nullopt; }
   std::optional<std::uint32_t> order(const PluginOrder&) override { return std::nullopt; }
   std::optional<OrderResult> take_result() override { return std::nullopt; }
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "collector.hpp"
+#include "gaitway/api/plan_digest.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -55,7 +56,10 @@ class FeedTest : public ::testing::Test {
     estimate.stamp_ns = now_ns - now_ns % kSlot_ns + 2 * kMillisecond_ns;
     estimate_writer.publish(estimate, now_ns);
   }
-  void poll() { feed.poll(now_ns, sink); }
+  void poll() {
+    digest.step(now_ns);
+    feed.poll(now_ns, sink);
+  }
   // One slot of everything.
   void slot() {
     beat(now_ns - now_ns % kSlot_ns + kSlot_ns + 4 * kMillisecond_ns);
@@ -74,6 +78,7 @@ class FeedTest : public ::testing::Test {
   msgclient::Writer<MotionPlan> plan_writer = robot.write<MotionPlan>("motion_plan");
   msgclient::Writer<Event> events_writer = robot.write_stream<Event>("events", 8);
   msgclient::Client api = block.local_client("api");
+  PlanDigest digest{api};
   Feed feed{api, humanoid()};
   test::Collector collector;
   decltype(test::sink_of(collector)) sink = test::sink_of(collector);

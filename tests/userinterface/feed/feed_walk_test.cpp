@@ -9,6 +9,7 @@
 
 #include "collector.hpp"
 #include "gaitway/api/feed.hpp"
+#include "gaitway/api/plan_digest.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "humanoid.hpp"
@@ -54,13 +55,14 @@ Truth truth_of(const simulator::Plant& plant) {
 class Walk {
  public:
   Walk(double mismatch, double forward_m_per_s, double turn_rad_per_s, double seconds)
-      : run(humanoid(), options(mismatch)), feed(run.client(), humanoid()) {
+      : run(humanoid(), options(mismatch)), digest(run.client()), feed(run.client(), humanoid()) {
     run.apply({0.0, simulator::WalkEvent{.velocity_m_per_s = {forward_m_per_s, 0.0},
                                          .turn_rate_rad_per_s = turn_rad_per_s}});
     auto sink = test::sink_of(collector);
     while (static_cast<double>(run.now_ns()) < seconds * 1e9) {
       if (run.now_ns() % kSlot_ns == 0) truths[run.now_ns()] = truth_of(run.plant());
       run.advance_millisecond();
+      digest.step(run.now_ns());
       feed.poll(run.now_ns(), sink);
     }
   }
@@ -71,6 +73,7 @@ class Walk {
   }
 
   simulator::Cosimulation run;
+  PlanDigest digest;
   Feed feed;
   test::Collector collector;
   std::map<std::int64_t, Truth> truths;

@@ -108,43 +108,36 @@ TEST(GroundPoint, OfTheSupportFrameIsPutIntoOdom) {
 class FootstepsTest : public ::testing::Test {
  protected:
   FootstepsTest() {
-    plan->footstep_count = 3;
+    planned.stamp_ns = 150;
+    planned.footstep_count = 3;
     for (int i = 0; i < 3; ++i) {
-      plan->footstep[i][0] = 0.1 * (i + 1);
-      plan->footstep[i][1] = i % 2 == 0 ? 0.05 : -0.05;
-      plan->footstep[i][2] = 0.2 * i;
-      plan->footstep_landing_ns[i] = 100 * (i + 1);
+      planned.footstep[i][0] = 0.1 * (i + 1);
+      planned.footstep[i][1] = i % 2 == 0 ? 0.05 : -0.05;
+      planned.footstep[i][2] = 0.2 * i;
     }
   }
-  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
+  PlannedState planned{};
   Footsteps footsteps;
   const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
 };
 
-TEST_F(FootstepsTest, AreThoseThatHaveNotLanded) {
-  EXPECT_TRUE(footsteps.update(plan.get(), 150, here));
+TEST_F(FootstepsTest, AreThoseThatArePlanned) {
+  EXPECT_TRUE(footsteps.update(planned, here));
   const ros::PoseArray& message = footsteps.message();
-  ASSERT_EQ(message.poses.size(), 2U);
+  ASSERT_EQ(message.poses.size(), 3U);
   EXPECT_EQ(message.header.frame_id, "odom");
   EXPECT_EQ(message.header.stamp.nanosec, 150U);
-  EXPECT_DOUBLE_EQ(message.poses[0].position.x, 0.2);
-  EXPECT_DOUBLE_EQ(message.poses[0].position.y, -0.05);
-  EXPECT_NEAR(message.poses[1].orientation.z, std::sin(0.2), 1e-12);
-  EXPECT_NEAR(message.poses[1].orientation.w, std::cos(0.2), 1e-12);
-}
-
-TEST_F(FootstepsTest, HaveLandedAtTheInstantOfLanding) {
-  EXPECT_TRUE(footsteps.update(plan.get(), 99, here));
-  EXPECT_EQ(footsteps.message().poses.size(), 3U);
-  EXPECT_TRUE(footsteps.update(plan.get(), 100, here));
-  EXPECT_EQ(footsteps.message().poses.size(), 2U);
+  EXPECT_DOUBLE_EQ(message.poses[1].position.x, 0.2);
+  EXPECT_DOUBLE_EQ(message.poses[1].position.y, -0.05);
+  EXPECT_NEAR(message.poses[2].orientation.z, std::sin(0.2), 1e-12);
+  EXPECT_NEAR(message.poses[2].orientation.w, std::cos(0.2), 1e-12);
 }
 
 TEST_F(FootstepsTest, ArePutIntoOdom) {
   Eigen::Isometry3d shift = Eigen::Isometry3d::Identity();
   shift.translation() = Eigen::Vector3d(1.0, 2.0, 0.0);
   shift.linear() = Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  EXPECT_TRUE(footsteps.update(plan.get(), 0, shift));
+  EXPECT_TRUE(footsteps.update(planned, shift));
   const ros::Pose& first = footsteps.message().poses.at(0);
   EXPECT_NEAR(first.position.x, 1.0 - 0.05, 1e-12);
   EXPECT_NEAR(first.position.y, 2.0 + 0.1, 1e-12);
@@ -154,13 +147,14 @@ TEST_F(FootstepsTest, ArePutIntoOdom) {
 TEST_F(FootstepsTest, TellWhetherThePlanHasOtherOnes) {
   Eigen::Isometry3d moved = here;
   moved.translation().x() = 0.001;
-  EXPECT_FALSE(footsteps.update(nullptr, 0, here)) << "none before, none now";
-  EXPECT_TRUE(footsteps.update(plan.get(), 0, here));
-  EXPECT_FALSE(footsteps.update(plan.get(), 50, moved)) << "the same in the plan";
-  plan->footstep[2][1] += 1e-6;
-  EXPECT_TRUE(footsteps.update(plan.get(), 50, here));
-  EXPECT_TRUE(footsteps.update(plan.get(), 250, here)) << "two have landed";
-  EXPECT_TRUE(footsteps.update(nullptr, 260, here));
+  EXPECT_FALSE(footsteps.update({}, here)) << "none before, none now";
+  EXPECT_TRUE(footsteps.update(planned, here));
+  EXPECT_FALSE(footsteps.update(planned, moved)) << "the same in the plan";
+  planned.footstep[2][1] += 1e-6;
+  EXPECT_TRUE(footsteps.update(planned, here));
+  planned.footstep_count = 1;
+  EXPECT_TRUE(footsteps.update(planned, here)) << "two have landed";
+  EXPECT_TRUE(footsteps.update({}, here));
   EXPECT_TRUE(footsteps.message().poses.empty());
 }
 

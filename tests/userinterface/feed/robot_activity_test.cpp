@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <memory>
-
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::api {
@@ -13,19 +10,17 @@ namespace {
 
 class RobotActivityTest : public testing::Test {
  protected:
-  RobotActivityTest() { std::ranges::fill(plan->support, std::uint8_t{2}); }
   [[nodiscard]] Activity told() const {
     return activity_of({.network = &network,
                         .estimate = &estimate,
-                        .plan = plan.get(),
+                        .planned = &planned,
                         .motion = &motion,
-                        .robot_ns = facts::kSecond_ns,
                         .heartbeat_age_ns = heartbeat_age_ns});
   }
 
   NetworkState network{};
   Estimate estimate{};
-  std::unique_ptr<MotionPlan> plan = std::make_unique<MotionPlan>();
+  PlannedState planned{};
   gaitway::MotionState motion{};
   std::int64_t heartbeat_age_ns = 0;
 };
@@ -33,26 +28,13 @@ class RobotActivityTest : public testing::Test {
 TEST_F(RobotActivityTest, StandsOnBothFeet) {
   EXPECT_EQ(told(), Activity::stands);
   network.mode = network_state::mode::holding;
-  plan->support[3] = 0;
+  planned.walks = 1;
   EXPECT_EQ(told(), Activity::stands) << "it waits for a batch, whatever was planned";
 }
 
-TEST_F(RobotActivityTest, WalksWhileAFootIsLiftedOrAStepIsToCome) {
-  plan->support[3] = 0;
+TEST_F(RobotActivityTest, WalksAsItIsPlannedTo) {
+  planned.walks = 1;
   EXPECT_EQ(told(), Activity::walks);
-  plan->support[3] = 2;
-  plan->footstep_count = 1;
-  plan->footstep_landing_ns[0] = facts::kSecond_ns + 1;
-  EXPECT_EQ(told(), Activity::walks);
-  plan->footstep_landing_ns[0] = facts::kSecond_ns;
-  EXPECT_EQ(told(), Activity::stands);
-}
-
-TEST_F(RobotActivityTest, WalksUntilItHasComeToRestAfterTheLastStep) {
-  plan->com_velocity[kBatchPoints - 1][1] = -0.01;
-  EXPECT_EQ(told(), Activity::walks);
-  plan->com_velocity[kBatchPoints - 1][1] = 0.0;
-  EXPECT_EQ(told(), Activity::stands);
 }
 
 TEST_F(RobotActivityTest, WhatIsWorseIsToldFirst) {

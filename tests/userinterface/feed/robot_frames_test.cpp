@@ -22,19 +22,21 @@ std::vector<double> home() {
   return position_rad;
 }
 
-PlannedMoment planned(const Eigen::Vector3d& left_m, double left_yaw_rad,
-                      const Eigen::Vector3d& right_m = Eigen::Vector3d::Zero()) {
-  PlannedMoment moment;
-  moment.feet[0] = {left_m, left_yaw_rad, true};
-  moment.feet[1] = {right_m, 0.0, true};
+PlannedState planned(const Eigen::Vector3d& left_m, double left_yaw_rad,
+                     const Eigen::Vector3d& right_m = Eigen::Vector3d::Zero()) {
+  PlannedState moment{};
+  std::ranges::copy(left_m, moment.foot_position[0]);
+  std::ranges::copy(right_m, moment.foot_position[1]);
+  moment.foot_yaw[0] = left_yaw_rad;
+  std::ranges::fill(moment.on_ground, 1U);
   return moment;
 }
 
 class RobotFramesTest : public ::testing::Test {
  protected:
-  void update(const std::optional<PlannedMoment>& moment = std::nullopt) {
+  void update(const std::optional<PlannedState>& moment = std::nullopt) {
     now_ns += kSlot_ns;
-    frames.update(now_ns, position_rad, velocity_rad_per_s, estimate, moment);
+    frames.update(now_ns, position_rad, velocity_rad_per_s, estimate, moment ? &*moment : nullptr);
   }
 
   std::vector<double> position_rad = home();
@@ -102,8 +104,8 @@ TEST_F(RobotFramesTest, TakesTheWaistOutOfTheTrunksAttitude) {
 TEST_F(RobotFramesTest, LeavesThePlanWhereItIsWhileThatHasTheSupportFootInTheAir) {
   update(planned({1.0, 0.0, 0.0}, 0.0));
   const Eigen::Isometry3d before = frames.odom_from_plan();
-  PlannedMoment lifted = planned({1.2, 0.0, 0.02}, 0.0);
-  lifted.feet[0].on_ground = false;
+  PlannedState lifted = planned({1.2, 0.0, 0.02}, 0.0);
+  lifted.on_ground[0] = 0;
   update(lifted);
   EXPECT_TRUE(frames.odom_from_plan().isApprox(before, 1e-12));
 }

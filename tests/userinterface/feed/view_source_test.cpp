@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gaitway/api/feed.hpp"
+#include "gaitway/api/plan_digest.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "humanoid.hpp"
@@ -28,6 +29,7 @@ class WatchedRobot {
     });
     while (static_cast<double>(run.now_ns()) < time_s * 1e9) {
       run.advance_millisecond();
+      digest.step(run.now_ns());
       feed.poll(run.now_ns(), sink);
     }
   }
@@ -36,6 +38,7 @@ class WatchedRobot {
   }
 
   simulator::Cosimulation run{humanoid(), options()};
+  PlanDigest digest{run.client()};
   Feed feed{run.client(), humanoid()};
   ViewSource source{run.client(), humanoid()};
 

@@ -18,7 +18,7 @@ class RecordedRobot : public RobotPort {
  public:
   std::vector<std::string> told;  // "walk", "stand", "stop", ... in their order
   std::vector<Velocity> velocities;
-  std::vector<std::int64_t> validities_ns;
+  std::vector<std::int64_t> validities_ns, ages_ns;  // of velocities
   std::vector<PluginOrder> orders;
   std::string moved_joint;  // "2 0.5 1.5": joint, position, duration
   std::deque<OrderResult> results;
@@ -33,16 +33,20 @@ class RecordedRobot : public RobotPort {
   bool recording = false;
   std::vector<RecordingStatus> recording_list;
   std::uint32_t last_number = 0;
+  std::uint32_t last_velocity = 1'000'000;  // its number
 
   [[nodiscard]] std::int64_t now_ns() const override { return time_ns; }
   [[nodiscard]] bool connected() const override { return is_connected; }
   [[nodiscard]] bool emergency_stopped() const override { return is_emergency_stopped; }
 
-  void walk(const Velocity& velocity, std::int64_t valid_ns) override {
+  std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t valid_ns,
+                                    std::int64_t age_ns) override {
+    ages_ns.push_back(age_ns);
     told.emplace_back("walk");
     velocities.push_back(velocity);
     validities_ns.push_back(valid_ns);
     walking = true;
+    return is_blocked ? std::nullopt : std::optional(++last_velocity);
   }
   void stand() override {
     told.emplace_back("stand");
@@ -52,13 +56,14 @@ class RecordedRobot : public RobotPort {
   std::optional<std::uint32_t> emergency_stop(bool soft) override {
     return note(soft ? "emergency_stop soft" : "emergency_stop hold");
   }
-  std::optional<std::uint32_t> release() override { return note("release"); }
-  std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) override {
+  std::optional<std::uint32_t> release(std::int64_t) override { return note("release"); }
+  std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s,
+                                          std::int64_t) override {
     moved_joint =
         std::to_string(joint) + " " + std::to_string(position_rad) + " " + std::to_string(duration_s);
     return note("move_joint");
   }
-  std::optional<std::uint32_t> play_motion(std::string_view name) override {
+  std::optional<std::uint32_t> play_motion(std::string_view name, std::int64_t) override {
     if (name.empty()) {
       return std::nullopt;  // what a stand means, too, and nobody waits for
     }

@@ -9,10 +9,7 @@
 //       fallback: safe_tail                        # see FallbackKind
 //       give_up_after: {faults: 20, within: 2 s, batches: 8}
 //       isolation: process                         # in a process of its own; default: none. For such a one:
-//       network: serve                             # it may open sockets while it is constructed, and accept
-//                                                  # connections ever after
-//       writes: recordings                         # the only folder in which it may create files; from the
-//                                                  # configuration's folder
+//       sockets: local                             # it may use Unix sockets; default: none
 //       descriptors: 512                           # open files, 16..4096
 //       memory: 1 GiB                              # address space, 64 MiB..64 GiB
 #pragma once
@@ -88,9 +85,8 @@ struct ContainmentSettings {
 
 // Of a plug-in with Isolation::process.
 struct ChildSettings {
-  bool serves_network = false;
-  std::filesystem::path writes;          // absolute; empty: none
-  std::uint32_t descriptor_limit = 0;    // 0: what all have
+  bool local_sockets = false;          // it may use Unix sockets: for a link to another process of the robot
+  std::uint32_t descriptor_limit = 0;  // 0: what all have
   std::uint64_t memory_limit_bytes = 0;  // 0: the same
 };
 

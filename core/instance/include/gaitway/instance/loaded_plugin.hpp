@@ -38,7 +38,6 @@ class LoadedPlugin final : public ManagedPlugin, private PluginSurroundings {
   // What the plug-in is offered.
   [[nodiscard]] const char* robot_directory() const noexcept override { return robot_directory_.c_str(); }
   [[nodiscard]] const char* memory_socket() const noexcept override { return memory_socket_.c_str(); }
-  [[nodiscard]] const char* write_folder() const noexcept override { return ""; }
   gaitway_status read(gaitway_port& port, void* value, gaitway_sample& sample) noexcept override {
     return reinterpret_cast<TopicPort&>(port).read(value, sample);
   }

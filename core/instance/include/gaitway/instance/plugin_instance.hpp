@@ -48,7 +48,6 @@ class PluginSurroundings {
  public:
   [[nodiscard]] virtual const char* robot_directory() const noexcept = 0;
   [[nodiscard]] virtual const char* memory_socket() const noexcept = 0;
-  [[nodiscard]] virtual const char* write_folder() const noexcept = 0;
   virtual gaitway_status read(gaitway_port& port, void* value, gaitway_sample& sample) noexcept = 0;
   // In a step only.
   virtual gaitway_status publish(gaitway_port& port, const void* value) noexcept = 0;

@@ -30,16 +30,15 @@ struct IsolationOptions {
 // The same as a plug-in's own settings have it.
 [[nodiscard]] inline IsolationOptions options_for(const ChildSettings& settings,
                                                   IsolationOptions options) noexcept {
-  constexpr std::int64_t kNetworkHang_ns = 500'000'000;
+  constexpr std::int64_t kLinkHang_ns = 500'000'000;
   if (settings.descriptor_limit != 0) {
     options.descriptor_limit = settings.descriptor_limit;
   }
   if (settings.memory_limit_bytes != 0 && options.memory_limit_bytes != 0) {
     options.memory_limit_bytes = settings.memory_limit_bytes;
   }
-  if (settings.serves_network) {
-    // It has no priority, and nobody waits for what it does.
-    options.hang_ns = std::max(options.hang_ns, kNetworkHang_ns);
+  if (settings.local_sockets) {
+    options.hang_ns = std::max(options.hang_ns, kLinkHang_ns);  // nobody waits for what it does
   }
   return options;
 }
@@ -48,8 +47,8 @@ struct IsolationOptions {
 // each run of one seed does the same.
 class RestartRule {
  public:
-  RestartRule(const IsolationOptions& options, bool serves_network) noexcept
-      : options_(options), serves_network_(serves_network) {}
+  RestartRule(const IsolationOptions& options, bool local_sockets) noexcept
+      : options_(options), local_sockets_(local_sockets) {}
 
   void note_start(std::int64_t now_ns) noexcept { started_ns_[starts_++ % started_ns_.size()] = now_ns; }
   void note_return(std::int64_t now_ns) noexcept { returned_ns_ = now_ns; }
@@ -63,12 +62,12 @@ class RestartRule {
                       [&](std::int64_t at) { return now_ns - at < options_.replacement_window_ns; }));
   }
   [[nodiscard]] bool gives_up(std::int64_t now_ns) const noexcept {
-    return !serves_network_ && recent(now_ns) >= options_.replacements;
+    return !local_sockets_ && recent(now_ns) >= options_.replacements;
   }
-  // Of a loss now. One that serves the network is always replaced, or whoever can end it could shut the door;
+  // Of a loss now. One that users reach the robot through is always replaced;
   // but the oftener the later. `ran`: it was in service.
   [[nodiscard]] std::int64_t delay_ns(std::int64_t now_ns, bool ran) noexcept {
-    if (!serves_network_) {
+    if (!local_sockets_) {
       return options_.restart_delay_ns;
     }
     if (ran && now_ns - returned_ns_ >= options_.replacement_window_ns) {
@@ -84,7 +83,7 @@ class RestartRule {
   static constexpr std::uint32_t kMostDoublings = 8;
 
   const IsolationOptions& options_;
-  const bool serves_network_;
+  const bool local_sockets_;
   std::array<std::int64_t, 8> started_ns_{};  // ring of the last ones
   std::uint64_t starts_ = 0;
   std::int64_t returned_ns_ = 0;

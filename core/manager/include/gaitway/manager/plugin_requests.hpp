@@ -2,7 +2,7 @@
 // `api_plugin_request` by turns, answered in the stream `plugin_answer`. What takes its time or allocates is
 // done by a second thread, which the binary owns. What comes over the network (`api_plugin_request`) names
 // libraries of the search path and no other files: who can write a file somewhere must not have it run here.
-// And it takes no plug-in away that serves the network: nothing could bring that back from there.
+// And it takes no plug-in away that keeps the link: nothing could bring that back from there.
 #pragma once
 
 #include <array>

@@ -89,7 +89,7 @@ class PluginSet {
   // tick's thread, which alone changes values.
   void copy_value(std::string_view plugin, std::size_t parameter, std::span<char> to) const noexcept;
   // Whether it faces the network. False if there is no such plug-in.
-  [[nodiscard]] bool serves_network(std::string_view plugin) const noexcept;
+  [[nodiscard]] bool local_sockets(std::string_view plugin) const noexcept;
   [[nodiscard]] std::vector<PluginTiming> timings() const;
 
  private:

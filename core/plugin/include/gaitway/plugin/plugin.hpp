@@ -251,12 +251,6 @@ class Setup {
     const gaitway_network* const network = network_functions();
     return network == nullptr ? "" : network->memory_socket(host_->context);
   }
-  // With `network: serve`: the folder that the configuration's key `writes` names, the only one in which
-  // files may be created; else empty.
-  [[nodiscard]] std::filesystem::path write_folder() const {
-    const gaitway_network* const network = network_functions();
-    return network == nullptr ? "" : network->write_folder(host_->context);
-  }
   [[nodiscard]] Reporter reporter() const noexcept { return Reporter(host_); }
 
  private:

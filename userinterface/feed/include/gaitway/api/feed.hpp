@@ -6,6 +6,7 @@
 
 #include "gaitway/api/publication_sink.hpp"
 #include "gaitway/msgclient/client.hpp"
+#include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::api {
@@ -14,7 +15,8 @@ namespace gaitway::api {
 //
 //   /joint_states, /imu/data, /foot/*/wrench   with each new value, stamped with its arrival at the message
 //   controller /odom, /tf, /com, /zmp                     with each new estimate; /tf without odom when none
-//   comes /clock, /zmp/reference, /footsteps         when the robot's clock passes a multiple of 10 ms
+//   comes /clock                                     when the robot's clock passes a multiple of 10 ms
+//   /zmp/reference, /footsteps                 with each new planned state
 //   /diagnostics                               each second, of the robot's clock or of the caller's
 //   /motion_state                              as it changes, and with each batch while a motion plays
 //   /robot_state                               as it changes
@@ -55,6 +57,8 @@ class Feed {
   void publish_frames(PublicationSink& sink);
   void publish_transforms(PublicationSink& sink, bool with_base);
   void publish_at_slot_edge(PublicationSink& sink);
+  [[nodiscard]] const PlannedState* planned() const noexcept;
+  void publish_planned(PublicationSink& sink);
   void publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink);
   void publish_motion(PublicationSink& sink);
   void publish_robot_state(PublicationSink& sink);

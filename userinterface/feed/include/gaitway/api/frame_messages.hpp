@@ -57,11 +57,9 @@ void fill(ros::PointStamped& message, const Eigen::Isometry3d& odom_from_frame,
 class Footsteps {
  public:
   Footsteps();
-  // The plan's footsteps that land after `instant_ns`, in their order; none without plan (nullptr). Tells
-  // whether they differ from those of the last call, in the frame `plan`; the message is made anew in that
-  // case alone.
-  [[nodiscard]] bool update(const MotionPlan* plan, std::int64_t instant_ns,
-                            const Eigen::Isometry3d& odom_from_plan);
+  // Tells whether the footsteps differ from those of the last call, in the frame `plan`; the message is made
+  // anew in that case alone.
+  [[nodiscard]] bool update(const PlannedState& planned, const Eigen::Isometry3d& odom_from_plan);
   [[nodiscard]] const ros::PoseArray& message() const noexcept { return message_; }
 
  private:

@@ -20,7 +20,6 @@
 #include <span>
 #include <vector>
 
-#include "gaitway/api/planned_motion.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -33,10 +32,10 @@ class RobotFrames {
   explicit RobotFrames(const urdf::RobotModel& model);
 
   // position_rad, velocity_rad_per_s: one value a joint, measured at `instant_ns`. `planned`: at that
-  // instant, if there is a plan.
+  // instant; nullptr without a plan.
   void update(std::int64_t instant_ns, std::span<const double> position_rad,
               std::span<const double> velocity_rad_per_s, const Estimate& estimate,
-              const std::optional<PlannedMoment>& planned) noexcept;
+              const PlannedState* planned) noexcept;
   // The robot's clock began anew: nothing is known.
   void reset() noexcept;
 

@@ -23,9 +23,15 @@ struct Order {
 
 class ControllerEnd final : public LinkEnd {
  public:
-  // The identity's role is that of the controller; the time that it is told is the robot's. Allocates; throws
-  // std::invalid_argument as LinkEnd and StateSender do.
+  // The identity's role is that of the controller. Allocates; throws std::invalid_argument as LinkEnd and
+  // StateSender do.
   ControllerEnd(LinkIdentity identity, std::span<const Channel> channels, const LinkSettings& settings);
+
+  // What the robot's clock shows at `now_ns` of the own one, by which expiries are judged. Until this is
+  // told, the own clock is the robot's.
+  void set_robot_time(std::int64_t robot_ns, std::int64_t now_ns) noexcept {
+    set_shown_clock(robot_ns, now_ns);
+  }
 
   // The next order to be carried out now; each comes once, in the order in which they were given. Those that
   // are late are answered so, and left out. After the end of a session nothing of it comes any more.
@@ -37,6 +43,7 @@ class ControllerEnd final : public LinkEnd {
 
   // How many stops were asked for since this was made, and which of them are obeyed: see StopListener.
   [[nodiscard]] const StopCounts& stops_asked() const noexcept { return stops_.asked(); }
+  [[nodiscard]] const StopCounts& stops_heard() const noexcept { return stops_.heard(); }
   void stops_obeyed(const StopCounts& obeyed) noexcept { stops_.obeyed(obeyed); }
 
   // The newest value of a channel: see StateSender::publish.

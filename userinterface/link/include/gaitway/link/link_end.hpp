@@ -70,12 +70,20 @@ class LinkEnd {
   virtual void on_status(const Status& /*status*/, std::int64_t /*now_ns*/) noexcept {}
   virtual void on_session_begin() noexcept = 0;
   virtual void on_session_end() noexcept = 0;
+  // Its times go out this much later than its own clock has them.
+  void set_shown_clock(std::int64_t shown_ns, std::int64_t now_ns) noexcept {
+    shown_ahead_ns_ = shown_ns - now_ns;
+  }
+  [[nodiscard]] std::int64_t shown_ns(std::int64_t now_ns) const noexcept { return now_ns + shown_ahead_ns_; }
   // The last message for which there is room.
   [[nodiscard]] virtual std::uint32_t message_limit() const noexcept = 0;
 
   // At most what the other end's clock shows: its last time that came, and what has passed here since.
   // Nothing without a session.
   [[nodiscard]] std::optional<std::int64_t> peer_time_ns(std::int64_t now_ns) const noexcept;
+  [[nodiscard]] std::optional<std::int64_t> peer_clock_ns() const noexcept {
+    return session_.open() ? std::optional(peer_time_ns_) : std::nullopt;
+  }
   [[nodiscard]] MessageSender& outgoing() noexcept { return outgoing_; }
   [[nodiscard]] const MessageSender& outgoing() const noexcept { return outgoing_; }
 
@@ -98,6 +106,7 @@ class LinkEnd {
   std::array<std::uint8_t, kMostFrameBytes> wire_{};
   std::size_t wire_size_ = 0, wire_taken_ = 0;
   std::int64_t status_sent_ns_ = 0;
+  std::int64_t shown_ahead_ns_ = 0;
   std::int64_t peer_time_ns_ = 0, peer_heard_ns_ = 0;
   bool part_came_ = false;  // or a repeated one: its sender lacks the confirmation
   std::uint32_t told_limit_ = 0;

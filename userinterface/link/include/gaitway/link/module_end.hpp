@@ -43,6 +43,9 @@ class ModuleEnd final : public LinkEnd {
     return peer_time_ns(now_ns);
   }
 
+  // The robot's clock as it was told last: it does not go on by itself. Nothing without a session.
+  [[nodiscard]] std::optional<std::int64_t> robot_clock_ns() const noexcept { return peer_clock_ns(); }
+
   // Always taken: see StopAsker.
   void stop(StopKind kind) noexcept { stops_.ask(kind); }
   [[nodiscard]] const StopAsker& stops() const noexcept { return stops_; }

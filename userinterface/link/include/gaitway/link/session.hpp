@@ -28,7 +28,8 @@ enum class SessionEnd : std::uint8_t {
   peer_anew,      // the other end was started again, or has ended the session
   wrong_version,  // the other end speaks another version of the protocol
   wrong_role,     // it has this end's own role: two modules, or two controllers
-  wrong_table     // it knows other channels or orders
+  wrong_table,    // it knows other channels or orders, or has another robot's description
+  occupied        // the controller has a session with another module
 };
 
 //             hello that has heard this end
@@ -58,7 +59,12 @@ class Session {
   // How many sessions this end has begun.
   [[nodiscard]] std::uint32_t count() const noexcept { return begun_; }
   [[nodiscard]] std::uint64_t peer_boot() const noexcept { return peer_.boot; }
+  // As it calls itself, for people: printable.
+  [[nodiscard]] std::string peer_name() const;
   [[nodiscard]] SessionEnd why() const noexcept { return end_; }
+  // For a module that comes while the controller has a session with another one: what refuses it, with the
+  // other one's name in the place of the own.
+  [[nodiscard]] Hello refusal_of_another() const noexcept;
   // Whole frames that belonged to no session of now.
   [[nodiscard]] std::uint64_t strangers() const noexcept { return strangers_; }
   // Why there is no session, for people: names both sides' versions, names and tables. Allocates.
@@ -70,6 +76,7 @@ class Session {
 
   Hello self_;
   Identity peer_;
+  std::array<char, 24> peer_name_{};
   Hello refused_;  // the last hello that did not fit
   std::int64_t hello_period_ns_, silence_ns_;
   SessionEnd end_ = SessionEnd::not_begun;

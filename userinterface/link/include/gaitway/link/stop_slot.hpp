@@ -40,6 +40,8 @@ class StopListener {
   void on_stop(const StopMessage& stop, std::uint64_t boot) noexcept;
   // Stops of all modules since this was made: for the topic `stop_request`.
   [[nodiscard]] const StopCounts& asked() const noexcept { return asked_; }
+  // The same of the module that is linked now, in its own counts.
+  [[nodiscard]] const StopCounts& heard() const noexcept { return heard_; }
   // Which of them are obeyed: from the topic `stop_answer`.
   void obeyed(const StopCounts& obeyed) noexcept;
   // What to answer now; nothing while nobody asked and nothing has changed.

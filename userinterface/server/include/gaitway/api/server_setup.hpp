@@ -33,8 +33,10 @@ struct ServerOptions {
   Limits limits;
   std::size_t header_bytes = std::size_t{8} * 1024;  // of the request with which a client connects
   std::size_t send_buffer_bytes =
-      std::size_t{64} * 1024;                  // in the kernel, for each client: a slow one sees old data
-  std::int64_t ping_ns = 300'000'000;          // between pings
+      std::size_t{64} * 1024;          // in the kernel, for each client: a slow one sees old data
+  std::int64_t ping_ns = 100'000'000;  // between pings
+  std::int64_t order_ping_ns =
+      50'000'000;  // the same of clients that give orders: their answers date what comes after
   std::int64_t closing_ns = 500'000'000;       // from the decision to close a connection to its end
   std::int64_t page_ns = 20'000'000'000;       // in which a browser takes a file of the page
   std::int64_t accept_pause_ns = 100'000'000;  // before accepting again, when descriptors or memory ran out

@@ -26,6 +26,9 @@ class Connection {
   // Close after what waits has been written, at the latest after a short while. `reason`: for people, at most
   // 123 bytes; `code`: of the WebSocket protocol (1008 policy violation, 1009 too big, 1013 try again later).
   virtual void close(std::uint16_t code, std::string_view reason) noexcept = 0;
+  // So long ago, at most, the client sent the message that is being taken: it sent it after it had answered a
+  // ping of then. 0: as good as now.
+  [[nodiscard]] virtual std::int64_t message_age_ns(std::int64_t /*wall_ns*/) const noexcept { return 0; }
   // The client has shown a token that is not the right one.
   virtual void shown_wrong_token() noexcept = 0;
 };
@@ -41,6 +44,8 @@ class Session {
   [[nodiscard]] virtual bool is_urgent(std::string_view message, bool binary) const noexcept = 0;
   // The next frame to write.
   virtual std::optional<Frame> next_frame(std::int64_t wall_ns) = 0;
+  // Whether it gives orders, so that it must be known how old its messages are.
+  [[nodiscard]] virtual bool gives_orders() const noexcept { return false; }
   // Whether the client has shown that it may be here.
   [[nodiscard]] virtual bool authorised() const noexcept = 0;
 };

@@ -21,6 +21,7 @@ struct Claimant {
   std::string name;                        // for people: its address, or as it calls itself
   std::uint64_t stops_seen = 0;            // up to which it may take the command without asking for it
   std::optional<std::int64_t> tried_ns{};  // its latest command, granted or not
+  std::int64_t age_ns = 0;                 // so long ago, at most, it sent what is carried out now
   bool overtaken = false;                  // what it asks for was sent before a stop that it has called since
 };
 
@@ -49,6 +50,8 @@ class Authority {
   bool leave(const Claimant& claimant) noexcept;
   // Somebody has stopped the robot: nobody else commands it any more.
   void stop(Claimant& by) noexcept;
+  // The way to the robot was lost: nobody commands it any more, as after a stop.
+  void end_all() noexcept;
   // True: a lease has run out since this was asked last.
   bool lapse(std::int64_t now_ns) noexcept;
 

@@ -54,6 +54,9 @@ class Hub final : public SessionHub {
   std::unique_ptr<Session> open(Connection& connection, std::string peer, bool authorised,
                                 std::int64_t wall_ns) override;
   void step(std::int64_t wall_ns) override;
+  // The link to the robot was lost, or is there again: nobody commands, and who did must take the command
+  // again.
+  void robot_lost();
   // Passes on the answers of the robot; step() does so, too.
   void answer(std::int64_t wall_ns);
 

@@ -1,5 +1,5 @@
-// What the API may do to the robot: the whole of it. Implemented over the memory block in the plug-in, and by
-// a recorder in tests.
+// What the API may do to the robot: the whole of it. Implemented over the link to the main controller in the
+// module, and by a recorder in tests.
 #pragma once
 
 #include <cstddef>
@@ -67,7 +67,8 @@ struct OrderResult {
   RecordingList recordings = {};  // of list_recordings()
 };
 
-// None of these blocks. Numbers of orders are never 0.
+// None of these blocks. Numbers of orders are never 0. `age_ns`: so long ago, at most, the client gave the
+// order; the robot does not carry out what has become older than its kind may be.
 class RobotPort {
  public:
   virtual ~RobotPort() = default;
@@ -80,7 +81,8 @@ class RobotPort {
   [[nodiscard]] virtual bool emergency_stopped() const = 0;
 
   // Walk with this velocity until so much robot time has passed without a new command.
-  virtual void walk(const Velocity& velocity, std::int64_t valid_ns) = 0;
+  virtual std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t holds_ns,
+                                            std::int64_t age_ns) = 0;
   // End the walk by the next steps, and stand. A motion goes on.
   virtual void stand() = 0;
 
@@ -89,10 +91,11 @@ class RobotPort {
   virtual std::optional<std::uint32_t> stop() = 0;  // plays the safe tail at once
   virtual std::optional<std::uint32_t> emergency_stop(bool soft) = 0;
   // Ends an emergency stop: the joints hold where they are, and the robot goes to its stand from there.
-  virtual std::optional<std::uint32_t> release() = 0;
-  virtual std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s) = 0;
+  virtual std::optional<std::uint32_t> release(std::int64_t age_ns) = 0;
+  virtual std::optional<std::uint32_t> move_joint(int joint, double position_rad, double duration_s,
+                                                  std::int64_t age_ns) = 0;
   // An empty name: leave the motion that plays, if any. Answered when it begins, or is refused.
-  virtual std::optional<std::uint32_t> play_motion(std::string_view name) = 0;
+  virtual std::optional<std::uint32_t> play_motion(std::string_view name, std::int64_t age_ns) = 0;
   virtual std::optional<std::uint32_t> order(const PluginOrder& order) = 0;
   virtual std::optional<OrderResult> take_result() = 0;
 

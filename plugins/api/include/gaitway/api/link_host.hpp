@@ -1,0 +1,43 @@
+// The link's carrier at the main controller: a socket at which the module connects, or a serial line.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gaitway/link/carrier.hpp"
+#include "gaitway/link/controller_end.hpp"
+#include "gaitway/link/link_address.hpp"
+#include "gaitway/link/unix_carrier.hpp"
+#include "gaitway/process/listening_socket.hpp"
+
+namespace gaitway::api {
+
+// One module at a time: another one that connects meanwhile is told who has the link, and turned away.
+class LinkHost {
+ public:
+  // Opens all that it needs: throws process::SocketError, link::SerialError.
+  explicit LinkHost(const link::LinkAddress& address);
+
+  // Waits until something has come, for at most `most_ms`; then brings the end and its carrier together.
+  void wait(int most_ms) const;
+  void pump(link::ControllerEnd& end, std::int64_t now_ns);
+  // News for people: who was turned away, what link there is; empty: none.
+  [[nodiscard]] std::string take_report();
+
+ private:
+  void accept(link::ControllerEnd& end, std::int64_t now_ns);
+  void turn_away(process::FileDescriptor connection, const link::ControllerEnd& end);
+  void follow_session(const link::ControllerEnd& end);
+
+  std::optional<process::ListeningSocket> listener_;
+  std::unique_ptr<link::Carrier> carrier_;
+  int wake_fd_ = -1;
+  bool is_connection_ = false;  // of the listener's
+  std::uint32_t session_ = 0;
+  std::string report_;
+};
+
+}  // namespace gaitway::api

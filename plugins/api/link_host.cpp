@@ -1,0 +1,93 @@
+// Accepts, turns away, and says so.
+#include "gaitway/api/link_host.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <array>
+#include <utility>
+
+#include "gaitway/link/frame_codec.hpp"
+#include "gaitway/link/messages.hpp"
+#include "gaitway/link/serial_carrier.hpp"
+
+namespace gaitway::api {
+
+LinkHost::LinkHost(const link::LinkAddress& address) {
+  if (address.kind == link::LinkAddress::Kind::serial) {
+    auto serial = std::make_unique<link::SerialCarrier>(address.path, address.baud);
+    wake_fd_ = serial->wake_fd();
+    carrier_ = std::move(serial);
+  } else {
+    listener_.emplace(address.path, "api");
+  }
+}
+
+void LinkHost::wait(int most_ms) const {
+  std::array<pollfd, 2> wakes{pollfd{wake_fd_, POLLIN, 0},  // -1 is left out
+                              pollfd{listener_ ? listener_->wake_fd() : -1, POLLIN, 0}};
+  poll(wakes.data(), wakes.size(), most_ms);
+}
+
+void LinkHost::pump(link::ControllerEnd& end, std::int64_t now_ns) {
+  if (listener_) {
+    accept(end, now_ns);
+  }
+  if (carrier_ != nullptr) {
+    link::pump(end, *carrier_, now_ns);
+    if (is_connection_ && !carrier_->connected()) {
+      carrier_.reset();
+      wake_fd_ = -1;
+    }
+  } else {
+    end.step(now_ns);
+  }
+  follow_session(end);
+}
+
+void LinkHost::accept(link::ControllerEnd& end, std::int64_t now_ns) {
+  constexpr int kMostAtOnce = 4;
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    process::FileDescriptor connection = listener_->accept();
+    if (!connection) {
+      return;
+    }
+    if (carrier_ != nullptr && end.session().open()) {
+      link::pump(end, *carrier_, now_ns);  // perhaps it has just gone
+      if (carrier_->connected()) {
+        turn_away(std::move(connection), end);
+        continue;
+      }
+    }
+    end.cut(now_ns);
+    auto carrier = std::make_unique<link::UnixCarrier>(std::move(connection));
+    wake_fd_ = carrier->wake_fd();
+    carrier_ = std::move(carrier);
+    is_connection_ = true;
+  }
+}
+
+void LinkHost::turn_away(process::FileDescriptor connection, const link::ControllerEnd& end) {
+  std::array<std::uint8_t, link::kMostContentBytes> content{};
+  std::array<std::uint8_t, link::kMostFrameBytes> frame{};
+  const std::size_t size = link::encode(end.session().refusal_of_another(), content);
+  const std::size_t bytes = link::encode_frame(link::Bytes(content).first(size), frame);
+  link::UnixCarrier(std::move(connection)).write(link::Bytes(frame).first(bytes));
+  report_ = fmt::format("another user interface module wants the link that '{}' has, and was turned away",
+                        end.session().peer_name());
+}
+
+void LinkHost::follow_session(const link::ControllerEnd& end) {
+  const std::uint32_t session = end.session().open() ? end.session().count() : 0;
+  if (std::exchange(session_, session) == session) {
+    return;
+  }
+  report_ = session != 0 ? fmt::format("linked to '{}'", end.session().peer_name())
+                         : fmt::format("the link to the user interface module is lost: {}", end.session().description());
+}
+
+std::string LinkHost::take_report() {
+  return std::exchange(report_, {});
+}
+
+}  // namespace gaitway::api

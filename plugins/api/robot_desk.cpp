@@ -1,0 +1,236 @@
+// Orders into queues, answers back by their numbers.
+#include "gaitway/api/robot_desk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <span>
+
+namespace gaitway::api {
+namespace {
+
+using contract::OrderKind;
+using contract::OrderResultCode;
+
+bool moves(const link::Order& order) noexcept {
+  return static_cast<OrderKind>(order.kind) != OrderKind::plugin_request;
+}
+
+std::uint32_t asked(std::uint32_t at_start, std::uint32_t count) noexcept {
+  return at_start + count;  // counts go round
+}
+
+}  // namespace
+
+RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot, const RobotDeskOptions& options)
+    : client_(client),
+      codec_{robot.joints.size()},
+      end_({.role = link::Role::controller,
+            .boot = options.boot,
+            .table_hash = contract::table_hash(robot),
+            .name = options.name},
+           contract::link_channels(codec_), options.link),
+      plans_(client),
+      state_(client, codec_, options.narrow),
+      walk_requests_(client.write<WalkCommand>("walk_request")),
+      stop_requests_(client.write<StopRequest>("stop_request")),
+      stop_answers_(client.read<StopRequest>("stop_answer")),
+      commands_(client.write_queue<UserCommand>("user_command")),
+      command_answers_(client.read_stream<UserCommandAnswer>("user_command_answer")),
+      requests_(client.write_queue<PluginRequest>("api_plugin_request")),
+      request_answers_(client.read_stream<PluginAnswer>("plugin_answer")),
+      motion_requests_(client.write<MotionRequest>("motion_request")),
+      motion_states_(client.read<MotionState>("motion_state")),
+      last_number_(std::random_device{}()) {  // answers to a process before this one are not ours
+  // Goes on from what was obeyed, never from what a process before this one has left in its own topic.
+  static_cast<void>(stop_answers_.read(stops_at_start_));
+  stop_requests_.publish(stops_at_start_, client_.heartbeat_ns());
+}
+
+void RobotDesk::step(std::int64_t now_ns) {
+  const std::int64_t robot_ns = client_.heartbeat_ns();
+  end_.set_robot_time(robot_ns, now_ns);
+  end_.step(now_ns);
+  const std::uint32_t session = end_.session().open() ? end_.session().count() : 0;
+  if (session != session_) {
+    session_ = session;
+    awaited_.clear();
+    motions_.clear();
+    if (walks_) {
+      stand(robot_ns);
+    }
+  }
+  pass_stops_on(robot_ns);
+  while (const auto order = end_.next_order(now_ns)) {
+    carry_out(*order, robot_ns);
+  }
+  take_answers();
+  plans_.step(robot_ns);
+  state_.step(end_, robot_ns);
+}
+
+void RobotDesk::pass_stops_on(std::int64_t robot_ns) {
+  const link::StopCounts& counts = end_.stops_asked();
+  if (counts != stops_passed_on_) {
+    stops_passed_on_ = counts;
+    StopRequest request = stops_at_start_;
+    request.stamp_ns = robot_ns;
+    request.stops = asked(stops_at_start_.stops, counts.stops);
+    request.holds = asked(stops_at_start_.holds, counts.holds);
+    request.softs = asked(stops_at_start_.softs, counts.softs);
+    stop_requests_.publish(request, robot_ns);
+    stand(robot_ns);  // nobody walks on after a stop
+  }
+  StopRequest obeyed;
+  if (stop_answers_.read(obeyed)) {
+    end_.stops_obeyed({obeyed.stops - stops_at_start_.stops, obeyed.holds - stops_at_start_.holds,
+                       obeyed.softs - stops_at_start_.softs});
+  }
+}
+
+void RobotDesk::carry_out(const link::Order& order, std::int64_t robot_ns) {
+  if (moves(order) && was_given_before_stop(order)) {
+    return refuse(order.id, OrderResultCode::stopped);
+  }
+  switch (static_cast<OrderKind>(order.kind)) {
+    case OrderKind::walk:
+      return walk(order, robot_ns);
+    case OrderKind::motion:
+      return play_motion(order, robot_ns);
+    case OrderKind::user_command:
+      return command(order, robot_ns);
+    case OrderKind::plugin_request:
+      return request_plugin(order, robot_ns);
+  }
+  refuse(order.id, OrderResultCode::unknown);
+}
+
+bool RobotDesk::was_given_before_stop(const link::Order& order) const noexcept {
+  std::uint32_t seen = 0;
+  for (std::size_t i = 0; i < std::min(order.payload.size(), contract::kStopsSeenBytes); ++i) {
+    seen |= std::uint32_t{order.payload[i]} << (8U * i);
+  }
+  const link::StopCounts& heard = end_.stops_heard();
+  return static_cast<std::int32_t>(seen - (heard.stops + heard.holds + heard.softs)) < 0;
+}
+
+template <class Request>
+bool RobotDesk::decode(const link::Order& order, Request& request) const noexcept {
+  const TypeDescriptor& type = TopicType<Request>::descriptor;
+  if (order.payload.size() <= contract::kStopsSeenBytes) {
+    return false;
+  }
+  const link::Bytes value = order.payload.subspan(contract::kStopsSeenBytes);
+  return codec_.decode(type, value, &request) == value.size() && contract::all_finite(type, &request);
+}
+
+void RobotDesk::refuse(link::OrderId id, OrderResultCode code) {
+  static_cast<void>(end_.answer(id, static_cast<std::uint16_t>(code), {}));
+}
+
+template <class Answer>
+void RobotDesk::answer(link::OrderId id, const Answer& value) {
+  std::array<std::uint8_t, link::kMostAnswerBytes> room{};
+  const std::size_t size = codec_.encode(TopicType<Answer>::descriptor, &value, room);
+  static_cast<void>(
+      end_.answer(id, static_cast<std::uint16_t>(OrderResultCode::done), std::span(room).first(size)));
+}
+
+void RobotDesk::walk(const link::Order& order, std::int64_t robot_ns) {
+  WalkCommand request;
+  if (!decode(order, request) || request.valid_until_ns < 0 || request.valid_until_ns > link::kMostTime_ns) {
+    return refuse(order.id, OrderResultCode::malformed);
+  }
+  request.stamp_ns = robot_ns;
+  request.valid_until_ns = request.walk == 0 ? 0 : robot_ns + request.valid_until_ns;
+  walks_ = request.walk != 0;
+  walk_requests_.publish(request, robot_ns);
+  refuse(order.id, OrderResultCode::done);
+}
+
+void RobotDesk::stand(std::int64_t robot_ns) {
+  WalkCommand request{};
+  request.stamp_ns = robot_ns;
+  walks_ = false;
+  walk_requests_.publish(request, robot_ns);
+}
+
+std::uint32_t RobotDesk::next_number() noexcept {
+  last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
+  return last_number_;
+}
+
+// A request that came before another one could be answered was never seen.
+void RobotDesk::play_motion(const link::Order& order, std::int64_t robot_ns) {
+  MotionRequest request;
+  if (!decode(order, request)) {
+    return refuse(order.id, OrderResultCode::malformed);
+  }
+  for (; !motions_.empty(); motions_.pop_front()) {
+    refuse(motions_.front().id, OrderResultCode::overtaken);
+  }
+  request.stamp_ns = robot_ns;
+  request.number = next_number();
+  motion_requests_.publish(request, robot_ns);
+  motions_.push_back({request.number, order.id});
+}
+
+void RobotDesk::command(const link::Order& order, std::int64_t robot_ns) {
+  UserCommand command;
+  if (!decode(order, command)) {
+    return refuse(order.id, OrderResultCode::malformed);
+  }
+  take_answers();  // the stream of answers holds as many as the queue: none is overwritten
+  command.number = next_number();
+  if (!commands_.push(command, robot_ns)) {
+    return refuse(order.id, OrderResultCode::full);
+  }
+  awaited_.emplace(command.number, order.id);
+}
+
+void RobotDesk::request_plugin(const link::Order& order, std::int64_t robot_ns) {
+  PluginRequest request;
+  if (!decode(order, request)) {
+    return refuse(order.id, OrderResultCode::malformed);
+  }
+  take_answers();
+  request.number = next_number();
+  if (!requests_.push(request, robot_ns)) {
+    return refuse(order.id, OrderResultCode::full);
+  }
+  awaited_.emplace(request.number, order.id);
+}
+
+void RobotDesk::take_answers() {
+  UserCommandAnswer obeyed;
+  while (command_answers_.read(obeyed)) {
+    if (const auto order = awaited_.extract(obeyed.number)) {
+      answer(order.mapped(), obeyed);
+    }
+  }
+  PluginAnswer done;
+  while (request_answers_.read(done)) {
+    if (const auto order = awaited_.extract(done.number)) {
+      answer(order.mapped(), done);
+    }
+  }
+  take_motion_answer();
+}
+
+void RobotDesk::take_motion_answer() {
+  if (motions_.empty() || motion_states_.newest_sequence() == motion_seen_) {
+    return;
+  }
+  MotionState state;
+  const auto read = motion_states_.read(state);
+  if (!read) {
+    return;
+  }
+  motion_seen_ = read.sequence;
+  if (state.answered == motions_.front().number) {
+    answer(motions_.front().id, state);
+    motions_.pop_front();
+  }
+}
+
+}  // namespace gaitway::api

@@ -1,0 +1,72 @@
+// Sizes and the hash of the table.
+#include "gaitway/contract/channel_table.hpp"
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "gaitway/contract/order_table.hpp"
+
+namespace gaitway::contract {
+namespace {
+
+constexpr std::uint32_t kLayoutVersion = 1;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
+constexpr std::size_t kEventHeadBytes = 20;
+
+std::string contents_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) {
+    throw urdf::RobotError("the robot's description '" + file.string() + "' cannot be read; check the file and its permissions");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<link::Channel> link_channels(const TopicCodec& codec) {
+  std::vector<link::Channel> channels;
+  for (const ChannelRow& row : kChannels) {
+    std::size_t bytes = 1;
+    for (const MirroredTopic& topic : row.topics) {
+      bytes += codec.most_bytes(*topic.type);
+    }
+    channels.push_back({row.name, bytes});
+  }
+  channels.push_back({"events", kEventHeadBytes + kKeptEvents * codec.most_bytes(TopicType<Event>::descriptor)});
+  return channels;
+}
+
+std::uint64_t table_hash(const urdf::RobotModel& robot) {
+  detail::Fnv1a64 hash;
+  hash.add_number(kLayoutVersion);
+  const auto add_type = [&hash](const TypeDescriptor* type) {
+    if (type != nullptr) {
+      hash.add(type->name);
+      hash.add_number(static_cast<std::uint32_t>(type->hash));
+      hash.add_number(static_cast<std::uint32_t>(type->hash >> 32U));
+    }
+  };
+  for (const ChannelRow& row : kChannels) {
+    hash.add(row.name);
+    for (const MirroredTopic& topic : row.topics) {
+      hash.add(topic.name);
+      add_type(topic.type);
+    }
+  }
+  add_type(&TopicType<Event>::descriptor);
+  for (const OrderRow& row : kOrders) {
+    hash.add_number(static_cast<std::uint32_t>(row.kind));
+    hash.add(row.name);
+    add_type(row.request);
+    add_type(row.answer);
+  }
+  hash.add_number(static_cast<std::uint32_t>(robot.joints.size()));
+  for (const char* const file : {"robot.urdf", "robot.yaml"}) {
+    hash.add(contents_of(robot.directory / file));
+  }
+  return hash.value();
+}
+
+}  // namespace gaitway::contract

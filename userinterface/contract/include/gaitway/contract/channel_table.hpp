@@ -1,0 +1,73 @@
+// Which topics the narrow link mirrors, in which channels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gaitway/contract/topic_codec.hpp"
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/link/state_sender.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::contract {
+
+struct MirroredTopic {
+  std::string_view name;
+  const TypeDescriptor* type;
+};
+
+// A channel's value: a byte whose bit i says that topic i is there, then those that are (topic_codec.hpp). Topics of one channel
+// arrive together: what belongs to one time slot is never mixed with another.
+struct ChannelRow {
+  std::string_view name;
+  std::span<const MirroredTopic> topics;
+  std::int64_t period_ns;         // between two values, at least
+  std::int64_t narrow_period_ns;  // the same on a carrier that is slower than a Unix socket
+};
+
+inline constexpr std::array kMotionTopics{MirroredTopic{"joint_states", &TopicType<JointStates>::descriptor},
+                                          MirroredTopic{"estimate", &TopicType<Estimate>::descriptor},
+                                          MirroredTopic{"planned_state", &TopicType<PlannedState>::descriptor}};
+inline constexpr std::array kSensorTopics{MirroredTopic{"foot_forces", &TopicType<FootForces>::descriptor},
+                                          MirroredTopic{"imu", &TopicType<Imu>::descriptor}};
+inline constexpr std::array kNetworkTopics{MirroredTopic{"network_state", &TopicType<NetworkState>::descriptor}};
+inline constexpr std::array kMotionStateTopics{
+    MirroredTopic{"motion_state", &TopicType<MotionState>::descriptor}};
+inline constexpr std::array kHealthTopics{
+    MirroredTopic{"network_health", &TopicType<NetworkHealth>::descriptor}};
+inline constexpr std::array kStatisticsTopics{
+    MirroredTopic{"plugin_statistics", &TopicType<PluginStatistics>::descriptor}};
+
+inline constexpr std::array kChannels{
+    ChannelRow{"motion", kMotionTopics, 0, 0},
+    ChannelRow{"sensors", kSensorTopics, 0, 10 * facts::kSlot_ns},
+    ChannelRow{"network", kNetworkTopics, 0, 5 * facts::kSlot_ns},
+    ChannelRow{"motion_state", kMotionStateTopics, 0, 0},
+    ChannelRow{"health", kHealthTopics, 10 * facts::kSlot_ns, 50 * facts::kSlot_ns},
+    ChannelRow{"statistics", kStatisticsTopics, 50 * facts::kSlot_ns, 100 * facts::kSlot_ns},
+};
+
+// Behind them: the newest events, each with its number, so that none is told twice and it is known which are lost.
+//
+//   the number of the first (counted since the plug-in's start, from 1), how many, the events (topic_codec.hpp)
+inline constexpr std::size_t kEventChannel = kChannels.size();
+inline constexpr std::size_t kKeptEvents = 8;
+
+// The link's table of channels for a robot.
+[[nodiscard]] std::vector<link::Channel> link_channels(const TopicCodec& codec);
+
+// By which both ends know that they mean the same: channels, orders, types, and the robot's description (robot.urdf and robot.yaml of
+// its folder). Throws urdf::RobotError when a file cannot be read.
+[[nodiscard]] std::uint64_t table_hash(const urdf::RobotModel& robot);
+
+// Which topics of a channel's value are there.
+[[nodiscard]] constexpr std::uint8_t topic_bit(std::size_t topic) noexcept {
+  return static_cast<std::uint8_t>(1U << topic);
+}
+
+}  // namespace gaitway::contract

@@ -1,0 +1,195 @@
+// The module's parts, in the order of their construction.
+#include "gaitway/api/door.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "gaitway/api/feed.hpp"
+#include "gaitway/api/hub.hpp"
+#include "gaitway/api/link_robot_port.hpp"
+#include "gaitway/api/link_thread.hpp"
+#include "gaitway/api/module_link.hpp"
+#include "gaitway/api/publication_sink.hpp"
+#include "gaitway/api/recorder.hpp"
+#include "gaitway/api/server.hpp"
+#include "gaitway/api/view_hub.hpp"
+#include "gaitway/api/view_source.hpp"
+#include "gaitway/page/asset_table.hpp"
+#include "gaitway/page/robot_assets.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+
+namespace gaitway::api {
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::uint64_t random_boot() {
+  std::random_device random;
+  const std::uint64_t high = random();
+  return (high << 32U | random()) | 1U;  // not 0
+}
+
+std::unique_ptr<Recorder> recorder_of(const DoorOptions& options) {
+  if (options.recordings.empty()) {
+    return nullptr;
+  }
+  std::error_code reason;
+  std::filesystem::create_directories(options.recordings, reason);
+  if (reason) {
+    throw std::runtime_error("--recordings '" + options.recordings.string() + "': the folder cannot be made: " + reason.message() +
+                             "; correct the path, or its rights");
+  }
+  return std::make_unique<Recorder>(options.recordings,
+                                    RecorderOptions{.limits = {.file_bytes = options.recording_bytes}});
+}
+
+std::function<bool(std::string_view)> token_check(const ServerSetup& setup) {
+  if (!setup.token()) {
+    return {};
+  }
+  return [token = *setup.token()](std::string_view offered) { return token.matches(offered); };
+}
+
+HubOptions hub_options(const DoorOptions& options, const ServerSetup& setup) {
+  HubOptions result;
+  result.limits = options.server.limits;
+  result.parameters["robot_description"] = read_text(options.robot / "robot.urdf");
+  result.is_token = token_check(setup);
+  return result;
+}
+
+page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits) {
+  constexpr double kSecond_ns = 1e9;
+  page::AssetTable assets;
+  page::add_page(assets);
+  page::add_robot(assets, robot,
+                  {.forward_m_per_s = limits.forward_m_per_s,
+                   .turn_rad_per_s = limits.turn_rad_per_s,
+                   .velocity_holds_s = static_cast<double>(limits.velocity_ns) / kSecond_ns,
+                   .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns});
+  return assets;
+}
+
+}  // namespace
+
+class Door::Impl {
+ public:
+  Impl(const DoorOptions& options, std::function<void(const std::string&)> tell)
+      : tell_(std::move(tell)),
+        robot_(urdf::load_robot(options.robot)),
+        setup_(options.server),
+        url_(setup_.url()),
+        link_(robot_, {.boot = random_boot()}),
+        topics_(link_.topics("feed")),
+        recorder_(recorder_of(options)),
+        port_(link_, robot_, recorder_.get()),
+        feed_(topics_, robot_),
+        view_source_(topics_, robot_),
+        assets_(assets_of(robot_, options.server.limits)),
+        hub_(port_, hub_options(options, setup_)),
+        view_hub_({.is_token = token_check(setup_),
+                   .authentication_ns = options.server.limits.authentication_ns}),
+        server_(hub_, std::move(setup_),
+                {.on_tick = [this](std::int64_t now_ns) { on_tick(now_ns); },
+                 .on_poll = [this](std::int64_t now_ns) { on_poll(now_ns); },
+                 .on_refusals = tell_},
+                {.assets = &assets_, .view = &view_hub_}),
+        link_thread_(link_, options.link, tell_) {}
+
+  void run() {
+    tell_("serves " + url_ + ", and the page at http" + url_.substr(2));
+    server_.run();
+  }
+  void stop() { server_.stop(); }
+  [[nodiscard]] const std::string& url() const noexcept { return url_; }
+
+ private:
+  void on_poll(std::int64_t now_ns) {
+    port_.observe(now_ns);
+    follow_session();
+    hub_.answer(now_ns);
+    GenericSink sink(
+        [this](Topic topic) {
+          return hub_.wanted(topic) || records(topic) || (view_hub_.watched() && ViewSource::wants(topic));
+        },
+        [this, now_ns](Topic topic, const auto& message, std::int64_t robot_ns) {
+          view_source_.take(topic, message, now_ns);
+          hub_.publish(topic, message);
+          if (records(topic)) {
+            recorder_->publish(topic, message, robot_ns);
+          }
+        });
+    feed_.poll(now_ns, sink);
+    tell_commander(sink);
+    if (view_hub_.due(now_ns)) {
+      view_hub_.show(view_source_.state(feed_.robot_ns(), feed_.heartbeat_age_ns(), hub_.commander(), now_ns),
+                     now_ns);
+    }
+  }
+  // Whoever commanded takes the command again when the link is back.
+  void follow_session() {
+    const std::uint32_t session = link_.open() ? link_.session() : 0;
+    if (std::exchange(session_, session) != session) {
+      hub_.robot_lost();
+    }
+  }
+  void tell_commander(PublicationSink& sink) {
+    if (commander_ && commander_->data == hub_.commander()) {
+      return;
+    }
+    commander_ = ros::String{std::string(hub_.commander())};
+    sink.publish(Topic::commander, *commander_, feed_.robot_ns());
+  }
+  void on_tick(std::int64_t now_ns) {
+    if (recorder_ == nullptr) {
+      return;
+    }
+    recorder_->step(now_ns);
+    if (const auto news = recorder_->take_report()) {
+      tell_(*news);
+    }
+  }
+  [[nodiscard]] bool records(Topic topic) const { return recorder_ != nullptr && recorder_->wants(topic); }
+
+  std::function<void(const std::string&)> tell_;
+  urdf::RobotModel robot_;
+  ServerSetup setup_;
+  std::string url_;
+  ModuleLink link_;
+  msgclient::Client topics_;
+  std::unique_ptr<Recorder> recorder_;
+  LinkRobotPort port_;
+  Feed feed_;
+  ViewSource view_source_;
+  page::AssetTable assets_;
+  Hub hub_;
+  std::optional<ros::String> commander_;  // as told last
+  std::uint32_t session_ = 0;             // of the link, as last seen
+  ViewHub view_hub_;
+  Server server_;
+  LinkThread link_thread_;
+};
+
+Door::Door(const DoorOptions& options, std::function<void(const std::string&)> tell)
+    : impl_(std::make_unique<Impl>(options, std::move(tell))) {}
+Door::~Door() = default;
+
+void Door::run() {
+  impl_->run();
+}
+void Door::stop() {
+  impl_->stop();
+}
+const std::string& Door::url() const noexcept {
+  return impl_->url();
+}
+
+}  // namespace gaitway::api
