@@ -83,7 +83,8 @@ void LinkHost::follow_session(const link::ControllerEnd& end) {
     return;
   }
   report_ = session != 0 ? fmt::format("linked to '{}'", end.session().peer_name())
-                         : fmt::format("the link to the user interface module is lost: {}", end.session().description());
+                         : fmt::format("the link to the user interface module is lost: {}",
+                                       end.session().description());
 }
 
 std::string LinkHost::take_report() {

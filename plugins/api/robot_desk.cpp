@@ -22,7 +22,8 @@ std::uint32_t asked(std::uint32_t at_start, std::uint32_t count) noexcept {
 
 }  // namespace
 
-RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot, const RobotDeskOptions& options)
+RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot,
+                     const RobotDeskOptions& options)
     : client_(client),
       codec_{robot.joints.size()},
       end_({.role = link::Role::controller,

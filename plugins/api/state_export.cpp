@@ -40,9 +40,10 @@ StateExport::StateExport(msgclient::Client& client, const contract::TopicCodec& 
     channel.period_ns = narrow ? row.narrow_period_ns : row.period_ns;
     channel.published_ns = channel.waits_since_ns = kNever;
     for (const contract::MirroredTopic& topic : row.topics) {
-      channel.topics.push_back({.type = topic.type,
-                                .reader = client.read_untyped(descriptor_of(topic)),
-                                .value = std::vector<std::uint64_t>(topic.type->size / sizeof(std::uint64_t))});
+      channel.topics.push_back(
+          {.type = topic.type,
+           .reader = client.read_untyped(descriptor_of(topic)),
+           .value = std::vector<std::uint64_t>(topic.type->size / sizeof(std::uint64_t))});
     }
   }
   std::size_t most = 0;
@@ -61,8 +62,8 @@ void StateExport::step(link::ControllerEnd& end, std::int64_t robot_ns) noexcept
   export_events(end, robot_ns);
 }
 
-// A channel of several topics is published when its second one, which comes after the first, is new; or a while after the first
-// without it.
+// A channel of several topics is published when its second one, which comes after the first, is new; or a
+// while after the first without it.
 bool StateExport::is_due(Channel& channel, std::int64_t robot_ns) noexcept {
   constexpr std::int64_t kPatience_ns = facts::kSlot_ns / 2;
   const auto is_new = [](const Topic& topic) { return topic.reader.newest_sequence() != topic.seen; };
@@ -116,7 +117,8 @@ void StateExport::export_events(link::ControllerEnd& end, std::int64_t robot_ns)
   std::size_t size = put_number(buffer_, event_count_ - count + 1);
   size += put_number(std::span(buffer_).subspan(size), count);
   for (std::uint64_t number = event_count_ - count + 1; number <= event_count_; ++number) {
-    size += codec_.encode(TopicType<Event>::descriptor, &kept_[number % kept_.size()], std::span(buffer_).subspan(size));
+    size += codec_.encode(TopicType<Event>::descriptor, &kept_[number % kept_.size()],
+                          std::span(buffer_).subspan(size));
   }
   static_cast<void>(end.publish(contract::kEventChannel, std::span(buffer_).first(size), robot_ns));
 }

@@ -1,5 +1,5 @@
-"""The API's process is killed while it drives the robot: the robot stands within the velocity command's time, nothing else is
-disturbed, the API is back within a second, and clients go on."""
+"""The user interface module is killed while it drives the robot, or the plug-in at the other end of its link: the robot stands within
+the velocity command's time, nothing else is disturbed, the API is back within a second, and clients go on."""
 import json
 import os
 import re
@@ -43,11 +43,11 @@ class ApiDeath(unittest.TestCase):
         self.assertFalse(self.robot.summary["fell"])
         self.assertEqual(self.robot.summary["batches"]["late"], 0)
         self.assertEqual(self.robot.summary["batches"]["refused"], 0)
-        times = [event["time_s"] for event in events if event["source"] == "api" and "new process" in event["text"]]
-        lost = [int(found.group(1)) for event in events
-                if event["source"] == "api" and (found := re.search(r"new process.* after (\d+) ms", event["text"]))]
-        self.assertEqual(len(times), deaths, events)
-        self.assertTrue(all(milliseconds <= 1000 for milliseconds in lost), lost)
+        lost = [event["time_s"] for event in events if event["source"] == "api" and "is lost" in event["text"]]
+        back = [event["time_s"] for event in events if event["source"] == "api" and "linked to 'user_interface'" in event["text"]]
+        self.assertEqual(len(lost), deaths, events)
+        for at in lost:
+            self.assertLessEqual(min(time for time in back if time >= at) - at, 1.0, events)
         # Each walk was ended by a stand, half a second after its last renewal at the latest.
         entries = [(float(at), kind) for at, kind in re.findall(r"at_s: ([\d.]+), (walk|stand)", commands)]
         ends = 0
@@ -56,6 +56,24 @@ class ApiDeath(unittest.TestCase):
                 ends += 1
                 self.assertLessEqual(stood_at - walked_at, 0.502)
         self.assertEqual(ends, deaths, commands)
+
+    def test_the_plugins_end_is_a_link_that_comes_back(self):
+        with ServedRobot() as self.robot:
+            start = self.position()
+            driver = subprocess.Popen([COMMAND, "ctl", "--url", f"ws://127.0.0.1:{self.robot.port}", "walk", "0.12", "--seconds", "60"],
+                                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            until(lambda: self.position() > start + 0.1, "10 cm of walk", 30.0)
+            os.kill(self.robot.plugin_process(), 9)
+            self.robot.wait_for_line("the link to the main controller is lost")
+            self.assertEqual(driver.wait(30), 1, "who commanded has the command no more")
+            self.assertIn("let go", driver.stderr.read())
+            driver.stderr.close()
+            until(lambda: self.ctl("stand").returncode == 0, "a client that goes on")
+            until(lambda: self.speed() < 0.01, "the stand")
+            self.robot.stop()
+        self.assertFalse(self.robot.summary["fell"])
+        self.assertEqual(self.robot.summary["batches"]["late"], 0)
+        self.assertEqual(len(self.robot.ports), 1, "the module goes on")
 
 
 if __name__ == "__main__":

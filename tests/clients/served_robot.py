@@ -64,12 +64,19 @@ class ServedRobot:
             return found()
 
     def api_process(self):
-        """Process id of the plug-in host that serves: a child of `gaitway serve`."""
-        children = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text().split()
-        hosts = [int(child) for child in children
-                 if "gaitway_plugin_child" in Path(f"/proc/{child}/cmdline").read_text()]
-        assert len(hosts) == 1, hosts
-        return hosts[0]
+        """Process id of the user interface module: a child of `gaitway serve`."""
+        return self._child("user_interface")
+
+    def plugin_process(self):
+        """Process id of the plug-in `api`, the robot's side of the link."""
+        return self._child("gaitway_plugin_child")
+
+    def _child(self, program):
+        children = [child for task in Path(f"/proc/{self.process.pid}/task").iterdir()
+                    for child in (task / "children").read_text().split()]
+        found = [int(child) for child in children if program in Path(f"/proc/{child}/cmdline").read_text().split("\0")[0]]
+        assert len(found) == 1, (program, found)
+        return found[0]
 
     def stop(self):
         if self.process.poll() is None:

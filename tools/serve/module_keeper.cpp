@@ -1,8 +1,8 @@
 // One child at a time, watched by its pidfd.
 #include "tools/serve/module_keeper.hpp"
 
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/eventfd.h>
@@ -37,7 +37,8 @@ std::filesystem::path find_program() {
       return folder / kProgram;
     }
   }
-  throw std::runtime_error(fmt::format("the program {} is neither in {} nor in {}: build or install it", kProgram, beside.string(),
+  throw std::runtime_error(fmt::format("the program {} is neither in {} nor in {}: build or install it",
+                                       kProgram, beside.string(),
                                        (process::installation_root() / "bin").string()));
 }
 
@@ -55,7 +56,8 @@ ModuleKeeper::ModuleKeeper(std::vector<std::string> arguments)
   first_state_.wait(0);
   if (first_state_ != 1) {
     thread_.join();
-    throw std::runtime_error("the user interface module has not started, for the reason above; nothing moved");
+    throw std::runtime_error(
+        "the user interface module has not started, for the reason above; nothing moved");
   }
 }
 
@@ -143,9 +145,9 @@ int ModuleKeeper::wait_for_end() {
 }
 
 void ModuleKeeper::report(int status) const {
-  const std::string how = WIFSIGNALED(status)
-                              ? fmt::format("was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))
-                              : fmt::format("ended with code {}", WEXITSTATUS(status));
+  const std::string how = WIFSIGNALED(status) ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
+                                                            strsignal(WTERMSIG(status)))
+                                              : fmt::format("ended with code {}", WEXITSTATUS(status));
   fmt::print(stderr, "gaitway serve: the user interface module {}: started again\n", how);
 }
 

@@ -1,4 +1,5 @@
-// Keeps the user interface module running beside the simulated robot, as the robot's own computer does: started, and started again.
+// Keeps the user interface module running beside the simulated robot, as the robot's own computer does:
+// started, and started again.
 #pragma once
 
 #include <sys/types.h>
@@ -14,8 +15,8 @@ namespace gaitway::tools {
 
 class ModuleKeeper {
  public:
-  // Starts it, and returns when it serves. `arguments`: its command line, without the program. Throws std::runtime_error when it ends
-  // before, having said why.
+  // Starts it, and returns when it serves. `arguments`: its command line, without the program. Throws
+  // std::runtime_error when it ends before, having said why.
   explicit ModuleKeeper(std::vector<std::string> arguments);
   // Ends it.
   ~ModuleKeeper();

@@ -11,14 +11,16 @@
 namespace gaitway::contract {
 namespace {
 
-constexpr std::uint32_t kLayoutVersion = 1;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
+constexpr std::uint32_t kLayoutVersion =
+    1;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
 constexpr std::size_t kEventHeadBytes = 20;
 
 std::string contents_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) {
-    throw urdf::RobotError("the robot's description '" + file.string() + "' cannot be read; check the file and its permissions");
+    throw urdf::RobotError("the robot's description '" + file.string() +
+                           "' cannot be read; check the file and its permissions");
   }
   return text;
 }
@@ -34,7 +36,8 @@ std::vector<link::Channel> link_channels(const TopicCodec& codec) {
     }
     channels.push_back({row.name, bytes});
   }
-  channels.push_back({"events", kEventHeadBytes + kKeptEvents * codec.most_bytes(TopicType<Event>::descriptor)});
+  channels.push_back(
+      {"events", kEventHeadBytes + kKeptEvents * codec.most_bytes(TopicType<Event>::descriptor)});
   return channels;
 }
 

@@ -6,8 +6,8 @@
 namespace gaitway::contract {
 
 const OrderRow* find_order(std::uint16_t kind) noexcept {
-  const auto* const found =
-      std::ranges::find(kOrders, kind, [](const OrderRow& order) { return static_cast<std::uint16_t>(order.kind); });
+  const auto* const found = std::ranges::find(
+      kOrders, kind, [](const OrderRow& order) { return static_cast<std::uint16_t>(order.kind); });
   return found == kOrders.end() ? nullptr : found;
 }
 

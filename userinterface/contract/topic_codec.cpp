@@ -94,8 +94,8 @@ bool is_real(ScalarType type) noexcept {
   return type == ScalarType::float32_value || type == ScalarType::float64_value;
 }
 bool is_signed(ScalarType type) noexcept {
-  return type == ScalarType::int8_value || type == ScalarType::int16_value || type == ScalarType::int32_value ||
-         type == ScalarType::int64_value;
+  return type == ScalarType::int8_value || type == ScalarType::int16_value ||
+         type == ScalarType::int32_value || type == ScalarType::int64_value;
 }
 bool is_text(const FieldDescriptor& field) noexcept {
   return field.type == ScalarType::uint8_value && field.rank > 0;
@@ -178,8 +178,7 @@ void read_number(Reader& in, ScalarType type, std::byte* place) noexcept {
   const std::uint64_t folded = in.number();
   const std::uint64_t bits = is_signed(type) ? static_cast<std::uint64_t>(unfold(folded)) : folded;
   std::memcpy(place, &bits, scalar_size(type));  // of little-endian machines, as topics are
-  const std::uint64_t kept =
-      is_signed(type) ? fold(load_signed(type, place)) : load_unsigned(type, place);
+  const std::uint64_t kept = is_signed(type) ? fold(load_signed(type, place)) : load_unsigned(type, place);
   if (kept != folded) {
     in.refuse();  // more than the field holds
   }
@@ -235,7 +234,8 @@ std::size_t TopicCodec::decode(const TypeDescriptor& type, std::span<const std::
   for (const FieldDescriptor& field : type.fields) {
     const Rows rows = rows_of(field, joint_count);
     std::byte* place = static_cast<std::byte*>(value) + field.offset;
-    for (std::size_t row = 0; row < rows.count && in.ok(); ++row, place += rows.elements * scalar_size(field.type)) {
+    for (std::size_t row = 0; row < rows.count && in.ok();
+         ++row, place += rows.elements * scalar_size(field.type)) {
       if (is_text(field)) {
         read_text(in, place, rows.elements);
       } else {
@@ -249,7 +249,8 @@ std::size_t TopicCodec::decode(const TypeDescriptor& type, std::span<const std::
 bool all_finite(const TypeDescriptor& type, const void* value) noexcept {
   for (const FieldDescriptor& field : type.fields) {
     const std::byte* place = static_cast<const std::byte*>(value) + field.offset;
-    for (std::uint32_t i = 0; is_real(field.type) && i < field.elements(); ++i, place += scalar_size(field.type)) {
+    for (std::uint32_t i = 0; is_real(field.type) && i < field.elements();
+         ++i, place += scalar_size(field.type)) {
       const bool finite = field.type == ScalarType::float64_value ? std::isfinite(load<double>(place))
                                                                   : std::isfinite(load<float>(place));
       if (!finite) {
@@ -266,9 +267,9 @@ std::size_t TopicCodec::most_bytes(const TypeDescriptor& type) const noexcept {
   for (const FieldDescriptor& field : type.fields) {
     const Rows rows = rows_of(field, joint_count);
     const std::size_t bits = 8 * std::size_t{scalar_size(field.type)};
-    const std::size_t of_row = is_text(field)         ? kMostLengthBytes + rows.elements
+    const std::size_t of_row = is_text(field)        ? kMostLengthBytes + rows.elements
                                : is_real(field.type) ? sizeof(float)
-                                                      : (bits + kGroupBits - 1) / kGroupBits;
+                                                     : (bits + kGroupBits - 1) / kGroupBits;
     most += rows.count * of_row;
   }
   return most;

@@ -44,7 +44,8 @@ std::unique_ptr<Recorder> recorder_of(const DoorOptions& options) {
   std::error_code reason;
   std::filesystem::create_directories(options.recordings, reason);
   if (reason) {
-    throw std::runtime_error("--recordings '" + options.recordings.string() + "': the folder cannot be made: " + reason.message() +
+    throw std::runtime_error("--recordings '" + options.recordings.string() +
+                             "': the folder cannot be made: " + reason.message() +
                              "; correct the path, or its rights");
   }
   return std::make_unique<Recorder>(options.recordings,
@@ -95,8 +96,8 @@ class Door::Impl {
         view_source_(topics_, robot_),
         assets_(assets_of(robot_, options.server.limits)),
         hub_(port_, hub_options(options, setup_)),
-        view_hub_({.is_token = token_check(setup_),
-                   .authentication_ns = options.server.limits.authentication_ns}),
+        view_hub_(
+            {.is_token = token_check(setup_), .authentication_ns = options.server.limits.authentication_ns}),
         server_(hub_, std::move(setup_),
                 {.on_tick = [this](std::int64_t now_ns) { on_tick(now_ns); },
                  .on_poll = [this](std::int64_t now_ns) { on_poll(now_ns); },

@@ -164,7 +164,8 @@ std::vector<PluginStatus> LinkRobotPort::plugins() const {
 
 Recorder& LinkRobotPort::recorder() const {
   if (recorder_ == nullptr) {
-    throw std::runtime_error("this module records nothing: it was started without a folder for recordings (--recordings)");
+    throw std::runtime_error(
+        "this module records nothing: it was started without a folder for recordings (--recordings)");
   }
   return *recorder_;
 }

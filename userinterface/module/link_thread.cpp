@@ -25,8 +25,12 @@ constexpr std::int64_t kPatience_ns = facts::kSecond_ns;
 
 }  // namespace
 
-LinkThread::LinkThread(ModuleLink& link, link::LinkAddress address, std::function<void(const std::string&)> tell)
-    : link_(link), address_(std::move(address)), tell_(std::move(tell)), wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+LinkThread::LinkThread(ModuleLink& link, link::LinkAddress address,
+                       std::function<void(const std::string&)> tell)
+    : link_(link),
+      address_(std::move(address)),
+      tell_(std::move(tell)),
+      wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
   if (!wake_) {
     throw std::system_error(errno, std::generic_category(), "no descriptor to wake the link's thread");
   }
@@ -61,7 +65,8 @@ void LinkThread::run(const std::stop_token& stop) {
 }
 
 void LinkThread::wait() const {
-  std::array<pollfd, 2> wakes{pollfd{wake_.get(), POLLIN, 0}, pollfd{carrier_fd_, POLLIN, 0}};  // -1 is left out
+  std::array<pollfd, 2> wakes{pollfd{wake_.get(), POLLIN, 0},
+                              pollfd{carrier_fd_, POLLIN, 0}};  // -1 is left out
   poll(wakes.data(), wakes.size(), kPeriod_ms);
   std::uint64_t ignored = 0;
   static_cast<void>(!read(wake_.get(), &ignored, sizeof ignored));
@@ -93,7 +98,8 @@ void LinkThread::follow_session(std::int64_t now_ns) {
     closed_ns_ = now_ns;
     complained_ = false;
     told_.clear();
-    tell_(open ? "linked to the main controller" : "the link to the main controller is lost: " + link_.description());
+    tell_(open ? "linked to the main controller"
+               : "the link to the main controller is lost: " + link_.description());
   }
   const bool says_why = carrier_ != nullptr || link_.why() == link::SessionEnd::occupied;
   if (!open && !complained_ && says_why && now_ns - closed_ns_ > kPatience_ns) {

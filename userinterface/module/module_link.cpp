@@ -85,6 +85,12 @@ void ModuleLink::pump(link::Carrier* carrier, std::int64_t now_ns) {
   }
 }
 
+void ModuleLink::step(std::int64_t now_ns) {
+  const std::scoped_lock lock(mutex_);
+  end_.step(now_ns);
+  collect(now_ns);
+}
+
 bool ModuleLink::open() const {
   const std::scoped_lock lock(mutex_);
   return end_.session().open();
@@ -224,8 +230,9 @@ void ModuleLink::collect(std::int64_t now_ns) {
   std::erase_if(stops_, [&](const AwaitedStop& stop) {
     const bool done = static_cast<std::int32_t>(obeyed.*stop.kind - stop.count) >= 0;
     if (done) {
-      results_.push_back({stop.number, true,
-                          stop.kind == &link::StopCounts::stops ? "" : "the joints are stopped until /release"});
+      results_.push_back(
+          {stop.number, true,
+           stop.kind == &link::StopCounts::stops ? "" : "the joints are stopped until /release"});
     }
     return done;
   });
@@ -254,7 +261,8 @@ OrderResult ModuleLink::result_of(const Given& given, const link::Outcome& outco
 
 OrderResult ModuleLink::answer_of(const Given& given, link::Bytes payload) const {
   const auto decode = [&](auto& answer) {
-    return codec_.decode(*contract::row(given.kind).answer, payload, &answer) == payload.size() && !payload.empty();
+    return codec_.decode(*contract::row(given.kind).answer, payload, &answer) == payload.size() &&
+           !payload.empty();
   };
   if (given.kind == OrderKind::motion) {
     MotionState state;

@@ -63,7 +63,8 @@ StateMirror::StateMirror(const contract::TopicCodec& codec)
 void StateMirror::take(link::StateReceiver& state) {
   while (const auto channel = state.next_changed()) {
     const link::StateValue& value = state.value(*channel);
-    const bool sound = *channel == contract::kEventChannel ? take_events(value.bytes) : take_channel(*channel, value);
+    const bool sound =
+        *channel == contract::kEventChannel ? take_events(value.bytes) : take_channel(*channel, value);
     newest_ns_ = std::max(newest_ns_, value.stamp_ns);
     broken_ += sound ? 0U : 1U;
   }

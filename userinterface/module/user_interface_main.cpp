@@ -1,5 +1,5 @@
-// The `user_interface` process: the robot's user interface module. Between the network, where its users are, and the main controller,
-// which it reaches over a narrow link.
+// The `user_interface` process: the robot's user interface module. Between the network, where its users are,
+// and the main controller, which it reaches over a narrow link.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -65,7 +65,8 @@ api::DoorOptions door_options(const Options& options) {
   return door;
 }
 
-// More than all limits add up to is a mistake of this program's: it ends then, and nobody else of the computer suffers.
+// More than all limits add up to is a mistake of this program's: it ends then, and nobody else of the
+// computer suffers.
 void bound_memory(const api::Limits& limits) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their shadow memory is far larger
   rlimit bound{};
@@ -114,32 +115,42 @@ int main(int argc, char** argv) {
   constexpr int kExitBadInput = 1;
   Options options;
   CLI::App app{
-      "The robot's user interface module: the robot API (rosbridge v2 over WebSocket) and the page, on one side; on the other the narrow "
+      "The robot's user interface module: the robot API (rosbridge v2 over WebSocket) and the page, on one "
+      "side; on the other the narrow "
       "link to the main controller, whose plug-in `api` must be loaded."};
   app.option_defaults()->always_capture_default();
-  app.add_option("--robot", options.robot, "Folder with robot.urdf and robot.yaml: the same as the main controller's");
+  app.add_option("--robot", options.robot,
+                 "Folder with robot.urdf and robot.yaml: the same as the main controller's");
   app.add_option("--link", options.link, "The main controller: unix:PATH, or serial:DEVICE:BAUD");
   app.add_option("--port", options.port, "TCP port of the robot API; 0: any free one");
-  app.add_option("--address", options.address,
-                 "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and --key-file");
+  app.add_option(
+      "--address", options.address,
+      "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and --key-file");
   app.add_option("--origins", options.origins,
-                 "Web origins that may connect besides this computer's, with commas between them; null: pages from files");
+                 "Web origins that may connect besides this computer's, with commas between them; null: "
+                 "pages from files");
   app.add_option("--token-file", options.token_file, "File with the token that clients must know");
   app.add_option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
   app.add_option("--key-file", options.key_file, "Its private key (PEM)");
   app.add_option("--recordings", options.recordings, "Folder for recordings; without it nothing is recorded");
   app.add_option("--recording-bytes", options.recording_bytes, "A recording's size, at most")
       ->check(CLI::Range(std::uint64_t{1'000'000}, std::uint64_t{1'000'000'000'000}));
-  app.add_option("--limits", options.limits, "Limits of clients (YAML: name: value) in place of the shipped ones; docs/api.md lists them");
-  app.add_option("--ready-descriptor", options.ready_descriptor, "Gets a byte when clients can connect: for who starts this program")
+  app.add_option(
+      "--limits", options.limits,
+      "Limits of clients (YAML: name: value) in place of the shipped ones; docs/api.md lists them");
+  app.add_option("--ready-descriptor", options.ready_descriptor,
+                 "Gets a byte when clients can connect: for who starts this program")
       ->capture_default_str()
       ->group("");
   app.footer(
       "Examples:\n"
-      "  user_interface --link unix:/run/gaitway/link.sock            clients of this computer; the page at http://127.0.0.1:9090\n"
-      "  user_interface --link serial:/dev/ttyS1:1000000 --address 0.0.0.0 --token-file token --certificate-file cert.pem \\\n"
+      "  user_interface --link unix:/run/gaitway/link.sock            clients of this computer; the page at "
+      "http://127.0.0.1:9090\n"
+      "  user_interface --link serial:/dev/ttyS1:1000000 --address 0.0.0.0 --token-file token "
+      "--certificate-file cert.pem \\\n"
       "                 --key-file key.pem --recordings /var/lib/gaitway/recordings\n"
-      "Ends with SIGINT or SIGTERM. Exit code: 0 it was told to end; 1 the input was bad, or the port is taken.");
+      "Ends with SIGINT or SIGTERM. Exit code: 0 it was told to end; 1 the input was bad, or the port is "
+      "taken.");
   CLI11_PARSE(app, argc, argv);
   try {
     return serve(options);

@@ -107,6 +107,7 @@ void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns, std
 void RobotCommands::demand(Claimant& claimant, std::int64_t now_ns) {
   step(now_ns);
   if (!robot_.connected()) {
+    claimant.tried_ns = now_ns;  // a stick that is held meanwhile is not let go
     throw CommandDenied("the robot is not there: its message controller does not answer");
   }
   authority_.use(claimant, now_ns);

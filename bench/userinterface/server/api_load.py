@@ -26,8 +26,8 @@ def free_port():
 
 
 def api_process(served):
-    children = Path(f"/proc/{served}/task/{served}/children").read_text().split()
-    return next(int(child) for child in children if "gaitway_plugin_child" in Path(f"/proc/{child}/cmdline").read_text())
+    children = [child for task in Path(f"/proc/{served}/task").iterdir() for child in (task / "children").read_text().split()]
+    return next(int(child) for child in children if "user_interface" in Path(f"/proc/{child}/cmdline").read_text())
 
 
 def memory_kb(process):

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""From a command's way into the API's socket to its frame on the bus, in real time: virtual_robot, message_controller,
-main_controller and the api's process, all against the clock. The bus stamps its frames with the clock that all of them share.
+"""From a command's way into the API's socket to its frame on the bus, in real time: user_interface, the link (a Unix socket),
+main_controller with the plug-in api, message_controller and virtual_robot, all against the clock. The bus stamps its frames with the clock
+that all of them share.
 
     .deps/python/bin/python bench/userinterface/server/command_path.py --trials 1000
+    .deps/python/bin/python bench/userinterface/server/command_path.py --trials 100 --kind emergency_stop
 """
 import argparse
 import base64
@@ -24,7 +26,7 @@ import can
 ROOT = Path(__file__).resolve().parents[3]
 BIN = ROOT / "build" / "release" / "bin"
 ROBOT = ROOT / "urdf" / "humanoid22"
-USER_COMMAND_ID = 0x002
+FRAMES = {"move_joint": 0x002, "emergency_stop": 0x000}
 
 
 class WebSocket:
@@ -38,7 +40,6 @@ class WebSocket:
                             f"Sec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n\r\n".encode())
         assert b" 101 " in self.socket.recv(4096)
         self.socket.setblocking(False)
-        self.shown = 0.0
         self.unread = b""
 
     def frame(self, opcode, payload):
@@ -50,15 +51,12 @@ class WebSocket:
         self.frame(1, json.dumps(message).encode())
 
     def messages(self):
-        """What has come; shows now and then that somebody is here, too: a pong needs no ping."""
+        """What has come. Pings are answered: by that the robot knows how old what comes after may be."""
         try:
             while data := self.socket.recv(65536):
                 self.unread += data
         except BlockingIOError:
             pass
-        if time.monotonic() > self.shown + 0.2:
-            self.shown = time.monotonic()
-            self.frame(10, b"")
         while len(self.unread) >= 4:
             short = self.unread[1] & 127
             header = 2 if short < 126 else 4
@@ -67,6 +65,8 @@ class WebSocket:
                 return
             opcode, payload = self.unread[0] & 15, self.unread[header:header + size]
             self.unread = self.unread[header + size:]
+            if opcode == 9:
+                self.frame(10, payload)
             if opcode == 1:
                 yield json.loads(payload)
 
@@ -93,7 +93,27 @@ def histogram(milliseconds):
             print(f"  {low:5.2f} .. {high:5.2f} ms {count:6d} {'#' * max(1, 60 * count // len(milliseconds))}")
 
 
-def measure(port, bus_port, trials):
+def answer_of(client, service, arguments):
+    client.send({"op": "call_service", "service": service, "args": arguments})
+    end = time.monotonic() + 5.0
+    while time.monotonic() < end:
+        for message in client.messages():
+            if message["op"] == "service_response" and message["service"] == service:
+                return message["values"]
+        time.sleep(0.005)
+    sys.exit(f"no answer to {service}")
+
+
+def stand_again(client):
+    """After an emergency stop: until a joint can be moved by hand again, which only a standing robot lets."""
+    end = time.monotonic() + 20.0
+    while not answer_of(client, "/release", {}).get("success"):
+        assert time.monotonic() < end, "not released"
+    while not answer_of(client, "/move_joint", {"joint": "neck_yaw", "position": 0.0, "duration": 0.02}).get("success"):
+        assert time.monotonic() < end, "does not stand again"
+
+
+def measure(port, bus_port, trials, kind):
     client = WebSocket(port)
     bus = can.Bus(interface="socketcand", host="127.0.0.1", port=bus_port, channel="can0")
     taken = []
@@ -104,12 +124,12 @@ def measure(port, bus_port, trials):
             bus.recv(0.005)
             list(client.messages())
         sent_s = time.monotonic()
-        client.send({"op": "call_service", "service": "/move_joint",
-                     "args": {"joint": "neck_yaw", "position": 0.02 * (trial % 2), "duration": 0.02}})
+        arguments = {"joint": "neck_yaw", "position": 0.02 * (trial % 2), "duration": 0.02} if kind == "move_joint" else {"data": False}
+        client.send({"op": "call_service", "service": f"/{kind}", "args": arguments})
         end = time.monotonic() + 0.5
         while time.monotonic() < end:
             message = bus.recv(0.05)
-            if message and message.arbitration_id == USER_COMMAND_ID and message.timestamp >= sent_s:
+            if message and message.arbitration_id == FRAMES[kind] and message.timestamp >= sent_s:
                 if trial >= 5:
                     taken.append(1e3 * (message.timestamp - sent_s))
                 break
@@ -117,12 +137,15 @@ def measure(port, bus_port, trials):
             answers = [message for message in client.messages() if message["op"] == "service_response"]
             print(f"trial {trial}: no frame; the answer: {answers}")
             lost += trial >= 5
+        if kind == "emergency_stop":
+            stand_again(client)
     bus.shutdown()
     return sorted(taken), lost
 
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("--trials", type=int, default=300)
+parser.add_argument("--kind", choices=sorted(FRAMES), default="move_joint")
 options = parser.parse_args()
 with tempfile.TemporaryDirectory(prefix="gaitway_path_") as name:
     folder = Path(name)
@@ -131,7 +154,7 @@ with tempfile.TemporaryDirectory(prefix="gaitway_path_") as name:
         port = probe.getsockname()[1]
     config = (ROOT / "core" / "config" / "serve.yaml").read_text()
     (folder / "serve.yaml").write_text(
-        config.replace("writes: recordings", f"writes: recordings\n    parameters: {{port: {port}}}"))
+        config.replace("sockets: local", f"parameters: {{link: 'unix:{folder}/link'}}\n    sockets: local"))
     processes = [start(folder, "virtual_robot", "--bus", folder / "bus", "--socketcand", 0)]
     try:
         bus_port = int(wait_for(r"on port (\d+)", folder / "virtual_robot.txt"))
@@ -141,9 +164,10 @@ with tempfile.TemporaryDirectory(prefix="gaitway_path_") as name:
             time.sleep(0.05)
         processes.append(start(folder, "main_controller", "--socket", folder / "memory", "--config", folder / "serve.yaml",
                                "--plugin-path", ROOT / "build" / "release" / "lib" / "gaitway" / "plugins"))
-        wait_for(r"serves ws://[^:]*:(\d+)", folder / "main_controller.txt")
+        processes.append(start(folder, "user_interface", "--link", f"unix:{folder}/link", "--port", port))
+        wait_for(r"(linked to the main controller)", folder / "user_interface.txt")
         time.sleep(1.0)  # it stands
-        taken, lost = measure(port, bus_port, options.trials)
+        taken, lost = measure(port, bus_port, options.trials, options.kind)
     finally:
         for process in reversed(processes):
             process.send_signal(signal.SIGINT)

@@ -79,9 +79,9 @@ TEST(OdometryMessage, IsTheBaseInOdomWithItsTwistInTheBase) {
   for (const urdf::Joint& joint : humanoid().joints) position_rad.push_back(joint.home_rad);
   Estimate estimate{};
   estimate.angular_velocity[1] = 0.25;
-  frames.update(10, position_rad, std::vector<double>(22, 0.0), estimate, std::nullopt);
+  frames.update(10, position_rad, std::vector<double>(22, 0.0), estimate, nullptr);
   estimate.attitude[2] = 0.2;
-  frames.update(20, position_rad, std::vector<double>(22, 0.0), estimate, std::nullopt);
+  frames.update(20, position_rad, std::vector<double>(22, 0.0), estimate, nullptr);
   ros::Odometry message = make_odometry(humanoid());
   fill(message, frames, 1'000'000'010);
   EXPECT_EQ(message.header.frame_id, "odom");

@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/api/memory_robot_port.hpp"
+#include "gaitway/api/link_robot_port.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "linked_robot.hpp"
 #include "test_client.hpp"
 
 namespace gaitway::api {
@@ -42,6 +43,7 @@ class EmergencyStopTest : public ::testing::Test {
     while (run_.now_ns() < end_ns) {
       run_.advance_millisecond();
       now_ns_ = run_.now_ns() + kSecond_ns;
+      linked_.pass_millisecond(now_ns_ - kMillisecond_ns);
       port_.observe(now_ns_);
       if (run_.now_ns() % (10 * kMillisecond_ns) == 0) {
         hub_.step(now_ns_);
@@ -77,7 +79,8 @@ class EmergencyStopTest : public ::testing::Test {
   const urdf::RobotModel robot_ =
       urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
   simulator::Cosimulation run_{robot_, options_of("walk.yaml")};
-  MemoryRobotPort port_{run_.client(), robot_, nullptr};
+  test::LinkedRobot linked_{run_.client(), robot_};
+  LinkRobotPort port_{linked_.link, robot_, nullptr};
   Hub hub_{port_, {}};
   std::int64_t now_ns_ = kSecond_ns;
   std::vector<std::unique_ptr<TestClient>> clients_;
@@ -112,11 +115,12 @@ TEST_F(EmergencyStopTest, EveryStopOfAFloodIsDoneAndAnswered) {
 
 TEST_F(EmergencyStopTest, StopsFindTheirWayWhereNoOtherOrderDoes) {
   run_for(0.5);
-  while (port_.move_joint(neck_yaw(), 0.0, 0.5)) {
+  for (int order = 0; order < 500; ++order) {
+    port_.move_joint(neck_yaw(), 0.0, 0.5, 0);
   }
   EXPECT_TRUE(port_.stop());
   EXPECT_TRUE(port_.emergency_stop(false));
-  run_.advance_millisecond();
+  run_for(0.01);
   EXPECT_EQ(mode(), Mode::emergency_stop);
 }
 
@@ -143,11 +147,17 @@ TEST_F(EmergencyStopTest, NoAnswerIsLostHoweverLateItIsTaken) {
   run_for(0.5);
   std::set<std::uint32_t> unanswered;
   for (int ms = 0; ms < 60; ++ms) {
-    const auto order = port_.move_joint(neck_yaw(), 0.0, 0.5);
+    const auto order = port_.move_joint(neck_yaw(), 0.0, 0.5, 0);
     ASSERT_TRUE(order) << ms;
     unanswered.insert(*order);
     run_.advance_millisecond();
+    linked_.pass_millisecond(run_.now_ns() + kSecond_ns - kMillisecond_ns);
   }
+  for (int ms = 0; ms < 300; ++ms) {
+    run_.advance_millisecond();
+    linked_.pass_millisecond(run_.now_ns() + kSecond_ns - kMillisecond_ns);
+  }
+  port_.observe(run_.now_ns() + kSecond_ns);
   while (const auto result = port_.take_result()) {
     unanswered.erase(result->number);
   }

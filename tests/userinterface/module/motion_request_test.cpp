@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "gaitway/api/feed.hpp"
-#include "gaitway/api/memory_robot_port.hpp"
+#include "gaitway/api/link_robot_port.hpp"
 #include "gaitway/api/publication_sink.hpp"
+#include "linked_robot.hpp"
 #include "simulation.hpp"
 #include "test_client.hpp"
 
@@ -30,6 +31,7 @@ class MotionRequestTest : public ::testing::Test {
     while (run_.now_ns() < end_ns) {
       run_.advance_millisecond();
       now_ns_ = run_.now_ns() + kSecond_ns;
+      linked_.pass_millisecond(now_ns_ - kMillisecond_ns);
       port_.observe(now_ns_);
       GenericSink sink([this](Topic topic) { return hub_.wanted(topic); },
                        [this](Topic topic, const auto& value, std::int64_t) { hub_.publish(topic, value); });
@@ -53,8 +55,10 @@ class MotionRequestTest : public ::testing::Test {
   const urdf::RobotModel robot_ =
       urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
   simulator::Cosimulation run_{robot_, served_walk()};
-  MemoryRobotPort port_{run_.client(), robot_, nullptr};
-  Feed feed_{run_.client(), robot_};
+  test::LinkedRobot linked_{run_.client(), robot_};
+  LinkRobotPort port_{linked_.link, robot_, nullptr};
+  msgclient::Client topics_ = linked_.link.topics("feed");
+  Feed feed_{topics_, robot_};
   Hub hub_{port_, {}};
   std::int64_t now_ns_ = kSecond_ns;
   TestClient client_{hub_, now_ns_, "anna"};

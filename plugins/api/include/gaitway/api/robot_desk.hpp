@@ -1,4 +1,5 @@
-// The robot's side of the robot API, behind the narrow link: orders in, answers and state out. Passive: told the time.
+// The robot's side of the robot API, behind the narrow link: orders in, answers and state out. Passive: told
+// the time.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +23,15 @@ struct RobotDeskOptions {
   link::LinkSettings link;
 };
 
-// Writes `walk_request`, `stop_request`, `motion_request`, `planned_state` and the queues `user_command` and `api_plugin_request`.
+// Writes `walk_request`, `stop_request`, `motion_request`, `planned_state` and the queues `user_command` and
+// `api_plugin_request`.
 //
-// When the link's session ends while the robot walks, it is told to stand: who commanded is not there any more.
+// When the link's session ends while the robot walks, it is told to stand: who commanded is not there any
+// more.
 class RobotDesk {
  public:
-  // Opens the topics: throws msgclient::TopicError, urdf::RobotError when the description cannot be read. `client` outlives it.
+  // Opens the topics: throws msgclient::TopicError, urdf::RobotError when the description cannot be read.
+  // `client` outlives it.
   RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot, const RobotDeskOptions& options);
   RobotDesk(const RobotDesk&) = delete;
   RobotDesk& operator=(const RobotDesk&) = delete;
@@ -77,7 +81,7 @@ class RobotDesk {
   StopRequest stops_at_start_{};  // what the topic had when the link's counts were 0
   link::StopCounts stops_passed_on_;
   std::unordered_map<std::uint32_t, link::OrderId> awaited_;  // by the number under which the robot answers
-  std::deque<AwaitedMotion> motions_;                         // oldest first; the newest alone is answered by the robot
+  std::deque<AwaitedMotion> motions_;  // oldest first; the newest alone is answered by the robot
   std::uint64_t motion_seen_ = 0;
   std::uint32_t session_ = 0;  // of the link, in which the orders below were given
   bool walks_ = false;         // told to, and not told to stand since

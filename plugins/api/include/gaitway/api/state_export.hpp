@@ -15,7 +15,8 @@ namespace gaitway::api {
 // Looks what is new, and publishes it. Allocates in the constructor only.
 class StateExport {
  public:
-  // Opens the topics: throws msgclient::TopicError. `client` outlives it. `narrow`: the carrier is no Unix socket.
+  // Opens the topics: throws msgclient::TopicError. `client` outlives it. `narrow`: the carrier is no Unix
+  // socket.
   StateExport(msgclient::Client& client, const contract::TopicCodec& codec, bool narrow);
 
   void step(link::ControllerEnd& end, std::int64_t robot_ns) noexcept;
@@ -24,7 +25,7 @@ class StateExport {
   struct Topic {
     const TypeDescriptor* type;
     msgclient::UntypedReader reader;
-    std::uint64_t seen = 0;  // its newest sequence in `value`
+    std::uint64_t seen = 0;            // its newest sequence in `value`
     std::vector<std::uint64_t> value;  // words: aligned for every type
     bool there = false;
   };

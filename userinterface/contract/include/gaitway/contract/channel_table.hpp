@@ -21,8 +21,8 @@ struct MirroredTopic {
   const TypeDescriptor* type;
 };
 
-// A channel's value: a byte whose bit i says that topic i is there, then those that are (topic_codec.hpp). Topics of one channel
-// arrive together: what belongs to one time slot is never mixed with another.
+// A channel's value: a byte whose bit i says that topic i is there, then those that are (topic_codec.hpp).
+// Topics of one channel arrive together: what belongs to one time slot is never mixed with another.
 struct ChannelRow {
   std::string_view name;
   std::span<const MirroredTopic> topics;
@@ -30,12 +30,14 @@ struct ChannelRow {
   std::int64_t narrow_period_ns;  // the same on a carrier that is slower than a Unix socket
 };
 
-inline constexpr std::array kMotionTopics{MirroredTopic{"joint_states", &TopicType<JointStates>::descriptor},
-                                          MirroredTopic{"estimate", &TopicType<Estimate>::descriptor},
-                                          MirroredTopic{"planned_state", &TopicType<PlannedState>::descriptor}};
+inline constexpr std::array kMotionTopics{
+    MirroredTopic{"joint_states", &TopicType<JointStates>::descriptor},
+    MirroredTopic{"estimate", &TopicType<Estimate>::descriptor},
+    MirroredTopic{"planned_state", &TopicType<PlannedState>::descriptor}};
 inline constexpr std::array kSensorTopics{MirroredTopic{"foot_forces", &TopicType<FootForces>::descriptor},
                                           MirroredTopic{"imu", &TopicType<Imu>::descriptor}};
-inline constexpr std::array kNetworkTopics{MirroredTopic{"network_state", &TopicType<NetworkState>::descriptor}};
+inline constexpr std::array kNetworkTopics{
+    MirroredTopic{"network_state", &TopicType<NetworkState>::descriptor}};
 inline constexpr std::array kMotionStateTopics{
     MirroredTopic{"motion_state", &TopicType<MotionState>::descriptor}};
 inline constexpr std::array kHealthTopics{
@@ -52,17 +54,19 @@ inline constexpr std::array kChannels{
     ChannelRow{"statistics", kStatisticsTopics, 50 * facts::kSlot_ns, 100 * facts::kSlot_ns},
 };
 
-// Behind them: the newest events, each with its number, so that none is told twice and it is known which are lost.
+// Behind them: the newest events, each with its number, so that none is told twice and it is known which are
+// lost.
 //
-//   the number of the first (counted since the plug-in's start, from 1), how many, the events (topic_codec.hpp)
+//   the number of the first (counted since the plug-in's start, from 1), how many, the events
+//   (topic_codec.hpp)
 inline constexpr std::size_t kEventChannel = kChannels.size();
 inline constexpr std::size_t kKeptEvents = 8;
 
 // The link's table of channels for a robot.
 [[nodiscard]] std::vector<link::Channel> link_channels(const TopicCodec& codec);
 
-// By which both ends know that they mean the same: channels, orders, types, and the robot's description (robot.urdf and robot.yaml of
-// its folder). Throws urdf::RobotError when a file cannot be read.
+// By which both ends know that they mean the same: channels, orders, types, and the robot's description
+// (robot.urdf and robot.yaml of its folder). Throws urdf::RobotError when a file cannot be read.
 [[nodiscard]] std::uint64_t table_hash(const urdf::RobotModel& robot);
 
 // Which topics of a channel's value are there.

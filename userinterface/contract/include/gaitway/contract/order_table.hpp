@@ -1,4 +1,5 @@
-// Which orders the user interface module may give, what each carries, and how old it may be when it is carried out.
+// Which orders the user interface module may give, what each carries, and how old it may be when it is
+// carried out.
 #pragma once
 
 #include <array>
@@ -13,12 +14,13 @@ namespace gaitway::contract {
 
 enum class OrderKind : std::uint16_t { walk = 1, motion = 2, user_command = 3, plugin_request = 4 };
 
-// An order begins with how many stops of all kinds the module had asked for when it was given (4 bytes, little-endian): one that was given
-// before a stop which the robot has heard moves it no more, though it arrives after it. Then comes the request.
+// An order begins with how many stops of all kinds the module had asked for when it was given (4 bytes,
+// little-endian): one that was given before a stop which the robot has heard moves it no more, though it
+// arrives after it. Then comes the request.
 inline constexpr std::size_t kStopsSeenBytes = 4;
 
-// Request and answer are topic values (topic_codec.hpp). Their fields `number` mean nothing on the link, which has its own. An answer's
-// result is an OrderResultCode.
+// Request and answer are topic values (topic_codec.hpp). Their fields `number` mean nothing on the link,
+// which has its own. An answer's result is an OrderResultCode.
 struct OrderRow {
   OrderKind kind;
   std::string_view name;  // for people
@@ -27,12 +29,13 @@ struct OrderRow {
   std::int64_t validity_ns;      // of the robot's time, from when the client is known to have given it
 };
 
-// A velocity's `valid_until_ns` counts from when it is carried out. Stops are no orders: they do not become too old.
+// A velocity's `valid_until_ns` counts from when it is carried out. Stops are no orders: they do not become
+// too old.
 inline constexpr std::array kOrders{
     OrderRow{OrderKind::walk, "velocity", &TopicType<WalkCommand>::descriptor, nullptr,
              200 * facts::kMillisecond_ns},
-    OrderRow{OrderKind::motion, "motion", &TopicType<MotionRequest>::descriptor, &TopicType<MotionState>::descriptor,
-             facts::kSecond_ns},
+    OrderRow{OrderKind::motion, "motion", &TopicType<MotionRequest>::descriptor,
+             &TopicType<MotionState>::descriptor, facts::kSecond_ns},
     OrderRow{OrderKind::user_command, "user command", &TopicType<UserCommand>::descriptor,
              &TopicType<UserCommandAnswer>::descriptor, facts::kSecond_ns},
     OrderRow{OrderKind::plugin_request, "plug-in request", &TopicType<PluginRequest>::descriptor,

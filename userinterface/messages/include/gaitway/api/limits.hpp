@@ -1,5 +1,5 @@
-// What a client may ask for, before it is refused. Each is a parameter of the plug-in, so each can be
-// configured and is documented: names, units and meaning stand in a table.
+// What a client may ask for, before it is refused. Each can be set by a file of limits, and is documented:
+// names, units and meaning stand in a table.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@ namespace gaitway::api {
 
 struct Limits {
   std::size_t connections = 256;
-  std::size_t connections_of_one_address = 224;                       // so that others always find places
-  std::size_t message_bytes = std::size_t{64} * 1024;                 // of one that comes in
-  std::size_t depth = 32;                                             // nested arrays and objects in it
-  std::size_t subscriptions = 64;                                     // of one client
-  std::size_t advertisements = 16;                                    // of one client
-  std::size_t queue_length = 100;                                     // of one subscription
-  std::size_t waiting_bytes = std::size_t{4} * 1024 * 1024;           // that one client may leave unread
-  std::size_t waiting_bytes_of_all = std::size_t{256} * 1024 * 1024;  // all clients together
-  double messages_per_s = 500.0;                                      // from one client, over a second
+  std::size_t connections_of_one_address = 224;                      // so that others always find places
+  std::size_t message_bytes = std::size_t{64} * 1024;                // of one that comes in
+  std::size_t depth = 32;                                            // nested arrays and objects in it
+  std::size_t subscriptions = 64;                                    // of one client
+  std::size_t advertisements = 16;                                   // of one client
+  std::size_t queue_length = 100;                                    // of one subscription
+  std::size_t waiting_bytes = std::size_t{1} * 1024 * 1024;          // that one client may leave unread
+  std::size_t waiting_bytes_of_all = std::size_t{16} * 1024 * 1024;  // all clients together
+  double messages_per_s = 500.0;                                     // from one client, over a second
   std::int64_t handshake_ns = 5'000'000'000;       // from connecting to the end of the handshake
   std::int64_t authentication_ns = 5'000'000'000;  // from the handshake to the token
   std::int64_t write_ns = 2'000'000'000;           // in which a client must take what was written to it
@@ -30,12 +30,11 @@ struct Limits {
   double turn_rad_per_s = 2.0;
 };
 
-// Bytes that the process takes at most; the `memory` of its configuration must be more.
+// Bytes that the process takes at most, by which it bounds itself.
 [[nodiscard]] constexpr std::size_t most_memory_bytes(const Limits& limits) noexcept {
   constexpr std::size_t kKiB = 1024, kMiB = 1024 * kKiB;
-  constexpr std::size_t kWithoutClients_bytes =
-      320 * kMiB;                                        // programs, stacks, memory block, recorder, meshes
-  constexpr std::size_t kConnection_bytes = 512 * kKiB;  // WebSocket, TLS, and what is being written
+  constexpr std::size_t kWithoutClients_bytes = 128 * kMiB;  // programs, stacks, mirror, recorder, meshes
+  constexpr std::size_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
   constexpr std::size_t kRoom = 2;        // a text that has grown has up to so many times its bytes
   constexpr std::size_t kUnlookedAt = 3;  // messages of one client: one that is being read, two that wait
   return kWithoutClients_bytes +

@@ -16,13 +16,14 @@ struct DoorOptions {
   std::filesystem::path robot;  // folder with robot.urdf and robot.yaml
   link::LinkAddress link;
   ServerOptions server;
-  std::filesystem::path recordings;  // folder; empty: nothing is recorded
+  std::filesystem::path recordings;   // folder; empty: nothing is recorded
   std::uint64_t recording_bytes = 0;  // a recording's size, at most
 };
 
 class Door {
  public:
-  // Opens all that it needs. `tell`: lines for people, from any of its threads. Throws what std::exception says.
+  // Opens all that it needs. `tell`: lines for people, from any of its threads. Throws what std::exception
+  // says.
   Door(const DoorOptions& options, std::function<void(const std::string&)> tell);
   ~Door();
   Door(const Door&) = delete;

@@ -7,7 +7,8 @@
 
 namespace gaitway::api {
 
-// YAML: a limit's name and its value, in the unit of its row. Throws input::InputError, which names file, line, value and rule.
+// YAML: a limit's name and its value, in the unit of its row. Throws input::InputError, which names file,
+// line, value and rule.
 [[nodiscard]] Limits read_limits(const std::filesystem::path& file);
 
 }  // namespace gaitway::api

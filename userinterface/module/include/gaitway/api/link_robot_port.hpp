@@ -1,4 +1,5 @@
-// The robot as the sessions reach it: orders over the link, answers back, what it tells of itself out of the mirror.
+// The robot as the sessions reach it: orders over the link, answers back, what it tells of itself out of the
+// mirror.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,8 @@ class LinkRobotPort final : public RobotPort {
   [[nodiscard]] std::int64_t now_ns() const override;
   [[nodiscard]] bool connected() const override { return connected_; }
   [[nodiscard]] bool emergency_stopped() const override;
-  std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t holds_ns, std::int64_t age_ns) override;
+  std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t holds_ns,
+                                    std::int64_t age_ns) override;
   void stand() override;
   std::optional<std::uint32_t> stop() override;
   std::optional<std::uint32_t> emergency_stop(bool soft) override;

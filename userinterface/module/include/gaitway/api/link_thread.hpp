@@ -15,7 +15,8 @@ namespace gaitway::api {
 
 class LinkThread {
  public:
-  // `tell`: lines for people, from that thread. Connects, and connects anew, by itself. Throws std::system_error.
+  // `tell`: lines for people, from that thread. Connects, and connects anew, by itself. Throws
+  // std::system_error.
   LinkThread(ModuleLink& link, link::LinkAddress address, std::function<void(const std::string&)> tell);
   LinkThread(const LinkThread&) = delete;
   LinkThread& operator=(const LinkThread&) = delete;

@@ -1,4 +1,5 @@
-// The module's end of the narrow link, with all that goes over it: orders with their expiry, stops, and the robot's mirrored state.
+// The module's end of the narrow link, with all that goes over it: orders with their expiry, stops, and the
+// robot's mirrored state.
 #pragma once
 
 #include <array>
@@ -48,6 +49,9 @@ class ModuleLink {
   // Brings the end and its carrier together, and what came to where it is read. Null: there is none.
   void pump(link::Carrier* carrier, std::int64_t now_ns);
 
+  // Time passes, and nothing comes or goes.
+  void step(std::int64_t now_ns);
+
   [[nodiscard]] bool open() const;
   // Since when there is a session, counted: another number, and the robot's side was lost meanwhile.
   [[nodiscard]] std::uint32_t session() const;
@@ -55,10 +59,11 @@ class ModuleLink {
   [[nodiscard]] std::string description() const;
   [[nodiscard]] link::SessionEnd why() const;
 
-  // An order. `age_ns`: so long ago, at most, it was given; what is older than its kind may be is refused by the robot's side by its
-  // own clock. The number under which take_result() tells what became of it.
+  // An order. `age_ns`: so long ago, at most, it was given; what is older than its kind may be is refused by
+  // the robot's side by its own clock. The number under which take_result() tells what became of it.
   template <class Request>
-  std::uint32_t order(contract::OrderKind kind, const Request& request, std::int64_t age_ns, std::int64_t now_ns) {
+  std::uint32_t order(contract::OrderKind kind, const Request& request, std::int64_t age_ns,
+                      std::int64_t now_ns) {
     return order_untyped(kind, &request, age_ns, now_ns);
   }
   // Always taken. The number, as of an order; it is told when the robot has obeyed.
@@ -90,12 +95,15 @@ class ModuleLink {
     std::vector<std::uint8_t> payload;
   };
 
-  std::uint32_t order_untyped(contract::OrderKind kind, const void* request, std::int64_t age_ns, std::int64_t now_ns);
+  std::uint32_t order_untyped(contract::OrderKind kind, const void* request, std::int64_t age_ns,
+                              std::int64_t now_ns);
   void submit(contract::OrderKind kind, link::Bytes payload, std::int64_t expiry_ns, std::uint32_t number,
               std::int64_t now_ns);
   void submit_waiting(std::int64_t now_ns);
   void collect(std::int64_t now_ns);
-  void refuse(std::uint32_t number, std::string text) { results_.push_back({number, false, std::move(text)}); }
+  void refuse(std::uint32_t number, std::string text) {
+    results_.push_back({number, false, std::move(text)});
+  }
   [[nodiscard]] OrderResult result_of(const Given& given, const link::Outcome& outcome) const;
   [[nodiscard]] OrderResult answer_of(const Given& given, link::Bytes payload) const;
 

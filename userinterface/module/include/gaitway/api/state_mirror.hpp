@@ -1,4 +1,5 @@
-// The robot's topics, as the link brings them, in a memory block of the module's own: whoever reads the robot's topics reads these.
+// The robot's topics, as the link brings them, in a memory block of the module's own: whoever reads the
+// robot's topics reads these.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +22,8 @@ class StateMirror {
 
   // Publishes what is new in the channels. Values that are none are counted and left out.
   void take(link::StateReceiver& state);
-  // What the robot's clock shows, as it was told last; what came with a later stamp goes before it, unless it is so much later that the
-  // clock must have begun anew.
+  // What the robot's clock shows, as it was told last; what came with a later stamp goes before it, unless it
+  // is so much later that the clock must have begun anew.
   void beat(std::int64_t robot_ns) noexcept;
   [[nodiscard]] std::uint64_t broken_values() const noexcept { return broken_; }
 
@@ -40,7 +41,7 @@ class StateMirror {
   msgclient::Client client_;
   std::vector<std::vector<Topic>> channels_;
   msgclient::Writer<Event> events_;
-  std::int64_t newest_ns_ = 0;  // stamp
+  std::int64_t newest_ns_ = 0;    // stamp
   std::uint64_t last_event_ = 0;  // its number
   std::uint64_t broken_ = 0;
 };
