@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "byte_order.hpp"
+#include "gaitway/link/byte_order.hpp"
 
 namespace gaitway::link {
 namespace {

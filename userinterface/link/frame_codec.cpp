@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "byte_order.hpp"
+#include "gaitway/link/byte_order.hpp"
 #include "gaitway/process/crc32.hpp"
 
 namespace gaitway::link {

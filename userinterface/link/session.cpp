@@ -6,7 +6,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "byte_order.hpp"
+#include "gaitway/link/byte_order.hpp"
 #include "gaitway/process/crc32.hpp"
 
 namespace gaitway::link {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "byte_order.hpp"
+#include "gaitway/link/byte_order.hpp"
 
 namespace gaitway::link {
 
