@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "gaitway/input/number.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -21,6 +26,12 @@ constexpr std::array<input::Unit, 4> kRateUnits_bit_s{
     {{"bit", 1.0}, {"kbit", 1e3}, {"Mbit", 1e6}, {"Gbit", 1e9}}};
 constexpr std::array<input::Unit, 3> kByteUnits{{{"B", 1.0}, {"KiB", 1024.0}, {"MiB", 1024.0 * 1024.0}}};
 
+// What stands behind "--": the client's program and its arguments, which are nobody else's options.
+std::vector<std::string>& client_words() {
+  static std::vector<std::string> words;
+  return words;
+}
+
 struct DirectionOptions {
   std::optional<std::string> rate, queue, delay, jitter, loss, reorder, reorder_by, duplicate;
   std::optional<double> burst;
@@ -35,7 +46,6 @@ struct WirelessOptions {
   std::vector<std::string> outages_at;
   std::optional<std::string> robot, robot_ready, client;
   std::string ready_within = "30s";
-  std::vector<std::string> command;
   std::optional<std::filesystem::path> control, outage_log, json;
   bool quiet = false;
 };
@@ -133,12 +143,12 @@ WirelessSettings settings_of(const WirelessOptions& options) {
   settings.seed = options.seed;
   settings.outages = planned_outages(options);
   if (options.robot) settings.robot = {"/bin/sh", "-c", *options.robot};
-  if (options.client.has_value() == !options.command.empty()) {
+  if (options.client.has_value() == !client_words().empty()) {
     throw std::invalid_argument(
         "the client's program: give either --client 'COMMAND' or -- COMMAND, and not both");
   }
   settings.client =
-      options.client ? std::vector<std::string>{"/bin/sh", "-c", *options.client} : options.command;
+      options.client ? std::vector<std::string>{"/bin/sh", "-c", *options.client} : client_words();
   settings.robot_ready = options.robot_ready;
   settings.robot_ready_within_ns = duration_ns("--robot-ready-within", options.ready_within);
   settings.control = options.control;
@@ -225,9 +235,7 @@ void add_direction(const CommandLine& command, const std::string& prefix, Direct
   command.option(prefix + "duplicate", options.duplicate, "Share of packets that are sent twice");
 }
 
-}  // namespace
-
-void declare_program(const CommandLine& program) {
+void declare_wireless(const CommandLine& program) {
   const CommandLine command = add_command(program, "wireless");
   WirelessOptions& options = command.runs(run_wireless_command);
   add_direction(command.group("The link, either way"), "--", options.both);
@@ -246,8 +254,8 @@ void declare_program(const CommandLine& program) {
   command.option("--robot", options.robot, "The robot's program, at 10.77.0.1, as a shell takes it");
   command.option("--robot-ready", options.robot_ready, "The client starts at a line of it that matches this");
   command.option("--robot-ready-within", options.ready_within, "And that must come in this time");
-  command.option("--client", options.client, "The client's program, at 10.77.0.2, as a shell takes it");
-  command.repeated("command", options.command, "The same behind --, word by word");
+  command.option("--client", options.client,
+                 "The client's program, at 10.77.0.2; or behind --, word by word");
   command.option("--json", options.json, "File for the statistics");
   command.option("--quiet", options.quiet, "No table at the end");
   command.footer(
@@ -261,4 +269,12 @@ void declare_program(const CommandLine& program) {
       "input.");
 }
 
+}  // namespace
 }  // namespace gaitway::tools
+
+int main(int argc, char** argv) {
+  char** const dashes = std::find(argv, argv + argc, std::string_view("--"));
+  if (dashes != argv + argc) gaitway::tools::client_words().assign(dashes + 1, argv + argc);
+  *dashes = nullptr;
+  return gaitway::tools::run_program(static_cast<int>(dashes - argv), argv, gaitway::tools::declare_wireless);
+}
