@@ -83,7 +83,8 @@ struct Play {
     std::mt19937_64 random(seed);
     std::int64_t now_ns = 0;
     for (int i = 0; i < packets; ++i) {
-      now_ns += static_cast<std::int64_t>(random() % (random() % 50 == 0 ? 50 * kMs : 2 * kMs));
+      const bool pauses = random() % 50 == 0;
+      now_ns += static_cast<std::int64_t>(random() % (pauses ? 50 * kMs : 2 * kMs));
       if (random() % 200 == 0) {
         const std::int64_t begin_ns = now_ns + static_cast<std::int64_t>(random() % (20 * kMs));
         link.add_outage(now_ns, {begin_ns, begin_ns + static_cast<std::int64_t>(random() % (200 * kMs))});
@@ -323,7 +324,7 @@ INSTANTIATE_TEST_SUITE_P(Outages, LinkEmulatorProperties, testing::Bool());
 TEST(LinkEmulator, OneSeedGivesOneDigest) {
   const LinkSettings settings = both(everything_bad());
   // Written down, so that no library or machine changes it unnoticed.
-  EXPECT_EQ(digest(Play(settings, 1, 5000).out), 9629595908350799898ULL);
+  EXPECT_EQ(digest(Play(settings, 1, 5000).out), 14705295332477064127ULL);
   EXPECT_EQ(digest(Play(settings, 2, 5000).out), digest(Play(settings, 2, 5000).out));
   EXPECT_NE(digest(Play(settings, 2, 5000).out), digest(Play(settings, 3, 5000).out));
 }
