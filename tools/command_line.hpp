@@ -104,7 +104,8 @@ inline constexpr std::array kCommands{
     Command{"motion", "Key-frame motions: list, show, plan, check, draw and prepare them"},
     Command{"robot", "Bring, describe and check a robot of your own"},
     Command{"calibrate",
-            "Find joint zeros, trunk and force cells from standing poses, and how sure they are"}};
+            "Find joint zeros, trunk and force cells from standing poses, and how sure they are"},
+    Command{"wireless", "Run a robot and a client with a bad wireless link between them"}};
 
 // Declares the command of that name, with its line of help.
 [[nodiscard]] CommandLine add_command(const CommandLine& program, std::string_view name);

@@ -25,7 +25,8 @@ std::uint32_t asked(std::uint32_t at_start, std::uint32_t count) noexcept {
 RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot,
                      const RobotDeskOptions& options)
     : client_(client),
-      codec_{robot.joints.size()},
+      codec_{.joint_count = robot.joints.size()},
+      orders_{.joint_count = robot.joints.size(), .exact = true},
       end_({.role = link::Role::controller,
             .boot = options.boot,
             .table_hash = contract::table_hash(robot),
@@ -122,7 +123,7 @@ bool RobotDesk::decode(const link::Order& order, Request& request) const noexcep
     return false;
   }
   const link::Bytes value = order.payload.subspan(contract::kStopsSeenBytes);
-  return codec_.decode(type, value, &request) == value.size() && contract::all_finite(type, &request);
+  return orders_.decode(type, value, &request) == value.size() && contract::all_finite(type, &request);
 }
 
 void RobotDesk::refuse(link::OrderId id, OrderResultCode code) {
@@ -132,7 +133,7 @@ void RobotDesk::refuse(link::OrderId id, OrderResultCode code) {
 template <class Answer>
 void RobotDesk::answer(link::OrderId id, const Answer& value) {
   std::array<std::uint8_t, link::kMostAnswerBytes> room{};
-  const std::size_t size = codec_.encode(TopicType<Answer>::descriptor, &value, room);
+  const std::size_t size = orders_.encode(TopicType<Answer>::descriptor, &value, room);
   static_cast<void>(
       end_.answer(id, static_cast<std::uint16_t>(OrderResultCode::done), std::span(room).first(size)));
 }

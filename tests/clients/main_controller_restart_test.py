@@ -15,14 +15,14 @@ from served_robot import free_port, until
 
 
 class Processes:
-    """virtual_robot, message_controller and a supervised main_controller with the api among its plug-ins."""
+    """virtual_robot, message_controller, a supervised main_controller with the api among its plug-ins, and the module."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
         self.port = free_port()
         self.started = []
         config = Path(os.environ["GAITWAY_CONFIG"]).with_name("serve.yaml").read_text()
-        config = config.replace("writes: recordings", f"writes: recordings\n    parameters: {{port: {self.port}}}")
+        config = config.replace("sockets: local", f"parameters: {{link: 'unix:{self.folder}/link'}}\n    sockets: local")
         (self.folder / "serve.yaml").write_text(config)
         self.start("robot", "GAITWAY_VIRTUAL_ROBOT", "--bus", self.folder / "bus")
         self.start("message", "GAITWAY_MESSAGE_CONTROLLER", "--bus", self.folder / "bus", "--memory", self.folder / "memory",
@@ -30,7 +30,8 @@ class Processes:
         until(lambda: (self.folder / "memory").exists(), "the memory block")
         self.main = self.start("main", "GAITWAY_MAIN_CONTROLLER", "--supervised", "--socket", self.folder / "memory", "--config",
                                self.folder / "serve.yaml", "--plugin-path", os.environ["GAITWAY_PLUGIN_DIR"])
-        until(lambda: self.times_served() == 1, lambda: "the API:\n" + self.output("main"), 60.0)
+        self.start("module", "GAITWAY_USER_INTERFACE", "--link", f"unix:{self.folder}/link", "--port", self.port)
+        until(lambda: self.times_linked() == 1, lambda: "the API:\n" + self.output("main") + self.output("module"), 60.0)
 
     def start(self, name, program, *arguments):
         with open(self.folder / f"{name}.txt", "wb") as output:
@@ -42,8 +43,8 @@ class Processes:
     def output(self, name):
         return (self.folder / f"{name}.txt").read_text(errors="replace")
 
-    def times_served(self):
-        return len(re.findall(r"serves ws://", self.output("main")))
+    def times_linked(self):
+        return len(re.findall(r"linked to the main controller", self.output("module")))
 
     def kill_main_controller(self):
         """Not its supervisor, which starts it again."""
@@ -83,7 +84,7 @@ class MainControllerRestart(unittest.TestCase):
                 time.sleep(0.05)  # as a client does: ten times a second and more
             self.assertGreater(seen[-1]["pose"]["pose"]["position"]["x"], 0.05, "it walked")
             processes.kill_main_controller()
-            until(lambda: processes.times_served() == 2, lambda: "the API again:\n" + processes.output("main"), 30.0)
+            until(lambda: processes.times_linked() == 2, lambda: "the link again:\n" + processes.output("module"), 30.0)
             count = len(seen)
             until(lambda: ros.is_connected and len(seen) > count + 20, "odometry of the new main controller", 30.0)
             self.assertGreater(seen[-1]["pose"]["pose"]["position"]["z"], 0.25, "it stands")

@@ -2,6 +2,7 @@
 #include "gaitway/contract/topic_codec.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -29,13 +30,13 @@ class Writer {
     }
     byte(static_cast<std::uint8_t>(value));
   }
-  void real(float value) noexcept {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    for (unsigned shift = 0; shift < 32; shift += 8) {
+  void raw(std::uint64_t bits, unsigned count) noexcept {
+    for (unsigned shift = 0; shift < count; shift += 8) {
       byte(static_cast<std::uint8_t>(bits >> shift));
     }
   }
+  void real(float value) noexcept { raw(std::bit_cast<std::uint32_t>(value), 32); }
+  void real(double value) noexcept { raw(std::bit_cast<std::uint64_t>(value), 64); }
   [[nodiscard]] std::size_t size() const noexcept { return ok_ ? size_ : 0; }
 
  private:
@@ -71,15 +72,15 @@ class Reader {
     refuse();
     return 0;
   }
-  float real() noexcept {
-    std::uint32_t bits = 0;
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-      bits |= std::uint32_t{byte()} << shift;
+  std::uint64_t raw(unsigned count) noexcept {
+    std::uint64_t bits = 0;
+    for (unsigned shift = 0; shift < count; shift += 8) {
+      bits |= std::uint64_t{byte()} << shift;
     }
-    float value = 0.0F;
-    std::memcpy(&value, &bits, sizeof bits);
-    return value;
+    return bits;
   }
+  float real() noexcept { return std::bit_cast<float>(static_cast<std::uint32_t>(raw(32))); }
+  double exact_real() noexcept { return std::bit_cast<double>(raw(64)); }
   void refuse() noexcept { ok_ = false; }
   [[nodiscard]] bool ok() const noexcept { return ok_; }
   [[nodiscard]] std::size_t read() const noexcept { return ok_ ? read_ : 0; }
@@ -154,8 +155,10 @@ std::uint64_t load_unsigned(ScalarType type, const std::byte* place) noexcept {
   }
 }
 
-void write_number(Writer& out, ScalarType type, const std::byte* place) noexcept {
-  if (type == ScalarType::float64_value) {
+void write_number(Writer& out, ScalarType type, const std::byte* place, bool exact) noexcept {
+  if (type == ScalarType::float64_value && exact) {
+    out.real(load<double>(place));
+  } else if (type == ScalarType::float64_value) {
     out.real(static_cast<float>(load<double>(place)));
   } else if (type == ScalarType::float32_value) {
     out.real(load<float>(place));
@@ -164,9 +167,9 @@ void write_number(Writer& out, ScalarType type, const std::byte* place) noexcept
   }
 }
 
-void read_number(Reader& in, ScalarType type, std::byte* place) noexcept {
+void read_number(Reader& in, ScalarType type, std::byte* place, bool exact) noexcept {
   if (type == ScalarType::float64_value) {
-    const double value = in.real();
+    const double value = exact ? in.exact_real() : in.real();
     std::memcpy(place, &value, sizeof value);
     return;
   }
@@ -220,7 +223,7 @@ std::size_t TopicCodec::encode(const TypeDescriptor& type, const void* value,
       if (is_text(field)) {
         write_text(out, place, rows.elements);
       } else {
-        write_number(out, field.type, place);
+        write_number(out, field.type, place, exact);
       }
     }
   }
@@ -239,7 +242,7 @@ std::size_t TopicCodec::decode(const TypeDescriptor& type, std::span<const std::
       if (is_text(field)) {
         read_text(in, place, rows.elements);
       } else {
-        read_number(in, field.type, place);
+        read_number(in, field.type, place, exact);
       }
     }
   }
@@ -268,7 +271,7 @@ std::size_t TopicCodec::most_bytes(const TypeDescriptor& type) const noexcept {
     const Rows rows = rows_of(field, joint_count);
     const std::size_t bits = 8 * std::size_t{scalar_size(field.type)};
     const std::size_t of_row = is_text(field)        ? kMostLengthBytes + rows.elements
-                               : is_real(field.type) ? sizeof(float)
+                               : is_real(field.type) ? (exact ? scalar_size(field.type) : sizeof(float))
                                                      : (bits + kGroupBits - 1) / kGroupBits;
     most += rows.count * of_row;
   }

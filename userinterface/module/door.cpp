@@ -19,6 +19,7 @@
 #include "gaitway/api/server.hpp"
 #include "gaitway/api/view_hub.hpp"
 #include "gaitway/api/view_source.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/page/asset_table.hpp"
 #include "gaitway/page/robot_assets.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -105,10 +106,7 @@ class Door::Impl {
                 {.assets = &assets_, .view = &view_hub_}),
         link_thread_(link_, options.link, tell_) {}
 
-  void run() {
-    tell_("serves " + url_ + ", and the page at http" + url_.substr(2));
-    server_.run();
-  }
+  void run() { server_.run(); }
   void stop() { server_.stop(); }
   [[nodiscard]] const std::string& url() const noexcept { return url_; }
 
@@ -117,6 +115,7 @@ class Door::Impl {
     port_.observe(now_ns);
     follow_session();
     hub_.answer(now_ns);
+    tell_address(now_ns);
     GenericSink sink(
         [this](Topic topic) {
           return hub_.wanted(topic) || records(topic) || (view_hub_.watched() && ViewSource::wants(topic));
@@ -140,6 +139,16 @@ class Door::Impl {
     const std::uint32_t session = link_.open() ? link_.session() : 0;
     if (std::exchange(session_, session) != session) {
       hub_.robot_lost();
+    }
+  }
+  // When there is a robot to be shown, or after a while without.
+  void tell_address(std::int64_t now_ns) {
+    constexpr std::int64_t kPatience_ns = facts::kSecond_ns;
+    began_ns_ = began_ns_ == 0 ? now_ns : began_ns_;
+    const bool shows = port_.connected() && !port_.plugins().empty();
+    if (!address_told_ && (shows || now_ns - began_ns_ >= kPatience_ns)) {
+      address_told_ = true;
+      tell_("serves " + url_ + ", and the page at http" + url_.substr(2));
     }
   }
   void tell_commander(PublicationSink& sink) {
@@ -174,6 +183,8 @@ class Door::Impl {
   Hub hub_;
   std::optional<ros::String> commander_;  // as told last
   std::uint32_t session_ = 0;             // of the link, as last seen
+  std::int64_t began_ns_ = 0;             // to serve
+  bool address_told_ = false;
   ViewHub view_hub_;
   Server server_;
   LinkThread link_thread_;

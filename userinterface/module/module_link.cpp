@@ -56,7 +56,8 @@ std::string text_of(OrderResultCode code) {
 }  // namespace
 
 ModuleLink::ModuleLink(const urdf::RobotModel& robot, const ModuleLinkOptions& options)
-    : codec_{robot.joints.size()},
+    : codec_{.joint_count = robot.joints.size()},
+      orders_{.joint_count = robot.joints.size(), .exact = true},
       mirror_(codec_),
       end_({.role = link::Role::module,
             .boot = options.boot,
@@ -145,7 +146,7 @@ std::uint32_t ModuleLink::order_untyped(OrderKind kind, const void* request, std
     }
     const std::size_t size =
         contract::kStopsSeenBytes +
-        codec_.encode(*row.request, request, std::span(room).subspan(contract::kStopsSeenBytes));
+        orders_.encode(*row.request, request, std::span(room).subspan(contract::kStopsSeenBytes));
     const std::int64_t expiry_ns = end_.robot_time_ns(now_ns).value_or(0) - age_ns + row.validity_ns;
     const link::Bytes payload = std::span(room).first(size);
     if (kind == OrderKind::walk && velocities_under_way_ >= kVelocitiesUnderWay) {
@@ -261,7 +262,7 @@ OrderResult ModuleLink::result_of(const Given& given, const link::Outcome& outco
 
 OrderResult ModuleLink::answer_of(const Given& given, link::Bytes payload) const {
   const auto decode = [&](auto& answer) {
-    return codec_.decode(*contract::row(given.kind).answer, payload, &answer) == payload.size() &&
+    return orders_.decode(*contract::row(given.kind).answer, payload, &answer) == payload.size() &&
            !payload.empty();
   };
   if (given.kind == OrderKind::motion) {

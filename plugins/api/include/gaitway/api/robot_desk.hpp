@@ -59,7 +59,7 @@ class RobotDesk {
   [[nodiscard]] bool decode(const link::Order& order, Request& request) const noexcept;
 
   msgclient::Client& client_;
-  contract::TopicCodec codec_;
+  contract::TopicCodec codec_, orders_;  // of state, of orders and answers
   link::ControllerEnd end_;
   PlanDigest plans_;
   StateExport state_;

@@ -11,16 +11,18 @@ namespace gaitway::contract {
 
 // The value's fields in their order, without gaps:
 //
-//   float64, float32      float32, 4 bytes
-//   whole numbers         in groups of seven bits, the lowest first, the top bit set but in the last byte;
-//   signed ones folded (0, -1, 1, -2, ...) uint8 arrays          how many until the last that is not 0, then
-//   these: texts are as long as they are arrays over joints    the robot's joints alone: those whose first
-//   extent is kMaxJoints
+//   float64            float32 (4 bytes); in an exact codec all 8
+//   float32            4 bytes
+//   whole numbers      in groups of seven bits, the lowest first, the top bit set in all but the last byte;
+//                      signed ones folded: 0, -1, 1, -2, ... are 0, 1, 2, 3, ...
+//   uint8 arrays       how many until the last that is not 0, then these: texts are as long as they are
+//   arrays over joints the robot's joints alone: arrays whose first extent is kMaxJoints
 //
 // What is decoded is what was encoded but for the rounding of numbers, and for joints that the robot does not
 // have: these are 0.
 struct TopicCodec {
   std::size_t joint_count = 0;  // the same at both ends
+  bool exact = false;           // for orders
 
   // Into `room`; returns the bytes, 0 when they do not fit. `value`: one of the type.
   std::size_t encode(const TypeDescriptor& type, const void* value,

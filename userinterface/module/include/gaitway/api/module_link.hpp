@@ -107,7 +107,7 @@ class ModuleLink {
   [[nodiscard]] OrderResult result_of(const Given& given, const link::Outcome& outcome) const;
   [[nodiscard]] OrderResult answer_of(const Given& given, link::Bytes payload) const;
 
-  contract::TopicCodec codec_;
+  contract::TopicCodec codec_, orders_;  // of state, of orders and answers
   StateMirror mirror_;
   link::ModuleEnd end_;
   mutable std::mutex mutex_;
