@@ -133,6 +133,10 @@ test("shows joints, plots, plug-ins with live parameters, events and recordings"
   await robot.newsOf("Recording: done");
   await robot.page.evaluate(() => [...document.querySelectorAll(".recordings button")].find((button) => button.textContent === "End the recording").click());
   await robot.until(() => document.querySelector(".recordings tbody").textContent.includes("of_the_page.mcap"), "the recording");
+  await robot.tab("Drive");
+  await robot.hold("w");  // a velocity that is reached step by step is an event
+  await robot.says("activity", "walks");
+  await robot.letGo("w");
   await robot.tab("Events");
   await robot.until(() => document.querySelectorAll(".events li").length > 0, "events");
   await robot.page.type(".events-tab input", "no event has these words");
