@@ -7,7 +7,6 @@
 #include <sched.h>
 #include <seccomp.h>
 #include <signal.h>
-#include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -18,7 +17,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
@@ -31,13 +29,11 @@ namespace {
 
 constexpr std::string_view kSocketCalls = "socket socketpair connect bind listen accept accept4";
 
-// A filter of system calls: everything is allowed but what is refused; calls of another architecture end the
-// process.
+// A filter of system calls: everything is allowed but what is refused, which is a trap for refuse() below;
+// calls of another architecture end the process.
 class SeccompFilter {
  public:
-  // `refusal`: SCMP_ACT_TRAP or SCMP_ACT_ERRNO(number).
-  explicit SeccompFilter(std::uint32_t refusal) noexcept
-      : refusal_(refusal), context_(seccomp_init(SCMP_ACT_ALLOW)) {
+  SeccompFilter() noexcept : context_(seccomp_init(SCMP_ACT_ALLOW)) {
     sound_ = context_ != nullptr &&
              seccomp_attr_set(context_, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS) == 0;
   }
@@ -59,15 +55,12 @@ class SeccompFilter {
 
   // Where all of `when` holds. More than once for a call: where any of them does.
   void refuse(int call, std::initializer_list<scmp_arg_cmp> when = {}) noexcept {
-    refuse(call, refusal_, when);
+    add(call, SCMP_ACT_TRAP, when);
   }
-  void refuse(int call, std::uint32_t refusal, std::initializer_list<scmp_arg_cmp> when = {}) noexcept {
-    const int result =
-        seccomp_rule_add_array(context_, refusal, call, static_cast<unsigned>(when.size()), when.begin());
-    sound_ = sound_ && (result == 0 || result == -EDOM);  // which says that this machine has no such call
-  }
+  // As a call that this kernel does not have.
+  void hide(int call) noexcept { add(call, SCMP_ACT_ERRNO(ENOSYS), {}); }
   // By their names, with spaces between them.
-  void refuse_all(std::string_view calls) {
+  void refuse_all(std::string_view calls) noexcept {
     for (std::size_t end = 0; !calls.empty(); calls.remove_prefix(std::min(end + 1, calls.size()))) {
       end = std::min(calls.find(' '), calls.size());
       const int call = seccomp_syscall_resolve_name(std::string(calls.substr(0, end)).c_str());
@@ -80,7 +73,12 @@ class SeccompFilter {
   [[nodiscard]] bool install() noexcept { return sound_ && seccomp_load(context_) == 0; }
 
  private:
-  std::uint32_t refusal_;
+  void add(int call, std::uint32_t action, std::initializer_list<scmp_arg_cmp> when) noexcept {
+    const int result =
+        seccomp_rule_add_array(context_, action, call, static_cast<unsigned>(when.size()), when.begin());
+    sound_ = sound_ && (result == 0 || result == -EDOM);  // which says that this machine has no such call
+  }
+
   scmp_filter_ctx context_;
   bool sound_ = false;
 };
@@ -95,16 +93,17 @@ volatile sig_atomic_t refused_call = -1;
 // What is forbidden but for some uses has conditions. `local_sockets`: Unix sockets may be made and used; no
 // others.
 bool install_filter(bool local_sockets) noexcept {
-  SeccompFilter filter(SCMP_ACT_TRAP);
+  SeccompFilter filter;
   filter.refuse_all(kForbidden);
   if (local_sockets) {
-    filter.refuse(SCMP_SYS(socket), {SeccompFilter::is_not(0, AF_UNIX)});
-    filter.refuse(SCMP_SYS(socketpair), {SeccompFilter::is_not(0, AF_UNIX)});
+    for (const int call : {SCMP_SYS(socket), SCMP_SYS(socketpair)}) {
+      filter.refuse(call, {SeccompFilter::is_not(0, AF_UNIX)});
+    }
   } else {
     filter.refuse_all(kSocketCalls);
   }
   // Its flags lie in memory, where no filter sees them; without it libraries use clone.
-  filter.refuse(SCMP_SYS(clone3), SCMP_ACT_ERRNO(ENOSYS));
+  filter.hide(SCMP_SYS(clone3));
   filter.refuse(SCMP_SYS(clone), {SeccompFilter::has(0, CLONE_THREAD, 0)});
   const auto self = static_cast<std::uint64_t>(getpid());
   filter.refuse(SCMP_SYS(kill), {SeccompFilter::is_not(0, self)});

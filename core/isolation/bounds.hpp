@@ -10,13 +10,13 @@ struct ChildBounds {
   std::uint64_t memory_limit_bytes =
       0;  // 0: of all this only the descriptors, the core file and the priority
   std::uint64_t descriptor_limit = 0;
-  // May make and use Unix sockets; never any of a network.
+  // May make and use Unix sockets, and no others.
   bool local_sockets = false;
 };
 
 // For a process's main thread, once: closes all descriptors from `first_closed` on, sets limits on memory and
 // descriptors, no core file, no new rights, a priority below that of the manager, and refuses system calls
-// that start or trace processes, signal others, reach the network, or lift these bounds. A refused call
+// that start or trace processes, signal others, make or use sockets, or lift these bounds. A refused call
 // answers EPERM and is remembered. Where the kernel has no such filter, RLIMIT_NPROC 0 stands for it.
 void enter_child_bounds(const ChildBounds& bounds, int first_closed) noexcept;
 

@@ -96,7 +96,7 @@ class IsolatedPlugin final : public ManagedPlugin {
     if (options_.lock_step) {
       return options_.watchdog_ns;
     }
-    // Whoever takes such a plug-in over must not have the ticks wait for it.
+    // Whoever keeps such a plug-in busy over its sockets must not have the ticks wait for it.
     return settings_.local_sockets ? step_budget_ns(containment_, period_ == Period::batch)
                                    : kBetweenSteps_ns;
   }

@@ -18,8 +18,8 @@ namespace gaitway::core {
 
 enum class ChildMessage : std::uint32_t {
   // From the manager.
-  create = 1,  // library, base, robot directory, memory socket, write folder, search path; whole files are
-               // the child's own affair
+  create = 1,  // library, base, robot directory, memory socket, search path; whole files are the child's own
+               // affair
   granted,     // the declaration stands; for a parameter with its value
   refused,     // with the error text
   attach,      // with the segment's descriptor

@@ -9,6 +9,7 @@
 #include "plugin_loader.hpp"
 
 namespace gaitway::core {
+
 PluginManager::PluginManager(const Configuration& configuration, const PluginManagerOptions& options,
                              msgclient::Client& client)
     : options_(options),

@@ -53,8 +53,7 @@ void require_allowed_over_network(const PluginRequest& request, const PluginMana
   if ((verb == PluginVerb::unload || verb == PluginVerb::stop) && manager.plugins().local_sockets(plugin)) {
     throw PluginError(
         fmt::format("'{0}' keeps the link over which this came: nothing could bring it back from there. "
-                    "On the robot: "
-                    "gaitway ctl plugin {1} {0}",
+                    "On the robot: gaitway ctl plugin {1} {0}",
                     plugin, verb == PluginVerb::unload ? "unload" : "stop"));
   }
   // A plug-in's name becomes its library's where there is none.

@@ -64,8 +64,8 @@ class RestartRule {
   [[nodiscard]] bool gives_up(std::int64_t now_ns) const noexcept {
     return !local_sockets_ && recent(now_ns) >= options_.replacements;
   }
-  // Of a loss now. One that users reach the robot through is always replaced;
-  // but the oftener the later. `ran`: it was in service.
+  // Of a loss now. One that users reach the robot through is always replaced, but the oftener the later.
+  // `ran`: it was in service.
   [[nodiscard]] std::int64_t delay_ns(std::int64_t now_ns, bool ran) noexcept {
     if (!local_sockets_) {
       return options_.restart_delay_ns;

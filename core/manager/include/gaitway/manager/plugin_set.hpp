@@ -88,7 +88,7 @@ class PluginSet {
   // Copies a parameter's value, as text, cut off where the room ends. Empty if there is none such. For the
   // tick's thread, which alone changes values.
   void copy_value(std::string_view plugin, std::size_t parameter, std::span<char> to) const noexcept;
-  // Whether it faces the network. False if there is no such plug-in.
+  // Whether it may use Unix sockets, over which users reach the robot. False if there is no such plug-in.
   [[nodiscard]] bool local_sockets(std::string_view plugin) const noexcept;
   [[nodiscard]] std::vector<PluginTiming> timings() const;
 

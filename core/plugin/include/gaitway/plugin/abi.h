@@ -165,8 +165,7 @@ typedef struct gaitway_network {
   /* [any] Path of the socket at which the memory block's server takes clients; empty: there is none. Belongs
    * to the host and lives until destroy returns. `context`: gaitway_host's. */
   const char* (*memory_socket)(void* context);
-  /* [any] Always empty: no plug-in serves a network any more, and none is bound to a folder. Belongs to the
-   * host and lives until destroy returns. */
+  /* [any] Always empty: no plug-in is bound to a folder. Lives as long. */
   const char* (*write_folder)(void* context);
 } gaitway_network;
 
