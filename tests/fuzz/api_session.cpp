@@ -1,8 +1,9 @@
-// Conversations of three clients with the robot API (plugins/api: hub.hpp, session.hpp): messages, whole,
-// changed or arbitrary; time, publications, answers of the robot, lost connections. Whatever comes: nothing
-// throws; no more waits for a client than may; what is sent is JSON, or CBOR where a client may have asked
-// for it; the robot is told something only on behalf of clients that are let in; it walks only while somebody
-// has the command; and a second client drives only after the robot was told to stand for the first.
+// Conversations of three clients with the robot API (userinterface/sessions: hub.hpp, session.hpp): messages,
+// whole, changed or arbitrary; time, publications, answers of the robot, lost connections. Whatever comes:
+// nothing throws; no more waits for a client than may; what is sent is JSON, or CBOR where a client may have
+// asked for it; what clients have among themselves goes with them; the robot is told something only on behalf
+// of clients that are let in; it walks only while somebody has the command; and a second client drives only
+// after the robot was told to stand for the first.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -27,7 +28,7 @@ constexpr std::size_t kClients = 3;
 using facts::kMillisecond_ns;
 constexpr std::size_t kMostActions = 500;
 
-constexpr std::array<std::string_view, 40> kMessages{
+constexpr std::array<std::string_view, 58> kMessages{
     R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":0.2},"angular":{"z":0.1}}})",
     R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":-1.5}}})",
     R"({"op":"publish","topic":"cmd_vel","msg":{"linear":{"z":1}}})",
@@ -67,6 +68,24 @@ constexpr std::array<std::string_view, 40> kMessages{
     R"({"op":"auth","mac":"wrong"})",
     R"({"op":"fragment","id":"1","data":"{","num":0,"total":1})",
     R"({"op":"advertise_service","service":"/x","type":"y/Z"})",
+    R"({"op":"advertise","id":"t","topic":"/chat","type":"a/B","latch":true})",
+    R"({"op":"advertise","topic":"chat","type":"a/msg/B"})",
+    R"({"op":"advertise","topic":"/chat","type":"a/C"})",
+    R"({"op":"unadvertise","topic":"/chat"})",
+    R"({"op":"unadvertise","id":"t","topic":"chat"})",
+    R"({"op":"publish","topic":"/chat","msg":{"data":"hello"}})",
+    R"({"op":"publish","topic":"/chat","type":"a/B","latch":true,"msg":{"data":[1,2.5,null,{"a":"\u00e4"}]}})",
+    R"({"op":"publish","topic":"/joint_states","msg":{}})",
+    R"({"op":"subscribe","topic":"/chat","type":"a/B","queue_length":2})",
+    R"({"op":"subscribe","id":"c","topic":"chat","compression":"cbor"})",
+    R"({"op":"subscribe","topic":"/chat","type":"a/B","throttle_rate":50,"fragment_size":64})",
+    R"({"op":"unsubscribe","topic":"/chat"})",
+    R"({"op":"advertise_service","service":"x","type":"a/B"})",
+    R"({"op":"unadvertise_service","service":"/x"})",
+    R"({"op":"call_service","id":1,"service":"/x","args":{"a":[1]}})",
+    R"({"op":"call_service","service":"x","timeout":0.1,"compression":"cbor"})",
+    R"({"op":"service_response","service":"/x","id":"CALL","values":{"a":1},"result":true})",
+    R"({"op":"service_response","service":"/x","id":"CALL","values":"no","result":false})",
     R"({"op":"status","id":[[[[[[]]]]]]})"};
 
 Limits tight() {
@@ -77,6 +96,12 @@ Limits tight() {
   limits.subscriptions = 4;
   limits.advertisements = 2;
   limits.queue_length = 8;
+  limits.client_topics = 3;
+  limits.kept_bytes = 256;
+  limits.services = 2;
+  limits.client_services = 3;
+  limits.calls_of_provider = 3;
+  limits.calls_of_all = 5;
   limits.messages_per_s = 50.0;
   return limits;
 }
@@ -113,6 +138,7 @@ class Trial {
     }
     require(!robot_.walking, "nothing walks on when all have gone");
     require(hub_.statistics().clients == 0, "who has gone is gone");
+    require(hub_.statistics().waiting_bytes == 0, "nothing waits for, or is kept of, who has gone");
   }
 
  private:
@@ -173,6 +199,9 @@ class Trial {
     if (const std::size_t at = text.find("LEASE"); at != std::string::npos) {
       text.replace(at, 5, lease_);
     }
+    if (const std::size_t at = text.find("CALL"); at != std::string::npos) {
+      text.replace(at, 4, call_);
+    }
     if (input_.choose(4) == 0) {
       const std::size_t at = input_.take<std::uint8_t>() % text.size();
       text.replace(at, input_.choose(3), input_.take_text(input_.choose(3)));
@@ -222,10 +251,15 @@ class Trial {
       require(message.is_object() && message.contains("op"), "what is sent is a message of rosbridge");
       require(!frame->binary || peer.wants_cbor, "CBOR is sent to who asked for it");
       remember_lease(message);
+      if (message["op"] == "call_service") {
+        require(message["id"].is_string(), "a call that is passed on has an id of the robot's");
+        call_ = message["id"].get<std::string>();
+      }
     }
   }
   void remember_lease(const json& message) {
-    if (message.value("result", false) && message["values"].contains("lease")) {
+    if (message.value("result", false) && message["values"].contains("lease") &&
+        message["values"]["lease"].is_string()) {
       lease_ = message["values"]["lease"].get<std::string>();
     }
   }
@@ -258,7 +292,7 @@ class Trial {
   Hub hub_;
   std::array<Peer, kClients> peers_;
   std::int64_t now_ns_ = 1'000'000'000;
-  std::string lease_ = "none";
+  std::string lease_ = "none", call_ = "none";
   const Peer* peer_ = nullptr;  // who acts
   bool was_closed_ = false;
   const Peer* driver_ = nullptr;  // who made the robot walk, until it was told to stand

@@ -21,6 +21,12 @@ object with a field `op`. Messages that the robot publishes come as JSON, or as 
 for it by `/command/acquire`. It lasts as long as commands or `/command/keep_alive` come, and ends with the connection. Stop and
 emergency stop are open to everybody who is let in.
 
+**Clients among themselves.** Topics and services that are not the robot's belong to the clients: whoever is let in may advertise, publish,
+subscribe, offer and call them, whoever commands. The robot passes on what they say as JSON, or as CBOR to who asked for it, whatever its type. Whole
+numbers beyond 64 bits become doubles; the order of fields and spaces may change. Their names are letters, digits and `_`, in parts between single
+slashes. A topic and its type last while somebody advertises it or subscribes to it; a service lasts as long as its provider's connection. `/rosapi/nodes`
+lists who has any of them as `/client_` and a number. There are no actions: `advertise_action`, `send_action_goal` and the like are refused.
+
 **Time-out.** A velocity command holds for a short while only: send it again, ten times a second, say. When none comes any more, the robot
 stops smoothly and stands.
 
@@ -41,6 +47,8 @@ Latched: a new subscriber gets the last message at once. Rate 0: when something 
 
 inline constexpr std::string_view kAccepted = R"(
 ## Topics that the robot takes
+
+All other names are for the clients' own topics.
 
 )";
 

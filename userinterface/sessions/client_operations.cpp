@@ -21,25 +21,10 @@ bool is_velocity(std::string_view topic) {
   return topic == kVelocityTopic || topic == kVelocityTopic.substr(1);
 }
 
-// The topic of a message that the robot is to take. Throws Refused.
-std::string velocity_topic_in(const json& message) {
-  std::string topic = name_in(message, "topic");
-  if (!is_velocity(topic)) {
-    throw Refused("topic is " + shown(topic) + ", but the robot takes messages on " +
-                  std::string(kVelocityTopic) + " only");
-  }
-  return topic;
-}
-
-// The row of a topic that a client wants to hear. Throws Refused.
-const TopicRow& row_of(const std::string& topic) {
-  for (const TopicRow& row : kTopics) {
-    if (row.name == topic) {
-      return row;
-    }
-  }
-  throw Refused("topic is " + shown(topic) +
-                ", but must be one that the robot publishes: see /rosapi/topics");
+// The row of a topic that the robot publishes; null: it is another.
+const TopicRow* find_row(std::string_view topic) {
+  const auto found = std::ranges::find(kTopics, topic, &TopicRow::name);
+  return found == kTopics.end() ? nullptr : &*found;
 }
 
 void require_type(const json& message, std::string_view topic, std::string_view type) {
@@ -105,9 +90,9 @@ const ClientSession::Operation* ClientSession::find_operation(std::string_view n
       Operation{"unadvertise", &S::unadvertise},
       Operation{"set_level", &S::set_level},
       Operation{"status", &S::ignore},
-      Operation{"advertise_service", &S::refuse_serving},
-      Operation{"unadvertise_service", &S::refuse_serving},
-      Operation{"service_response", &S::refuse_serving},
+      Operation{"advertise_service", &S::advertise_service},
+      Operation{"unadvertise_service", &S::unadvertise_service},
+      Operation{"service_response", &S::respond_to_call},
       Operation{"advertise_action", &S::refuse_actions},
       Operation{"unadvertise_action", &S::refuse_actions},
       Operation{"send_action_goal", &S::refuse_actions},
@@ -142,32 +127,36 @@ void ClientSession::authenticate(const Json& message, const Json& id) {
 }
 
 void ClientSession::advertise(const Json& message, const Json& id) {
-  const std::string topic = velocity_topic_in(message);
+  const std::string topic = name_in(message, "topic");
+  if (!is_velocity(topic)) {
+    return advertise_own(message, id);
+  }
   require_type(message, topic, ros::Twist::kName);
-  if (advertisements_.size() >= hub_.options.limits.advertisements && !advertisements_.contains(id.dump())) {
-    throw Refused("this connection advertises " + std::to_string(advertisements_.size()) +
-                  " times already: unadvertise first");
+  if (!advertisements_.contains(id.dump())) {
+    require_room_to_advertise();
   }
   advertisements_.insert(id.dump());
 }
 
 void ClientSession::unadvertise(const Json& message, const Json& id) {
   const std::string topic = name_in(message, "topic");
-  const bool known =
-      is_velocity(topic) && (id.is_null() ? !advertisements_.empty() : advertisements_.contains(id.dump()));
+  const auto of_id = id.is_null() ? std::nullopt : std::optional(id.dump());
+  const bool known = is_velocity(topic)
+                         ? (of_id ? advertisements_.contains(*of_id) : !advertisements_.empty())
+                         : topics_.unadvertise(topic, of_id);
   if (!known) {
     tell(Level::warning, "topic is " + shown(topic) + ", which this connection does not advertise", id);
-    return;
-  }
-  if (id.is_null()) {
+  } else if (is_velocity(topic) && of_id) {
+    advertisements_.erase(*of_id);
+  } else if (is_velocity(topic)) {
     advertisements_.clear();
-  } else {
-    advertisements_.erase(id.dump());
   }
 }
 
 void ClientSession::publish(const Json& message, const Json& id) {
-  static_cast<void>(velocity_topic_in(message));
+  if (!is_velocity(name_in(message, "topic"))) {
+    return publish_own(message);
+  }
   const auto content = message.find("msg");
   if (content == message.end()) {
     throw Refused("msg is missing");
@@ -182,32 +171,34 @@ void ClientSession::publish(const Json& message, const Json& id) {
 }
 
 void ClientSession::subscribe(const Json& message, const Json& id) {
-  const TopicRow& row = row_of(name_in(message, "topic"));
+  const TopicRow* const found = find_row(name_in(message, "topic"));
+  if (found == nullptr) {
+    return subscribe_own(message, id);
+  }
+  const TopicRow& row = *found;
   require_type(message, row.name, row.type);
   const std::string key = id.dump();
-  if (subscriptions_.count() >= hub_.options.limits.subscriptions && !subscriptions_.has(row.topic, key)) {
-    throw Refused("this connection has " + std::to_string(subscriptions_.count()) +
-                  " subscriptions already: unsubscribe first");
+  if (!subscriptions_.has(row.topic, key)) {
+    require_room_to_subscribe();
   }
-  subscriptions_.set(row.topic, key, terms_of(message, row, id));
+  subscriptions_.set(row.topic, key, terms_of(message, usual_queue(row, hub_.options.limits), true, id));
   serve(row.topic);
   if (const auto last = hub_.publications.latched(row.topic, encoding(row.topic))) {
     offer(row.topic, *last);
   }
 }
 
-Terms ClientSession::terms_of(const Json& message, const TopicRow& row, const Json& id) {
+Terms ClientSession::terms_of(const Json& message, std::size_t usual_queue, bool raw, const Json& id) {
   constexpr std::uint64_t kMostThrottle_ms = 3'600'000;
   constexpr std::uint64_t kMostQueueAsked = 1'000'000'000;
   const Limits& limits = hub_.options.limits;
   Terms terms;
-  terms.encoding = encoding_of(message, true);
+  terms.encoding = encoding_of(message, raw);
   terms.fragment_bytes = fragment_bytes_of(message);
   terms.throttle_ns = static_cast<std::int64_t>(whole_number(message, "throttle_rate", 0, kMostThrottle_ms)) *
                       kMillisecond_ns;
   const std::uint64_t asked = whole_number(message, "queue_length", 0, kMostQueueAsked);
-  terms.queue_length =
-      asked == 0 ? usual_queue(row, limits) : std::min<std::size_t>(asked, limits.queue_length);
+  terms.queue_length = asked == 0 ? usual_queue : std::min<std::size_t>(asked, limits.queue_length);
   if (asked > limits.queue_length) {
     tell(Level::warning,
          "queue_length is " + std::to_string(asked) + ", but at most " + std::to_string(limits.queue_length) +
@@ -241,13 +232,16 @@ void ClientSession::serve(Topic topic) {
 }
 
 void ClientSession::unsubscribe(const Json& message, const Json& id) {
-  const TopicRow& row = row_of(name_in(message, "topic"));
-  const bool removed =
-      id.is_null() ? subscriptions_.remove_all(row.topic) : subscriptions_.remove(row.topic, id.dump());
-  if (removed) {
-    serve(row.topic);
-  } else {
-    tell(Level::warning, "there is no such subscription of " + std::string(row.name), id);
+  const std::string topic = name_in(message, "topic");
+  const auto of_id = id.is_null() ? std::nullopt : std::optional(id.dump());
+  const TopicRow* const row = find_row(topic);
+  const bool removed = row == nullptr ? topics_.unsubscribe(topic, of_id)
+                       : of_id        ? subscriptions_.remove(row->topic, *of_id)
+                                      : subscriptions_.remove_all(row->topic);
+  if (!removed) {
+    tell(Level::warning, "topic is " + shown(topic) + ", of which there is no such subscription", id);
+  } else if (row != nullptr) {
+    serve(row->topic);
   }
 }
 
@@ -259,7 +253,12 @@ void ClientSession::call_service(const Json& message, const Json& id) {
   call.timeout_ns = timeout_of(message, hub_.options.limits);
   call.encoding = encoding_of(message, false);
   call.fragment_bytes = fragment_bytes_of(message);
-  hub_.desk.call(call, message.value("args", Json()), claimant_, hub_.now_ns);
+  const Json arguments = message.value("args", Json());
+  if (find_service(call.service) == nullptr && hub_.services.find(call.service) != nullptr) {
+    hub_.services.call(call, arguments, hub_.now_ns);
+  } else {
+    hub_.desk.call(call, arguments, claimant_, hub_.now_ns);
+  }
 }
 
 std::string ClientSession::leave_out_what_is_wrong_in_stop(Json& message) const {
@@ -293,10 +292,6 @@ void ClientSession::set_level(const Json& message, const Json&) {
 
 // What a client tells about itself changes nothing.
 void ClientSession::ignore(const Json&, const Json&) {}
-
-void ClientSession::refuse_serving(const Json& message, const Json&) {
-  throw Refused("op is " + shown(name_in(message, "op")) + ": services are offered by the robot alone");
-}
 
 void ClientSession::refuse_actions(const Json& message, const Json&) {
   throw Refused("op is " + shown(name_in(message, "op")) + ": this robot has no actions");

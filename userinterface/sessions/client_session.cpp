@@ -32,7 +32,8 @@ ClientSession::ClientSession(HubState& hub, Connection& connection, Claimant cla
       authorised_(authorised),
       opened_ns_(hub.now_ns),
       rate_(hub.options.limits.messages_per_s, hub.now_ns),
-      outbox_(hub.options.limits.waiting_bytes, hub.waiting_bytes) {
+      outbox_(hub.options.limits.waiting_bytes, hub.waiting_bytes),
+      topics_(hub.topics, outbox_, claimant_.number, [this] { wake(); }) {
   hub_.sessions.emplace(claimant_.number, this);
 }
 
@@ -164,6 +165,16 @@ void ClientSession::answer(const ServiceCall& call, Frame frame) {
   push(std::move(frame), call.fragment_bytes);
 }
 
+// Half of what may wait is left for its own answers, so that calls of others do not end its connection.
+bool ClientSession::take_call(Frame frame) {
+  const bool room =
+      !closing_ && outbox_.waiting_bytes() + frame.bytes->size() <= hub_.options.limits.waiting_bytes / 2;
+  if (room) {
+    push(std::move(frame));
+  }
+  return room;
+}
+
 Encoding ClientSession::encoding(Topic topic) const noexcept {
   return outbox_.terms(topic)->encoding;
 }
@@ -187,12 +198,16 @@ void ClientSession::tell_error(std::string_view text, const Json& id) {
 
 void ClientSession::tell_drops() {
   std::string text;
+  const auto add = [&](std::string_view topic, std::uint64_t drops) {
+    hub_.counts.dropped += drops;
+    text += (text.empty() ? "" : ", ") + std::to_string(drops) + " of " + std::string(topic);
+  };
   for (const TopicRow& row : kTopics) {
     if (const std::uint64_t drops = outbox_.take_drops(row.topic); drops > 0) {
-      hub_.counts.dropped += drops;
-      text += (text.empty() ? "" : ", ") + std::to_string(drops) + " of " + std::string(row.name);
+      add(row.name, drops);
     }
   }
+  topics_.take_drops(add);
   tell(Level::warning, "messages dropped, since this connection takes them too slowly: " + text, nullptr);
 }
 
@@ -233,7 +248,9 @@ void ClientSession::leave() {
     hub_.publications.remove(row.topic, *this);
     subscriptions_.remove_all(row.topic);
   }
+  topics_.leave();
   outbox_.close_all();
+  hub_.services.leave(claimant_.number);
   hub_.desk.leave(claimant_);
   hub_.commands.leave(claimant_);
 }

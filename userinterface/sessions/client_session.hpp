@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "client_services.hpp"
+#include "client_topics.hpp"
 #include "gaitway/api/authority.hpp"
 #include "gaitway/api/hub.hpp"
 #include "gaitway/api/session.hpp"
@@ -19,6 +21,7 @@
 #include "service_call.hpp"
 #include "service_desk.hpp"
 #include "subscriptions.hpp"
+#include "topic_share.hpp"
 
 namespace gaitway::api {
 
@@ -30,10 +33,14 @@ struct HubState {
   // Cuts who leaves most unread, until no more waits for all together than may. To be called when something
   // may have come to wait, and no list of sessions is being walked through.
   void keep_within_budget();
+  // To its client, if that is still there.
+  void answer(const ServiceCall& call, Frame frame);
 
   const RobotPort& robot;
   HubOptions options;
   RobotCommands commands;
+  ClientTopics topics;
+  ClientServices services;
   ServiceDesk desk;
   Publications publications;
   std::map<std::uint64_t, ClientSession*> sessions;  // by Claimant::number
@@ -96,9 +103,13 @@ class ClientSession final : public Session, private Subscriber {
   // For the hub.
   void step(std::int64_t now_ns);
   void answer(const ServiceCall& call, Frame frame);
+  // A call of a service that this client offers. False: it leaves too much unread to be sent more.
+  [[nodiscard]] bool take_call(Frame frame);
   // Closes it, and forgets what waits for it.
   void cut();
-  [[nodiscard]] std::size_t subscriptions() const noexcept { return subscriptions_.count(); }
+  [[nodiscard]] std::size_t subscriptions() const noexcept {
+    return subscriptions_.count() + topics_.subscriptions();
+  }
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return outbox_.waiting_bytes(); }
 
  private:
@@ -124,7 +135,9 @@ class ClientSession final : public Session, private Subscriber {
   void call_service(const Json& message, const Json& id);
   void set_level(const Json& message, const Json& id);
   void ignore(const Json& message, const Json& id);
-  void refuse_serving(const Json& message, const Json& id);
+  void advertise_service(const Json& message, const Json& id);
+  void unadvertise_service(const Json& message, const Json& id);
+  void respond_to_call(const Json& message, const Json& id);
   void refuse_actions(const Json& message, const Json& id);
   void refuse_transformation(const Json& message, const Json& id);
 
@@ -134,7 +147,15 @@ class ClientSession final : public Session, private Subscriber {
   // Nothing in its message keeps a stop from being carried out: fields that could not be read count as
   // absent. What was wrong with them; empty: nothing, or this is no stop.
   [[nodiscard]] std::string leave_out_what_is_wrong_in_stop(Json& message) const;
-  [[nodiscard]] Terms terms_of(const Json& message, const TopicRow& row, const Json& id);
+  // The same of topics that are the clients' own.
+  void advertise_own(const Json& message, const Json& id);
+  void publish_own(const Json& message);
+  void subscribe_own(const Json& message, const Json& id);
+  // Each throws Refused.
+  void require_room_to_advertise() const;
+  void require_room_to_subscribe() const;
+  // `usual_queue`: its length, where the client asks for none; `raw`: whether "cbor-raw" may be asked for.
+  [[nodiscard]] Terms terms_of(const Json& message, std::size_t usual_queue, bool raw, const Json& id);
   [[nodiscard]] std::size_t fragment_bytes_of(const Json& message) const;
   void serve(Topic topic);  // as its subscriptions want it now
   void tell(Level level, std::string_view text, const Json& id);
@@ -157,7 +178,8 @@ class ClientSession final : public Session, private Subscriber {
   MessageRate rate_;
   Outbox outbox_;
   Subscriptions subscriptions_;
-  std::set<std::string> advertisements_;  // their ids
+  std::set<std::string> advertisements_;  // of the velocity: their ids
+  TopicShare topics_;
 };
 
 }  // namespace gaitway::api

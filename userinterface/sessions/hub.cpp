@@ -12,11 +12,21 @@ HubState::HubState(RobotPort& port, HubOptions hub_options)
     : robot(port),
       options(std::move(hub_options)),
       commands(port, options.limits),
-      desk(port, commands, options.limits, options.parameters, [this](const ServiceCall& call, Frame frame) {
-        if (const auto session = sessions.find(call.client); session != sessions.end()) {
-          session->second->answer(call, std::move(frame));
-        }
-      }) {}
+      topics(options.limits),
+      services(
+          options.limits, [this](const ServiceCall& call, Frame frame) { answer(call, std::move(frame)); },
+          [this](std::uint64_t provider, Frame frame) {
+            const auto session = sessions.find(provider);
+            return session != sessions.end() && session->second->take_call(std::move(frame));
+          }),
+      desk(port, commands, options.limits, options.parameters, {topics, services},
+           [this](const ServiceCall& call, Frame frame) { answer(call, std::move(frame)); }) {}
+
+void HubState::answer(const ServiceCall& call, Frame frame) {
+  if (const auto session = sessions.find(call.client); session != sessions.end()) {
+    session->second->answer(call, std::move(frame));
+  }
+}
 
 void HubState::keep_within_budget() {
   while (waiting_bytes > options.limits.waiting_bytes_of_all) {
@@ -59,6 +69,7 @@ void Hub::robot_lost() {
 void Hub::answer(std::int64_t wall_ns) {
   state_->now_ns = wall_ns;
   state_->desk.step(wall_ns);
+  state_->services.step(wall_ns);
   state_->keep_within_budget();
 }
 

@@ -68,8 +68,11 @@ bool Outbox::answer(Frame frame, std::size_t fragment_bytes) {
   return true;
 }
 
-void Outbox::open(Topic topic, const Terms& terms) {
-  auto& place = lanes_[static_cast<std::size_t>(topic)];
+void Outbox::open(LaneKey key, const Terms& terms) {
+  if (key.number >= lanes_.size()) {
+    lanes_.resize(key.number + 1);
+  }
+  auto& place = lanes_[key.number];
   if (!place) {
     place = std::make_unique<Lane>();
   }
@@ -79,8 +82,8 @@ void Outbox::open(Topic topic, const Terms& terms) {
   }
 }
 
-void Outbox::close(Topic topic) {
-  auto& place = lanes_[static_cast<std::size_t>(topic)];
+void Outbox::close(LaneKey key) {
+  auto& place = lanes_[key.number];
   if (place) {
     discard(place->bytes);
     place.reset();
@@ -88,8 +91,8 @@ void Outbox::close(Topic topic) {
 }
 
 void Outbox::close_all() {
-  for (const TopicRow& row : kTopics) {
-    close(row.topic);
+  for (std::size_t number = 0; number < lanes_.size(); ++number) {
+    close(LaneKey(number));
   }
 }
 
@@ -110,13 +113,29 @@ void Outbox::discard(std::size_t bytes) noexcept {
   waiting_bytes_of_all_ -= bytes;
 }
 
-const Terms* Outbox::terms(Topic topic) const noexcept {
-  const auto& place = lanes_[static_cast<std::size_t>(topic)];
+const Terms* Outbox::terms(LaneKey key) const noexcept {
+  const auto& place = lanes_[key.number];
   return place ? &place->terms : nullptr;
 }
 
-void Outbox::offer(Topic topic, const Frame& frame, std::int64_t now_ns) {
-  Lane& lane = *this->lane(topic);
+LaneKey Outbox::free_lane() const noexcept {
+  std::size_t number = kTopicCount;
+  while (number < lanes_.size() && lanes_[number]) {
+    ++number;
+  }
+  return LaneKey(number);
+}
+
+bool Outbox::hold(std::size_t bytes) noexcept {
+  const bool room = make_room(bytes);
+  if (room) {
+    keep(bytes);
+  }
+  return room;
+}
+
+void Outbox::offer(LaneKey key, const Frame& frame, std::int64_t now_ns) {
+  Lane& lane = *this->lane(key);
   const bool slow = lane.slow(now_ns);
   while (lane.waiting.size() >= lane.terms.queue_length) {
     drop_oldest(lane, slow);
@@ -156,8 +175,8 @@ bool Outbox::ready(std::int64_t now_ns) const noexcept {
   });
 }
 
-std::uint64_t Outbox::take_drops(Topic topic) noexcept {
-  Lane* const lane = this->lane(topic);
+std::uint64_t Outbox::take_drops(LaneKey key) noexcept {
+  Lane* const lane = this->lane(key);
   const std::uint64_t drops = lane != nullptr ? std::exchange(lane->drops, 0) : 0;
   has_drops_ = std::ranges::any_of(lanes_, [](const auto& place) { return place && place->drops > 0; });
   return drops;

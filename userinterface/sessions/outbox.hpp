@@ -2,13 +2,13 @@
 // long ones cut into fragments. Bounded, whatever the client reads.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gaitway/api/publication.hpp"
 #include "gaitway/api/session.hpp"
@@ -48,14 +48,24 @@ struct Terms {
   Encoding encoding = Encoding::json;
 };
 
+// One of the queues of an outbox: a topic of the robot, or a number beyond them all.
+struct LaneKey {
+  constexpr LaneKey() noexcept = default;
+  constexpr LaneKey(Topic topic) noexcept : number(static_cast<std::size_t>(topic)) {}
+  constexpr explicit LaneKey(std::size_t lane_number) noexcept : number(lane_number) {}
+  [[nodiscard]] constexpr bool operator==(const LaneKey&) const noexcept = default;
+
+  std::size_t number = 0;
+};
+
 class Outbox {
  public:
   // What a message that waits takes beside its text: allocations, and its place in a queue.
   static constexpr std::size_t kMessage_bytes = 128;
 
   // `most_bytes` may wait at once; they are also counted in `waiting_bytes_of_all`.
-  Outbox(std::size_t most_bytes, std::size_t& waiting_bytes_of_all) noexcept
-      : most_bytes_(most_bytes), waiting_bytes_of_all_(waiting_bytes_of_all) {}
+  Outbox(std::size_t most_bytes, std::size_t& waiting_bytes_of_all)
+      : most_bytes_(most_bytes), waiting_bytes_of_all_(waiting_bytes_of_all), lanes_(kTopicCount) {}
   ~Outbox() { discard(waiting_bytes_); }
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
@@ -64,15 +74,21 @@ class Outbox {
   [[nodiscard]] bool answer(Frame frame, std::size_t fragment_bytes = 0);
 
   // The topic is subscribed to, or on other terms.
-  void open(Topic topic, const Terms& terms);
-  void close(Topic topic);
+  void open(LaneKey key, const Terms& terms);
+  void close(LaneKey key);
   void close_all();
   // Nothing waits any more, answers neither.
   void clear();
-  [[nodiscard]] const Terms* terms(Topic topic) const noexcept;
+  [[nodiscard]] const Terms* terms(LaneKey key) const noexcept;
+  // One that is closed, and belongs to no topic of the robot.
+  [[nodiscard]] LaneKey free_lane() const noexcept;
+  // Room for something that is kept elsewhere on behalf of this client; publications give way to it. False:
+  // there is none, even so.
+  [[nodiscard]] bool hold(std::size_t bytes) noexcept;
+  void let_go(std::size_t bytes) noexcept { discard(bytes); }
   // A publication; the topic is open. Older ones beyond the queue's length are dropped, and counted unless
   // they were throttled on demand.
-  void offer(Topic topic, const Frame& frame, std::int64_t now_ns);
+  void offer(LaneKey key, const Frame& frame, std::int64_t now_ns);
 
   // The next frame: answers first, then what is left of a message in pieces, then topics by turns.
   [[nodiscard]] std::optional<Frame> next(std::int64_t now_ns);
@@ -80,7 +96,7 @@ class Outbox {
 
   [[nodiscard]] std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
   // Messages of the topic that were dropped because the client was too slow, since this was asked last.
-  [[nodiscard]] std::uint64_t take_drops(Topic topic) noexcept;
+  [[nodiscard]] std::uint64_t take_drops(LaneKey key) noexcept;
   [[nodiscard]] bool has_drops() const noexcept { return has_drops_; }
 
  private:
@@ -100,7 +116,7 @@ class Outbox {
   };
   void keep(std::size_t bytes) noexcept;
   void discard(std::size_t bytes) noexcept;
-  [[nodiscard]] Lane* lane(Topic topic) noexcept { return lanes_[static_cast<std::size_t>(topic)].get(); }
+  [[nodiscard]] Lane* lane(LaneKey key) noexcept { return lanes_[key.number].get(); }
   [[nodiscard]] bool make_room(std::size_t bytes) noexcept;
   void drop_oldest(Lane& lane, bool slow) noexcept;
   [[nodiscard]] std::optional<Frame> next_of_lanes(std::int64_t now_ns);
@@ -112,8 +128,8 @@ class Outbox {
   std::size_t& waiting_bytes_of_all_;
   std::deque<Frame> answers_;
   std::optional<Fragments> rest_;
-  std::array<std::unique_ptr<Lane>, kTopicCount> lanes_;
-  std::size_t turn_ = 0;  // the lane that is asked first
+  std::vector<std::unique_ptr<Lane>> lanes_;  // those of the robot's topics first
+  std::size_t turn_ = 0;                      // the lane that is asked first
   std::uint64_t fragmented_ = 0;
   bool has_drops_ = false;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "client_message.hpp"
@@ -28,18 +29,36 @@ constexpr auto kAllTopics = [] {
   return all;
 }();
 
-template <class Rows>
-std::string type_of(const Rows& rows, std::string_view name) {
-  const auto found = std::ranges::find(rows, name, &Rows::value_type::name);
-  return std::string(found == rows.end() ? std::string_view() : found->type);
+// Of the types of clients' topics: an answer is to fit into what may wait for one client.
+constexpr std::size_t kMostDefinitionBytes = std::size_t{128} * 1024;
+
+// "/client_7".
+std::string node_of(std::uint64_t client) {
+  return "/client_" + std::to_string(client);
 }
 
-template <class Rows>
-std::vector<std::string> names_of(const Rows& rows, std::string_view type) {
+// What clients have comes behind the robot's own.
+template <class Rows, class Own>
+std::string type_of(const Rows& rows, const Own& own, std::string_view name) {
+  if (const auto found = std::ranges::find(rows, name, &Rows::value_type::name); found != rows.end()) {
+    return std::string(found->type);
+  }
+  const auto found = own.find(name);
+  return found == own.end() ? std::string() : found->second.type;
+}
+
+template <class Rows, class Own>
+std::vector<std::string> names_of(const Rows& rows, const Own& own, std::string_view type) {
+  const std::string_view known = canonical_type(type);
   std::vector<std::string> names;
   for (const auto& row : rows) {
-    if (row.type == canonical_type(type)) {
+    if (row.type == known) {
       names.emplace_back(row.name);
+    }
+  }
+  for (const auto& [name, one] : own) {
+    if (one.type == (known.empty() ? type : known)) {
+      names.push_back(name);
     }
   }
   return names;
@@ -60,8 +79,20 @@ std::vector<std::string> published() {
   return names;
 }
 
+bool is_published(std::string_view topic) {
+  return std::ranges::find(kTopics, topic, &TopicRow::name) != kTopics.end();
+}
+
 std::vector<std::string> node_if(bool so) {
   return so ? std::vector<std::string>{std::string(kNode)} : std::vector<std::string>{};
+}
+
+std::set<std::uint64_t> listeners_of(const ClientTopic& topic) {
+  std::set<std::uint64_t> clients;
+  for (const TopicListener& listener : topic.listeners) {
+    clients.insert(listener.client->number());
+  }
+  return clients;
 }
 
 std::vector<ros::TypeDef> details(const std::string& type, std::string_view part) {
@@ -88,15 +119,19 @@ ros::Topics::Response Rosapi::answer(const ros::Topics::Request&) const {
     response.topics.emplace_back(topic.name);
     response.types.emplace_back(topic.type);
   }
+  for (const auto& [name, topic] : offers_.topics.all()) {
+    response.topics.push_back(name);
+    response.types.push_back(topic.type);
+  }
   return response;
 }
 
 ros::TopicType::Response Rosapi::answer(const ros::TopicType::Request& request) const {
-  return {type_of(kAllTopics, request.topic)};
+  return {type_of(kAllTopics, offers_.topics.all(), request.topic)};
 }
 
 ros::TopicsForType::Response Rosapi::answer(const ros::TopicsForType::Request& request) const {
-  return {names_of(kAllTopics, request.type)};
+  return {names_of(kAllTopics, offers_.topics.all(), request.type)};
 }
 
 ros::TopicsAndRawTypes::Response Rosapi::answer(const ros::TopicsAndRawTypes::Request&) const {
@@ -106,15 +141,39 @@ ros::TopicsAndRawTypes::Response Rosapi::answer(const ros::TopicsAndRawTypes::Re
     response.types.emplace_back(topic.type);
     response.typedefs_full_text.push_back(full_message_definition(topic.type));
   }
+  std::size_t room_bytes = kMostDefinitionBytes;
+  for (const auto& [name, topic] : offers_.topics.all()) {
+    std::string definition;
+    if (!canonical_type(topic.type).empty()) {
+      definition = full_message_definition(topic.type);
+    }
+    definition.resize(definition.size() <= room_bytes ? definition.size() : 0);
+    room_bytes -= definition.size();
+    response.topics.push_back(name);
+    response.types.push_back(topic.type);
+    response.typedefs_full_text.push_back(std::move(definition));
+  }
   return response;
 }
 
 ros::Publishers::Response Rosapi::answer(const ros::Publishers::Request& request) const {
-  return {node_if(request.topic != kVelocityTopic && !type_of(kAllTopics, request.topic).empty())};
+  auto nodes = node_if(is_published(request.topic));
+  if (const ClientTopic* const topic = offers_.topics.find(request.topic)) {
+    for (const auto& [client, publisher] : topic->publishers) {
+      nodes.push_back(node_of(client));
+    }
+  }
+  return {nodes};
 }
 
 ros::Subscribers::Response Rosapi::answer(const ros::Subscribers::Request& request) const {
-  return {node_if(request.topic == kVelocityTopic)};
+  auto nodes = node_if(request.topic == kVelocityTopic);
+  if (const ClientTopic* const topic = offers_.topics.find(request.topic)) {
+    for (const std::uint64_t client : listeners_of(*topic)) {
+      nodes.push_back(node_of(client));
+    }
+  }
+  return {nodes};
 }
 
 ros::Interfaces::Response Rosapi::answer(const ros::Interfaces::Request&) const {
@@ -126,24 +185,42 @@ ros::Interfaces::Response Rosapi::answer(const ros::Interfaces::Request&) const 
 }
 
 ros::Services::Response Rosapi::answer(const ros::Services::Request&) const {
-  return {all_names(kServices)};
+  auto names = all_names(kServices);
+  for (const auto& [name, service] : offers_.services.all()) {
+    names.push_back(name);
+  }
+  return {names};
 }
 
 ros::ServiceType::Response Rosapi::answer(const ros::ServiceType::Request& request) const {
-  return {type_of(kServices, request.service)};
+  return {type_of(kServices, offers_.services.all(), request.service)};
 }
 
 ros::ServicesForType::Response Rosapi::answer(const ros::ServicesForType::Request& request) const {
-  return {names_of(kServices, request.type)};
+  return {names_of(kServices, offers_.services.all(), request.type)};
 }
 
 ros::ServiceNode::Response Rosapi::answer(const ros::ServiceNode::Request& request) const {
-  return {std::string(type_of(kServices, request.service).empty() ? std::string_view() : kNode)};
+  if (const auto own = offers_.services.all().find(request.service); own != offers_.services.all().end()) {
+    return {node_of(own->second.provider)};
+  }
+  return {std::string(find_service(request.service) == nullptr ? std::string_view() : kNode)};
 }
 
 // The request's field is called `service`, but holds a type.
 ros::ServiceProviders::Response Rosapi::answer(const ros::ServiceProviders::Request& request) const {
-  return {node_if(!names_of(kServices, request.service).empty())};
+  const std::string_view known = canonical_type(request.service);
+  auto nodes = node_if(std::ranges::find(kServices, known, &ServiceRow::type) != kServices.end());
+  std::set<std::uint64_t> clients;
+  for (const auto& [name, service] : offers_.services.all()) {
+    if (service.type == (known.empty() ? std::string_view(request.service) : known)) {
+      clients.insert(service.provider);
+    }
+  }
+  for (const std::uint64_t client : clients) {
+    nodes.push_back(node_of(client));
+  }
+  return {nodes};
 }
 
 ros::ServiceRequestDetails::Response Rosapi::answer(
@@ -161,14 +238,46 @@ ros::MessageDetails::Response Rosapi::answer(const ros::MessageDetails::Request&
 }
 
 ros::Nodes::Response Rosapi::answer(const ros::Nodes::Request&) const {
-  return {node_if(true)};
+  std::set<std::uint64_t> clients;
+  for (const auto& [name, topic] : offers_.topics.all()) {
+    clients.merge(listeners_of(topic));
+    for (const auto& [client, publisher] : topic.publishers) {
+      clients.insert(client);
+    }
+  }
+  for (const auto& [name, service] : offers_.services.all()) {
+    clients.insert(service.provider);
+  }
+  auto nodes = node_if(true);
+  for (const std::uint64_t client : clients) {
+    nodes.push_back(node_of(client));
+  }
+  return {nodes};
 }
 
 ros::NodeDetails::Response Rosapi::answer(const ros::NodeDetails::Request& request) const {
-  if (request.node != kNode) {
-    return {};
+  if (request.node == kNode) {
+    return {{{std::string(kVelocityTopic)}, published(), all_names(kServices)}};
   }
-  return {{{std::string(kVelocityTopic)}, published(), all_names(kServices)}};
+  ros::NodeDetails::Response response;
+  for (const auto& [name, topic] : offers_.topics.all()) {
+    for (const std::uint64_t client : listeners_of(topic)) {
+      if (node_of(client) == request.node) {
+        response.subscribing.push_back(name);
+      }
+    }
+    for (const auto& [client, publisher] : topic.publishers) {
+      if (node_of(client) == request.node) {
+        response.publishing.push_back(name);
+      }
+    }
+  }
+  for (const auto& [name, service] : offers_.services.all()) {
+    if (node_of(service.provider) == request.node) {
+      response.services.push_back(name);
+    }
+  }
+  return response;
 }
 
 ros::GetActionServers::Response Rosapi::answer(const ros::GetActionServers::Request&) const {

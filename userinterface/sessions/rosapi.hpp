@@ -1,10 +1,13 @@
-// What rosapi's services answer: there is one node, the robot, with the topics and services of the tables.
+// What rosapi's services answer: a node for the robot, with the topics and services of the tables, and one
+// for each client that has topics or services of its own.
 #pragma once
 
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "client_services.hpp"
+#include "client_topics.hpp"
 #include "gaitway/api/robot_port.hpp"
 #include "gaitway/api/rosapi_types.hpp"
 
@@ -17,10 +20,16 @@ inline constexpr std::string_view kNode = "/gaitway";
 // Name -> value, as in a configuration.
 using ParameterValues = std::map<std::string, std::string, std::less<>>;
 
+// What clients have among themselves.
+struct ClientOffers {
+  const ClientTopics& topics;
+  const ClientServices& services;
+};
+
 class Rosapi {
  public:
-  Rosapi(const RobotPort& robot, const ParameterValues& parameters)
-      : robot_(robot), parameters_(parameters) {}
+  Rosapi(const RobotPort& robot, const ParameterValues& parameters, const ClientOffers& offers)
+      : robot_(robot), parameters_(parameters), offers_(offers) {}
 
   // Each throws std::invalid_argument for an unknown type, as the definitions do.
   [[nodiscard]] ros::Topics::Response answer(const ros::Topics::Request& request) const;
@@ -52,6 +61,7 @@ class Rosapi {
  private:
   const RobotPort& robot_;
   const ParameterValues& parameters_;
+  ClientOffers offers_;
 };
 
 }  // namespace gaitway::api

@@ -48,13 +48,13 @@ void Orders::forget(std::uint64_t client) {
 }
 
 ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits,
-                         ParameterValues parameters, Send send)
+                         ParameterValues parameters, const ClientOffers& offers, Send send)
     : robot_(robot),
       commands_(commands),
       limits_(limits),
       parameters_(std::move(parameters)),
       send_(std::move(send)),
-      rosapi_(robot_, parameters_),
+      rosapi_(robot_, parameters_, offers),
       orders_(robot_) {}
 
 void ServiceDesk::watch(std::uint32_t order, const Claimant& claimant, std::int64_t now_ns,

@@ -57,7 +57,7 @@ class ServiceDesk {
   using Send = std::function<void(const ServiceCall& call, Frame frame)>;
 
   ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits, ParameterValues parameters,
-              Send send);
+              const ClientOffers& offers, Send send);
   ServiceDesk(const ServiceDesk&) = delete;
   ServiceDesk& operator=(const ServiceDesk&) = delete;
 

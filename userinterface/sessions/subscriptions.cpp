@@ -40,9 +40,9 @@ bool Subscriptions::remove_all(Topic topic) {
   return any;
 }
 
-std::optional<Terms> Subscriptions::together(Topic topic) const {
+std::optional<Terms> terms_together(const std::map<std::string, Terms>& by_id) {
   std::optional<Terms> all;
-  for (const auto& [id, terms] : topics_[static_cast<std::size_t>(topic)]) {
+  for (const auto& [id, terms] : by_id) {
     if (!all) {
       all = terms;
       continue;

@@ -15,6 +15,10 @@
 
 namespace gaitway::api {
 
+// Terms that suit all of these: the shortest interval, the longest queue, the smallest pieces, and CBOR if
+// one of them wants it. Nothing: there are none.
+[[nodiscard]] std::optional<Terms> terms_together(const std::map<std::string, Terms>& by_id);
+
 // What one client subscribes to: for each topic one or more subscriptions, told apart by their ids, that are
 // served together.
 class Subscriptions {
@@ -25,9 +29,10 @@ class Subscriptions {
   bool remove(Topic topic, const std::string& id);
   bool remove_all(Topic topic);
 
-  // Terms that suit all subscriptions of the topic: the shortest interval, the longest queue, the smallest
-  // pieces, and CBOR if one of them wants it. Nothing: there is none.
-  [[nodiscard]] std::optional<Terms> together(Topic topic) const;
+  // Terms that suit all subscriptions of the topic. Nothing: there is none.
+  [[nodiscard]] std::optional<Terms> together(Topic topic) const {
+    return terms_together(topics_[static_cast<std::size_t>(topic)]);
+  }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
  private:

@@ -114,10 +114,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Operations, BadMessageTest,
     testing::Values(
-        BadMessage{"AdvertiseService", R"({"op": "advertise_service", "service": "/x"})",
-                   "by the robot alone"},
-        BadMessage{"UnadvertiseService", R"({"op": "unadvertise_service", "service": "/x"})", "by the robot"},
-        BadMessage{"ServiceResponse", R"({"op": "service_response", "service": "/x"})", "by the robot alone"},
+        BadMessage{"AdvertiseService", R"({"op": "advertise_service", "service": "/stop", "type": "a/B"})",
+                   "the robot's own"},
         BadMessage{"AdvertiseAction", R"({"op": "advertise_action", "action": "/x"})", "no actions"},
         BadMessage{"SendActionGoal", R"({"op": "send_action_goal", "action": "/x"})", "no actions"},
         BadMessage{"CancelActionGoal", R"({"op": "cancel_action_goal", "action": "/x"})", "no actions"},
@@ -125,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(
                    "whole"},
         BadMessage{"Png", R"({"op": "png", "data": "abc"})", "whole"},
         BadMessage{"AdvertiseElsewhere",
-                   R"({"op": "advertise", "topic": "/chat", "type": "std_msgs/String"})", "/cmd_vel only"},
+                   R"({"op": "advertise", "topic": "/rosout", "type": "rcl_interfaces/Log"})",
+                   "/cmd_vel only"},
         BadMessage{"AdvertiseWrongType",
                    R"({"op": "advertise", "topic": "/cmd_vel", "type": "geometry_msgs/TwistStamped"})",
                    "is of geometry_msgs/msg/Twist"},

@@ -10,13 +10,19 @@ namespace gaitway::api {
 
 struct Limits {
   std::size_t connections = 256;
-  std::size_t connections_of_one_address = 224;                      // so that others always find places
-  std::size_t message_bytes = std::size_t{64} * 1024;                // of one that comes in
-  std::size_t depth = 32;                                            // nested arrays and objects in it
-  std::size_t subscriptions = 64;                                    // of one client
-  std::size_t advertisements = 16;                                   // of one client
-  std::size_t queue_length = 100;                                    // of one subscription
-  std::size_t waiting_bytes = std::size_t{1} * 1024 * 1024;          // that one client may leave unread
+  std::size_t connections_of_one_address = 224;              // so that others always find places
+  std::size_t message_bytes = std::size_t{64} * 1024;        // of one that comes in
+  std::size_t depth = 32;                                    // nested arrays and objects in it
+  std::size_t subscriptions = 64;                            // of one client
+  std::size_t advertisements = 16;                           // of one client
+  std::size_t client_topics = 256;                           // of all clients together
+  std::size_t kept_bytes = std::size_t{16} * 1024;           // of one message of a client's latched topic
+  std::size_t services = 16;                                 // that one client offers
+  std::size_t client_services = 256;                         // of all clients together
+  std::size_t calls_of_provider = 32;                        // under way to one client
+  std::size_t calls_of_all = 256;                            // under way to all clients
+  std::size_t queue_length = 100;                            // of one subscription
+  std::size_t waiting_bytes = std::size_t{1} * 1024 * 1024;  // that one client may leave unread
   std::size_t waiting_bytes_of_all = std::size_t{16} * 1024 * 1024;  // all clients together
   double messages_per_s = 500.0;                                     // from one client, over a second
   std::int64_t handshake_ns = 5'000'000'000;       // from connecting to the end of the handshake
@@ -37,7 +43,10 @@ struct Limits {
   constexpr std::size_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
   constexpr std::size_t kRoom = 2;        // a text that has grown has up to so many times its bytes
   constexpr std::size_t kUnlookedAt = 3;  // messages of one client: one that is being read, two that wait
-  return kWithoutClients_bytes +
+  constexpr std::size_t kTopic_bytes = 8 * kKiB;    // of clients: its names, types, ids and who uses it
+  constexpr std::size_t kService_bytes = 2 * kKiB;  // of clients, and a call that is under way
+  return kWithoutClients_bytes + limits.client_topics * kTopic_bytes +
+         (limits.client_services + limits.calls_of_all) * kService_bytes +
          limits.connections * (kConnection_bytes + kUnlookedAt * limits.message_bytes) +
          kRoom * limits.waiting_bytes_of_all;
 }
@@ -52,9 +61,10 @@ struct LimitRow {
 // A limit that is added without a row does not compile.
 template <class AnyLimits, class Visitor>
 void visit_limits(AnyLimits& limits, Visitor&& visit) {
-  auto& [connections, of_one_address, message_bytes, depth, subscriptions, advertisements, queue_length,
-         waiting_bytes, waiting_bytes_of_all, messages_per_s, handshake, authentication, write, silence,
-         lease, answer, velocity, forward, turn] = limits;
+  auto& [connections, of_one_address, message_bytes, depth, subscriptions, advertisements, client_topics,
+         kept_bytes, services, client_services, calls_of_provider, calls_of_all, queue_length, waiting_bytes,
+         waiting_bytes_of_all, messages_per_s, handshake, authentication, write, silence, lease, answer,
+         velocity, forward, turn] = limits;
   visit(LimitRow{"connections", "",
                  "connections at a time; beyond them the oldest without a handshake or token gives way"},
         connections);
@@ -65,6 +75,17 @@ void visit_limits(AnyLimits& limits, Visitor&& visit) {
   visit(LimitRow{"depth", "", "nested arrays and objects in a message from a client"}, depth);
   visit(LimitRow{"subscriptions", "", "subscriptions of one client"}, subscriptions);
   visit(LimitRow{"advertisements", "", "topics that one client advertises"}, advertisements);
+  visit(LimitRow{"client_topics", "", "topics that clients have among themselves, of all together"},
+        client_topics);
+  visit(LimitRow{"kept_bytes", "",
+                 "bytes, as JSON, of a message of a client's latched topic, which is kept; counts with what "
+                 "waits for it"},
+        kept_bytes);
+  visit(LimitRow{"services", "", "services that one client offers"}, services);
+  visit(LimitRow{"client_services", "", "services that all clients together offer"}, client_services);
+  visit(LimitRow{"calls_of_provider", "", "calls of one client's services that wait for its answers"},
+        calls_of_provider);
+  visit(LimitRow{"calls_of_all", "", "calls of all clients' services that wait for answers"}, calls_of_all);
   visit(LimitRow{"queue_length", "", "messages that wait in one subscription; the oldest are dropped"},
         queue_length);
   visit(LimitRow{"waiting_bytes", "",
