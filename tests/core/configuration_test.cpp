@@ -104,20 +104,19 @@ PluginEntry entry_with(const std::string& keys) {
 
 TEST(Configuration, ReadsWhatAProcessMay) {
   const PluginEntry plain = entry_with("isolation: process");
-  EXPECT_FALSE(plain.child.serves_network);
+  EXPECT_FALSE(plain.child.local_sockets);
   EXPECT_EQ(options_for(plain.child, {}).descriptor_limit, 64U);
   EXPECT_EQ(options_for(plain.child, {}).memory_limit_bytes, 512U << 20U);
-  const PluginEntry server =
-      entry_with("isolation: process, network: serve, writes: recordings, descriptors: 4096, memory: 1 GiB");
-  EXPECT_TRUE(server.child.serves_network);
-  EXPECT_EQ(server.child.writes, "/robot/recordings");
-  EXPECT_EQ(options_for(server.child, {}).descriptor_limit, 4096U);
-  EXPECT_EQ(options_for(server.child, {}).memory_limit_bytes, 1024U << 20U);
-  EXPECT_TRUE(server.containment.give_up.never);
+  const PluginEntry linked =
+      entry_with("isolation: process, sockets: local, descriptors: 4096, memory: 1 GiB");
+  EXPECT_TRUE(linked.child.local_sockets);
+  EXPECT_EQ(options_for(linked.child, {}).descriptor_limit, 4096U);
+  EXPECT_EQ(options_for(linked.child, {}).memory_limit_bytes, 1024U << 20U);
+  EXPECT_EQ(options_for(linked.child, {}).hang_ns, 500'000'000);
+  EXPECT_TRUE(linked.containment.give_up.never);
   EXPECT_FALSE(plain.containment.give_up.never);
   EXPECT_FALSE(
-      entry_with("isolation: process, network: serve, give_up_after: {faults: 3}").containment.give_up.never);
-  EXPECT_EQ(entry_with("isolation: process, network: serve, writes: /var/rec").child.writes, "/var/rec");
+      entry_with("isolation: process, sockets: local, give_up_after: {faults: 3}").containment.give_up.never);
 }
 
 TEST(Configuration, RefusesWhatNoProcessMay) {
@@ -125,19 +124,19 @@ TEST(Configuration, RefusesWhatNoProcessMay) {
     return refusal("plugins:\n  - name: a\n    " + keys + "\n");
   };
   EXPECT_THAT(
-      refused("network: serve"),
-      testing::AllOf(HasSubstr("walk.yaml:3: plugins[0].network = 'serve': is for plug-ins in processes of "
+      refused("sockets: local"),
+      testing::AllOf(HasSubstr("walk.yaml:3: plugins[0].sockets = 'local': is for plug-ins in processes of "
                                "their own alone"),
                      HasSubstr("Add 'isolation: process'")));
-  for (const char* const key : {"writes: here", "descriptors: 100", "memory: 1 GiB"}) {
+  for (const char* const key : {"descriptors: 100", "memory: 1 GiB"}) {
     EXPECT_THAT(refused(key), HasSubstr("is for plug-ins in processes of their own alone")) << key;
   }
   const std::string process = "isolation: process\n    ";
-  EXPECT_THAT(refused(process + "network: client"),
-              HasSubstr("walk.yaml:4: plugins[0].network = 'client': must be 'serve' or 'none'"));
-  EXPECT_THAT(refused(process + "writes: here"),
-              testing::AllOf(HasSubstr("is for plug-ins with 'network: serve' alone"), HasSubstr("Add")));
-  EXPECT_THAT(refused(process + "network: serve\n    writes: ''"), HasSubstr("must not be empty"));
+  EXPECT_THAT(refused(process + "sockets: network"),
+              HasSubstr("walk.yaml:4: plugins[0].sockets = 'network': must be 'local' or 'none'"));
+  for (const char* const gone : {"network: serve", "writes: here"}) {
+    EXPECT_THAT(refused(process + gone), HasSubstr("walk.yaml:4")) << gone;
+  }
   EXPECT_THAT(refused(process + "descriptors: 5000"), HasSubstr("16..4096"));
   EXPECT_THAT(refused(process + "memory: 512"), HasSubstr("with its unit: KiB, MiB or GiB"));
   EXPECT_THAT(refused(process + "memory: 1 MiB"), HasSubstr("must lie between 64 MiB and 64 GiB"));

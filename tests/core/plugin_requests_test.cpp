@@ -65,7 +65,7 @@ class PluginRequestsTest : public PluginFixture {
   std::unique_ptr<PluginManager> manager = [this] {
     stopped = {"api"};
     return load("  - {name: c, library: counter.so}\n" + relay("r", "from: out, to: copy") +
-                "  - {name: api, library: counter.so, isolation: process, network: serve}\n");
+                "  - {name: api, library: counter.so, isolation: process, sockets: local}\n");
   }();
   std::optional<PluginRequests> requests{std::in_place, client, *manager};
   msgclient::StreamReader<PluginAnswer> answers = other.read_stream<PluginAnswer>("plugin_answer");
@@ -214,7 +214,7 @@ TEST_F(PluginRequestsTest, OverTheNetworkNobodyTakesAwayWhatServesIt) {
   for (const PluginVerb verb : {PluginVerb::unload, PluginVerb::stop}) {
     const PluginAnswer refused = ask_over_network(request(verb, "api"));
     EXPECT_FALSE(refused.done);
-    EXPECT_THAT(text_of(refused), HasSubstr("'api' serves the network, over which this came"));
+    EXPECT_THAT(text_of(refused), HasSubstr("'api' keeps the link over which this came"));
     EXPECT_THAT(text_of(refused), HasSubstr("On the robot: gaitway ctl plugin"));
   }
   const std::size_t before = manager->size();

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "gaitway/contract/channel_table.hpp"
-#include "gaitway/link/order.hpp"
 #include "gaitway/contract/order_table.hpp"
+#include "gaitway/link/order.hpp"
 
 namespace gaitway::contract {
 namespace {
@@ -22,7 +22,8 @@ constexpr std::size_t kJoints = 22;
 // A value of any type with numbers that a float32 holds, and texts of any length.
 class RandomValue {
  public:
-  RandomValue(const TypeDescriptor& type, std::mt19937_64& random) : words(type.size / sizeof(std::uint64_t)), random_(random) {
+  RandomValue(const TypeDescriptor& type, std::mt19937_64& random)
+      : words(type.size / sizeof(std::uint64_t)), random_(random) {
     for (const FieldDescriptor& field : type.fields) fill(field);
   }
   std::vector<std::uint64_t> words;
@@ -33,7 +34,8 @@ class RandomValue {
     const std::uint32_t elements = joints ? field.elements() / kMaxJoints * kJoints : field.elements();
     auto* place = reinterpret_cast<std::byte*>(words.data()) + field.offset;
     const bool text = field.type == ScalarType::uint8_value && field.rank > 0;
-    const std::uint32_t used = text ? std::uniform_int_distribution<std::uint32_t>(0, elements)(random_) : elements;
+    const std::uint32_t used =
+        text ? std::uniform_int_distribution<std::uint32_t>(0, elements)(random_) : elements;
     for (std::uint32_t i = 0; i < used; ++i, place += scalar_size(field.type)) {
       if (field.type == ScalarType::float64_value) {
         const double number = static_cast<float>(std::normal_distribution<double>(0.0, 100.0)(random_));
@@ -111,7 +113,8 @@ TEST(TopicCodec, WhatIsCutOffOrTooLargeIsNone) {
     const std::size_t size = codec.encode(*type, value.words.data(), wire);
     std::vector<std::uint64_t> back(value.words.size());
     for (std::size_t cut = 0; cut < size; ++cut) {
-      ASSERT_EQ(codec.decode(*type, std::span(wire).first(cut), back.data()), 0U) << type->name << " cut at " << cut;
+      ASSERT_EQ(codec.decode(*type, std::span(wire).first(cut), back.data()), 0U)
+          << type->name << " cut at " << cut;
       ASSERT_EQ(codec.encode(*type, value.words.data(), std::span(wire).first(cut)), 0U);
       codec.encode(*type, value.words.data(), wire);
     }
@@ -128,7 +131,8 @@ TEST(TopicCodec, RandomBytesAreRefusedOrSayOneThing) {
     const TypeDescriptor& type = *all[random() % all.size()];
     std::vector<std::uint8_t> wire(codec.most_bytes(type));
     const bool sparse = round % 2 == 0;
-    for (std::uint8_t& byte : wire) byte = sparse && random() % 8 != 0 ? 0 : static_cast<std::uint8_t>(random());
+    for (std::uint8_t& byte : wire)
+      byte = sparse && random() % 8 != 0 ? 0 : static_cast<std::uint8_t>(random());
     std::vector<std::uint64_t> value(type.size / sizeof(std::uint64_t));
     const std::size_t read = codec.decode(type, wire, value.data());
     if (read == 0) continue;
@@ -136,7 +140,8 @@ TEST(TopicCodec, RandomBytesAreRefusedOrSayOneThing) {
     if (!all_finite(type, value.data())) continue;  // a signalling NaN becomes a quiet one
     std::vector<std::uint8_t> again(wire.size());
     ASSERT_EQ(codec.encode(type, value.data(), again), read) << type.name;
-    ASSERT_TRUE(std::equal(again.begin(), again.begin() + static_cast<std::ptrdiff_t>(read), wire.begin())) << type.name;
+    ASSERT_TRUE(std::equal(again.begin(), again.begin() + static_cast<std::ptrdiff_t>(read), wire.begin()))
+        << type.name;
   }
   EXPECT_GT(decoded, 500);
 }

@@ -14,10 +14,11 @@ namespace gaitway::api::test {
 class LinkedRobot {
  public:
   LinkedRobot(msgclient::Client& client, const urdf::RobotModel& robot)
-      : link(robot, {.boot = 9}), desk(client, robot, {.boot = 7, .name = "robot", .narrow = true, .link = {}}) {}
+      : link(robot, {.boot = 9}),
+        desk(client, robot, {.boot = 7, .name = "robot", .narrow = true, .link = {}}) {}
 
-  // The millisecond that begins at `now_ns`, of the clock of both. Both look at each transfer's end, as who is woken by what
-  // has come.
+  // The millisecond that begins at `now_ns`, of the clock of both. Both look at each transfer's end, as who
+  // is woken by what has come.
   void pass_millisecond(std::int64_t now_ns) {
     for (std::int64_t at_ns = now_ns;;) {
       link.pump(connected ? &bus.master() : nullptr, at_ns);

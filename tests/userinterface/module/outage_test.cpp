@@ -1,4 +1,5 @@
-// The link fails while a client walks the robot: it stands in time, comes back by itself, and nothing old is carried out.
+// The link fails while a client walks the robot: it stands in time, comes back by itself, and nothing old is
+// carried out.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,7 +71,8 @@ class OutageTest : public ::testing::Test {
   }
   [[nodiscard]] bool open() { return linked_.link.open() && linked_.desk.end().session().open(); }
 
-  const urdf::RobotModel robot_ = urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
+  const urdf::RobotModel robot_ =
+      urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
   simulator::Cosimulation run_{robot_, served_walk()};
   test::LinkedRobot linked_{run_.client(), robot_};
   LinkRobotPort port_{linked_.link, robot_, nullptr};

@@ -1,12 +1,9 @@
-// A plug-in that serves the network, taken over: what it tries, in the thread that listens or in its step, is
-// refused; and whatever becomes of its process, the others do not notice.
-#include <arpa/inet.h>
+// A plug-in with Unix sockets: these it may use, no others; what else it tries, in the thread that listens or
+// in its step, is refused; and whatever becomes of its process, the others do not notice.
 #include <gmock/gmock.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,49 +11,34 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/process/file_descriptor.hpp"
+#include "gaitway/process/listening_socket.hpp"
 #include "plugin_fixture.hpp"
 
 namespace gaitway::core {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
-bool kernel_has_landlock() {
-  constexpr long kCreateRuleset = 444;
-  constexpr unsigned kAskVersion = 1;
-  return syscall(kCreateRuleset, nullptr, 0, kAskVersion) >= 1;
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-class NetworkChild : public PluginFixture {
+class LocalSockets : public PluginFixture {
  protected:
-  NetworkChild() {
+  LocalSockets() {
     std::string name = (std::filesystem::path(testing::TempDir()) / "gaitway_network_child_XXXXXX").string();
     EXPECT_NE(mkdtemp(name.data()), nullptr);
     folder = name;
-    std::filesystem::create_directories(inside());
-    std::ofstream(inside() / "kept") << "kept";
   }
-  ~NetworkChild() override {
+  ~LocalSockets() override {
     manager.reset();
     std::filesystem::remove_all(folder);
   }
-  [[nodiscard]] std::filesystem::path inside() const { return folder / "inside"; }
-  static std::string server(const std::string& more = "") {
-    return "  - {name: server, library: serves_network.so, isolation: process, network: serve" + more + "}\n";
+  [[nodiscard]] std::filesystem::path door() const { return folder / "door"; }
+  [[nodiscard]] std::string server(const std::string& more = "", const std::string& parameters = "") const {
+    return "  - {name: server, library: local_sockets.so, isolation: process, sockets: local" + more +
+           ", parameters: {path: " + door().string() + parameters + "}}\n";
   }
-  [[nodiscard]] std::string writes() const { return ", writes: " + inside().string(); }
 
   // The newest line of the server that contains `part`.
   [[nodiscard]] std::string newest(const std::string& part) const {
@@ -70,11 +52,8 @@ class NetworkChild : public PluginFixture {
   }
   // The server's answer; -2: it closed the connection without one.
   [[nodiscard]] int ask(const std::string& what) const {
-    const process::FileDescriptor connection(socket(AF_INET, SOCK_STREAM, 0));
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    to.sin_port = htons(static_cast<std::uint16_t>(std::atoi(newest("port ").c_str() + 5)));
+    const process::FileDescriptor connection(socket(AF_UNIX, SOCK_STREAM, 0));
+    const sockaddr_un to = process::socket_address(door());
     EXPECT_EQ(connect(connection.get(), reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
     EXPECT_EQ(send(connection.get(), what.data(), what.size(), MSG_NOSIGNAL),
               static_cast<ssize_t>(what.size()));
@@ -130,85 +109,45 @@ class NetworkChild : public PluginFixture {
   std::uint32_t number = 0;
 };
 
-TEST_F(NetworkChild, WhatItsThreadTriesAfterSetUpIsRefused) {
-  manager = load(server(writes()));
-  for (const char* const name :
-       {"socket", "socketpair", "connect", "fast open", "bind",   "listen", "openat2",  "unlink",
-        "rename", "mkdir",      "link",    "symlink",   "chmod",  "chown",  "truncate", "mount",
-        "kill",   "own",        "limit",   "fork",      "execve", "ptrace", "real time"}) {
-    EXPECT_EQ(ask(std::string("here ") + name), EPERM) << name;
+TEST_F(LocalSockets, ItUsesUnixSocketsAndNoOthers) {
+  manager = load(server());
+  for (const char* const name : {"unix", "connect"}) {
+    EXPECT_EQ(ask(std::string("here ") + name), 0) << name;
   }
-  for (const char* const name :
-       {"read", "read and write", "path", "write outside", "write beside", "write to memory"}) {
-    EXPECT_EQ(ask(std::string("here ") + name), EACCES) << name;
-  }
-  EXPECT_EQ(ask("here thread"), 0);
-  EXPECT_EQ(ask("here write inside"), kernel_has_landlock() ? 0 : EACCES);
-  EXPECT_EQ(text_of(inside() / "recording"), kernel_has_landlock() ? "data" : "");
-  EXPECT_EQ(text_of(inside() / "kept"), "kept");
-  EXPECT_FALSE(std::filesystem::exists(folder / "taken"));
-  EXPECT_EQ(step(), 0) << "it is no fault of its step";
-}
-
-TEST_F(NetworkChild, WhatItsStepTriesIsRefusedAndAFaultOfThatStep) {
-  manager = load(server(writes()));
-  for (const auto& [name, call] : {std::pair{"socket", "socket"},
-                                   {"connect", "connect"},
-                                   {"kill", "kill"},
+  EXPECT_EQ(step(), 0);
+  for (const auto& [name, call] : {std::pair{"tcp", "socket"},
+                                   {"udp", "socket"},
+                                   {"netlink", "socket"},
+                                   {"packet", "socket"},
                                    {"fork", "clone"},
                                    {"execve", "execve"},
-                                   {"own", "fcntl"}}) {
+                                   {"ptrace", "ptrace"},
+                                   {"kill", "kill"}}) {
+    EXPECT_EQ(ask(std::string("here ") + name), EPERM) << name;
+    EXPECT_EQ(step(), 1) << name;
+    EXPECT_THAT(fault(), HasSubstr(std::string("called ") + call));
     ASSERT_EQ(ask(std::string("step ") + name), 0);
     EXPECT_EQ(step(), 1) << name;
     EXPECT_THAT(fault(), HasSubstr(std::string("called ") + call));
     EXPECT_EQ(newest("error"), "error " + std::to_string(EPERM)) << name;
     EXPECT_EQ(step(), 0) << "its process lives on";
   }
-  for (const char* const name : {"read", "write outside"}) {
-    ASSERT_EQ(ask(std::string("step ") + name), 0);
-    EXPECT_EQ(step(), 0) << name;
-    EXPECT_EQ(newest("error"), "error " + std::to_string(EACCES)) << name;
-  }
 }
 
-TEST_F(NetworkChild, WithoutAFolderItCreatesNoFileAtAll) {
-  manager = load(server());
-  for (const char* const name : {"read", "write inside", "write outside"}) {
-    EXPECT_EQ(ask(std::string("here ") + name), EACCES) << name;
-  }
+TEST_F(LocalSockets, WithoutTheKeyThereAreNone) {
+  EXPECT_THAT(
+      refusal("  - {name: server, library: local_sockets.so, isolation: process, parameters: {path: " +
+              door().string() + "}}\n"),
+      HasSubstr("no socket"));
 }
 
-TEST_F(NetworkChild, ItsFolderIsMade) {
-  manager = load(server(", writes: " + (folder / "new" / "deep").string()));
-  EXPECT_TRUE(std::filesystem::is_directory(folder / "new" / "deep"));
-  EXPECT_THAT(newest("port"), HasSubstr("writes to '" + (folder / "new" / "deep").string() + "'"));
-}
-
-TEST_F(NetworkChild, FolderThatCannotBeMadeOrFromWhichPluginsAreLoadedIsRefused) {
-  EXPECT_THAT(refusal(server(", writes: /proc/new")),
-              AllOf(HasSubstr("plug-in 'server' (test.yaml:2)"), HasSubstr("'/proc/new' cannot be made")));
-  EXPECT_THAT(refusal(server(", writes: " GAITWAY_TEST_PLUGINS)),
-              HasSubstr("from which plug-ins are loaded"));
-  EXPECT_THAT(refusal(server(", writes: " GAITWAY_TEST_PLUGINS "/..")),
-              HasSubstr("from which plug-ins are loaded"));
-  EXPECT_THAT(refusal(server(writes()) + "  - {name: other, library: " + inside().string() + "/other.so}\n"),
-              HasSubstr("from which plug-ins are loaded"));
-}
-
-TEST_F(NetworkChild, HasTheLimitsOfItsEntryAndNoPriority) {
-  const sched_param first{.sched_priority = 1}, none{};
-  const bool real_time = sched_setscheduler(0, SCHED_FIFO, &first) == 0;  // where the rights are there
+TEST_F(LocalSockets, HasTheLimitsOfItsEntry) {
   manager = load(server(", descriptors: 200, memory: 700 MiB"));
-  if (real_time) {
-    sched_setscheduler(0, SCHED_OTHER, &none);
-  }
-  EXPECT_EQ(ask("policy"), SCHED_OTHER);
-  EXPECT_EQ(ask("nice"), 5);
   EXPECT_EQ(ask("descriptors"), 200);
   EXPECT_EQ(ask("memory"), 700);
 }
 
-TEST_F(NetworkChild, IsAClientOfTheMemoryBlockThatClaimsNothingMore) {
+TEST_F(LocalSockets, IsAClientOfTheMemoryBlockThatClaimsNothingMore) {
   memory_socket = folder / "block.sock";
   msgclient::MemoryBlockServer memory(block, memory_socket);
   std::atomic<bool> serving{true};
@@ -219,26 +158,26 @@ TEST_F(NetworkChild, IsAClientOfTheMemoryBlockThatClaimsNothingMore) {
       memory.step(0);
     }
   });
-  manager = load(server(writes() + ", parameters: {client: true}"));
-  EXPECT_THAT(newest("port"), HasSubstr("memory at '" + memory_socket.string() + "'"));
+  manager = load(server("", ", client: true"));
+  EXPECT_THAT(newest("memory at"), HasSubstr("memory at '" + memory_socket.string() + "'"));
   EXPECT_EQ(ask("walk"), 0);
   WalkCommand command{};
   EXPECT_TRUE(other.read<WalkCommand>("walk_command").read(command));
   EXPECT_EQ(command.velocity[0], 0.1);
-  EXPECT_EQ(ask("here reopen"), EACCES) << "what it may read it cannot write";
   EXPECT_EQ(ask("claim"), 1);
   EXPECT_FALSE(other.find("trim").has_value());
   manager.reset();
   serving = false;
 }
 
-TEST_F(NetworkChild, InProcessItKnowsTheMemorySocket) {
+TEST_F(LocalSockets, InProcessItKnowsTheMemorySocket) {
   memory_socket = "/run/robot/block.sock";
-  manager = load("  - {name: server, library: serves_network.so}\n");
-  EXPECT_THAT(newest("port"), HasSubstr("memory at '/run/robot/block.sock', writes to ''"));
+  manager =
+      load("  - {name: server, library: local_sockets.so, parameters: {path: " + door().string() + "}}\n");
+  EXPECT_EQ(newest("memory at"), "memory at '/run/robot/block.sock'");
 }
 
-TEST_F(NetworkChild, IsAlwaysReplacedButTheOftenerTheLater) {
+TEST_F(LocalSockets, IsAlwaysReplacedButTheOftenerTheLater) {
   manager = load(relays() + server());
   for (const int delay_ms : {40, 80, 160, 320, 640, 800, 800}) {
     EXPECT_THAT(end_and_wait(), testing::EndsWith(" after " + std::to_string(delay_ms) + " ms"));
@@ -250,7 +189,7 @@ TEST_F(NetworkChild, IsAlwaysReplacedButTheOftenerTheLater) {
   EXPECT_EQ(service(), ServiceState::works);
 }
 
-TEST_F(NetworkChild, InRealTimeLateStepsLeaveNoTraceOnTheOthersAndNeverPutItOutOfService) {
+TEST_F(LocalSockets, InRealTimeLateStepsLeaveNoTraceOnTheOthersAndNeverPutItOutOfService) {
   isolation.lock_step = false;
   manager = load(relays() + server(", budget: 80 ms"));
   ASSERT_EQ(step(), 0);
@@ -271,10 +210,10 @@ TEST_F(NetworkChild, InRealTimeLateStepsLeaveNoTraceOnTheOthersAndNeverPutItOutO
   EXPECT_THAT(newest("has not answered"), HasSubstr("ms"));
 }
 
-TEST_F(NetworkChild, FloodOfFaultsIsToldOnceASecond) {
+TEST_F(LocalSockets, FloodOfFaultsIsToldOnceASecond) {
   manager = load(server());
   for (int i = 0; i < 250; ++i) {
-    ASSERT_EQ(ask("step socket"), 0);
+    ASSERT_EQ(ask("step tcp"), 0);
     EXPECT_EQ(step(), 1);
   }
   int told = 0;
@@ -285,10 +224,10 @@ TEST_F(NetworkChild, FloodOfFaultsIsToldOnceASecond) {
   EXPECT_EQ(service(), ServiceState::failing);
 }
 
-TEST_F(NetworkChild, WithARuleOfItsOwnItIsGivenUpByIt) {
+TEST_F(LocalSockets, WithARuleOfItsOwnItIsGivenUpByIt) {
   manager = load(server(", give_up_after: {faults: 3, within: 2 s}"));
   for (int i = 0; i < 3; ++i) {
-    ASSERT_EQ(ask("step socket"), 0);
+    ASSERT_EQ(ask("step tcp"), 0);
     EXPECT_EQ(step(), 1);
   }
   EXPECT_EQ(service(), ServiceState::out_of_service);

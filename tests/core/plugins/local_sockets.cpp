@@ -1,57 +1,84 @@
-// A server on 127.0.0.1, with a thread of its own: takes a word a connection, does what it says, and answers
-// with a number. "here NAME" is an attempt of the thread, "step NAME" one of the next step; the rest is
-// below.
-#include <pthread.h>
+// Listens at a Unix socket (parameter `path`), with a thread of its own: takes a word a connection, does what
+// it says, and answers with a number. "here NAME" is an attempt of the thread, "step NAME" one of the next
+// step; the rest is below.
+#include <linux/netlink.h>
 #include <sched.h>
+#include <sys/ptrace.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
-#include <charconv>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <thread>
 
-#include "forbidden_attempts.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/plugin/plugin.hpp"
 
 namespace {
 
-class ServesNetwork final : public gaitway::Plugin {
+// 0: it succeeded; else the error number; -1: there is no such attempt.
+int attempt(std::string_view name, const sockaddr_un& own) {
+  const auto opened = [](int descriptor) {
+    const int error = descriptor < 0 ? errno : 0;
+    close(descriptor);
+    return error;
+  };
+  if (name == "unix") return opened(socket(AF_UNIX, SOCK_STREAM, 0));
+  if (name == "tcp") return opened(socket(AF_INET, SOCK_STREAM, 0));
+  if (name == "udp") return opened(socket(AF_INET6, SOCK_DGRAM, 0));
+  if (name == "netlink") return opened(socket(AF_NETLINK, SOCK_RAW, NETLINK_ROUTE));
+  if (name == "packet") return opened(socket(AF_PACKET, SOCK_DGRAM, 0));
+  if (name == "connect") {
+    const int connection = socket(AF_UNIX, SOCK_STREAM, 0);
+    const int error =
+        connect(connection, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0 ? 0 : errno;
+    close(connection);
+    return error;
+  }
+  if (name == "fork") {
+    const pid_t child = fork();
+    if (child == 0) _exit(0);
+    return child < 0 ? errno : 0;
+  }
+  if (name == "execve") return execl("/bin/true", "true", nullptr) < 0 ? errno : 0;
+  if (name == "ptrace") return ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) < 0 ? errno : 0;
+  if (name == "kill") return kill(getppid(), 0) < 0 ? errno : 0;
+  return -1;
+}
+
+class LocalSockets final : public gaitway::Plugin {
  public:
-  explicit ServesNetwork(gaitway::Setup& setup)
-      : door_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)),
-        attempts_(setup.write_folder(), socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)),
-        report_(setup.reporter()) {
+  explicit LocalSockets(gaitway::Setup& setup)
+      : door_(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)), report_(setup.reporter()) {
     if (setup.parameter("client", false)) {
       client_ = gaitway::msgclient::Client::connect(setup.memory_socket(), "server");
       walk_ = client_->write<gaitway::WalkCommand>("walk_command");
       client_->seal();
     }
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    if (bind(door_, reinterpret_cast<sockaddr*>(&address), size) != 0 || listen(door_, 16) != 0 ||
-        getsockname(door_, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
-      throw std::runtime_error("no port");
+    const std::string path = setup.parameter("path", "");
+    address_.sun_family = AF_UNIX;
+    path.copy(address_.sun_path, sizeof address_.sun_path - 1);
+    unlink(path.c_str());
+    if (door_ < 0 || bind(door_, reinterpret_cast<sockaddr*>(&address_), sizeof address_) != 0 ||
+        listen(door_, 16) != 0) {
+      throw std::runtime_error("no socket");
     }
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "port %d, memory at '%s', writes to '%s'",
-                  ntohs(address.sin_port), setup.memory_socket().c_str(), setup.write_folder().c_str());
-    report_(gaitway::Severity::info, text.data());
-    // As network libraries do it.
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
+    report_(gaitway::Severity::info, ("memory at '" + setup.memory_socket().string() + "'").c_str());
     thread_ = std::thread([this] { serve(); });
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
-  ~ServesNetwork() override {
+  ~LocalSockets() override {
     shutdown(door_, SHUT_RDWR);
     thread_.join();
   }
@@ -62,7 +89,7 @@ class ServesNetwork final : public gaitway::Plugin {
         waits_.wait(true);
       } else {
         std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), "error %d", attempts_(*name));
+        std::snprintf(text.data(), text.size(), "error %d", attempt(*name, address_));
         report_(gaitway::Severity::info, text.data());
       }
     }
@@ -82,7 +109,7 @@ class ServesNetwork final : public gaitway::Plugin {
   }
   int do_it(std::string_view what) {
     if (what.starts_with("here ")) {
-      return attempts_(std::string(what.substr(5)));
+      return attempt(what.substr(5), address_);
     }
     if (what.starts_with("step ")) {
       delete asked_.exchange(new std::string(what.substr(5)));
@@ -95,12 +122,6 @@ class ServesNetwork final : public gaitway::Plugin {
       waits_ = false;
       waits_.notify_all();
       return 0;
-    }
-    if (what == "nice") {
-      return getpriority(PRIO_PROCESS, 0);
-    }
-    if (what == "policy") {
-      return sched_getscheduler(0);
     }
     if (what == "descriptors") {
       rlimit limit{};
@@ -141,7 +162,7 @@ class ServesNetwork final : public gaitway::Plugin {
   }
 
   int door_;
-  ForbiddenAttempts attempts_;
+  sockaddr_un address_{};
   std::atomic<std::string*> asked_{nullptr};
   std::atomic<bool> waits_{false};
   gaitway::Reporter report_;
@@ -152,4 +173,4 @@ class ServesNetwork final : public gaitway::Plugin {
 
 }  // namespace
 
-GAITWAY_PLUGIN(ServesNetwork, "serves_network", "1.0.0", "Does over TCP what it should not")
+GAITWAY_PLUGIN(LocalSockets, "local_sockets", "1.0.0", "Does over a Unix socket what it should not")
