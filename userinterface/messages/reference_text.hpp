@@ -6,7 +6,7 @@
 namespace gaitway::api::reference_text {
 
 inline constexpr std::string_view kBeginning =
-    R"(<!-- Made by `./dev gaitway api document`; change the tables in plugins/api or plugins/api/reference*, not this file. -->
+    R"(<!-- Made by `./dev gaitway api document`; change the tables in userinterface/messages, not this file. -->
 # The robot API
 
 rosbridge v2 over WebSocket: what roslibjs, roslibpy and other rosbridge clients speak. Each WebSocket text message is one JSON
