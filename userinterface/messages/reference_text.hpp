@@ -74,7 +74,7 @@ inline constexpr std::string_view kTypes = R"(
 inline constexpr std::string_view kLimits = R"(
 ## Limits
 
-Each is a parameter of the plug-in `api`.
+Each can be set in a file: `user_interface --limits FILE`, `gaitway serve --limits FILE` (YAML: `name: value`).
 
 )";
 
