@@ -343,7 +343,7 @@ TEST_F(BadInput, ServersThatMayNotBe) {
   expect_refused_line(serve + "--port 70000", {"--port 70000", "65535"});
   expect_refused_line(serve + "--seconds -1", {"--seconds -1"});
   expect_refused_line(serve + "--config " + GAITWAY_DEFAULT_CONFIGURATION,
-                      {"walk.yaml", "no plug-in that serves the network"});
+                      {"walk.yaml", "no plug-in that keeps a link to the user interface module"});
   expect_refused_line(serve + "--address 0.0.0.0 --port 0",
                       {"address", "0.0.0.0", "token_file", "certificate_file"});
   expect_refused_line(serve + "--address nowhere --port 0", {"address", "nowhere"});

@@ -115,7 +115,7 @@ TEST(ApiExamples, OfWhatTheRobotSendsSatisfyTheirSchemas) {
     if (operation.sender == Sender::robot && operation.name == "publish") {
       const SchemaCheck check(schemas.at("message " + message.at("topic").get<std::string>()));
       EXPECT_TRUE(check.accepts(message.at("msg"))) << message;
-    } else if (operation.name == "service_response") {
+    } else if (operation.sender == Sender::robot && operation.name == "service_response") {
       const SchemaCheck check(schemas.at("answer " + message.at("service").get<std::string>()));
       EXPECT_TRUE(check.accepts(message.at("values"))) << message;
     }
