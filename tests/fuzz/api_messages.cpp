@@ -1,7 +1,7 @@
-// Messages of the robot API out of JSON, and texts into JSON and CBOR (userinterface/messages). Whatever the text: it is
-// no JSON, or it is refused with MessageError and a short printable reason, or what is read is finite and
-// stays the same when it is written and read again. Whatever the bytes: as a text they become JSON and CBOR
-// that decoders take.
+// Messages of the robot API out of JSON, and texts into JSON and CBOR (userinterface/messages). Whatever the
+// text: it is no JSON, or it is refused with MessageError and a short printable reason, or what is read is
+// finite and stays the same when it is written and read again. Whatever the bytes: as a text they become JSON
+// and CBOR that decoders take.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
