@@ -17,8 +17,10 @@ constexpr std::size_t kTurnFrames = OutgoingQueue::kBuffers / 2;
 constexpr int kTurns = 4;
 // Pings and pongs that a client may send in a second.
 constexpr unsigned kControlFrames = 100;
-// Urgent messages that need not wait, from one sweep to the next; who sends more must wait for his turn.
+// Urgent messages that need not wait, from one sweep to the next: so many of each client, whatever the others
+// do, and more while all have sent no more than so many beyond. Who sends still more must wait for his turn.
 constexpr unsigned kUrgentAtOnce = 4;
+constexpr unsigned kUrgentOfAll = 64;
 using facts::kSecond_ns;
 
 std::string shortened(std::string_view reason) {
@@ -179,7 +181,12 @@ void ClientLink::received(std::string_view message, bool binary) {
 }
 
 bool ClientLink::may_overtake(std::string_view message, bool binary) noexcept {
-  return overtook_ < kUrgentAtOnce && session_->is_urgent(message, binary) && ++overtook_ > 0;
+  const bool own = overtook_ < kUrgentAtOnce;
+  if ((!own && core_.urgent_beyond >= kUrgentOfAll) || !session_->is_urgent(message, binary)) {
+    return false;
+  }
+  ++(own ? overtook_ : core_.urgent_beyond);
+  return true;
 }
 
 void ClientLink::read_on() {

@@ -208,6 +208,7 @@ class Server::Impl {
         callbacks_.on_refusals(*line);
       }
     }
+    core_.urgent_beyond = 0;
     for (std::size_t at = core_.links().size(); at-- > 0;) {  // a link that ends gives its place to the last
       core_.links()[at]->sweep(now_ns);
     }

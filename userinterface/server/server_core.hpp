@@ -48,7 +48,8 @@ class ServerCore {
   ServerStatistics statistics;
   RefusalLog refusal_log;
   AddressPatience patience;
-  ListeningTime listening;  // ticked by the server; what clients owe is counted in it
+  unsigned urgent_beyond = 0;  // messages that overtook, beyond what each client may, since the last sweep
+  ListeningTime listening;     // ticked by the server; what clients owe is counted in it
 
  private:
   // Of the time in which messages are carried out, before the sockets are looked at again: for a stop, say.

@@ -62,6 +62,25 @@ TEST(Urgency, AnUrgentMessageWaitsForNoOtherClientsWork) {
   EXPECT_LE(place_of("urgent", taken(server, kClients * kEach + 1)), 4);
 }
 
+TEST(Urgency, NorDoesTheTenthOfOneClientWhileNobodyElseHasAny) {
+  constexpr int kOthers = 8, kUrgent = 9;
+  RunningServer server(local());
+  const auto holder = opened(server), client = opened(server);
+  std::vector<std::unique_ptr<RawClient>> others;
+  for (int count = 0; count < kOthers; ++count) {
+    others.push_back(opened(server));
+  }
+  server.while_held(*holder, [&] {
+    for (const auto& other : others) {
+      send(*other, "work", 2);  // so that what the client sends waits
+    }
+    client->send(frames("urgent", kUrgent) + frames("work", 6) + frames("urgent at last", 1));
+  });
+  const auto all = taken(server, 2 * kOthers + kUrgent + 7);
+  EXPECT_GT(std::ranges::count(all, "overtaken work"), 0)
+      << "what it sent before the last one is told that it came too late";
+}
+
 TEST(Urgency, AFloodOfUrgentMessagesDelaysNobodyElsesFirst) {
   constexpr int kFlood = 500;
   RunningServer server(local());

@@ -87,9 +87,8 @@ class LoadedServer {
     client->open_websocket();
     return client;
   }
-  // The median of many stops: single ones also wait for page faults of a computer that takes memory back,
-  // which count as the server's own time. `before` is called before each.
-  [[nodiscard]] double median_ms(const std::function<void()>& before) {
+  // The longest of many stops; `before` is called before each.
+  [[nodiscard]] double longest_ms(const std::function<void()>& before) {
     const auto stopper = client();
     clockid_t server_time{};
     EXPECT_EQ(pthread_getcpuclockid(serving_.native_handle(), &server_time), 0);
@@ -105,9 +104,8 @@ class LoadedServer {
       static_cast<void>(stopper->receive_frame());
     }
     std::ranges::sort(all_ms);
-    std::cout << "median " << all_ms[kTrials / 2] << " ms, 9 of 10 at most " << all_ms[kTrials * 9 / 10]
-              << " ms, longest " << all_ms.back() << " ms\n";
-    return all_ms[kTrials / 2];
+    std::cout << "median " << all_ms[kTrials / 2] << " ms, longest " << all_ms.back() << " ms\n";
+    return all_ms.back();
   }
 
  private:
@@ -137,11 +135,11 @@ class LoadedServer {
 };
 
 TEST(StopUnderLoad, TwentyClientsThatSendAllThatTheyMayDelayNoEmergencyStop) {
-  EXPECT_LT(LoadedServer(20).median_ms([] {}), kMost_ms);
+  EXPECT_LT(LoadedServer(20).longest_ms([] {}), kMost_ms);
 }
 
 TEST(StopUnderLoad, AHundredNeither) {
-  EXPECT_LT(LoadedServer(100).median_ms([] {}), kMost_ms);
+  EXPECT_LT(LoadedServer(100).longest_ms([] {}), kMost_ms);
 }
 
 TEST(StopUnderLoad, FiveHundredStopsOfAnotherClientNeither) {
@@ -153,7 +151,7 @@ TEST(StopUnderLoad, FiveHundredStopsOfAnotherClientNeither) {
   LoadedServer server(0);
   // A new one each time, since five hundred are all that a client may send in a second.
   std::unique_ptr<RawClient> flooding;
-  EXPECT_LT(server.median_ms([&] {
+  EXPECT_LT(server.longest_ms([&] {
     flooding = server.client();
     flooding->send(stops);
   }),
