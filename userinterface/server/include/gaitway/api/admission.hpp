@@ -18,8 +18,8 @@ class ServerSetupError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The token in `file`, which must be regular, belong to the user of this process and give nothing to group and
-// others. One line end after the token is no part of it. Throws ServerSetupError.
+// The token in `file`, which must be regular, belong to the user of this process and give nothing to group
+// and others. One line end after the token is no part of it. Throws ServerSetupError.
 std::string read_token(const std::filesystem::path& file);
 
 // The secret that lets a client in. Keeps the token's SHA-256 digest only.
