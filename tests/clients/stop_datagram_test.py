@@ -2,16 +2,19 @@
 import importlib.util
 import json
 import os
+import signal
 import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
 from served_robot import COMMAND, ServedRobot, until
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "docs" / "examples" / "stop_client.py"
+ENOUGH_S = 3.0  # so that the batch that the robot's end refuses is one of many
 TOKEN = "a-token-of-some-length-4711"
 
 
@@ -128,13 +131,28 @@ class StopDatagrams(unittest.TestCase):
             self.assertIn("127.0.0.1", line)
             stopped = self.stop("--token-file", token)
             self.assertEqual(stopped.returncode, 0, stopped.stderr)
+            time.sleep(ENOUGH_S)
+
+    def test_a_robot_that_does_not_obey_is_told_and_obeys_later(self):
+        with ServedRobot() as self.robot:
+            until(lambda: self.ctl("plugin", "list").returncode == 0, "the robot")
+            os.kill(self.robot.plugin_process(), signal.SIGSTOP)  # the robot's side of the link, which the manager replaces
+            heard = self.stop("--seconds", "0.1")
+            self.assertEqual(heard.returncode, 2, heard.stdout + heard.stderr)
+            self.assertIn("has heard the stop", heard.stderr)
+            self.robot.wait_for_line(r"user_interface: stop by datagram")
+            until(lambda: self.stop("--kind", "hold", "--seconds", "1").returncode == 0, "a link that is back")
+            time.sleep(ENOUGH_S)
+            self.robot.stop()
+            commands = (self.robot.out / "commands.yaml").read_text()
+        self.assertIn("asked: true, stop: true", commands)
+        self.assertIn("emergency_stop: hold", commands)
 
     def test_what_is_not_there_is_told(self):
         with ServedRobot("--stop-port", "0") as self.robot:
             self.robot.wait_for_line(r"takes no stops by datagram")
             self.assertEqual(self.stop("--seconds", "0.2").returncode, 3)
-            os.kill(self.robot.api_process(), 9)  # started again as it was
-            self.robot.wait_for_port(2)
+            time.sleep(ENOUGH_S)
         for arguments in (["host:0"], ["host:77777"], ["[::1"], [":9091"], ["host:9091x"], ["127.0.0.1", "--token-file", "/no/such"],
                           ["127.0.0.1", "--kind", "jump"]):
             bad = subprocess.run([COMMAND, "stop", *arguments], capture_output=True, text=True, timeout=60)
