@@ -260,6 +260,34 @@ def link_seeds():
           b"\1" + order(b"walk", 200) + wait(19) + bytes([0, 0, 5]) + b"\0\2\1\7\0" + wait(9))
 
 
+def stop_seeds():
+    """As stop_datagrams.cpp takes its actions apart."""
+    def ask(client, kind):
+        return bytes([client, 2, kind])
+
+    def exchange(client, answers=1):
+        return bytes([client, 6, answers])
+
+    def signed(what, content):
+        content = b"GWTS\x01" + bytes([what]) + content
+        return bytes([0, 1, len(content)]) + content
+
+    def said(to_client, content):
+        return bytes([0, 4 if to_client else 0, len(content)]) + content
+
+    sleep = bytes([0, 5]) + struct.pack("<H", 31_000)
+    write("stop_datagrams", "stops", b"".join(ask(client, client) + exchange(client) * 3 for client in range(3)))
+    write("stop_datagrams", "lost_and_replayed", ask(0, 0) + exchange(0, 0) * 3 + sleep + exchange(0) * 2 +
+          b"".join(bytes([0, 3, which]) for which in range(6)) + ask(0, 2) + exchange(0) * 2)
+    write("stop_datagrams", "own_clients", signed(1, struct.pack("<QI16x", 9, 1)) + signed(3, struct.pack("<QQqIB", 9, 1, 0, 1, 0)) * 2 +
+          signed(3, struct.pack("<QQqIB", 9, 1, 0, 3, 1)) + signed(3, struct.pack("<QQqIB", 9, 1, 0, 2, 1)) +
+          signed(3, struct.pack("<QQqIB", 9, 2, 0, 4, 2)) + signed(4, struct.pack("<QIBB", 9, 1, 0, 1)))
+    write("stop_datagrams", "strangers", ask(1, 1) + said(False, b"GWTS\x01\x03" + bytes(45)) + said(False, b"GWTS\x02\x01" + bytes(44)) +
+          said(True, b"GWTS\x01\x04" + struct.pack("<QIBB", 2, 1, 1, 1) + bytes(16)) +
+          said(False, b"GWTS\x01\x02" + struct.pack("<QIQq", 2, 1, 1, 5) + bytes(16)) +
+          said(False, b"GWTS\x01\x05" + struct.pack("<QQq", 2, 1, 5) + bytes(16)) + exchange(1))
+
+
 def main():
     if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
         sys.exit(__doc__)
@@ -273,6 +301,7 @@ def main():
     api_seeds()
     conversation_seeds()
     link_seeds()
+    stop_seeds()
 
 
 if __name__ == "__main__":

@@ -362,7 +362,7 @@ TEST_F(BadInput, CommandsThatDoNotExist) {
 
 // Each command's program is found beside this one, and says what it does and shows how.
 TEST_F(BadInput, EveryCommandExplainsItself) {
-  for (const char* const command : {"run", "api", "serve", "dev", "ctl", "new-plugin", "plugins",
+  for (const char* const command : {"run", "api", "serve", "stop", "dev", "ctl", "new-plugin", "plugins",
                                     "check-plugin", "bus", "measure", "motion", "calibrate", "ctl walk",
                                     "ctl stop", "ctl release", "ctl plugin set", "ctl recording start"}) {
     EXPECT_EQ(run(std::string(command) + " --help"), 0) << complaint_;

@@ -44,6 +44,7 @@ struct ServeOptions {
   bool accept_unproven = false;
   std::string address = "127.0.0.1";
   int port = 9090;
+  std::optional<int> stop_port;
   std::string origins;  // further web origins that may connect, with commas between them
   std::filesystem::path token_file, certificate_file, key_file, limits;
   std::optional<double> seconds;
@@ -136,6 +137,7 @@ std::vector<std::string> module_arguments(const ServeOptions& options, const std
   add("--certificate-file", options.certificate_file.string());
   add("--key-file", options.key_file.string());
   add("--limits", options.limits.string());
+  add("--stop-port", options.stop_port ? std::to_string(*options.stop_port) : "");
   return words;
 }
 
@@ -272,6 +274,12 @@ void declare_program(const CommandLine& app) {
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
   command.option("--port", options.port, "TCP port of the robot API; 0: any free one").between(0, 65535);
+  command
+      .option(
+          "--stop-port", options.stop_port,
+          "UDP port of stops by datagram (gaitway stop), at the same address; 0: none; without it one more "
+          "than the TCP port")
+      .between(0, 65535);
   command.option("--address", options.address,
                  "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
                  "--key-file");

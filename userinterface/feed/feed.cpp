@@ -337,9 +337,13 @@ void Feed::publish_robot_state(PublicationSink& sink) {
   sink.publish(Topic::robot_state, robot_state_of(activity, state.robot_ns), state.robot_ns);
 }
 
-void Feed::tell(PublicationSink& sink, const ros::Log& log) {
+void Feed::tell(const ros::Log& event, PublicationSink& sink) {
+  if (state_->digest.is_news(event, state_->robot_ns)) publish_event(event, sink);
+}
+
+void Feed::publish_event(const ros::Log& event, PublicationSink& sink) {
   for (const Topic topic : {Topic::events, Topic::rosout}) {
-    if (sink.wants(topic)) sink.publish(topic, log, state_->robot_ns);
+    if (sink.wants(topic)) sink.publish(topic, event, state_->robot_ns);
   }
 }
 
@@ -347,15 +351,14 @@ void Feed::publish_events(PublicationSink& sink) {
   State& state = *state_;
   Event event;
   while (topics_->events.read(event).status == msgclient::ReadStatus::value) {
-    const ros::Log log = log_of(event);
-    if (state.digest.is_news(log, state.robot_ns)) tell(sink, log);
+    tell(log_of(event), sink);
   }
   while (const auto log = state.digest.repeats(state.robot_ns)) {
-    tell(sink, *log);
+    publish_event(*log, sink);
   }
   const std::uint64_t missed = topics_->events.missed();
   if (missed == state.missed_events) return;
-  tell(sink, log_of_missed(missed - state.missed_events, state.robot_ns));
+  publish_event(log_of_missed(missed - state.missed_events, state.robot_ns), sink);
   state.missed_events = missed;
 }
 

@@ -1,8 +1,10 @@
 // The module's parts, in the order of their construction.
 #include "gaitway/api/door.hpp"
 
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -17,6 +19,7 @@
 #include "gaitway/api/publication_sink.hpp"
 #include "gaitway/api/recorder.hpp"
 #include "gaitway/api/server.hpp"
+#include "gaitway/api/stop_post.hpp"
 #include "gaitway/api/view_hub.hpp"
 #include "gaitway/api/view_source.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -68,6 +71,30 @@ HubOptions hub_options(const DoorOptions& options, const ServerSetup& setup) {
   return result;
 }
 
+// Nothing: it is not wanted.
+std::optional<stopgram::StopSocket> stop_socket(const DoorOptions& options, std::uint16_t server_port) {
+  const int port = options.stop_port ? *options.stop_port : server_port + 1;
+  if (port == 0) {
+    return std::nullopt;
+  }
+  if (port > std::numeric_limits<std::uint16_t>::max()) {
+    throw stopgram::StopSocketError("the server has the last port, " + std::to_string(server_port) +
+                                    ", and stops would have the one after it: give them another by "
+                                    "--stop-port (0: none)");
+  }
+  return stopgram::StopSocket(options.server.address, static_cast<std::uint16_t>(port));
+}
+
+stopgram::StopKey stop_key(const ServerOptions& server) {
+  if (server.token_file.empty()) {
+    return stopgram::StopKey();
+  }
+  std::string token = read_token(server.token_file);
+  stopgram::StopKey key(token);
+  explicit_bzero(token.data(), token.size());
+  return key;
+}
+
 page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits) {
   constexpr double kSecond_ns = 1e9;
   page::AssetTable assets;
@@ -89,6 +116,7 @@ class Door::Impl {
         robot_(urdf::load_robot(options.robot)),
         setup_(options.server),
         url_(setup_.url()),
+        stop_socket_(stop_socket(options, setup_.port())),
         link_(robot_, {.boot = random_boot()}),
         topics_(link_.topics("feed")),
         recorder_(recorder_of(options)),
@@ -104,9 +132,19 @@ class Door::Impl {
                  .on_poll = [this](std::int64_t now_ns) { on_poll(now_ns); },
                  .on_refusals = tell_},
                 {.assets = &assets_, .view = &view_hub_}),
-        link_thread_(link_, options.link, tell_) {}
+        link_thread_(link_, options.link, tell_) {
+    if (stop_socket_) {
+      stop_url_ = "udp" + url_.substr(url_.find(':'), url_.rfind(':') - url_.find(':') + 1) +
+                  std::to_string(stop_socket_->port());
+      stop_post_.emplace(link_, std::move(*stop_socket_), stop_key(options.server));
+    }
+  }
 
-  void run() { server_.run(); }
+  void run() {
+    tell_(stop_post_ ? "listens for stops by datagram at " + stop_url_
+                     : "takes no stops by datagram (--stop-port 0)");
+    server_.run();
+  }
   void stop() { server_.stop(); }
   [[nodiscard]] const std::string& url() const noexcept { return url_; }
 
@@ -114,6 +152,11 @@ class Door::Impl {
   void on_poll(std::int64_t now_ns) {
     port_.observe(now_ns);
     follow_session();
+    const std::optional<PostedStops> stops = stop_post_ ? stop_post_->take_stops() : std::nullopt;
+    if (stops) {
+      link_.see_stops(stops->count);
+      hub_.stopped_by_datagram();
+    }
     hub_.answer(now_ns);
     tell_address(now_ns);
     GenericSink sink(
@@ -129,6 +172,9 @@ class Door::Impl {
         });
     feed_.poll(now_ns, sink);
     tell_commander(sink);
+    if (stops) {
+      tell_stops(*stops, sink);
+    }
     if (view_hub_.due(now_ns)) {
       view_hub_.show(view_source_.state(feed_.robot_ns(), feed_.heartbeat_age_ns(), hub_.commander(), now_ns),
                      now_ns);
@@ -158,7 +204,20 @@ class Door::Impl {
     commander_ = ros::String{std::string(hub_.commander())};
     sink.publish(Topic::commander, *commander_, feed_.robot_ns());
   }
+  void tell_stops(const PostedStops& stops, PublicationSink& sink) {
+    ros::Log event;
+    event.stamp = ros_time(feed_.robot_ns());
+    event.name = "user_interface";
+    event.msg = text_of(stops);
+    tell_(event.msg);
+    feed_.tell(event, sink);
+  }
   void on_tick(std::int64_t now_ns) {
+    if (stop_post_) {
+      for (const std::string& line : stop_post_->take_refusals()) {
+        tell_(line);
+      }
+    }
     if (recorder_ == nullptr) {
       return;
     }
@@ -172,7 +231,8 @@ class Door::Impl {
   std::function<void(const std::string&)> tell_;
   urdf::RobotModel robot_;
   ServerSetup setup_;
-  std::string url_;
+  std::string url_, stop_url_;
+  std::optional<stopgram::StopSocket> stop_socket_;  // until the post has it
   ModuleLink link_;
   msgclient::Client topics_;
   std::unique_ptr<Recorder> recorder_;
@@ -188,6 +248,7 @@ class Door::Impl {
   ViewHub view_hub_;
   Server server_;
   LinkThread link_thread_;
+  std::optional<StopPost> stop_post_;
 };
 
 Door::Door(const DoorOptions& options, std::function<void(const std::string&)> tell)

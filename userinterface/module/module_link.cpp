@@ -138,11 +138,9 @@ std::uint32_t ModuleLink::order_untyped(OrderKind kind, const void* request, std
   {
     const std::scoped_lock lock(mutex_);
     const contract::OrderRow& row = contract::row(kind);
-    const link::StopCounts& stops = end_.stops().asked();
-    const std::uint32_t seen = stops.stops + stops.holds + stops.softs;
     std::array<std::uint8_t, link::kMostOrderBytes> room{};
     for (std::size_t i = 0; i < contract::kStopsSeenBytes; ++i) {
-      room[i] = static_cast<std::uint8_t>(seen >> (8 * i));
+      room[i] = static_cast<std::uint8_t>(stops_seen_ >> (8 * i));
     }
     const std::size_t size =
         contract::kStopsSeenBytes +
@@ -183,21 +181,41 @@ void ModuleLink::submit_waiting(std::int64_t now_ns) {
   }
 }
 
+void ModuleLink::ask_stop(link::StopKind kind) {
+  end_.stop(kind);
+  if (waiting_) {  // nobody walks on after a stop
+    refuse(waiting_->number, text_of(OrderResultCode::stopped));
+    waiting_.reset();
+  }
+}
+
+void ModuleLink::stop_unseen(link::StopKind kind) {
+  {
+    const std::scoped_lock lock(mutex_);
+    ask_stop(kind);
+  }
+  if (wake_) {
+    wake_();
+  }
+}
+
+void ModuleLink::see_stops(std::uint32_t count) {
+  const std::scoped_lock lock(mutex_);
+  stops_seen_ += count;
+}
+
 std::uint32_t ModuleLink::stop(link::StopKind kind) {
   const std::uint32_t number = next_number();
   {
     const std::scoped_lock lock(mutex_);
-    end_.stop(kind);
+    ask_stop(kind);
+    ++stops_seen_;
     static constexpr std::array kMembers{&link::StopCounts::stops, &link::StopCounts::holds,
                                          &link::StopCounts::softs};
     const auto member = kMembers[static_cast<std::size_t>(kind)];
     stops_.push_back({number, member, end_.stops().asked().*member});
     if (stops_.size() > kMostResults) {
       stops_.pop_front();  // the oldest runs out of time unanswered
-    }
-    if (waiting_) {  // nobody walks on after a stop
-      refuse(waiting_->number, text_of(OrderResultCode::stopped));
-      waiting_.reset();
     }
   }
   if (wake_) {

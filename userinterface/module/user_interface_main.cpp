@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -29,6 +30,7 @@ struct Options {
   std::string link = "unix:/run/gaitway/link.sock";
   std::string address = "127.0.0.1";
   std::uint16_t port = 9090;
+  std::optional<std::uint16_t> stop_port;
   std::string origins;
   std::filesystem::path token_file, certificate_file, key_file, recordings, limits;
   int ready_descriptor = -1;  // gets a byte when clients can connect
@@ -53,6 +55,7 @@ api::DoorOptions door_options(const Options& options) {
   door.link = link::parse_link_address(options.link);
   door.server.address = options.address;
   door.server.port = options.port;
+  door.stop_port = options.stop_port;
   door.server.origins = split(options.origins);
   door.server.token_file = options.token_file;
   door.server.certificate_file = options.certificate_file;
@@ -123,6 +126,10 @@ int main(int argc, char** argv) {
                  "Folder with robot.urdf and robot.yaml: the same as the main controller's");
   app.add_option("--link", options.link, "The main controller: unix:PATH, or serial:DEVICE:BAUD");
   app.add_option("--port", options.port, "TCP port of the robot API; 0: any free one");
+  app.add_option(
+      "--stop-port", options.stop_port,
+      "UDP port of stops by datagram (`gaitway stop`), at the same address; 0: none; without it one "
+      "more than the TCP port");
   app.add_option(
       "--address", options.address,
       "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and --key-file");

@@ -141,7 +141,7 @@ AccessToken::AccessToken(std::string_view text) {
   digest_ = digest(text);
 }
 
-AccessToken AccessToken::read(const std::filesystem::path& file) {
+std::string read_token(const std::filesystem::path& file) {
   const process::FileDescriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!opened || fstat(opened.get(), &status) != 0) {
@@ -156,6 +156,11 @@ AccessToken AccessToken::read(const std::filesystem::path& file) {
   if (text.ends_with('\r')) {
     text.pop_back();
   }
+  return text;
+}
+
+AccessToken AccessToken::read(const std::filesystem::path& file) {
+  std::string text = read_token(file);
   try {
     AccessToken token(text);
     OPENSSL_cleanse(text.data(), text.size());

@@ -66,6 +66,10 @@ void Hub::robot_lost() {
   state_->commands.robot_lost();
 }
 
+void Hub::stopped_by_datagram() {
+  state_->commands.stopped_by_datagram();
+}
+
 void Hub::answer(std::int64_t wall_ns) {
   state_->now_ns = wall_ns;
   state_->desk.step(wall_ns);

@@ -150,6 +150,12 @@ void RobotCommands::robot_lost() noexcept {
   walks_ = false;  // its own side sees to that it stands
 }
 
+void RobotCommands::stopped_by_datagram() {
+  authority_.end_all();
+  walks_ = false;
+  robot_.stand();
+}
+
 void RobotCommands::leave(const Claimant& claimant) {
   if (authority_.leave(claimant)) {
     end_walk();

@@ -48,6 +48,8 @@ class RobotCommands {
 
   // Nobody has the command afterwards.
   void robot_lost() noexcept;
+  // Somebody who is no claimant has stopped the robot: nobody has the command, and nothing walks on.
+  void stopped_by_datagram();
   // The connection has ended.
   void leave(const Claimant& claimant);
   // A lease that has run out ends.

@@ -49,6 +49,7 @@ Bytes StopDesk::on_stop(const Stop& stop) noexcept {
     return stranger(stop);
   }
   const auto kind = static_cast<std::size_t>(stop.kind);
+  const bool is_fresh = now_ns_ - stop.stamp_ns <= kFreshness_ns;
   Client* client = find(stop.client);
   // What has been taken is answered however old its stamp is.
   if (client != nullptr && stop.number <= client->latest[kind].number) {
@@ -57,12 +58,13 @@ Bytes StopDesk::on_stop(const Stop& stop) noexcept {
       return {};
     }
     ++counts_.repeats;
-    client->heard_ns = now_ns_;
+    if (is_fresh) {  // an old one may be of a recording, which holds nobody's place
+      client->heard_ns = now_ns_;
+    }
     client->newest_stamp_ns = std::max(client->newest_stamp_ns, stop.stamp_ns);
     return acknowledge(stop, client->latest[kind]);
   }
-  if (now_ns_ - stop.stamp_ns > kFreshness_ns ||
-      stop.stamp_ns <= (client != nullptr ? client->floor_ns : floor_ns_)) {
+  if (!is_fresh || stop.stamp_ns <= (client != nullptr ? client->floor_ns : floor_ns_)) {
     return stranger(stop);
   }
   if (client == nullptr) {

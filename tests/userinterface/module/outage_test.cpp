@@ -146,6 +146,30 @@ TEST_F(OutageTest, WhatWasGivenBeforeAStopMovesTheRobotNoMore) {
   EXPECT_THAT(told(), HasSubstr("\"success\":true"));
 }
 
+TEST_F(OutageTest, AStopFromElsewhereHoldsBeforeTheSessionsKnowOfIt) {
+  run_for(kSecond_ns);
+  drives_ = true;
+  run_for(kSecond_ns);
+  ASSERT_TRUE(told_to_walk()) << told();
+  messages_.clear();
+  linked_.link.stop_unseen(link::StopKind::stop);
+  run_for(20 * kMillisecond_ns);
+  EXPECT_EQ(linked_.link.stops_obeyed().stops, 1U);
+  const std::int64_t stopped_ns = run_.now_ns();
+  run_for(400 * kMillisecond_ns);
+  EXPECT_LE(last_walk_ns_, stopped_ns) << "who drives does not know of it yet";
+  EXPECT_THAT(told(), HasSubstr("it was given before a stop"));
+  linked_.link.see_stops(1);
+  hub_.stopped_by_datagram();
+  EXPECT_EQ(hub_.commander(), "");
+  run_for(400 * kMillisecond_ns);
+  EXPECT_LE(last_walk_ns_, stopped_ns) << "and must let go first";
+  EXPECT_THAT(told(), HasSubstr("the robot was stopped by somebody else"));
+  client_.send({{"op", "call_service"}, {"service", "/command/acquire"}, {"args", {{"name", "driver"}}}});
+  run_for(200 * kMillisecond_ns);
+  EXPECT_TRUE(told_to_walk()) << told();
+}
+
 TEST_F(OutageTest, AStopThatWasCalledDuringAnOutageIsTheFirstThatIsDoneAfterIt) {
   run_for(kSecond_ns);
   frozen_ = true;

@@ -139,6 +139,19 @@ TEST_F(CommandTest, ALeaseCannotBeUsedAfterAReconnect) {
   EXPECT_EQ(hub.statistics().commander, "");
 }
 
+TEST_F(CommandTest, AStopByDatagramEndsTheCommandOfEverybody) {
+  anna->drive(0.1);
+  hub.stopped_by_datagram();
+  EXPECT_EQ(hub.statistics().commander, "");
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand"));
+  anna->drive(0.1);
+  EXPECT_THAT(anna->receive_one()["msg"], HasSubstr("was stopped by somebody else"));
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand"));
+  acquire(*anna, "anna");
+  anna->drive(0.1);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stand", "walk"));
+}
+
 TEST_F(CommandTest, AnybodyMayStop) {
   anna->drive(0.1);
   bert->send({{"op", "call_service"}, {"service", "/stop"}});

@@ -176,6 +176,27 @@ TEST(Stops, OfAClientThatLostItsPlaceAreNotObeyedFromARecording) {
   EXPECT_GT(robot.desk.counts().strangers, 0U);
 }
 
+TEST(Stops, OfARecordingHoldNobodysPlace) {
+  Robot robot(1);
+  std::vector<Datagram> newest;
+  const auto ask = [&](std::uint64_t client, std::int64_t now_ns) {
+    StopSender sender(StopKey(kToken), client);
+    exchange(sender, robot, now_ns);
+    sender.stop(StopKind::stop);
+    const Bytes said = sender.next(now_ns);
+    newest.emplace_back(said.begin(), said.end());
+    robot.take(said, now_ns);
+  };
+  for (std::uint64_t client = 1; client < StopDesk::kClients; ++client) ask(client, kMs);
+  const std::vector<Datagram> recorded = newest;
+  const std::int64_t later_ns = StopDesk::kFreshness_ns + 10 * kMs;
+  ask(1000, later_ns);
+  for (const Datagram& datagram : recorded) robot.take(datagram, later_ns + kMs);
+  ask(1001, later_ns + 2 * kMs);
+  robot.take(newest[recorded.size()], later_ns + 3 * kMs);
+  EXPECT_EQ(robot.desk.counts().strangers, 0U) << "who was heard last has its place";
+}
+
 TEST(Stops, ThatWereHeldBackAreNotObeyedForLong) {
   Robot robot(1);
   StopSender sender(StopKey(kToken), 7);

@@ -37,6 +37,9 @@ class Feed {
   // `wall_ns`: any monotonic clock of the caller's.
   void poll(std::int64_t wall_ns, PublicationSink& sink);
 
+  // An event of the caller's own, among the robot's: one that says the same as another is counted with it.
+  void tell(const ros::Log& event, PublicationSink& sink);
+
   // The robot's clock, as the last poll saw it; 0 while the robot has not been heard of.
   [[nodiscard]] std::int64_t robot_ns() const noexcept;
   // How long, at the last poll, the robot's clock had not moved.
@@ -62,7 +65,7 @@ class Feed {
   void publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink);
   void publish_motion(PublicationSink& sink);
   void publish_robot_state(PublicationSink& sink);
-  void tell(PublicationSink& sink, const ros::Log& log);
+  void publish_event(const ros::Log& event, PublicationSink& sink);
   void publish_events(PublicationSink& sink);
 
   std::unique_ptr<Topics> topics_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gaitway/api/server_setup.hpp"
@@ -16,6 +17,9 @@ struct DoorOptions {
   std::filesystem::path robot;  // folder with robot.urdf and robot.yaml
   link::LinkAddress link;
   ServerOptions server;
+  // UDP, at the server's address; 0: no stops by datagram; without it one more than the port that the server
+  // got.
+  std::optional<std::uint16_t> stop_port;
   std::filesystem::path recordings;   // folder; empty: nothing is recorded
   std::uint64_t recording_bytes = 0;  // a recording's size, at most
 };

@@ -68,6 +68,10 @@ class ModuleLink {
   }
   // Always taken. The number, as of an order; it is told when the robot has obeyed.
   std::uint32_t stop(link::StopKind kind);
+  // The same for who gives no orders. Until those who do are told of it, and see_stops() says so, what they
+  // order is not carried out.
+  void stop_unseen(link::StopKind kind);
+  void see_stops(std::uint32_t count);
   [[nodiscard]] std::optional<OrderResult> take_result(std::int64_t now_ns);
   // An order of this kind has no answer yet.
   [[nodiscard]] bool awaits(contract::OrderKind kind) const;
@@ -97,6 +101,7 @@ class ModuleLink {
 
   std::uint32_t order_untyped(contract::OrderKind kind, const void* request, std::int64_t age_ns,
                               std::int64_t now_ns);
+  void ask_stop(link::StopKind kind);
   void submit(contract::OrderKind kind, link::Bytes payload, std::int64_t expiry_ns, std::uint32_t number,
               std::int64_t now_ns);
   void submit_waiting(std::int64_t now_ns);
@@ -113,6 +118,7 @@ class ModuleLink {
   mutable std::mutex mutex_;
   std::function<void()> wake_;
   std::uint32_t last_number_;
+  std::uint32_t stops_seen_ = 0;  // of all kinds, by those who give orders
   std::vector<Given> given_;
   std::size_t velocities_under_way_ = 0;
   std::optional<WaitingVelocity> waiting_;

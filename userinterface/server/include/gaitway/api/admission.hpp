@@ -18,6 +18,10 @@ class ServerSetupError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The token in `file`, which must be regular, belong to the user of this process and give nothing to group
+// and others. One line end after the token is no part of it. Throws ServerSetupError.
+std::string read_token(const std::filesystem::path& file);
+
 // The secret that lets a client in. Keeps the token's SHA-256 digest only.
 class AccessToken {
  public:
@@ -26,8 +30,7 @@ class AccessToken {
 
   // Visible ASCII characters only, since it travels in an HTTP header. Throws ServerSetupError.
   explicit AccessToken(std::string_view text);
-  // The file must be regular, belong to the user of this process and give nothing to group and others. One
-  // line end after the token is no part of it. Throws ServerSetupError.
+  // The token of read_token(). Throws ServerSetupError.
   static AccessToken read(const std::filesystem::path& file);
 
   // Takes the same time wherever the two differ.

@@ -50,7 +50,7 @@ class Authority {
   bool leave(const Claimant& claimant) noexcept;
   // Somebody has stopped the robot: nobody else commands it any more.
   void stop(Claimant& by) noexcept;
-  // The way to the robot was lost: nobody commands it any more, as after a stop.
+  // The way to the robot was lost, or no claimant of ours stopped it: nobody commands it any more.
   void end_all() noexcept;
   // True: a lease has run out since this was asked last.
   bool lapse(std::int64_t now_ns) noexcept;

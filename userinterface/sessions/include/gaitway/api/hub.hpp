@@ -57,6 +57,8 @@ class Hub final : public SessionHub {
   // The link to the robot was lost, or is there again: nobody commands, and who did must take the command
   // again.
   void robot_lost();
+  // Somebody who is no session has stopped the robot: as after a /stop, nobody commands and nothing walks on.
+  void stopped_by_datagram();
   // Passes on the answers of the robot; step() does so, too.
   void answer(std::int64_t wall_ns);
 

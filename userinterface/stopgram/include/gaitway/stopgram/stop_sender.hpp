@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/stopgram/datagrams.hpp"
 #include "gaitway/stopgram/stop_key.hpp"
 
