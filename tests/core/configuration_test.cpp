@@ -107,16 +107,20 @@ TEST(Configuration, ReadsWhatAProcessMay) {
   EXPECT_FALSE(plain.child.local_sockets);
   EXPECT_EQ(options_for(plain.child, {}).descriptor_limit, 64U);
   EXPECT_EQ(options_for(plain.child, {}).memory_limit_bytes, 512U << 20U);
-  const PluginEntry linked =
+  EXPECT_EQ(options_for(plain.child, {}).hang_ns, 100'000'000);
+  const PluginEntry server =
       entry_with("isolation: process, sockets: local, descriptors: 4096, memory: 1 GiB");
-  EXPECT_TRUE(linked.child.local_sockets);
-  EXPECT_EQ(options_for(linked.child, {}).descriptor_limit, 4096U);
-  EXPECT_EQ(options_for(linked.child, {}).memory_limit_bytes, 1024U << 20U);
-  EXPECT_EQ(options_for(linked.child, {}).hang_ns, 500'000'000);
-  EXPECT_TRUE(linked.containment.give_up.never);
+  EXPECT_TRUE(server.child.local_sockets);
+  EXPECT_EQ(options_for(server.child, {}).hang_ns, 500'000'000);
+  EXPECT_EQ(options_for(server.child, {}).descriptor_limit, 4096U);
+  EXPECT_EQ(options_for(server.child, {}).memory_limit_bytes, 1024U << 20U);
+  EXPECT_TRUE(server.containment.give_up.never);
   EXPECT_FALSE(plain.containment.give_up.never);
   EXPECT_FALSE(
       entry_with("isolation: process, sockets: local, give_up_after: {faults: 3}").containment.give_up.never);
+  const PluginEntry none = entry_with("isolation: process, sockets: none");
+  EXPECT_FALSE(none.child.local_sockets);
+  EXPECT_FALSE(none.containment.give_up.never);
 }
 
 TEST(Configuration, RefusesWhatNoProcessMay) {
@@ -128,14 +132,22 @@ TEST(Configuration, RefusesWhatNoProcessMay) {
       testing::AllOf(HasSubstr("walk.yaml:3: plugins[0].sockets = 'local': is for plug-ins in processes of "
                                "their own alone"),
                      HasSubstr("Add 'isolation: process'")));
-  for (const char* const key : {"descriptors: 100", "memory: 1 GiB"}) {
+  for (const char* const key : {"sockets: none", "descriptors: 100", "memory: 1 GiB"}) {
     EXPECT_THAT(refused(key), HasSubstr("is for plug-ins in processes of their own alone")) << key;
   }
   const std::string process = "isolation: process\n    ";
-  EXPECT_THAT(refused(process + "sockets: network"),
-              HasSubstr("walk.yaml:4: plugins[0].sockets = 'network': must be 'local' or 'none'"));
-  for (const char* const gone : {"network: serve", "writes: here"}) {
-    EXPECT_THAT(refused(process + gone), HasSubstr("walk.yaml:4")) << gone;
+  for (const char* const value : {"serve", "Local", "true", "unix"}) {
+    EXPECT_THAT(refused(process + "sockets: " + value),
+                testing::AllOf(HasSubstr("walk.yaml:4: plugins[0].sockets = '" + std::string(value) +
+                                         "': must be 'local' or 'none'"),
+                               HasSubstr("'local' lets the plug-in use Unix sockets"),
+                               HasSubstr("beside the user interface module, as its client")))
+        << value;
+  }
+  EXPECT_THAT(refused(process + "sockets: [local]"),
+              HasSubstr("walk.yaml:4: plugins[0].sockets = a list of 1: must be a plain text"));
+  for (const char* const key : {"network: serve", "writes: here"}) {
+    EXPECT_THAT(refused(process + key), HasSubstr("there is no such key")) << key;
   }
   EXPECT_THAT(refused(process + "descriptors: 5000"), HasSubstr("16..4096"));
   EXPECT_THAT(refused(process + "memory: 512"), HasSubstr("with its unit: KiB, MiB or GiB"));

@@ -1,7 +1,8 @@
-// A plug-in with Unix sockets: these it may use, no others; what else it tries, in the thread that listens or
-// in its step, is refused; and whatever becomes of its process, the others do not notice.
+// A plug-in that may use Unix sockets, and no others: what else it tries, in its constructor, its step or its
+// thread, is refused; and whatever becomes of its process, the others do not notice.
 #include <gmock/gmock.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -21,12 +22,13 @@
 namespace gaitway::core {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class LocalSockets : public PluginFixture {
  protected:
   LocalSockets() {
-    std::string name = (std::filesystem::path(testing::TempDir()) / "gaitway_network_child_XXXXXX").string();
+    std::string name = (std::filesystem::path(testing::TempDir()) / "gaitway_sockets_XXXXXX").string();
     EXPECT_NE(mkdtemp(name.data()), nullptr);
     folder = name;
   }
@@ -34,10 +36,13 @@ class LocalSockets : public PluginFixture {
     manager.reset();
     std::filesystem::remove_all(folder);
   }
-  [[nodiscard]] std::filesystem::path door() const { return folder / "door"; }
-  [[nodiscard]] std::string server(const std::string& more = "", const std::string& parameters = "") const {
-    return "  - {name: server, library: local_sockets.so, isolation: process, sockets: local" + more +
-           ", parameters: {path: " + door().string() + parameters + "}}\n";
+  // `parameters`: beside its door.
+  [[nodiscard]] std::string server(const std::string& keys = "", const std::string& parameters = "") const {
+    return entry(", isolation: process, sockets: local" + keys, parameters);
+  }
+  [[nodiscard]] std::string entry(const std::string& keys, const std::string& parameters = "") const {
+    return "  - {name: server, library: local_sockets.so" + keys +
+           ", parameters: {door: " + (folder / "door").string() + parameters + "}}\n";
   }
 
   // The newest line of the server that contains `part`.
@@ -53,7 +58,7 @@ class LocalSockets : public PluginFixture {
   // The server's answer; -2: it closed the connection without one.
   [[nodiscard]] int ask(const std::string& what) const {
     const process::FileDescriptor connection(socket(AF_UNIX, SOCK_STREAM, 0));
-    const sockaddr_un to = process::socket_address(door());
+    const sockaddr_un to = process::socket_address(folder / "door");
     EXPECT_EQ(connect(connection.get(), reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
     EXPECT_EQ(send(connection.get(), what.data(), what.size(), MSG_NOSIGNAL),
               static_cast<ssize_t>(what.size()));
@@ -109,40 +114,88 @@ class LocalSockets : public PluginFixture {
   std::uint32_t number = 0;
 };
 
-TEST_F(LocalSockets, ItUsesUnixSocketsAndNoOthers) {
+TEST_F(LocalSockets, UnixSocketsMayBeUsedInTheConstructorAndEverAfter) {
   manager = load(server());
-  for (const char* const name : {"unix", "connect"}) {
+  EXPECT_EQ(newest("own door"), "reached its own door");
+  const std::uint64_t before = manager->events().total();
+  ASSERT_EQ(ask("step greet"), 0);
+  EXPECT_EQ(step(), 0) << fault();
+  EXPECT_GT(manager->events().total(), before) << "it connected from its step";
+  for (const char* const name : {"unix", "unix datagram", "unix pair", "thread"}) {
     EXPECT_EQ(ask(std::string("here ") + name), 0) << name;
+    ASSERT_EQ(ask(std::string("step ") + name), 0);
+    EXPECT_EQ(step(), 0) << fault();
+    EXPECT_EQ(newest("error"), std::string(name) + ": error 0");
   }
-  EXPECT_EQ(step(), 0);
-  for (const auto& [name, call] : {std::pair{"tcp", "socket"},
-                                   {"udp", "socket"},
-                                   {"netlink", "socket"},
-                                   {"packet", "socket"},
-                                   {"fork", "clone"},
-                                   {"execve", "execve"},
-                                   {"ptrace", "ptrace"},
-                                   {"kill", "kill"}}) {
-    EXPECT_EQ(ask(std::string("here ") + name), EPERM) << name;
-    EXPECT_EQ(step(), 1) << name;
-    EXPECT_THAT(fault(), HasSubstr(std::string("called ") + call));
+}
+
+TEST_F(LocalSockets, WithoutTheKeyThereIsNoSocketAtAll) {
+  for (const char* const keys : {", isolation: process", ", isolation: process, sockets: none"}) {
+    EXPECT_THAT(refusal(entry(keys)), AllOf(HasSubstr("plug-in 'server' (test.yaml:2)"),
+                                            HasSubstr("socket: Operation not permitted")))
+        << keys;
+  }
+}
+
+TEST_F(LocalSockets, EveryOtherSocketIsRefusedAndAFaultOfTheStep) {
+  manager = load(server());
+  for (const char* const name : {"tcp", "tcp 6", "udp", "raw", "netlink", "packet", "can", "hypervisor",
+                                 "tcp with an upper word", "unix with an upper word"}) {
     ASSERT_EQ(ask(std::string("step ") + name), 0);
     EXPECT_EQ(step(), 1) << name;
-    EXPECT_THAT(fault(), HasSubstr(std::string("called ") + call));
-    EXPECT_EQ(newest("error"), "error " + std::to_string(EPERM)) << name;
+    EXPECT_THAT(fault(), HasSubstr("called socket, which a plug-in in a process of its own may not")) << name;
+    EXPECT_EQ(newest("error"), std::string(name) + ": error " + std::to_string(EPERM));
+    EXPECT_EQ(step(), 0) << "its process lives on";
+  }
+  ASSERT_EQ(ask("step tcp pair"), 0);
+  EXPECT_EQ(step(), 1);
+  EXPECT_THAT(fault(), HasSubstr("called socketpair, which"));
+}
+
+TEST_F(LocalSockets, WhatItsConstructorTriesIsRefused) {
+  for (const char* const name : {"tcp", "udp", "netlink", "packet", "fork", "execve"}) {
+    manager.reset();
+    manager = load(server("", std::string(", attempt: ") + name));
+    EXPECT_EQ(newest("error"), std::string(name) + ": error " + std::to_string(EPERM));
+    EXPECT_EQ(step(), 0) << "it is no fault of its step";
+  }
+}
+
+TEST_F(LocalSockets, WhatItsThreadTriesIsRefusedAndAFaultOfTheNextStep) {
+  manager = load(server());
+  EXPECT_EQ(ask("here tcp"), EPERM);
+  EXPECT_EQ(ask("here kill"), EPERM);
+  EXPECT_EQ(step(), 1);
+  EXPECT_THAT(fault(), HasSubstr("called socket, which"));
+  EXPECT_EQ(step(), 0);
+}
+
+TEST_F(LocalSockets, ProcessesSignalsLimitsAndPrioritiesAreRefusedAsToOtherChildren) {
+  manager = load(server());
+  for (const auto& [name, call] : {std::pair{"fork", "clone"},
+                                   {"execve", "execve"},
+                                   {"ptrace", "ptrace"},
+                                   {"kill", "kill"},
+                                   {"own", "fcntl"},
+                                   {"limit", "prlimit64"},
+                                   {"real time", "sched_setscheduler"}}) {
+    ASSERT_EQ(ask(std::string("step ") + name), 0);
+    EXPECT_EQ(step(), 1) << name;
+    EXPECT_THAT(fault(), HasSubstr(std::string("called ") + call + ", which"));
+    EXPECT_EQ(newest("error"), std::string(name) + ": error " + std::to_string(EPERM));
     EXPECT_EQ(step(), 0) << "its process lives on";
   }
 }
 
-TEST_F(LocalSockets, WithoutTheKeyThereAreNone) {
-  EXPECT_THAT(
-      refusal("  - {name: server, library: local_sockets.so, isolation: process, parameters: {path: " +
-              door().string() + "}}\n"),
-      HasSubstr("no socket"));
-}
-
-TEST_F(LocalSockets, HasTheLimitsOfItsEntry) {
+TEST_F(LocalSockets, HasTheLimitsOfItsEntryAndAPriorityBelowTheManagers) {
+  const sched_param second{.sched_priority = 2}, none{};
+  const bool real_time = sched_setscheduler(0, SCHED_FIFO, &second) == 0;  // where the rights are there
   manager = load(server(", descriptors: 200, memory: 700 MiB"));
+  if (real_time) {
+    sched_setscheduler(0, SCHED_OTHER, &none);
+  }
+  EXPECT_EQ(ask("policy"), real_time ? SCHED_FIFO : SCHED_OTHER);
+  EXPECT_EQ(ask("priority"), real_time ? 1 : 0);
   EXPECT_EQ(ask("descriptors"), 200);
   EXPECT_EQ(ask("memory"), 700);
 }
@@ -159,11 +212,12 @@ TEST_F(LocalSockets, IsAClientOfTheMemoryBlockThatClaimsNothingMore) {
     }
   });
   manager = load(server("", ", client: true"));
-  EXPECT_THAT(newest("memory at"), HasSubstr("memory at '" + memory_socket.string() + "'"));
+  EXPECT_EQ(newest("listens"), "listens, memory at '" + memory_socket.string() + "'");
   EXPECT_EQ(ask("walk"), 0);
   WalkCommand command{};
   EXPECT_TRUE(other.read<WalkCommand>("walk_command").read(command));
   EXPECT_EQ(command.velocity[0], 0.1);
+  EXPECT_EQ(ask("here reopen"), EACCES) << "what it may read it cannot write";
   EXPECT_EQ(ask("claim"), 1);
   EXPECT_FALSE(other.find("trim").has_value());
   manager.reset();
@@ -172,9 +226,8 @@ TEST_F(LocalSockets, IsAClientOfTheMemoryBlockThatClaimsNothingMore) {
 
 TEST_F(LocalSockets, InProcessItKnowsTheMemorySocket) {
   memory_socket = "/run/robot/block.sock";
-  manager =
-      load("  - {name: server, library: local_sockets.so, parameters: {path: " + door().string() + "}}\n");
-  EXPECT_EQ(newest("memory at"), "memory at '/run/robot/block.sock'");
+  manager = load(entry(""));
+  EXPECT_EQ(newest("listens"), "listens, memory at '/run/robot/block.sock'");
 }
 
 TEST_F(LocalSockets, IsAlwaysReplacedButTheOftenerTheLater) {
@@ -207,7 +260,7 @@ TEST_F(LocalSockets, InRealTimeLateStepsLeaveNoTraceOnTheOthersAndNeverPutItOutO
     step();
     EXPECT_EQ(relayed(), 100.0 + number);
   }
-  EXPECT_THAT(newest("has not answered"), HasSubstr("ms"));
+  EXPECT_THAT(newest("has not answered"), HasSubstr("has not answered for 510 ms: its process was ended"));
 }
 
 TEST_F(LocalSockets, FloodOfFaultsIsToldOnceASecond) {

@@ -1,101 +1,101 @@
-// Listens at a Unix socket (parameter `path`), with a thread of its own: takes a word a connection, does what
-// it says, and answers with a number. "here NAME" is an attempt of the thread, "step NAME" one of the next
-// step; the rest is below.
-#include <linux/netlink.h>
+// A server on a Unix socket, with a thread of its own: takes a word a connection, does what it says, and
+// answers with a number. "here NAME" is an attempt of the thread, "step NAME" one of the next step; the rest
+// is below.
 #include <sched.h>
-#include <sys/ptrace.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/un.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <thread>
 
+#include "forbidden_attempts.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/plugin/plugin.hpp"
 
 namespace {
 
-// 0: it succeeded; else the error number; -1: there is no such attempt.
-int attempt(std::string_view name, const sockaddr_un& own) {
-  const auto opened = [](int descriptor) {
-    const int error = descriptor < 0 ? errno : 0;
-    close(descriptor);
-    return error;
-  };
-  if (name == "unix") return opened(socket(AF_UNIX, SOCK_STREAM, 0));
-  if (name == "tcp") return opened(socket(AF_INET, SOCK_STREAM, 0));
-  if (name == "udp") return opened(socket(AF_INET6, SOCK_DGRAM, 0));
-  if (name == "netlink") return opened(socket(AF_NETLINK, SOCK_RAW, NETLINK_ROUTE));
-  if (name == "packet") return opened(socket(AF_PACKET, SOCK_DGRAM, 0));
-  if (name == "connect") {
-    const int connection = socket(AF_UNIX, SOCK_STREAM, 0);
-    const int error =
-        connect(connection, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0 ? 0 : errno;
-    close(connection);
-    return error;
-  }
-  if (name == "fork") {
-    const pid_t child = fork();
-    if (child == 0) _exit(0);
-    return child < 0 ? errno : 0;
-  }
-  if (name == "execve") return execl("/bin/true", "true", nullptr) < 0 ? errno : 0;
-  if (name == "ptrace") return ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) < 0 ? errno : 0;
-  if (name == "kill") return kill(getppid(), 0) < 0 ? errno : 0;
-  return -1;
-}
-
 class LocalSockets final : public gaitway::Plugin {
  public:
   explicit LocalSockets(gaitway::Setup& setup)
-      : door_(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)), report_(setup.reporter()) {
+      : path_(setup.parameter("door", std::string(), "where it listens")),
+        door_(required("socket", new_socket())),
+        attempts_(door_),
+        report_(setup.reporter()) {
+    unlink(path_.c_str());  // of the process before
+    const sockaddr_un address = door_address();
+    required("bind", bind(door_, reinterpret_cast<const sockaddr*>(&address), sizeof address));
+    required("listen", listen(door_, 16));
+    greet_itself();
     if (setup.parameter("client", false)) {
       client_ = gaitway::msgclient::Client::connect(setup.memory_socket(), "server");
       walk_ = client_->write<gaitway::WalkCommand>("walk_command");
       client_->seal();
     }
-    const std::string path = setup.parameter("path", "");
-    address_.sun_family = AF_UNIX;
-    path.copy(address_.sun_path, sizeof address_.sun_path - 1);
-    unlink(path.c_str());
-    if (door_ < 0 || bind(door_, reinterpret_cast<sockaddr*>(&address_), sizeof address_) != 0 ||
-        listen(door_, 16) != 0) {
-      throw std::runtime_error("no socket");
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "listens, memory at '%s'", setup.memory_socket().c_str());
+    report_(gaitway::Severity::info, text.data());
+    if (const std::string first = setup.parameter("attempt", std::string(), "of the constructor");
+        !first.empty()) {
+      report_error(first);
     }
-    report_(gaitway::Severity::info, ("memory at '" + setup.memory_socket().string() + "'").c_str());
     thread_ = std::thread([this] { serve(); });
   }
   ~LocalSockets() override {
     shutdown(door_, SHUT_RDWR);
     thread_.join();
+    close(door_);
   }
   void step(const gaitway::Tick&) override {
     if (std::unique_ptr<std::string> name{asked_.exchange(nullptr)}) {
       if (*name == "wait") {
         waits_ = true;
         waits_.wait(true);
+      } else if (*name == "greet") {
+        greet_itself();
       } else {
-        std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), "error %d", attempt(*name, address_));
-        report_(gaitway::Severity::info, text.data());
+        report_error(*name);
       }
     }
   }
 
  private:
+  static int required(const char* call, int result) {
+    if (result < 0) {
+      throw std::runtime_error(std::string(call) + ": " + strerror(errno));
+    }
+    return result;
+  }
+  static int new_socket() { return socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0); }
+  [[nodiscard]] sockaddr_un door_address() const {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path_.copy(address.sun_path, sizeof address.sun_path - 1);
+    return address;
+  }
+  // Connects to its own door; before there is the thread that accepts, that is done here, too.
+  void greet_itself() {
+    const int caller = required("socket", new_socket());
+    const sockaddr_un address = door_address();
+    required("connect", connect(caller, reinterpret_cast<const sockaddr*>(&address), sizeof address));
+    if (!thread_.joinable()) {
+      close(required("accept", accept(door_, nullptr, nullptr)));
+    }
+    close(caller);
+    report_(gaitway::Severity::info, "reached its own door");
+  }
+  void report_error(const std::string& name) {
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "%s: error %d", name.c_str(), attempts_(name));
+    report_(gaitway::Severity::info, text.data());
+  }
   void serve() {
     std::array<char, 200> text{};
     for (int client = accept(door_, nullptr, nullptr); client >= 0;
@@ -109,7 +109,7 @@ class LocalSockets final : public gaitway::Plugin {
   }
   int do_it(std::string_view what) {
     if (what.starts_with("here ")) {
-      return attempt(what.substr(5), address_);
+      return attempts_(std::string(what.substr(5)));
     }
     if (what.starts_with("step ")) {
       delete asked_.exchange(new std::string(what.substr(5)));
@@ -118,10 +118,13 @@ class LocalSockets final : public gaitway::Plugin {
     if (what == "waits") {
       return waits_ ? 1 : 0;
     }
-    if (what == "go on") {
-      waits_ = false;
-      waits_.notify_all();
-      return 0;
+    if (what == "policy") {
+      return sched_getscheduler(0);
+    }
+    if (what == "priority") {
+      sched_param parameter{};
+      sched_getparam(0, &parameter);
+      return parameter.sched_priority;
     }
     if (what == "descriptors") {
       rlimit limit{};
@@ -161,8 +164,9 @@ class LocalSockets final : public gaitway::Plugin {
     }
   }
 
+  std::string path_;
   int door_;
-  sockaddr_un address_{};
+  ForbiddenAttempts attempts_;
   std::atomic<std::string*> asked_{nullptr};
   std::atomic<bool> waits_{false};
   gaitway::Reporter report_;
@@ -173,4 +177,4 @@ class LocalSockets final : public gaitway::Plugin {
 
 }  // namespace
 
-GAITWAY_PLUGIN(LocalSockets, "local_sockets", "1.0.0", "Does over a Unix socket what it should not")
+GAITWAY_PLUGIN(LocalSockets, "local_sockets", "1.0.0", "Does over a Unix socket what it is told")

@@ -46,7 +46,8 @@ static gaitway_status create(const gaitway_host* host, gaitway_instance* instanc
     return GAITWAY_FAILED;
   }
   self->host = host;
-  if (host->get_extension(host->context, GAITWAY_NETWORK_EXTENSION) == NULL ||
+  const gaitway_network* const network = host->get_extension(host->context, GAITWAY_NETWORK_EXTENSION);
+  if (network == NULL || network->write_folder(host->context)[0] != '\0' ||
       host->get_extension(host->context, "gaitway.never/1") != NULL) {
     snprintf(error->data, error->capacity, "extensions are not those that there are");
     free(self);
