@@ -8,7 +8,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <random>
 #include <string>
 #include <thread>
 
@@ -51,12 +50,6 @@ class ReportQueue {
   std::deque<Line> lines_;
 };
 
-std::uint64_t random_boot() {
-  std::random_device random;
-  const std::uint64_t high = random();
-  return (high << 32U | random()) | 1U;  // not 0
-}
-
 // Everything between the memory block and the link, in the order of its construction.
 class Post {
  public:
@@ -64,8 +57,9 @@ class Post {
        const link::LinkAddress& address, ReportQueue& reports)
       : reports_(reports),
         client_(msgclient::Client::connect(memory_socket, "api")),
-        desk_(client_, urdf::load_robot(robot_directory),
-              {.boot = random_boot(), .name = "main_controller", .narrow = address.narrow(), .link = {}}),
+        desk_(
+            client_, urdf::load_robot(robot_directory),
+            {.boot = link::random_boot(), .name = "main_controller", .narrow = address.narrow(), .link = {}}),
         host_(address) {
     client_.seal();
     thread_ = std::thread([this] { run(); });

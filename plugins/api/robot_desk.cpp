@@ -16,10 +16,6 @@ bool moves(const link::Order& order) noexcept {
   return static_cast<OrderKind>(order.kind) != OrderKind::plugin_request;
 }
 
-std::uint32_t asked(std::uint32_t at_start, std::uint32_t count) noexcept {
-  return at_start + count;  // counts go round
-}
-
 }  // namespace
 
 RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot,
@@ -75,11 +71,11 @@ void RobotDesk::pass_stops_on(std::int64_t robot_ns) {
   const link::StopCounts& counts = end_.stops_asked();
   if (counts != stops_passed_on_) {
     stops_passed_on_ = counts;
-    StopRequest request = stops_at_start_;
+    StopRequest request = stops_at_start_;  // counts go round
     request.stamp_ns = robot_ns;
-    request.stops = asked(stops_at_start_.stops, counts.stops);
-    request.holds = asked(stops_at_start_.holds, counts.holds);
-    request.softs = asked(stops_at_start_.softs, counts.softs);
+    request.stops = stops_at_start_.stops + counts.stops;
+    request.holds = stops_at_start_.holds + counts.holds;
+    request.softs = stops_at_start_.softs + counts.softs;
     stop_requests_.publish(request, robot_ns);
     stand(robot_ns);  // nobody walks on after a stop
   }
@@ -92,7 +88,7 @@ void RobotDesk::pass_stops_on(std::int64_t robot_ns) {
 
 void RobotDesk::carry_out(const link::Order& order, std::int64_t robot_ns) {
   if (moves(order) && was_given_before_stop(order)) {
-    return refuse(order.id, OrderResultCode::stopped);
+    return finish(order.id, OrderResultCode::stopped);
   }
   switch (static_cast<OrderKind>(order.kind)) {
     case OrderKind::walk:
@@ -104,7 +100,7 @@ void RobotDesk::carry_out(const link::Order& order, std::int64_t robot_ns) {
     case OrderKind::plugin_request:
       return request_plugin(order, robot_ns);
   }
-  refuse(order.id, OrderResultCode::unknown);
+  finish(order.id, OrderResultCode::unknown);
 }
 
 bool RobotDesk::was_given_before_stop(const link::Order& order) const noexcept {
@@ -126,7 +122,7 @@ bool RobotDesk::decode(const link::Order& order, Request& request) const noexcep
   return orders_.decode(type, value, &request) == value.size() && contract::all_finite(type, &request);
 }
 
-void RobotDesk::refuse(link::OrderId id, OrderResultCode code) {
+void RobotDesk::finish(link::OrderId id, OrderResultCode code) {
   static_cast<void>(end_.answer(id, static_cast<std::uint16_t>(code), {}));
 }
 
@@ -141,13 +137,13 @@ void RobotDesk::answer(link::OrderId id, const Answer& value) {
 void RobotDesk::walk(const link::Order& order, std::int64_t robot_ns) {
   WalkCommand request;
   if (!decode(order, request) || request.valid_until_ns < 0 || request.valid_until_ns > link::kMostTime_ns) {
-    return refuse(order.id, OrderResultCode::malformed);
+    return finish(order.id, OrderResultCode::malformed);
   }
   request.stamp_ns = robot_ns;
   request.valid_until_ns = request.walk == 0 ? 0 : robot_ns + request.valid_until_ns;
   walks_ = request.walk != 0;
   walk_requests_.publish(request, robot_ns);
-  refuse(order.id, OrderResultCode::done);
+  finish(order.id, OrderResultCode::done);
 }
 
 void RobotDesk::stand(std::int64_t robot_ns) {
@@ -166,10 +162,10 @@ std::uint32_t RobotDesk::next_number() noexcept {
 void RobotDesk::play_motion(const link::Order& order, std::int64_t robot_ns) {
   MotionRequest request;
   if (!decode(order, request)) {
-    return refuse(order.id, OrderResultCode::malformed);
+    return finish(order.id, OrderResultCode::malformed);
   }
   for (; !motions_.empty(); motions_.pop_front()) {
-    refuse(motions_.front().id, OrderResultCode::overtaken);
+    finish(motions_.front().id, OrderResultCode::overtaken);
   }
   request.stamp_ns = robot_ns;
   request.number = next_number();
@@ -180,12 +176,12 @@ void RobotDesk::play_motion(const link::Order& order, std::int64_t robot_ns) {
 void RobotDesk::command(const link::Order& order, std::int64_t robot_ns) {
   UserCommand command;
   if (!decode(order, command)) {
-    return refuse(order.id, OrderResultCode::malformed);
+    return finish(order.id, OrderResultCode::malformed);
   }
   take_answers();  // the stream of answers holds as many as the queue: none is overwritten
   command.number = next_number();
   if (!commands_.push(command, robot_ns)) {
-    return refuse(order.id, OrderResultCode::full);
+    return finish(order.id, OrderResultCode::full);
   }
   awaited_.emplace(command.number, order.id);
 }
@@ -193,12 +189,12 @@ void RobotDesk::command(const link::Order& order, std::int64_t robot_ns) {
 void RobotDesk::request_plugin(const link::Order& order, std::int64_t robot_ns) {
   PluginRequest request;
   if (!decode(order, request)) {
-    return refuse(order.id, OrderResultCode::malformed);
+    return finish(order.id, OrderResultCode::malformed);
   }
   take_answers();
   request.number = next_number();
   if (!requests_.push(request, robot_ns)) {
-    return refuse(order.id, OrderResultCode::full);
+    return finish(order.id, OrderResultCode::full);
   }
   awaited_.emplace(request.number, order.id);
 }

@@ -12,25 +12,6 @@ namespace {
 
 constexpr std::int64_t kNever = INT64_MIN / 2;
 
-msgclient::TopicDescriptor descriptor_of(const contract::MirroredTopic& topic) {
-  msgclient::TopicDescriptor descriptor;
-  descriptor.name = std::string(topic.name);
-  descriptor.type_name = std::string(topic.type->name);
-  descriptor.type_hash = topic.type->hash;
-  descriptor.size = topic.type->size;
-  return descriptor;
-}
-
-// As in topic_codec.hpp.
-std::size_t put_number(std::span<std::uint8_t> room, std::uint64_t value) noexcept {
-  std::size_t size = 0;
-  for (; value >= 0x80; value >>= 7U) {
-    room[size++] = static_cast<std::uint8_t>(value | 0x80U);
-  }
-  room[size++] = static_cast<std::uint8_t>(value);
-  return size;
-}
-
 }  // namespace
 
 StateExport::StateExport(msgclient::Client& client, const contract::TopicCodec& codec, bool narrow)
@@ -42,7 +23,7 @@ StateExport::StateExport(msgclient::Client& client, const contract::TopicCodec& 
     for (const contract::MirroredTopic& topic : row.topics) {
       channel.topics.push_back(
           {.type = topic.type,
-           .reader = client.read_untyped(descriptor_of(topic)),
+           .reader = client.read_untyped(contract::descriptor_of(topic)),
            .value = std::vector<std::uint64_t>(topic.type->size / sizeof(std::uint64_t))});
     }
   }
@@ -105,22 +86,14 @@ void StateExport::publish(std::size_t number, link::ControllerEnd& end, std::int
 
 void StateExport::export_events(link::ControllerEnd& end, std::int64_t robot_ns) noexcept {
   Event event;
-  bool news = false;
+  const std::uint64_t before = newest_events_.last();
   while (events_.read(event)) {
-    kept_[++event_count_ % kept_.size()] = event;
-    news = true;
+    newest_events_.add(event);
   }
-  if (!news) {
-    return;
+  if (newest_events_.last() != before) {
+    const std::size_t size = newest_events_.encode(codec_, buffer_);
+    static_cast<void>(end.publish(contract::kEventChannel, std::span(buffer_).first(size), robot_ns));
   }
-  const std::uint64_t count = std::min<std::uint64_t>(event_count_, kept_.size());
-  std::size_t size = put_number(buffer_, event_count_ - count + 1);
-  size += put_number(std::span(buffer_).subspan(size), count);
-  for (std::uint64_t number = event_count_ - count + 1; number <= event_count_; ++number) {
-    size += codec_.encode(TopicType<Event>::descriptor, &kept_[number % kept_.size()],
-                          std::span(buffer_).subspan(size));
-  }
-  static_cast<void>(end.publish(contract::kEventChannel, std::span(buffer_).first(size), robot_ns));
 }
 
 }  // namespace gaitway::api

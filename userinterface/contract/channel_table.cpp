@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "gaitway/contract/event_list.hpp"
 #include "gaitway/contract/order_table.hpp"
 
 namespace gaitway::contract {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::uint32_t kLayoutVersion =
     1;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
-constexpr std::size_t kEventHeadBytes = 20;
 
 std::string contents_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -27,6 +27,13 @@ std::string contents_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+msgclient::TopicDescriptor descriptor_of(const MirroredTopic& topic) {
+  return {.name = std::string(topic.name),
+          .type_name = std::string(topic.type->name),
+          .type_hash = topic.type->hash,
+          .size = topic.type->size};
+}
+
 std::vector<link::Channel> link_channels(const TopicCodec& codec) {
   std::vector<link::Channel> channels;
   for (const ChannelRow& row : kChannels) {
@@ -36,8 +43,7 @@ std::vector<link::Channel> link_channels(const TopicCodec& codec) {
     }
     channels.push_back({row.name, bytes});
   }
-  channels.push_back(
-      {"events", kEventHeadBytes + kKeptEvents * codec.most_bytes(TopicType<Event>::descriptor)});
+  channels.push_back({"events", EventList::most_bytes(codec)});
   return channels;
 }
 

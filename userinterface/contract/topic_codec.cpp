@@ -249,6 +249,18 @@ std::size_t TopicCodec::decode(const TypeDescriptor& type, std::span<const std::
   return in.read();
 }
 
+std::size_t put_number(std::uint64_t number, std::span<std::uint8_t> room) noexcept {
+  Writer out(room);
+  out.number(number);
+  return out.size();
+}
+
+std::size_t get_number(std::span<const std::uint8_t> bytes, std::uint64_t& number) noexcept {
+  Reader in(bytes);
+  number = in.number();
+  return in.read();
+}
+
 bool all_finite(const TypeDescriptor& type, const void* value) noexcept {
   for (const FieldDescriptor& field : type.fields) {
     const std::byte* place = static_cast<const std::byte*>(value) + field.offset;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 #include <span>
 #include <stdexcept>
 
@@ -33,6 +34,12 @@ std::string text_of(const Hello& hello) {
 }
 
 }  // namespace
+
+std::uint64_t random_boot() {
+  std::random_device random;
+  const std::uint64_t high = random();
+  return (high << 32U | random()) | 1U;
+}
 
 void check(const LinkSettings& settings) {
   const auto require = [](bool holds, const char* rule) {

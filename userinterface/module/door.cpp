@@ -6,7 +6,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -33,12 +32,6 @@ namespace {
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::uint64_t random_boot() {
-  std::random_device random;
-  const std::uint64_t high = random();
-  return (high << 32U | random()) | 1U;  // not 0
 }
 
 std::unique_ptr<Recorder> recorder_of(const DoorOptions& options) {
@@ -117,7 +110,7 @@ class Door::Impl {
         setup_(options.server),
         url_(setup_.url()),
         stop_socket_(stop_socket(options, setup_.port())),
-        link_(robot_, {.boot = random_boot()}),
+        link_(robot_, {.boot = link::random_boot()}),
         topics_(link_.topics("feed")),
         recorder_(recorder_of(options)),
         port_(link_, robot_, recorder_.get()),
@@ -182,7 +175,7 @@ class Door::Impl {
   }
   // Whoever commanded takes the command again when the link is back.
   void follow_session() {
-    const std::uint32_t session = link_.open() ? link_.session() : 0;
+    const std::uint32_t session = link_.session();
     if (std::exchange(session_, session) != session) {
       hub_.robot_lost();
     }

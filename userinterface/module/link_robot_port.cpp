@@ -19,6 +19,10 @@ namespace {
 using contract::OrderKind;
 using Kind = msgclient::UserCommandKind;
 
+static_assert(contract::row(OrderKind::walk).validity_ns == kVelocityValidity_ns);
+static_assert(contract::row(OrderKind::motion).validity_ns == kOrderValidity_ns);
+static_assert(contract::row(OrderKind::user_command).validity_ns == kOrderValidity_ns);
+
 constexpr std::int64_t kControllerSilence_ns = facts::kSecond_ns;  // of the message controller
 
 template <std::size_t size>

@@ -98,7 +98,7 @@ bool ModuleLink::open() const {
 }
 std::uint32_t ModuleLink::session() const {
   const std::scoped_lock lock(mutex_);
-  return end_.session().count();
+  return end_.session().open() ? end_.session().count() : 0;
 }
 std::string ModuleLink::description() const {
   const std::scoped_lock lock(mutex_);

@@ -4,36 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
+#include <string_view>
+
+#include "gaitway/contract/event_list.hpp"
 
 namespace gaitway::api {
 namespace {
 
 constexpr std::uint32_t kEventCapacity = 64;
-
-msgclient::TopicDescriptor descriptor_of(const contract::MirroredTopic& topic) {
-  msgclient::TopicDescriptor descriptor;
-  descriptor.name = std::string(topic.name);
-  descriptor.type_name = std::string(topic.type->name);
-  descriptor.type_hash = topic.type->hash;
-  descriptor.size = topic.type->size;
-  return descriptor;
-}
-
-// As in topic_codec.hpp; nothing: it is none.
-std::optional<std::uint64_t> take_number(link::Bytes& bytes) noexcept {
-  std::uint64_t value = 0;
-  for (unsigned shift = 0; shift < 63 && !bytes.empty(); shift += 7) {
-    const std::uint8_t next = bytes.front();
-    bytes = bytes.subspan(1);
-    value |= std::uint64_t{next & 0x7FU} << shift;
-    if (next < 0x80) {
-      return value;
-    }
-  }
-  return std::nullopt;
-}
 
 Event lost_events(std::uint64_t count) {
   Event event{};
@@ -54,7 +33,7 @@ StateMirror::StateMirror(const contract::TopicCodec& codec)
     std::vector<Topic>& topics = channels_.emplace_back();
     for (const contract::MirroredTopic& topic : row.topics) {
       topics.push_back({.type = topic.type,
-                        .writer = client_.write_untyped(descriptor_of(topic)),
+                        .writer = client_.write_untyped(contract::descriptor_of(topic)),
                         .value = std::vector<std::uint64_t>(topic.type->size / sizeof(std::uint64_t))});
     }
   }
@@ -103,32 +82,21 @@ bool StateMirror::take_channel(std::size_t number, const link::StateValue& value
 }
 
 bool StateMirror::take_events(link::Bytes bytes) {
-  const auto first = take_number(bytes);
-  const auto count = take_number(bytes);
-  if (!first || !count || *first == 0 || *count == 0 || *count > contract::kKeptEvents) {
+  const auto list = contract::EventList::decode(codec_, bytes);
+  if (!list) {
     return false;
   }
-  const std::uint64_t last = *first + *count - 1;
-  if (last < last_event_) {
-    last_event_ = *first - 1;  // the plug-in was started anew, and counts from 1
+  if (list->last() < last_event_) {
+    last_event_ = list->first() - 1;  // the plug-in was started anew, and counts from 1
   }
-  if (last_event_ != 0 && *first > last_event_ + 1) {
-    events_.publish(lost_events(*first - last_event_ - 1), 0);
+  if (last_event_ != 0 && list->first() > last_event_ + 1) {
+    events_.publish(lost_events(list->first() - last_event_ - 1), 0);
   }
-  for (std::uint64_t number = *first; number <= last; ++number) {
-    Event event;
-    const std::size_t read = codec_.decode(TopicType<Event>::descriptor, bytes, &event);
-    if (read == 0) {
-      return false;
-    }
-    bytes = bytes.subspan(read);
-    if (number > last_event_) {
-      event.source[sizeof event.source - 1] = event.text[sizeof event.text - 1] = 0;
-      events_.publish(event, event.stamp_ns);
-      last_event_ = number;
-    }
+  for (std::uint64_t number = std::max(list->first(), last_event_ + 1); number <= list->last(); ++number) {
+    events_.publish(list->event(number), list->event(number).stamp_ns);
   }
-  return bytes.empty();
+  last_event_ = list->last();
+  return true;
 }
 
 }  // namespace gaitway::api

@@ -16,10 +16,6 @@ namespace gaitway::api {
 // Commands throw CommandDenied to who may not give them, and when the robot is not there. Orders give their
 // number, or nothing when the way to the robot is full. Whoever drove the robot and has the command no more:
 // the robot is told to stand.
-// How old an order may be when it comes; the robot's side judges the same again, by its own clock.
-inline constexpr std::int64_t kVelocityValidity_ns = 200'000'000;
-inline constexpr std::int64_t kOrderValidity_ns = 1'000'000'000;
-
 inline constexpr const char* kEmergencyStopped =
     "the robot is in emergency stop and stays where it is: call /release to end that";
 

@@ -136,5 +136,32 @@ TEST(Session, SettingsThatCannotWorkAreRefusedByName) {
   EXPECT_THROW(ModuleEnd(module_identity(0), kChannels, {}), std::invalid_argument);
 }
 
+// The robot's clock stands still, or goes slower: the link goes on, and orders are judged by it.
+TEST(Session, GoesOnWhileTheRobotsClockStandsStill) {
+  ModuleEnd module(module_identity(1), kChannels, {});
+  ControllerEnd controller(controller_identity(2), kChannels, {});
+  SimulatedWire wire(0, 4096, 1);
+  constexpr std::int64_t kRobot_ns = 5'000 * kMs;
+  std::int64_t now_ns = 0;
+  const auto run = [&](std::int64_t duration_ns) {
+    for (const std::int64_t end_ns = now_ns + duration_ns; now_ns < end_ns;) {
+      now_ns += kMs;
+      wire.advance(now_ns);
+      pump(module, wire.left(), now_ns);
+      controller.set_robot_time(kRobot_ns, now_ns);
+      pump(controller, wire.right(), now_ns);
+    }
+  };
+  run(3'000 * kMs);
+  ASSERT_TRUE(module.session().open());
+  EXPECT_EQ(module.session().count(), 1U);
+  EXPECT_EQ(module.robot_clock_ns(), kRobot_ns) << "it is told as it is";
+  ASSERT_EQ(module.submit(1, bytes_of("go"), kRobot_ns + 200 * kMs, now_ns).refusal, Refusal::none);
+  run(20 * kMs);
+  controller.set_robot_time(kRobot_ns + 201 * kMs, now_ns);
+  EXPECT_FALSE(controller.next_order(now_ns)) << "late by the robot's clock, though not by the link's";
+  EXPECT_EQ(controller.late_orders(), 1U);
+}
+
 }  // namespace
 }  // namespace gaitway::link::test

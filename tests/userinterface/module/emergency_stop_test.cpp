@@ -79,7 +79,7 @@ class EmergencyStopTest : public ::testing::Test {
   const urdf::RobotModel robot_ =
       urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
   simulator::Cosimulation run_{robot_, options_of("walk.yaml")};
-  test::LinkedRobot linked_{run_.client(), robot_};
+  test::LinkedRobot linked_{run_.client(), robot_, test::Line::socket};
   LinkRobotPort port_{linked_.link, robot_, nullptr};
   Hub hub_{port_, {}};
   std::int64_t now_ns_ = kSecond_ns;
@@ -120,7 +120,8 @@ TEST_F(EmergencyStopTest, StopsFindTheirWayWhereNoOtherOrderDoes) {
   }
   EXPECT_TRUE(port_.stop());
   EXPECT_TRUE(port_.emergency_stop(false));
-  run_for(0.01);
+  linked_.exchange(now_ns_);
+  run_.advance_millisecond();
   EXPECT_EQ(mode(), Mode::emergency_stop);
 }
 

@@ -1,4 +1,4 @@
-// The robot's desk and the module's link, joined by simulated I2C, in virtual time.
+// The robot's desk and the module's link, joined by a carrier in virtual time.
 #pragma once
 
 #include <cstdint>
@@ -8,32 +8,46 @@
 #include "gaitway/link/i2c_bus.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "simulated_wire.hpp"
 
 namespace gaitway::api::test {
 
+// `socket`: what is written is there at once. `i2c`: at 400 kHz, exact to the bit.
+enum class Line : std::uint8_t { socket, i2c };
+
 class LinkedRobot {
  public:
-  LinkedRobot(msgclient::Client& client, const urdf::RobotModel& robot)
-      : link(robot, {.boot = 9}),
-        desk(client, robot, {.boot = 7, .name = "robot", .narrow = true, .link = {}}) {}
+  LinkedRobot(msgclient::Client& client, const urdf::RobotModel& robot, Line chosen = Line::i2c)
+      : line(chosen),
+        link(robot, {.boot = 9}),
+        desk(client, robot, {.boot = 7, .name = "robot", .narrow = chosen == Line::i2c, .link = {}}) {}
 
-  // The millisecond that begins at `now_ns`, of the clock of both. Both look at each transfer's end, as who
-  // is woken by what has come.
+  // The millisecond that begins at `now_ns`, of the clock of both. Both look whenever something has come, as
+  // who is woken by it.
   void pass_millisecond(std::int64_t now_ns) {
-    for (std::int64_t at_ns = now_ns;;) {
-      link.pump(connected ? &bus.master() : nullptr, at_ns);
-      link::pump(desk.end(), bus.slave(), at_ns);
-      desk.step(at_ns);
-      const auto next = bus.advance(now_ns + facts::kMillisecond_ns);
-      if (!next) {
-        break;
+    const std::int64_t end_ns = now_ns + facts::kMillisecond_ns;
+    exchange(now_ns);
+    if (line == Line::i2c) {
+      while (const auto at_ns = bus.advance(end_ns)) {
+        exchange(*at_ns);
       }
-      at_ns = *next;
     }
-    desk.step(now_ns + facts::kMillisecond_ns);
+    wire.advance(end_ns);
+    exchange(end_ns);
+  }
+  // What both have to say now, and what becomes of it at once.
+  void exchange(std::int64_t at_ns) {
+    constexpr int kThereAndBack = 2;
+    for (int way = 0; way < (line == Line::socket ? kThereAndBack : 1); ++way) {
+      link.pump(!connected ? nullptr : line == Line::i2c ? &bus.master() : &wire.left(), at_ns);
+      link::pump(desk.end(), line == Line::i2c ? bus.slave() : wire.right(), at_ns);
+      desk.step(at_ns);
+    }
   }
 
+  const Line line;
   link::I2cBus bus;
+  link::test::SimulatedWire wire{0, 4096, 1};
   ModuleLink link;
   RobotDesk desk;
   bool connected = true;

@@ -38,7 +38,7 @@ class OutageTest : public ::testing::Test {
       linked_.link.step(now_ns_);
     }
     port_.observe(now_ns_);
-    const std::uint32_t session = linked_.link.open() ? linked_.link.session() : 0;
+    const std::uint32_t session = linked_.link.session();
     if (session != session_) hub_.robot_lost();
     session_ = session;
     hub_.step(now_ns_);

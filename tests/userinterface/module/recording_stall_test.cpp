@@ -61,7 +61,7 @@ class RecordingStallTest : public ::testing::Test {
   simulator::Cosimulation run_{robot_, served_walk()};
   Recorder recorder_{std::filesystem::temp_directory_path(),
                      {.disk = stalled_.disk(), .waiting_bytes = 500'000}};
-  test::LinkedRobot linked_{run_.client(), robot_};
+  test::LinkedRobot linked_{run_.client(), robot_, test::Line::socket};
   LinkRobotPort port_{linked_.link, robot_, &recorder_};
   msgclient::Client topics_ = linked_.link.topics("feed");
   Feed feed_{topics_, robot_};
@@ -85,7 +85,7 @@ TEST_F(RecordingStallTest, AStopIsDoneAtOnceWhileTheDiskTakesNothing) {
   stalled_.await_stall();
   call("/recording/stop", json::object());
   call("/emergency_stop", {{"data", false}});
-  EXPECT_EQ(answer_within(15)["service"], "/emergency_stop");
+  EXPECT_EQ(answer_within(5)["service"], "/emergency_stop");
   EXPECT_EQ(run_.message_controller().mode(), msgcontroller::Mode::emergency_stop);
   EXPECT_TRUE(stalled_.recover().ends_with("\x89MCAP0\r\n"));
   EXPECT_THAT(answer_within(20'000)["values"].value("message", ""), HasSubstr("nothing is being recorded"));

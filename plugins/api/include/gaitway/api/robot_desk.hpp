@@ -53,7 +53,7 @@ class RobotDesk {
   void take_motion_answer();
   template <class Answer>
   void answer(link::OrderId id, const Answer& answer);
-  void refuse(link::OrderId id, contract::OrderResultCode code);
+  void finish(link::OrderId id, contract::OrderResultCode code);  // without an answer of the robot's
   [[nodiscard]] std::uint32_t next_number() noexcept;
   template <class Request>
   [[nodiscard]] bool decode(const link::Order& order, Request& request) const noexcept;

@@ -1,12 +1,12 @@
 // The robot's topics into the link's channels.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "gaitway/contract/channel_table.hpp"
+#include "gaitway/contract/event_list.hpp"
 #include "gaitway/link/controller_end.hpp"
 #include "gaitway/msgclient/client.hpp"
 
@@ -42,8 +42,7 @@ class StateExport {
   contract::TopicCodec codec_;
   std::vector<Channel> channels_;
   msgclient::StreamReader<Event> events_;
-  std::array<Event, contract::kKeptEvents> kept_{};  // event n at n modulo their number
-  std::uint64_t event_count_ = 0;
+  contract::EventList newest_events_;
   std::vector<std::uint8_t> buffer_;
 };
 

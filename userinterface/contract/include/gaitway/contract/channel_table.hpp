@@ -11,6 +11,7 @@
 #include "gaitway/contract/topic_codec.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/link/state_sender.hpp"
+#include "gaitway/msgclient/topic.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -20,6 +21,9 @@ struct MirroredTopic {
   std::string_view name;
   const TypeDescriptor* type;
 };
+
+// As who opens it wants it.
+[[nodiscard]] msgclient::TopicDescriptor descriptor_of(const MirroredTopic& topic);
 
 // A channel's value: a byte whose bit i says that topic i is there, then those that are (topic_codec.hpp).
 // Topics of one channel arrive together: what belongs to one time slot is never mixed with another.
@@ -54,13 +58,8 @@ inline constexpr std::array kChannels{
     ChannelRow{"statistics", kStatisticsTopics, 50 * facts::kSlot_ns, 100 * facts::kSlot_ns},
 };
 
-// Behind them: the newest events, each with its number, so that none is told twice and it is known which are
-// lost.
-//
-//   the number of the first (counted since the plug-in's start, from 1), how many, the events
-//   (topic_codec.hpp)
+// Behind them: the newest events (event_list.hpp).
 inline constexpr std::size_t kEventChannel = kChannels.size();
-inline constexpr std::size_t kKeptEvents = 8;
 
 // The link's table of channels for a robot.
 [[nodiscard]] std::vector<link::Channel> link_channels(const TopicCodec& codec);

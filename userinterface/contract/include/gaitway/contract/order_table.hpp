@@ -2,6 +2,7 @@
 // carried out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -43,8 +44,13 @@ inline constexpr std::array kOrders{
 };
 
 // Null: no such kind.
-[[nodiscard]] const OrderRow* find_order(std::uint16_t kind) noexcept;
-[[nodiscard]] const OrderRow& row(OrderKind kind) noexcept;
+[[nodiscard]] constexpr const OrderRow* find_order(std::uint16_t kind) noexcept {
+  const auto* const found = std::ranges::find(kOrders, static_cast<OrderKind>(kind), &OrderRow::kind);
+  return found == kOrders.end() ? nullptr : found;
+}
+[[nodiscard]] constexpr const OrderRow& row(OrderKind kind) noexcept {
+  return *find_order(static_cast<std::uint16_t>(kind));
+}
 
 enum class OrderResultCode : std::uint16_t {
   done = 0,       // or answered by the robot, whose answer says whether it was done

@@ -35,6 +35,11 @@ struct TopicCodec {
   [[nodiscard]] std::size_t most_bytes(const TypeDescriptor& type) const noexcept;
 };
 
+// A whole number that is not signed, as above. Bytes written, 0 when they do not fit; bytes read, 0 when they
+// are none.
+std::size_t put_number(std::uint64_t number, std::span<std::uint8_t> room) noexcept;
+std::size_t get_number(std::span<const std::uint8_t> bytes, std::uint64_t& number) noexcept;
+
 // Whether every floating-point number of a value is finite.
 [[nodiscard]] bool all_finite(const TypeDescriptor& type, const void* value) noexcept;
 

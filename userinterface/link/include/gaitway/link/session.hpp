@@ -19,6 +19,9 @@ struct LinkIdentity {
   std::string_view name;         // software, version and robot; the first 24 bytes are told
 };
 
+// For LinkIdentity::boot: random and not 0.
+[[nodiscard]] std::uint64_t random_boot();
+
 // Why there is no session (any more).
 enum class SessionEnd : std::uint8_t {
   none,           // it goes on

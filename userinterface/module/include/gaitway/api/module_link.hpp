@@ -53,7 +53,7 @@ class ModuleLink {
   void step(std::int64_t now_ns);
 
   [[nodiscard]] bool open() const;
-  // Since when there is a session, counted: another number, and the robot's side was lost meanwhile.
+  // Which session there is; 0: none. Another number than before: the robot's side was lost meanwhile.
   [[nodiscard]] std::uint32_t session() const;
   // Why there is no session, for people.
   [[nodiscard]] std::string description() const;

@@ -11,6 +11,10 @@
 
 namespace gaitway::api {
 
+// How old an order may be when it comes; the robot's side judges the same again, by its own clock.
+inline constexpr std::int64_t kVelocityValidity_ns = 200'000'000;
+inline constexpr std::int64_t kOrderValidity_ns = 1'000'000'000;
+
 struct Velocity {
   double forward_m_per_s = 0.0;
   double left_m_per_s = 0.0;

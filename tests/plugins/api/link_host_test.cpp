@@ -1,0 +1,115 @@
+// The main controller's end of the link at a real socket: one module at a time, and news for people.
+#include "gaitway/api/link_host.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "gaitway/link/module_end.hpp"
+#include "gaitway/link/unix_carrier.hpp"
+#include "gaitway/process/private_folder.hpp"
+
+namespace gaitway::api {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr std::array kChannels{link::Channel{"state", 64}};
+
+// A module and its way to the socket.
+struct Module {
+  Module(const std::filesystem::path& path, std::uint64_t boot, std::string_view name)
+      : end({.role = link::Role::module, .boot = boot, .table_hash = 1, .name = name}, kChannels, {}), carrier(path) {}
+  link::ModuleEnd end;
+  link::UnixCarrier carrier;
+};
+
+class LinkHostTest : public ::testing::Test {
+ protected:
+  // Of a clock that the test moves: nothing waits.
+  void pass(int milliseconds, std::initializer_list<Module*> modules) {
+    for (int ms = 0; ms < milliseconds; ++ms) {
+      now_ns += facts::kMillisecond_ns;
+      for (Module* module : modules) link::pump(module->end, module->carrier, now_ns);
+      host.pump(controller, now_ns);
+      if (const std::string report = host.take_report(); !report.empty()) reports += report + "\n";
+      for (Module* module : modules) link::pump(module->end, module->carrier, now_ns);
+    }
+  }
+  process::PrivateFolder folder{"gaitway_link_host"};
+  std::filesystem::path path = folder.path() / "link.sock";
+  LinkHost host{{link::LinkAddress::Kind::unix_socket, path, 0}};
+  link::ControllerEnd controller{
+      {.role = link::Role::controller, .boot = 1, .table_hash = 1, .name = "controller"}, kChannels, {}};
+  std::int64_t now_ns = facts::kSecond_ns;
+  std::string reports;
+};
+
+TEST_F(LinkHostTest, ASecondModuleIsToldWhoHasTheLinkAndTheFirstGoesOn) {
+  Module first(path, 11, "the first one");
+  pass(200, {&first});
+  ASSERT_TRUE(first.end.session().open());
+  EXPECT_THAT(reports, HasSubstr("linked to 'the first one'"));
+  Module second(path, 12, "the second one");
+  pass(200, {&first, &second});
+  EXPECT_TRUE(first.end.session().open());
+  EXPECT_EQ(first.end.session().count(), 1U) << "it has noticed nothing";
+  EXPECT_FALSE(second.end.session().open());
+  EXPECT_EQ(second.end.session().why(), link::SessionEnd::cut);
+  EXPECT_FALSE(second.carrier.connected());
+  EXPECT_THAT(reports, HasSubstr("another user interface module wants the link that 'the first one' has"));
+}
+
+TEST_F(LinkHostTest, TheSecondOneKnowsWhyUntilItTriesAgain) {
+  Module first(path, 11, "the first one");
+  pass(200, {&first});
+  Module second(path, 12, "the second one");
+  now_ns += facts::kMillisecond_ns;
+  host.pump(controller, now_ns);
+  std::array<std::uint8_t, link::kReadBytes> bytes{};
+  const std::size_t count = second.carrier.read(bytes);
+  second.end.on_bytes(link::Bytes(bytes).first(count), now_ns);
+  EXPECT_EQ(second.end.session().why(), link::SessionEnd::occupied);
+  EXPECT_THAT(second.end.session().description(), AllOf(HasSubstr("'the first one'"), HasSubstr("a robot has one")));
+}
+
+TEST_F(LinkHostTest, AModuleThatComesAfterAnotherHasGoneIsLinked) {
+  {
+    Module first(path, 11, "the first one");
+    pass(200, {&first});
+    ASSERT_TRUE(controller.session().open());
+  }
+  Module second(path, 12, "the second one");
+  pass(200, {&second});
+  EXPECT_TRUE(second.end.session().open());
+  EXPECT_THAT(reports, AllOf(HasSubstr("is lost"), HasSubstr("linked to 'the second one'")));
+}
+
+TEST_F(LinkHostTest, AModuleThatHangsIsReplacedOnceItsSilenceHasEnded) {
+  Module first(path, 11, "the first one");
+  pass(200, {&first});
+  Module second(path, 12, "the second one");
+  pass(20, {&second});
+  EXPECT_FALSE(second.end.session().open()) << "the first one may yet speak";
+  pass(300, {});
+  EXPECT_FALSE(controller.session().open());
+  Module third(path, 13, "the third one");
+  pass(200, {&third});
+  EXPECT_TRUE(third.end.session().open());
+}
+
+TEST_F(LinkHostTest, ConnectionsWithoutAWordKeepNobodyOut) {
+  const link::UnixCarrier silent(path), another(path);
+  Module first(path, 11, "the first one");
+  pass(200, {&first});
+  EXPECT_TRUE(first.end.session().open());
+}
+
+}  // namespace
+}  // namespace gaitway::api
