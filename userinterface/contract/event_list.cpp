@@ -33,7 +33,8 @@ std::optional<EventList> EventList::decode(const TopicCodec& codec,
     return read > 0;
   };
   std::uint64_t first = 0, count = 0;
-  if (!take_number(first) || !take_number(count) || first == 0 || count > kKept || first > UINT64_MAX - count) {
+  if (!take_number(first) || !take_number(count) || first == 0 || count > kKept ||
+      first > UINT64_MAX - count) {
     return std::nullopt;
   }
   EventList list;

@@ -75,7 +75,7 @@ std::optional<std::uint32_t> RobotCommands::order(Claimant& claimant, const Plug
 
 std::optional<std::uint32_t> RobotCommands::end_emergency_stop(Claimant& claimant, std::int64_t now_ns) {
   demand_not_overtaken(claimant);
-  demand_timely(claimant, kOrderValidity_ns);
+  demand_timely(claimant, now_ns, kOrderValidity_ns);
   demand(claimant, now_ns);
   return robot_.release(claimant.age_ns);
 }
@@ -86,18 +86,24 @@ void RobotCommands::demand_not_overtaken(const Claimant& claimant) {
   }
 }
 
-void RobotCommands::demand_timely(const Claimant& claimant, std::int64_t validity_ns) {
+void RobotCommands::deny(Claimant& claimant, std::int64_t now_ns, const std::string& why) {
+  claimant.tried_ns = now_ns;  // a stick that is held meanwhile is not let go
+  throw CommandDenied(why);
+}
+
+void RobotCommands::demand_timely(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns) {
   constexpr std::int64_t kMillisecond_ns = 1'000'000;
   if (claimant.age_ns > validity_ns) {
-    throw CommandDenied("late: it may have been sent " + std::to_string(claimant.age_ns / kMillisecond_ns) +
-                        " ms ago, and is carried out for " + std::to_string(validity_ns / kMillisecond_ns) +
-                        " ms; the connection is slow, or its client does not answer pings");
+    deny(claimant, now_ns,
+         "late: it may have been sent " + std::to_string(claimant.age_ns / kMillisecond_ns) +
+             " ms ago, and is carried out for " + std::to_string(validity_ns / kMillisecond_ns) +
+             " ms; the connection is slow, or its client does not answer pings");
   }
 }
 
 void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns) {
   demand_not_overtaken(claimant);
-  demand_timely(claimant, validity_ns);
+  demand_timely(claimant, now_ns, validity_ns);
   demand(claimant, now_ns);
   if (robot_.emergency_stopped()) {
     throw CommandDenied(kEmergencyStopped);
@@ -107,8 +113,7 @@ void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns, std
 void RobotCommands::demand(Claimant& claimant, std::int64_t now_ns) {
   step(now_ns);
   if (!robot_.connected()) {
-    claimant.tried_ns = now_ns;  // a stick that is held meanwhile is not let go
-    throw CommandDenied("the robot is not there: its message controller does not answer");
+    deny(claimant, now_ns, "the robot is not there: its message controller does not answer");
   }
   authority_.use(claimant, now_ns);
 }

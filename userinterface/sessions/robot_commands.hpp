@@ -55,7 +55,8 @@ class RobotCommands {
 
  private:
   static void demand_not_overtaken(const Claimant& claimant);
-  static void demand_timely(const Claimant& claimant, std::int64_t validity_ns);
+  [[noreturn]] static void deny(Claimant& claimant, std::int64_t now_ns, const std::string& why);
+  static void demand_timely(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns);
   void demand(Claimant& claimant, std::int64_t now_ns);
   // `validity_ns`: how old what it asks for may be.
   void demand_movement(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns);

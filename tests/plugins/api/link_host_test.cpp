@@ -25,7 +25,8 @@ constexpr std::array kChannels{link::Channel{"state", 64}};
 // A module and its way to the socket.
 struct Module {
   Module(const std::filesystem::path& path, std::uint64_t boot, std::string_view name)
-      : end({.role = link::Role::module, .boot = boot, .table_hash = 1, .name = name}, kChannels, {}), carrier(path) {}
+      : end({.role = link::Role::module, .boot = boot, .table_hash = 1, .name = name}, kChannels, {}),
+        carrier(path) {}
   link::ModuleEnd end;
   link::UnixCarrier carrier;
 };
@@ -76,7 +77,8 @@ TEST_F(LinkHostTest, TheSecondOneKnowsWhyUntilItTriesAgain) {
   const std::size_t count = second.carrier.read(bytes);
   second.end.on_bytes(link::Bytes(bytes).first(count), now_ns);
   EXPECT_EQ(second.end.session().why(), link::SessionEnd::occupied);
-  EXPECT_THAT(second.end.session().description(), AllOf(HasSubstr("'the first one'"), HasSubstr("a robot has one")));
+  EXPECT_THAT(second.end.session().description(),
+              AllOf(HasSubstr("'the first one'"), HasSubstr("a robot has one")));
 }
 
 TEST_F(LinkHostTest, AModuleThatComesAfterAnotherHasGoneIsLinked) {

@@ -67,7 +67,8 @@ TEST(EventList, RandomBytesAreRefusedOrAList) {
   std::mt19937_64 random(5);
   for (int round = 0; round < 20'000; ++round) {
     std::vector<std::uint8_t> wire(random() % 64);
-    for (std::uint8_t& byte : wire) byte = random() % 4 == 0 ? static_cast<std::uint8_t>(random()) : std::uint8_t{0};
+    for (std::uint8_t& byte : wire)
+      byte = random() % 4 == 0 ? static_cast<std::uint8_t>(random()) : std::uint8_t{0};
     const auto list = EventList::decode(kCodec, wire);
     EXPECT_TRUE(!list || list->last() >= list->first() - 1);
   }

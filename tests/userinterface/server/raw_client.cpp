@@ -107,6 +107,7 @@ std::optional<RawClient::Message> RawClient::receive_frame() {
     if (opcode != kPing) {
       return message;
     }
+    newest_ping_ = std::move(message.payload);
   }
   return std::nullopt;
 }

@@ -29,6 +29,8 @@ class RawClient {
   std::string receive_header();
   // The next frame that is no ping, nothing at the end of the stream.
   std::optional<Message> receive_frame();
+  // Of the newest ping that came meanwhile: it is answered by nobody.
+  [[nodiscard]] const std::string& newest_ping() const noexcept { return newest_ping_; }
   // Sends a valid request for a WebSocket, and takes the answer.
   std::string open_websocket();
   void reset();  // ends the connection as a crashed machine's kernel would
@@ -39,7 +41,7 @@ class RawClient {
   std::string take(std::size_t bytes);
 
   process::FileDescriptor socket_;
-  std::string received_;
+  std::string received_, newest_ping_;
 };
 
 // A request for a WebSocket; `more`: further header lines, each with its line end.

@@ -21,8 +21,10 @@ class EchoSession final : public Session {
   }
   ~EchoSession() override { --hub_.sessions; }
 
-  void take(std::string_view message, bool binary, std::int64_t /*wall_ns*/) override {
-    if (message == "close") {
+  void take(std::string_view message, bool binary, std::int64_t wall_ns) override {
+    if (message == "age") {  // in ms
+      answer(std::to_string(connection_.message_age_ns(wall_ns) / 1'000'000), false);
+    } else if (message == "close") {
       answer("one", false);
       answer("two", false);
       connection_.close(1008, "as you wish");

@@ -35,6 +35,11 @@ class TestClient final : public Connection {
 
   void shown_wrong_token() noexcept override { ++wrong_tokens; }
 
+  [[nodiscard]] std::int64_t message_age_ns(std::int64_t /*wall_ns*/) const noexcept override {
+    return age_ns;
+  }
+  std::int64_t age_ns = 0;  // of what it sends
+
   void send(const json& message) { send_text(message.dump()); }
   void send_text(std::string_view message, bool binary = false) { session_->take(message, binary, now_ns_); }
   // After a stop that came later.

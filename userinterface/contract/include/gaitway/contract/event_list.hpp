@@ -26,7 +26,8 @@ class EventList {
   // Into `room`; returns the bytes, 0 when they do not fit.
   std::size_t encode(const TopicCodec& codec, std::span<std::uint8_t> room) const noexcept;
   // Nothing: the bytes are no list.
-  static std::optional<EventList> decode(const TopicCodec& codec, std::span<const std::uint8_t> bytes) noexcept;
+  static std::optional<EventList> decode(const TopicCodec& codec,
+                                         std::span<const std::uint8_t> bytes) noexcept;
   [[nodiscard]] static std::size_t most_bytes(const TopicCodec& codec) noexcept;
 
  private:
