@@ -26,7 +26,7 @@ import can
 ROOT = Path(__file__).resolve().parents[3]
 BIN = ROOT / "build" / "release" / "bin"
 ROBOT = ROOT / "urdf" / "humanoid22"
-FRAMES = {"move_joint": 0x002, "emergency_stop": 0x000}
+FRAMES = {"move_joint": 0x002, "emergency_stop": 0x001}
 
 
 class WebSocket:
