@@ -21,7 +21,8 @@ TEST_F(OrderAgeTest, AVelocityMayBe200MillisecondsOld) {
   EXPECT_THAT(robot.ages_ns, ElementsAre(200 * kMillisecond_ns)) << "the robot's side judges what is left";
   anna->age_ns += kMillisecond_ns;
   anna->drive(0.1);
-  EXPECT_THAT(anna->receive_one()["msg"], HasSubstr("late: it may have been sent 201 ms ago, and is carried out for 200 ms"));
+  EXPECT_THAT(anna->receive_one()["msg"],
+              HasSubstr("late: it may have been sent 201 ms ago, and is carried out for 200 ms"));
   EXPECT_THAT(robot.told, ElementsAre("walk"));
 }
 
