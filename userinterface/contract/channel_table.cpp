@@ -2,28 +2,17 @@
 #include "gaitway/contract/channel_table.hpp"
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "gaitway/contract/event_list.hpp"
 #include "gaitway/contract/order_table.hpp"
+#include "gaitway/urdf/description_text.hpp"
 
 namespace gaitway::contract {
 namespace {
 
 constexpr std::uint32_t kLayoutVersion =
     1;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
-
-std::string contents_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) {
-    throw urdf::RobotError("the robot's description '" + file.string() +
-                           "' cannot be read; check the file and its permissions");
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -73,7 +62,7 @@ std::uint64_t table_hash(const urdf::RobotModel& robot) {
   }
   hash.add_number(static_cast<std::uint32_t>(robot.joints.size()));
   for (const char* const file : {"robot.urdf", "robot.yaml"}) {
-    hash.add(contents_of(robot.directory / file));
+    hash.add(urdf::description_text(robot.directory / file));
   }
   return hash.value();
 }

@@ -130,29 +130,26 @@ T load(const std::byte* place) noexcept {
   return value;
 }
 
-std::int64_t load_signed(ScalarType type, const std::byte* place) noexcept {
+// Of whole numbers, `Wide` their widest: of their bytes so many as the type has, the sign spread over the
+// rest.
+template <class Wide, class One, class Two, class Four>
+Wide load_whole(ScalarType type, const std::byte* place) noexcept {
   switch (scalar_size(type)) {
     case 1:
-      return load<std::int8_t>(place);
+      return load<One>(place);
     case 2:
-      return load<std::int16_t>(place);
+      return load<Two>(place);
     case 4:
-      return load<std::int32_t>(place);
+      return load<Four>(place);
     default:
-      return load<std::int64_t>(place);
+      return load<Wide>(place);
   }
 }
+std::int64_t load_signed(ScalarType type, const std::byte* place) noexcept {
+  return load_whole<std::int64_t, std::int8_t, std::int16_t, std::int32_t>(type, place);
+}
 std::uint64_t load_unsigned(ScalarType type, const std::byte* place) noexcept {
-  switch (scalar_size(type)) {
-    case 1:
-      return load<std::uint8_t>(place);
-    case 2:
-      return load<std::uint16_t>(place);
-    case 4:
-      return load<std::uint32_t>(place);
-    default:
-      return load<std::uint64_t>(place);
-  }
+  return load_whole<std::uint64_t, std::uint8_t, std::uint16_t, std::uint32_t>(type, place);
 }
 
 void write_number(Writer& out, ScalarType type, const std::byte* place, bool exact) noexcept {

@@ -1,8 +1,6 @@
 // What is new is read once, converted once, and given away.
 #include "gaitway/api/feed.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -13,6 +11,7 @@
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/api/state_messages.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/urdf/description_text.hpp"
 #include "robot_activity.hpp"
 
 namespace gaitway::api {
@@ -49,16 +48,6 @@ class Latest {
   T value_{};
 };
 
-std::string text_of_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) {
-    throw urdf::RobotError("the robot's description '" + file.string() +
-                           "' cannot be read, and so not be published; check the file and its permissions");
-  }
-  return text;
-}
-
 std::int64_t slot_edge(std::int64_t time_ns) noexcept {
   return time_ns - time_ns % facts::kSlot_ns;
 }
@@ -88,7 +77,7 @@ struct Feed::Messages {
         wrenches{make_foot_wrench(model, urdf::Side::left), make_foot_wrench(model, urdf::Side::right)},
         odometry(make_odometry(model)),
         transforms(model),
-        description{text_of_file(model.directory / "robot.urdf")} {}
+        description{urdf::description_text(model.directory / "robot.urdf")} {}
 
   ros::JointState joints;
   ros::Imu imu;

@@ -2,8 +2,6 @@
 #include "gaitway/api/door.hpp"
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -24,15 +22,11 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/page/asset_table.hpp"
 #include "gaitway/page/robot_assets.hpp"
+#include "gaitway/urdf/description_text.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::api {
 namespace {
-
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::unique_ptr<Recorder> recorder_of(const DoorOptions& options) {
   if (options.recordings.empty()) {
@@ -59,7 +53,7 @@ std::function<bool(std::string_view)> token_check(const ServerSetup& setup) {
 HubOptions hub_options(const DoorOptions& options, const ServerSetup& setup) {
   HubOptions result;
   result.limits = options.server.limits;
-  result.parameters["robot_description"] = read_text(options.robot / "robot.urdf");
+  result.parameters["robot_description"] = urdf::description_text(options.robot / "robot.urdf");
   result.is_token = token_check(setup);
   return result;
 }

@@ -19,6 +19,14 @@ std::unique_ptr<RawClient> opened(const RunningServer& server) {
   return client;
 }
 
+std::vector<std::unique_ptr<RawClient>> several(const RunningServer& server, int count) {
+  std::vector<std::unique_ptr<RawClient>> clients;
+  while (count-- > 0) {
+    clients.push_back(opened(server));
+  }
+  return clients;
+}
+
 std::string frames(std::string_view message, int times) {
   std::string all;
   for (int count = 0; count < times; ++count) {
@@ -49,10 +57,7 @@ TEST(Urgency, AnUrgentMessageWaitsForNoOtherClientsWork) {
   constexpr int kClients = 20, kEach = 8;
   RunningServer server(local());
   const auto holder = opened(server), urgent = opened(server);
-  std::vector<std::unique_ptr<RawClient>> busy;
-  for (int count = 0; count < kClients; ++count) {
-    busy.push_back(opened(server));
-  }
+  const auto busy = several(server, kClients);
   server.while_held(*holder, [&] {
     for (const auto& client : busy) {
       send(*client, "work", kEach);
@@ -66,10 +71,7 @@ TEST(Urgency, NorDoesTheTenthOfOneClientWhileNobodyElseHasAny) {
   constexpr int kOthers = 8, kUrgent = 9;
   RunningServer server(local());
   const auto holder = opened(server), client = opened(server);
-  std::vector<std::unique_ptr<RawClient>> others;
-  for (int count = 0; count < kOthers; ++count) {
-    others.push_back(opened(server));
-  }
+  const auto others = several(server, kOthers);
   server.while_held(*holder, [&] {
     for (const auto& other : others) {
       send(*other, "work", 2);  // so that what the client sends waits
@@ -96,10 +98,7 @@ TEST(Urgency, WhatItsSenderSentBeforeIsToldThatItCameTooLate) {
   constexpr int kOthers = 8, kBefore = 6;
   RunningServer server(local());
   const auto holder = opened(server), client = opened(server);
-  std::vector<std::unique_ptr<RawClient>> others;
-  for (int count = 0; count < kOthers; ++count) {
-    others.push_back(opened(server));
-  }
+  const auto others = several(server, kOthers);
   server.while_held(*holder, [&] {
     for (const auto& other : others) {
       send(*other, "work", 2);  // so that what the client sends waits
@@ -117,10 +116,7 @@ TEST(Urgency, AFewWhoSendMuchDelayOthersByTheirShareOnly) {
   constexpr int kClients = 10, kEach = 30;
   RunningServer server(local());
   const auto holder = opened(server), light = opened(server);
-  std::vector<std::unique_ptr<RawClient>> busy;
-  for (int count = 0; count < kClients; ++count) {
-    busy.push_back(opened(server));
-  }
+  const auto busy = several(server, kClients);
   server.while_held(*holder, [&] {
     for (const auto& client : busy) {
       send(*client, "work", kEach);
