@@ -10,6 +10,7 @@
 #include "gaitway/link/frame_codec.hpp"
 #include "gaitway/link/messages.hpp"
 #include "gaitway/link/serial_carrier.hpp"
+#include "gaitway/process/real_time.hpp"
 
 namespace gaitway::api {
 
@@ -23,7 +24,18 @@ LinkHost::LinkHost(const link::LinkAddress& address) {
   }
 }
 
-void LinkHost::wait(int most_ms) const {
+void LinkHost::wait(int most_ms) {
+  constexpr int kWakes = 4;
+  const std::int64_t now_ns = process::monotonic_ns();
+  if (now_ns - wakes_since_ns_ >= facts::kMillisecond_ns) {
+    wakes_since_ns_ = now_ns;
+    wakes_ = 0;
+  }
+  if (++wakes_ > kWakes) {
+    const timespec left{0, wakes_since_ns_ + facts::kMillisecond_ns - now_ns};
+    ppoll(nullptr, 0, &left, nullptr);
+    return;
+  }
   std::array<pollfd, 2> wakes{pollfd{wake_fd_, POLLIN, 0},  // -1 is left out
                               pollfd{listener_ ? listener_->wake_fd() : -1, POLLIN, 0}};
   poll(wakes.data(), wakes.size(), most_ms);

@@ -13,6 +13,7 @@
 #include "gaitway/link/module_end.hpp"
 #include "gaitway/link/unix_carrier.hpp"
 #include "gaitway/process/private_folder.hpp"
+#include "gaitway/process/real_time.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -104,6 +105,18 @@ TEST_F(LinkHostTest, AModuleThatHangsIsReplacedOnceItsSilenceHasEnded) {
   Module third(path, 13, "the third one");
   pass(200, {&third});
   EXPECT_TRUE(third.end.session().open());
+}
+
+TEST_F(LinkHostTest, WhoFloodsTheLinkDoesNotKeepItsProcessBusy) {
+  Module first(path, 11, "the first one");
+  pass(200, {&first});
+  const std::array<std::uint8_t, 200> garbage{};
+  while (first.carrier.write(garbage) > 0) {  // nobody reads it: whoever waits is woken at once
+  }
+  constexpr int kWaits = 100, kOfAMillisecond = 5;
+  const std::int64_t begin_ns = process::monotonic_ns();
+  for (int i = 0; i < kWaits; ++i) host.wait(1000);
+  EXPECT_GE(process::monotonic_ns() - begin_ns, (kWaits / kOfAMillisecond - 1) * facts::kMillisecond_ns);
 }
 
 TEST_F(LinkHostTest, ConnectionsWithoutAWordKeepNobodyOut) {

@@ -21,8 +21,10 @@ class LinkHost {
   // Opens all that it needs: throws process::SocketError, link::SerialError.
   explicit LinkHost(const link::LinkAddress& address);
 
-  // Waits until something has come, for at most `most_ms`; then brings the end and its carrier together.
-  void wait(int most_ms) const;
+  // Waits until something has come, for at most `most_ms`; but who floods the link wakes it four times a
+  // millisecond and no more, since this process goes before others. Then brings the end and its carrier
+  // together.
+  void wait(int most_ms);
   void pump(link::ControllerEnd& end, std::int64_t now_ns);
   // News for people: who was turned away, what link there is; empty: none.
   [[nodiscard]] std::string take_report();
@@ -37,6 +39,8 @@ class LinkHost {
   int wake_fd_ = -1;
   bool is_connection_ = false;  // of the listener's
   std::uint32_t session_ = 0;
+  std::int64_t wakes_since_ns_ = 0;
+  int wakes_ = 0;  // since then
   std::string report_;
 };
 
