@@ -38,6 +38,9 @@ void check(const DirectionSettings& settings) {
   require(!settings.mean_burst || settings.loss == 1.0 ||
               *settings.mean_burst >= std::max(1.0, settings.loss / (1.0 - settings.loss)),
           "the mean burst must be 1 packet or more, and for a loss P above 50% P / (100% - P) or more");
+  require(!settings.mean_fade_ns || !settings.mean_burst,
+          "losses last by the packet or by the clock, not both: give a burst or a fade");
+  require(!settings.mean_fade_ns || *settings.mean_fade_ns >= 1'000, "the mean fade must be 1us or more");
 }
 
 const DirectionSettings& checked(const DirectionSettings& settings) {
@@ -47,23 +50,47 @@ const DirectionSettings& checked(const DirectionSettings& settings) {
 
 }  // namespace
 
-BurstLoss::BurstLoss(double loss, std::optional<double> mean_burst, simulator::RandomStream random)
-    : random_(random) {
+AirLoss::AirLoss(const DirectionSettings& settings, simulator::RandomStream random)
+    : random_(random), by_time_(settings.mean_fade_ns && settings.loss > 0.0 && settings.loss < 1.0) {
+  const double loss = settings.loss;
   if (loss >= 1.0) {
     to_bad_ = 1.0;
     to_good_ = 0.0;
   } else {
     // A burst lasts 1 / to_good packets, and the share of bad ones is to_bad / (to_bad + to_good).
-    to_good_ = mean_burst ? 1.0 / *mean_burst : 1.0 - loss;
+    to_good_ = settings.mean_burst ? 1.0 / *settings.mean_burst : 1.0 - loss;
     to_bad_ = to_good_ * loss / (1.0 - loss);
+  }
+  if (by_time_) {
+    mean_bad_ns_ = static_cast<double>(*settings.mean_fade_ns);
+    mean_good_ns_ = mean_bad_ns_ * (1.0 - loss) / loss;
   }
   bad_ = random_.uniform() < loss;
 }
 
-bool BurstLoss::loses_next() noexcept {
+bool AirLoss::loses(std::int64_t at_ns) noexcept {
+  if (!by_time_) {
+    return loses_next();
+  }
+  if (!changes_ns_) {
+    changes_ns_ = at_ns + lasts_ns();
+  }
+  while (at_ns >= *changes_ns_) {
+    bad_ = !bad_;
+    *changes_ns_ += lasts_ns();
+  }
+  return bad_;
+}
+
+bool AirLoss::loses_next() noexcept {
   const double changes = random_.uniform();
   bad_ = bad_ ? changes >= to_good_ : changes < to_bad_;
   return bad_;
+}
+
+std::int64_t AirLoss::lasts_ns() noexcept {
+  const double mean_ns = bad_ ? mean_bad_ns_ : mean_good_ns_;
+  return 1 + static_cast<std::int64_t>(-mean_ns * std::log1p(-random_.uniform()));
 }
 
 LinkEmulator::Direction::Direction(LinkEnd from, const LinkSettings& settings, const OutageSchedule& outages,
@@ -72,7 +99,7 @@ LinkEmulator::Direction::Direction(LinkEnd from, const LinkSettings& settings, c
       settings_(checked(settings.from[static_cast<std::size_t>(from)])),
       outages_hold_(settings.outages_hold),
       outages_(outages),
-      loss_(settings_.loss, settings_.mean_burst, stream(seed, from, kLossStream)),
+      loss_(settings_, stream(seed, from, kLossStream)),
       jitter_(stream(seed, from, kJitterStream)),
       reordering_(stream(seed, from, kReorderStream)),
       duplication_(stream(seed, from, kDuplicateStream)) {}
@@ -138,7 +165,7 @@ void LinkEmulator::Direction::end_transmission() {
   const std::size_t size = packet.size();
   if (outage) {
     ++statistics.lost_in_outages;
-  } else if (loss_.loses_next()) {
+  } else if (loss_.loses(at_ns)) {
     ++statistics.lost_on_air;
   } else {
     enter_air(std::move(packet), sent_ns, at_ns);

@@ -30,10 +30,12 @@ struct DirectionSettings {
   std::int64_t delay_ns = 0;         // from the end of the transmission to the arrival
   std::int64_t jitter_ns = 0;        // the delay differs by up to so much either way, every value as likely
   double loss = 0.0;
-  std::optional<double> mean_burst{};      // of consecutive losses; without: each is lost independently
-  double reordered = 0.0;                  // arrive late, while later ones overtake them
-  std::int64_t held_back_ns = 10'000'000;  // by so much
-  double duplicated = 0.0;                 // are transmitted twice, which takes the time of two
+  // Losses come together, by the packet or by the clock; without either each is lost independently.
+  std::optional<double> mean_burst{};          // of consecutive losses
+  std::optional<std::int64_t> mean_fade_ns{};  // of a time in which all is lost
+  double reordered = 0.0;                      // arrive late, while later ones overtake them
+  std::int64_t held_back_ns = 10'000'000;      // by so much
+  double duplicated = 0.0;                     // are transmitted twice, which takes the time of two
 };
 
 struct LinkSettings {
@@ -58,17 +60,23 @@ struct DirectionStatistics {
   process::DurationHistogram queue_delay;  // until the transmission begins
 };
 
-// Consecutive losses as in Gilbert's model: a good state that loses nothing and a bad one that loses all.
-class BurstLoss {
+// Losses as in Gilbert's model: a good state that loses nothing and a bad one that loses all. The states last
+// so many packets, or so long, whether or not packets come meanwhile: exponentially distributed times.
+class AirLoss {
  public:
-  // `mean_burst` packets; without it each packet is lost independently.
-  BurstLoss(double loss, std::optional<double> mean_burst, simulator::RandomStream random);
-  [[nodiscard]] bool loses_next() noexcept;
+  AirLoss(const DirectionSettings& settings, simulator::RandomStream random);
+  // Of the next packet, whose transmission ends then. Times never go back.
+  [[nodiscard]] bool loses(std::int64_t at_ns) noexcept;
 
  private:
+  [[nodiscard]] bool loses_next() noexcept;
+  [[nodiscard]] std::int64_t lasts_ns() noexcept;  // the present state
+
   simulator::RandomStream random_;
   double to_bad_ = 0.0, to_good_ = 1.0;
-  bool bad_ = false;
+  double mean_good_ns_ = 0.0, mean_bad_ns_ = 0.0;  // of fades
+  std::optional<std::int64_t> changes_ns_;
+  bool by_time_ = false, bad_ = false;
 };
 
 class LinkEmulator {
@@ -136,7 +144,7 @@ class LinkEmulator {
     DirectionSettings settings_;
     bool outages_hold_;
     const OutageSchedule& outages_;
-    BurstLoss loss_;
+    AirLoss loss_;
     simulator::RandomStream jitter_, reordering_, duplication_;
 
     std::deque<Waiting> waiting_;  // the first one is in transmission

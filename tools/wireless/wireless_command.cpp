@@ -33,7 +33,7 @@ std::vector<std::string>& client_words() {
 }
 
 struct DirectionOptions {
-  std::optional<std::string> rate, queue, delay, jitter, loss, reorder, reorder_by, duplicate;
+  std::optional<std::string> rate, queue, delay, jitter, loss, fade, reorder, reorder_by, duplicate;
   std::optional<double> burst;
 };
 
@@ -100,7 +100,10 @@ void apply(const DirectionOptions& options, DirectionSettings& settings) {
   if (options.delay) settings.delay_ns = duration_ns("--delay", *options.delay);
   if (options.jitter) settings.jitter_ns = duration_ns("--jitter", *options.jitter);
   if (options.loss) settings.loss = share("--loss", *options.loss);
-  if (options.burst) settings.mean_burst = options.burst;
+  if (options.burst || options.fade) {  // one direction's in place of both directions'
+    settings.mean_burst = options.burst;
+    settings.mean_fade_ns = options.fade ? std::optional(duration_ns("--fade", *options.fade)) : std::nullopt;
+  }
   if (options.reorder) settings.reordered = share("--reorder", *options.reorder);
   if (options.reorder_by) settings.held_back_ns = duration_ns("--reorder-by", *options.reorder_by);
   if (options.duplicate) settings.duplicated = share("--duplicate", *options.duplicate);
@@ -230,6 +233,8 @@ void add_direction(const CommandLine& command, const std::string& prefix, Direct
   command
       .option(prefix + "burst", options.burst, "Mean number of packets lost in a row; without it independent")
       .between(1.0, 1e6);
+  command.option(prefix + "fade", options.fade,
+                 "Mean time in which all is lost, like 40ms, in place of a burst");
   command.option(prefix + "reorder", options.reorder, "Share of packets that later ones overtake");
   command.option(prefix + "reorder-by", options.reorder_by, "They come so much later (default 10ms)");
   command.option(prefix + "duplicate", options.duplicate, "Share of packets that are sent twice");

@@ -5,9 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
+#include <boost/beast/ssl.hpp>
 #include <boost/beast/websocket.hpp>
+#include <boost/beast/websocket/ssl.hpp>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -21,26 +24,33 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using tcp = asio::ip::tcp;
 
+using PlainStream = tcp::socket;
+using TlsStream = beast::ssl_stream<tcp::socket>;
+
+struct Robot {
+  tcp::endpoint server;
+  std::string token;  // with one it is reached over TLS
+};
+
+template <class Stream>
 class Client {
  public:
-  Client(asio::io_context& io, const tcp::endpoint& server, bool reads, bool cbor)
-      : socket_(io), server_(server), reads_(reads), cbor_(cbor) {}
+  template <class... TlsContext>
+  Client(asio::io_context& io, const Robot& robot, bool reads, bool cbor, TlsContext&... tls)
+      : socket_(io, tls...), robot_(robot), reads_(reads), cbor_(cbor) {}
 
   void start() {
-    socket_.next_layer().async_connect(server_, [this](beast::error_code error) {
+    beast::get_lowest_layer(socket_).async_connect(robot_.server, [this](beast::error_code error) {
       if (error) {
         return end(error);
       }
-      socket_.async_handshake("127.0.0.1", "/", [this](beast::error_code refused) {
-        if (refused) {
-          return end(refused);
-        }
-        open_ = true;
-        subscribe(0);
-        if (reads_) {
-          read();
-        }
-      });
+      if constexpr (std::is_same_v<Stream, TlsStream>) {
+        socket_.next_layer().async_handshake(
+            asio::ssl::stream_base::client,
+            [this](beast::error_code refused) { refused ? end(refused) : greet(); });
+      } else {
+        greet();
+      }
     });
   }
   [[nodiscard]] bool open() const noexcept { return open_; }
@@ -49,6 +59,25 @@ class Client {
   [[nodiscard]] std::uint64_t told() const noexcept { return told_; }
 
  private:
+  void greet() {
+    socket_.async_handshake(robot_.server.address().to_string(), "/", [this](beast::error_code refused) {
+      if (refused) {
+        return end(refused);
+      }
+      open_ = true;
+      if (robot_.token.empty()) {
+        subscribe(0);
+      } else {
+        request_ = fmt::format(R"({{"op":"auth","token":"{}"}})", robot_.token);
+        socket_.async_write(asio::buffer(request_), [this](beast::error_code error, std::size_t) {
+          error ? end(error) : subscribe(0);
+        });
+      }
+      if (reads_) {
+        read();
+      }
+    });
+  }
   void subscribe(std::size_t topic) {
     if (topic == gaitway::api::kTopicCount) {
       return;
@@ -79,8 +108,8 @@ class Client {
   }
   void end(beast::error_code) { open_ = false; }
 
-  beast::websocket::stream<tcp::socket> socket_;
-  tcp::endpoint server_;
+  beast::websocket::stream<Stream> socket_;
+  const Robot& robot_;
   bool reads_, cbor_;
   bool open_ = false;
   std::string request_;
@@ -88,40 +117,33 @@ class Client {
   std::uint64_t messages_ = 0, bytes_ = 0, told_ = 0;
 };
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"Clients of a robot API that subscribe to everything"};
-  std::uint16_t port = 9090;
+struct Wish {
   int clients = 200, silent = 10;
   double seconds = 10.0;
-  app.add_option("--port", port)->capture_default_str();
-  app.add_option("--clients", clients, "How many")->capture_default_str();
-  app.add_option("--silent", silent, "Of these, how many read nothing")->capture_default_str();
-  app.add_option("--seconds", seconds)->capture_default_str();
-  app.footer("Example:\n  api_load --port 9090 --clients 200 --seconds 60");
-  CLI11_PARSE(app, argc, argv);
+};
 
+// Runs them, and prints what they got; the exit code.
+template <class Stream, class... TlsContext>
+int load(const Robot& robot, const Wish& wish, TlsContext&... tls) {
   asio::io_context io;
-  const tcp::endpoint server(asio::ip::make_address("127.0.0.1"), port);
-  std::deque<Client> all;
-  for (int i = 0; i < clients; ++i) {
-    all.emplace_back(io, server, i >= silent, i % 2 == 0);
+  std::deque<Client<Stream>> all;
+  for (int i = 0; i < wish.clients; ++i) {
+    all.emplace_back(io, robot, i >= wish.silent, i % 2 == 0, tls...);
     all.back().start();
   }
   asio::steady_timer over(
-      io, std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds)));
+      io, std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(wish.seconds)));
   over.async_wait([&io](beast::error_code) { io.stop(); });
   io.run();
 
   std::uint64_t messages = 0, bytes = 0, told = 0, fewest = ~std::uint64_t{0};
   int open = 0;
-  for (int i = 0; i < clients; ++i) {
-    const Client& client = all[static_cast<std::size_t>(i)];
+  for (int i = 0; i < wish.clients; ++i) {
+    const Client<Stream>& client = all[static_cast<std::size_t>(i)];
     messages += client.messages();
     bytes += client.bytes();
     told += client.told();
-    if (i >= silent) {
+    if (i >= wish.silent) {
       open += client.open() ? 1 : 0;
       fewest = std::min(fewest, client.messages());
     }
@@ -129,6 +151,30 @@ int main(int argc, char** argv) {
   fmt::print(
       R"({{"clients": {}, "silent": {}, "open": {}, "messages": {}, "bytes": {}, "statuses": {}, "fewest_messages": {}}})"
       "\n",
-      clients, silent, open, messages, bytes, told, fewest);
-  return open == clients - silent ? 0 : 3;
+      wish.clients, wish.silent, open, messages, bytes, told, fewest);
+  return open == wish.clients - wish.silent ? 0 : 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Clients of a robot API that subscribe to everything"};
+  std::string address = "127.0.0.1", token;
+  std::uint16_t port = 9090;
+  Wish wish;
+  app.add_option("--address", address)->capture_default_str();
+  app.add_option("--port", port)->capture_default_str();
+  app.add_option("--token", token, "The robot's; it is then reached over TLS, whatever its certificate");
+  app.add_option("--clients", wish.clients, "How many")->capture_default_str();
+  app.add_option("--silent", wish.silent, "Of these, how many read nothing")->capture_default_str();
+  app.add_option("--seconds", wish.seconds)->capture_default_str();
+  app.footer("Example:\n  api_load --port 9090 --clients 200 --seconds 60");
+  CLI11_PARSE(app, argc, argv);
+
+  const Robot robot{tcp::endpoint(asio::ip::make_address(address), port), token};
+  if (token.empty()) {
+    return load<PlainStream>(robot, wish);
+  }
+  asio::ssl::context tls(asio::ssl::context::tls_client);
+  return load<TlsStream>(robot, wish, tls);
 }

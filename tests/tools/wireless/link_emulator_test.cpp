@@ -177,6 +177,27 @@ INSTANTIATE_TEST_SUITE_P(Losses, LinkEmulatorLoss,
                          testing::Values(Loss{0.01, {}}, Loss{0.3, {}}, Loss{0.03, 8.0}, Loss{0.1, 1.0},
                                          Loss{0.1, 50.0}, Loss{0.6, 4.0}));
 
+// Packets every millisecond see each fade as a row of losses; packets every second see fades of 40 ms as
+// single ones.
+TEST(LinkEmulator, FadesLastByTheClock) {
+  constexpr double kShare = 0.1;
+  const int count = test::repeats(400'000);
+  const auto losses_in_a_row = [count](std::int64_t period_ns) {
+    LinkEmulator link(both({.loss = kShare, .mean_fade_ns = 40 * kMs}), 5);
+    std::vector<bool> came(static_cast<std::size_t>(count));
+    for (const Delivery& each : stream_through(link, count, period_ns)) came[number_of(each.packet)] = true;
+    const auto lost = static_cast<double>(std::ranges::count(came, false));
+    double rows = 0.0;
+    for (std::size_t i = 0; i < came.size(); ++i) {
+      rows += !came[i] && (i == 0 || came[i - 1]) ? 1.0 : 0.0;
+    }
+    EXPECT_NEAR(lost / count, kShare, kShare * 5.0 * std::sqrt(2.0 / rows));
+    return lost / rows;
+  };
+  EXPECT_NEAR(losses_in_a_row(kMs), 40.0, 8.0);
+  EXPECT_NEAR(losses_in_a_row(1000 * kMs), 1.0 / (1.0 - kShare), 0.05);
+}
+
 TEST(LinkEmulator, JitterIsEvenAndKeepsTheOrder) {
   LinkEmulator link(both({.delay_ns = 10 * kMs, .jitter_ns = 4 * kMs}), 5);
   const int count = test::repeats(100'000);
@@ -360,16 +381,19 @@ TEST(LinkEmulator, NextInstantIsWhenSomethingComes) {
 }
 
 TEST(LinkEmulator, RefusesSettingsThatNoLinkHas) {
-  for (const DirectionSettings& wrong : std::vector<DirectionSettings>{{.rate_bit_s = -1.0},
-                                                                       {.queue_bytes = 10},
-                                                                       {.delay_ns = -1},
-                                                                       {.delay_ns = 1, .jitter_ns = 2},
-                                                                       {.loss = 1.1},
-                                                                       {.loss = 0.1, .mean_burst = 0.5},
-                                                                       {.loss = 0.9, .mean_burst = 2.0},
-                                                                       {.reordered = -0.1},
-                                                                       {.held_back_ns = -1},
-                                                                       {.duplicated = 2.0}}) {
+  for (const DirectionSettings& wrong :
+       std::vector<DirectionSettings>{{.rate_bit_s = -1.0},
+                                      {.queue_bytes = 10},
+                                      {.delay_ns = -1},
+                                      {.delay_ns = 1, .jitter_ns = 2},
+                                      {.loss = 1.1},
+                                      {.loss = 0.1, .mean_burst = 0.5},
+                                      {.loss = 0.9, .mean_burst = 2.0},
+                                      {.loss = 0.1, .mean_fade_ns = 10},
+                                      {.loss = 0.1, .mean_burst = 2.0, .mean_fade_ns = kMs},
+                                      {.reordered = -0.1},
+                                      {.held_back_ns = -1},
+                                      {.duplicated = 2.0}}) {
     EXPECT_THROW(LinkEmulator(both(wrong), 1), std::invalid_argument);
   }
 }

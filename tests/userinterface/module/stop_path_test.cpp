@@ -1,5 +1,6 @@
 // The short way of a stop, from the message that arrives at the API to the last joint's frame, in virtual
-// time: at random instants of the cycle, with a hundred clients that are subscribed to everything and say what they like.
+// time: at random instants of the cycle, with a hundred clients that are subscribed to everything and say
+// what they like.
 #include <gtest/gtest.h>
 
 #include <array>
