@@ -313,11 +313,16 @@ void ClientLink::sweep_open(std::int64_t now_ns) {
                      "no sign of life within " + in_ms(limits.silence_ns) + ": answer pings");
   } else if (close_asked_ && now_ns > deadline_ns_) {
     end_conversation(cause_ == Closing::lost ? Closing::by_session : cause_, close_code_, close_reason_);
-  } else if (!pinging_ && now_ns - pinged_ns_ >= ping_period_ns()) {
+  } else if (!pinging_ && now_ns - pinged_ns_ >= ping_period_ns() && !acknowledges(listened_ns)) {
     pinged_ns_ = now_ns;
     pinging_ = true;
     begin_ping(now_ns);
   }
+}
+
+// What a client sends tells that it lives; how old its orders are only the answer to a ping.
+bool ClientLink::acknowledges(std::int64_t listened_ns) const noexcept {
+  return session_ && !session_->may_give_orders() && listened_ns - heard_ns_ < core_.options.ping_ns;
 }
 
 std::int64_t ClientLink::ping_period_ns() const noexcept {

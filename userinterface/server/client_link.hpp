@@ -111,6 +111,7 @@ class ClientLink : public Connection,
   void let_session_finish() noexcept;
   void sweep_open(std::int64_t now_ns);
   [[nodiscard]] std::int64_t ping_period_ns() const noexcept;
+  [[nodiscard]] bool acknowledges(std::int64_t listened_ns) const noexcept;
   void end_conversation(Closing cause, std::uint16_t code, const std::string& reason);
   void enter_closing(Closing cause);
   void end();

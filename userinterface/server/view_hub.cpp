@@ -50,6 +50,7 @@ class ViewSession final : public Session {
     take(message, binary, wall_ns);
   }
   [[nodiscard]] bool is_urgent(std::string_view, bool) const noexcept override { return false; }
+  [[nodiscard]] bool may_give_orders() const noexcept override { return false; }
   std::optional<Frame> next_frame(std::int64_t wall_ns) override {
     if (!ready()) {
       return std::nullopt;

@@ -192,6 +192,23 @@ TEST(View, SendsNoMoreThanEightToWhoAcknowledgesNone) {
   EXPECT_GE(frame_of(idle.receive().text), newest) << "an old frame waited";
 }
 
+TEST(View, PingsWhoAcknowledgesNothingAlone) {
+  const PageServer server;
+  RawClient busy(server.port()), idle(server.port());
+  for (RawClient* client : {&busy, &idle}) {
+    client->send(upgrade_request("", "/view"));
+    client->receive_header();
+  }
+  for (int count = 0; count < 15; ++count) {
+    busy.send(masked_frame(kBinary, busy.receive_frame().value().payload.substr(2, 4)));
+  }
+  for (std::size_t count = 0; count < ViewHub::kMostInFlight; ++count) {
+    static_cast<void>(idle.receive_frame());
+  }
+  EXPECT_EQ(busy.newest_ping(), "");
+  EXPECT_NE(idle.newest_ping(), "");
+}
+
 TEST(View, DoesNotWaitForClientsThatLeaveMuchUnread) {
   const PageServer server;
   std::vector<std::unique_ptr<RawClient>> greedy;

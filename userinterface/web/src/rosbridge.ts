@@ -1,5 +1,5 @@
 // The conversation with the robot API: calls, and topics. An order that was not answered is reported as such, and is
-// never sent again.
+// never sent again; a stop is said until it is answered.
 import { SocketKeeper, type SocketUser } from "./socket_keeper.ts";
 
 export type Message = Record<string, unknown>;
@@ -27,6 +27,8 @@ interface Subscription {
 
 const patience_ms = 3000;
 const probe_ms = 1000;
+// A lost segment holds up a stop for 0.2 s and more, unless others follow it: what the receiver then says of them has TCP send it again at once.
+const stopRepeat_ms = 20;
 
 export class Rosbridge implements SocketUser {
   private readonly keeper: SocketKeeper;
@@ -73,6 +75,18 @@ export class Rosbridge implements SocketUser {
     const outcome = (await this.call(service, args, wait_ms)) as Outcome;
     if (!outcome.success) throw new Refused(outcome.message || `${service} was refused`);
     return outcome;
+  }
+
+  // As order(). However often the robot hears of it, it is one stop.
+  async stop(service: string, args: Message = {}): Promise<Outcome> {
+    const answer = this.order(service, args);
+    const message = JSON.stringify({ op: "call_service", id: `${service}#${this.lastId}`, service, args });
+    const again = setInterval(() => this.keeper.send(message), stopRepeat_ms);
+    try {
+      return await answer;
+    } finally {
+      clearInterval(again);
+    }
   }
 
   publish(topic: string, msg: Message): boolean {

@@ -23,7 +23,7 @@ export class StopBar {
 
   stop(): void {
     this.ended();
-    void this.context.attempt("Stop", () => this.context.robot.order("/stop"));
+    void this.context.attempt("Stop", () => this.context.robot.stop("/stop"));
   }
 
   show(frame: ViewFrame): void {
@@ -34,7 +34,7 @@ export class StopBar {
 
   private emergencyStop(): void {
     this.ended();
-    void this.context.attempt("Emergency stop", () => this.context.robot.order("/emergency_stop", { data: false }));
+    void this.context.attempt("Emergency stop", () => this.context.robot.stop("/emergency_stop", { data: false }));
   }
 
   private release(): void {

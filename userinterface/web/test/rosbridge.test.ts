@@ -127,3 +127,27 @@ test("the command is asked for once, kept alive, and lost when keeping it is ref
   await assert.rejects(command.keep(performance.now() + 900));
   assert.equal(command.mine, false);
 });
+
+test("a stop is said until it is answered, and is one call", async () => {
+  const robot = connected();
+  const stopped = robot.stop("/stop");
+  mock.timers.tick(100);
+  const said = newest().sent.length;
+  assert.ok(said >= 5, "every 20 ms");
+  assert.equal(new Set(newest().sent.map((message) => message["id"])).size, 1);
+  newest().answer(true, { success: true, message: "stops" });
+  assert.equal((await stopped).message, "stops");
+  mock.timers.tick(1000);
+  assert.deepEqual(newest().sent.slice(said).filter((message) => message["service"] === "/stop"), []);
+});
+
+test("a stop is said no more when its connection is lost", async () => {
+  const robot = connected();
+  const stopped = robot.stop("/emergency_stop", { data: false });
+  newest().lose();
+  await assert.rejects(stopped, Unanswered);
+  mock.timers.tick(1000);
+  newest().open();
+  mock.timers.tick(100);
+  assert.deepEqual(newest().sent.filter((message) => message["service"] === "/emergency_stop"), []);
+});

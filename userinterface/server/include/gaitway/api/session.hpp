@@ -46,6 +46,8 @@ class Session {
   virtual std::optional<Frame> next_frame(std::int64_t wall_ns) = 0;
   // Whether it gives orders, so that it must be known how old its messages are.
   [[nodiscard]] virtual bool gives_orders() const noexcept { return false; }
+  // Whether it ever will. Who never does is not pinged while it sends something else.
+  [[nodiscard]] virtual bool may_give_orders() const noexcept { return true; }
   // Whether the client has shown that it may be here.
   [[nodiscard]] virtual bool authorised() const noexcept = 0;
 };
