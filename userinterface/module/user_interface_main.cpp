@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "gaitway/api/descriptor_bound.hpp"
 #include "gaitway/api/door.hpp"
 #include "gaitway/api/limits_file.hpp"
 #include "gaitway/api/line_teller.hpp"
@@ -92,6 +93,7 @@ int serve(const Options& options) {
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);  // inherited by all threads: one of them waits for it
   signal(SIGPIPE, SIG_IGN);
   const api::DoorOptions door_settings = door_options(options);
+  api::provide_descriptors(door_settings.server.limits);
   bound_memory(door_settings.server.limits);
   api::Door door(door_settings, tell);
   if (options.ready_descriptor >= 0) {
