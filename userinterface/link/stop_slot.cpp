@@ -15,6 +15,16 @@ std::uint32_t ahead(std::uint32_t count, std::uint32_t other) noexcept {
   return static_cast<std::int32_t>(difference) > 0 ? difference : 0;
 }
 
+// Obeyed is what lies from what was obeyed to what is asked, however far these are apart; true: it has grown.
+bool follow(std::uint32_t count, std::uint32_t& obeyed, std::uint32_t asked) noexcept {
+  const std::uint32_t grown = count - obeyed;
+  if (grown > asked - obeyed) {
+    return false;  // older news
+  }
+  obeyed = count;
+  return grown != 0;
+}
+
 }  // namespace
 
 void StopAsker::ask(StopKind kind) noexcept {
@@ -24,7 +34,7 @@ void StopAsker::ask(StopKind kind) noexcept {
 
 void StopAsker::on_answer(const StopAnswer& answer) noexcept {
   for (const auto count : kCounts) {
-    obeyed_.*count += std::min(ahead(answer.obeyed.*count, obeyed_.*count), asked_.*count - obeyed_.*count);
+    follow(answer.obeyed.*count, obeyed_.*count, asked_.*count);
   }
 }
 
@@ -60,10 +70,7 @@ void StopListener::on_stop(const StopMessage& stop, std::uint64_t boot) noexcept
 
 void StopListener::obeyed(const StopCounts& obeyed) noexcept {
   for (const auto count : kCounts) {
-    const std::uint32_t fresh =
-        std::min(ahead(obeyed.*count, obeyed_.*count), asked_.*count - obeyed_.*count);
-    answer_due_ = answer_due_ || fresh != 0;
-    obeyed_.*count += fresh;
+    answer_due_ = follow(obeyed.*count, obeyed_.*count, asked_.*count) || answer_due_;
   }
 }
 
