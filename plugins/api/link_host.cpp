@@ -14,13 +14,34 @@
 
 namespace gaitway::api {
 
-LinkHost::LinkHost(const link::LinkAddress& address) {
+LinkHost::LinkHost(const link::LinkAddress& address) : address_(address) {
   if (address.kind == link::LinkAddress::Kind::serial) {
-    auto serial = std::make_unique<link::SerialCarrier>(address.path, address.baud);
-    wake_fd_ = serial->wake_fd();
-    carrier_ = std::move(serial);
+    open_line();
   } else {
     listener_.emplace(address.path, "api");
+  }
+}
+
+void LinkHost::open_line() {
+  auto line = std::make_unique<link::SerialCarrier>(address_.path, address_.baud);
+  wake_fd_ = line->wake_fd();
+  carrier_ = std::move(line);
+}
+
+// Adapters are pulled out, and plugged in again.
+void LinkHost::open_line_again(std::int64_t now_ns) {
+  constexpr std::int64_t kBetweenTries_ns = 50 * facts::kMillisecond_ns;
+  if (now_ns - tried_ns_ < kBetweenTries_ns) {
+    return;
+  }
+  tried_ns_ = now_ns;
+  try {
+    open_line();
+    line_error_.clear();
+  } catch (const link::SerialError& error) {
+    if (line_error_ != error.what()) {
+      line_error_ = report_ = error.what();
+    }
   }
 }
 
@@ -44,10 +65,12 @@ void LinkHost::wait(int most_ms) {
 void LinkHost::pump(link::ControllerEnd& end, std::int64_t now_ns) {
   if (listener_) {
     accept(end, now_ns);
+  } else if (carrier_ == nullptr) {
+    open_line_again(now_ns);
   }
   if (carrier_ != nullptr) {
     link::pump(end, *carrier_, now_ns);
-    if (is_connection_ && !carrier_->connected()) {
+    if (!carrier_->connected()) {
       carrier_.reset();
       wake_fd_ = -1;
     }
@@ -75,7 +98,6 @@ void LinkHost::accept(link::ControllerEnd& end, std::int64_t now_ns) {
     auto carrier = std::make_unique<link::UnixCarrier>(std::move(connection));
     wake_fd_ = carrier->wake_fd();
     carrier_ = std::move(carrier);
-    is_connection_ = true;
   }
 }
 

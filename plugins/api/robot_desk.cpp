@@ -43,6 +43,7 @@ RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot,
   // Goes on from what was obeyed, never from what a process before this one has left in its own topic.
   static_cast<void>(stop_answers_.read(stops_at_start_));
   stop_requests_.publish(stops_at_start_, client_.heartbeat_ns());
+  stand(client_.heartbeat_ns());  // what it has left of a walk ends, too
 }
 
 void RobotDesk::step(std::int64_t now_ns) {

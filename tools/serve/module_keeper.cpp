@@ -75,8 +75,7 @@ void ModuleKeeper::keep() {
       first_state_.notify_all();
       return;
     }
-    std::array<char, 1> byte{};
-    const bool serves = read(ready_.get(), byte.data(), byte.size()) == 1;  // or it has ended
+    const bool serves = comes_to_serve();
     if (first_state_ == 0) {
       first_state_ = serves ? 1 : 2;
       first_state_.notify_all();
@@ -126,6 +125,14 @@ bool ModuleKeeper::start() {
     pidfd_ = process::FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
   }
   return child > 0 && pidfd_;
+}
+
+bool ModuleKeeper::comes_to_serve() const {
+  std::array<pollfd, 2> wakes{pollfd{ready_.get(), POLLIN, 0}, pollfd{ending_.get(), POLLIN, 0}};
+  while (poll(wakes.data(), wakes.size(), -1) < 0 && errno == EINTR) {
+  }
+  std::array<char, 1> byte{};
+  return (wakes[0].revents & POLLIN) != 0 && read(ready_.get(), byte.data(), byte.size()) == 1;
 }
 
 int ModuleKeeper::wait_for_end() {

@@ -25,8 +25,9 @@ class ModuleKeeper {
 
  private:
   void keep();
-  [[nodiscard]] bool start();        // false: it could not be started
-  [[nodiscard]] int wait_for_end();  // its status
+  [[nodiscard]] bool start();                 // false: it could not be started
+  [[nodiscard]] bool comes_to_serve() const;  // false: it has ended before, or is to
+  [[nodiscard]] int wait_for_end();           // its status
   void report(int status) const;
 
   std::vector<std::string> arguments_;

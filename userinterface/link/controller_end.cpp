@@ -89,6 +89,7 @@ void ControllerEnd::on_status(const Status& status, std::int64_t now_ns) noexcep
 }
 
 void ControllerEnd::on_session_begin() noexcept {
+  stops_.meet(session().peer_boot());
   state_.reset();
 }
 

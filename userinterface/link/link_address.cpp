@@ -3,6 +3,9 @@
 
 #include <charconv>
 
+#include "gaitway/link/serial_carrier.hpp"
+#include "gaitway/process/listening_socket.hpp"
+
 namespace gaitway::link {
 namespace {
 
@@ -21,6 +24,11 @@ LinkAddress parse_link_address(std::string_view text) {
     if (path.empty()) {
       refuse(text, "names no path");
     }
+    try {
+      static_cast<void>(process::socket_address(path));
+    } catch (const process::SocketError& error) {
+      refuse(text, error.what());
+    }
     return {LinkAddress::Kind::unix_socket, path, 0};
   }
   if (!text.starts_with(kSerial)) {
@@ -36,6 +44,11 @@ LinkAddress parse_link_address(std::string_view text) {
   const auto read = std::from_chars(number.data(), number.data() + number.size(), baud);
   if (read.ec != std::errc() || read.ptr != number.data() + number.size() || baud == 0) {
     refuse(text, "has the baud rate '" + std::string(number) + "', which is no whole number above 0");
+  }
+  try {
+    SerialCarrier::check(rest.substr(0, colon), baud);
+  } catch (const SerialError& error) {
+    refuse(text, error.what());
   }
   return {LinkAddress::Kind::serial, rest.substr(0, colon), baud};
 }

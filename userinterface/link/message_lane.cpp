@@ -43,8 +43,9 @@ std::optional<Part> MessageSender::next(std::int64_t now_ns) noexcept {
 void MessageSender::confirm(LanePosition received, std::uint32_t message_limit,
                             std::int64_t now_ns) noexcept {
   limit_ = std::max(limit_, message_limit);
-  if (received > furthest_ || received <= confirmed_) {
-    return;
+  if (received > furthest_ || received <= confirmed_ ||
+      (received.part > 0 && received.part >= parts_of(at(received.message)))) {
+    return;  // older news, or of what was never sent
   }
   confirmed_ = received;
   cursor_ = std::max(cursor_, confirmed_);

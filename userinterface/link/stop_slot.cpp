@@ -9,6 +9,22 @@ namespace {
 
 constexpr std::array kCounts{&StopCounts::stops, &StopCounts::holds, &StopCounts::softs};
 
+// How far `count` is beyond `other`; 0: not at all. Counts go round.
+std::uint32_t ahead(std::uint32_t count, std::uint32_t other) noexcept {
+  const std::uint32_t difference = count - other;
+  return static_cast<std::int32_t>(difference) > 0 ? difference : 0;
+}
+
+// Obeyed is what lies from what was obeyed to what is asked, however far these are apart; true: it has grown.
+bool follow(std::uint32_t count, std::uint32_t& obeyed, std::uint32_t asked) noexcept {
+  const std::uint32_t grown = count - obeyed;
+  if (grown > asked - obeyed) {
+    return false;  // older news
+  }
+  obeyed = count;
+  return grown != 0;
+}
+
 }  // namespace
 
 void StopAsker::ask(StopKind kind) noexcept {
@@ -18,7 +34,7 @@ void StopAsker::ask(StopKind kind) noexcept {
 
 void StopAsker::on_answer(const StopAnswer& answer) noexcept {
   for (const auto count : kCounts) {
-    obeyed_.*count = std::clamp(answer.obeyed.*count, obeyed_.*count, asked_.*count);
+    follow(answer.obeyed.*count, obeyed_.*count, asked_.*count);
   }
 }
 
@@ -30,27 +46,31 @@ std::optional<StopMessage> StopAsker::next(std::int64_t now_ns) noexcept {
   return StopMessage{asked_, obeyed_};
 }
 
+void StopListener::meet(std::uint64_t boot) noexcept {
+  if (boot != boot_) {
+    boot_ = 0;
+    heard_ = {};
+  }
+}
+
 void StopListener::on_stop(const StopMessage& stop, std::uint64_t boot) noexcept {
   if (boot != boot_) {
+    // What is settled with a module that nobody knows an earlier run of this end has obeyed.
     boot_ = boot;
-    heard_ = stop.settled;
+    heard_ = answered_ = stop.settled;
   }
   for (const auto count : kCounts) {
-    // Settled counts more than heard: this end was started again, and an earlier run has obeyed them.
-    const std::uint32_t known = std::max(heard_.*count, stop.settled.*count);
-    if (stop.asked.*count > known) {
-      asked_.*count += stop.asked.*count - known;
-    }
-    heard_.*count = std::max(known, stop.asked.*count);
+    heard_.*count += ahead(stop.settled.*count, heard_.*count);
+    const std::uint32_t fresh = ahead(stop.asked.*count, heard_.*count);
+    asked_.*count += fresh;
+    heard_.*count += fresh;
   }
   answer_due_ = true;
 }
 
 void StopListener::obeyed(const StopCounts& obeyed) noexcept {
   for (const auto count : kCounts) {
-    const std::uint32_t grown = std::clamp(obeyed.*count, obeyed_.*count, asked_.*count);
-    answer_due_ = answer_due_ || grown != obeyed_.*count;
-    obeyed_.*count = grown;
+    answer_due_ = follow(obeyed.*count, obeyed_.*count, asked_.*count) || answer_due_;
   }
 }
 
@@ -59,12 +79,12 @@ std::optional<StopAnswer> StopListener::next() noexcept {
     return std::nullopt;
   }
   answer_due_ = false;
-  StopAnswer answer;
   for (const auto count : kCounts) {
+    // Those of other modules may be open, too: what was answered once stays so.
     const std::uint32_t open = asked_.*count - obeyed_.*count;
-    answer.obeyed.*count = heard_.*count - std::min(open, heard_.*count);
+    answered_.*count = heard_.*count - std::min(open, heard_.*count - answered_.*count);
   }
-  return answer;
+  return StopAnswer{answered_};
 }
 
 }  // namespace gaitway::link

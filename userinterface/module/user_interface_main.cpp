@@ -1,6 +1,5 @@
 // The `user_interface` process: the robot's user interface module. Between the network, where its users are,
 // and the main controller, which it reaches over a narrow link.
-#include <fmt/format.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -9,16 +8,16 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <mutex>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
 
+#include "gaitway/api/descriptor_bound.hpp"
 #include "gaitway/api/door.hpp"
 #include "gaitway/api/limits_file.hpp"
+#include "gaitway/api/line_teller.hpp"
 #include "gaitway/api/recording_folder.hpp"
-#include "gaitway/input/text.hpp"
 #include "gaitway/process/installation.hpp"
 
 namespace {
@@ -81,11 +80,9 @@ void bound_memory(const api::Limits& limits) {
 #endif
 }
 
-// Lines from any thread, whole.
 void tell(const std::string& line) {
-  static std::mutex mutex;
-  const std::scoped_lock lock(mutex);
-  fmt::print(stderr, "user_interface: {}\n", input::terminal_text(line));
+  static api::LineTeller teller(STDERR_FILENO, "user_interface");
+  teller.tell(line);
 }
 
 int serve(const Options& options) {
@@ -96,6 +93,7 @@ int serve(const Options& options) {
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);  // inherited by all threads: one of them waits for it
   signal(SIGPIPE, SIG_IGN);
   const api::DoorOptions door_settings = door_options(options);
+  api::provide_descriptors(door_settings.server.limits);
   bound_memory(door_settings.server.limits);
   api::Door door(door_settings, tell);
   if (options.ready_descriptor >= 0) {
@@ -158,9 +156,11 @@ int main(int argc, char** argv) {
       "                 --key-file key.pem --recordings /var/lib/gaitway/recordings\n"
       "Ends with SIGINT or SIGTERM. Exit code: 0 it was told to end; 1 the input was bad, or the port is "
       "taken.");
-  CLI11_PARSE(app, argc, argv);
   try {
+    app.parse(argc, argv);
     return serve(options);
+  } catch (const CLI::ParseError& help_or_error) {
+    return app.exit(help_or_error) == 0 ? 0 : kExitBadInput;
   } catch (const std::exception& error) {
     tell(error.what());
     return kExitBadInput;

@@ -39,6 +39,8 @@ class ClientLink : public Connection,
   bool work() final;
 
   virtual void start() = 0;
+  // Takes what has come of the handshake over TLS, which costs up to some milliseconds.
+  virtual void shake_hands() = 0;
   void pump_woken(std::int64_t now_ns);
   // Deadlines and pings.
   void sweep(std::int64_t now_ns);

@@ -79,6 +79,15 @@ void ServerCore::want_pump(std::shared_ptr<ClientLink> link) noexcept {
 
 void ServerCore::want_work(std::shared_ptr<ClientLink> link) {
   turns_.add(std::move(link));
+  post_work();
+}
+
+void ServerCore::want_handshake(std::shared_ptr<ClientLink> link) {
+  handshakes_.push_back(std::move(link));
+  post_work();
+}
+
+void ServerCore::post_work() {
   if (!std::exchange(work_posted_, true)) {
     boost::asio::post(io, [this] { work(); });
   }
@@ -89,9 +98,15 @@ void ServerCore::work() {
   const std::int64_t begin_ns = wall_now_ns();
   while (io.poll_one() > 0 && wall_now_ns() - begin_ns < kSockets_ns) {
   }
-  work_posted_ = turns_.run();
-  if (work_posted_) {
-    boost::asio::post(io, [this] { work(); });
+  if (!handshakes_.empty()) {
+    const std::shared_ptr<ClientLink> link = std::move(handshakes_.front());
+    handshakes_.pop_front();
+    link->shake_hands();
+  }
+  const bool more = turns_.run();
+  work_posted_ = false;
+  if (more || !handshakes_.empty()) {
+    post_work();
   }
 }
 

@@ -4,6 +4,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <vector>
@@ -37,6 +38,8 @@ class ServerCore {
   void want_pump(std::shared_ptr<ClientLink> link) noexcept;
   // The link has work that waits for its turn; not while it waits already.
   void want_work(std::shared_ptr<ClientLink> link);
+  // The link shakes hands when the sockets have been looked at since the last one that did.
+  void want_handshake(std::shared_ptr<ClientLink> link);
   [[nodiscard]] const std::vector<std::shared_ptr<ClientLink>>& links() const noexcept { return links_; }
   [[nodiscard]] std::size_t surplus_links() const noexcept { return links_.size() - places_taken_; }
 
@@ -58,6 +61,7 @@ class ServerCore {
   static constexpr std::int64_t kSockets_ns = 2'000'000;
 
   void pump_all();
+  void post_work();
   void work();
 
   std::vector<std::shared_ptr<ClientLink>> links_;
@@ -67,6 +71,7 @@ class ServerCore {
   std::vector<std::shared_ptr<ClientLink>> woken_, pumped_;
   bool pump_posted_ = false;
   FairTurns turns_{kBudget, wall_now_ns};
+  std::deque<std::shared_ptr<ClientLink>> handshakes_;
   bool work_posted_ = false;
 };
 

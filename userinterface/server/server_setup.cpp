@@ -85,6 +85,20 @@ std::string tls_reason() {
   return text == nullptr ? std::strerror(errno) : text;
 }
 
+// A pipe would have the process wait for who writes to it.
+void check_regular(const char* option, const std::filesystem::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    throw ServerSetupError(std::string(option) + " '" + file.native() +
+                           "': is no regular file: name the file with the PEM text");
+  }
+}
+
+// There is nobody to ask.
+int no_pass_phrase(char* /*room*/, int /*size*/, int /*writes*/, void* /*user*/) {
+  return -1;
+}
+
 void check_key_rights(const std::filesystem::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) == 0 && (status.st_mode & 0007) != 0) {
@@ -105,6 +119,9 @@ TlsContext open_tls(const ServerOptions& options) {
   }
   SSL_CTX_set_options(tls.get(), SSL_OP_NO_RENEGOTIATION | SSL_OP_CIPHER_SERVER_PREFERENCE);
   SSL_CTX_set_mode(tls.get(), SSL_MODE_RELEASE_BUFFERS);
+  SSL_CTX_set_default_passwd_cb(tls.get(), no_pass_phrase);
+  check_regular("certificate_file", options.certificate_file);
+  check_regular("key_file", options.key_file);
   ERR_clear_error();
   if (SSL_CTX_use_certificate_chain_file(tls.get(), options.certificate_file.c_str()) != 1) {
     throw ServerSetupError("certificate_file '" + options.certificate_file.native() +

@@ -40,6 +40,7 @@ class WebSocketConnection final : public ClientLink {
   }
 
   void start() override;
+  void shake_hands() override;
 
  private:
   using ErrorCode = beast::error_code;
@@ -50,6 +51,7 @@ class WebSocketConnection final : public ClientLink {
   [[nodiscard]] auto& stream() { return socket_.next_layer().next_layer(); }
   [[nodiscard]] TcpSocket& tcp() { return beast::get_lowest_layer(socket_); }
 
+  void await_hello();
   void read_request();
   void decide(ErrorCode error);
   void refuse(HandshakeRefusal refusal);
@@ -84,15 +86,38 @@ class WebSocketConnection final : public ClientLink {
 template <class Stream>
 void WebSocketConnection<Stream>::start() {
   if constexpr (kTls) {
-    stream().async_handshake(boost::asio::ssl::stream_base::server, [self = self()](ErrorCode error) {
-      if (error) {
-        self->left(Refusal::tls);
-      } else if (self->in_handshake()) {
-        self->read_request();
-      }
-    });
+    await_hello();
   } else {
     read_request();
+  }
+}
+
+template <class Stream>
+void WebSocketConnection<Stream>::await_hello() {
+  tcp().async_wait(TcpSocket::wait_read, [self = self()](ErrorCode error) {
+    if (error) {
+      self->left(Refusal::tls);
+    } else if (self->in_handshake()) {
+      self->core().want_handshake(self);
+    }
+  });
+}
+
+template <class Stream>
+void WebSocketConnection<Stream>::shake_hands() {
+  if constexpr (kTls) {
+    if (!in_handshake()) {
+      return;
+    }
+    ErrorCode error;
+    stream().handshake(boost::asio::ssl::stream_base::server, error);
+    if (error == boost::asio::error::would_block) {
+      await_hello();
+    } else if (error) {
+      left(Refusal::tls);
+    } else {
+      read_request();
+    }
   }
 }
 

@@ -101,8 +101,9 @@ std::optional<StopRequest> StopDesk::next_stop(const link::StopCounts& asked) no
 }
 
 Bytes StopDesk::acknowledge(const Stop& stop, const Latest& latest) noexcept {
-  const bool is_obeyed =
-      !latest.waits && obeyed_.*kCounts[static_cast<std::size_t>(stop.kind)] >= latest.count;
+  const std::uint32_t obeyed = obeyed_.*kCounts[static_cast<std::size_t>(stop.kind)];
+  const bool is_obeyed =  // counts go round
+      !latest.waits && static_cast<std::int32_t>(obeyed - latest.count) >= 0;
   return signed_datagram(key_, Ack{stop.client, stop.number, stop.kind, is_obeyed}, answer_);
 }
 

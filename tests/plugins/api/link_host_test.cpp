@@ -1,9 +1,13 @@
 // The main controller's end of the link at a real socket: one module at a time, and news for people.
 #include "gaitway/api/link_host.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <initializer_list>
@@ -12,6 +16,7 @@
 
 #include "gaitway/link/module_end.hpp"
 #include "gaitway/link/unix_carrier.hpp"
+#include "gaitway/process/file_descriptor.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
 
@@ -124,6 +129,51 @@ TEST_F(LinkHostTest, ConnectionsWithoutAWordKeepNobodyOut) {
   Module first(path, 11, "the first one");
   pass(200, {&first});
   EXPECT_TRUE(first.end.session().open());
+}
+
+// An adapter that is pulled out and plugged in again: a pseudo-terminal after another one.
+TEST(LinkHostOnASerialLine, IsBackWhenItsDeviceIs) {
+  const process::PrivateFolder folder("gaitway_link_host");
+  const std::filesystem::path device = folder.path() / "ttyUSB0";
+  const auto plug_in = [&device] {
+    process::FileDescriptor other(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK));
+    grantpt(other.get());
+    unlockpt(other.get());
+    std::filesystem::create_symlink(ptsname(other.get()), device);
+    return other;
+  };
+  process::FileDescriptor line = plug_in();
+  LinkHost host({link::LinkAddress::Kind::serial, device, 1'000'000});
+  link::ControllerEnd controller(
+      {.role = link::Role::controller, .boot = 1, .table_hash = 1, .name = "controller"}, kChannels, {});
+  link::ModuleEnd module({.role = link::Role::module, .boot = 11, .table_hash = 1, .name = "the module"},
+                         kChannels, {});
+  std::string reports;
+  std::int64_t now_ns = facts::kSecond_ns;
+  const auto pass = [&](int milliseconds) {
+    for (int ms = 0; ms < milliseconds; ++ms) {
+      now_ns += facts::kMillisecond_ns;
+      std::array<std::uint8_t, link::kReadBytes> bytes{};
+      const ssize_t came = line ? read(line.get(), bytes.data(), bytes.size()) : 0;
+      if (came > 0) module.on_bytes(link::Bytes(bytes).first(static_cast<std::size_t>(came)), now_ns);
+      const link::Bytes says = module.pending(now_ns);
+      const ssize_t left = line && !says.empty() ? write(line.get(), says.data(), says.size()) : 0;
+      if (left > 0) module.taken(static_cast<std::size_t>(left));
+      host.pump(controller, now_ns);
+      if (const std::string report = host.take_report(); !report.empty()) reports += report + "\n";
+    }
+  };
+  pass(500);
+  ASSERT_TRUE(controller.session().open());
+  line = {};
+  std::filesystem::remove(device);
+  pass(1000);
+  EXPECT_FALSE(controller.session().open());
+  EXPECT_THAT(reports, AllOf(HasSubstr("is lost"), HasSubstr("ttyUSB0': cannot open it: No such file")));
+  line = plug_in();
+  pass(1000);
+  EXPECT_TRUE(controller.session().open()) << reports;
+  EXPECT_EQ(std::count(reports.begin(), reports.end(), '\n'), 4) << reports;
 }
 
 }  // namespace

@@ -86,6 +86,21 @@ TEST_F(Lane, IgnoresConfirmationsOfWhatWasNeverSent) {
   EXPECT_EQ(arrived.size(), 1U);
 }
 
+TEST_F(Lane, IgnoresConfirmationsOfPartsThatTheMessageDoesNotHave) {
+  sender->push({}, bytes_of("one"));
+  sender->push({}, bytes_of("two"));
+  confirm(0);
+  move(0, true);
+  sender->confirm({1, 200}, 100, 0);
+  sender->confirm({2, 1}, 100, 0);
+  for (const std::string expected : {"one", "two"}) {
+    const auto part = sender->next(kResend_ns);
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->part, 0);
+    EXPECT_EQ(std::string(part->payload.begin(), part->payload.end()), expected);
+  }
+}
+
 TEST_F(Lane, LeavesOutWhatIsBeyondItsLimit) {
   confirm(0);
   sender->push({}, bytes_of("one"));

@@ -109,5 +109,39 @@ TEST_F(Stop, OfARestartedModuleIsCountedBesideTheOldOnes) {
   EXPECT_EQ(link.module->stops().obeyed(), (StopCounts{1, 0, 0}));
 }
 
+// Also when a module that has been taken over has said so many that the next one's go round.
+TEST(StopCounts, GoRound) {
+  constexpr std::uint32_t kLast = 0xFFFF'FFFF;
+  StopListener listener;
+  for (const std::uint32_t count : {kLast / 2, kLast - 1}) {
+    listener.on_stop({.asked = {count, 0, 0}, .settled = {}}, 11);
+  }
+  listener.obeyed(listener.asked());
+  ASSERT_EQ(listener.next()->obeyed, (StopCounts{kLast - 1, 0, 0}));
+  for (const std::uint32_t count : {kLast, 0U, 1U}) {
+    listener.on_stop({.asked = {count, 0, 0}, .settled = {count - 1, 0, 0}}, 11);
+    EXPECT_EQ(listener.asked(), (StopCounts{count, 0, 0}));
+    EXPECT_EQ(listener.next()->obeyed, (StopCounts{count - 1, 0, 0}));
+    listener.obeyed(listener.asked());
+    EXPECT_EQ(listener.next()->obeyed, (StopCounts{count, 0, 0}));
+  }
+  listener.on_stop({.asked = {1, 0, 0}, .settled = {}}, 12);  // of a module that was started anew
+  EXPECT_EQ(listener.asked(), (StopCounts{2, 0, 0}));
+  EXPECT_EQ(listener.next()->obeyed, (StopCounts{}));
+}
+
+TEST(StopCounts, OfTheModuleGoRound) {
+  constexpr std::uint32_t kLast = 0xFFFF'FFFF;
+  StopAsker asker(1000, {kLast, 0, 0});
+  EXPECT_FALSE(asker.next(0));
+  asker.ask(StopKind::stop);
+  ASSERT_TRUE(asker.next(0));
+  EXPECT_EQ(asker.next(2000)->asked, (StopCounts{0, 0, 0}));
+  asker.on_answer({{kLast, 0, 0}});
+  EXPECT_TRUE(asker.next(4000)) << "it is not obeyed";
+  asker.on_answer({{0, 0, 0}});
+  EXPECT_FALSE(asker.next(6000));
+}
+
 }  // namespace
 }  // namespace gaitway::link::test

@@ -3,6 +3,7 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 
 #include <array>
@@ -43,6 +44,11 @@ bool RawClient::send(std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
   return true;
+}
+
+bool RawClient::has_answer() const {
+  pollfd readable{socket_.get(), POLLIN, 0};
+  return poll(&readable, 1, 0) == 1;
 }
 
 bool RawClient::receive_some() {

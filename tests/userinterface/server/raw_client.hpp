@@ -23,6 +23,8 @@ class RawClient {
 
   // False when the server has closed.
   bool send(std::string_view bytes);
+  // Whether the server has sent something that nobody has taken.
+  [[nodiscard]] bool has_answer() const;
   // All until the server closes.
   std::string receive_all();
   // The answer to the handshake, up to its empty line.

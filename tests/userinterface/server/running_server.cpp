@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "raw_client.hpp"
+#include "websocket_client.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -147,6 +148,15 @@ void RunningServer::await(Condition condition) {
 
 void RunningServer::while_held(RawClient& client, const std::function<void()>& meanwhile) {
   client.send(masked_frame(kText, "hold"));
+  hold(meanwhile);
+}
+
+void RunningServer::while_held(WebSocketClient& client, const std::function<void()>& meanwhile) {
+  client.send("hold");
+  hold(meanwhile);
+}
+
+void RunningServer::hold(const std::function<void()>& meanwhile) {
   hub_.held.acquire();
   meanwhile();
   hub_.released.release();

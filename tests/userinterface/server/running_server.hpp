@@ -39,6 +39,7 @@ class EchoHub final : public SessionHub {
 };
 
 class RawClient;
+class WebSocketClient;
 
 class RunningServer {
  public:
@@ -53,6 +54,7 @@ class RunningServer {
   void await(Condition condition);
   // Nothing is read or done by the server while `meanwhile` runs, which a client's `hold` begins.
   void while_held(RawClient& client, const std::function<void()>& meanwhile);
+  void while_held(WebSocketClient& client, const std::function<void()>& meanwhile);
   // The statistics at the next tick.
   [[nodiscard]] ServerStatistics statistics();
   // Lines about refusals so far.
@@ -60,6 +62,7 @@ class RunningServer {
   void stop();  // and waits until run() has ended
 
  private:
+  void hold(const std::function<void()>& meanwhile);
   void look();
 
   EchoHub hub_;

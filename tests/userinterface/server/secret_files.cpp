@@ -32,8 +32,9 @@ File create(const std::filesystem::path& path) {
   return file;
 }
 
-Key write_key(const std::filesystem::path& path) {
-  Key key(EVP_EC_gen("P-256"));
+Key write_key(const std::filesystem::path& path, SecretFiles::KeyKind kind) {
+  constexpr std::size_t kCostlyBits = 3072;
+  Key key(kind == SecretFiles::KeyKind::elliptic ? EVP_EC_gen("P-256") : EVP_RSA_gen(kCostlyBits));
   if (!key ||
       PEM_write_PrivateKey(create(path).get(), key.get(), nullptr, nullptr, 0, nullptr, nullptr) != 1) {
     throw std::runtime_error("cannot make the key " + path.native());
@@ -60,16 +61,16 @@ void write_certificate(const std::filesystem::path& path, EVP_PKEY& key) {
 
 }  // namespace
 
-SecretFiles::SecretFiles() {
+SecretFiles::SecretFiles(KeyKind kind) {
   std::string pattern = (std::filesystem::temp_directory_path() / "gaitway_api_XXXXXX").native();
   if (mkdtemp(pattern.data()) == nullptr) {
     throw std::runtime_error("cannot make " + pattern);
   }
   folder_ = pattern;
   static_cast<void>(write("token", std::string(kToken) + "\n"));
-  const Key key_pair = write_key(key());
+  const Key key_pair = write_key(key(), kind);
   write_certificate(certificate(), *key_pair);
-  static_cast<void>(write_key(other_key()));
+  static_cast<void>(write_key(other_key(), KeyKind::elliptic));
 }
 
 SecretFiles::~SecretFiles() {

@@ -1,6 +1,7 @@
 // A folder with what a server needs to be reached from outside: a token, a key and a certificate for it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,7 +13,10 @@ class SecretFiles {
  public:
   static constexpr std::string_view kToken = "a-token-of-some-length-4711";
 
-  SecretFiles();
+  // An elliptic key costs its server a tenth of a millisecond for each handshake, a costly one some.
+  enum class KeyKind : std::uint8_t { elliptic, costly };
+
+  explicit SecretFiles(KeyKind kind = KeyKind::elliptic);
   ~SecretFiles();
   SecretFiles(const SecretFiles&) = delete;
   SecretFiles& operator=(const SecretFiles&) = delete;

@@ -104,6 +104,16 @@ TEST_F(ServerSetupTest, CertificateAndKeyMustBelongTogether) {
   EXPECT_THAT(refusal(options), StartsWith("certificate_file '/nowhere/certificate.pem'"));
 }
 
+// A pipe, say, of which nobody says anything.
+TEST_F(ServerSetupTest, CertificateAndKeyAreRegularFiles) {
+  ServerOptions options = exposed();
+  options.certificate_file = "/dev/null";
+  EXPECT_THAT(refusal(options), StartsWith("certificate_file '/dev/null': is no regular file"));
+  options = exposed();
+  options.key_file = "/dev/null";
+  EXPECT_THAT(refusal(options), StartsWith("key_file '/dev/null': is no regular file"));
+}
+
 TEST_F(ServerSetupTest, AKeyThatEverybodyCanReadIsRefused) {
   ASSERT_EQ(chmod(files_.key().c_str(), 0644), 0);
   EXPECT_THAT(refusal(exposed()),

@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 #include <openssl/tls1.h>
 
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "raw_client.hpp"
 #include "running_server.hpp"
 #include "secret_files.hpp"
@@ -77,6 +82,37 @@ TEST_F(Tls, PlainRequestsAreRefused) {
   client.send(upgrade_request());
   EXPECT_THAT(client.receive_all(), testing::Not(testing::HasSubstr("HTTP/1.1 101")));
   EXPECT_EQ(server.statistics().of(Refusal::tls), 1U);
+}
+
+// Whoever reaches the port may begin as many handshakes as there are places.
+TEST_F(Tls, HandshakesOfStrangersHoldUpNoStop) {
+  constexpr int kStrangers = 60;
+  const SecretFiles costly(SecretFiles::KeyKind::costly);
+  ServerOptions options = secured();
+  options.certificate_file = costly.certificate();
+  options.key_file = costly.key();
+  RunningServer server(options);
+  WebSocketClient holder(server.port(), with_token(SecretFiles::kToken));
+  WebSocketClient urgent(server.port(), with_token(SecretFiles::kToken));
+  std::vector<std::unique_ptr<RawClient>> strangers;
+  for (int count = 0; count < kStrangers; ++count) {
+    strangers.push_back(std::make_unique<RawClient>(server.port()));
+  }
+  server.await([](const ServerStatistics& now, EchoHub&) { return now.connected == kStrangers + 2; });
+  const std::string hello = client_hello();
+  server.while_held(holder, [&] {
+    for (const auto& stranger : strangers) stranger->send(hello);
+    urgent.send("urgent stop");
+  });
+  std::ptrdiff_t before = 0;
+  server.await([&](const ServerStatistics&, EchoHub& hub) {
+    before = std::ranges::count_if(strangers, [](const auto& one) { return one->has_answer(); });
+    return !hub.taken.empty();
+  });
+  EXPECT_LT(before, kStrangers / 2) << "handshakes were carried on before it";
+  server.await([&](const ServerStatistics&, EchoHub&) {
+    return std::ranges::all_of(strangers, [](const auto& one) { return one->has_answer(); });
+  });
 }
 
 TEST_F(Tls, HalfHandshakesEndInTime) {

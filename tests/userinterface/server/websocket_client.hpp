@@ -10,6 +10,9 @@
 
 namespace gaitway::api {
 
+// What a client over TLS says first, all of it: its server has the dear part of the handshake to do then.
+[[nodiscard]] std::string client_hello();
+
 class WebSocketClient {
  public:
   using Headers = std::vector<std::pair<std::string, std::string>>;

@@ -18,7 +18,8 @@ namespace gaitway::api {
 // One module at a time: another one that connects meanwhile is told who has the link, and turned away.
 class LinkHost {
  public:
-  // Opens all that it needs: throws process::SocketError, link::SerialError.
+  // Opens all that it needs: throws process::SocketError, link::SerialError. A serial line that is lost later
+  // is opened again when it is there.
   explicit LinkHost(const link::LinkAddress& address);
 
   // Waits until something has come, for at most `most_ms`; but who floods the link wakes it four times a
@@ -30,14 +31,18 @@ class LinkHost {
   [[nodiscard]] std::string take_report();
 
  private:
+  void open_line();  // throws link::SerialError
+  void open_line_again(std::int64_t now_ns);
   void accept(link::ControllerEnd& end, std::int64_t now_ns);
   void turn_away(process::FileDescriptor connection, const link::ControllerEnd& end);
   void follow_session(const link::ControllerEnd& end);
 
-  std::optional<process::ListeningSocket> listener_;
+  link::LinkAddress address_;
+  std::optional<process::ListeningSocket> listener_;  // nothing: a serial line
   std::unique_ptr<link::Carrier> carrier_;
   int wake_fd_ = -1;
-  bool is_connection_ = false;  // of the listener's
+  std::int64_t tried_ns_ = 0;
+  std::string line_error_;  // why there is no line, as told last
   std::uint32_t session_ = 0;
   std::int64_t wakes_since_ns_ = 0;
   int wakes_ = 0;  // since then

@@ -33,7 +33,8 @@ class MessageSender {
   // The next part for the wire, valid until the lane changes. Nothing: all is sent, or the receiver has no
   // room.
   std::optional<Part> next(std::int64_t now_ns) noexcept;
-  // What the receiver has, and up to which message it has room. Older news than before change nothing.
+  // What the receiver has, and up to which message it has room. Older news than before, and what was never
+  // sent, change nothing.
   void confirm(LanePosition received, std::uint32_t message_limit, std::int64_t now_ns) noexcept;
   // For a new session: all is forgotten, numbers begin at 1.
   void reset() noexcept;

@@ -25,6 +25,9 @@ class SerialCarrier final : public Carrier {
   // alone.
   SerialCarrier(const std::filesystem::path& device, std::uint32_t baud);
 
+  // Throws SerialError when there is no such rate, whatever the device.
+  static void check(const std::filesystem::path& device, std::uint32_t baud);
+
   std::size_t write(Bytes bytes) noexcept override;
   std::size_t read(std::span<std::uint8_t> room) noexcept override;
   [[nodiscard]] bool connected() const noexcept override { return connected_; }

@@ -1,4 +1,4 @@
-// Stops, beside everything else: counts that only rise, so there is nothing that could be full.
+// Stops, beside everything else: counts that only rise, and go round, so there is nothing that could be full.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,9 @@ enum class StopKind : std::uint8_t { stop, emergency_hold, emergency_soft };
 // while the link was cut is the first thing that the controller hears when it is there again.
 class StopAsker {
  public:
-  explicit StopAsker(std::int64_t repeat_ns) noexcept : repeat_ns_(repeat_ns) {}
+  // `settled`: where it begins to count.
+  explicit StopAsker(std::int64_t repeat_ns, const StopCounts& settled = {}) noexcept
+      : repeat_ns_(repeat_ns), asked_(settled), obeyed_(settled) {}
 
   void ask(StopKind kind) noexcept;
   void on_answer(const StopAnswer& answer) noexcept;
@@ -36,6 +38,8 @@ class StopAsker {
 // The controller's side: counts each module's stop once, however often it is said, and over sessions.
 class StopListener {
  public:
+  // A session begins with the module `boot`.
+  void meet(std::uint64_t boot) noexcept;
   // `boot`: of the module that says so.
   void on_stop(const StopMessage& stop, std::uint64_t boot) noexcept;
   // Stops of all modules since this was made: for the topic `stop_request`.
@@ -48,8 +52,8 @@ class StopListener {
   std::optional<StopAnswer> next() noexcept;
 
  private:
-  std::uint64_t boot_ = 0;
-  StopCounts heard_;  // of the module `boot_`, in its counts
+  std::uint64_t boot_ = 0;       // 0: a module that has said none yet
+  StopCounts heard_, answered_;  // of the module `boot_`, in its counts
   StopCounts asked_, obeyed_;
   bool answer_due_ = false;
 };
