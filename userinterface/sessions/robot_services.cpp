@@ -9,6 +9,7 @@
 
 #include "client_message.hpp"
 #include "gaitway/api/ros_messages.hpp"
+#include "gaitway/facts/parameter_line.hpp"
 #include "service_desk.hpp"
 
 namespace gaitway::api {
@@ -47,14 +48,6 @@ void require_fit(const PluginOrder& order) {
   require_short("library", order.library, kMostLibraryBytes);
   require_short("parameter", order.parameter, kMostNameBytesOfPlugin);
   require_short("value", order.value, kMostValueBytes);
-}
-
-std::string text_of(const json& object, const char* field) {
-  const auto found = object.find(field);
-  if (found == object.end()) {
-    return "";
-  }
-  return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
 ros::ListRecordings::Response response_of(const OrderResult& result) {
@@ -360,17 +353,17 @@ void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading readi
 bool ServiceDesk::keep_parameter(ParameterReading& reading, const OrderResult& result) {
   auto& response = reading.response;
   response.success = true;
-  const json parameter = result.done ? json::parse(result.text, nullptr, false) : json::object();
-  if (!result.done || !parameter.is_object()) {
+  const auto parameter = result.done ? facts::read_parameter_line(result.text) : std::nullopt;
+  if (!parameter) {
     response.success = !result.done;
     response.message = result.text;
     return false;
   }
-  response.names.push_back(text_of(parameter, "name"));
-  response.values.push_back(text_of(parameter, "value"));
-  response.units.push_back(text_of(parameter, "unit"));
-  response.docs.push_back(text_of(parameter, "doc"));
-  response.live.push_back(text_of(parameter, "live") == "true");
+  response.names.emplace_back(parameter->name);
+  response.values.emplace_back(parameter->value);
+  response.units.emplace_back(parameter->unit);
+  response.docs.emplace_back(parameter->doc);
+  response.live.push_back(parameter->live);
   parameters_[reading.order.plugin + ":" + response.names.back()] = response.values.back();
   return true;
 }

@@ -67,7 +67,8 @@ struct RecordingList {
 struct OrderResult {
   std::uint32_t number = 0;  // as the order's call returned it
   bool done = false;
-  std::string text;  // for people; of describe_parameter: a line of JSON; of recordings: the file's path
+  std::string
+      text;  // for people; of describe_parameter: a facts::ParameterLine; of recordings: the file's path
   RecordingList recordings = {};  // of list_recordings()
 };
 
