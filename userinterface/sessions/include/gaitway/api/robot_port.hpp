@@ -84,6 +84,8 @@ class RobotPort {
   [[nodiscard]] virtual bool connected() const = 0;
   // Whether an emergency stop holds: all that moves the robot is in vain until it is released.
   [[nodiscard]] virtual bool emergency_stopped() const = 0;
+  // What the robot does, in a word of /robot_state; empty: not known.
+  [[nodiscard]] virtual std::string_view activity() const = 0;
 
   // Walk with this velocity until so much robot time has passed without a new command.
   virtual std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t holds_ns,
