@@ -56,32 +56,8 @@ json twist(const std::vector<double>& velocity) {
           {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", at(2)}}}};
 }
 
-// Tells the robot to stand, and waits until it does, so that what is ordered next finds it standing.
-int stand(ApiClient& client) {
-  const int code = call_and_print(client, "/stand", json::object());
-  if (code != kExitFine) {
-    return code;
-  }
-  client.subscribe("/robot_state");
-  std::string state;
-  while (state != "stands") {
-    const auto message = client.next_message();
-    if (!message) {
-      fmt::print(stderr,
-                 "gaitway ctl: the robot was told to stand, but does not within the time-out: it {}\n",
-                 state.empty() ? "says nothing of its state" : "still " + input::terminal_text(state));
-      return kExitNoAnswer;
-    }
-    state = message->value("msg", json::object()).value("state", "");
-    if (state == "stopped" || state == "fallen" || state == "gone") {
-      fmt::print(stderr, "gaitway ctl: the robot does not stand: it is {}\n", state);
-      return kExitRefused;
-    }
-  }
-  return kExitFine;
-}
-
-// Walks for so long, or until it is told to end, and stands.
+// Walks for so long, or until it is told to end, and ends when the robot stands, so that what is ordered next
+// finds it standing.
 int walk(ApiClient& client, const std::vector<double>& velocity, double seconds) {
   json values;
   const ApiClient::ServiceAnswer lease = client.call("/command/acquire", {{"name", "gaitway ctl"}}, values);
@@ -98,7 +74,7 @@ int walk(ApiClient& client, const std::vector<double>& velocity, double seconds)
     client.throw_reported_errors();
   };
   client.repeat(renew, kRenew_s, seconds);
-  return stand(client);
+  return call_and_print(client, "/stand", json::object());
 }
 
 int echo(ApiClient& client, const std::string& topic, int count, double timeout_s) {
@@ -238,10 +214,7 @@ void add_robot_orders(const CommandLine& ctl, const SharedCtlOptions& options) {
   add_words(ctl, options, kRobotWords);
   add_order(ctl, options, "stand", "End the walk or the motion by its next steps, and stand",
             "  gaitway ctl stand && gaitway ctl play wave\n")
-      .runs([options] {
-        ApiClient client = connect(*options);
-        return stand(client);
-      });
+      .runs([options] { return order(*options, "/stand", json::object()); });
   add_walk(ctl, options);
   add_motions(ctl, options);
   add_recordings(ctl, options);

@@ -12,7 +12,7 @@ namespace gaitway::contract {
 namespace {
 
 constexpr std::uint32_t kLayoutVersion =
-    1;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
+    2;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
 
 }  // namespace
 

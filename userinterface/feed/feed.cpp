@@ -7,12 +7,12 @@
 #include "event_digest.hpp"
 #include "gaitway/api/diagnostics.hpp"
 #include "gaitway/api/frame_messages.hpp"
+#include "gaitway/api/robot_activity.hpp"
 #include "gaitway/api/robot_frames.hpp"
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/api/state_messages.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/description_text.hpp"
-#include "robot_activity.hpp"
 
 namespace gaitway::api {
 namespace {

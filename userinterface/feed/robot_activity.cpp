@@ -1,5 +1,5 @@
 // What is worse is told first: gone, stopped, fallen; then what the plan in force is for.
-#include "robot_activity.hpp"
+#include "gaitway/api/robot_activity.hpp"
 
 #include <array>
 #include <string>
@@ -28,10 +28,14 @@ Activity activity_of(const ActivityEvidence& evidence) noexcept {
   return evidence.planned != nullptr && evidence.planned->walks != 0 ? Activity::walks : Activity::stands;
 }
 
+std::string_view word_of(Activity activity) noexcept {
+  return kWords[static_cast<std::size_t>(activity)];
+}
+
 ros::RobotState robot_state_of(Activity activity, std::int64_t robot_ns) {
   ros::RobotState message;
   message.header.stamp = ros_time(robot_ns);
-  message.state = kWords[static_cast<std::size_t>(activity)];
+  message.state = word_of(activity);
   return message;
 }
 

@@ -104,8 +104,9 @@ std::string topics() {
   text += fmt::format(
       "| topic | type | what |\n|---|---|---|\n"
       "| `/cmd_vel` | `{}` | Walk: `linear.x` forward and `linear.y` left [m/s, at most {} in size], "
-      "`angular.z` "
-      "turning left [rad/s, at most {}]. The other fields must be 0. Holds for {} s. Needs the command. |\n",
+      "`angular.z` turning left [rad/s, at most {}], none beyond what `/walk/limits` tells. The other fields "
+      "must "
+      "be 0. Holds for {} s. Needs the command. |\n",
       ros::Twist::kName, limits.forward_m_per_s, limits.turn_rad_per_s,
       static_cast<double>(limits.velocity_ns) * 1e-9);
   return text;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "gaitway/api/recorder.hpp"
+#include "gaitway/api/robot_activity.hpp"
 #include "gaitway/api/state_messages.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/mails.hpp"
@@ -51,7 +52,9 @@ LinkRobotPort::LinkRobotPort(ModuleLink& link, const urdf::RobotModel& robot, Re
       client_(link.topics("sessions")),
       statistics_(client_.read<PluginStatistics>("plugin_statistics")),
       network_(client_.read<NetworkState>("network_state")),
-      motion_states_(client_.read<MotionState>("motion_state")) {
+      motion_states_(client_.read<MotionState>("motion_state")),
+      estimates_(client_.read<Estimate>("estimate")),
+      planned_(client_.read<PlannedState>("planned_state")) {
   for (const urdf::Joint& joint : robot.joints) {
     joints_.push_back({joint.name, joint.lower_rad, joint.upper_rad});
   }
@@ -102,6 +105,18 @@ std::optional<std::uint32_t> LinkRobotPort::release(std::int64_t age_ns) {
 bool LinkRobotPort::emergency_stopped() const {
   NetworkState state;
   return network_.read(state) && state.mode == network_state::mode::emergency_stop;
+}
+
+std::string_view LinkRobotPort::activity() const {
+  NetworkState network;
+  Estimate estimate;
+  PlannedState planned;
+  MotionState motion;
+  const bool plans = planned_.read(planned) && planned.sequence != 0;
+  return word_of(activity_of({.network = connected_ && network_.read(network) ? &network : nullptr,
+                              .estimate = estimates_.read(estimate) ? &estimate : nullptr,
+                              .planned = plans ? &planned : nullptr,
+                              .motion = motion_states_.read(motion) ? &motion : nullptr}));
 }
 
 std::optional<std::uint32_t> LinkRobotPort::move_joint(int joint, double position_rad, double duration_s,

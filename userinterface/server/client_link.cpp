@@ -19,8 +19,10 @@ constexpr int kTurns = 4;
 constexpr unsigned kControlFrames = 100;
 // Urgent messages that need not wait, from one sweep to the next: so many of each client, whatever the others
 // do, and more while all have sent no more than so many beyond. Who sends still more must wait for his turn.
+// Emergencies have a number of their own: they wait for no urgent ones of their own sender.
 constexpr unsigned kUrgentAtOnce = 4;
 constexpr unsigned kUrgentOfAll = 64;
+constexpr unsigned kEmergenciesAtOnce = 2;
 using facts::kSecond_ns;
 
 std::string shortened(std::string_view reason) {
@@ -63,7 +65,7 @@ void ClientLink::close(std::uint16_t code, std::string_view reason) noexcept {
     close_asked_ = true;
     close_code_ = code;
     close_reason_ = shortened(reason);
-    deadline_ns_ = wall_now_ns() + core_.options.closing_ns;
+    deadline_ns_ = std::max(wall_now_ns(), silent_until_ns_) + core_.options.closing_ns;
     wake();
   }
 }
@@ -89,6 +91,9 @@ void ClientLink::fill(std::int64_t now_ns) {
 }
 
 void ClientLink::pump(std::int64_t now_ns) {
+  if (phase_ == Phase::open && now_ns < silent_until_ns_) {
+    return;  // the sweep wakes it
+  }
   for (int turn = 0; !blocked_ && phase_ != Phase::over; ++turn) {
     fill(now_ns);
     if (queue_.empty()) {
@@ -119,21 +124,22 @@ void ClientLink::consumed(std::size_t bytes) {
 void ClientLink::refuse(Refusal cause, const std::string& origin) {
   core_.statistics.count(cause);
   const std::int64_t now_ns = wall_now_ns();
-  std::int64_t wait_ns = 0;
+  phase_ = Phase::refused;
+  deadline_ns_ = now_ns;
   if (cause == Refusal::wrong_token || cause == Refusal::foreign_origin) {
     core_.refusal_log.note(cause, address_.to_string() + (origin.empty() ? "" : ", origin " + origin));
-    wait_ns = core_.patience.refused(address_, now_ns);
+    deadline_ns_ += core_.patience.refused(address_, now_ns);
   }
-  phase_ = Phase::refused;
-  deadline_ns_ = now_ns + wait_ns;
-  if (wait_ns == 0) {
+  if (deadline_ns_ == now_ns) {
     answer_refusal();
   }
 }
 
 void ClientLink::shown_wrong_token() noexcept {
+  const std::int64_t now_ns = wall_now_ns();
   core_.statistics.count(Refusal::wrong_token);
   core_.refusal_log.note(Refusal::wrong_token, address_.to_string());
+  silent_until_ns_ = now_ns + core_.patience.refused(address_, now_ns);
 }
 
 void ClientLink::refusing() {
@@ -168,25 +174,26 @@ void ClientLink::received(std::string_view message, bool binary) {
   if (!session_ || close_asked_) {
     return;
   }
-  if (may_overtake(message, binary)) {
+  const Urgency urgency = session_->urgency(message, binary);
+  if (may_overtake(urgency)) {
     inbox_.overtake();
     sent_after_ns_ = answered_ns_;
     session_->take(message, binary, wall_now_ns());
     return;
   }
-  inbox_.put(message, binary, answered_ns_);
+  inbox_.put(message, binary, answered_ns_, urgency != Urgency::none);
   if (!std::exchange(in_line_, true)) {
     core_.want_work(shared_from_this());
   }
 }
 
-bool ClientLink::may_overtake(std::string_view message, bool binary) noexcept {
-  const bool own = overtook_ < kUrgentAtOnce;
-  if ((!own && core_.urgent_beyond >= kUrgentOfAll) || !session_->is_urgent(message, binary)) {
+bool ClientLink::may_overtake(Urgency urgency) noexcept {
+  if (urgency == Urgency::none) {
     return false;
   }
-  ++(own ? overtook_ : core_.urgent_beyond);
-  return true;
+  const auto take_from = [](unsigned& taken, unsigned most) { return taken < most && ++taken > 0; };
+  return take_from(overtook_, kUrgentAtOnce) || take_from(core_.urgent_beyond, kUrgentOfAll) ||
+         (urgency == Urgency::emergency && take_from(emergencies_, kEmergenciesAtOnce));
 }
 
 void ClientLink::read_on() {
@@ -281,7 +288,7 @@ void ClientLink::left(Refusal cause) {
 }
 
 void ClientLink::sweep(std::int64_t now_ns) {
-  overtook_ = 0;
+  overtook_ = emergencies_ = 0;
   if (phase_ == Phase::open) {
     sweep_open(now_ns);
   } else if (phase_ == Phase::refused) {
@@ -313,6 +320,11 @@ void ClientLink::sweep_open(std::int64_t now_ns) {
                      "no sign of life within " + in_ms(limits.silence_ns) + ": answer pings");
   } else if (close_asked_ && now_ns > deadline_ns_) {
     end_conversation(cause_ == Closing::lost ? Closing::by_session : cause_, close_code_, close_reason_);
+  } else if (now_ns < silent_until_ns_) {
+    return;
+  } else if (silent_until_ns_ != 0) {
+    silent_until_ns_ = 0;
+    wake();
   } else if (!pinging_ && now_ns - pinged_ns_ >= ping_period_ns() && !acknowledges(listened_ns)) {
     pinged_ns_ = now_ns;
     pinging_ = true;

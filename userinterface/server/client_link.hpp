@@ -107,7 +107,7 @@ class ClientLink : public Connection,
   enum class Phase : std::uint8_t { handshake, refused, refusing, open, closing, over };
 
   void fill(std::int64_t now_ns);
-  [[nodiscard]] bool may_overtake(std::string_view message, bool binary) noexcept;
+  [[nodiscard]] bool may_overtake(Urgency urgency) noexcept;
   void drop_session() noexcept;
   // Ends the session once it has taken what waits.
   void let_session_finish() noexcept;
@@ -137,11 +137,13 @@ class ClientLink : public Connection,
   bool reading_rests_ = false;  // since the inbox is full
   std::int64_t deadline_ns_;    // of handshake, refusal (its begin, then its end), closing
   std::int64_t pinged_ns_ = 0, second_ns_ = 0;
-  std::int64_t answered_ns_ = 0;    // the newest ping that the client has answered, or when it was let in
-  std::int64_t sent_after_ns_ = 0;  // of the message that is being taken
+  std::int64_t silent_until_ns_ = 0;  // before then it is told nothing, since it guesses tokens
+  std::int64_t answered_ns_ = 0;      // the newest ping that the client has answered, or when it was let in
+  std::int64_t sent_after_ns_ = 0;    // of the message that is being taken
   std::int64_t heard_ns_ = 0, front_ns_ = 0;  // by the time in which it was listened to
   unsigned control_frames_ = 0;
-  unsigned overtook_ = 0;  // urgent messages, since the last sweep
+  // Since the last sweep: messages that overtook others, and emergencies beyond them.
+  unsigned overtook_ = 0, emergencies_ = 0;
 };
 
 using TcpSocket =

@@ -9,6 +9,22 @@
 #include "client_link.hpp"
 
 namespace gaitway::api {
+namespace {
+
+// Those of one address who may give way.
+struct Strangers {
+  std::size_t count = 0;
+  std::shared_ptr<ClientLink> oldest;
+};
+
+// Where most are, the oldest gives way; of equally many the one that came first.
+std::pair<std::size_t, std::int64_t> rank(
+    const std::pair<const boost::asio::ip::address, Strangers>& of_address) {
+  const Strangers& strangers = of_address.second;
+  return {strangers.count, -strangers.oldest->since_ns()};
+}
+
+}  // namespace
 
 std::int64_t wall_now_ns() noexcept {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
@@ -22,23 +38,32 @@ ServerCore::ServerCore(SessionHub& sessions, const ServerSetup& server_setup, co
       listening(wall_now_ns(), 2 * options.tick_ns) {}
 
 bool ServerCore::make_room_for(const boost::asio::ip::address& address) {
-  const auto known = of_address_.find(address);
-  const bool address_is_full =
-      known != of_address_.end() && known->second >= options.limits.connections_of_one_address;
-  if (!address_is_full && places_taken_ < options.limits.connections) {
-    return true;
-  }
-  std::shared_ptr<ClientLink> oldest;
+  std::map<boost::asio::ip::address, Strangers> strangers;
   for (const auto& link : links_) {
-    if (link->may_give_way() && (!address_is_full || link->address() == address) &&
-        (!oldest || link->since_ns() < oldest->since_ns())) {
-      oldest = link;
+    if (link->may_give_way()) {
+      Strangers& of_its = strangers[link->address()];
+      ++of_its.count;
+      if (!of_its.oldest || link->since_ns() < of_its.oldest->since_ns()) {
+        of_its.oldest = link;
+      }
     }
   }
-  if (oldest) {
-    oldest->give_way();
+  const Limits& limits = options.limits;
+  const auto known = of_address_.find(address);
+  const auto own = strangers.find(address);
+  std::shared_ptr<ClientLink> leaves;
+  if ((known != of_address_.end() && known->second >= limits.connections_of_one_address) ||
+      (own != strangers.end() && own->second.count >= limits.strangers_of_one_address)) {
+    leaves = own != strangers.end() ? own->second.oldest : nullptr;
+  } else if (places_taken_ < limits.connections) {
+    return true;
+  } else if (const auto most = std::ranges::max_element(strangers, {}, rank); most != strangers.end()) {
+    leaves = most->second.oldest;
   }
-  return oldest != nullptr;
+  if (leaves) {
+    leaves->give_way();
+  }
+  return leaves != nullptr;
 }
 
 void ServerCore::add(std::shared_ptr<ClientLink> link) {

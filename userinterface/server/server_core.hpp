@@ -29,8 +29,9 @@ class ServerCore {
  public:
   ServerCore(SessionHub& sessions, const ServerSetup& server_setup, const ServerPage& server_page);
 
-  // Whether a connection of this address is within the limits. When all places are taken, or all of this
-  // address, the oldest link there gives way that may.
+  // Whether a connection of this address is within the limits. When all places of this address are taken, or
+  // those of its strangers, its oldest link gives way that may; when all places are taken, the oldest of the
+  // address that has most such links.
   [[nodiscard]] bool make_room_for(const boost::asio::ip::address& address);
   void add(std::shared_ptr<ClientLink> link);
   void remove(ClientLink& link);

@@ -49,7 +49,7 @@ class ViewSession final : public Session {
   void take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) override {
     take(message, binary, wall_ns);
   }
-  [[nodiscard]] bool is_urgent(std::string_view, bool) const noexcept override { return false; }
+  [[nodiscard]] Urgency urgency(std::string_view, bool) const noexcept override { return Urgency::none; }
   [[nodiscard]] bool may_give_orders() const noexcept override { return false; }
   std::optional<Frame> next_frame(std::int64_t wall_ns) override {
     if (!ready()) {

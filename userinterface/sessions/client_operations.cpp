@@ -73,7 +73,7 @@ bool asks_for_stop(const json& message) {
   if (op == message.end() || *op != "call_service" || service == message.end() || !service->is_string()) {
     return false;
   }
-  return is_stop_service(service->get_ref<const std::string&>());
+  return urgency_of_service(service->get_ref<const std::string&>()) != Urgency::none;
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ bool ClientSession::gives_orders() const noexcept {
   return hub_.commands.authority().held_by(claimant_) || claimant_.tried_ns.has_value();
 }
 
-bool ClientSession::is_urgent(std::string_view message, bool binary) const noexcept {
-  return !binary && authorised_ && !closing_ && is_stop_call(message);
+Urgency ClientSession::urgency(std::string_view message, bool binary) const noexcept {
+  return !binary && authorised_ && !closing_ ? urgency_of_stop_call(message) : Urgency::none;
 }
 
 bool ClientSession::within_rate(std::string_view message) {
@@ -85,7 +85,7 @@ bool ClientSession::within_rate(std::string_view message) {
   if (verdict == MessageRate::Verdict::fine) {
     return true;
   }
-  const bool stop = is_urgent(message, false);
+  const bool stop = urgency(message, false) != Urgency::none;
   if (stop) {
     carry_out(message);
   }

@@ -95,7 +95,7 @@ class ClientSession final : public Session, private Subscriber {
 
   void take(std::string_view message, bool binary, std::int64_t wall_ns) override;
   void take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) override;
-  [[nodiscard]] bool is_urgent(std::string_view message, bool binary) const noexcept override;
+  [[nodiscard]] Urgency urgency(std::string_view message, bool binary) const noexcept override;
   std::optional<Frame> next_frame(std::int64_t wall_ns) override;
   [[nodiscard]] bool gives_orders() const noexcept override;
   [[nodiscard]] bool authorised() const noexcept override { return authorised_; }

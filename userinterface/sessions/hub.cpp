@@ -64,6 +64,7 @@ void Hub::step(std::int64_t wall_ns) {
 
 void Hub::robot_lost() {
   state_->commands.robot_lost();
+  state_->desk.robot_lost();
 }
 
 void Hub::stopped_by_datagram() {

@@ -11,29 +11,48 @@ namespace {
 struct Component {
   const char* name;
   double value;
-  double most;  // 0: not supported
+  double least, most;       // of the limits; both 0: not supported
+  double slowest, fastest;  // of the gait
   const char* unit;
 };
 
-Velocity velocity_of(const ros::Twist& twist, const Limits& limits) {
+// What the gait walks is told rounded, and asked for so.
+constexpr double kRounding = 1.001;
+
+std::string range(double least, double most, const char* unit) {
+  return ", but must be from " + shown_json(nlohmann::json(least)) + " to " +
+         shown_json(nlohmann::json(most)) + " " + unit;
+}
+
+void require_walkable(const Component& component) {
+  const std::string shown_value =
+      std::string(component.name) + " is " + shown_json(nlohmann::json(component.value));
+  const double value = component.value;
+  if (!(value >= component.least && value <= component.most)) {  // so for NaN, too
+    throw Refused(shown_value + (component.most == 0.0
+                                     ? ", but must be 0: the robot walks in the plane"
+                                     : range(component.least, component.most, component.unit)));
+  }
+  if (!(value >= kRounding * component.slowest && value <= kRounding * component.fastest)) {
+    throw Refused(shown_value + range(component.slowest, component.fastest, component.unit) +
+                  ", which is what the gait walks now (/walk/limits)");
+  }
+}
+
+Velocity velocity_of(const ros::Twist& twist, const Limits& limits, const std::optional<GaitBounds>& known) {
+  const double most = limits.forward_m_per_s, turn = limits.turn_rad_per_s;
+  const GaitBounds gait = known.value_or(GaitBounds{most, most, most, turn});
   const std::array components{
-      Component{"linear.x", twist.linear.x, limits.forward_m_per_s, "m/s"},
-      Component{"linear.y", twist.linear.y, limits.forward_m_per_s, "m/s"},
-      Component{"linear.z", twist.linear.z, 0.0, "m/s"},
-      Component{"angular.x", twist.angular.x, 0.0, "rad/s"},
-      Component{"angular.y", twist.angular.y, 0.0, "rad/s"},
-      Component{"angular.z", twist.angular.z, limits.turn_rad_per_s, "rad/s"},
+      Component{"linear.x", twist.linear.x, -most, most, -gait.backward_m_per_s, gait.forward_m_per_s, "m/s"},
+      Component{"linear.y", twist.linear.y, -most, most, -gait.left_m_per_s, gait.left_m_per_s, "m/s"},
+      Component{"linear.z", twist.linear.z, 0.0, 0.0, 0.0, 0.0, "m/s"},
+      Component{"angular.x", twist.angular.x, 0.0, 0.0, 0.0, 0.0, "rad/s"},
+      Component{"angular.y", twist.angular.y, 0.0, 0.0, 0.0, 0.0, "rad/s"},
+      Component{"angular.z", twist.angular.z, -turn, turn, -gait.turn_rad_per_s, gait.turn_rad_per_s,
+                "rad/s"},
   };
   for (const Component& component : components) {
-    if (std::abs(component.value) <= component.most) {
-      continue;  // not so for NaN
-    }
-    const std::string shown_value =
-        std::string(component.name) + " is " + shown_json(nlohmann::json(component.value));
-    throw Refused(component.most == 0.0
-                      ? shown_value + ", but must be 0: the robot walks in the plane"
-                      : shown_value + ", but must be from -" + shown_json(nlohmann::json(component.most)) +
-                            " to " + shown_json(nlohmann::json(component.most)) + " " + component.unit);
+    require_walkable(component);
   }
   return {twist.linear.x, twist.linear.y, twist.angular.z};
 }
@@ -42,9 +61,10 @@ Velocity velocity_of(const ros::Twist& twist, const Limits& limits) {
 
 std::optional<std::uint32_t> RobotCommands::walk(Claimant& claimant, const ros::Twist& twist,
                                                  std::int64_t now_ns) {
-  const Velocity velocity = velocity_of(twist, limits_);
+  const Velocity velocity = velocity_of(twist, limits_, gait_);
   demand_movement(claimant, now_ns, kVelocityValidity_ns);
   walks_ = true;
+  moved_ns_ = robot_.now_ns();
   return robot_.walk(velocity, limits_.velocity_ns, claimant.age_ns);
 }
 
@@ -58,12 +78,14 @@ void RobotCommands::stand(Claimant& claimant, std::int64_t now_ns) {
 std::optional<std::uint32_t> RobotCommands::play_motion(Claimant& claimant, const std::string& name,
                                                         std::int64_t now_ns) {
   demand_movement(claimant, now_ns, kOrderValidity_ns);
+  moved_ns_ = robot_.now_ns();
   return robot_.play_motion(name, claimant.age_ns);
 }
 
 std::optional<std::uint32_t> RobotCommands::move_joint(Claimant& claimant, int joint, double position_rad,
                                                        double duration_s, std::int64_t now_ns) {
   demand_movement(claimant, now_ns, kOrderValidity_ns);
+  moved_ns_ = robot_.now_ns();
   return robot_.move_joint(joint, position_rad, duration_s, claimant.age_ns);
 }
 
@@ -77,6 +99,7 @@ std::optional<std::uint32_t> RobotCommands::end_emergency_stop(Claimant& claiman
   demand_not_overtaken(claimant);
   demand_timely(claimant, now_ns, kOrderValidity_ns);
   demand(claimant, now_ns);
+  moved_ns_ = robot_.now_ns();
   return robot_.release(claimant.age_ns);
 }
 

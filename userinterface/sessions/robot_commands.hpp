@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "gait_bounds.hpp"
 #include "gaitway/api/authority.hpp"
 #include "gaitway/api/limits.hpp"
 #include "gaitway/api/robot_port.hpp"
@@ -51,9 +52,17 @@ class RobotCommands {
   // A lease that has run out ends.
   void step(std::int64_t now_ns);
 
+  // What the gait walks now; nothing: it is not known, and the limits alone count.
+  void keep_to(const std::optional<GaitBounds>& gait) noexcept { gait_ = gait; }
+
+  // When the robot was told to move last, by its own clock; long ago, if never.
+  [[nodiscard]] std::int64_t moved_ns() const noexcept { return moved_ns_; }
+
   [[nodiscard]] const Authority& authority() const noexcept { return authority_; }
 
  private:
+  static constexpr std::int64_t kNever_ns = -1'000'000'000'000;
+
   static void demand_not_overtaken(const Claimant& claimant);
   [[noreturn]] static void deny(Claimant& claimant, std::int64_t now_ns, const std::string& why);
   static void demand_timely(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns);
@@ -66,6 +75,8 @@ class RobotCommands {
   Limits limits_;
   Authority authority_;
   bool walks_ = false;  // told to, and not told to stand since
+  std::int64_t moved_ns_ = kNever_ns;
+  std::optional<GaitBounds> gait_;
 };
 
 }  // namespace gaitway::api

@@ -9,6 +9,7 @@
 
 #include "client_message.hpp"
 #include "gaitway/api/ros_messages.hpp"
+#include "gaitway/facts/parameter_line.hpp"
 #include "service_desk.hpp"
 
 namespace gaitway::api {
@@ -47,14 +48,6 @@ void require_fit(const PluginOrder& order) {
   require_short("library", order.library, kMostLibraryBytes);
   require_short("parameter", order.parameter, kMostNameBytesOfPlugin);
   require_short("value", order.value, kMostValueBytes);
-}
-
-std::string text_of(const json& object, const char* field) {
-  const auto found = object.find(field);
-  if (found == object.end()) {
-    return "";
-  }
-  return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
 ros::ListRecordings::Response response_of(const OrderResult& result) {
@@ -114,8 +107,18 @@ void ServiceDesk::await_result(const Caller& caller, std::uint32_t order,
 
 void ServiceDesk::stand(const Caller& caller) {
   static_cast<void>(request<ros::Trigger>(caller));
+  stands_.require_room(caller.call.client);
   commands_.stand(caller.claimant, caller.now_ns);
-  reply(caller.call, ros::Trigger::Response{true, "a walk ends by the next steps, a motion by its way out"});
+  stands_.wait(caller.call, caller.now_ns, std::min(caller.call.timeout_ns, limits_.answer_ns));
+  stands_.step(caller.now_ns);
+}
+
+void ServiceDesk::answer_stand(const ServiceCall& call, StandWaits::Outcome outcome,
+                               const std::string& text) {
+  if (outcome == StandWaits::Outcome::late) {
+    return send_(call, service_failure(call, text));
+  }
+  reply(call, ros::Trigger::Response{outcome == StandWaits::Outcome::stands, text});
 }
 
 // A stop is carried out whatever is wrong with its arguments, and however many answers are waited for.
@@ -141,6 +144,19 @@ void ServiceDesk::release(const Caller& caller) {
   static_cast<void>(request<ros::Trigger>(caller));
   orders_.require_room(caller.call.client);
   await<ros::Trigger>(caller, commands_.end_emergency_stop(caller.claimant, caller.now_ns));
+}
+
+void ServiceDesk::tell_walk_limits(const Caller& caller) {
+  static_cast<void>(request<ros::WalkLimits>(caller));
+  const double most = limits_.forward_m_per_s, turn = limits_.turn_rad_per_s;
+  const std::optional<GaitBounds>& known = gait_.bounds();
+  const GaitBounds gait = known.value_or(GaitBounds{most, most, most, turn});
+  reply(caller.call,
+        ros::WalkLimits::Response{
+            known.has_value(),
+            known ? "" : "the robot has not told what its gait walks: these are the API's limits",
+            std::min(most, gait.forward_m_per_s), std::min(most, gait.backward_m_per_s),
+            std::min(most, gait.left_m_per_s), std::min(turn, gait.turn_rad_per_s)});
 }
 
 void ServiceDesk::move_joint(const Caller& caller) {
@@ -257,7 +273,10 @@ void ServiceDesk::change_plugin(PluginVerb verb, const Caller& caller) {
   order.library = asked.library;
   require_fit(order);
   await<ros::ChangePlugin>(caller, commands_.order(caller.claimant, order, caller.now_ns),
-                           [this, name = asked.name] { read_plugins_.erase(name); });
+                           [this, name = asked.name] {
+                             read_plugins_.erase(name);
+                             gait_.read_again(name);
+                           });
 }
 
 void ServiceDesk::set_parameter(const Caller& caller) {
@@ -272,6 +291,7 @@ void ServiceDesk::set_parameter(const Caller& caller) {
   require_fit(order);
   await<ros::SetParameter>(caller, commands_.order(caller.claimant, order, caller.now_ns), [this, asked] {
     parameters_[asked.plugin + ":" + asked.parameter] = asked.value;
+    gait_.read_again(asked.plugin);
   });
 }
 
@@ -294,7 +314,10 @@ void ServiceDesk::set_rosapi_parameter(const Caller& caller) {
   require_plugin(order.plugin);
   orders_.require_room(caller.call.client);
   await<ros::SetParam>(caller, commands_.order(caller.claimant, order, caller.now_ns),
-                       [this, name = asked.name, order] { parameters_[name] = order.value; });
+                       [this, name = asked.name, order] {
+                         parameters_[name] = order.value;
+                         gait_.read_again(order.plugin);
+                       });
 }
 
 void ServiceDesk::get_parameters(const Caller& caller) {
@@ -328,8 +351,7 @@ void ServiceDesk::read_parameters(const Caller& caller, std::vector<std::string>
   read_parameter(caller.call, std::move(reading));
 }
 
-// Asks for the parameter of the reading's index, and goes on to the next, until there is none of that index
-// in the last plug-in.
+// Asks for the parameter of the reading's index, then for the next, until the last plug-in has no more.
 void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading reading) {
   constexpr std::uint32_t kMostParameters = 256;
   const auto order = robot_.order(reading.order);
@@ -360,17 +382,17 @@ void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading readi
 bool ServiceDesk::keep_parameter(ParameterReading& reading, const OrderResult& result) {
   auto& response = reading.response;
   response.success = true;
-  const json parameter = result.done ? json::parse(result.text, nullptr, false) : json::object();
-  if (!result.done || !parameter.is_object()) {
+  const auto parameter = result.done ? facts::read_parameter_line(result.text) : std::nullopt;
+  if (!parameter) {
     response.success = !result.done;
     response.message = result.text;
     return false;
   }
-  response.names.push_back(text_of(parameter, "name"));
-  response.values.push_back(text_of(parameter, "value"));
-  response.units.push_back(text_of(parameter, "unit"));
-  response.docs.push_back(text_of(parameter, "doc"));
-  response.live.push_back(text_of(parameter, "live") == "true");
+  response.names.emplace_back(parameter->name);
+  response.values.emplace_back(parameter->value);
+  response.units.emplace_back(parameter->unit);
+  response.docs.emplace_back(parameter->doc);
+  response.live.push_back(parameter->live);
   parameters_[reading.order.plugin + ":" + response.names.back()] = response.values.back();
   return true;
 }

@@ -55,7 +55,12 @@ ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits
       parameters_(std::move(parameters)),
       send_(std::move(send)),
       rosapi_(robot_, parameters_, offers),
-      orders_(robot_) {}
+      orders_(robot_),
+      stands_(robot_, commands_,
+              [this](const ServiceCall& call, StandWaits::Outcome outcome, const std::string& text) {
+                answer_stand(call, outcome, text);
+              }),
+      gait_(robot_, orders_) {}
 
 void ServiceDesk::watch(std::uint32_t order, const Claimant& claimant, std::int64_t now_ns,
                         std::function<void(const std::string& why)> refused) {
@@ -71,6 +76,7 @@ void ServiceDesk::watch(std::uint32_t order, const Claimant& claimant, std::int6
 
 void ServiceDesk::leave(const Claimant& claimant) {
   orders_.forget(claimant.number);
+  stands_.forget(claimant.number);
   if (records_ && records_->number == claimant.number) {
     records_.reset();
   }
@@ -142,6 +148,7 @@ void ServiceDesk::answer(const ServiceRow& row, const Caller& caller) {
           .add("/stop", &ServiceDesk::stop)
           .add("/emergency_stop", &ServiceDesk::emergency_stop)
           .add("/release", &ServiceDesk::release)
+          .add("/walk/limits", &ServiceDesk::tell_walk_limits)
           .add("/move_joint", &ServiceDesk::move_joint)
           .add("/play_motion", &ServiceDesk::play_motion)
           .add("/plugins/list", &ServiceDesk::list_plugins)

@@ -11,12 +11,14 @@
 #include <unordered_map>
 #include <vector>
 
+#include "gait_bounds.hpp"
 #include "gaitway/api/limits.hpp"
 #include "gaitway/api/robot_port.hpp"
 #include "gaitway/api/service_table.hpp"
 #include "robot_commands.hpp"
 #include "rosapi.hpp"
 #include "service_call.hpp"
+#include "stand_waits.hpp"
 
 namespace gaitway::api {
 
@@ -69,7 +71,17 @@ class ServiceDesk {
   void watch(std::uint32_t order, const Claimant& claimant, std::int64_t now_ns,
              std::function<void(const std::string& why)> refused);
   // Takes what the robot says, and ends what has waited for too long.
-  void step(std::int64_t now_ns) { orders_.step(now_ns); }
+  void step(std::int64_t now_ns) {
+    orders_.step(now_ns);
+    stands_.step(now_ns);
+    gait_.step(now_ns);
+    commands_.keep_to(gait_.bounds());
+  }
+  // The link to the robot was lost, or is there again.
+  void robot_lost() {
+    stands_.robot_lost();
+    gait_.robot_lost();
+  }
   // The connection has ended: its orders are answered to nobody.
   void leave(const Claimant& claimant);
 
@@ -86,9 +98,11 @@ class ServiceDesk {
   void answer(const ServiceRow& row, const Caller& caller);
 
   void stand(const Caller& caller);
+  void answer_stand(const ServiceCall& call, StandWaits::Outcome outcome, const std::string& text);
   void stop(const Caller& caller);
   void emergency_stop(const Caller& caller);
   void release(const Caller& caller);
+  void tell_walk_limits(const Caller& caller);
   void move_joint(const Caller& caller);
   void play_motion(const Caller& caller);
   void start_recording(const Caller& caller);
@@ -150,6 +164,8 @@ class ServiceDesk {
   Send send_;
   Rosapi rosapi_;
   Orders orders_;
+  StandWaits stands_;
+  GaitWatch gait_;
   std::optional<Claimant> records_;  // who began the recording, while it is connected
 };
 

@@ -9,21 +9,26 @@
 
 namespace gaitway::api {
 
-bool is_stop_service(std::string_view service) noexcept {
+Urgency urgency_of_service(std::string_view service) noexcept {
   const ServiceRow* const row = find_service(service);
-  return row != nullptr && (row->name == "/stop" || row->name == "/emergency_stop");
+  if (row == nullptr) {
+    return Urgency::none;
+  }
+  return row->name == "/emergency_stop" ? Urgency::emergency
+         : row->name == "/stop"         ? Urgency::urgent
+                                        : Urgency::none;
 }
 
-bool is_stop_call(std::string_view message) noexcept {
+Urgency urgency_of_stop_call(std::string_view message) noexcept {
   constexpr std::size_t kMostStopBytes = 1024;
   if (message.size() > kMostStopBytes || message.find("stop") == std::string_view::npos) {
-    return false;
+    return Urgency::none;
   }
   try {
     const auto head = head_of(message);
-    return head && head->op == "call_service" && is_stop_service(head->service);
+    return head && head->op == "call_service" ? urgency_of_service(head->service) : Urgency::none;
   } catch (const std::exception&) {
-    return false;  // no memory
+    return Urgency::none;  // no memory
   }
 }
 

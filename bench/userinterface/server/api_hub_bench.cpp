@@ -18,6 +18,7 @@ constexpr std::size_t kJoints = 22;
 
 class DeafRobot final : public RobotPort {
  public:
+  [[nodiscard]] std::string_view activity() const override { return "stands"; }
   std::uint64_t walks = 0;
 
   [[nodiscard]] std::int64_t now_ns() const override { return 0; }

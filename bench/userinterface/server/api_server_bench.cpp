@@ -54,7 +54,7 @@ class Broadcast final : public SessionHub {
     ~Subscriber() override { std::erase(hub_.subscribers_, this); }
     void take(std::string_view, bool, std::int64_t) override {}
     void take_overtaken(std::string_view, bool, std::int64_t) override {}
-    [[nodiscard]] bool is_urgent(std::string_view, bool) const noexcept override { return false; }
+    [[nodiscard]] Urgency urgency(std::string_view, bool) const noexcept override { return Urgency::none; }
     std::optional<Frame> next_frame(std::int64_t) override {
       if (next_ == waiting_.size()) {
         waiting_.clear();

@@ -1,5 +1,5 @@
 // Which word is told for what the robot's parts publish.
-#include "robot_activity.hpp"
+#include "gaitway/api/robot_activity.hpp"
 
 #include <gtest/gtest.h>
 

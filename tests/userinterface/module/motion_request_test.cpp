@@ -109,6 +109,38 @@ TEST_F(MotionRequestTest, AStandLeavesIt) {
   EXPECT_LT(run_.plant().truth().trunk_tilt_rad, 0.05);
 }
 
+TEST_F(MotionRequestTest, AfterAStandThatWasAnsweredAMotionBegins) {
+  for (int tenth = 0; tenth < 20; ++tenth) {
+    client_.drive(0.1);
+    run_for(0.1);
+  }
+  call("/stand");
+  run_for(0.3);
+  EXPECT_TRUE(answers_.empty()) << "it takes steps still";
+  for (int tenth = 0; tenth < 50 && answers_.empty(); ++tenth) {
+    run_for(0.1);
+  }
+  ASSERT_EQ(answers_.size(), 1U);
+  EXPECT_EQ(answers_[0]["values"], (json{{"success", true}, {"message", "stands"}}));
+  call("/play_motion", {{"motion", "wave"}});
+  run_for(0.3);
+  EXPECT_EQ(answers_.back()["values"]["message"], "'wave' begins");
+}
+
+TEST_F(MotionRequestTest, AWalkThatIsAboutToBeginIsNoStandYet) {
+  client_.drive(0.1);
+  run_for(0.1);
+  call("/stand");
+  for (int tenth = 0; tenth < 50 && answers_.empty(); ++tenth) {
+    run_for(0.1);
+  }
+  ASSERT_EQ(answers_.size(), 1U);
+  EXPECT_EQ(answers_[0]["values"]["message"], "stands");
+  call("/play_motion", {{"motion", "wave"}});
+  run_for(0.3);
+  EXPECT_EQ(answers_.back()["values"]["message"], "'wave' begins");
+}
+
 TEST_F(MotionRequestTest, AStopBreaksItOff) {
   call("/play_motion", {{"motion", "squat"}});
   run_for(0.5);

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
@@ -147,6 +148,31 @@ TEST_F(CrowdingTest, OneAddressTakesPlacesFromItselfOnly) {
   EXPECT_EQ(server.statistics().connected, kPlaces);
 }
 
+TEST_F(CrowdingTest, StrangersOfOneAddressHaveFewPlaces) {
+  ServerOptions few = options(true, files_);
+  few.limits.connections = 2 * kPlaces;
+  few.limits.strangers_of_one_address = 2;
+  RunningServer server(few);
+  const auto known = let_in(server);
+  const Clients silent = silent_clients(server, 10);
+  EXPECT_EQ(silent.front()->receive_all(), "");
+  EXPECT_EQ(server.statistics().connected, 3U);
+  const auto foreigner = let_in(server, foreign_socket());
+  EXPECT_TRUE(echoes(*foreigner));
+  EXPECT_TRUE(echoes(*known));
+}
+
+TEST_F(CrowdingTest, WhereMostStrangersAreOneGivesWay) {
+  RunningServer server(options(true, files_));
+  RawClient foreigner(foreign_socket(), server.port());
+  ++accepted_;
+  const Clients silent = silent_clients(server, kPlaces - 1);
+  const auto client = let_in(server, foreign_socket());
+  EXPECT_EQ(silent.front()->receive_all(), "");
+  foreigner.send(upgrade_request("Authorization: Bearer " + std::string(SecretFiles::kToken) + "\r\n"));
+  EXPECT_THAT(foreigner.receive_header(), StartsWith("HTTP/1.1 101 ")) << "the oldest of all";
+}
+
 // So many sockets without a word, each opened again as it is cut.
 class Renewing {
  public:
@@ -197,9 +223,12 @@ TEST_F(CrowdingTest, WhoRenewsHisSocketsLocksNobodyOut) {
       [](const ServerStatistics& statistics, EchoHub&) { return statistics.accepted > 2 * kStrangers; });
   Clients clients;
   for (std::size_t count = 0; count < kTries; ++count) {
+    const auto begin = std::chrono::steady_clock::now();
     clients.push_back(let_in(server));
     EXPECT_TRUE(echoes(*clients.back())) << count;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
   }
+  EXPECT_LE(server.statistics().connected, kTries + Limits{}.strangers_of_one_address);
   for (const auto& client : clients) {
     EXPECT_TRUE(echoes(*client));
   }

@@ -41,7 +41,7 @@ class EchoSession final : public Session {
       const auto begin = std::chrono::steady_clock::now();
       while (std::chrono::steady_clock::now() - begin < kWork) {
       }
-    } else if (message.starts_with("urgent")) {
+    } else if (message.starts_with("urgent") || message.starts_with("emergency")) {
       hub_.taken.emplace_back(message);
     } else {
       answer(std::string(message), binary);
@@ -53,8 +53,10 @@ class EchoSession final : public Session {
       hub_.taken.back().insert(0, "overtaken ");
     }
   }
-  [[nodiscard]] bool is_urgent(std::string_view message, bool /*binary*/) const noexcept override {
-    return message.starts_with("urgent");
+  [[nodiscard]] Urgency urgency(std::string_view message, bool /*binary*/) const noexcept override {
+    return message.starts_with("emergency") ? Urgency::emergency
+           : message.starts_with("urgent")  ? Urgency::urgent
+                                            : Urgency::none;
   }
   std::optional<Frame> next_frame(std::int64_t /*wall_ns*/) override {
     if (frames_.empty()) {

@@ -18,7 +18,8 @@ namespace gaitway::api {
 
 // Messages are echoed, but for some: `close` asks the connection to close (1008, "as you wish") after two
 // further frames, `many N` is answered with N frames of 16 KiB, `hold` keeps the server's thread until the
-// test releases it, `work` takes a millisecond of it, and what begins with `urgent` is urgent.
+// test releases it, `work` takes a millisecond of it, and what begins with `urgent` is urgent, with
+// `emergency` an emergency.
 class EchoHub final : public SessionHub {
  public:
   struct Opened {

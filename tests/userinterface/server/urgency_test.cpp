@@ -94,6 +94,25 @@ TEST(Urgency, AFloodOfUrgentMessagesDelaysNobodyElsesFirst) {
   EXPECT_LE(place_of("urgent", taken(server, kFlood + 1)), 80);
 }
 
+TEST(Urgency, AnEmergencyWaitsForNoUrgentOnesOfItsSender) {
+  constexpr int kOthers = 8, kEach = 8, kFlood = 200;
+  RunningServer server(local());
+  const auto holder = opened(server), client = opened(server);
+  const auto others = several(server, kOthers);
+  server.while_held(*holder, [&] {
+    for (const auto& other : others) {
+      send(*other, "work", kEach);  // so that what is not taken at once waits
+    }
+    client->send(frames("urgent", kFlood) + frames("emergency", 1));
+  });
+  const auto all = taken(server, kOthers * kEach + kFlood + 1);
+  const auto emergency = all.begin() + place_of("emergency", all);
+  EXPECT_LT(std::count(all.begin(), emergency, "work"), kOthers * kEach / 2);
+  EXPECT_EQ(std::count(emergency, all.end(), "urgent"), 0)
+      << "those that waited are told that it overtook them";
+  EXPECT_GT(std::ranges::count(all, "overtaken urgent"), kFlood / 4);
+}
+
 TEST(Urgency, WhatItsSenderSentBeforeIsToldThatItCameTooLate) {
   constexpr int kOthers = 8, kBefore = 6;
   RunningServer server(local());

@@ -98,6 +98,7 @@ TEST_F(CommandTest, LapsesWithoutThemAndTheRobotStands) {
 TEST_F(CommandTest, ACommandThatCameBeforeTheLapseWasNoticedFindsTheRobotStanding) {
   anna->drive(0.1);
   now_ns += kSecond_ns;
+  robot.time_ns += kSecond_ns;
   EXPECT_EQ(values(bert->call("/stand"))["success"], true);
   EXPECT_THAT(robot.told, ElementsAre("walk", "stand", "stand"));
 }

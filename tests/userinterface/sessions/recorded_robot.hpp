@@ -29,6 +29,7 @@ class RecordedRobot : public RobotPort {
   bool is_connected = true;
   bool is_blocked = false;  // takes no orders
   bool is_emergency_stopped = false;
+  std::string does = "stands";
   bool walking = false;  // told to walk, and not told to stop since
   bool recording = false;
   std::vector<RecordingStatus> recording_list;
@@ -38,6 +39,7 @@ class RecordedRobot : public RobotPort {
   [[nodiscard]] std::int64_t now_ns() const override { return time_ns; }
   [[nodiscard]] bool connected() const override { return is_connected; }
   [[nodiscard]] bool emergency_stopped() const override { return is_emergency_stopped; }
+  [[nodiscard]] std::string_view activity() const override { return does; }
 
   std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t valid_ns,
                                     std::int64_t age_ns) override {

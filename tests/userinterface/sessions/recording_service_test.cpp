@@ -1,4 +1,4 @@
-// Who may end a recording, and how it may be named.
+// Who may begin and end a recording, and how it may be named.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,6 +30,28 @@ class RecordingServiceTest : public HubTest {
 TEST_F(RecordingServiceTest, AnEmptyNameIsNamedByTheTime) {
   EXPECT_EQ(start(*client, "")["success"], true);
   EXPECT_EQ(stop(*client)["success"], true);
+}
+
+TEST_F(RecordingServiceTest, WhoeverIsLetInMayRecordWhileAnotherCommands) {
+  client->call("/command/acquire");
+  EXPECT_EQ(start(*watcher)["success"], true);
+  EXPECT_EQ(hub.statistics().commander, "anna") << "a recording is no command";
+  EXPECT_EQ(stop(*watcher)["success"], true);
+}
+
+TEST_F(RecordingServiceTest, AStrangerRecordsNothing) {
+  const auto stranger = connect("stranger", false);
+  stranger->send({{"op", "call_service"}, {"service", "/recording/start"}, {"args", {{"name", "walk"}}}});
+  step();
+  EXPECT_FALSE(robot.recording);
+}
+
+TEST_F(RecordingServiceTest, GoesOnWhenItsBeginnerGoesBeItBeforeTheAnswer) {
+  client->send({{"op", "call_service"}, {"service", "/recording/start"}, {"args", {{"name", "walk"}}}});
+  client->disconnect();
+  step();
+  EXPECT_TRUE(robot.recording);
+  EXPECT_EQ(stop(*watcher)["success"], true);
 }
 
 TEST_F(RecordingServiceTest, AWatcherEndsNobodysRecording) {

@@ -222,17 +222,17 @@ TEST_F(ServiceTest, UnknownPlugInsAndTrickyNamesAreRefused) {
 TEST_F(ServiceTest, ParametersAreReadOneByOne) {
   call_later("/plugins/get_parameters", {{"plugin", "stability"}});
   EXPECT_EQ(robot.orders.back().verb, PluginVerb::describe_parameter);
-  finish(true, R"({"name": "dcm_gain", "value": "1.7", "unit": "", "doc": "gain", "live": true})");
+  finish(true, "dcm_gain\t1.7\t\tlive\tgain");
   EXPECT_THAT(client->receive(), IsEmpty());
   EXPECT_EQ(robot.orders.back().index, 1U);
-  finish(true, R"({"name": "limit", "value": "0.1 rad", "unit": "rad", "doc": "of trims", "live": false})");
+  finish(true, "limit\t0.1 rad\trad\t\tof trims \xff");
   finish(false, "stability has 2 parameters");
   const json response = values(client->receive_one());
   EXPECT_EQ(response["success"], true);
   EXPECT_EQ(response["names"], (json{"dcm_gain", "limit"}));
   EXPECT_EQ(response["values"], (json{"1.7", "0.1 rad"}));
   EXPECT_EQ(response["units"], (json{"", "rad"}));
-  EXPECT_EQ(response["docs"], (json{"gain", "of trims"}));
+  EXPECT_EQ(response["docs"], (json{"gain", "of trims \uFFFD"}));
   EXPECT_EQ(response["live"], (json{true, false}));
   EXPECT_EQ(values(client->call("/rosapi/get_param", {{"name", "stability:dcm_gain"}}))["value"], "1.7");
 }
@@ -243,8 +243,8 @@ TEST_F(ServiceTest, TheNamesOfAllPlugInsParametersAreListed) {
   for (; client->receive().empty() && plugins < 10; ++plugins) {
     const std::string plugin = robot.orders.back().plugin;
     EXPECT_EQ(robot.orders.back().index, 0U);
-    finish(true, R"({"name": "first", "value": "1", "unit": "1", "doc": "", "live": false})");
-    finish(true, R"({"name": "second", "value": "1", "unit": "1", "doc": "", "live": false})");
+    finish(true, "first\t1\t1\t\t");
+    finish(true, "second\t1\t1\t\t");
     EXPECT_EQ(robot.orders.back().plugin, plugin);
     finish(false, "has 2 parameters");
   }
@@ -261,7 +261,7 @@ TEST_F(ServiceTest, TheNamesOfAllPlugInsParametersAreListed) {
 TEST_F(ServiceTest, EndlessParametersEnd) {
   call_later("/plugins/get_parameters", {{"plugin", "stability"}});
   for (int i = 0; i < 256; ++i) {
-    finish(true, R"({"name": "again"})");
+    finish(true, "again\t\t\t\t");
   }
   EXPECT_THAT(values(client->receive_one())["names"], SizeIs(256));
 }

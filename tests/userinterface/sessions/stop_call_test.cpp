@@ -24,11 +24,17 @@ TEST_F(StopCallTest, StopsAreUrgentHoweverTheyAreWritten) {
   for (const char* const message : {
            R"({"op": "call_service", "service": "/stop"})",
            R"({"op":"call_service","service":"stop","args":{}})",
-           R"({"service":"\/emergency_stop","id":[1],"timeout":-1,"args":{"data":true},"op":"call_service"})",
            R"({"op":"publish","op":"call_service","service":"/stand","service":"/stop"})",
        }) {
-    EXPECT_TRUE(client->is_urgent(message)) << message;
+    EXPECT_EQ(client->urgency(message), Urgency::urgent) << message;
   }
+}
+
+TEST_F(StopCallTest, EmergencyStopsAreEmergencies) {
+  EXPECT_EQ(
+      client->urgency(
+          R"({"service":"\/emergency_stop","id":[1],"timeout":-1,"args":{"data":true},"op":"call_service"})"),
+      Urgency::emergency);
 }
 
 TEST_F(StopCallTest, NothingElseIsUrgent) {
@@ -44,16 +50,17 @@ TEST_F(StopCallTest, NothingElseIsUrgent) {
            "stop",
            "",
        }) {
-    EXPECT_FALSE(client->is_urgent(message)) << message;
+    EXPECT_EQ(client->urgency(message), Urgency::none) << message;
   }
-  EXPECT_FALSE(client->is_urgent(R"({"op": "call_service", "service": "/stop"})", true)) << "binary";
+  EXPECT_EQ(client->urgency(R"({"op": "call_service", "service": "/stop"})", true), Urgency::none)
+      << "binary";
 }
 
 TEST_F(StopCallTest, LongOnesAndStrangersWaitForTheirTurn) {
   const json call = {{"op", "call_service"}, {"service", "/stop"}, {"args", {{"x", std::string(2000, 'x')}}}};
-  EXPECT_FALSE(client->is_urgent(call.dump()));
+  EXPECT_EQ(client->urgency(call.dump()), Urgency::none);
   const auto stranger = connect("stranger", false);
-  EXPECT_FALSE(stranger->is_urgent(R"({"op": "call_service", "service": "/stop"})"));
+  EXPECT_EQ(stranger->urgency(R"({"op": "call_service", "service": "/stop"})"), Urgency::none);
 }
 
 TEST_F(StopCallTest, WhatAStopHasOvertakenMovesTheRobotNoMore) {

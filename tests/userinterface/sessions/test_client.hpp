@@ -44,8 +44,8 @@ class TestClient final : public Connection {
   void send_text(std::string_view message, bool binary = false) { session_->take(message, binary, now_ns_); }
   // After a stop that came later.
   void send_overtaken(const json& message) { session_->take_overtaken(message.dump(), false, now_ns_); }
-  [[nodiscard]] bool is_urgent(std::string_view message, bool binary = false) const {
-    return session_->is_urgent(message, binary);
+  [[nodiscard]] Urgency urgency(std::string_view message, bool binary = false) const {
+    return session_->urgency(message, binary);
   }
   void disconnect() { session_.reset(); }
   [[nodiscard]] bool is_open() const { return session_ != nullptr; }

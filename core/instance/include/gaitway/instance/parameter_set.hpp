@@ -80,10 +80,8 @@ class ParameterSet {
   std::set<std::string> live_texts_;
 };
 
-// A parameter as a line of JSON, for those who are not in this process:
-// {"name", "value", "unit", "doc", "live", "lowest", "highest"}: value as text; limits null where there are
-// none, or where they have no meaning. At most `most_bytes`: its doc is shortened, and then its value. Throws
-// PluginError where that is not enough.
+// A parameter as a line (facts/parameter_line.hpp), for those who are not in this process. At most
+// `most_bytes`: its doc is shortened, and then its value. Throws PluginError where that is not enough.
 [[nodiscard]] std::string parameter_line(const Parameter& parameter, std::size_t most_bytes);
 
 }  // namespace gaitway::core

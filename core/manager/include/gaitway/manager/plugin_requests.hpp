@@ -27,7 +27,7 @@ enum class PluginVerb : std::uint32_t {
   set = 3,
   stop = 4,
   start = 5,
-  describe_parameter = 6  // answered with a line of JSON
+  describe_parameter = 6  // answered with a line of facts/parameter_line.hpp
 };
 
 class PluginRequests {

@@ -11,6 +11,7 @@ namespace gaitway::api {
 struct Limits {
   std::size_t connections = 256;
   std::size_t connections_of_one_address = 224;              // so that others always find places
+  std::size_t strangers_of_one_address = 64;                 // of these; who have shown no token yet
   std::size_t message_bytes = std::size_t{64} * 1024;        // of one that comes in
   std::size_t depth = 32;                                    // nested arrays and objects in it
   std::size_t subscriptions = 64;                            // of one client
@@ -61,16 +62,20 @@ struct LimitRow {
 // A limit that is added without a row does not compile.
 template <class AnyLimits, class Visitor>
 void visit_limits(AnyLimits& limits, Visitor&& visit) {
-  auto& [connections, of_one_address, message_bytes, depth, subscriptions, advertisements, client_topics,
-         kept_bytes, services, client_services, calls_of_provider, calls_of_all, queue_length, waiting_bytes,
-         waiting_bytes_of_all, messages_per_s, handshake, authentication, write, silence, lease, answer,
-         velocity, forward, turn] = limits;
+  auto& [connections, of_one_address, strangers, message_bytes, depth, subscriptions, advertisements,
+         client_topics, kept_bytes, services, client_services, calls_of_provider, calls_of_all, queue_length,
+         waiting_bytes, waiting_bytes_of_all, messages_per_s, handshake, authentication, write, silence,
+         lease, answer, velocity, forward, turn] = limits;
   visit(LimitRow{"connections", "",
                  "connections at a time; beyond them the oldest without a handshake or token gives way"},
         connections);
   visit(LimitRow{"connections_of_one_address", "",
                  "of these from one address; beyond them its oldest gives way in the same way"},
         of_one_address);
+  visit(LimitRow{"strangers_of_one_address", "",
+                 "of these whose handshake has not ended yet, or who have not shown a token that is wanted; "
+                 "beyond them the oldest gives way"},
+        strangers);
   visit(LimitRow{"message_bytes", "", "bytes of one message from a client"}, message_bytes);
   visit(LimitRow{"depth", "", "nested arrays and objects in a message from a client"}, depth);
   visit(LimitRow{"subscriptions", "", "subscriptions of one client"}, subscriptions);

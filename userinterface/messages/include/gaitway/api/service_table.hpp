@@ -18,7 +18,13 @@ struct ServiceRow {
 };
 
 inline constexpr std::array kServices{
-    ServiceRow{"/stand", ros::Trigger::kName, true, "End the walk by the next steps, and stand", "{}"},
+    ServiceRow{
+        "/stand", ros::Trigger::kName, true,
+        "End the walk by the next steps, or the motion by its way out, and stand. Answered when the "
+        "robot stands, or will not: who stopped it meanwhile, or that it fell, or that the link was lost "
+        "(`success` false). On the way /robot_state tells what it does. `result` is false when it does "
+        "not stand within `timeout`; it goes on to do so",
+        "{}"},
     ServiceRow{"/stop", ros::Trigger::kName, false,
                "Play the safe tail now: finish the step and stand. For everybody who is let in", "{}"},
     ServiceRow{"/emergency_stop", ros::SetBool::kName, false,
@@ -38,6 +44,13 @@ inline constexpr std::array kServices{
         "Play a key-frame motion by its name, from the stand; the answer comes when it begins, /motion_state "
         "tells how it goes on",
         R"({"motion": "wave"})"},
+    ServiceRow{
+        "/walk/limits", ros::WalkLimits::kName, false,
+        "How fast the gait walks now, ahead, back, aside [m/s] and turning [rad/s]; a velocity beyond is "
+        "refused, and two at once are slowed down together. It is what the parameters of the plug-in "
+        "`trajectory` make of it: changes by clients are seen at once, others within 30 s. `success` is "
+        "false while it is not known: then the numbers are the API's own limits",
+        "{}"},
     ServiceRow{"/plugins/list", ros::ListPlugins::kName, false,
                "The plug-ins, their state and what their steps cost [us]", "{}"},
     ServiceRow{"/plugins/get_parameters", ros::GetParameters::kName, false,
@@ -56,7 +69,8 @@ inline constexpr std::array kServices{
                "Load the plug-in `name`, from `library` when that is not empty",
                R"({"name": "stability", "library": ""})"},
     ServiceRow{"/recording/start", ros::StartRecording::kName, false,
-               "Record every topic into an MCAP file `name`, or named by the time when that is empty. "
+               "Record every topic into an MCAP file `name`, or named by the time when that is empty. For "
+               "everybody who is let in, one recording at a time; it goes on when who began it goes. "
                "`file`: its path. Refused where 1000 recordings are, or less than 256 MiB are free; one that "
                "grows too large or whose disk is too slow or too full ends, and an event says so",
                R"({"name": "walk"})"},

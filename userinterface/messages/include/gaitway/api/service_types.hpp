@@ -125,6 +125,18 @@ struct ParameterChange {
 };
 using SetParameter = RosService<"gaitway_msgs/srv/SetParameter", ParameterChange, Outcome>;
 
+// At most so fast [m/s, rad/s]; `left` and `turn` in either direction.
+struct WalkBounds {
+  bool success = false;
+  std::string message;
+  double forward = 0.0;
+  double backward = 0.0;
+  double left = 0.0;
+  double turn = 0.0;
+  GAITWAY_FIELDS(success, message, forward, backward, left, turn)
+};
+using WalkLimits = RosService<"gaitway_msgs/srv/WalkLimits", Nothing, WalkBounds>;
+
 // `name`: of the file, without folder; empty: named after the time.
 GAITWAY_ONE_FIELD(RecordingName, std::string, name);
 struct RecordingFile {

@@ -28,6 +28,7 @@ class LinkRobotPort final : public RobotPort {
   [[nodiscard]] std::int64_t now_ns() const override;
   [[nodiscard]] bool connected() const override { return connected_; }
   [[nodiscard]] bool emergency_stopped() const override;
+  [[nodiscard]] std::string_view activity() const override;
   std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t holds_ns,
                                     std::int64_t age_ns) override;
   void stand() override;
@@ -54,7 +55,9 @@ class LinkRobotPort final : public RobotPort {
   std::vector<JointLimits> joints_;
   mutable msgclient::Reader<PluginStatistics> statistics_;
   mutable msgclient::Reader<NetworkState> network_;
-  msgclient::Reader<MotionState> motion_states_;
+  mutable msgclient::Reader<MotionState> motion_states_;
+  mutable msgclient::Reader<Estimate> estimates_;
+  mutable msgclient::Reader<PlannedState> planned_;
   std::int64_t now_ns_ = 0;  // by the link's clock
   std::int64_t heartbeat_ns_ = 0, heard_ns_ = 0;
   bool connected_ = false;

@@ -29,9 +29,12 @@ class Connection {
   // So long ago, at most, the client sent the message that is being taken: it sent it after it had answered a
   // ping of then. 0: as good as now.
   [[nodiscard]] virtual std::int64_t message_age_ns(std::int64_t /*wall_ns*/) const noexcept { return 0; }
-  // The client has shown a token that is not the right one.
+  // The client has shown a token that is not the right one: what it is told from now on may come later.
   virtual void shown_wrong_token() noexcept = 0;
 };
+
+// Whether a message must not wait for those before it. An emergency waits for nothing that is urgent, either.
+enum class Urgency : std::uint8_t { none, urgent, emergency };
 
 class Session {
  public:
@@ -40,8 +43,8 @@ class Session {
   virtual void take(std::string_view message, bool binary, std::int64_t wall_ns) = 0;
   // The same, when an urgent message that came after it has been taken already.
   virtual void take_overtaken(std::string_view message, bool binary, std::int64_t wall_ns) = 0;
-  // Whether the message, a stop say, must not wait for those before it. Cheap, whatever the message is.
-  [[nodiscard]] virtual bool is_urgent(std::string_view message, bool binary) const noexcept = 0;
+  // Of a stop, say. Cheap, whatever the message is.
+  [[nodiscard]] virtual Urgency urgency(std::string_view message, bool binary) const noexcept = 0;
   // The next frame to write.
   virtual std::optional<Frame> next_frame(std::int64_t wall_ns) = 0;
   // Whether it gives orders, so that it must be known how old its messages are.

@@ -67,7 +67,8 @@ struct RecordingList {
 struct OrderResult {
   std::uint32_t number = 0;  // as the order's call returned it
   bool done = false;
-  std::string text;  // for people; of describe_parameter: a line of JSON; of recordings: the file's path
+  std::string
+      text;  // for people; of describe_parameter: a facts::ParameterLine; of recordings: the file's path
   RecordingList recordings = {};  // of list_recordings()
 };
 
@@ -83,6 +84,8 @@ class RobotPort {
   [[nodiscard]] virtual bool connected() const = 0;
   // Whether an emergency stop holds: all that moves the robot is in vain until it is released.
   [[nodiscard]] virtual bool emergency_stopped() const = 0;
+  // What the robot does, in a word of /robot_state; empty: not known.
+  [[nodiscard]] virtual std::string_view activity() const = 0;
 
   // Walk with this velocity until so much robot time has passed without a new command.
   virtual std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t holds_ns,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -20,6 +21,7 @@ struct ActivityEvidence {
 };
 
 [[nodiscard]] Activity activity_of(const ActivityEvidence& evidence) noexcept;
+[[nodiscard]] std::string_view word_of(Activity activity) noexcept;
 [[nodiscard]] ros::RobotState robot_state_of(Activity activity, std::int64_t robot_ns);
 
 }  // namespace gaitway::api
