@@ -12,7 +12,9 @@
 #include <mutex>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "gaitway/api/door.hpp"
@@ -28,6 +30,7 @@ using namespace gaitway;
 struct Options {
   std::filesystem::path robot = process::default_robot_directory();
   std::string link = "unix:/run/gaitway/link.sock";
+  std::string simulation;  // empty: the robot is none
   std::string address = "127.0.0.1";
   std::uint16_t port = 9090;
   std::optional<std::uint16_t> stop_port;
@@ -49,10 +52,20 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
+// Empty: there is none.
+std::filesystem::path simulation_socket(const std::string& text) {
+  constexpr std::string_view kUnix = "unix:";
+  if (!text.empty() && (!text.starts_with(kUnix) || text.size() == kUnix.size())) {
+    throw std::invalid_argument("--simulation '" + text + "': must be unix:PATH, the socket of a simulator");
+  }
+  return text.empty() ? text : text.substr(kUnix.size());
+}
+
 api::DoorOptions door_options(const Options& options) {
   api::DoorOptions door;
   door.robot = options.robot;
   door.link = link::parse_link_address(options.link);
+  door.simulation = simulation_socket(options.simulation);
   door.server.address = options.address;
   door.server.port = options.port;
   door.stop_port = options.stop_port;
@@ -125,6 +138,10 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot,
                  "Folder with robot.urdf and robot.yaml: the same as the main controller's");
   app.add_option("--link", options.link, "The main controller: unix:PATH, or serial:DEVICE:BAUD");
+  app.add_option(
+      "--simulation", options.simulation,
+      "The robot is a simulation whose simulator listens there: unix:PATH, as `gaitway serve` gives it. Then "
+      "clients may push the robot");
   app.add_option("--port", options.port, "TCP port of the robot API; 0: any free one");
   app.add_option(
       "--stop-port", options.stop_port,
