@@ -1,7 +1,20 @@
 // Pushes as the control channel has them.
 #include "gaitway/api/simulator_port.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace gaitway::api {
+
+std::filesystem::path simulator_socket(std::string_view text) {
+  constexpr std::string_view kUnix = "unix:";
+  if (!text.starts_with(kUnix) || text.size() == kUnix.size()) {
+    throw std::invalid_argument(
+        "simulation '" + std::string(text) +
+        "': must be unix:PATH, the socket of a simulator, as `gaitway serve` gives it");
+  }
+  return text.substr(kUnix.size());
+}
 
 std::uint32_t SimulatorPort::push(const LinkPush& push) {
   return client_.push({.link = push.link,

@@ -12,14 +12,13 @@
 #include <mutex>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <thread>
 
 #include "gaitway/api/door.hpp"
 #include "gaitway/api/limits_file.hpp"
 #include "gaitway/api/recording_folder.hpp"
+#include "gaitway/api/simulator_port.hpp"
 #include "gaitway/input/text.hpp"
 #include "gaitway/process/installation.hpp"
 
@@ -52,20 +51,13 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
-// Empty: there is none.
-std::filesystem::path simulation_socket(const std::string& text) {
-  constexpr std::string_view kUnix = "unix:";
-  if (!text.empty() && (!text.starts_with(kUnix) || text.size() == kUnix.size())) {
-    throw std::invalid_argument("--simulation '" + text + "': must be unix:PATH, the socket of a simulator");
-  }
-  return text.empty() ? text : text.substr(kUnix.size());
-}
-
 api::DoorOptions door_options(const Options& options) {
   api::DoorOptions door;
   door.robot = options.robot;
   door.link = link::parse_link_address(options.link);
-  door.simulation = simulation_socket(options.simulation);
+  if (!options.simulation.empty()) {
+    door.simulation = api::simulator_socket(options.simulation);
+  }
   door.server.address = options.address;
   door.server.port = options.port;
   door.stop_port = options.stop_port;

@@ -5,8 +5,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
+#include "gaitway/api/service_table.hpp"
 #include "gaitway/api/simulator_port.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/simulator/simulation_desk.hpp"
@@ -87,6 +90,32 @@ TEST_F(PushPathTest, GoesOnWithASimulatorThatWasStartedAgain) {
   EXPECT_THAT(refused["message"], HasSubstr("the simulator is not there"));
   start_simulator();
   EXPECT_EQ(push("head", 1.0)["success"], true);
+}
+
+TEST(SimulatorSocket, IsAUnixSocketAndNothingElse) {
+  EXPECT_EQ(simulator_socket("unix:/run/simulation.sock"), "/run/simulation.sock");
+  for (const char* const wrong : {"", "unix:", "/run/simulation.sock", "serial:/dev/ttyS1:1000000"}) {
+    try {
+      static_cast<void>(simulator_socket(wrong));
+      ADD_FAILURE() << wrong;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), HasSubstr("'" + std::string(wrong) + "': must be unix:PATH"));
+    }
+  }
+}
+
+// The rooms that say so know nothing of each other.
+TEST(PushService, ItsReferenceHasTheSimulatorsBounds) {
+  const auto number = [](double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+  };
+  const std::string doc(find_service("/simulation/push")->doc);
+  EXPECT_THAT(doc, HasSubstr(number(simulation::kLeastForce_N) + " to " +
+                             number(simulation::kLargestForce_N) + " in size"));
+  EXPECT_THAT(doc,
+              HasSubstr(number(simulation::kShortestPush_s) + " to " + number(simulation::kLongestPush_s)));
 }
 
 }  // namespace

@@ -5,11 +5,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "gaitway/api/simulation_port.hpp"
 #include "gaitway/simulation/control_client.hpp"
 
 namespace gaitway::api {
+
+// Out of `unix:PATH`, as people write where a simulator listens. Throws std::invalid_argument.
+[[nodiscard]] std::filesystem::path simulator_socket(std::string_view text);
 
 // For one thread.
 class SimulatorPort final : public SimulationPort {
