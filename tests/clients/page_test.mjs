@@ -1,11 +1,12 @@
-// The robot's page in a real browser. Arguments: the port of a robot, that of one that wants a token, the token.
+// The robot's page in a real browser. Arguments: the port of a robot, that of one that wants a token, the token, the port of one that
+// is no simulation.
 import assert from "node:assert/strict";
 import http from "node:http";
 import test, { after, before } from "node:test";
 import { openBrowser, processorSeconds, RobotPage } from "./page_browser.mjs";
 import { Link } from "./page_link.mjs";
 
-const [port, guardedPort, token] = process.argv.slice(2);
+const [port, guardedPort, token, realPort] = process.argv.slice(2);
 const address = (ofPort = port) => `http://127.0.0.1:${ofPort}/`;
 let browser;
 before(async () => {
@@ -179,6 +180,14 @@ test("pushes by keys and by touch on a phone; a drag that is broken off pushes n
   assert.equal(await robot.page.$eval(".push-label", (label) => label.hidden), true);
   assert.equal(await robot.page.$$eval("#news p", (news) => news.filter(({ textContent }) => textContent.includes("trunk")).length), 1);
   assert.deepEqual(robot.errors, []);
+  await robot.close();
+});
+
+test("nobody can push a robot that is no simulation", async () => {
+  const robot = await RobotPage.open(browser, address(realPort));
+  await robot.until(() => document.querySelectorAll("#camera button").length > 0, "the camera's buttons");
+  assert.equal(await robot.page.$("#push"), null);
+  assert.equal(await robot.page.$(".push-form"), null);
   await robot.close();
 });
 
