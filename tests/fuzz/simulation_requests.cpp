@@ -2,9 +2,12 @@
 // clients that send any packets beside one that keeps to the protocol. Whatever they send: what is carried
 // out keeps to the rules, no step does more than its part, and once they have gone the decent client is
 // answered at once.
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <iterator>
 #include <list>
 #include <span>
 #include <vector>
