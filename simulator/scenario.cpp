@@ -21,7 +21,6 @@ using input::YamlValue;
 using msgcontroller::kLargestTurnRate_rad_per_s;
 using msgcontroller::kLargestWalkSpeed_m_per_s;
 
-constexpr double kLargestImpulse_Ns = 50.0;
 constexpr double kLongestRun_s = 86400.0;
 constexpr input::Range kDuration{0.001, kLongestRun_s, "s"};
 

@@ -1,11 +1,12 @@
-// The robot's page in a real browser. Arguments: the port of a robot, that of one that wants a token, the token.
+// The robot's page in a real browser. Arguments: the port of a robot, that of one that wants a token, the token, the port of one that
+// is no simulation.
 import assert from "node:assert/strict";
 import http from "node:http";
 import test, { after, before } from "node:test";
 import { openBrowser, processorSeconds, RobotPage } from "./page_browser.mjs";
 import { Link } from "./page_link.mjs";
 
-const [port, guardedPort, token] = process.argv.slice(2);
+const [port, guardedPort, token, realPort] = process.argv.slice(2);
 const address = (ofPort = port) => `http://127.0.0.1:${ofPort}/`;
 let browser;
 before(async () => {
@@ -89,6 +90,104 @@ test("plays a motion, and tells how far it is", async () => {
   await robot.says("activity", "plays a motion");
   await robot.page.evaluate(() => [...document.querySelectorAll(".drive button")].find((button) => button.textContent === "Leave the motion").click());
   await robot.until(() => document.getElementById("activity").textContent === "stands", "it stands");
+  await robot.close();
+});
+
+// How far the robot's odometry gets from where it is now, while `act` is going on and until it is `least_m`.
+async function strays(robot, least_m, act) {
+  await robot.page.evaluate(() => {
+    window.farthest_m = 0;
+    let first;
+    const socket = new WebSocket(`ws://${location.host}/`);
+    socket.onopen = () => socket.send(JSON.stringify({ op: "subscribe", topic: "/odom", type: "nav_msgs/msg/Odometry" }));
+    socket.onmessage = ({ data }) => {
+      const { x, y } = JSON.parse(data).msg.pose.pose.position;
+      first ??= { x, y };
+      window.farthest_m = Math.max(window.farthest_m, Math.hypot(x - first.x, y - first.y));
+      window.tracked = true;
+    };
+  });
+  await robot.until(() => window.tracked, "odometry");
+  const before_m = await robot.page.evaluate(() => window.farthest_m);
+  await act();
+  await robot.until((least) => window.farthest_m > least, `it strays by ${least_m} m`, 5000, least_m);
+  return before_m;
+}
+
+// The middle of a link in the picture, as the pointer is told: the robot sways.
+async function placeOf(robot, link) {
+  const { x, y, width, height } = await (await robot.page.$("#scene")).boundingBox();
+  const places = [];
+  for (let down = 0.2; down < 0.8; down += 0.015) {
+    const place = { x: Math.round(x + 0.5 * width), y: Math.round(y + down * height) };
+    await robot.page.mouse.move(place.x, place.y);
+    if (await robot.page.$eval(".push-label", (label, name) => !label.hidden && label.textContent === name, link)) places.push(place);
+  }
+  assert.ok(places.length > 0, `the picture has no ${link}`);
+  return places[Math.floor(places.length / 2)];
+}
+
+test("pushes the simulated robot by a drag, shows the force, and the robot gives way", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  await robot.press("push");
+  const place = await placeOf(robot, "trunk");
+  const before_m = await strays(robot, 0.01, async () => {
+    await robot.page.mouse.move(place.x, place.y);
+    await robot.page.mouse.down();
+    await robot.page.mouse.move(place.x + 20, place.y, { steps: 5 });
+    assert.equal(await robot.page.$eval(".push-label", (label) => label.textContent), "trunk: 20 N");
+    await robot.page.mouse.up();
+    await robot.newsOf("Push of trunk, 20 N for 0.1 s: done");
+  });
+  assert.ok(before_m < 0.005, `it strayed by ${before_m} m before`);
+  assert.equal(await robot.text("commander"), "nobody commands");
+  await robot.until(() => document.getElementById("activity").textContent === "stands", "it stands");
+  await robot.page.mouse.down();
+  await robot.page.mouse.move(place.x + 70, place.y);
+  await robot.page.keyboard.press("Escape");
+  await robot.page.mouse.up();
+  await robot.newsOf("Stop: done");
+  assert.ok(!(await robot.text("news")).includes("70 N"), "Escape breaks a drag off");
+  await robot.press("push");
+  await robot.page.mouse.click(place.x, place.y);
+  assert.equal(await robot.page.$eval(".push-label", (label) => label.hidden), true, "a click turns the camera again");
+  assert.deepEqual(robot.errors, []);
+  await robot.close();
+});
+
+test("pushes by keys and by touch on a phone; a drag that is broken off pushes nothing", async () => {
+  const robot = await RobotPage.open(browser, address(), { width: 360, height: 740, hasTouch: true, isMobile: true });
+  await robot.live();
+  await robot.press("push");
+  const tooWide = await robot.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  assert.equal(tooWide, 0);
+  await robot.page.select(".push-form select", "left_forearm");
+  await robot.page.$eval(".push-form input", (input) => (input.value = "4"));
+  await robot.page.focus('.push-form [aria-label="Push to its left"]');
+  await robot.page.keyboard.press("Enter");
+  await robot.newsOf("Push of left_forearm, 4 N for 0.1 s: done");
+  const place = await placeOf(robot, "trunk");
+  const finger = await robot.page.touchscreen.touchStart(place.x, place.y);
+  await finger.move(place.x, place.y - 12);
+  await robot.until(() => document.querySelector(".push-label").textContent === "trunk: 12 N", "the force");
+  await finger.end();
+  await robot.newsOf("Push of trunk, 12 N for 0.1 s: done");
+  const broken = await robot.page.touchscreen.touchStart(place.x, place.y);
+  const second = await robot.page.touchscreen.touchStart(place.x + 40, place.y);
+  await second.end();
+  await broken.end();
+  assert.equal(await robot.page.$eval(".push-label", (label) => label.hidden), true);
+  assert.equal(await robot.page.$$eval("#news p", (news) => news.filter(({ textContent }) => textContent.includes("trunk")).length), 1);
+  assert.deepEqual(robot.errors, []);
+  await robot.close();
+});
+
+test("nobody can push a robot that is no simulation", async () => {
+  const robot = await RobotPage.open(browser, address(realPort));
+  await robot.until(() => document.querySelectorAll("#camera button").length > 0, "the camera's buttons");
+  assert.equal(await robot.page.$("#push"), null);
+  assert.equal(await robot.page.$(".push-form"), null);
   await robot.close();
 });
 

@@ -7,6 +7,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import roslibpy
+
 from served_robot import COMMAND, ServedRobot, until
 
 SEED = "3"
@@ -66,6 +68,32 @@ class ServedCommands(unittest.TestCase):
                 commands.write_text((self.robot.out / "commands.yaml").read_text())
             self.assertIn(", stop: true}", commands.read_text())
             self.assert_replays(commands)
+
+    def test_a_push_replays(self):
+        with tempfile.TemporaryDirectory(prefix="gaitway_commands_") as folder:
+            with ServedRobot("--seed", SEED, speed=4.0) as self.robot:
+                ros = roslibpy.Ros("127.0.0.1", self.robot.port)
+                ros.run(timeout=20)
+                try:
+                    self.ctl("walk", "0.1,0,0", "--seconds", "1")
+                    for link, force in (("trunk", {"x": 0.1, "y": 15.7, "z": 0.0}), ("left_forearm", {"x": -5.3, "y": 0.0, "z": 1.0 / 3.0})):
+                        self.assertEqual(self.push(ros, link=link, force=force, duration=0.1, frame="heading"),
+                                         {"success": True, "message": "the push begins"})
+                    refused = self.push(ros, link="left_forarm", force={"x": 1.0, "y": 0.0, "z": 0.0}, duration=0.1, frame="")
+                    self.assertFalse(refused["success"])
+                    self.assertIn("Did you mean 'left_forearm'?", refused["message"])
+                finally:
+                    ros.terminate()
+                self.robot.stop()
+                commands = Path(folder) / "commands.yaml"
+                commands.write_text((self.robot.out / "commands.yaml").read_text())
+            self.assertRegex(commands.read_text(), r'push: \{body: "trunk", .*\n(.*\n)*.*push: \{body: "left_forearm", ')
+            self.assertEqual(commands.read_text().count("push:"), 2)
+            self.assert_replays(commands)
+
+    def push(self, ros, **arguments):
+        service = roslibpy.Service(ros, "/simulation/push", "gaitway_msgs/PushLink")
+        return dict(service.call(roslibpy.ServiceRequest(arguments), timeout=20))
 
     def base_x(self):
         return json.loads(self.ctl("echo", "/odom", "--count", "1").splitlines()[-1])["pose"]["pose"]["position"]["x"]

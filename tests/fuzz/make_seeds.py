@@ -288,6 +288,27 @@ def stop_seeds():
           said(False, b"GWTS\x01\x05" + struct.pack("<QQq", 2, 1, 5) + bytes(16)) + exchange(1))
 
 
+def simulation_seeds():
+    """As simulation_requests.cpp takes its actions apart."""
+    connect, step = bytes([0, 0]), bytes([0, 3])
+
+    def request(client, link, force, frame=0, duration=0.1, version=None, kind=None):
+        head = b"\x01" if version is None else b"\x00" + struct.pack("<H", version)
+        head += b"\x01" if kind is None else b"\x00" + struct.pack("<H", kind)
+        return bytes([client, 4]) + head + struct.pack("<I48sddddI28x", 7, link, *force, duration, frame)
+
+    def said(client, content):
+        return bytes([client, 1, len(content)]) + content
+
+    write("simulation_requests", "pushes", connect * 2 + b"".join(
+        request(client, link, force, frame) + step for client, link, force, frame in
+        ((0, b"trunk", (50, 0, 0), 0), (1, b"left_foot", (0, -200, 0), 1), (0, b"head", (0, 0, 0.1), 1))))
+    write("simulation_requests", "refused", connect + b"".join(request(0, *wrong) + step for wrong in (
+        (b"", (1, 0, 0)), (b"x" * 48, (1, 0, 0)), (b"trunk", (float("nan"), 0, 0)), (b"trunk", (1e300, 0, 0)),
+        (b"trunk", (1, 0, 0), 2), (b"trunk", (1, 0, 0), 0, 9.0), (b"trunk", (1, 0, 0), 0, 0.1, 9), (b"trunk", (1, 0, 0), 0, 0.1, None, 2))))
+    write("simulation_requests", "strangers", connect * 10 + said(0, b"GWSQ") + said(1, bytes(128)) + said(2, bytes(255)) + step * 2 + bytes([0, 2]))
+
+
 def main():
     if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
         sys.exit(__doc__)
@@ -302,6 +323,7 @@ def main():
     conversation_seeds()
     link_seeds()
     stop_seeds()
+    simulation_seeds()
 
 
 if __name__ == "__main__":

@@ -300,7 +300,7 @@ TEST_F(BadInput, ScenarioPushesAndFaultsThatCannotBe) {
   expect_scenario_refused("{at_s: 2, push: {body: trunk, direction: [0, 0, 0], impulse_Ns: 1}}",
                           {".push.direction", "must not be zero"});
   expect_scenario_refused("{at_s: 2, push: {body: trunk, direction: [1, 0, 0], impulse_Ns: 1000}}",
-                          {".push.impulse_Ns = '1000': must be 0..50 N*s"});
+                          {".push.impulse_Ns = '1000': must be 0..400 N*s"});
   expect_scenario_refused("{at_s: 2, push: {body: trunk, direction: [1, 0, 0], impulse: 1}}",
                           {"key = 'impulse'", "Did you mean 'impulse_Ns'?"});
   expect_scenario_refused(

@@ -17,6 +17,10 @@ double seconds_of(std::int64_t time_ns) noexcept {
   return static_cast<double>(time_ns) * 1e-9;
 }
 
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 struct Yaml {
   const urdf::RobotModel& robot;
 
@@ -26,10 +30,7 @@ struct Yaml {
                      : "stand: true";
   }
   std::string operator()(const simulator::MotionEvent& motion) const {
-    return motion.name.empty()
-               ? "leave_motion: true"
-               : "motion: " + nlohmann::json(motion.name)
-                                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return motion.name.empty() ? "leave_motion: true" : "motion: " + quoted(motion.name);
   }
   std::string operator()(const simulator::StopEvent&) const { return "stop: true"; }
   std::string operator()(const simulator::EmergencyStopEvent& stop) const {
@@ -41,9 +42,14 @@ struct Yaml {
                        robot.joints[static_cast<std::size_t>(move.joint)].name, move.position_rad,
                        move.duration_slots);
   }
+  std::string operator()(const simulator::PushEvent& push) const {
+    return fmt::format("push: {{body: {}, direction: [{}, {}, {}], impulse_Ns: {}, duration_s: {}}}",
+                       quoted(push.body), push.direction.x(), push.direction.y(), push.direction.z(),
+                       push.impulse_Ns, push.duration_s);
+  }
   template <class Other>
   std::string operator()(const Other&) const {
-    return {};  // nobody asks for pushes and faults
+    return {};  // nobody asks for faults
   }
 };
 

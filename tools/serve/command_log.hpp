@@ -17,6 +17,8 @@ class CommandLog {
 
   void on_walk_request(const WalkCommand& command, std::int64_t now_ns);
   void on_motion_request(const MotionRequest& request, std::int64_t now_ns);
+  // A push that begins in the millisecond that comes next.
+  void on_push(const simulator::ScenarioEvent& push) { events_.push_back(push); }
   // `gaitway serve` itself ends the walk: nobody may walk on, and the safe tail plays.
   void on_end(std::int64_t now_ns);
   // After each millisecond; `began_ns`: when it began. What was obeyed in it.

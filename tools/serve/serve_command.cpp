@@ -25,6 +25,7 @@
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/simulator/simulation_desk.hpp"
 #include "tools/command_line.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
@@ -120,10 +121,12 @@ core::Configuration configuration_of(const ServeOptions& options, const std::str
 }
 
 // The user interface module's command line.
-std::vector<std::string> module_arguments(const ServeOptions& options, const std::string& link) {
+std::vector<std::string> module_arguments(const ServeOptions& options, const std::string& link,
+                                          const std::filesystem::path& simulation) {
   std::vector<std::string> words{
       "--robot",      options.robot.string(),
       "--link",       link,
+      "--simulation", "unix:" + simulation.string(),
       "--address",    options.address,
       "--port",       std::to_string(options.port),
       "--recordings", (std::filesystem::absolute(options.out) / "recordings").string()};
@@ -175,6 +178,7 @@ class Pace {
 
 struct Loop {
   simulator::Cosimulation& run;
+  simulator::SimulationDesk& desk;
   core::PluginRequests& requests;
   CommandLog& commands;
   core::EventPrinter printer{"gaitway serve"};
@@ -182,6 +186,7 @@ struct Loop {
 
   void millisecond() {
     const std::int64_t now_ns = run.now_ns();
+    desk.step();
     run.advance_millisecond();
     if (core::is_tick(now_ns)) {
       requests.step(now_ns);
@@ -246,9 +251,15 @@ int serve(const ServeOptions& options) {
   core::PluginRequests requests(requests_client, run.plugins());
   const core::PluginWorkshop workshop(requests);
 
-  const ModuleKeeper module(module_arguments(options, link));
+  const std::filesystem::path simulation = folder.path() / "simulation.sock";
+  simulator::SimulationDesk desk(run, simulation, [&observer](const simulator::ScenarioEvent& push) {
+    observer.commands.on_push(push);
+  });
 
-  Loop loop{.run = run, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
+  const ModuleKeeper module(module_arguments(options, link, simulation));
+
+  Loop loop{
+      .run = run, .desk = desk, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
   Pace pace(options.speed);
   const auto end_ns = options.seconds ? static_cast<std::int64_t>(std::llround(*options.seconds * 1e9))
                                       : std::numeric_limits<std::int64_t>::max();

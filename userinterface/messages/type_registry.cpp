@@ -94,7 +94,7 @@ void add_all_messages(TypeRegistry& registry) {
 
 void add_all_services(TypeRegistry& registry) {
   using namespace ros;
-  add_services<Trigger, SetBool, MoveJoint, PlayMotion, ListPlugins, ChangePlugin, GetParameters,
+  add_services<Trigger, SetBool, MoveJoint, PlayMotion, PushLink, ListPlugins, ChangePlugin, GetParameters,
                SetParameter, WalkLimits, StartRecording, ListRecordings, AcquireCommand, Lease>(registry);
   add_services<Topics, TopicType, TopicsForType, TopicsAndRawTypes, Publishers, Subscribers, Interfaces,
                Services, ServiceType, ServicesForType, ServiceNode, ServiceProviders, ServiceRequestDetails,

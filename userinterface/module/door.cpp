@@ -1,6 +1,8 @@
 // The module's parts, in the order of their construction.
 #include "gaitway/api/door.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -16,6 +18,7 @@
 #include "gaitway/api/publication_sink.hpp"
 #include "gaitway/api/recorder.hpp"
 #include "gaitway/api/server.hpp"
+#include "gaitway/api/simulator_port.hpp"
 #include "gaitway/api/stop_post.hpp"
 #include "gaitway/api/view_hub.hpp"
 #include "gaitway/api/view_source.hpp"
@@ -50,8 +53,9 @@ std::function<bool(std::string_view)> token_check(const ServerSetup& setup) {
   return [token = *setup.token()](std::string_view offered) { return token.matches(offered); };
 }
 
-HubOptions hub_options(const DoorOptions& options, const ServerSetup& setup) {
+HubOptions hub_options(const DoorOptions& options, const ServerSetup& setup, SimulationPort* simulation) {
   HubOptions result;
+  result.simulation = simulation;
   result.limits = options.server.limits;
   result.parameters["robot_description"] = urdf::description_text(options.robot / "robot.urdf");
   result.is_token = token_check(setup);
@@ -82,7 +86,18 @@ stopgram::StopKey stop_key(const ServerOptions& server) {
   return key;
 }
 
-page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits) {
+page::PushBounds push_bounds(const urdf::RobotModel& robot) {
+  using namespace simulation;
+  constexpr double kUsualShareOfWeight = 0.3;  // a push of a tenth of a second that a robot that stands bears
+  const double weight_N = robot.total_mass_kg() * facts::kGravity_m_per_s2;
+  return {.least_N = kLeastForce_N,
+          .most_N = kLargestForce_N,
+          .usual_N = std::clamp(std::round(kUsualShareOfWeight * weight_N), 1.0, kLargestForce_N),
+          .shortest_s = kShortestPush_s,
+          .longest_s = kLongestPush_s};
+}
+
+page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits, bool simulated) {
   constexpr double kSecond_ns = 1e9;
   page::AssetTable assets;
   page::add_page(assets);
@@ -90,7 +105,8 @@ page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits) 
                   {.forward_m_per_s = limits.forward_m_per_s,
                    .turn_rad_per_s = limits.turn_rad_per_s,
                    .velocity_holds_s = static_cast<double>(limits.velocity_ns) / kSecond_ns,
-                   .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns});
+                   .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns,
+                   .push = simulated ? std::optional(push_bounds(robot)) : std::nullopt});
   return assets;
 }
 
@@ -110,8 +126,10 @@ class Door::Impl {
         port_(link_, robot_, recorder_.get()),
         feed_(topics_, robot_),
         view_source_(topics_, robot_),
-        assets_(assets_of(robot_, options.server.limits)),
-        hub_(port_, hub_options(options, setup_)),
+        simulation_(options.simulation.empty() ? nullptr
+                                               : std::make_unique<SimulatorPort>(options.simulation)),
+        assets_(assets_of(robot_, options.server.limits, simulation_ != nullptr)),
+        hub_(port_, hub_options(options, setup_, simulation_.get())),
         view_hub_(
             {.is_token = token_check(setup_), .authentication_ns = options.server.limits.authentication_ns}),
         server_(hub_, std::move(setup_),
@@ -143,6 +161,9 @@ class Door::Impl {
     if (stops) {
       link_.see_stops(stops->count);
       hub_.stopped_by_datagram();
+    }
+    if (simulation_) {
+      simulation_->step(now_ns);
     }
     hub_.answer(now_ns);
     tell_address(now_ns);
@@ -226,6 +247,7 @@ class Door::Impl {
   LinkRobotPort port_;
   Feed feed_;
   ViewSource view_source_;
+  std::unique_ptr<SimulatorPort> simulation_;  // nullptr: the robot is no simulation
   page::AssetTable assets_;
   Hub hub_;
   std::optional<ros::String> commander_;  // as told last

@@ -18,6 +18,8 @@
 #include "gaitway/api/limits_file.hpp"
 #include "gaitway/api/line_teller.hpp"
 #include "gaitway/api/recording_folder.hpp"
+#include "gaitway/api/simulator_port.hpp"
+#include "gaitway/input/text.hpp"
 #include "gaitway/process/installation.hpp"
 
 namespace {
@@ -27,6 +29,7 @@ using namespace gaitway;
 struct Options {
   std::filesystem::path robot = process::default_robot_directory();
   std::string link = "unix:/run/gaitway/link.sock";
+  std::string simulation;  // empty: the robot is none
   std::string address = "127.0.0.1";
   std::uint16_t port = 9090;
   std::optional<std::uint16_t> stop_port;
@@ -52,6 +55,9 @@ api::DoorOptions door_options(const Options& options) {
   api::DoorOptions door;
   door.robot = options.robot;
   door.link = link::parse_link_address(options.link);
+  if (!options.simulation.empty()) {
+    door.simulation = api::simulator_socket(options.simulation);
+  }
   door.server.address = options.address;
   door.server.port = options.port;
   door.stop_port = options.stop_port;
@@ -123,6 +129,10 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot,
                  "Folder with robot.urdf and robot.yaml: the same as the main controller's");
   app.add_option("--link", options.link, "The main controller: unix:PATH, or serial:DEVICE:BAUD");
+  app.add_option(
+      "--simulation", options.simulation,
+      "The robot is a simulation whose simulator listens there: unix:PATH, as `gaitway serve` gives it. Then "
+      "clients may push the robot");
   app.add_option("--port", options.port, "TCP port of the robot API; 0: any free one");
   app.add_option(
       "--stop-port", options.stop_port,

@@ -137,6 +137,13 @@ void add_robot(AssetTable& table, const urdf::RobotModel& robot, const CommandBo
                     {"turn", bounds.turn_rad_per_s},
                     {"velocity_holds", bounds.velocity_holds_s},
                     {"lease", bounds.lease_s}};
+  if (const auto& push = bounds.push) {
+    json["bounds"]["push"] = {{"least", push->least_N},
+                              {"most", push->most_N},
+                              {"usual", push->usual_N},
+                              {"shortest", push->shortest_s},
+                              {"longest", push->longest_s}};
+  }
   table.add("/robot.json", "application/json", json.dump(), true);
 }
 

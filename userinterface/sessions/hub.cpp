@@ -19,7 +19,7 @@ HubState::HubState(RobotPort& port, HubOptions hub_options)
             const auto session = sessions.find(provider);
             return session != sessions.end() && session->second->take_call(std::move(frame));
           }),
-      desk(port, commands, options.limits, options.parameters, {topics, services},
+      desk(port, options.simulation, commands, options.limits, options.parameters, {topics, services},
            [this](const ServiceCall& call, Frame frame) { answer(call, std::move(frame)); }) {}
 
 void HubState::answer(const ServiceCall& call, Frame frame) {

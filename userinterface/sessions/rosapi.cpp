@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -113,6 +114,13 @@ std::string as_json(const std::string& value) {
 
 }  // namespace
 
+Rosapi::Rosapi(const RobotPort& robot, bool simulated, const ParameterValues& parameters,
+               const ClientOffers& offers)
+    : robot_(robot), parameters_(parameters), offers_(offers) {
+  std::ranges::copy_if(kServices, std::back_inserter(services_),
+                       [simulated](const ServiceRow& row) { return simulated || !row.of_simulation; });
+}
+
 ros::Topics::Response Rosapi::answer(const ros::Topics::Request&) const {
   ros::Topics::Response response;
   for (const NamedType& topic : kAllTopics) {
@@ -185,7 +193,7 @@ ros::Interfaces::Response Rosapi::answer(const ros::Interfaces::Request&) const 
 }
 
 ros::Services::Response Rosapi::answer(const ros::Services::Request&) const {
-  auto names = all_names(kServices);
+  auto names = all_names(services_);
   for (const auto& [name, service] : offers_.services.all()) {
     names.push_back(name);
   }
@@ -193,24 +201,27 @@ ros::Services::Response Rosapi::answer(const ros::Services::Request&) const {
 }
 
 ros::ServiceType::Response Rosapi::answer(const ros::ServiceType::Request& request) const {
-  return {type_of(kServices, offers_.services.all(), request.service)};
+  return {type_of(services_, offers_.services.all(), request.service)};
 }
 
 ros::ServicesForType::Response Rosapi::answer(const ros::ServicesForType::Request& request) const {
-  return {names_of(kServices, offers_.services.all(), request.type)};
+  return {names_of(services_, offers_.services.all(), request.type)};
 }
 
 ros::ServiceNode::Response Rosapi::answer(const ros::ServiceNode::Request& request) const {
   if (const auto own = offers_.services.all().find(request.service); own != offers_.services.all().end()) {
     return {node_of(own->second.provider)};
   }
-  return {std::string(find_service(request.service) == nullptr ? std::string_view() : kNode)};
+  const ServiceRow* const row = find_service(request.service);
+  const bool offered =
+      row != nullptr && std::ranges::find(services_, row->name, &ServiceRow::name) != services_.end();
+  return {std::string(offered ? kNode : std::string_view())};
 }
 
 // The request's field is called `service`, but holds a type.
 ros::ServiceProviders::Response Rosapi::answer(const ros::ServiceProviders::Request& request) const {
   const std::string_view known = canonical_type(request.service);
-  auto nodes = node_if(std::ranges::find(kServices, known, &ServiceRow::type) != kServices.end());
+  auto nodes = node_if(std::ranges::find(services_, known, &ServiceRow::type) != services_.end());
   std::set<std::uint64_t> clients;
   for (const auto& [name, service] : offers_.services.all()) {
     if (service.type == (known.empty() ? std::string_view(request.service) : known)) {
@@ -257,7 +268,7 @@ ros::Nodes::Response Rosapi::answer(const ros::Nodes::Request&) const {
 
 ros::NodeDetails::Response Rosapi::answer(const ros::NodeDetails::Request& request) const {
   if (request.node == kNode) {
-    return {{{std::string(kVelocityTopic)}, published(), all_names(kServices)}};
+    return {{{std::string(kVelocityTopic)}, published(), all_names(services_)}};
   }
   ros::NodeDetails::Response response;
   for (const auto& [name, topic] : offers_.topics.all()) {

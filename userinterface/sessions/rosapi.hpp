@@ -5,11 +5,13 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "client_services.hpp"
 #include "client_topics.hpp"
 #include "gaitway/api/robot_port.hpp"
 #include "gaitway/api/rosapi_types.hpp"
+#include "gaitway/api/service_table.hpp"
 
 namespace gaitway::api {
 
@@ -28,8 +30,8 @@ struct ClientOffers {
 
 class Rosapi {
  public:
-  Rosapi(const RobotPort& robot, const ParameterValues& parameters, const ClientOffers& offers)
-      : robot_(robot), parameters_(parameters), offers_(offers) {}
+  Rosapi(const RobotPort& robot, bool simulated, const ParameterValues& parameters,
+         const ClientOffers& offers);
 
   // Each throws std::invalid_argument for an unknown type, as the definitions do.
   [[nodiscard]] ros::Topics::Response answer(const ros::Topics::Request& request) const;
@@ -60,6 +62,7 @@ class Rosapi {
 
  private:
   const RobotPort& robot_;
+  std::vector<ServiceRow> services_;  // those that this robot offers
   const ParameterValues& parameters_;
   ClientOffers offers_;
 };

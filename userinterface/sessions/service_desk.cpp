@@ -25,7 +25,7 @@ void Orders::wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_
 
 void Orders::step(std::int64_t now_ns) {
   // What is finished may give the next order, so it is taken out first.
-  while (const auto result = robot_.take_result()) {
+  while (const auto result = take_result_()) {
     if (const auto order = waiting_.extract(result->number)) {
       order.mapped().finish(&*result);
     }
@@ -47,15 +47,19 @@ void Orders::forget(std::uint64_t client) {
   std::erase_if(waiting_, [client](const auto& order) { return order.second.client == client; });
 }
 
-ServiceDesk::ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits,
-                         ParameterValues parameters, const ClientOffers& offers, Send send)
+ServiceDesk::ServiceDesk(RobotPort& robot, SimulationPort* simulation, RobotCommands& commands,
+                         const Limits& limits, ParameterValues parameters, const ClientOffers& offers,
+                         Send send)
     : robot_(robot),
+      simulation_(simulation),
       commands_(commands),
       limits_(limits),
       parameters_(std::move(parameters)),
       send_(std::move(send)),
-      rosapi_(robot_, parameters_, offers),
-      orders_(robot_),
+      rosapi_(robot_, simulation_ != nullptr, parameters_, offers),
+      orders_([&robot] { return robot.take_result(); }),
+      simulation_orders_(
+          [simulation] { return simulation == nullptr ? std::nullopt : simulation->take_result(); }),
       stands_(robot_, commands_,
               [this](const ServiceCall& call, StandWaits::Outcome outcome, const std::string& text) {
                 answer_stand(call, outcome, text);
@@ -77,6 +81,7 @@ void ServiceDesk::watch(std::uint32_t order, const Claimant& claimant, std::int6
 void ServiceDesk::leave(const Claimant& claimant) {
   orders_.forget(claimant.number);
   stands_.forget(claimant.number);
+  simulation_orders_.forget(claimant.number);
   if (records_ && records_->number == claimant.number) {
     records_.reset();
   }
@@ -157,6 +162,7 @@ void ServiceDesk::answer(const ServiceRow& row, const Caller& caller) {
           .add("/plugins/reload", &ServiceDesk::change_plugin<PluginVerb::reload>)
           .add("/plugins/unload", &ServiceDesk::change_plugin<PluginVerb::unload>)
           .add("/plugins/load", &ServiceDesk::change_plugin<PluginVerb::load>)
+          .add("/simulation/push", &ServiceDesk::push_link)
           .add("/recording/start", &ServiceDesk::start_recording)
           .add("/recording/stop", &ServiceDesk::stop_recording)
           .add("/recording/list", &ServiceDesk::list_recordings)
@@ -174,6 +180,25 @@ void ServiceDesk::answer(const ServiceRow& row, const Caller& caller) {
                       ros::GetParam, ros::HasParam>();
   static_assert(std::ranges::count(kAnswers.is_set, false) == 0, "every service has its answer");
   (this->*kAnswers.members[Answers::place(&row)])(caller);
+}
+
+void ServiceDesk::push_link(const Caller& caller) {
+  if (simulation_ == nullptr) {
+    throw CommandDenied("this robot is no simulation: nobody can push it from here");
+  }
+  const auto asked = request<ros::PushLink>(caller);
+  const bool along_heading = asked.frame == "heading";
+  if (!along_heading && asked.frame != "world" && !asked.frame.empty()) {
+    throw Refused("frame is " + shown(asked.frame) + ", but must be \"world\" or \"heading\"");
+  }
+  simulation_orders_.require_room(caller.call.client);
+  const std::uint32_t order = simulation_->push({.link = asked.link,
+                                                 .force_N = {asked.force.x, asked.force.y, asked.force.z},
+                                                 .along_heading = along_heading,
+                                                 .duration_s = asked.duration});
+  await_result(simulation_orders_, caller, order, [this](const auto& call, const auto& result) {
+    reply(call, ros::PushLink::Response{result.done, result.text});
+  });
 }
 
 void ServiceDesk::acquire_command(const Caller& caller) {

@@ -9,12 +9,14 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "gait_bounds.hpp"
 #include "gaitway/api/limits.hpp"
 #include "gaitway/api/robot_port.hpp"
 #include "gaitway/api/service_table.hpp"
+#include "gaitway/api/simulation_port.hpp"
 #include "robot_commands.hpp"
 #include "rosapi.hpp"
 #include "service_call.hpp"
@@ -22,7 +24,7 @@
 
 namespace gaitway::api {
 
-// Orders that the robot has been given and has not answered yet.
+// Orders that somebody (the robot, or its simulation) has been given and has not answered yet.
 class Orders {
  public:
   // One client may wait for so many answers at once.
@@ -30,7 +32,10 @@ class Orders {
   // `result`: null when none has come in time.
   using Finish = std::function<void(const OrderResult* result)>;
 
-  explicit Orders(RobotPort& robot) noexcept : robot_(robot) {}
+  // The next that was answered, if any.
+  using TakeResult = std::function<std::optional<OrderResult>()>;
+
+  explicit Orders(TakeResult take_result) : take_result_(std::move(take_result)) {}
 
   // Throws CommandDenied when the client waits for too many answers already; before it gives another order.
   void require_room(std::uint64_t client) const;
@@ -49,7 +54,7 @@ class Orders {
     Finish finish;
     bool counts = true;
   };
-  RobotPort& robot_;
+  TakeResult take_result_;
   std::unordered_map<std::uint32_t, Waiting> waiting_;
 };
 
@@ -58,8 +63,9 @@ class ServiceDesk {
   // Takes an answer to its client, if that is still there.
   using Send = std::function<void(const ServiceCall& call, Frame frame)>;
 
-  ServiceDesk(RobotPort& robot, RobotCommands& commands, const Limits& limits, ParameterValues parameters,
-              const ClientOffers& offers, Send send);
+  // `simulation`: nullptr: there is none.
+  ServiceDesk(RobotPort& robot, SimulationPort* simulation, RobotCommands& commands, const Limits& limits,
+              ParameterValues parameters, const ClientOffers& offers, Send send);
   ServiceDesk(const ServiceDesk&) = delete;
   ServiceDesk& operator=(const ServiceDesk&) = delete;
 
@@ -73,6 +79,7 @@ class ServiceDesk {
   // Takes what the robot says, and ends what has waited for too long.
   void step(std::int64_t now_ns) {
     orders_.step(now_ns);
+    simulation_orders_.step(now_ns);
     stands_.step(now_ns);
     gait_.step(now_ns);
     commands_.keep_to(gait_.bounds());
@@ -105,6 +112,7 @@ class ServiceDesk {
   void tell_walk_limits(const Caller& caller);
   void move_joint(const Caller& caller);
   void play_motion(const Caller& caller);
+  void push_link(const Caller& caller);
   void start_recording(const Caller& caller);
   void stop_recording(const Caller& caller);
   void list_recordings(const Caller& caller);
@@ -151,19 +159,24 @@ class ServiceDesk {
   }
   // `respond`: when the robot has said what became of the order.
   void await_result(const Caller& caller, std::uint32_t order,
+                    std::function<void(const ServiceCall& call, const OrderResult& result)> respond) {
+    await_result(orders_, caller, order, std::move(respond));
+  }
+  void await_result(Orders& orders, const Caller& caller, std::uint32_t order,
                     std::function<void(const ServiceCall& call, const OrderResult& result)> respond);
   // Makes S's response out of the order's result. `done`: called before, when it was carried out.
   template <class S>
   void await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done = {});
 
   RobotPort& robot_;
+  SimulationPort* simulation_;
   RobotCommands& commands_;
   Limits limits_;
   ParameterValues parameters_;
   std::set<std::string> read_plugins_;  // whose parameters are all in parameters_
   Send send_;
   Rosapi rosapi_;
-  Orders orders_;
+  Orders orders_, simulation_orders_;
   StandWaits stands_;
   GaitWatch gait_;
   std::optional<Claimant> records_;  // who began the recording, while it is connected

@@ -51,6 +51,15 @@ TEST(AssetTable, FindsAPathWithAQueryAndNothingElse) {
   }
 }
 
+TEST(RobotAssets, SayThatTheRobotIsASimulationByHowItMayBePushed) {
+  AssetTable table;
+  add_robot(table, humanoid(),
+            {.push = PushBounds{
+                 .least_N = 0.1, .most_N = 200.0, .usual_N = 20.0, .shortest_s = 0.01, .longest_s = 2.0}});
+  EXPECT_EQ(description_of(table)["bounds"]["push"],
+            (json{{"least", 0.1}, {"most", 200.0}, {"usual", 20.0}, {"shortest", 0.01}, {"longest", 2.0}}));
+}
+
 TEST(RobotAssets, DescribesLinksJointsSolesMotionsAndBounds) {
   const urdf::RobotModel robot = humanoid();
   AssetTable table;
@@ -78,6 +87,7 @@ TEST(RobotAssets, DescribesLinksJointsSolesMotionsAndBounds) {
   EXPECT_THAT(description["motions"],
               ElementsAre("bow", "get_up_back", "get_up_front", "kick", "squat", "wave"));
   EXPECT_EQ(description["bounds"]["velocity_holds"], 0.5);
+  EXPECT_FALSE(description["bounds"].contains("push")) << "nobody pushes a real robot from a page";
 }
 
 TEST(RobotAssets, GivesMeshesAsTheyAreAndABoxForOneThatIsMissing) {

@@ -107,7 +107,8 @@ class TestClient final : public Connection {
 // A hub with its robot and clock.
 class HubTest : public testing::Test {
  protected:
-  explicit HubTest(HubOptions options = {}) : hub(robot, std::move(options)) {}
+  explicit HubTest(HubOptions options = {}, bool simulated = true)
+      : hub(robot, with(std::move(options), simulated ? &simulation : nullptr)) {}
 
   std::unique_ptr<TestClient> connect(std::string peer, bool authorised = true) {
     return std::make_unique<TestClient>(hub, now_ns, std::move(peer), authorised);
@@ -123,7 +124,14 @@ class HubTest : public testing::Test {
 
   std::int64_t now_ns = 1000 * kSecond_ns;
   RecordedRobot robot;
+  RecordedSimulation simulation;
   Hub hub;
+
+ private:
+  static HubOptions with(HubOptions options, SimulationPort* port) {
+    options.simulation = port;
+    return options;
+  }
 };
 
 }  // namespace gaitway::api

@@ -1,8 +1,10 @@
-// Buttons that turn the camera, for who has no mouse.
+// Buttons that turn the camera, for who has no mouse, and what pushes a simulated robot.
 import { button } from "./dom.ts";
+import type { PushTool } from "./push_tool.ts";
 import type { Look, Scene } from "./scene/scene.ts";
 
-export function fillCameraBar(bar: HTMLElement, scene: Scene): void {
+// `push`: none: the robot is no simulation.
+export function fillCameraBar(bar: HTMLElement, scene: Scene, push?: PushTool): void {
   const follow = button("Follow", () => {
     scene.follows = !scene.follows;
     follow.setAttribute("aria-pressed", String(scene.follows));
@@ -13,5 +15,6 @@ export function fillCameraBar(bar: HTMLElement, scene: Scene): void {
     ...looks.map((look) => button(look[0]?.toUpperCase() + look.slice(1), () => scene.lookFrom(look), { title: `Look from ${look}` })),
     button("+", () => scene.zoom(0.8), { "aria-label": "Nearer" }),
     button("−", () => scene.zoom(1.25), { "aria-label": "Farther" }),
+    ...(push ? [push.toggle, push.form] : []),
   );
 }

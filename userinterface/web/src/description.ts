@@ -1,4 +1,5 @@
 // The robot's description, as the robot gives it.
+import type { PushBounds } from "./push.ts";
 
 export type Triple = [number, number, number];
 export type Turn = [number, number, number, number]; // x, y, z, w
@@ -37,7 +38,7 @@ export interface Description {
   joints: Joint[];
   soles: [Sole, Sole];
   motions: string[];
-  bounds: { forward: number; turn: number; velocity_holds: number; lease: number };
+  bounds: { forward: number; turn: number; velocity_holds: number; lease: number; push?: PushBounds }; // push: of a simulated robot
 }
 
 export class TokenWanted extends Error {}

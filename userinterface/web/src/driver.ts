@@ -7,8 +7,7 @@ import { GamePad, Keys, ScreenStick, strongest } from "./sticks.ts";
 import { commanderOf } from "./view_decoder.ts";
 
 const look_ms = 20;
-const boundsEvery_ms = 30_000; // they are many parameters
-const boundsAgain_ms = 2000; // where they did not come
+const boundsEvery_ms = 2000;
 const foreign_ms = 700; // so long another name in the frames may be an old one
 
 export class Driver {
@@ -122,7 +121,7 @@ export class Driver {
     this.boundsRead_ms = now_ms;
     readBounds(robot, description).then(
       (bounds) => (this.bounds = bounds),
-      () => (this.boundsRead_ms = now_ms - boundsEvery_ms + boundsAgain_ms), // till then those that are known hold on
+      () => {}, // those that are known hold on
     );
   }
 }

@@ -10,6 +10,7 @@ import { Drive } from "./drive.ts";
 import { Driver } from "./driver.ts";
 import { Freshness } from "./freshness.ts";
 import { News } from "./news.ts";
+import { PushTool } from "./push_tool.ts";
 import { Rosbridge, Unanswered } from "./rosbridge.ts";
 import { Scene } from "./scene/scene.ts";
 import { socketUrl } from "./socket_keeper.ts";
@@ -86,7 +87,8 @@ function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar,
 async function start(): Promise<void> {
   const news = new News(byId("news"));
   const robotDescription = await description(news);
-  const scene = new Scene(byId<HTMLCanvasElement>("scene"), robotDescription);
+  const canvas = byId<HTMLCanvasElement>("scene");
+  const scene = new Scene(canvas, robotDescription);
   scene.onDrawn = () => {
     if (performance.getEntriesByName("first-picture").length === 0) performance.mark("first-picture");
   };
@@ -105,7 +107,8 @@ async function start(): Promise<void> {
   const driver = new Driver(context);
   const stops = new StopBar(context, () => driver.end());
   driver.pad.onStop = () => stops.stop();
-  fillCameraBar(byId("camera"), scene);
+  const { push } = robotDescription.bounds;
+  fillCameraBar(byId("camera"), scene, push && new PushTool(context, scene, canvas, push));
   const tabs = [driveTab(context, driver), stateTab(context, scene), plotsTab(context), eventsTab(context), pluginsTab(context), recordingsTab(context)];
   connect(context, driver, scene, stops, tabs);
   await scene.body.loadMeshes(token, () => scene.ask());

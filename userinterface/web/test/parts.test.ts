@@ -11,9 +11,10 @@ import { sizeText } from "../src/tabs/recordings_tab.ts";
 import type { ViewFrame } from "../src/view_decoder.ts";
 
 test("speeds that hold are those of the gait, and at most those of the robot API", () => {
-  const names = ["step_time", "max_step_forward", "max_step_backward", "foot_spacing", "max_foot_spacing", "max_step_turn"];
-  const values = ["0.32 s", "0.15 m", "0.1 m", "0.08 m", "0.18 m", "0.9 rad"];
-  const bounds = gaitBounds({ names, values }, { forward: 0.4, backward: 0.4, left: 0.4, turn: 2 });
+  const told = { success: true, message: "", forward: 0.47, backward: 0.3125, left: 0.156, turn: 2.8 };
+  assert.deepEqual(gaitBounds(told, { forward: 0.4, backward: 0.4, left: 0.4, turn: 2 }), { forward: 0.4, backward: 0.3125, left: 0.156, turn: 2 });
+  assert.equal(gaitBounds({}, { forward: 0.4, backward: 0.3, left: 0.2, turn: 2 }).left, 0.2);
+});
   assert.deepEqual(Object.values(bounds).map((bound) => bound.toFixed(4)), ["0.4000", "0.3125", "0.1562", "2.0000"]);
   assert.equal(gaitBounds({ names: [], values: [] }, { forward: 0.4, backward: 0.3, left: 0.2, turn: 2 }).left, 0.2);
 });

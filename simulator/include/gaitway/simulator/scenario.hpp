@@ -57,6 +57,7 @@ struct ManualJointEvent {
   double position_rad = 0.0;
   int duration_slots = 1;  // time slots of 10 ms over which it moves there
 };
+inline constexpr double kLargestImpulse_Ns = 400.0;
 struct PushEvent {
   std::string body;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();

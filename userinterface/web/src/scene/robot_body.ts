@@ -1,6 +1,7 @@
 // The robot's body in three dimensions, from its description.
 import * as THREE from "three";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
+import type { Grip } from "./push_arrow.ts";
 import { withToken, type Description, type Placed, type Shape } from "../description.ts";
 
 function put(target: THREE.Object3D, { place, turn }: Placed): void {
@@ -72,6 +73,24 @@ export class RobotBody {
       if (angle === undefined || Number.isNaN(angle)) continue;
       group.quaternion.copy(rest).multiply(this.spin.setFromAxisAngle(axis, angle));
     }
+  }
+
+  // The place on a link that the ray meets first; of the newest pose.
+  gripAt(ray: THREE.Raycaster): Grip | undefined {
+    this.base.updateWorldMatrix(false, true);
+    for (const { object, point } of ray.intersectObject(this.base, true)) {
+      const link = this.links.findIndex((group) => group === object.parent);
+      const group = this.links[link];
+      if (group) return { link, group, place: group.worldToLocal(point.clone()) };
+    }
+    return undefined;
+  }
+
+  // The middle of a link's first shape, or its origin.
+  gripOn(link: number): Grip | undefined {
+    const group = this.links[link];
+    const shape = group?.children.find((child) => child instanceof THREE.Mesh);
+    return group && { link, group, place: shape?.position.clone() ?? new THREE.Vector3() };
   }
 
   // Corners of a sole, in the world; of the newest pose.

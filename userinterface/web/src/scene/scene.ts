@@ -2,17 +2,20 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Description } from "../description.ts";
+import type { Flat } from "../push.ts";
 import type { ViewFrame } from "../view_decoder.ts";
 import { Ground, type GroundColours } from "./ground.ts";
 import { FramePace } from "./frame_pace.ts";
+import { PushArrow, type Grip } from "./push_arrow.ts";
 import { RobotBody } from "./robot_body.ts";
 
 interface Palette extends GroundColours {
   sky: number;
+  push: number;
 }
 const palettes: Record<"light" | "dark", Palette> = {
-  light: { sky: 0xe8edf2, ground: 0xdde3e9, grid: 0xc3ccd6, made: 0x8a97a6, planned: 0x1766c2, support: 0x1b8a4b, zmp: 0xd12c2c, plannedZmp: 0x1766c2, com: 0xb06a00 },
-  dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d },
+  light: { sky: 0xe8edf2, ground: 0xdde3e9, grid: 0xc3ccd6, made: 0x8a97a6, planned: 0x1766c2, support: 0x1b8a4b, zmp: 0xd12c2c, plannedZmp: 0x1766c2, com: 0xb06a00, push: 0x7a2bd6 },
+  dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d, push: 0xc39bff },
 };
 
 // Then every pixel costs the processor's time.
@@ -31,6 +34,7 @@ export class Scene {
   private readonly camera = new THREE.PerspectiveCamera(38, 1, 0.02, 200);
   private readonly controls: OrbitControls;
   private readonly ground: Ground;
+  private readonly arrow: PushArrow;
   private readonly size_m: number;
   private followed = new THREE.Vector3();
   private pending = true;
@@ -49,7 +53,8 @@ export class Scene {
     this.body = new RobotBody(description);
     const [sole] = description.soles;
     this.ground = new Ground({ length: sole.size[0], width: sole.size[1], ahead: sole.centre[0] }, this.size_m, palettes.light);
-    this.scene.add(this.body.base, this.ground.group, new THREE.HemisphereLight(0xffffff, 0x8899aa, 2));
+    this.arrow = new PushArrow(this.size_m, description.bounds.push?.most ?? 1);
+    this.scene.add(this.body.base, this.ground.group, this.arrow.group, new THREE.HemisphereLight(0xffffff, 0x8899aa, 2));
     const sun = new THREE.DirectionalLight(0xffffff, 2.2);
     sun.position.set(1.5, 2, 4);
     this.scene.add(sun);
@@ -78,6 +83,7 @@ export class Scene {
     }
     this.body.pose(frame.joint);
     this.ground.show(frame, this.body);
+    this.arrow.follow();
     if (this.follows) this.follow();
     this.pace.wish();
     this.ask();
@@ -109,6 +115,32 @@ export class Scene {
     arm.setLength(THREE.MathUtils.clamp(arm.length() * share, this.controls.minDistance, this.controls.maxDistance));
     this.camera.position.copy(this.controls.target).add(arm);
     this.controls.update();
+    this.ask();
+  }
+
+  // What of the robot is seen at this place of the window.
+  gripAt(x_px: number, y_px: number): Grip | undefined {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2((2 * (x_px - left)) / width - 1, 1 - (2 * (y_px - top)) / height), this.camera);
+    return this.body.gripAt(ray);
+  }
+  gripOn(link: number): Grip | undefined {
+    return this.body.gripOn(link);
+  }
+  // Where the camera looks, level and of length 1; where it looks straight down, what is up in the picture.
+  away(): Flat {
+    const look = this.camera.getWorldDirection(new THREE.Vector3());
+    if (Math.hypot(look.x, look.y) < 0.2) look.set(0, 1, 0).applyQuaternion(this.camera.quaternion);
+    const length = Math.hypot(look.x, look.y);
+    return [look.x / length, look.y / length];
+  }
+  showPush(grip: Grip, force_N: Flat): void {
+    this.arrow.show(grip, force_N);
+    this.ask();
+  }
+  hidePush(): void {
+    this.arrow.hide();
     this.ask();
   }
 
@@ -147,6 +179,7 @@ export class Scene {
     this.scene.background = new THREE.Color(palette.sky);
     this.scene.fog = new THREE.Fog(palette.sky, this.size_m * 3.5, this.size_m * 9);
     this.ground.setColours(palette);
+    this.arrow.colour = palette.push;
     this.ask();
   }
 

@@ -33,7 +33,7 @@ export function driveTab(context: Context, driver: Driver): Tab {
       if (!command.mine) await command.take();
       await order();
     });
-  const stand = button("Stand", commanded("Stand", () => robot.order("/stand")));
+  const stand = button("Stand", commanded("Stand", () => robot.order("/stand", {}, 15_000)));
   const motions = description.motions.map((motion) =>
     button(motion.replaceAll("_", " "), commanded(`Motion ${motion}`, () => robot.order("/play_motion", { motion }, 15_000))));
   const leave = button("Leave the motion", commanded("Leave the motion", () => robot.order("/play_motion", { motion: "" })));

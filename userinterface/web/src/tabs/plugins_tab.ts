@@ -1,9 +1,10 @@
 // The plug-ins: what they cost, what went wrong; reload, and the parameters that can be changed while they work.
-import { parametersWait_ms } from "../bounds.ts";
 import type { Context, Tab } from "../context.ts";
 import { button, element, setText } from "../dom.ts";
 import { Facts } from "../facts.ts";
 import type { Message } from "../rosbridge.ts";
+
+const parametersWait_ms = 10_000; // the robot asks the plug-in for one after the other
 
 interface Plugin {
   name: string;

@@ -14,7 +14,8 @@ struct ServiceRow {
   std::string_view type;
   bool needs_command;  // refused to all but the one who has the command
   std::string_view doc;
-  std::string_view example;  // arguments, as JSON
+  std::string_view example;    // arguments, as JSON
+  bool of_simulation = false;  // a real robot does not offer it
 };
 
 inline constexpr std::array kServices{
@@ -91,6 +92,16 @@ inline constexpr std::array kServices{
                R"({"lease": "0123456789abcdef"})"},
     ServiceRow{"/command/release", ros::Lease::kName, false, "Give the command back",
                R"({"lease": "0123456789abcdef"})"},
+    ServiceRow{
+        "/simulation/push", ros::PushLink::kName, false,
+        "Push the simulated robot: `force` [N, 0.1 to 200 in size] on the centre of mass of `link`, for "
+        "`duration` [s, 0.01 to 2]. `frame`: `world`, the simulator's, also when it is empty; or `heading`, "
+        "in "
+        "which x is where the robot looks and z is up. Eight pushes at once at most. For everybody who is "
+        "let "
+        "in. A real robot does not list this service, and refuses it",
+        R"({"link": "trunk", "force": {"x": 5.0, "y": 0.0, "z": 0.0}, "duration": 0.1, "frame": "heading"})",
+        true},
     ServiceRow{"/rosapi/topics", ros::Topics::kName, false, "Every topic and its type", "{}"},
     ServiceRow{"/rosapi/topic_type", ros::TopicType::kName, false,
                "The type of a topic; empty when there is none of that name", R"({"topic": "/joint_states"})"},

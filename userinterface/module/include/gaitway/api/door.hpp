@@ -20,6 +20,8 @@ struct DoorOptions {
   // UDP, at the server's address; 0: no stops by datagram; without it one more than the port that the server
   // got.
   std::optional<std::uint16_t> stop_port;
+  // Socket of the simulator's control channel; empty: the robot is no simulation.
+  std::filesystem::path simulation;
   std::filesystem::path recordings;   // folder; empty: nothing is recorded
   std::uint64_t recording_bytes = 0;  // a recording's size, at most
 };

@@ -17,6 +17,7 @@
 #include "gaitway/api/publication.hpp"
 #include "gaitway/api/robot_port.hpp"
 #include "gaitway/api/session.hpp"
+#include "gaitway/api/simulation_port.hpp"
 
 namespace gaitway::api {
 
@@ -29,6 +30,8 @@ struct HubOptions {
   // For rosapi: name ("plug-in:parameter") -> value, as in a configuration. Kept up to date by what clients
   // set and read.
   std::map<std::string, std::string, std::less<>> parameters;
+  // Outlives the hub; nullptr: the robot is no simulation.
+  SimulationPort* simulation = nullptr;
 };
 
 // What clients cost, for diagnostics; counts are since the start.
