@@ -21,7 +21,9 @@
 #include "gaitway/api/view_source.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/page/asset_table.hpp"
+#include "gaitway/page/motion_assets.hpp"
 #include "gaitway/page/robot_assets.hpp"
+#include "gaitway/process/installation.hpp"
 #include "gaitway/urdf/description_text.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -91,6 +93,7 @@ page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits) 
                    .turn_rad_per_s = limits.turn_rad_per_s,
                    .velocity_holds_s = static_cast<double>(limits.velocity_ns) / kSecond_ns,
                    .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns});
+  page::add_motions(assets, robot, process::prepared_motion_directories(robot.directory));
   return assets;
 }
 
