@@ -156,6 +156,28 @@ test("pushes the simulated robot by a drag, shows the force, and the robot gives
   await robot.close();
 });
 
+test("shows a motion before it is played, and the robot does not move", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  const shows = (text) => robot.until((words) => document.querySelector(".preview:not([hidden])")?.textContent.includes(words), `the preview says '${text}'`, 20_000, text);
+  const wave = await robot.page.evaluateHandle(() => [...document.querySelectorAll(".drive button")].find((button) => button.textContent === "wave"));
+  await wave.hover();
+  await shows("Waves with the left hand.");
+  await shows("begins when the robot stands");
+  await robot.until(() => Number(document.querySelector(".preview").dataset.time) > 0.3, "the ghost moves");
+  await robot.page.mouse.move(300, 300);
+  await robot.until(() => document.querySelector(".preview").hidden, "the preview ends");
+  await robot.page.click('[aria-label="Preview get up back"]');
+  await robot.page.mouse.move(300, 300);
+  await shows("begins when the robot lies on its back");
+  assert.equal(await robot.text("activity"), "stands");
+  assert.equal(await robot.text("commander"), "nobody commands");
+  await robot.tab("State");
+  await robot.until(() => document.querySelector(".preview").hidden, "it ends with its view");
+  assert.deepEqual(robot.errors, []);
+  await robot.close();
+});
+
 test("pushes by keys and by touch on a phone; a drag that is broken off pushes nothing", async () => {
   const robot = await RobotPage.open(browser, address(), { width: 360, height: 740, hasTouch: true, isMobile: true });
   await robot.live();

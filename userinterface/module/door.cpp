@@ -24,7 +24,9 @@
 #include "gaitway/api/view_source.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/page/asset_table.hpp"
+#include "gaitway/page/motion_assets.hpp"
 #include "gaitway/page/robot_assets.hpp"
+#include "gaitway/process/installation.hpp"
 #include "gaitway/urdf/description_text.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -107,6 +109,7 @@ page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits, 
                    .velocity_holds_s = static_cast<double>(limits.velocity_ns) / kSecond_ns,
                    .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns,
                    .push = simulated ? std::optional(push_bounds(robot)) : std::nullopt});
+  page::add_motions(assets, robot, process::prepared_motion_directories(robot.directory));
   return assets;
 }
 

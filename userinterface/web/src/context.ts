@@ -14,6 +14,7 @@ export interface Context {
   readonly command: Command;
   readonly drive: Drive;
   readonly news: News;
+  readonly token: () => string | undefined;
   readonly frameTakers: ((frame: ViewFrame) => void)[];
   // Carries out what a person asked for; what became of it is told. Gives whether it was done.
   readonly attempt: (what: string, order: () => Promise<unknown>) => Promise<boolean>;

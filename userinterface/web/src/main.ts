@@ -101,6 +101,7 @@ async function start(): Promise<void> {
     command: new Command(robot, name),
     drive: new Drive(),
     news,
+    token: () => token,
     frameTakers: [],
     attempt: makeAttempt(news),
   };

@@ -93,14 +93,20 @@ export class RobotBody {
     return group && { link, group, place: shape?.position.clone() ?? new THREE.Vector3() };
   }
 
-  // Corners of a sole, in the world; of the newest pose.
-  soleCorners(side: 0 | 1): THREE.Vector3[] {
-    const { link, size, centre, place, turn } = this.description.soles[side];
-    const group = this.links[link];
-    if (!group) return [];
-    group.updateWorldMatrix(true, false);
+  // Of a sole, in the world; of the newest pose.
+  solePose(side: 0 | 1): THREE.Matrix4 {
+    const { link, place, turn } = this.description.soles[side];
     const sole = new THREE.Matrix4().compose(new THREE.Vector3(...place), new THREE.Quaternion(...turn), new THREE.Vector3(1, 1, 1));
-    sole.premultiply(group.matrixWorld);
+    const group = this.links[link];
+    if (!group) return sole;
+    group.updateWorldMatrix(true, false);
+    return sole.premultiply(group.matrixWorld);
+  }
+
+  // Its corners.
+  soleCorners(side: 0 | 1): THREE.Vector3[] {
+    const { size, centre } = this.description.soles[side];
+    const sole = this.solePose(side);
     const signs: [number, number][] = [[1, 1], [-1, 1], [-1, -1], [1, -1]];
     return signs.map(([x, y]) => new THREE.Vector3(centre[0] + (x * size[0]) / 2, centre[1] + (y * size[1]) / 2, 0).applyMatrix4(sole));
   }

@@ -23,6 +23,13 @@ function drawsInSoftware(): boolean {
   return document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true }) === null;
 }
 
+// Opaque: the browser then lays it onto the page as it is, which costs a third less than blending it.
+function openContext(canvas: HTMLCanvasElement, antialias: boolean): WebGL2RenderingContext {
+  const context = canvas.getContext("webgl2", { alpha: false, antialias, stencil: false, powerPreference: "low-power" });
+  if (!context) throw new Error("this browser draws no WebGL 2");
+  return context;
+}
+
 export type Look = "behind" | "front" | "side" | "top";
 
 export class Scene {
@@ -49,7 +56,7 @@ export class Scene {
   ) {
     this.size_m = description.hip_height * 2;
     this.software = drawsInSoftware();
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, powerPreference: "low-power" });
+    this.renderer = new THREE.WebGLRenderer({ canvas, context: openContext(canvas, !this.software) });
     this.body = new RobotBody(description);
     const [sole] = description.soles;
     this.ground = new Ground({ length: sole.size[0], width: sole.size[1], ahead: sole.centre[0] }, this.size_m, palettes.light);

@@ -2,6 +2,7 @@
 import type { Context, Tab } from "../context.ts";
 import { button, element, setText } from "../dom.ts";
 import type { Driver } from "../driver.ts";
+import { motionButtons } from "./motion_buttons.ts";
 
 const signed = (value: number) => (Number.isNaN(value) ? "–" : `${value < -0.005 ? "−" : ""}${Math.abs(value).toFixed(2)}`);
 
@@ -25,7 +26,7 @@ const states = {
 } as const;
 
 export function driveTab(context: Context, driver: Driver): Tab {
-  const { attempt, command, robot, description, freshness, drive } = context;
+  const { attempt, command, robot, freshness, drive } = context;
   const { table, cells } = speedTable();
   const hint = element("p", { class: "hint", role: "status" });
   const commanded = (what: string, order: () => Promise<unknown>) => () =>
@@ -34,15 +35,14 @@ export function driveTab(context: Context, driver: Driver): Tab {
       await order();
     });
   const stand = button("Stand", commanded("Stand", () => robot.order("/stand", {}, 15_000)));
-  const motions = description.motions.map((motion) =>
-    button(motion.replaceAll("_", " "), commanded(`Motion ${motion}`, () => robot.order("/play_motion", { motion }, 15_000))));
   const leave = button("Leave the motion", commanded("Leave the motion", () => robot.order("/play_motion", { motion: "" })));
+  const motions = motionButtons(context, (motion) => commanded(`Motion ${motion}`, () => robot.order("/play_motion", { motion }, 15_000))(), leave);
   const progress = element("p", { class: "hint", role: "status" });
   const content = element("div", { class: "drive" },
     element("div", { class: "sticks" }, driver.walk.field, element("div", { class: "beside" }, driver.side.field, hint, stand)),
     table,
     element("h2", {}, "Motions"),
-    element("div", { class: "buttons", role: "group", "aria-label": "Motions" }, ...motions, leave),
+    motions.group,
     progress);
   robot.subscribe("/motion_state", "gaitway_msgs/msg/MotionState", 200, (message) => {
     const plays = message["state"] !== "none";
@@ -53,6 +53,7 @@ export function driveTab(context: Context, driver: Driver): Tab {
   return {
     title: "Drive",
     content,
+    hide: motions.hide,
     look: () => {
       setText(hint, states[drive.state]);
       const { forward, left, turn } = driver.sent;
