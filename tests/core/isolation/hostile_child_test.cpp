@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <random>
 #include <string_view>
+#include <thread>
 
 #include "plugin_fixture.hpp"
 
@@ -48,6 +50,7 @@ class HostileChild : public PluginFixture {
   // The last error of `it` that contains `part`, after at most so many ticks.
   static std::string error_with(PluginManager& manager, std::string_view part, std::uint32_t ticks) {
     for (std::uint32_t i = 4; i < 4 + ticks; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the child needs time, not ticks
       manager.step(tick(i));
       manager.maintain(tick(i).now_ns);
       const EventLog& events = manager.events();
@@ -98,7 +101,7 @@ TEST_F(HostileChild, WhateverItSaysInWhateverOrderIsSurvived) {
 
 TEST_F(HostileChild, OneThatHearsNoAnswerKeepsNoTickWaiting) {
   const auto manager = load_until_it_ends("hear\nask 100000\nstay\n");
-  EXPECT_THAT(error_with(*manager, "cannot be replaced", 2000),
+  EXPECT_THAT(error_with(*manager, "cannot be replaced", 5000),
               HasSubstr("does not read what it is answered"));
 }
 
@@ -113,7 +116,7 @@ TEST_F(HostileChild, OneThatDeclaresWithoutEndIsRefused) {
     lines += "parameter\nhear\n";
   }
   const auto manager = load_until_it_ends(lines + "created\nhear\nattached\nstay\n");
-  EXPECT_THAT(error_with(*manager, "cannot be replaced", 2000), HasSubstr("more than 1024"));
+  EXPECT_THAT(error_with(*manager, "cannot be replaced", 5000), HasSubstr("more than 1024"));
 }
 
 }  // namespace
