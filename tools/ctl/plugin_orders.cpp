@@ -12,6 +12,7 @@
 #include <string_view>
 #include <thread>
 
+#include "gaitway/facts/parameter_line.hpp"
 #include "gaitway/input/text.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -122,13 +123,16 @@ int change(Conversation& conversation, const PluginRequest& request, const std::
   return done ? kExitFine : kExitRefused;
 }
 
-void print_parameter(const nlohmann::json& parameter) {
-  const std::string unit = parameter.at("unit");
+void print_parameter(const std::string& line) {
+  const auto parameter = facts::read_parameter_line(line);
+  if (!parameter) {
+    throw std::runtime_error("the main controller is of another version: it tells a parameter as '" +
+                             input::terminal_text(line) + "'");
+  }
   fmt::print("{}\n",
-             input::terminal_text(fmt::format(
-                 "{:<24} {:>12} {:<10} {:<5} {}", parameter.at("name").get<std::string>(),
-                 parameter.at("value").get<std::string>(), unit == "1" ? "" : unit,
-                 parameter.at("live").get<bool>() ? "live" : "", parameter.at("doc").get<std::string>())));
+             input::terminal_text(fmt::format("{:<24} {:>12} {:<10} {:<5} {}", parameter->name,
+                                              parameter->value, parameter->unit == "1" ? "" : parameter->unit,
+                                              parameter->live ? "live" : "", parameter->doc)));
 }
 
 // One after the other, until there is none of the next number.
@@ -145,7 +149,7 @@ int list_parameters(Conversation& conversation, PluginRequest request) {
       fmt::print(stderr, "{}\n", input::terminal_text(text_of(*answer)));
       return kExitRefused;
     }
-    print_parameter(nlohmann::json::parse(text_of(*answer)));
+    print_parameter(text_of(*answer));
   }
 }
 
