@@ -11,6 +11,7 @@ export class Link {
     const link = new Link();
     link.#server = net.createServer({ pauseOnConnect: true }, (near) => link.#join(near, port));
     await new Promise((resolve) => link.#server.listen(0, "127.0.0.1", resolve));
+    link.#server.unref(); // a test that fails before it ends its link holds up nobody
     return link;
   }
   get port() {
@@ -43,6 +44,7 @@ export class Link {
     for (const [from, to] of [[near, far], [far, near]]) {
       this.#sockets.add(from);
       from.setNoDelay(true);
+      from.unref();
       from.on("data", (bytes) => to.write(bytes));
       from.on("end", () => to.end());
       from.on("error", () => to.destroy());

@@ -388,6 +388,7 @@ test("asks for the token until it is right", async () => {
 test("pages from elsewhere get nothing", async () => {
   const elsewhere = http.createServer((_request, response) => response.end("<p>another page"));
   await new Promise((resolve) => elsewhere.listen(0, "127.0.0.1", resolve));
+  elsewhere.unref();
   const page = await browser.newPage();
   const answer = await page.goto(`http://elsewhere.example:${port}/`);
   assert.equal(answer.status(), 421);

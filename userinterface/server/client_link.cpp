@@ -17,12 +17,6 @@ constexpr std::size_t kTurnFrames = OutgoingQueue::kBuffers / 2;
 constexpr int kTurns = 4;
 // Pings and pongs that a client may send in a second.
 constexpr unsigned kControlFrames = 100;
-// Urgent messages that need not wait, from one sweep to the next: so many of each client, whatever the others
-// do, and more while all have sent no more than so many beyond. Who sends still more must wait for his turn.
-// Emergencies have a number of their own: they wait for no urgent ones of their own sender.
-constexpr unsigned kUrgentAtOnce = 4;
-constexpr unsigned kUrgentOfAll = 64;
-constexpr unsigned kEmergenciesAtOnce = 2;
 using facts::kSecond_ns;
 
 std::string shortened(std::string_view reason) {
@@ -175,7 +169,7 @@ void ClientLink::received(std::string_view message, bool binary) {
     return;
   }
   const Urgency urgency = session_->urgency(message, binary);
-  if (may_overtake(urgency)) {
+  if (urgent_share_.may_overtake(urgency, core_.urgent_beyond)) {
     inbox_.overtake();
     sent_after_ns_ = answered_ns_;
     session_->take(message, binary, wall_now_ns());
@@ -185,15 +179,6 @@ void ClientLink::received(std::string_view message, bool binary) {
   if (!std::exchange(in_line_, true)) {
     core_.want_work(shared_from_this());
   }
-}
-
-bool ClientLink::may_overtake(Urgency urgency) noexcept {
-  if (urgency == Urgency::none) {
-    return false;
-  }
-  const auto take_from = [](unsigned& taken, unsigned most) { return taken < most && ++taken > 0; };
-  return take_from(overtook_, kUrgentAtOnce) || take_from(core_.urgent_beyond, kUrgentOfAll) ||
-         (urgency == Urgency::emergency && take_from(emergencies_, kEmergenciesAtOnce));
 }
 
 void ClientLink::read_on() {
@@ -288,7 +273,7 @@ void ClientLink::left(Refusal cause) {
 }
 
 void ClientLink::sweep(std::int64_t now_ns) {
-  overtook_ = emergencies_ = 0;
+  urgent_share_.begin_anew();
   if (phase_ == Phase::open) {
     sweep_open(now_ns);
   } else if (phase_ == Phase::refused) {

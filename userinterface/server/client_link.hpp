@@ -15,6 +15,7 @@
 #include "gaitway/api/session.hpp"
 #include "outgoing_queue.hpp"
 #include "server_core.hpp"
+#include "urgent_share.hpp"
 
 namespace gaitway::api {
 
@@ -107,7 +108,6 @@ class ClientLink : public Connection,
   enum class Phase : std::uint8_t { handshake, refused, refusing, open, closing, over };
 
   void fill(std::int64_t now_ns);
-  [[nodiscard]] bool may_overtake(Urgency urgency) noexcept;
   void drop_session() noexcept;
   // Ends the session once it has taken what waits.
   void let_session_finish() noexcept;
@@ -142,8 +142,7 @@ class ClientLink : public Connection,
   std::int64_t sent_after_ns_ = 0;    // of the message that is being taken
   std::int64_t heard_ns_ = 0, front_ns_ = 0;  // by the time in which it was listened to
   unsigned control_frames_ = 0;
-  // Since the last sweep: messages that overtook others, and emergencies beyond them.
-  unsigned overtook_ = 0, emergencies_ = 0;
+  UrgentShare urgent_share_;
 };
 
 using TcpSocket =
