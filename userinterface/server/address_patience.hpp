@@ -1,4 +1,5 @@
-// How long who was refused has to wait for being told so: the longer, the more often its address was.
+// How long who was refused has to wait for being told so: the longer, the more often its address was. And
+// what counts as one address.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +11,17 @@
 
 namespace gaitway::api {
 
+// An IPv4 address, and of IPv6 the /64: a computer takes as many addresses of its own as it likes.
+[[nodiscard]] inline boost::asio::ip::address counted_address(const boost::asio::ip::address& address) {
+  constexpr std::ptrdiff_t kNetworkBytes = 8;
+  if (!address.is_v6()) {
+    return address;
+  }
+  auto bytes = address.to_v6().to_bytes();
+  std::fill(bytes.begin() + kNetworkBytes, bytes.end(), std::uint8_t{0});
+  return boost::asio::ip::address_v6(bytes, address.to_v6().scope_id());
+}
+
 class AddressPatience {
  public:
   static constexpr double kForgottenPerSecond = 1.0;
@@ -18,8 +30,9 @@ class AddressPatience {
   static constexpr std::size_t kMostAddresses = 1024;
 
   // Another one; how long it waits for its answer.
-  [[nodiscard]] std::int64_t refused(const boost::asio::ip::address& address, std::int64_t now_ns) {
+  [[nodiscard]] std::int64_t refused(const boost::asio::ip::address& whose, std::int64_t now_ns) {
     constexpr double kMostRemembered = 16.0;
+    const boost::asio::ip::address address = counted_address(whose);
     if (refusals_.size() >= kMostAddresses && !refusals_.contains(address)) {
       forget_one();
     }

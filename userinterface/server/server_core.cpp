@@ -37,11 +37,12 @@ ServerCore::ServerCore(SessionHub& sessions, const ServerSetup& server_setup, co
       page(server_page),
       listening(wall_now_ns(), 2 * options.tick_ns) {}
 
-bool ServerCore::make_room_for(const boost::asio::ip::address& address) {
+bool ServerCore::make_room_for(const boost::asio::ip::address& whose) {
+  const boost::asio::ip::address address = counted_address(whose);
   std::map<boost::asio::ip::address, Strangers> strangers;
   for (const auto& link : links_) {
     if (link->may_give_way()) {
-      Strangers& of_its = strangers[link->address()];
+      Strangers& of_its = strangers[counted_address(link->address())];
       ++of_its.count;
       if (!of_its.oldest || link->since_ns() < of_its.oldest->since_ns()) {
         of_its.oldest = link;
@@ -68,7 +69,7 @@ bool ServerCore::make_room_for(const boost::asio::ip::address& address) {
 
 void ServerCore::add(std::shared_ptr<ClientLink> link) {
   if (!link->is_surplus()) {
-    ++of_address_[link->address()];
+    ++of_address_[counted_address(link->address())];
     ++places_taken_;
   }
   link->place = links_.size();
@@ -80,7 +81,7 @@ void ServerCore::add(std::shared_ptr<ClientLink> link) {
 
 void ServerCore::remove(ClientLink& link) {
   if (!link.is_surplus()) {
-    if (const auto known = of_address_.find(link.address()); --known->second == 0) {
+    if (const auto known = of_address_.find(counted_address(link.address())); --known->second == 0) {
       of_address_.erase(known);
     }
     --places_taken_;

@@ -31,8 +31,8 @@ class ServerCore {
 
   // Whether a connection of this address is within the limits. When all places of this address are taken, or
   // those of its strangers, its oldest link gives way that may; when all places are taken, the oldest of the
-  // address that has most such links.
-  [[nodiscard]] bool make_room_for(const boost::asio::ip::address& address);
+  // address that has most such links. counted_address() says what one address is.
+  [[nodiscard]] bool make_room_for(const boost::asio::ip::address& whose);
   void add(std::shared_ptr<ClientLink> link);
   void remove(ClientLink& link);
   // The link's pump() is called soon, but not from here.
@@ -67,7 +67,7 @@ class ServerCore {
 
   std::vector<std::shared_ptr<ClientLink>> links_;
   // Without those that are surplus.
-  std::map<boost::asio::ip::address, std::size_t> of_address_;
+  std::map<boost::asio::ip::address, std::size_t> of_address_;  // by counted_address()
   std::size_t places_taken_ = 0;
   std::vector<std::shared_ptr<ClientLink>> woken_, pumped_;
   bool pump_posted_ = false;

@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -13,9 +14,11 @@
 #include <thread>
 #include <vector>
 
+#include "client_link.hpp"
 #include "raw_client.hpp"
 #include "running_server.hpp"
 #include "secret_files.hpp"
+#include "server_core.hpp"
 #include "websocket_client.hpp"
 
 namespace gaitway::api {
@@ -232,6 +235,60 @@ TEST_F(CrowdingTest, WhoRenewsHisSocketsLocksNobodyOut) {
   for (const auto& client : clients) {
     EXPECT_TRUE(echoes(*client));
   }
+}
+
+// Connections as of addresses that this computer has not.
+class CrowdOfAddresses : public testing::Test {
+ protected:
+  explicit CrowdOfAddresses() : setup_(few_strangers()), core_(hub_, setup_, {}) {}
+  ~CrowdOfAddresses() override {
+    while (!core_.links().empty()) {
+      core_.links().back()->cut(Closing::shut_down);
+    }
+    core_.io.poll();
+  }
+  // Nothing: there is no place for it.
+  std::shared_ptr<ClientLink> come(const char* from) {
+    const auto address = boost::asio::ip::make_address(from);
+    if (!core_.make_room_for(address)) {
+      return nullptr;
+    }
+    auto link =
+        make_plain_connection(core_, TcpSocket(core_.io, boost::asio::ip::tcp::v6()), {address, 1}, false);
+    core_.add(link);
+    return link;
+  }
+  [[nodiscard]] bool is_there(const std::shared_ptr<ClientLink>& link) const {
+    return std::ranges::find(core_.links(), link) != core_.links().end();
+  }
+
+ private:
+  static ServerOptions few_strangers() {
+    ServerOptions options = local();
+    options.limits.strangers_of_one_address = 2;
+    return options;
+  }
+  EchoHub hub_;
+  const ServerSetup setup_;
+  ServerCore core_;
+};
+
+TEST_F(CrowdOfAddresses, AddressesOfOneIpv6NetworkAreOne) {
+  const auto first = come("2001:db8:0:1::1"), second = come("2001:db8:0:1:ffff:ffff:ffff:ffff");
+  const auto foreigner = come("2001:db8:0:2::1");
+  EXPECT_TRUE(is_there(first));
+  const auto third = come("2001:db8:0:1::2");
+  EXPECT_FALSE(is_there(first)) << "the oldest of the network that has its places";
+  EXPECT_TRUE(is_there(second));
+  EXPECT_TRUE(is_there(third));
+  EXPECT_TRUE(is_there(foreigner));
+}
+
+TEST_F(CrowdOfAddresses, AddressesOfIpv4AreEachItsOwn) {
+  const auto first = come("192.0.2.1"), second = come("192.0.2.2"), third = come("192.0.2.3");
+  EXPECT_TRUE(is_there(first));
+  EXPECT_TRUE(is_there(second));
+  EXPECT_TRUE(is_there(third));
 }
 
 TEST_F(CrowdingTest, OneAddressCannotHaveAllPlacesUnlessAsked) {

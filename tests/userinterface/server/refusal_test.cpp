@@ -67,6 +67,18 @@ TEST(Refusals, WaitTheLongerTheMoreThereAre) {
   EXPECT_EQ(patience.refused(address, 60 * kSecond_ns), 0) << "forgotten";
 }
 
+TEST(Refusals, WaitWhateverAddressOfItsNetworkAnIpv6ClientTakes) {
+  AddressPatience patience;
+  std::int64_t wait_ns = 0;
+  for (unsigned char count = 0; count < 20; ++count) {
+    boost::asio::ip::address_v6::bytes_type bytes{0x20, 0x01, 0x0d, 0xb8};
+    bytes[15] = count;
+    wait_ns = patience.refused(boost::asio::ip::address_v6(bytes), 0);
+  }
+  EXPECT_EQ(wait_ns, AddressPatience::kLongestWait_ns);
+  EXPECT_EQ(patience.refused(boost::asio::ip::make_address("2001:db8:0:1::1"), 0), 0) << "of another network";
+}
+
 TEST(Refusals, AddressesAreNotRememberedWithoutLimit) {
   AddressPatience patience;
   for (std::uint32_t count = 0; count < 5000; ++count) {
