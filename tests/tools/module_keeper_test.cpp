@@ -34,15 +34,15 @@ pid_t child() {
 
 TEST(ModuleKeeper, EndsAModuleThatHangsBeforeItServes) {
   const process::PrivateFolder folder("gaitway_keeper");
-  const std::filesystem::path limits = folder.path() / "limits.yaml";
-  std::ofstream(limits) << "connections: 5\n";
+  const std::filesystem::path robot = folder.path() / "robot", description = robot / "robot.urdf";
+  std::filesystem::copy(GAITWAY_URDF_DIR "/humanoid22", robot, std::filesystem::copy_options::recursive);
   auto keeper = std::make_unique<ModuleKeeper>(std::vector<std::string>{
-      "--robot", GAITWAY_URDF_DIR "/humanoid22", "--link", "unix:" + (folder.path() / "link").string(),
-      "--port", "0", "--stop-port", "0", "--limits", limits.string()});
+      "--robot", robot.string(), "--link", "unix:" + (folder.path() / "link").string(), "--port", "0",
+      "--stop-port", "0"});
   const pid_t first = child();
   ASSERT_GT(first, 0);
-  std::filesystem::remove(limits);
-  ASSERT_EQ(mkfifo(limits.c_str(), 0600), 0);  // who opens it waits for who writes to it
+  std::filesystem::remove(description);
+  ASSERT_EQ(mkfifo(description.c_str(), 0600), 0);  // who opens it waits for who writes to it
   kill(first, SIGKILL);
   while (child() == first || child() == 0) std::this_thread::yield();
   const pid_t second = child();

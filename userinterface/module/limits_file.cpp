@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
+#include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 
 namespace gaitway::api {
@@ -16,7 +18,7 @@ struct ReadLimit {
 
   void operator()(const LimitRow& row, std::size_t& count) const {
     if (const auto value = map.find(row.name)) {
-      count = static_cast<std::size_t>(value->integer(1, 1'000'000'000));
+      count = static_cast<std::size_t>(value->integer(1, row.highest));
     }
   }
   void operator()(const LimitRow& row, std::int64_t& time_ns) const {
@@ -35,6 +37,11 @@ struct ReadLimit {
 }  // namespace
 
 Limits read_limits(const std::filesystem::path& file) {
+  if (std::error_code missing;
+      std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing)) {
+    // A pipe would have the process wait for who writes to it.
+    input::refuse({file, 0, "", "", "is no regular file", "Name the file with the limits"});
+  }
   const input::YamlValue map = input::YamlValue::read(file);
   Limits limits;
   std::vector<std::string_view> names;

@@ -38,24 +38,27 @@ struct Limits {
 };
 
 // Bytes that the process takes at most, by which it bounds itself.
-[[nodiscard]] constexpr std::size_t most_memory_bytes(const Limits& limits) noexcept {
-  constexpr std::size_t kKiB = 1024, kMiB = 1024 * kKiB;
-  constexpr std::size_t kWithoutClients_bytes = 128 * kMiB;  // programs, stacks, mirror, recorder, meshes
-  constexpr std::size_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
-  constexpr std::size_t kRoom = 2;        // a text that has grown has up to so many times its bytes
-  constexpr std::size_t kUnlookedAt = 3;  // messages of one client: one that is being read, two that wait
-  constexpr std::size_t kTopic_bytes = 8 * kKiB;    // of clients: its names, types, ids and who uses it
-  constexpr std::size_t kService_bytes = 2 * kKiB;  // of clients, and a call that is under way
+[[nodiscard]] constexpr std::uint64_t most_memory_bytes(const Limits& limits) noexcept {
+  constexpr std::uint64_t kKiB = 1024, kMiB = 1024 * kKiB;
+  constexpr std::uint64_t kWithoutClients_bytes = 128 * kMiB;  // programs, stacks, mirror, recorder, meshes
+  constexpr std::uint64_t kConnection_bytes = 512 * kKiB;      // WebSocket, TLS, and what is being written
+  constexpr std::uint64_t kRoom = 2;        // a text that has grown has up to so many times its bytes
+  constexpr std::uint64_t kUnlookedAt = 3;  // messages of one client: one that is being read, two that wait
+  constexpr std::uint64_t kTopic_bytes = 8 * kKiB;    // of clients: its names, types, ids and who uses it
+  constexpr std::uint64_t kService_bytes = 2 * kKiB;  // of clients, and a call that is under way
   return kWithoutClients_bytes + limits.client_topics * kTopic_bytes +
          (limits.client_services + limits.calls_of_all) * kService_bytes +
          limits.connections * (kConnection_bytes + kUnlookedAt * limits.message_bytes) +
          kRoom * limits.waiting_bytes_of_all;
 }
 
+inline constexpr int kMostOfAKind = 65'536, kMostLimitBytes = 1 << 30, kMostDepth = 1000;
+
 struct LimitRow {
   std::string_view name;  // of the parameter
   std::string_view unit;  // of the parameter: "s" also where the member is in nanoseconds; empty: a number
   std::string_view doc;
+  int highest = kMostOfAKind;  // that a file may set, of a std::size_t
 };
 
 // Calls visit(row, member) for every limit; members are std::size_t, double, or std::int64_t in nanoseconds.
@@ -76,15 +79,16 @@ void visit_limits(AnyLimits& limits, Visitor&& visit) {
                  "of these whose handshake has not ended yet, or who have not shown a token that is wanted; "
                  "beyond them the oldest gives way"},
         strangers);
-  visit(LimitRow{"message_bytes", "", "bytes of one message from a client"}, message_bytes);
-  visit(LimitRow{"depth", "", "nested arrays and objects in a message from a client"}, depth);
+  visit(LimitRow{"message_bytes", "", "bytes of one message from a client", kMostLimitBytes}, message_bytes);
+  visit(LimitRow{"depth", "", "nested arrays and objects in a message from a client", kMostDepth}, depth);
   visit(LimitRow{"subscriptions", "", "subscriptions of one client"}, subscriptions);
   visit(LimitRow{"advertisements", "", "topics that one client advertises"}, advertisements);
   visit(LimitRow{"client_topics", "", "topics that clients have among themselves, of all together"},
         client_topics);
   visit(LimitRow{"kept_bytes", "",
                  "bytes, as JSON, of a message of a client's latched topic, which is kept; counts with what "
-                 "waits for it"},
+                 "waits for it",
+                 kMostLimitBytes},
         kept_bytes);
   visit(LimitRow{"services", "", "services that one client offers"}, services);
   visit(LimitRow{"client_services", "", "services that all clients together offer"}, client_services);
@@ -94,10 +98,12 @@ void visit_limits(AnyLimits& limits, Visitor&& visit) {
   visit(LimitRow{"queue_length", "", "messages that wait in one subscription; the oldest are dropped"},
         queue_length);
   visit(LimitRow{"waiting_bytes", "",
-                 "bytes that a client leaves unread before it is dropped; each message counts 128 more"},
+                 "bytes that a client leaves unread before it is dropped; each message counts 128 more",
+                 kMostLimitBytes},
         waiting_bytes);
   visit(LimitRow{"waiting_bytes_of_all", "",
-                 "bytes that all clients together leave unread before the one with the most is dropped"},
+                 "bytes that all clients together leave unread before the one with the most is dropped",
+                 kMostLimitBytes},
         waiting_bytes_of_all);
   visit(LimitRow{"messages_per_s", "1/s", "messages from one client"}, messages_per_s);
   visit(LimitRow{"handshake", "s", "from connecting to the end of the handshake"}, handshake);
