@@ -318,7 +318,7 @@ void Feed::publish_robot_state(PublicationSink& sink) {
   State& state = *state_;
   const Activity activity = activity_of({.network = topics_->network.if_there(),
                                          .estimate = topics_->estimate.if_there(),
-                                         .planned = planned(),
+                                         .planned = topics_->planned.if_there(),
                                          .motion = topics_->motion.if_there(),
                                          .heartbeat_age_ns = state.heartbeat_age_ns});
   if (activity == state.activity || !sink.wants(Topic::robot_state)) return;

@@ -25,7 +25,8 @@ Activity activity_of(const ActivityEvidence& evidence) noexcept {
   if (evidence.network->mode == mode::holding) return Activity::stands;
   if (evidence.network->mode == mode::safe_tail) return Activity::stops;
   if (evidence.motion != nullptr && evidence.motion->state != 0) return Activity::plays;
-  return evidence.planned != nullptr && evidence.planned->walks != 0 ? Activity::walks : Activity::stands;
+  if (evidence.planned == nullptr) return Activity::gone;  // it plays batches, and may walk
+  return evidence.planned->walks != 0 ? Activity::walks : Activity::stands;
 }
 
 std::string_view word_of(Activity activity) noexcept {

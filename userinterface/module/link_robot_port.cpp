@@ -112,10 +112,9 @@ std::string_view LinkRobotPort::activity() const {
   Estimate estimate;
   PlannedState planned;
   MotionState motion;
-  const bool plans = planned_.read(planned) && planned.sequence != 0;
   return word_of(activity_of({.network = connected_ && network_.read(network) ? &network : nullptr,
                               .estimate = estimates_.read(estimate) ? &estimate : nullptr,
-                              .planned = plans ? &planned : nullptr,
+                              .planned = planned_.read(planned) ? &planned : nullptr,
                               .motion = motion_states_.read(motion) ? &motion : nullptr}));
 }
 

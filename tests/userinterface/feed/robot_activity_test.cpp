@@ -56,6 +56,13 @@ TEST_F(RobotActivityTest, NothingKnownIsGone) {
   EXPECT_EQ(activity_of({}), Activity::gone);
 }
 
+// A module that has just come back has the mode before the plan.
+TEST_F(RobotActivityTest, DoesNotStandWhileNobodyKnowsWhatIsPlanned) {
+  EXPECT_EQ(activity_of({.network = &network, .estimate = &estimate}), Activity::gone);
+  network.mode = network_state::mode::holding;
+  EXPECT_EQ(activity_of({.network = &network, .estimate = &estimate}), Activity::stands);
+}
+
 TEST_F(RobotActivityTest, HasAWordForEach) {
   EXPECT_EQ(robot_state_of(Activity::stands, 0).state, "stands");
   const ros::RobotState gone = robot_state_of(Activity::gone, facts::kSecond_ns);
