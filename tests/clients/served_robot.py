@@ -25,6 +25,7 @@ class ServedRobot:
     def __init__(self, *arguments, speed=1.0):
         self._folder = tempfile.TemporaryDirectory(prefix="gaitway_api_")
         self.out = Path(self._folder.name) / "out"
+        self.speed = speed
         # Clients come back to the port that they know, so it is the same after the API was started again.
         self._command = [COMMAND, "serve", "--port", str(free_port()), "--speed", str(speed), "--out", str(self.out), *arguments]
         self.lines = []

@@ -25,7 +25,7 @@ namespace gaitway::tools {
 namespace {
 
 constexpr const char* kProgram = "user_interface";
-constexpr std::int64_t kShortLife_ns = 10'000'000'000;
+constexpr std::int64_t kShortLife_ns = 2'000'000'000;
 constexpr std::int64_t kFirstPause_ns = 20'000'000, kLongestPause_ns = 640'000'000;
 constexpr int kEndPatience_ms = 5'000;
 

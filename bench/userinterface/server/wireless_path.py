@@ -24,7 +24,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from measured_robot import BIN, EMERGENCY_STOP_FRAME, ROOT, MeasuredRobot, WebSocket, histogram, share
+from measured_robot import BIN, EMERGENCY_STOP_FRAME, ROOT, MeasuredRobot, WebSocket, histogram, secret_options, share
 
 ADDRESS = "10.77.0.1"  # of the robot behind `gaitway wireless`
 TOKEN = "a-token-for-the-measurement"
@@ -36,15 +36,6 @@ def stop_client():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module.StopClient
-
-
-def secrets(folder):
-    """Options of the module: a token, and a certificate that nobody knows."""
-    (folder / "token").touch(0o600)
-    (folder / "token").write_text(TOKEN + "\n")
-    subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-days", "1", "-subj",
-                    "/CN=robot", "-keyout", folder / "key.pem", "-out", folder / "certificate.pem"], check=True, capture_output=True)
-    return ["--token-file", folder / "token", "--certificate-file", folder / "certificate.pem", "--key-file", folder / "key.pem"]
 
 
 def subscribe_to_everything(client):
@@ -107,7 +98,7 @@ class Witness:
 
 def be_robot(options):
     folder = Path(options.folder)
-    with MeasuredRobot(folder, ADDRESS, secrets(folder)) as robot:
+    with MeasuredRobot(folder, ADDRESS, secret_options(folder, TOKEN)) as robot:
         watchers = subprocess.Popen([BIN / "api_load", "--address", ADDRESS, "--token", TOKEN, "--port", str(robot.port), "--clients",
                                      str(options.watchers), "--silent", "0", "--seconds", "100000"],
                                     stdout=subprocess.DEVNULL) if options.watchers else None
