@@ -103,7 +103,20 @@ struct PumpPeriods {
       carrier, carrier.buffer_bytes + largest_module_frame_bytes(settings) + others + own, periods);
 }
 
-// The same when `losses` sendings of it, or of what confirms them, are lost one after the other.
+// The same of one in a session that both ends know of, while no stop is under way either: then the module can
+// have begun a status only, and another one may be due.
+[[nodiscard]] constexpr std::int64_t worst_lone_order_wait_ns(const CarrierTiming& carrier,
+                                                              const LinkSettings& settings,
+                                                              std::size_t order_bytes,
+                                                              PumpPeriods periods = {}) noexcept {
+  constexpr std::size_t kStatusFrame = kStatusContentBytes + kFramingBytes;
+  const std::size_t message = kOrderHeadBytes + order_bytes;
+  const std::size_t parts = fragments_of(message, settings.fragment_bytes);
+  const std::size_t own = message + parts * (kPartHeadBytes + kFramingBytes + kStatusFrame);
+  return worst_transport_ns(carrier, carrier.buffer_bytes + kStatusFrame + own, periods);
+}
+
+// The same as worst_order_wait_ns() when `losses` sendings of it, or of what confirms them, are lost one after the other.
 [[nodiscard]] constexpr std::int64_t worst_order_wait_with_losses_ns(const CarrierTiming& carrier,
                                                                      const LinkSettings& settings,
                                                                      std::size_t order_bytes, int losses,
