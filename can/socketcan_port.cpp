@@ -142,7 +142,7 @@ void SocketCanPort::take(int message) noexcept {
   if ((data.can_id & CAN_ERR_FLAG) != 0) {
     std::array<std::uint8_t, 8> bytes{};
     std::copy_n(data.data, bytes.size(), bytes.begin());
-    take_error(data.can_id & CAN_ERR_MASK, bytes);
+    take_error(data.can_id & CAN_ERR_MASK, bytes, socket_->arrival(message).end_ns);
     return;
   }
   const TimedFrame frame = timed(frame_of(data), message);
@@ -166,6 +166,7 @@ TimedFrame SocketCanPort::timed(const Frame& frame, int message) noexcept {
 }
 
 void SocketCanPort::take_echo(const TimedFrame& frame) noexcept {
+  notices_.push({BusNotice::Kind::sent, frame});
   if (options_.sent_log != nullptr) {
     options_.sent_log->write(frame.end_ns, frame.frame);
   }
@@ -178,7 +179,8 @@ void SocketCanPort::take_echo(const TimedFrame& frame) noexcept {
   write_next();
 }
 
-void SocketCanPort::take_error(std::uint32_t error_class, const std::array<std::uint8_t, 8>& data) noexcept {
+void SocketCanPort::take_error(std::uint32_t error_class, const std::array<std::uint8_t, 8>& data,
+                               std::int64_t at_ns) noexcept {
   const ErrorReport report = read_error_frame(error_class, data);
   ++statistics_.error_frames;
   statistics_.no_acknowledge += report.no_acknowledge ? 1U : 0U;
@@ -187,6 +189,9 @@ void SocketCanPort::take_error(std::uint32_t error_class, const std::array<std::
   statistics_.transceiver_faults += report.transceiver_fault ? 1U : 0U;
   statistics_.transmit_timeouts += report.transmit_timeout ? 1U : 0U;
   statistics_.controller_overflows += report.receive_overflow || report.transmit_overflow ? 1U : 0U;
+  if (report.protocol_violation || report.no_acknowledge) {
+    notices_.push({BusNotice::Kind::error, {{}, at_ns, at_ns}});
+  }
   if (report.restarted) {
     counters_ = {};
   }

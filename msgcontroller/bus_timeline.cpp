@@ -50,10 +50,24 @@ void BusTimeline::take_frames(std::int64_t until_ns) {
     }
     watch_station(until_ns);
     if (!arrived_ || arrived_->end_ns > until_ns) {
+      take_notices(until_ns);
       return;
     }
     controller_.on_frame(arrived_->frame, arrived_->end_ns);
     arrived_.reset();
+  }
+}
+
+void BusTimeline::take_notices(std::int64_t until_ns) noexcept {
+  while (true) {
+    if (!noticed_) {
+      noticed_ = port_.next_notice();
+    }
+    if (!noticed_ || noticed_->frame.end_ns > until_ns) {
+      return;
+    }
+    controller_.on_notice(*noticed_);
+    noticed_.reset();
   }
 }
 

@@ -58,7 +58,8 @@ MessageController::MessageController(const urdf::RobotModel& robot, msgclient::C
       foot_forces_writer_(client.write<FootForces>("foot_forces")),
       imu_writer_(client.write<Imu>("imu")),
       state_writer_(client.write<NetworkState>("network_state")),
-      health_writer_(client.write<NetworkHealth>("network_health")) {
+      health_writer_(client.write<NetworkHealth>("network_health")),
+      slot_writer_(client.write<BusSlot>("bus_slot")) {
   for (const urdf::Leg& leg : robot.legs) {
     for (const int joint : leg.joints) {
       in_a_leg_[static_cast<std::size_t>(joint)] = true;
@@ -91,6 +92,9 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   const int slot = static_cast<int>(slot_index % kSlotsPerCycle);
   if (!feedback_published_) {
     publish_feedback(now_ns);
+  }
+  if (const BusSlot* const seen = slot_record_.enter_slot(now_ns)) {
+    slot_writer_.publish(*seen, now_ns);
   }
   link_.slot_start_ns = now_ns;
   if (slot == 0) {
@@ -193,6 +197,7 @@ bool MessageController::next_finds_quiet_bus(std::int64_t now_ns) const noexcept
 
 void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {
   last_heard_ns_ = now_ns;
+  slot_record_.take(frame, now_ns);
   const NetworkWatch::Arrival arrival = link_.watch.take(frame);
   switch (arrival.heard) {
     case NetworkWatch::Heard::feedback:

@@ -116,6 +116,7 @@ void Cosimulation::exchange_frames(std::int64_t until_ns) {
     while (const auto delivery = bus_.advance(stop_ns)) {
       deliver(*delivery);
     }
+    report_errors();
     report_bus_states();
     if (!rings) {
       return;
@@ -134,6 +135,9 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
   message_transmitter_.on_delivery(delivery);
   if (delivery.received_by(message_transmitter_.station())) {
     message_controller_.on_frame(delivery.frame, delivery.end_ns);
+  } else if (delivery.sent_by(message_transmitter_.station())) {
+    message_controller_.on_notice(
+        {can::BusNotice::Kind::sent, {delivery.frame, delivery.start_ns, delivery.end_ns}});
   }
   for (int joint = 0; joint < joints_.size(); ++joint) {
     can::StationTransmitter& transmitter = joint_transmitters_[static_cast<std::size_t>(joint)];
@@ -146,6 +150,12 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
     offer_from_joint(joint, delivery.end_ns);  // an answer to a SYNC goes out at once
   }
   offer_from_message_controller(delivery.end_ns);
+}
+
+void Cosimulation::report_errors() {
+  while (const auto error = bus_.next_error_frame()) {
+    message_controller_.on_notice({can::BusNotice::Kind::error, {{}, error->error_ns, error->error_ns}});
+  }
 }
 
 // A station that is off the bus keeps nothing for its return: it would be stale.

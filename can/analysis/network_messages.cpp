@@ -53,6 +53,20 @@ std::vector<AnalysedMessage> message_set(const Profile& profile, std::span<const
   return messages;
 }
 
+ReleaseSign release_sign(const Profile& profile, MessageKind kind) noexcept {
+  const bool synchronised = profile.has(MessageKind::sync);
+  switch (kind) {
+    case MessageKind::sync:
+      return ReleaseSign::slot_edge;
+    case MessageKind::feedback:
+      return synchronised ? ReleaseSign::sync : ReleaseSign::trajectory;
+    case MessageKind::trajectory:
+      return synchronised ? ReleaseSign::batch : ReleaseSign::cycle_edge;
+    default:
+      return ReleaseSign::unseen;
+  }
+}
+
 std::optional<std::size_t> Proof::first_miss() const noexcept {
   const auto miss = std::ranges::find_if_not(responses, &MessageResponse::schedulable);
   return miss == responses.end() ? std::nullopt

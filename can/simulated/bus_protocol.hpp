@@ -10,7 +10,7 @@
 
 namespace gaitway::can::protocol {
 
-inline constexpr std::uint32_t kMagic = 0x47425332;  // "GBS2": grows with every change of what follows
+inline constexpr std::uint32_t kMagic = 0x47425333;  // "GBS3": grows with every change of what follows
 inline constexpr std::size_t kRecordsAPacket = 64;
 
 inline constexpr std::uint8_t kExtended = 1;
@@ -21,7 +21,8 @@ enum class Kind : std::uint32_t {
   transmit,   // client: `frame` from start_ns on
   mark,       // client: everything up to start_ns has been offered; server: the bus has run to start_ns
   delivery,   // server: `frame` of another station, from start_ns to end_ns
-  sent        // server: the client's own `frame`, from start_ns to end_ns
+  sent,       // server: the client's own `frame`, from start_ns to end_ns
+  error       // server: the stations have signalled an error at end_ns
 };
 
 struct Record {

@@ -223,7 +223,11 @@ std::optional<SimulatedBus::Delivery> BusServer::advance(std::int64_t until_ns) 
     for (const Client& client : clients_) {
       stop_ns = std::min(stop_ns, client.buffers.next_release_ns());
     }
-    if (const auto delivery = bus_.advance(stop_ns)) {
+    const auto delivery = bus_.advance(stop_ns);
+    while (const auto error = bus_.next_error_frame()) {
+      hand_to_clients(*error);
+    }
+    if (delivery) {
       time_ns_ = std::max(time_ns_, delivery->end_ns);
       hand_to_clients(*delivery);
       return delivery;
@@ -254,6 +258,13 @@ void BusServer::hand_to_clients(const SimulatedBus::Delivery& delivery) {
     }
     client.hand(protocol::record_of(own ? Kind::sent : Kind::delivery, delivery.frame, delivery.start_ns,
                                     delivery.end_ns));
+  }
+}
+
+// Every station that follows the bus sees it.
+void BusServer::hand_to_clients(const ErrorFrame& error) {
+  for (Client& client : clients_) {
+    client.hand(protocol::record_of(Kind::error, {}, error.error_ns, error.error_ns));
   }
 }
 

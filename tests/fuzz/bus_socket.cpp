@@ -31,7 +31,7 @@ std::vector<std::byte> bytes_of(const Record& record) {
 }
 
 Record take_record(Input& input) {
-  Record record = can::protocol::record_of(static_cast<Kind>(1 + input.choose(5)), take_frame(input), 0);
+  Record record = can::protocol::record_of(static_cast<Kind>(1 + input.choose(6)), take_frame(input), 0);
   record.flag = input.take<std::uint8_t>();
   const auto when = input.take<std::uint8_t>();
   record.start_ns = (when & 1U) != 0 ? input.take<std::int64_t>() : std::int64_t{when} * 100'000;

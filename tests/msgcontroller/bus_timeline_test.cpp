@@ -43,6 +43,14 @@ class RecordingPort final : public can::BusPort {
     arriving.pop_front();
     return frame;
   }
+  std::optional<can::BusNotice> next_notice() noexcept override {
+    if (notices.empty()) {
+      return std::nullopt;
+    }
+    const can::BusNotice notice = notices.front();
+    notices.pop_front();
+    return notice;
+  }
   void flush(std::int64_t now_ns) override {
     flushed.push_back(now_ns);
     held = 0;  // everything is on the bus at once
@@ -84,6 +92,7 @@ class RecordingPort final : public can::BusPort {
   std::vector<Sent> sent;
   std::vector<std::int64_t> flushed;
   std::deque<can::TimedFrame> arriving;
+  std::deque<can::BusNotice> notices;
 };
 
 class BusTimelineTest : public testing::Test {
@@ -225,6 +234,25 @@ TEST_F(BusTimelineTest, AJointThatIsMissingIsNotWaitedFor) {
   ASSERT_EQ(beats.size(), 2U);
   EXPECT_EQ(beats.front(), first_ns + 7 * kMillisecond_ns) << "not known to be missing yet";
   EXPECT_EQ(beats.back(), first_ns + 8 * kSlot_ns + 3 * kMillisecond_ns);
+}
+
+TEST_F(BusTimelineTest, NoticesBelongToTheirOwnSlotHoweverLateTheProcessWakes) {
+  const std::int64_t edge_ns = (kStart_ns / kSlot_ns / kSlotsBetweenRecords + 1) * kSlotsBetweenRecords * kSlot_ns;
+  const can::Frame trim = can::encode(can::kFullProfile, can::Trim{});
+  for (const std::int64_t end_ns : {edge_ns - 200'000, edge_ns + 200'000, edge_ns + kSlot_ns + 200'000}) {
+    port.notices.push_back({can::BusNotice::Kind::sent, {trim, end_ns - 100'000, end_ns}});
+  }
+  port.notices.insert(port.notices.begin() + 2,
+                      {can::BusNotice::Kind::error, {{}, edge_ns + 300'000, edge_ns + 300'000}});
+  timeline.advance_to(edge_ns + kSlot_ns + 5 * kMillisecond_ns);
+  BusSlot slot;
+  ASSERT_TRUE(client.read<BusSlot>("bus_slot").read(slot));
+  EXPECT_EQ(slot.stamp_ns, edge_ns);
+  ASSERT_EQ(slot.frame_count, 2U);
+  EXPECT_EQ(slot.id[0], trim.id);
+  EXPECT_EQ(slot.end_us[0], 200);
+  EXPECT_EQ(slot.id[1], kErrorOnTheBus);
+  EXPECT_EQ(slot.end_us[1], 300);
 }
 
 TEST_F(BusTimelineTest, TheControllerLearnsThatItsStationIsOffTheBusAndBackOnIt) {

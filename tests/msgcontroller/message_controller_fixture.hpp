@@ -65,6 +65,7 @@ class JointsOnABus {
         busy = true;
         at_ns += kFrame_ns;
         ++sent[controller.profile().identify(frame.id)->kind];
+        controller.on_notice({can::BusNotice::Kind::sent, {frame, at_ns - kFrame_ns, at_ns}});
         if (!drop(frame)) {
           for (localcontroller::JointController& joint : joints_) {
             joint.on_frame(frame, at_ns);

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "gaitway/can/analysis/network_messages.hpp"
 #include "gaitway/can/frame.hpp"
 #include "gaitway/facts/facts.hpp"
 
@@ -190,18 +191,22 @@ double BusWatch::load() const noexcept {
 }
 
 std::string_view BusWatch::response_from(MessageKind kind) const noexcept {
-  const bool synchronised = profile_.has(MessageKind::sync);
   const bool edges = clock_ == BusClock::robot;
-  switch (kind) {
-    case MessageKind::sync:
+  switch (can::release_sign(profile_, kind)) {
+    case can::ReleaseSign::slot_edge:
       return edges ? "slot's edge" : "";
-    case MessageKind::feedback:
-      return synchronised ? "SYNC's end" : "its trajectory's end";
-    case MessageKind::trajectory:
-      return synchronised ? "its batch's first bit" : edges ? "cycle's edge" : "";
-    default:
-      return "";
+    case can::ReleaseSign::cycle_edge:
+      return edges ? "cycle's edge" : "";
+    case can::ReleaseSign::sync:
+      return "SYNC's end";
+    case can::ReleaseSign::batch:
+      return "its batch's first bit";
+    case can::ReleaseSign::trajectory:
+      return "its trajectory's end";
+    case can::ReleaseSign::unseen:
+      break;
   }
+  return "";
 }
 
 std::uint64_t BusWatch::strangers() const noexcept {

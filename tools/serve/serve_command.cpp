@@ -135,6 +135,7 @@ std::vector<std::string> module_arguments(const ServeOptions& options, const std
       words.insert(words.end(), {name, value});
     }
   };
+  add("--profile", options.profile);
   add("--origins", options.origins);
   add("--token-file", options.token_file.string());
   add("--certificate-file", options.certificate_file.string());

@@ -67,6 +67,7 @@ struct Feed::Topics {
   Latest<PlannedState> planned{client, "planned_state"};
   Latest<gaitway::MotionState> motion{client, "motion_state"};
   Latest<PluginStatistics> statistics{client, "plugin_statistics"};
+  Latest<gaitway::BusSlot> bus_slot{client, "bus_slot"};
   msgclient::StreamReader<Event> events;
 };
 
@@ -138,6 +139,7 @@ void Feed::poll(std::int64_t wall_ns, PublicationSink& sink) {
   publish_at_slot_edge(sink);
   publish_planned(sink);
   publish_diagnostics(wall_ns, sink);
+  publish_bus_slot(sink);
   publish_motion(sink);
   publish_robot_state(sink);
   publish_events(sink);
@@ -299,6 +301,12 @@ void Feed::publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink) {
                                  .network = topics_->network.if_there(),
                                  .health = topics_->health.if_there()};
   sink.publish(Topic::diagnostics, state.diagnostics.report(condition), state.robot_ns);
+}
+
+void Feed::publish_bus_slot(PublicationSink& sink) {
+  if (topics_->bus_slot.update() && sink.wants(Topic::bus_slot)) {
+    sink.publish(Topic::bus_slot, bus_slot_of(topics_->bus_slot.value()), state_->robot_ns);
+  }
 }
 
 void Feed::publish_motion(PublicationSink& sink) {

@@ -93,6 +93,19 @@ ros::MotionState motion_state_of(const gaitway::MotionState& motion) {
   return message;
 }
 
+ros::BusSlot bus_slot_of(const gaitway::BusSlot& slot) {
+  ros::BusSlot message;
+  message.header.stamp = ros_time(slot.stamp_ns);
+  message.cycle = slot.cycle;
+  message.slot = static_cast<std::uint8_t>(slot.slot);
+  const std::size_t count = std::min<std::size_t>(slot.frame_count, kSlotFrames);
+  message.id.assign(slot.id, slot.id + count);
+  message.end_us.assign(slot.end_us, slot.end_us + count);
+  message.length_us.assign(slot.length_us, slot.length_us + count);
+  message.left_out = slot.left_out;
+  return message;
+}
+
 ros::Log log_of(const Event& event) {
   ros::Log log;
   log.stamp = ros_time(event.stamp_ns);

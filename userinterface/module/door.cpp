@@ -23,7 +23,9 @@
 #include "gaitway/api/view_hub.hpp"
 #include "gaitway/api/view_source.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/page/asset_table.hpp"
+#include "gaitway/page/bus_assets.hpp"
 #include "gaitway/page/motion_assets.hpp"
 #include "gaitway/page/robot_assets.hpp"
 #include "gaitway/process/installation.hpp"
@@ -109,6 +111,7 @@ page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits, 
                    .velocity_holds_s = static_cast<double>(limits.velocity_ns) / kSecond_ns,
                    .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns,
                    .push = simulated ? std::optional(push_bounds(robot)) : std::nullopt});
+  page::add_bus(assets, robot);
   page::add_motions(assets, robot, process::prepared_motion_directories(robot.directory));
   return assets;
 }
@@ -119,7 +122,7 @@ class Door::Impl {
  public:
   Impl(const DoorOptions& options, std::function<void(const std::string&)> tell)
       : tell_(std::move(tell)),
-        robot_(urdf::load_robot(options.robot)),
+        robot_(msgcontroller::load_robot(options.robot, options.profile)),
         setup_(options.server),
         url_(setup_.url()),
         stop_socket_(stop_socket(options, setup_.port())),

@@ -28,6 +28,7 @@ using namespace gaitway;
 
 struct Options {
   std::filesystem::path robot = process::default_robot_directory();
+  std::string profile;
   std::string link = "unix:/run/gaitway/link.sock";
   std::string simulation;  // empty: the robot is none
   std::string address = "127.0.0.1";
@@ -54,6 +55,7 @@ std::vector<std::string> split(const std::string& text) {
 api::DoorOptions door_options(const Options& options) {
   api::DoorOptions door;
   door.robot = options.robot;
+  door.profile = options.profile;
   door.link = link::parse_link_address(options.link);
   if (!options.simulation.empty()) {
     door.simulation = api::simulator_socket(options.simulation);
@@ -128,6 +130,8 @@ int main(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
   app.add_option("--robot", options.robot,
                  "Folder with robot.urdf and robot.yaml: the same as the main controller's");
+  app.add_option("--profile", options.profile,
+                 "Messages of its bus: full or paper, as the message controller's. Without it, what the robot's network file says");
   app.add_option("--link", options.link, "The main controller: unix:PATH, or serial:DEVICE:BAUD");
   app.add_option(
       "--simulation", options.simulation,

@@ -177,6 +177,36 @@ TEST_F(BusServerTest, AFrameThatGetsLostCountsAsSentAndReachesNobody) {
   EXPECT_FALSE(sender.transmit_pending());
 }
 
+TEST_F(BusServerTest, AClientNoticesWhatItHasSentAndErrorsInTheOrderOfTheBus) {
+  BusClient sender(socket, "sender", Pace::free);
+  BusClient listener(socket, "listener", Pace::free);
+  server->bus().set_random_faults({.seed = 1, .corruption = 1.0});
+  sender.transmit(small_frame(0x100), kStart_ns);
+  sender.flush(kStart_ns);
+  run_to(kStart_ns + 50'000);
+  server->bus().set_random_faults({});  // the second attempt succeeds
+  run_to(kStart_ns + kMillisecond_ns);
+  ASSERT_EQ(deliveries.size(), 1U);
+  EXPECT_FALSE(sender.next_notice()) << "nothing before it has looked";
+  EXPECT_TRUE(all_of(sender).empty());
+  EXPECT_EQ(all_of(listener).size(), 1U);
+  for (BusClient* const client : {&sender, &listener}) {
+    const auto error = client->next_notice();
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->kind, BusNotice::Kind::error);
+    EXPECT_GT(error->frame.end_ns, kStart_ns);
+    EXPECT_LT(error->frame.end_ns, deliveries[0].start_ns);
+  }
+  const auto sent = sender.next_notice();
+  ASSERT_TRUE(sent);
+  EXPECT_EQ(sent->kind, BusNotice::Kind::sent);
+  EXPECT_EQ(sent->frame.frame, small_frame(0x100));
+  EXPECT_EQ(sent->frame.start_ns, deliveries[0].start_ns);
+  EXPECT_EQ(sent->frame.end_ns, deliveries[0].end_ns);
+  EXPECT_FALSE(sender.next_notice());
+  EXPECT_FALSE(listener.next_notice()) << "that was another's";
+}
+
 TEST_F(BusServerTest, AClientThatAFaultLeavesOutGetsNothing) {
   BusClient sender(socket, "sender", Pace::free);
   BusClient left_out(socket, "left_out", Pace::free);

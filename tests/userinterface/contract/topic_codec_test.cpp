@@ -167,6 +167,24 @@ TEST(OrderTable, EveryOrderAndItsAnswerFitIntoTheLinksMessages) {
   EXPECT_EQ(find_order(0), nullptr);
 }
 
+TEST(ChannelTable, ABusSlotTakesLittleOfANarrowCarrier) {
+  constexpr std::size_t kFullest = 22 + 22 + 3;  // feedback, a batch, SYNC, trim and heartbeat
+  BusSlot slot{};
+  slot.stamp_ns = INT64_MAX / 2;
+  slot.cycle = UINT32_MAX;
+  slot.frame_count = kFullest;
+  for (std::size_t i = 0; i < kFullest; ++i) {
+    slot.id[i] = 0x7FF;
+    slot.end_us[i] = 10'000;
+    slot.length_us[i] = 135;
+  }
+  const TopicCodec codec{.joint_count = kJoints};
+  std::vector<std::uint8_t> bytes(codec.most_bytes(TopicType<BusSlot>::descriptor));
+  const std::size_t size = codec.encode(TopicType<BusSlot>::descriptor, &slot, bytes);
+  ASSERT_GT(size, 0U);
+  EXPECT_LE(size, 450U);
+}
+
 TEST(ChannelTable, TheHashTellsRobotsApart) {
   const std::filesystem::path robots = std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf";
   const urdf::RobotModel robot = urdf::load_robot(robots / "humanoid22");

@@ -215,7 +215,9 @@ TEST_F(OutageTest, TheRobotsStateComesOverI2cAtARateThatCanBeLookedAt) {
   auto planned = topics.read<PlannedState>("planned_state");
   run_for(kSecond_ns);
   drives_ = true;
+  auto bus_slots = topics.read<BusSlot>("bus_slot");
   const std::uint64_t first = joints.newest_sequence();
+  const std::uint64_t first_slot = bus_slots.newest_sequence();
   std::int64_t oldest_ns = 0;
   int different = 0;
   for (int ms = 0; ms < 5'000; ++ms) {
@@ -231,6 +233,7 @@ TEST_F(OutageTest, TheRobotsStateComesOverI2cAtARateThatCanBeLookedAt) {
   RecordProperty("oldest_ms", std::to_string(oldest_ns / kMillisecond_ns));
   EXPECT_GE(joints.newest_sequence() - first, 5U * 15U);
   EXPECT_LE(oldest_ns, 200 * kMillisecond_ns);
+  EXPECT_GE(bus_slots.newest_sequence() - first_slot, 6U) << "each third of those that are recorded";
   EXPECT_EQ(different, 0) << "joints and estimate are always of one slot";
 }
 

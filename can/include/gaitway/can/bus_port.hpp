@@ -22,6 +22,16 @@ struct TimedFrame {
   std::int64_t end_ns = 0;    // receivers have it
 };
 
+// What a station notices of the bus beside the frames of others.
+struct BusNotice {
+  enum class Kind : std::uint8_t {
+    sent,  // a frame of its own was on the bus from start to end
+    error  // an error was signalled at `end_ns`; of whose frame no station can know
+  };
+  Kind kind = Kind::sent;
+  TimedFrame frame;
+};
+
 // What a station's CAN controller may do (ISO 11898-1, fault confinement), and whether there is a bus at all.
 enum class BusState : std::uint8_t {
   error_active = 0,
@@ -54,6 +64,9 @@ class BusPort {
   // The next frame of another station, in the order of the bus. A frame that bears one of this station's own
   // identifiers is among them, if another station sent it.
   virtual std::optional<TimedFrame> receive() = 0;
+  // The next notice, in the order of the bus, of those that came with receive() or flush(). A few dozen are kept: of who
+  // does not ask for them, the oldest give way. A port without eyes for them has none.
+  virtual std::optional<BusNotice> next_notice() noexcept { return std::nullopt; }
   // Ends a round of work: everything that this station wanted to send up to `now_ns` has been offered.
   virtual void flush(std::int64_t now_ns) = 0;
   // Whether a frame that waits for the bus gives way to a more urgent one that is offered later. A port that

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "gaitway/can/bounded_queue.hpp"
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/frame_heap.hpp"
@@ -121,6 +122,7 @@ class SocketCanPort final : public BusPort {
   bool transmit(const Frame& frame, std::int64_t now_ns) override;
   [[nodiscard]] bool transmit_pending() const override { return in_flight_ || !waiting_.empty(); }
   std::optional<TimedFrame> receive() override;
+  std::optional<BusNotice> next_notice() noexcept override { return notices_.pop(); }
   void flush(std::int64_t now_ns) override;
   [[nodiscard]] bool takes_back() const noexcept override { return false; }
   [[nodiscard]] BusState state() const noexcept override { return state_; }
@@ -144,7 +146,7 @@ class SocketCanPort final : public BusPort {
   bool drain() noexcept;
   void take(int message) noexcept;
   void take_echo(const TimedFrame& frame) noexcept;
-  void take_error(std::uint32_t error_class, const std::array<std::uint8_t, 8>& data) noexcept;
+  void take_error(std::uint32_t error_class, const std::array<std::uint8_t, 8>& data, std::int64_t at_ns) noexcept;
   void take_socket_error(int error) noexcept;
   [[nodiscard]] TimedFrame timed(const Frame& frame, int message) noexcept;
   void write_next() noexcept;
@@ -170,6 +172,7 @@ class SocketCanPort final : public BusPort {
 
   std::array<TimedFrame, kReceived> received_;  // a ring
   std::size_t received_first_ = 0, received_count_ = 0;
+  BoundedQueue<BusNotice, 64> notices_;
   bool emptied_ = false;  // the socket was, when the frames in the ring came: no need to ask it again
 
   std::int64_t now_ns_ = 0;        // as of the last transmit() or flush()

@@ -31,6 +31,7 @@ class BusTimeline {
 
  private:
   void take_frames(std::int64_t until_ns);
+  void take_notices(std::int64_t until_ns) noexcept;
   void watch_station(std::int64_t now_ns) noexcept;
   void offer(std::int64_t now_ns, std::int64_t flushed_until_ns);
   [[nodiscard]] bool may_offer(std::int64_t now_ns) const noexcept;
@@ -39,6 +40,7 @@ class BusTimeline {
   MessageController& controller_;
   can::BusPort& port_;
   std::optional<can::TimedFrame> arrived_;             // its millisecond has not come yet
+  std::optional<can::BusNotice> noticed_;              // likewise
   can::BusState state_ = can::BusState::error_active;  // of this station, as the controller knows it
   can::ErrorCounters errors_;
   std::int64_t next_ns_;

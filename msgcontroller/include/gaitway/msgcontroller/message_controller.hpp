@@ -18,6 +18,7 @@
 #include "gaitway/msgcontroller/hand_movement.hpp"
 #include "gaitway/msgcontroller/joint_supervision.hpp"
 #include "gaitway/msgcontroller/playback.hpp"
+#include "gaitway/msgcontroller/slot_record.hpp"
 #include "gaitway/msgcontroller/trim_sender.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
@@ -40,6 +41,8 @@ class MessageController final : private CommandTaker {
   void on_bus_state(can::BusState state, can::ErrorCounters errors, std::int64_t now_ns) noexcept;
   // A frame of another station arrived from the bus.
   void on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept;
+  // A frame of its own was sent, or an error was signalled on the bus: told to those who look on, and for nothing else.
+  void on_notice(const can::BusNotice& notice) noexcept { slot_record_.take(notice); }
   // The most urgent frame to send; false when there is none.
   bool take_frame(can::Frame& frame) noexcept { return link_.queue.pop(frame); }
   // Identifier of that frame; past every identifier when there is none.
@@ -90,6 +93,7 @@ class MessageController final : private CommandTaker {
   HandMovement hand_;
   BatchIntake intake_;
   TrimSender trims_;
+  SlotRecord slot_record_;
   CommandIntake commands_;
   std::vector<bool> in_a_leg_;  // of each joint
   std::uint32_t feedback_id_;   // least urgent identifier of feedback
@@ -100,6 +104,7 @@ class MessageController final : private CommandTaker {
   msgclient::Writer<Imu> imu_writer_;
   msgclient::Writer<NetworkState> state_writer_;
   msgclient::Writer<NetworkHealth> health_writer_;
+  msgclient::Writer<BusSlot> slot_writer_;
   bool stop_requested_ = false;
   std::int64_t last_heard_ns_ = 0;  // end of the last frame of another station
   bool feedback_published_ = true;

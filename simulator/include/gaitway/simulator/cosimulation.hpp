@@ -104,6 +104,7 @@ class Cosimulation {
   void offer_from_joint(int joint, std::int64_t now_ns);
   void ring_at(std::int64_t due_ns);
   void report_bus_states();
+  void report_errors();
   void inject_losses();
   [[nodiscard]] int station_of(const std::string& node) const;
   void restart(const JointRestartsFault& fault);

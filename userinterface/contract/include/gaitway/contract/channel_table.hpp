@@ -48,6 +48,7 @@ inline constexpr std::array kHealthTopics{
     MirroredTopic{"network_health", &TopicType<NetworkHealth>::descriptor}};
 inline constexpr std::array kStatisticsTopics{
     MirroredTopic{"plugin_statistics", &TopicType<PluginStatistics>::descriptor}};
+inline constexpr std::array kBusSlotTopics{MirroredTopic{"bus_slot", &TopicType<BusSlot>::descriptor}};
 
 inline constexpr std::array kChannels{
     ChannelRow{"motion", kMotionTopics, 0, 0},
@@ -56,6 +57,8 @@ inline constexpr std::array kChannels{
     ChannelRow{"motion_state", kMotionStateTopics, 0, 0},
     ChannelRow{"health", kHealthTopics, 10 * facts::kSlot_ns, 50 * facts::kSlot_ns},
     ChannelRow{"statistics", kStatisticsTopics, 50 * facts::kSlot_ns, 100 * facts::kSlot_ns},
+    // A slot every 250 ms. Of these each third on a narrow carrier: two have no slots of odd numbers.
+    ChannelRow{"bus_slot", kBusSlotTopics, 0, 70 * facts::kSlot_ns},
 };
 
 // Behind them: the newest events (event_list.hpp).

@@ -20,6 +20,7 @@ namespace gaitway::api {
 //   /diagnostics                               each second, of the robot's clock or of the caller's
 //   /motion_state                              as it changes, and with each batch while a motion plays
 //   /robot_state                               as it changes
+//   /bus_slot                                  with each new value
 //   /events, /rosout                           as they come;   /robot_description   in the first poll
 //
 // A topic keeps only its newest values: who polls less often than each 10 ms misses some. When the robot's
@@ -63,6 +64,7 @@ class Feed {
   [[nodiscard]] const PlannedState* planned() const noexcept;
   void publish_planned(PublicationSink& sink);
   void publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink);
+  void publish_bus_slot(PublicationSink& sink);
   void publish_motion(PublicationSink& sink);
   void publish_robot_state(PublicationSink& sink);
   void publish_event(const ros::Log& event, PublicationSink& sink);

@@ -33,6 +33,8 @@ void fill(ros::WrenchStamped& message, const FootForces& forces, const urdf::Rob
 
 [[nodiscard]] ros::MotionState motion_state_of(const gaitway::MotionState& motion);
 
+[[nodiscard]] ros::BusSlot bus_slot_of(const gaitway::BusSlot& slot);
+
 [[nodiscard]] ros::Log log_of(const Event& event);
 // Of events that came faster than they were read.
 [[nodiscard]] ros::Log log_of_missed(std::uint64_t count, std::int64_t stamp_ns);

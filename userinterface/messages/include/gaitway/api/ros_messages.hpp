@@ -180,6 +180,19 @@ struct RobotState {
   GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/RobotState", header, state);
 };
 
+// What was on the bus in one time slot.
+struct BusSlot {
+  Header header;  // the slot's edge
+  std::uint32_t cycle = 0;
+  std::uint8_t slot = 0;
+  // Of each frame: its identifier (bit 31: an extended one, bit 30: a remote frame; bit 29 alone: no frame, but an
+  // error); its last bit, since the slot's edge, or when the error was signalled; its length, 0 of an error.
+  std::vector<std::uint32_t> id;
+  std::vector<std::uint16_t> end_us, length_us;
+  std::uint32_t left_out = 0;  // further frames
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/BusSlot", header, cycle, slot, id, end_us, length_us, left_out);
+};
+
 struct Log {
   Time stamp;
   std::uint8_t level = 20;  // 10 DEBUG, 20 INFO, 30 WARN, 40 ERROR, 50 FATAL

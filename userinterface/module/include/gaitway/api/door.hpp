@@ -15,6 +15,7 @@ namespace gaitway::api {
 
 struct DoorOptions {
   std::filesystem::path robot;  // folder with robot.urdf and robot.yaml
+  std::string profile;          // of the bus; empty: what its network file says
   link::LinkAddress link;
   ServerOptions server;
   // UDP, at the server's address; 0: no stops by datagram; without it one more than the port that the server

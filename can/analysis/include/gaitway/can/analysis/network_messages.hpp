@@ -27,6 +27,18 @@ struct ProofAssumptions {
 [[nodiscard]] std::vector<AnalysedMessage> message_set(const Profile& profile, std::span<const NodeId> nodes,
                                                        std::int64_t jitter_ns = 0);
 
+// By what somebody who only listens knows when a message was released, so that its arrival can be held against
+// its worst response.
+enum class ReleaseSign : std::uint8_t {
+  unseen,
+  slot_edge,   // of the robot's clock
+  cycle_edge,  // likewise
+  sync,        // the last bit of the SYNC that it answers
+  batch,       // the first bit of the first trajectory frame of its batch, at the latest
+  trajectory   // the last bit of its node's trajectory frame, in cycles that have one
+};
+[[nodiscard]] ReleaseSign release_sign(const Profile& profile, MessageKind kind) noexcept;
+
 // The analysis of a robot's bus.
 struct Proof {
   std::vector<AnalysedMessage> messages;   // the most urgent first

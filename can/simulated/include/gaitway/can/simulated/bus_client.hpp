@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "gaitway/can/bounded_queue.hpp"
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 
@@ -36,6 +37,7 @@ class BusClient final : public BusPort {
   bool transmit(const Frame& frame, std::int64_t now_ns) override;
   [[nodiscard]] bool transmit_pending() const override { return unsent_ > 0; }
   std::optional<TimedFrame> receive() override;
+  std::optional<BusNotice> next_notice() noexcept override { return notices_.pop(); }
   void flush(std::int64_t now_ns) override;
   // For a client whose pace the bus keeps; true for the others, which are not told.
   [[nodiscard]] bool caught_up(std::int64_t time_ns) const noexcept override {
@@ -56,6 +58,7 @@ class BusClient final : public BusPort {
   process::FileDescriptor socket_;
   std::unique_ptr<Packets> packets_;
   Pace pace_;
+  BoundedQueue<BusNotice, 64> notices_;
   std::int64_t bus_time_ns_ = 0;
   int unsent_ = 0;  // frames that were offered and not yet reported as sent
   bool closed_ = false;

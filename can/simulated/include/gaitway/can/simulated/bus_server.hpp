@@ -58,6 +58,7 @@ class BusServer {
   bool serve(Client& client);  // false: it has gone, or has to go
   void offer();
   void hand_to_clients(const SimulatedBus::Delivery& delivery);
+  void hand_to_clients(const ErrorFrame& error);
 
   SimulatedBus bus_;
   process::ListeningSocket listener_;
