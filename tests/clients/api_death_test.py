@@ -44,7 +44,7 @@ class ApiDeath(unittest.TestCase):
         self.assertEqual(self.robot.summary["batches"]["late"], 0)
         self.assertEqual(self.robot.summary["batches"]["refused"], 0)
         lost = [event["time_s"] for event in events if event["source"] == "api" and "is lost" in event["text"]]
-        back = [event["time_s"] for event in events if event["source"] == "api" and "linked to 'user_interface'" in event["text"]]
+        back = [event["time_s"] for event in events if event["source"] == "api" and "linked to 'user_interface " in event["text"]]
         self.assertEqual(len(lost), deaths, events)
         for at in lost:
             self.assertLessEqual(min(time for time in back if time >= at) - at, 1.0, events)
