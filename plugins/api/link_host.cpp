@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/socket.h>
 
 #include <array>
 #include <utility>
@@ -13,6 +14,17 @@
 #include "gaitway/process/real_time.hpp"
 
 namespace gaitway::api {
+namespace {
+
+// For texts: " (process 4711)"; empty: it is not known.
+std::string process_of(const process::FileDescriptor& connection) {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  const bool known = getsockopt(connection.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && peer.pid != 0;
+  return known ? fmt::format(" (process {})", peer.pid) : std::string();
+}
+
+}  // namespace
 
 LinkHost::LinkHost(const link::LinkAddress& address) : address_(address) {
   if (address.kind == link::LinkAddress::Kind::serial) {
@@ -77,7 +89,7 @@ void LinkHost::pump(link::ControllerEnd& end, std::int64_t now_ns) {
   } else {
     end.step(now_ns);
   }
-  follow_session(end);
+  follow_session(end, now_ns);
 }
 
 void LinkHost::accept(link::ControllerEnd& end, std::int64_t now_ns) {
@@ -90,7 +102,7 @@ void LinkHost::accept(link::ControllerEnd& end, std::int64_t now_ns) {
     if (carrier_ != nullptr && end.session().open()) {
       link::pump(end, *carrier_, now_ns);  // perhaps it has just gone
       if (carrier_->connected()) {
-        turn_away(std::move(connection), end);
+        turn_away(std::move(connection), end, now_ns);
         continue;
       }
     }
@@ -101,24 +113,41 @@ void LinkHost::accept(link::ControllerEnd& end, std::int64_t now_ns) {
   }
 }
 
-void LinkHost::turn_away(process::FileDescriptor connection, const link::ControllerEnd& end) {
+void LinkHost::turn_away(process::FileDescriptor connection, const link::ControllerEnd& end,
+                         std::int64_t now_ns) {
+  const std::string who = process_of(connection);
   std::array<std::uint8_t, link::kMostContentBytes> content{};
   std::array<std::uint8_t, link::kMostFrameBytes> frame{};
   const std::size_t size = link::encode(end.session().refusal_of_another(), content);
   const std::size_t bytes = link::encode_frame(link::Bytes(content).first(size), frame);
   link::UnixCarrier(std::move(connection)).write(link::Bytes(frame).first(bytes));
-  report_ = fmt::format("another user interface module wants the link that '{}' has, and was turned away",
-                        end.session().peer_name());
+  tell_refusal(fmt::format("another user interface module{} wants the link that '{}' has, and was turned away: "
+                           "a robot has one; end one of the two",
+                           who, end.session().peer_name()),
+               now_ns);
 }
 
-void LinkHost::follow_session(const link::ControllerEnd& end) {
+void LinkHost::follow_session(const link::ControllerEnd& end, std::int64_t now_ns) {
   const std::uint32_t session = end.session().open() ? end.session().count() : 0;
   if (std::exchange(session_, session) == session) {
+    if (link::is_refusal(end.session().why())) {
+      tell_refusal(fmt::format("no link to the user interface module: {}", end.session().description()), now_ns);
+    }
     return;
   }
+  refusal_.clear();
   report_ = session != 0 ? fmt::format("linked to '{}'", end.session().peer_name())
                          : fmt::format("the link to the user interface module is lost: {}",
                                        end.session().description());
+}
+
+void LinkHost::tell_refusal(std::string text, std::int64_t now_ns) {
+  constexpr std::int64_t kBetween_ns = facts::kSecond_ns, kBetweenTheSame_ns = 60 * facts::kSecond_ns;
+  const std::int64_t since_ns = now_ns - refusal_told_ns_;
+  if (refusal_.empty() || since_ns >= (text == refusal_ ? kBetweenTheSame_ns : kBetween_ns)) {
+    refusal_told_ns_ = now_ns;
+    report_ = refusal_ = std::move(text);
+  }
 }
 
 std::string LinkHost::take_report() {

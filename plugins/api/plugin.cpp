@@ -57,9 +57,12 @@ class Post {
        const link::LinkAddress& address, ReportQueue& reports)
       : reports_(reports),
         client_(msgclient::Client::connect(memory_socket, "api")),
-        desk_(
-            client_, urdf::load_robot(robot_directory),
-            {.boot = link::random_boot(), .name = "main_controller", .narrow = address.narrow(), .link = {}}),
+        robot_(urdf::load_robot(robot_directory)),
+        desk_(client_, robot_,
+              {.boot = link::random_boot(),
+               .name = "controller of " + robot_.name,
+               .narrow = address.narrow(),
+               .link = {}}),
         host_(address) {
     client_.seal();
     thread_ = std::thread([this] { run(); });
@@ -87,6 +90,7 @@ class Post {
 
   ReportQueue& reports_;
   msgclient::Client client_;
+  urdf::RobotModel robot_;
   RobotDesk desk_;
   LinkHost host_;
   std::atomic<bool> stopping_ = false;

@@ -1,7 +1,9 @@
 // Sizes and the hash of the table.
 #include "gaitway/contract/channel_table.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <string>
 
 #include "gaitway/contract/event_list.hpp"
@@ -13,6 +15,10 @@ namespace {
 
 constexpr std::uint32_t kLayoutVersion =
     2;  // of what TypeDescriptors do not say: the codec, the events, the orders' meaning
+
+constexpr std::uint32_t folded(std::uint64_t hash) noexcept {
+  return static_cast<std::uint32_t>(hash ^ hash >> 32U);
+}
 
 }  // namespace
 
@@ -36,7 +42,7 @@ std::vector<link::Channel> link_channels(const TopicCodec& codec) {
   return channels;
 }
 
-std::uint64_t table_hash(const urdf::RobotModel& robot) {
+std::uint32_t table_hash() {
   detail::Fnv1a64 hash;
   hash.add_number(kLayoutVersion);
   const auto add_type = [&hash](const TypeDescriptor* type) {
@@ -60,11 +66,37 @@ std::uint64_t table_hash(const urdf::RobotModel& robot) {
     add_type(row.request);
     add_type(row.answer);
   }
+  return folded(hash.value());
+}
+
+std::uint32_t robot_hash(const urdf::RobotModel& robot) {
+  detail::Fnv1a64 hash;
   hash.add_number(static_cast<std::uint32_t>(robot.joints.size()));
   for (const char* const file : {"robot.urdf", "robot.yaml"}) {
     hash.add(urdf::description_text(robot.directory / file));
   }
-  return hash.value();
+  return folded(hash.value());
+}
+
+std::uint16_t calibration_hash(const urdf::RobotModel& robot) {
+  const std::filesystem::path file = robot.directory / "calibration.yaml";
+  detail::Fnv1a64 hash;
+  if (!std::filesystem::exists(file)) {
+    return 0;
+  }
+  hash.add(urdf::description_text(file));
+  const std::uint32_t value = folded(hash.value());
+  return std::max<std::uint16_t>(static_cast<std::uint16_t>(value ^ value >> 16U), 1);
+}
+
+link::LinkIdentity identity_of(link::Role role, std::uint64_t boot, std::string_view name,
+                               const urdf::RobotModel& robot) {
+  return {.role = role,
+          .boot = boot,
+          .table_hash = table_hash(),
+          .name = name,
+          .robot_hash = robot_hash(robot),
+          .calibration_hash = calibration_hash(robot)};
 }
 
 }  // namespace gaitway::contract

@@ -37,6 +37,12 @@ void LinkEnd::on_content(Bytes content, std::int64_t now_ns) noexcept {
   follow_session();
   const std::optional<FrameKind> kind = kind_of(content);
   if (kind == FrameKind::hello) {
+    const std::optional<std::uint16_t> version = version_of_hello(content);
+    if (version && *version != kProtocolVersion) {
+      session_.on_hello_of_version(*version);
+      follow_session();
+      return;
+    }
     Hello hello;
     if (!decode(content, hello)) {
       ++counts_.unexpected;

@@ -45,7 +45,7 @@ std::size_t encode(const Hello& hello, std::span<std::uint8_t> room) noexcept {
   out.put(hello.version).put(static_cast<std::uint8_t>(hello.role)).put(std::uint8_t{hello.open});
   put(out, hello.self);
   put(out, hello.heard);
-  out.put(hello.table_hash).put(hello.time_ns);
+  out.put(hello.table_hash).put(hello.robot_hash).put(hello.calibration_hash).put(hello.time_ns);
   for (const char letter : hello.name) {
     out.put(static_cast<std::uint8_t>(letter));
   }
@@ -101,6 +101,12 @@ std::uint32_t session_of(Bytes content) noexcept {
   return in.get<std::uint32_t>();
 }
 
+std::optional<std::uint16_t> version_of_hello(Bytes content) noexcept {
+  ByteReader in = body_of(FrameKind::hello, content);
+  const auto version = in.get<std::uint16_t>();
+  return in.ok() ? std::optional(version) : std::nullopt;
+}
+
 bool decode(Bytes content, Hello& hello) noexcept {
   ByteReader in = body_of(FrameKind::hello, content);
   in.get(hello.version);
@@ -108,7 +114,7 @@ bool decode(Bytes content, Hello& hello) noexcept {
   const auto is_open = in.get<std::uint8_t>();
   get(in, hello.self);
   get(in, hello.heard);
-  in.get(hello.table_hash).get(hello.time_ns);
+  in.get(hello.table_hash).get(hello.robot_hash).get(hello.calibration_hash).get(hello.time_ns);
   for (char& letter : hello.name) {
     letter = static_cast<char>(in.get<std::uint8_t>());
   }

@@ -28,9 +28,42 @@ std::string printable(const std::array<char, 24>& bytes) {
   return name;
 }
 
-std::string text_of(const Hello& hello) {
-  return "'" + printable(hello.name) + "' (" + (hello.role == Role::module ? "module" : "controller") +
-         ", protocol " + std::to_string(hello.version) + ", table " + std::to_string(hello.table_hash) + ")";
+std::string hex(std::uint32_t number) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text(2 * sizeof number, '0');
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, number >>= 4U) {
+    *digit = kDigits[number & 0xFU];
+  }
+  return text;
+}
+
+std::string name_of(const Hello& hello) {
+  return "'" + printable(hello.name) + "'";
+}
+
+// What is wrong with who was refused, and what to do about it.
+std::string refusal_text(SessionEnd why, const Hello& self, const Hello& other) {
+  switch (why) {
+    case SessionEnd::occupied:
+      return "refused: the main controller is linked to another module, " + name_of(other) +
+             ", and a robot has one: end that one, or this one, " + name_of(self);
+    case SessionEnd::wrong_version:
+      return "refused: the other end speaks version " + std::to_string(other.version) +
+             " of the link's protocol, and " + name_of(self) + " version " + std::to_string(self.version) +
+             ": install the same version of Gaitway on both sides";
+    case SessionEnd::wrong_role:
+      return "refused: " + name_of(self) + " and the other end, " + name_of(other) + ", are both " +
+             (self.role == Role::module ? "modules" : "controllers") +
+             ": connect one module to one controller";
+    case SessionEnd::wrong_table:
+      return "refused: " + name_of(self) + " has the table of topics and orders " + hex(self.table_hash) +
+             ", the other end, " + name_of(other) + ", has " + hex(other.table_hash) +
+             ": they were built from different sources; install the same version of Gaitway on both sides";
+    default:
+      return "refused: " + name_of(self) + " has the robot's description " + hex(self.robot_hash) +
+             ", the other end, " + name_of(other) + ", has " + hex(other.robot_hash) +
+             ": give both the same robot.urdf and robot.yaml (--robot), and start the one anew that gets others";
+  }
 }
 
 }  // namespace
@@ -67,6 +100,8 @@ Session::Session(const LinkIdentity& identity, const LinkSettings& settings)
   self_.role = identity.role;
   self_.self.boot = identity.boot;
   self_.table_hash = identity.table_hash;
+  self_.robot_hash = identity.robot_hash;
+  self_.calibration_hash = identity.calibration_hash;
   std::copy_n(identity.name.begin(), std::min(identity.name.size(), self_.name.size()), self_.name.begin());
 }
 
@@ -91,6 +126,7 @@ void Session::on_hello(const Hello& hello, std::int64_t now_ns) noexcept {
   }
   peer_ = hello.self;
   peer_name_ = hello.name;
+  peer_calibration_hash_ = hello.calibration_hash;
   const bool means_this = hello.heard == self_.self;
   if (!open() && means_this) {
     begin(now_ns);
@@ -98,6 +134,12 @@ void Session::on_hello(const Hello& hello, std::int64_t now_ns) noexcept {
     heard_ns_ = now_ns;
   }
   hello_wanted_ = hello_wanted_ || !hello.open || !means_this;
+}
+
+void Session::on_hello_of_version(std::uint16_t version) noexcept {
+  refused_ = {};
+  refused_.version = version;
+  end(SessionEnd::wrong_version);
 }
 
 bool Session::admits(std::uint32_t session, std::int64_t now_ns) noexcept {
@@ -111,6 +153,9 @@ bool Session::admits(std::uint32_t session, std::int64_t now_ns) noexcept {
 }
 
 void Session::end(SessionEnd why) noexcept {
+  if (why == SessionEnd::cut && is_refusal(end_)) {
+    return;
+  }
   if (open()) {
     ++self_.self.sessions;
     peer_ = {};
@@ -128,9 +173,9 @@ void Session::begin(std::int64_t now_ns) noexcept {
 }
 
 SessionEnd Session::refusal_of(const Hello& hello) const noexcept {
-  if (hello.version != self_.version) return SessionEnd::wrong_version;
   if (hello.role == self_.role) return SessionEnd::wrong_role;
-  return hello.table_hash == self_.table_hash ? SessionEnd::none : SessionEnd::wrong_table;
+  if (hello.table_hash != self_.table_hash) return SessionEnd::wrong_table;
+  return hello.robot_hash == self_.robot_hash ? SessionEnd::none : SessionEnd::wrong_robot;
 }
 
 bool Session::hello_due(std::int64_t now_ns) const noexcept {
@@ -173,20 +218,9 @@ std::string Session::description() const {
       return "the other end has closed the connection";
     case SessionEnd::peer_anew:
       return "the other end has begun anew";
-    case SessionEnd::occupied:
-      return "the main controller is linked to another module, '" + printable(refused_.name) +
-             "': end that one first; a robot has one";
-    case SessionEnd::wrong_version:
-    case SessionEnd::wrong_role:
-    case SessionEnd::wrong_table:
-      break;
+    default:
+      return refusal_text(end_, self_, refused_);
   }
-  const char* const remedy =
-      end_ == SessionEnd::wrong_role
-          ? ": both have the same role; connect one module to one controller"
-          : ": they were built from different sources, or have different descriptions of the robot; install "
-            "the same version and the same robot folder on both sides";
-  return "this is " + text_of(self_) + ", the other end is " + text_of(refused_) + remedy;
 }
 
 }  // namespace gaitway::link

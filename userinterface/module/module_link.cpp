@@ -59,10 +59,8 @@ ModuleLink::ModuleLink(const urdf::RobotModel& robot, const ModuleLinkOptions& o
     : codec_{.joint_count = robot.joints.size()},
       orders_{.joint_count = robot.joints.size(), .exact = true},
       mirror_(codec_),
-      end_({.role = link::Role::module,
-            .boot = options.boot,
-            .table_hash = contract::table_hash(robot),
-            .name = options.name},
+      calibration_hash_(contract::calibration_hash(robot)),
+      end_(contract::identity_of(link::Role::module, options.boot, options.name, robot),
            contract::link_channels(codec_), options.link),
       last_number_(std::random_device{}()) {}
 
@@ -107,6 +105,10 @@ std::string ModuleLink::description() const {
 link::SessionEnd ModuleLink::why() const {
   const std::scoped_lock lock(mutex_);
   return end_.session().why();
+}
+bool ModuleLink::same_calibration() const {
+  const std::scoped_lock lock(mutex_);
+  return end_.session().peer_calibration_hash() == calibration_hash_;
 }
 link::StopCounts ModuleLink::stops_asked() const {
   const std::scoped_lock lock(mutex_);

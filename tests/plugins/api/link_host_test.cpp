@@ -30,8 +30,14 @@ constexpr std::array kChannels{link::Channel{"state", 64}};
 
 // A module and its way to the socket.
 struct Module {
-  Module(const std::filesystem::path& path, std::uint64_t boot, std::string_view name)
-      : end({.role = link::Role::module, .boot = boot, .table_hash = 1, .name = name}, kChannels, {}),
+  Module(const std::filesystem::path& path, std::uint64_t boot, std::string_view name,
+         std::uint32_t robot_hash = 0)
+      : end({.role = link::Role::module,
+             .boot = boot,
+             .table_hash = 1,
+             .name = name,
+             .robot_hash = robot_hash},
+            kChannels, {}),
         carrier(path) {}
   link::ModuleEnd end;
   link::UnixCarrier carrier;
@@ -68,23 +74,36 @@ TEST_F(LinkHostTest, ASecondModuleIsToldWhoHasTheLinkAndTheFirstGoesOn) {
   EXPECT_TRUE(first.end.session().open());
   EXPECT_EQ(first.end.session().count(), 1U) << "it has noticed nothing";
   EXPECT_FALSE(second.end.session().open());
-  EXPECT_EQ(second.end.session().why(), link::SessionEnd::cut);
+  EXPECT_EQ(second.end.session().why(), link::SessionEnd::occupied) << "though it was cut off at once";
+  EXPECT_THAT(second.end.session().description(),
+              AllOf(HasSubstr("'the first one'"), HasSubstr("a robot has one"), HasSubstr("'the second one'")));
   EXPECT_FALSE(second.carrier.connected());
-  EXPECT_THAT(reports, HasSubstr("another user interface module wants the link that 'the first one' has"));
+  EXPECT_THAT(reports, HasSubstr("another user interface module (process " + std::to_string(getpid()) +
+                                 ") wants the link that 'the first one' has"));
 }
 
-TEST_F(LinkHostTest, TheSecondOneKnowsWhyUntilItTriesAgain) {
+TEST_F(LinkHostTest, AModuleThatIsTurnedAwayAgainAndAgainIsToldOfOnceAMinute) {
   Module first(path, 11, "the first one");
   pass(200, {&first});
+  const auto told = [this] { return std::count(reports.begin(), reports.end(), '\n'); };
+  const auto before = told();
+  constexpr int kMinute_ms = 60'000, kBetween_ms = 500;
+  for (int ms = 0; ms < kMinute_ms; ms += kBetween_ms) {
+    Module second(path, 12, "the second one");
+    pass(kBetween_ms, {&first, &second});
+  }
+  EXPECT_EQ(told(), before + 1) << reports;
   Module second(path, 12, "the second one");
-  now_ns += facts::kMillisecond_ns;
-  host.pump(controller, now_ns);
-  std::array<std::uint8_t, link::kReadBytes> bytes{};
-  const std::size_t count = second.carrier.read(bytes);
-  second.end.on_bytes(link::Bytes(bytes).first(count), now_ns);
-  EXPECT_EQ(second.end.session().why(), link::SessionEnd::occupied);
-  EXPECT_THAT(second.end.session().description(),
-              AllOf(HasSubstr("'the first one'"), HasSubstr("a robot has one")));
+  pass(kBetween_ms, {&first, &second});
+  EXPECT_EQ(told(), before + 2) << reports;
+}
+
+TEST_F(LinkHostTest, AModuleOfAnotherRobotIsRefusedAndToldOfOnce) {
+  Module other(path, 11, "the module", 2);
+  pass(2000, {&other});
+  EXPECT_THAT(reports, AllOf(HasSubstr("no link to the user interface module: refused"), HasSubstr("'the module', has 00000002"),
+                             HasSubstr("give both the same robot.urdf")));
+  EXPECT_EQ(std::count(reports.begin(), reports.end(), '\n'), 1) << reports;
 }
 
 TEST_F(LinkHostTest, AModuleThatComesAfterAnotherHasGoneIsLinked) {

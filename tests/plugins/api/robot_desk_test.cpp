@@ -28,12 +28,9 @@ class RobotDeskTest : public ::testing::Test {
   RobotDeskTest() { restart_module(11); }
 
   void restart_module(std::uint64_t boot) {
-    module = std::make_unique<link::ModuleEnd>(link::LinkIdentity{.role = link::Role::module,
-                                                                  .boot = boot,
-                                                                  .table_hash = contract::table_hash(robot),
-                                                                  .name = "module"},
-                                               contract::link_channels({robot.joints.size()}),
-                                               link::LinkSettings{});
+    module = std::make_unique<link::ModuleEnd>(
+        contract::identity_of(link::Role::module, boot, "module", robot),
+        contract::link_channels({robot.joints.size()}), link::LinkSettings{});
   }
   void start_desk(std::uint64_t boot) {
     client.emplace(block.local_client("api"));

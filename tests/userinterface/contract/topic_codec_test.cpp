@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <random>
 #include <vector>
@@ -185,18 +186,22 @@ TEST(ChannelTable, ABusSlotTakesLittleOfANarrowCarrier) {
   EXPECT_LE(size, 450U);
 }
 
-TEST(ChannelTable, TheHashTellsRobotsApart) {
+TEST(ChannelTable, TheHashesTellRobotsAndCalibrationsApart) {
   const std::filesystem::path robots = std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf";
   const urdf::RobotModel robot = urdf::load_robot(robots / "humanoid22");
-  EXPECT_EQ(table_hash(robot), table_hash(robot));
+  EXPECT_EQ(robot_hash(robot), robot_hash(robot));
+  EXPECT_EQ(calibration_hash(robot), 0U);
   const std::filesystem::path other = std::filesystem::temp_directory_path() / "gaitway_table_hash_test";
   std::filesystem::remove_all(other);
   std::filesystem::copy(robots / "humanoid22", other, std::filesystem::copy_options::recursive);
   urdf::RobotModel changed = robot;
   changed.directory = other;
-  EXPECT_EQ(table_hash(changed), table_hash(robot)) << "the same description elsewhere";
+  EXPECT_EQ(robot_hash(changed), robot_hash(robot)) << "the same description elsewhere";
+  std::ofstream(other / "calibration.yaml") << "robot: humanoid22\n";
+  EXPECT_NE(calibration_hash(changed), 0U);
+  EXPECT_EQ(robot_hash(changed), robot_hash(robot)) << "it is calibrated, but the same robot";
   std::filesystem::resize_file(other / "robot.yaml", std::filesystem::file_size(other / "robot.yaml") - 1);
-  EXPECT_NE(table_hash(changed), table_hash(robot));
+  EXPECT_NE(robot_hash(changed), robot_hash(robot));
   std::filesystem::remove_all(other);
 }
 

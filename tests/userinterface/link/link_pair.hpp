@@ -17,7 +17,7 @@ namespace gaitway::link::test {
 
 inline constexpr std::int64_t kMs = facts::kMillisecond_ns;
 inline constexpr std::array kChannels{Channel{"small", 40}, Channel{"large", 3000}, Channel{"text", 200}};
-inline constexpr std::uint64_t kTableHash = 0x6761697477617901;
+inline constexpr std::uint32_t kTableHash = 0x67617901;
 // The robot's clock against the module's: nothing may take one for the other.
 inline constexpr std::int64_t kRobotAhead_ns = 7'000'000'000'000;
 

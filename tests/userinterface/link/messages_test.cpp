@@ -42,7 +42,8 @@ TEST(Messages, LieOnTheWireAsTheReadmeSays) {
 
 TEST(Messages, DecodeToWhatTheyWere) {
   Hello hello{
-      .role = Role::controller, .open = true, .self = {1, 2}, .heard = {3, 4}, .table_hash = 5, .time_ns = 6};
+      .role = Role::controller, .open = true, .self = {1, 2}, .heard = {3, 4}, .table_hash = 5, .robot_hash = 7,
+      .calibration_hash = 8, .time_ns = 6};
   hello.name[0] = 'g';
   Content content;
   content.size = encode(hello, content.room);
@@ -52,6 +53,9 @@ TEST(Messages, DecodeToWhatTheyWere) {
   EXPECT_EQ(back.heard, hello.heard);
   EXPECT_EQ(back.time_ns, 6);
   EXPECT_TRUE(back.open);
+  EXPECT_EQ(back.table_hash, 5U);
+  EXPECT_EQ(back.robot_hash, 7U);
+  EXPECT_EQ(back.calibration_hash, 8U);
   EXPECT_EQ(back.name, hello.name);
 
   Status status;
@@ -62,6 +66,13 @@ TEST(Messages, DecodeToWhatTheyWere) {
   StopMessage stop;
   ASSERT_TRUE(decode(content_of(StopMessage{{1, 2, 3}, {4, 5, 6}}).bytes(), stop));
   EXPECT_EQ(stop.settled, (StopCounts{4, 5, 6}));
+}
+
+TEST(Messages, AHelloTellsItsVersionWhateverFollows) {
+  const std::vector<std::uint8_t> of_the_future{1, 0, 0, 0, 0, 0x09, 0x03, 'n', 'e', 'w'};
+  EXPECT_EQ(version_of_hello(of_the_future), 0x0309);
+  EXPECT_FALSE(version_of_hello(Bytes(of_the_future).first(kHeaderBytes + 1)));
+  EXPECT_FALSE(version_of_hello(content_of(Status{}).bytes()));
 }
 
 TEST(Messages, OfAnotherKindOrLengthDoNotDecode) {

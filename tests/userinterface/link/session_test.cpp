@@ -7,6 +7,7 @@
 namespace gaitway::link::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(Session, OpensWithinTwoHelloPeriods) {
@@ -94,7 +95,8 @@ TEST(Session, IsRefusedToOneOfTheSameRole) {
   ModuleEnd first(module_identity(1), kChannels, {}), second(module_identity(2), kChannels, {});
   exchange(first, second, 200 * kMs);
   EXPECT_EQ(first.session().why(), SessionEnd::wrong_role);
-  EXPECT_THAT(first.session().description(), HasSubstr("both have the same role"));
+  EXPECT_THAT(first.session().description(),
+              AllOf(HasSubstr("both modules"), HasSubstr("connect one module to one controller")));
 }
 
 TEST(Session, IsRefusedToOneWithAnotherTable) {
@@ -106,18 +108,48 @@ TEST(Session, IsRefusedToOneWithAnotherTable) {
   EXPECT_EQ(module.session().why(), SessionEnd::wrong_table);
   EXPECT_EQ(controller.session().why(), SessionEnd::wrong_table);
   EXPECT_THAT(module.session().description(),
-              HasSubstr("'main_controller' (controller, protocol 1, table 5)"));
+              AllOf(HasSubstr("'main_controller', has 00000005"), HasSubstr("67617901"),
+                    HasSubstr("install the same version of Gaitway on both sides")));
+}
+
+TEST(Session, IsRefusedToOneOfAnotherRobotAndBothSayWhich) {
+  LinkIdentity ours = module_identity(1), theirs = controller_identity(2);
+  ours.robot_hash = 0xA;
+  theirs.robot_hash = 0xB;
+  ModuleEnd module(ours, kChannels, {});
+  ControllerEnd controller(theirs, kChannels, {});
+  exchange(module, controller, 200 * kMs);
+  EXPECT_EQ(module.session().why(), SessionEnd::wrong_robot);
+  EXPECT_EQ(controller.session().why(), SessionEnd::wrong_robot);
+  EXPECT_THAT(module.session().description(),
+              AllOf(HasSubstr("'user_interface' has the robot's description 0000000a"),
+                    HasSubstr("'main_controller', has 0000000b"),
+                    HasSubstr("give both the same robot.urdf and robot.yaml")));
+  EXPECT_THAT(controller.session().description(), HasSubstr("'main_controller' has the robot's description 0000000b"));
+  module.cut(200 * kMs);
+  EXPECT_EQ(module.session().why(), SessionEnd::wrong_robot) << "why it was cut off is still known";
+}
+
+TEST(Session, TellsOfAnotherCalibrationAndGoesOn) {
+  LinkIdentity theirs = controller_identity(2);
+  theirs.calibration_hash = 0xC;
+  ModuleEnd module(module_identity(1), kChannels, {});
+  ControllerEnd controller(theirs, kChannels, {});
+  exchange(module, controller, 200 * kMs);
+  ASSERT_TRUE(module.session().open());
+  EXPECT_EQ(module.session().peer_calibration_hash(), 0xCU);
 }
 
 TEST(Session, IsRefusedToAnotherVersion) {
   ModuleEnd module(module_identity(1), kChannels, {});
-  Hello hello{.version = 99, .role = Role::controller, .self = {5, 0}};
-  std::array<std::uint8_t, kMostContentBytes> content{};
+  // Whatever a hello of that version says behind its number.
+  const std::array<std::uint8_t, 10> content{static_cast<std::uint8_t>(FrameKind::hello), 0, 0, 0, 0, 99, 0, 1, 2, 3};
   std::array<std::uint8_t, kMostFrameBytes> wire{};
-  const std::size_t size = encode(hello, content);
-  module.on_bytes(Bytes(wire).first(encode_frame(Bytes(content).first(size), wire)), 0);
+  module.on_bytes(Bytes(wire).first(encode_frame(content, wire)), 0);
   EXPECT_EQ(module.session().why(), SessionEnd::wrong_version);
-  EXPECT_THAT(module.session().description(), HasSubstr("protocol 99"));
+  EXPECT_THAT(module.session().description(),
+              AllOf(HasSubstr("version 99 of the link's protocol"), HasSubstr("'user_interface' version 2"),
+                    HasSubstr("install the same version of Gaitway on both sides")));
 }
 
 TEST(Session, TwoThatDisagreeDoNotFillTheCarrier) {

@@ -34,10 +34,7 @@ class Robot {
   Robot(const std::filesystem::path& socket, const urdf::RobotModel& robot)
       : codec_{.joint_count = robot.joints.size()},
         host_({.kind = link::LinkAddress::Kind::unix_socket, .path = socket}),
-        end_({.role = link::Role::controller,
-              .boot = link::random_boot(),
-              .table_hash = contract::table_hash(robot),
-              .name = "robot"},
+        end_(contract::identity_of(link::Role::controller, link::random_boot(), "robot", robot),
              contract::link_channels(codec_), {}),
         thread_([this](const std::stop_token& stop) { run(stop); }) {}
 

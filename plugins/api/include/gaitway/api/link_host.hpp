@@ -15,7 +15,8 @@
 
 namespace gaitway::api {
 
-// One module at a time: another one that connects meanwhile is told who has the link, and turned away.
+// One module at a time: another one that connects meanwhile is told who has the link, and turned away. Whoever is
+// refused is told of once a minute.
 class LinkHost {
  public:
   // Opens all that it needs: throws process::SocketError, link::SerialError. A serial line that is lost later
@@ -34,8 +35,9 @@ class LinkHost {
   void open_line();  // throws link::SerialError
   void open_line_again(std::int64_t now_ns);
   void accept(link::ControllerEnd& end, std::int64_t now_ns);
-  void turn_away(process::FileDescriptor connection, const link::ControllerEnd& end);
-  void follow_session(const link::ControllerEnd& end);
+  void turn_away(process::FileDescriptor connection, const link::ControllerEnd& end, std::int64_t now_ns);
+  void follow_session(const link::ControllerEnd& end, std::int64_t now_ns);
+  void tell_refusal(std::string text, std::int64_t now_ns);
 
   link::LinkAddress address_;
   std::optional<process::ListeningSocket> listener_;  // nothing: a serial line
@@ -44,6 +46,8 @@ class LinkHost {
   std::int64_t tried_ns_ = 0;
   std::string line_error_;  // why there is no line, as told last
   std::uint32_t session_ = 0;
+  std::string refusal_;  // as told last
+  std::int64_t refusal_told_ns_ = 0;
   std::int64_t wakes_since_ns_ = 0;
   int wakes_ = 0;  // since then
   std::string report_;

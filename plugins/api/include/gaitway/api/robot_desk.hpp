@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <deque>
-#include <string_view>
+#include <string>
 #include <unordered_map>
 
 #include "gaitway/api/plan_digest.hpp"
@@ -18,7 +18,7 @@ namespace gaitway::api {
 
 struct RobotDeskOptions {
   std::uint64_t boot = 0;  // random and not 0
-  std::string_view name = "main_controller";
+  std::string name = "main_controller";
   bool narrow = false;  // the carrier is slower than a Unix socket
   link::LinkSettings link;
 };

@@ -10,6 +10,7 @@
 
 #include "gaitway/contract/topic_codec.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/link/session.hpp"
 #include "gaitway/link/state_sender.hpp"
 #include "gaitway/msgclient/topic.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -67,9 +68,16 @@ inline constexpr std::size_t kEventChannel = kChannels.size();
 // The link's table of channels for a robot.
 [[nodiscard]] std::vector<link::Channel> link_channels(const TopicCodec& codec);
 
-// By which both ends know that they mean the same: channels, orders, types, and the robot's description
-// (robot.urdf and robot.yaml of its folder). Throws urdf::RobotError when a file cannot be read.
-[[nodiscard]] std::uint64_t table_hash(const urdf::RobotModel& robot);
+// By which both ends know that they mean the same: channels, orders and types; the robot's description (robot.urdf
+// and robot.yaml of its folder); its calibration (calibration.yaml; 0: there is none). Throws urdf::RobotError when
+// a file cannot be read.
+[[nodiscard]] std::uint32_t table_hash();
+[[nodiscard]] std::uint32_t robot_hash(const urdf::RobotModel& robot);
+[[nodiscard]] std::uint16_t calibration_hash(const urdf::RobotModel& robot);
+
+// What an end of the link says of itself: with these. `name` outlives it.
+[[nodiscard]] link::LinkIdentity identity_of(link::Role role, std::uint64_t boot, std::string_view name,
+                                             const urdf::RobotModel& robot);
 
 // Which topics of a channel's value are there.
 [[nodiscard]] constexpr std::uint8_t topic_bit(std::size_t topic) noexcept {

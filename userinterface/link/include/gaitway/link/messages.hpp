@@ -11,8 +11,9 @@
 
 namespace gaitway::link {
 
-// Raised with every change of a layout; two numbers do not talk to each other.
-inline constexpr std::uint16_t kProtocolVersion = 1;
+// Raised with every change of a layout; two numbers do not talk to each other. A hello of any version begins with
+// it, so that each can say so.
+inline constexpr std::uint16_t kProtocolVersion = 2;
 
 enum class Role : std::uint8_t { module = 1, controller = 2 };
 
@@ -37,9 +38,11 @@ struct Hello {
   Role role = Role::module;
   bool open = false;             // the sender has a session with `heard`
   Identity self{}, heard{};      // `heard`: zero while nobody was
-  std::uint64_t table_hash = 0;  // of the channels and kinds of orders that both must agree on
-  std::int64_t time_ns = 0;      // of the sender's clock
-  std::array<char, 24> name{};   // of the sender's software and robot, for texts; ended by 0 unless full
+  std::uint32_t table_hash = 0;  // of the channels and kinds of orders that both must agree on
+  std::uint32_t robot_hash = 0;  // of the robot's description, on which both must agree, too
+  std::uint16_t calibration_hash = 0;  // of what the robot was calibrated with, which may differ
+  std::int64_t time_ns = 0;            // of the sender's clock
+  std::array<char, 24> name{};         // of the sender, for texts; ended by 0 unless full
 };
 
 // What the sender has received, and how much more it can take.
@@ -88,7 +91,7 @@ struct StateFragment {
   Bytes payload{};
 };
 
-inline constexpr std::size_t kHelloContentBytes = kHeaderBytes + 68;
+inline constexpr std::size_t kHelloContentBytes = kHeaderBytes + 70;
 inline constexpr std::size_t kStatusContentBytes = kHeaderBytes + 23;
 inline constexpr std::size_t kStopContentBytes = kHeaderBytes + 24;
 inline constexpr std::size_t kStopAnswerContentBytes = kHeaderBytes + 12;
@@ -110,6 +113,8 @@ std::size_t encode(const StateFragment& fragment, std::uint32_t session,
 [[nodiscard]] std::optional<FrameKind> kind_of(Bytes content) noexcept;
 // 0 in a hello.
 [[nodiscard]] std::uint32_t session_of(Bytes content) noexcept;
+// Of a hello, in whatever version its rest is; nothing: it is none.
+[[nodiscard]] std::optional<std::uint16_t> version_of_hello(Bytes content) noexcept;
 
 // False: not a frame of this kind, or one that contradicts itself. Payloads point into `content`. What
 // decodes encodes to the same bytes.

@@ -15,8 +15,10 @@ namespace gaitway::link {
 struct LinkIdentity {
   Role role = Role::module;
   std::uint64_t boot = 0;        // random and not 0: no two runs have the same
-  std::uint64_t table_hash = 0;  // of the channels and orders: both ends must have been built with the same
-  std::string_view name;         // software, version and robot; the first 24 bytes are told
+  std::uint32_t table_hash = 0;  // of the channels and orders: both ends must have been built with the same
+  std::string_view name;         // of its software, process or robot; the first 24 bytes are told
+  std::uint32_t robot_hash = 0;  // of the robot's description: both ends must have the same
+  std::uint16_t calibration_hash = 0;  // of the robot's calibration: told, and nothing depends on it
 };
 
 // For LinkIdentity::boot: random and not 0.
@@ -31,9 +33,15 @@ enum class SessionEnd : std::uint8_t {
   peer_anew,      // the other end was started again, or has ended the session
   wrong_version,  // the other end speaks another version of the protocol
   wrong_role,     // it has this end's own role: two modules, or two controllers
-  wrong_table,    // it knows other channels or orders, or has another robot's description
+  wrong_table,    // it knows other channels or orders
+  wrong_robot,    // it has another robot's description
   occupied        // the controller has a session with another module
 };
+
+// Whether it lasts until somebody does something about it; the others end by themselves.
+[[nodiscard]] constexpr bool is_refusal(SessionEnd why) noexcept {
+  return why >= SessionEnd::wrong_version;
+}
 
 //             hello that has heard this end
 //   closed ───────────────────────────────► open
@@ -48,8 +56,11 @@ class Session {
   // Ends a session that has been silent for too long.
   void step(std::int64_t now_ns) noexcept;
   void on_hello(const Hello& hello, std::int64_t now_ns) noexcept;
+  // One that only its own version can read.
+  void on_hello_of_version(std::uint16_t version) noexcept;
   // True: this frame belongs to the session, which it keeps alive.
   bool admits(std::uint32_t session, std::int64_t now_ns) noexcept;
+  // Who was refused and is then cut off, was refused.
   void end(SessionEnd why) noexcept;
 
   [[nodiscard]] bool hello_due(std::int64_t now_ns) const noexcept;
@@ -62,6 +73,7 @@ class Session {
   // How many sessions this end has begun.
   [[nodiscard]] std::uint32_t count() const noexcept { return begun_; }
   [[nodiscard]] std::uint64_t peer_boot() const noexcept { return peer_.boot; }
+  [[nodiscard]] std::uint16_t peer_calibration_hash() const noexcept { return peer_calibration_hash_; }
   // As it calls itself, for people: printable.
   [[nodiscard]] std::string peer_name() const;
   [[nodiscard]] SessionEnd why() const noexcept { return end_; }
@@ -70,7 +82,7 @@ class Session {
   [[nodiscard]] Hello refusal_of_another() const noexcept;
   // Whole frames that belonged to no session of now.
   [[nodiscard]] std::uint64_t strangers() const noexcept { return strangers_; }
-  // Why there is no session, for people: names both sides' versions, names and tables. Allocates.
+  // Why there is no session, for people: what, both sides' values, remedy. Allocates.
   [[nodiscard]] std::string description() const;
 
  private:
@@ -80,6 +92,7 @@ class Session {
   Hello self_;
   Identity peer_;
   std::array<char, 24> peer_name_{};
+  std::uint16_t peer_calibration_hash_ = 0;
   Hello refused_;  // the last hello that did not fit
   std::int64_t hello_period_ns_, silence_ns_;
   SessionEnd end_ = SessionEnd::not_begun;

@@ -23,7 +23,7 @@ namespace gaitway::api {
 
 struct ModuleLinkOptions {
   std::uint64_t boot = 0;  // random and not 0
-  std::string_view name = "user_interface";
+  std::string name = "user_interface";  // for people at the other end
   link::LinkSettings link = settings();
   // An order's place is kept for as long as a client may wait for its answer.
   [[nodiscard]] static link::LinkSettings settings() noexcept {
@@ -58,6 +58,8 @@ class ModuleLink {
   // Why there is no session, for people.
   [[nodiscard]] std::string description() const;
   [[nodiscard]] link::SessionEnd why() const;
+  // Whether the robot was calibrated with what this module's folder holds. Of a session.
+  [[nodiscard]] bool same_calibration() const;
 
   // An order. `age_ns`: so long ago, at most, it was given; what is older than its kind may be is refused by
   // the robot's side by its own clock. The number under which take_result() tells what became of it.
@@ -114,6 +116,7 @@ class ModuleLink {
 
   contract::TopicCodec codec_, orders_;  // of state, of orders and answers
   StateMirror mirror_;
+  std::uint16_t calibration_hash_;
   link::ModuleEnd end_;
   mutable std::mutex mutex_;
   std::function<void()> wake_;
