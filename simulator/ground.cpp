@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "random_stream.hpp"
+#include "gaitway/facts/random_stream.hpp"
 
 namespace gaitway::simulator {
 namespace {
@@ -109,7 +109,7 @@ double TileField::height_m(std::int64_t column, std::int64_t row) const noexcept
   if (column >= -reach && column < reach && row >= -reach && row < reach) return 0.0;
   const std::uint64_t place =
       static_cast<std::uint64_t>(column) * 0x1'0000'0001ULL ^ static_cast<std::uint64_t>(row);
-  return largest_m_ * RandomStream(seed_, place).uniform();
+  return largest_m_ * facts::RandomStream(seed_, place).uniform();
 }
 
 void TileField::follow(mjModel& model, const Eigen::Vector3d& point_m) {

@@ -31,7 +31,7 @@ Eigen::Isometry3d body_pose(const mjData& data, int body) {
   return pose;
 }
 
-ModelMismatch draw_mismatch(const urdf::RobotModel& robot, RandomStream& random, double scale) {
+ModelMismatch draw_mismatch(const urdf::RobotModel& robot, facts::RandomStream& random, double scale) {
   ModelMismatch mismatch;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     mismatch.mass_factor.push_back(std::max(0.1, 1.0 + scale * kMassDeviation * random.normal()));

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "gaitway/facts/random_stream.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "physics_model.hpp"
-#include "random_stream.hpp"
 
 namespace gaitway::simulator {
 
@@ -30,7 +30,7 @@ struct Plant::Implementation {
   [[nodiscard]] urdf::Wrench weight_on_sensor(std::size_t foot) const;
 
   urdf::RobotModel robot;
-  RandomStream mismatch_random, noise_random, condition_random;
+  facts::RandomStream mismatch_random, noise_random, condition_random;
   bool noise;
   ModelMismatch mismatch;
   BodyConditions body_conditions;

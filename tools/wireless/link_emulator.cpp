@@ -12,7 +12,7 @@ constexpr std::size_t kLeastQueue_bytes = 2000;  // a whole packet fits
 // One stream for each thing that is drawn: changing one setting leaves what the others draw.
 enum Stream : std::uint64_t { kLossStream = 1, kJitterStream, kReorderStream, kDuplicateStream, kStreams };
 
-simulator::RandomStream stream(std::uint64_t seed, LinkEnd from, Stream name) {
+facts::RandomStream stream(std::uint64_t seed, LinkEnd from, Stream name) {
   return {seed, static_cast<std::uint64_t>(from) * kStreams + name};
 }
 
@@ -50,7 +50,7 @@ const DirectionSettings& checked(const DirectionSettings& settings) {
 
 }  // namespace
 
-AirLoss::AirLoss(const DirectionSettings& settings, simulator::RandomStream random)
+AirLoss::AirLoss(const DirectionSettings& settings, facts::RandomStream random)
     : random_(random), by_time_(settings.mean_fade_ns && settings.loss > 0.0 && settings.loss < 1.0) {
   const double loss = settings.loss;
   if (loss >= 1.0) {

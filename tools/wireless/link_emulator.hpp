@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "gaitway/facts/random_stream.hpp"
 #include "gaitway/process/duration_histogram.hpp"
-#include "simulator/random_stream.hpp"
 #include "tools/wireless/outage_schedule.hpp"
 
 namespace gaitway::tools {
@@ -64,7 +64,7 @@ struct DirectionStatistics {
 // so many packets, or so long, whether or not packets come meanwhile: exponentially distributed times.
 class AirLoss {
  public:
-  AirLoss(const DirectionSettings& settings, simulator::RandomStream random);
+  AirLoss(const DirectionSettings& settings, facts::RandomStream random);
   // Of the next packet, whose transmission ends then. Times never go back.
   [[nodiscard]] bool loses(std::int64_t at_ns) noexcept;
 
@@ -72,7 +72,7 @@ class AirLoss {
   [[nodiscard]] bool loses_next() noexcept;
   [[nodiscard]] std::int64_t lasts_ns() noexcept;  // the present state
 
-  simulator::RandomStream random_;
+  facts::RandomStream random_;
   double to_bad_ = 0.0, to_good_ = 1.0;
   double mean_good_ns_ = 0.0, mean_bad_ns_ = 0.0;  // of fades
   std::optional<std::int64_t> changes_ns_;
@@ -145,7 +145,7 @@ class LinkEmulator {
     bool outages_hold_;
     const OutageSchedule& outages_;
     AirLoss loss_;
-    simulator::RandomStream jitter_, reordering_, duplication_;
+    facts::RandomStream jitter_, reordering_, duplication_;
 
     std::deque<Waiting> waiting_;  // the first one is in transmission
     std::size_t waiting_bytes_ = 0;

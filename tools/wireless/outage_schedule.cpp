@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "simulator/random_stream.hpp"
+#include "gaitway/facts/random_stream.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -60,7 +60,7 @@ std::optional<OutageEdge> OutageSchedule::edge_after(std::int64_t at_ns) const {
 std::vector<Outage> draw_outages(const RandomOutages& wanted, std::uint64_t seed, std::int64_t start_ns) {
   require_order(wanted.shortest_ns, wanted.longest_ns, "outages");
   require_order(wanted.shortest_up_ns, wanted.longest_up_ns, "time between outages");
-  simulator::RandomStream random(seed, kOutageStream);
+  facts::RandomStream random(seed, kOutageStream);
   std::vector<Outage> outages;
   for (std::size_t i = 0; i < wanted.count; ++i) {
     const auto up_ns = static_cast<std::int64_t>(

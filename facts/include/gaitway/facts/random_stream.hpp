@@ -1,11 +1,11 @@
-// Deterministic random numbers of the simulated robot: the same on every machine and standard library.
+// Deterministic random numbers of whatever is simulated: the same on every machine and standard library.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
-namespace gaitway::simulator {
+namespace gaitway::facts {
 
 // SplitMix64 (Steele, Lea, Flood 2014). Streams with different names are independent of each other.
 class RandomStream {
@@ -44,4 +44,4 @@ class RandomStream {
   std::uint64_t state_;
 };
 
-}  // namespace gaitway::simulator
+}  // namespace gaitway::facts
