@@ -266,6 +266,74 @@ test("shows joints, plots, plug-ins with live parameters, events and recordings"
   await robot.close();
 });
 
+// Between the page and the robot: `change`, a function as text, is done to each message of the topic before the page has it; what the page asks of it is noted.
+const meddle = (robot, topic, change = "() => {}") => robot.page.evaluate((ofTopic, text) => {
+  const [parse, send] = [JSON.parse, WebSocket.prototype.send];
+  const alter = new Function(`return ${text}`)();
+  window.asked = [];
+  JSON.parse = (json) => {
+    const value = parse(json);
+    if (value?.topic === ofTopic) alter(value.msg);
+    return value;
+  };
+  WebSocket.prototype.send = function (data) {
+    if (typeof data === "string" && data.includes(ofTopic)) window.asked.push(parse(data).op);
+    return send.call(this, data);
+  };
+}, topic, change);
+
+test("shows a slot of the bus as it was: every joint's answer, what is missing, and nothing while nobody looks", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.live();
+  await meddle(robot, "/bus_slot");
+  await robot.tab("State");
+  const says = (text) => robot.until((words) => document.querySelector(".bus-status")?.textContent.includes(words), `the slot says '${text}'`, 20_000, text);
+  await says("none is missing or late");
+  const drawn = await robot.page.evaluate(() => [...document.querySelectorAll(".bus-picture .frame title")].map(({ textContent }) => textContent));
+  const joints = await robot.page.evaluate(async () => (await (await fetch("robot.json")).json()).joints.map(({ name }) => name.replaceAll("_", " ")));
+  assert.equal(joints.length, 22);
+  for (const joint of joints) assert.match(drawn.find((text) => text.startsWith(`feedback, ${joint}: at`)) ?? `no feedback of ${joint}`, /\d µs long, at the latest \d+\.\d\d ms, in time/);
+  assert.ok(drawn.some((text) => /^SYNC: at 0\.\d\d ms/.test(text)), drawn.join("; "));
+  await robot.until(() => [...document.querySelectorAll(".bus-picture .trajectory")].length === 22, "a slot with a batch");
+  const cycleNow = () => robot.page.$eval(".bus-status", ({ textContent }) => Number(/of cycle (\d+)/.exec(textContent)[1]));
+  const cycle = await cycleNow();
+  await robot.until((before) => Number(/of cycle (\d+)/.exec(document.querySelector(".bus-status").textContent)[1]) > before, "a later slot", 5000, cycle);
+  await robot.page.click(".state details summary");
+  await robot.until(() => document.querySelectorAll(".bus-table tbody tr").length >= 24, "the slot as a table");
+  await robot.page.evaluate(() => [...document.querySelectorAll(".state button")].find(({ textContent }) => textContent === "Hold").click());
+  const held = await cycleNow();
+  await robot.until(() => / held, \d+\.\d s ago/.test(document.querySelector(".bus-status").textContent), "it is held, and says how old it is");
+  assert.equal(await cycleNow(), held);
+  await robot.tab("Drive");
+  await robot.until(() => window.asked.length === 2, "the page asks for no more slots");
+  assert.deepEqual(await robot.page.evaluate(() => window.asked), ["subscribe", "unsubscribe"]);
+  assert.deepEqual(robot.errors, []);
+  await robot.close();
+});
+
+test("a joint that does not answer is missing in the slot, one that answers late is late, and an error shows", async () => {
+  const robot = await RobotPage.open(browser, address(), { width: 360, height: 740 });
+  await robot.live();
+  const [dead, late] = await robot.page.evaluate(async () => {
+    const joints = (await (await fetch("robot.json")).json()).joints;
+    const { messages } = await (await fetch("bus.json")).json();
+    return ["left_elbow", "right_knee"].map((name) => messages.find(({ kind, joint }) => kind === "feedback" && joints[joint].name === name).id);
+  });
+  await meddle(robot, "/bus_slot", `(slot) => {
+    const dead = slot.id.indexOf(${dead});
+    for (const list of [slot.id, slot.end_us, slot.length_us]) list.splice(dead, 1);
+    slot.end_us[slot.id.indexOf(${late})] = 9800;
+    slot.id.push(0x20000000), slot.end_us.push(5000), slot.length_us.push(0);
+  }`);
+  await robot.tab("State");
+  await robot.until(() => /1 missing \(feedback, left elbow\), 1 late \(feedback, right knee\), 1 error/.test(document.querySelector(".bus-status")?.textContent ?? ""), "what is wrong");
+  assert.deepEqual(await robot.page.$$eval(".bus-picture text.missing, .bus-picture text.late, .bus-picture text.error", (marks) => marks.map((mark) => mark.firstChild.textContent).sort()), ["late", "◆", "✕ missing"], "not by colour alone");
+  assert.ok((await robot.page.$eval(".bus-picture svg", (picture) => picture.getAttribute("aria-label"))).includes("1 missing"));
+  assert.equal(await robot.page.$eval("#panels", (panels) => panels.scrollWidth - panels.clientWidth), 0);
+  assert.deepEqual(robot.errors, []);
+  await robot.close();
+});
+
 test("stops by Escape and Space, and a stick that is still held does not undo it", async () => {
   const robot = await RobotPage.open(browser, address());
   await robot.live();

@@ -16,7 +16,7 @@ using can::MessageKind;
 using nlohmann::json;
 using ::testing::ElementsAre;
 
-urdf::RobotModel humanoid(const std::string& profile = "") {
+urdf::RobotModel humanoid_with(const std::string& profile = "full") {
   return msgcontroller::load_robot(std::string(GAITWAY_SOURCE_DIR) + "/urdf/humanoid22", profile);
 }
 
@@ -38,7 +38,7 @@ json message_of(const json& bus, const std::string& kind, int joint) {
 }
 
 TEST(BusAssets, AreTheMessagesOfTheProofInTheirOrder) {
-  const urdf::RobotModel robot = humanoid();
+  const urdf::RobotModel robot = humanoid_with();
   const can::Proof proof = msgcontroller::prove_network(robot);
   const json bus = bus_of(robot);
   EXPECT_EQ(bus["profile"], "full");
@@ -59,7 +59,7 @@ TEST(BusAssets, AreTheMessagesOfTheProofInTheirOrder) {
 }
 
 TEST(BusAssets, SayWhoseAMessageIsAndByWhatItsReleaseIsSeen) {
-  const urdf::RobotModel robot = humanoid();
+  const urdf::RobotModel robot = humanoid_with();
   const json bus = bus_of(robot);
   const int knee = robot.joint_index("left_knee");
   const json feedback = message_of(bus, "feedback", knee);
@@ -78,7 +78,7 @@ TEST(BusAssets, SayWhoseAMessageIsAndByWhatItsReleaseIsSeen) {
 }
 
 TEST(BusAssets, FollowTheProfileThatIsOnTheBus) {
-  const json bus = bus_of(humanoid("paper"));
+  const json bus = bus_of(humanoid_with("paper"));
   EXPECT_EQ(bus["profile"], "paper");
   EXPECT_EQ(bus["messages"].size(), 25U) << "as published";
   const json feedback = message_of(bus, "feedback", 0);
@@ -87,7 +87,7 @@ TEST(BusAssets, FollowTheProfileThatIsOnTheBus) {
 }
 
 TEST(BusAssets, AMessageWithoutABoundHasNone) {
-  urdf::RobotModel robot = humanoid();
+  urdf::RobotModel robot = humanoid_with();
   while (robot.joints.size() < 64) {  // more than the bus carries
     robot.joints.push_back(robot.joints.back());
     robot.joints.back().node = static_cast<std::uint8_t>(robot.joints.size());

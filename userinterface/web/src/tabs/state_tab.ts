@@ -1,4 +1,6 @@
-// Batches, ages, what the page lost, the bus, and each joint.
+// Batches, ages, what the page lost, the bus and a time slot of it, and each joint.
+import { BusPicture } from "../bus_picture.ts";
+import { loadBus, type BusSlot } from "../bus_slot.ts";
 import type { Context, Tab } from "../context.ts";
 import { element, setText, table } from "../dom.ts";
 import { Facts } from "../facts.ts";
@@ -46,12 +48,46 @@ function showFrame({ freshness }: Context, scene: Scene, now_ms: number, batches
   ages.set("pictures", `${scene.pace.perSecond} /s, ${scene.pace.total} in all`);
 }
 
+// The bus's picture: what it is to be held against is fetched when it is first looked at.
+function busSlot(context: Context): { content: HTMLElement; show: () => () => void; look: (now_ms: number) => void } {
+  const { robot, freshness, description } = context;
+  const content = element("div", {}, element("p", { class: "note" }, "The robot is asked what its bus is meant to carry."));
+  let picture: BusPicture | undefined;
+  let loading: Promise<void> | undefined;
+  const load = async () => {
+    try {
+      picture = new BusPicture(await loadBus(context.token()), description.joints.map(({ name }) => name.replaceAll("_", " ")));
+      content.replaceChildren(picture.content);
+    } catch (error) {
+      content.replaceChildren(element("p", { class: "note bad" }, `What the bus is meant to carry does not come: ${(error as Error).message}`));
+      loading = undefined; // once more when it is shown again
+    }
+  };
+  return {
+    content,
+    show: () => {
+      let [shown, end] = [true, () => {}];
+      loading ??= load();
+      void loading.then(() => {
+        if (picture && shown) end = robot.subscribe("/bus_slot", "gaitway_msgs/msg/BusSlot", 0, (message) => picture?.take(message as unknown as BusSlot));
+      });
+      return () => {
+        shown = false;
+        end();
+      };
+    },
+    look: (now_ms) => picture?.look((freshness.newest?.robot_time[0] ?? NaN) * 1000 + freshness.age_ms(4, now_ms), freshness.state(now_ms) === "live"),
+  };
+}
+
 export function stateTab(context: Context, scene: Scene): Tab {
   const { robot, freshness, description } = context;
   const [batches, ages, bus] = [new Facts(), new Facts(), new Facts()];
+  const slot = busSlot(context);
   const { table: jointsTable, joints } = jointTable(context);
   const content = element("div", { class: "state" },
-    element("h2", {}, "Batches"), batches.list, element("h2", {}, "Age of what is shown"), ages.list, element("h2", {}, "Bus"), bus.list, jointsTable);
+    element("h2", {}, "Batches"), batches.list, element("h2", {}, "Age of what is shown"), ages.list, element("h2", {}, "Bus"), bus.list,
+    element("h2", {}, "A time slot on the bus"), slot.content, jointsTable);
   let faults = new Map<string, string>();
   let endings: (() => void)[] = [];
 
@@ -76,11 +112,12 @@ export function stateTab(context: Context, scene: Scene): Tab {
     content,
     show: () => {
       endings = [robot.subscribe("/joint_states", "sensor_msgs/msg/JointState", 250, takeJoints),
-        robot.subscribe("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", 0, takeDiagnostics)];
+        robot.subscribe("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", 0, takeDiagnostics), slot.show()];
     },
     hide: () => endings.forEach((end) => end()),
     look: (now_ms) => {
       showFrame(context, scene, now_ms, batches, ages);
+      slot.look(now_ms);
       for (const [index, joint] of joints.entries()) {
         const angle_rad = freshness.newest?.joint[index];
         setText(joint.position, angle_rad === undefined ? "–" : ((angle_rad * 180) / Math.PI).toFixed(1));
