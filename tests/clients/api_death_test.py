@@ -30,6 +30,7 @@ CYCLE_S = 0.08  # of batches
 VELOCITY_S = 0.5  # that a velocity holds
 STOP_S = 1.5  # from the order to stand to the stand: the step under way, and one that closes the feet
 BACK_S = 1.0
+LIFE_S = 2.1  # one that dies sooner is started again later each time (tools/serve/module_keeper.cpp)
 WALK = {"op": "publish", "topic": "/cmd_vel", "msg": {"linear": {"x": 0.12}}}
 TOPICS = ["/clock", "/odom", "/robot_state", "/commander"]
 
@@ -87,6 +88,7 @@ class Deaths:
         self.test, self.robot, self.token = test, robot, token
         self.random = random.Random(seed)
         self.client = self.connect()
+        self.served_at = time.monotonic()
         self.serves_s, self.links_s, self.stands_s, self.instants_s, self.recordings = [], [], [], [], []
 
     def connect(self):
@@ -115,7 +117,7 @@ class Deaths:
     def one(self, meanwhile):
         """`meanwhile(self)` says what clients are at while the module dies, and gives what is looked at afterwards, or nothing."""
         self.take_command()
-        self.walk(self.random.uniform(0.0, 2.0))
+        self.walk(max(0.0, self.served_at + LIFE_S - time.monotonic()) * self.robot.speed + self.random.uniform(0.0, 2.0))
         afterwards = meanwhile(self)
         pause_until = time.monotonic() + self.random.uniform(0.0, 0.004)
         while time.monotonic() < pause_until:
@@ -141,7 +143,8 @@ class Deaths:
         while True:
             try:
                 client = self.connect()
-                self.serves_s.append(time.monotonic() - killed_at)
+                self.served_at = time.monotonic()
+                self.serves_s.append(self.served_at - killed_at)
                 return client
             except (ConnectionError, TimeoutError, ssl.SSLError) as error:
                 self.test.assertLess(time.monotonic() - killed_at, 10.0, f"it does not come back: {error}")

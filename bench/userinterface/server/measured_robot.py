@@ -23,8 +23,9 @@ class MeasuredRobot:
     """The processes, from entry to exit. `bus_port`: where frames are told by the socketcand protocol. `address`: of the module, with
     its options."""
 
-    def __init__(self, folder, address="127.0.0.1", options=()):
+    def __init__(self, folder, address="127.0.0.1", options=(), link=None):
         self.folder, self.address, self.options = folder, address, options
+        self.link = link or folder / "link"  # where the module connects; the plug-in listens at `link` in the folder
         self.processes = []
 
     def __enter__(self):
@@ -42,7 +43,7 @@ class MeasuredRobot:
                 time.sleep(0.05)
             self._start("main_controller", "--socket", self.folder / "memory", "--config", self.folder / "serve.yaml",
                         "--plugin-path", ROOT / "build" / "release" / "lib" / "gaitway" / "plugins")
-            self._start("user_interface", "--link", f"unix:{self.folder}/link", "--address", self.address, "--port", self.port, *self.options)
+            self._start("user_interface", "--link", f"unix:{self.link}", "--address", self.address, "--port", self.port, *self.options)
             self._said("(linked to the main controller)", "user_interface")
         except BaseException:
             self.__exit__()

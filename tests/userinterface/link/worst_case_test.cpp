@@ -135,10 +135,11 @@ TEST(WorstCase, ValuesOfTheReadme) {
     double stop_ms, lone_order_ms, order_ms, stop_with_loss_ms, order_with_loss_ms;
   };
   constexpr PumpPeriods kEachMs{kMs, kMs};
-  for (const Row& row : {Row{"Unix socket", unix_timing(), kEachMs, 2.0, 2.0, 2.0, 14.0, 29.0},
-                         Row{"115200 baud", serial_timing(115'200), kEachMs, 18.49, 19.53, 27.43, 46.99, 79.87},
-                         Row{"1000000 baud", serial_timing(1'000'000), kEachMs, 4.98, 5.46, 6.73, 19.96, 38.46},
-                         Row{"I2C", i2c_timing({}), {}, 6.47, 6.79, 9.91, 22.93, 44.82}}) {
+  for (const Row& row :
+       {Row{"Unix socket", unix_timing(), kEachMs, 2.0, 2.0, 2.0, 14.0, 29.0},
+        Row{"115200 baud", serial_timing(115'200), kEachMs, 18.49, 19.53, 27.43, 46.99, 79.87},
+        Row{"1000000 baud", serial_timing(1'000'000), kEachMs, 4.98, 5.46, 6.73, 19.96, 38.46},
+        Row{"I2C", i2c_timing({}), {}, 6.47, 6.79, 9.91, 22.93, 44.82}}) {
     SCOPED_TRACE(row.name);
     const LinkSettings settings;
     const auto ms = [](std::int64_t duration_ns) { return static_cast<double>(duration_ns) * 1e-6; };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "gaitway/api/module_link.hpp"
 #include "gaitway/api/robot_desk.hpp"
@@ -24,16 +25,17 @@ class LinkedRobot {
 
   // The millisecond that begins at `now_ns`, of the clock of both. Both look whenever something has come, as
   // who is woken by it.
-  void pass_millisecond(std::int64_t now_ns) {
-    const std::int64_t end_ns = now_ns + facts::kMillisecond_ns;
+  // `say(at_ns)` is called in it after `into_ns`.
+  void pass_millisecond(std::int64_t now_ns, std::int64_t into_ns = 0,
+                        const std::function<void(std::int64_t)>& say = {}) {
     exchange(now_ns);
-    if (line == Line::i2c) {
-      while (const auto at_ns = bus.advance(end_ns)) {
-        exchange(*at_ns);
-      }
+    if (say) {
+      pass_until(now_ns + into_ns);
+      say(now_ns + into_ns);
+      exchange(now_ns + into_ns);
     }
-    wire.advance(end_ns);
-    exchange(end_ns);
+    pass_until(now_ns + facts::kMillisecond_ns);
+    exchange(now_ns + facts::kMillisecond_ns);
   }
   // What both have to say now, and what becomes of it at once.
   void exchange(std::int64_t at_ns) {
@@ -42,6 +44,9 @@ class LinkedRobot {
       link.pump(!connected ? nullptr : line == Line::i2c ? &bus.master() : &wire.left(), at_ns);
       link::pump(desk.end(), line == Line::i2c ? bus.slave() : wire.right(), at_ns);
       desk.step(at_ns);
+      if (exchanged) {
+        exchanged(at_ns);
+      }
     }
   }
 
@@ -51,6 +56,17 @@ class LinkedRobot {
   ModuleLink link;
   RobotDesk desk;
   bool connected = true;
+  std::function<void(std::int64_t)> exchanged;  // called after each, when it is set
+
+ private:
+  void pass_until(std::int64_t until_ns) {
+    if (line == Line::i2c) {
+      while (const auto at_ns = bus.advance(until_ns)) {
+        exchange(*at_ns);
+      }
+    }
+    wire.advance(until_ns);
+  }
 };
 
 }  // namespace gaitway::api::test

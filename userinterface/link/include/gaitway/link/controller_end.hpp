@@ -52,6 +52,7 @@ class ControllerEnd final : public LinkEnd {
   }
   [[nodiscard]] const StateSender& state() const noexcept { return state_; }
   [[nodiscard]] std::uint64_t late_orders() const noexcept { return late_orders_; }
+  [[nodiscard]] std::uint32_t fetched_orders() const noexcept { return fetched_; }  // of this session
 
  private:
   struct Waiting {

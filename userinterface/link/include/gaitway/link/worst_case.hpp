@@ -116,7 +116,8 @@ struct PumpPeriods {
   return worst_transport_ns(carrier, carrier.buffer_bytes + kStatusFrame + own, periods);
 }
 
-// The same as worst_order_wait_ns() when `losses` sendings of it, or of what confirms them, are lost one after the other.
+// The same as worst_order_wait_ns() when `losses` sendings of it, or of what confirms them, are lost one
+// after the other.
 [[nodiscard]] constexpr std::int64_t worst_order_wait_with_losses_ns(const CarrierTiming& carrier,
                                                                      const LinkSettings& settings,
                                                                      std::size_t order_bytes, int losses,
