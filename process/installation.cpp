@@ -56,6 +56,10 @@ std::filesystem::path scenario_directory() {
   return shared("scenarios");
 }
 
+std::filesystem::path world_directory() {
+  return shared("worlds");
+}
+
 std::filesystem::path template_directory() {
   return shared("templates");
 }

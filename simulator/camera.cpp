@@ -6,8 +6,11 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <string>
 
+#include "gaitway/facts/facts.hpp"
 #include "plant_implementation.hpp"
 
 #define EGL_NO_PLATFORM_SPECIFIC_TYPES
@@ -129,7 +132,7 @@ namespace {
 constexpr int kMaxGeoms = 1000;
 constexpr double kDistance_m = 1.5, kAzimuth_deg = -125.0, kElevation_deg = -11.0;
 constexpr double kLookAtHeight_m = 0.40;
-constexpr double kSunDistance_m = 2.0;
+constexpr double kSunDistance_m = 2.3;
 
 void check_size(int width_px, int height_px) {
   if (width_px < 1 || height_px < 1 || width_px > kLargestPictureWidth_px ||
@@ -144,20 +147,23 @@ void check_size(int width_px, int height_px) {
 }  // namespace
 
 struct Camera::Implementation {
-  Implementation(const mjModel* physics_model, double body_size, int width_px, int height_px)
-      : size(body_size), model(physics_model), data(mj_makeData(model)), width(width_px), height(height_px) {
+  Implementation(const Plant::Implementation& plant, int width_px, int height_px)
+      : size(plant.robot.body_scale().factor("m")),
+        links(static_cast<int>(plant.robot.links.size())),
+        in_world(plant.world.has_value()),
+        model(plant.model.get()),
+        data(mj_makeData(model)),
+        width(width_px),
+        height(height_px) {
     const OffscreenContext::Current current(offscreen);
     mjv_defaultScene(&scene);
     mjv_defaultOption(&option);
     mjv_defaultCamera(&camera);
     mjr_defaultContext(&context);
-    mjv_makeScene(model, &scene, kMaxGeoms);
+    mjv_makeScene(model, &scene, kMaxGeoms + static_cast<int>(model->ngeom));
     mjr_makeContext(model, &context, mjFONTSCALE_100);
     mjr_setBuffer(mjFB_OFFSCREEN, &context);
     camera.type = mjCAMERA_FREE;
-    camera.distance = size * kDistance_m;
-    camera.azimuth = kAzimuth_deg;
-    camera.elevation = kElevation_deg;
     scene.flags[mjRND_REFLECTION] = 0;
   }
   ~Implementation() {
@@ -168,9 +174,15 @@ struct Camera::Implementation {
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
-  void aim(std::span<const double> positions);
+  void pose(std::span<const double> positions);
+  [[nodiscard]] View beside_robot() const;
+  [[nodiscard]] bool sees(const View& view) const;
+  void aim(const View& view);
+  [[nodiscard]] Image draw();
 
-  double size;                 // of the robot, against humanoid22
+  double size;  // of the robot, against humanoid22
+  int links;
+  bool in_world;
   OffscreenContext offscreen;  // first: everything below needs it
   const mjModel* model;
   DataPointer data;
@@ -181,51 +193,96 @@ struct Camera::Implementation {
   mjrContext context;
 };
 
-// Camera and sun follow the robot: a shadow falls only within the sun's field of view.
-void Camera::Implementation::aim(std::span<const double> positions) {
-  camera.lookat[0] = positions[0];
-  camera.lookat[1] = positions[1];
-  camera.lookat[2] = size * kLookAtHeight_m;
+void Camera::Implementation::pose(std::span<const double> positions) {
+  if (positions.size() != static_cast<std::size_t>(model->nq)) {
+    throw std::invalid_argument("a pose of " + std::to_string(positions.size()) +
+                                " numbers: this robot's has " + std::to_string(model->nq));
+  }
+  std::ranges::copy(positions, data->qpos);
+  mj_kinematics(model, data.get());
+  mj_comPos(model, data.get());
+  mj_camlight(model, data.get());
+}
+
+// Whether the line of sight meets the robot first, or nothing.
+bool Camera::Implementation::sees(const View& view) const {
+  const double azimuth = view.azimuth_deg * facts::kRadPerDegree;
+  const double elevation = view.elevation_deg * facts::kRadPerDegree;
+  const Eigen::Vector3d ahead(std::cos(elevation) * std::cos(azimuth),
+                              std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+  const Eigen::Vector3d from = view.look_at_m - view.distance_m * ahead;
+  int geom = -1;
+  const double distance_m =
+      mj_ray(model, data.get(), from.data(), ahead.data(), nullptr, 1, -1, &geom, nullptr);
+  if (geom < 0 || distance_m > view.distance_m) return true;
+  return model->geom_bodyid[geom] >= 1 && model->geom_bodyid[geom] <= links;
+}
+
+View Camera::Implementation::beside_robot() const {
+  const View usual{.look_at_m = {data->qpos[0], data->qpos[1], size * kLookAtHeight_m},
+                   .distance_m = size * kDistance_m,
+                   .azimuth_deg = kAzimuth_deg,
+                   .elevation_deg = kElevation_deg};
+  if (!in_world) return usual;
+  for (const double aside_deg : {0.0, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 120.0, -120.0, 180.0}) {
+    View view = usual;
+    view.azimuth_deg += aside_deg;
+    if (sees(view)) return view;
+  }
+  return usual;
+}
+
+// The sun follows the camera: a shadow falls only within the sun's field of view.
+void Camera::Implementation::aim(const View& view) {
+  std::copy_n(view.look_at_m.data(), 3, camera.lookat);
+  camera.distance = view.distance_m;
+  camera.azimuth = view.azimuth_deg;
+  camera.elevation = view.elevation_deg;
   mjv_updateScene(model, data.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
   for (int i = 0; i < scene.nlight; ++i) {
     mjvLight& light = scene.lights[i];
-    for (std::size_t axis = 0; light.castshadow != 0 && axis < 3; ++axis) {
-      light.pos[axis] = static_cast<float>(camera.lookat[axis] - size * kSunDistance_m * kSunDirection[axis]);
+    const bool is_sun = light.type == mjLIGHT_DIRECTIONAL && light.headlight == 0;
+    for (std::size_t axis = 0; is_sun && axis < 3; ++axis) {
+      light.pos[axis] = static_cast<float>(camera.lookat[axis] -
+                                           size * kSunDistance_m * static_cast<double>(light.dir[axis]));
     }
   }
 }
 
-Camera::Camera(const Plant& plant, int width_px, int height_px) {
-  check_size(width_px, height_px);
-  implementation_ = std::make_unique<Implementation>(plant.implementation().model.get(),
-                                                     plant.implementation().robot.body_scale().factor("m"),
-                                                     width_px, height_px);
-}
-Camera::~Camera() = default;
-
-Image Camera::render(std::span<const double> positions) {
-  Implementation& self = *implementation_;
-  if (positions.size() != static_cast<std::size_t>(self.model->nq)) {
-    throw std::invalid_argument("a pose of " + std::to_string(positions.size()) +
-                                " numbers: this robot's has " + std::to_string(self.model->nq));
-  }
-  const OffscreenContext::Current current(self.offscreen);
-  std::ranges::copy(positions, self.data->qpos);
-  mj_kinematics(self.model, self.data.get());
-  mj_comPos(self.model, self.data.get());
-  mj_camlight(self.model, self.data.get());
-  self.aim(positions);
-  const mjrRect viewport{0, 0, self.width, self.height};
-  mjr_render(viewport, &self.scene, &self.context);
-  const std::size_t row = static_cast<std::size_t>(self.width) * 3;
-  std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(self.height));
-  mjr_readPixels(upside_down.data(), nullptr, viewport, &self.context);
-  Image image{.width_px = self.width, .height_px = self.height, .rgb = {}};
+Image Camera::Implementation::draw() {
+  const mjrRect viewport{0, 0, width, height};
+  mjr_render(viewport, &scene, &context);
+  const std::size_t row = static_cast<std::size_t>(width) * 3;
+  std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(height));
+  mjr_readPixels(upside_down.data(), nullptr, viewport, &context);
+  Image image{.width_px = width, .height_px = height, .rgb = {}};
   image.rgb.reserve(upside_down.size());
   for (auto end = upside_down.end(); end != upside_down.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
     image.rgb.insert(image.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
   }
   return image;
+}
+
+Camera::Camera(const Plant& plant, int width_px, int height_px) {
+  check_size(width_px, height_px);
+  implementation_ = std::make_unique<Implementation>(plant.implementation(), width_px, height_px);
+}
+Camera::~Camera() = default;
+
+Image Camera::render(std::span<const double> positions) {
+  Implementation& self = *implementation_;
+  const OffscreenContext::Current current(self.offscreen);
+  self.pose(positions);
+  self.aim(self.beside_robot());
+  return self.draw();
+}
+
+Image Camera::render(std::span<const double> positions, const View& view) {
+  Implementation& self = *implementation_;
+  const OffscreenContext::Current current(self.offscreen);
+  self.pose(positions);
+  self.aim(view);
+  return self.draw();
 }
 
 }  // namespace gaitway::simulator

@@ -33,7 +33,7 @@ void copy_pose(const Eigen::Isometry3d& pose, double* position, double* quaterni
   quaternion[3] = rotation.z();
 }
 
-void add_sky_and_sun(mjSpec* spec) {
+void add_sky(mjSpec* spec) {
   mjsTexture* const sky = mjs_addTexture(spec, nullptr);
   sky->type = mjTEXTURE_SKYBOX;
   sky->builtin = mjBUILTIN_GRADIENT;
@@ -42,6 +42,9 @@ void add_sky_and_sun(mjSpec* spec) {
   const double top[3] = {0.62, 0.74, 0.88}, bottom[3] = {0.96, 0.97, 0.98};
   std::copy_n(top, 3, sky->rgb1);
   std::copy_n(bottom, 3, sky->rgb2);
+}
+
+void add_sun(mjSpec* spec) {
   mjsLight* const light = mjs_addLight(mjs_findBody(spec, "world"), nullptr);
   light->type = mjLIGHT_DIRECTIONAL;
   std::copy_n(kSunDirection.data(), 3, light->dir);
@@ -225,15 +228,25 @@ void set_options(mjSpec& spec, const urdf::RobotModel& robot) {
 }  // namespace
 
 ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch,
-                                 const Conditions& conditions) {
+                                 const Conditions& conditions, const std::optional<world::World>& world) {
   const std::unique_ptr<mjSpec, SpecDeleter> spec(mj_makeSpec());
   set_options(*spec, robot);
-  add_ground(spec.get(), conditions.ground, conditions.ground.friction.value_or(robot.contact.friction));
-  add_sky_and_sun(spec.get());
+  const std::optional<double> floor = world ? world->floor_friction : std::nullopt;
+  const double friction = conditions.ground.friction.value_or(floor.value_or(robot.contact.friction));
+  if (world) {
+    spec->option.disableflags &= ~mjDSBL_MIDPHASE;  // many solids are near none of the robot
+    add_world(spec.get(), *world, friction);
+  } else {
+    add_ground(spec.get(), conditions.ground, friction);
+  }
+  add_sky(spec.get());
+  if (!world || world->lights.empty()) add_sun(spec.get());
   add_robot(spec.get(), robot, mismatch, conditions);
+  if (world) add_things(spec.get(), *world, friction);
   ModelPointer model(mj_compile(spec.get(), nullptr));
   if (!model) {
-    throw std::runtime_error(robot.name + ": the physics model cannot be built: " + mjs_getError(spec.get()));
+    throw std::runtime_error(robot.name + (world ? " in " + world->file.string() : "") +
+                             ": the physics model cannot be built: " + mjs_getError(spec.get()));
   }
   return model;
 }

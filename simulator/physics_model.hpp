@@ -9,11 +9,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/world/world.hpp"
 
 namespace gaitway::simulator {
 
@@ -36,10 +39,16 @@ struct DataDeleter {
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
-// Body i + 1 of the model is link i; a hinge has its joint's name. Throws std::runtime_error with the
-// compiler's words.
+// Body i + 1 of the model is link i; a hinge has its joint's name. What can be pushed in the world comes
+// behind the robot. Throws std::runtime_error with the compiler's words.
 ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch,
-                                 const Conditions& conditions);
+                                 const Conditions& conditions, const std::optional<world::World>& world);
+
+// Of a solid's geometry, and of a thing's body.
+[[nodiscard]] std::string world_name(const world::Solid& solid);
+// All of a world but its things. `friction`: of what names none.
+void add_world(mjSpec* spec, const world::World& world, double friction);
+void add_things(mjSpec* spec, const world::World& world, double friction);
 
 // Of the ground's frame in the world; the identity where the ground is level. The ground's z is its normal.
 [[nodiscard]] Eigen::Quaterniond ground_rotation(const GroundConditions& ground);

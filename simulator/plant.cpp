@@ -23,14 +23,6 @@ constexpr std::ptrdiff_t kWrenchValues = 6;  // of a foot, in sensordata
 constexpr double kFallenTilt_rad = 50.0 * std::numbers::pi / 180.0;
 constexpr double kFallenHeight = 0.2 / 0.36;  // of the hips' height in the stand
 
-Eigen::Isometry3d body_pose(const mjData& data, int body) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() =
-      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data.xmat + std::ptrdiff_t{9} * body);
-  pose.translation() = Eigen::Map<const Eigen::Vector3d>(data.xpos + std::ptrdiff_t{3} * body);
-  return pose;
-}
-
 ModelMismatch draw_mismatch(const urdf::RobotModel& robot, facts::RandomStream& random, double scale) {
   ModelMismatch mismatch;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -70,42 +62,61 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
       mismatch(draw_mismatch(robot, mismatch_random, options.mismatch)),
       body_conditions(options.conditions.body),
       ground(ground_rotation(options.conditions.ground)),
-      model(build_physics_model(robot, mismatch, options.conditions)),
+      world(options.world),
+      world_ground(world ? std::optional<WorldGround>(*world) : std::nullopt),
+      model(build_physics_model(robot, mismatch, options.conditions, world)),
       tiles(*model, options.conditions.ground, options.seed),
       data(mj_makeData(model.get())),
       foot_body{robot.feet[0].link + 1, robot.feet[1].link + 1},
-      trunk_body(robot.imu.link + 1) {
-  std::vector<double> home_rad;
+      trunk_body(robot.imu.link + 1),
+      contacts(*model, robot, world) {
+  if (world) require_plain_ground(options.conditions.ground, *world);
   for (const urdf::Joint& joint : robot.joints) {
     const int hinge = mj_name2id(model.get(), mjOBJ_JOINT, joint.name.c_str());
     position_address.push_back(model->jnt_qposadr[hinge]);
     velocity_address.push_back(model->jnt_dofadr[hinge]);
     zero_error_rad.push_back(options.mismatch * kZeroDeviation_rad * mismatch_random.normal());
-    home_rad.push_back(joint.home_rad);
   }
-  urdf::ForwardKinematics kinematics(robot);
-  kinematics.compute(home_rad);
-  home.assign(static_cast<std::size_t>(model->nq), 0.0);
-  const double height_m = -std::min(kinematics.sole_pose(urdf::Side::left).translation().z(),
-                                    kinematics.sole_pose(urdf::Side::right).translation().z());
-  const Eigen::Vector3d place = ground * Eigen::Vector3d(0.0, 0.0, height_m);
-  std::copy_n(place.data(), 3, home.begin());
-  home[3] = ground.w();
-  home[4] = ground.x();
-  home[5] = ground.y();
-  home[6] = ground.z();
-  for (std::size_t j = 0; j < home_rad.size(); ++j) {
-    home[static_cast<std::size_t>(position_address[j])] = home_rad[j];
+  for (std::size_t i = 0; world && i < world->things.size(); ++i) {
+    thing_body.push_back(mj_name2id(model.get(), mjOBJ_BODY, world_name(world->things[i].solid).c_str()));
   }
+  set_home();
   draw_sensor_faults();
-  link_force_N.assign(static_cast<std::size_t>(model->nbody), 0.0);
-  tiles.follow(*model, place);
+  tiles.follow(*model, Eigen::Map<const Eigen::Vector3d>(home.data()));
   sensors.encoder_count.assign(robot.joints.size(), 0);
   sensors.motor_torque_Nm.assign(robot.joints.size(), 0.0);
   reset(data.get());
-  read_contacts();
+  if (world) require_room(*model, *data, contacts, *world, robot);
+  contacts.read(*model, *data);
   mj_step1(model.get(), data.get());
   read_sensors(true);
+}
+
+// Home posture, soles on the ground; things where the model has them.
+void Plant::Implementation::set_home() {
+  std::vector<double> home_rad;
+  for (const urdf::Joint& joint : robot.joints) home_rad.push_back(joint.home_rad);
+  urdf::ForwardKinematics kinematics(robot);
+  kinematics.compute(home_rad);
+  const std::array<Eigen::Isometry3d, 2> soles{kinematics.sole_pose(urdf::Side::left),
+                                               kinematics.sole_pose(urdf::Side::right)};
+  const double height_m = -std::min(soles[0].translation().z(), soles[1].translation().z());
+  Eigen::Vector3d place = ground * Eigen::Vector3d(0.0, 0.0, height_m);
+  Eigen::Quaterniond rotation = ground;
+  if (world) {
+    const Eigen::Isometry3d base = world_ground->start_pose(*world, robot, soles, height_m);
+    place = base.translation();
+    rotation = Eigen::Quaterniond(base.linear());
+  }
+  home.assign(model->qpos0, model->qpos0 + model->nq);
+  std::copy_n(place.data(), 3, home.begin());
+  home[3] = rotation.w();
+  home[4] = rotation.x();
+  home[5] = rotation.y();
+  home[6] = rotation.z();
+  for (std::size_t j = 0; j < home_rad.size(); ++j) {
+    home[static_cast<std::size_t>(position_address[j])] = home_rad[j];
+  }
 }
 
 void Plant::Implementation::draw_sensor_faults() {
@@ -160,41 +171,6 @@ void Plant::Implementation::apply_pushes() {
   }
 }
 
-void Plant::Implementation::read_contacts() {
-  std::array<Eigen::Vector2d, 2> moment{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
-  contact.body_force_N = contact.hardest_force_N = contact.trunk_force_N = 0.0;
-  std::ranges::fill(link_force_N, 0.0);
-  for (std::size_t foot = 0; foot < 2; ++foot) {
-    contact.sole[foot] = body_pose(*data, foot_body[foot]) * robot.feet[foot].sole;
-    contact.normal_force_N[foot] = 0.0;
-  }
-  for (int i = 0; i < data->ncon; ++i) {
-    const mjContact& point = data->contact[i];
-    if (point.efc_address < 0) {
-      continue;
-    }
-    const int body = std::max(model->geom_bodyid[point.geom[0]], model->geom_bodyid[point.geom[1]]);
-    const std::size_t foot = body == foot_body[0] ? 0 : body == foot_body[1] ? 1 : 2;
-    double force[6];
-    mj_contactForce(model.get(), data.get(), i, force);
-    if (foot == 2) {
-      double& on_link_N = link_force_N[static_cast<std::size_t>(body)];
-      on_link_N += force[0];
-      contact.body_force_N += force[0];
-      contact.trunk_force_N += body == trunk_body ? force[0] : 0.0;
-      contact.hardest_force_N = std::max(contact.hardest_force_N, on_link_N);
-      continue;
-    }
-    const Eigen::Vector3d position = Eigen::Map<const Eigen::Vector3d>(point.pos);
-    contact.normal_force_N[foot] += force[0];
-    moment[foot] += force[0] * (contact.sole[foot].inverse() * position).head<2>();
-  }
-  for (std::size_t foot = 0; foot < 2; ++foot) {
-    const double force = contact.normal_force_N[foot];
-    contact.foot_cop_m[foot] = force > 0.0 ? Eigen::Vector2d(moment[foot] / force) : Eigen::Vector2d::Zero();
-  }
-}
-
 void Plant::Implementation::read_sensors(bool first) {
   const auto normal = [this] { return noise ? noise_random.quick_normal() : 0.0; };
   const urdf::SensorNoise& sigma = robot.noise;
@@ -226,9 +202,9 @@ void Plant::Implementation::read_sensors(bool first) {
       std::atan2(-up.x(), std::hypot(up.y(), up.z())) + sigma.inclination_rad * normal();
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const PointVelocity velocity =
-        point_velocity(*model, *data, foot_body[foot], contact.sole[foot].translation());
+        point_velocity(*model, *data, foot_body[foot], contacts.ground().sole[foot].translation());
     sensors.foot_acceleration_m_per_s2[foot] =
-        specific_force(1 + foot, velocity.linear, contact.sole[foot].linear());
+        specific_force(1 + foot, velocity.linear, contacts.ground().sole[foot].linear());
     read_foot(foot);
     for (double& force : sensors.force_N[foot]) {
       force += sigma.force_N * normal();
@@ -243,9 +219,10 @@ void Plant::Implementation::read_sensors(bool first) {
 }
 
 void Plant::Implementation::read_foot(std::size_t foot) {
-  const double force = contact.normal_force_N[foot];
+  const double force = contacts.ground().normal_force_N[foot];
   const std::array<double, 4> on_cell_N =
-      force > 0.0 ? robot.feet[foot].cell_forces_N(force, contact.foot_cop_m[foot]) : std::array<double, 4>{};
+      force > 0.0 ? robot.feet[foot].cell_forces_N(force, contacts.ground().foot_cop_m[foot])
+                  : std::array<double, 4>{};
   for (std::size_t i = 0; i < on_cell_N.size(); ++i) {
     sensors.force_N[foot][i] = cell_gain[foot][i] * on_cell_N[i];
   }
@@ -288,7 +265,7 @@ void Plant::step(std::span<const double> command_Nm) {
   // mj_step in two halves: forces and integration, then poses and velocities of the new state. In between,
   // contact points and the forces in them belong together.
   mj_step2(self.model.get(), self.data.get());
-  self.read_contacts();
+  self.contacts.read(*self.model, *self.data);
   mj_step1(self.model.get(), self.data.get());
   self.read_sensors(false);
 }
@@ -297,7 +274,23 @@ const PlantSensors& Plant::sensors() const noexcept {
   return implementation_->sensors;
 }
 const GroundContact& Plant::ground_contact() const noexcept {
-  return implementation_->contact;
+  return implementation_->contacts.ground();
+}
+std::span<const BodyContact> Plant::body_contacts() const noexcept {
+  return implementation_->contacts.body();
+}
+const std::optional<world::World>& Plant::world() const noexcept {
+  return implementation_->world;
+}
+
+std::vector<world::Solid> Plant::solids() const {
+  const Implementation& self = *implementation_;
+  if (!self.world) return {};
+  std::vector<world::Solid> all = self.world->all_solids(true);
+  for (std::size_t i = 0; i < self.thing_body.size(); ++i) {
+    all[self.world->solids.size() + i].pose = body_pose(*self.data, self.thing_body[i]);
+  }
+  return all;
 }
 double Plant::time_s() const noexcept {
   return implementation_->data->time;
@@ -319,10 +312,10 @@ PlantTruth Plant::truth() const {
   truth.trunk_tilt_rad = std::acos(std::clamp(truth.trunk.linear()(2, 2), -1.0, 1.0));
   double force = 0.0;
   for (std::size_t foot = 0; foot < 2; ++foot) {
-    const Eigen::Vector2d& cop = self.contact.foot_cop_m[foot];
-    force += self.contact.normal_force_N[foot];
-    truth.cop_m += self.contact.normal_force_N[foot] *
-                   (self.contact.sole[foot] * Eigen::Vector3d(cop.x(), cop.y(), 0.0));
+    const Eigen::Vector2d& cop = self.contacts.ground().foot_cop_m[foot];
+    force += self.contacts.ground().normal_force_N[foot];
+    truth.cop_m += self.contacts.ground().normal_force_N[foot] *
+                   (self.contacts.ground().sole[foot] * Eigen::Vector3d(cop.x(), cop.y(), 0.0));
   }
   if (force > 0.0) {
     truth.cop_m /= force;
@@ -344,18 +337,22 @@ BodyTruth Plant::body_truth() const {
 }
 
 bool Plant::fallen() const noexcept {
-  const mjData& data = *implementation_->data;
+  const Implementation& self = *implementation_;
+  const mjData& data = *self.data;
   const Eigen::Vector3d base = Eigen::Map<const Eigen::Vector3d>(data.xpos + 3);
-  const double height_m = (implementation_->ground.inverse() * base).z();
+  const double enough_m = kFallenHeight * self.robot.hip_height_m;
+  const double height_m =
+      self.world ? self.world_ground->height_above_m(base, enough_m) : (self.ground.inverse() * base).z();
   // Asked the other way round, so that a state that is not a number counts as fallen.
-  const bool up = data.xmat[9 * implementation_->trunk_body + 8] >= std::cos(kFallenTilt_rad);
-  return !(up && height_m >= kFallenHeight * implementation_->robot.hip_height_m);
+  const bool up = data.xmat[9 * self.trunk_body + 8] >= std::cos(kFallenTilt_rad);
+  return !(up && height_m >= enough_m);
 }
 
 void Plant::push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns,
                  double duration_s) {
   Implementation& self = *implementation_;
-  const int id = mj_name2id(self.model.get(), mjOBJ_BODY, std::string(body).c_str());
+  int id = mj_name2id(self.model.get(), mjOBJ_BODY, std::string(body).c_str());
+  if (id < 0) id = mj_name2id(self.model.get(), mjOBJ_BODY, ("world/" + std::string(body)).c_str());
   if (id <= 0) {
     throw std::invalid_argument("push: the robot has no body '" + std::string(body) + "'");
   }

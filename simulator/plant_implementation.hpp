@@ -4,9 +4,11 @@
 #include <array>
 #include <vector>
 
+#include "contact_reader.hpp"
 #include "gaitway/facts/random_stream.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "physics_model.hpp"
+#include "world_ground.hpp"
 
 namespace gaitway::simulator {
 
@@ -20,10 +22,10 @@ struct Plant::Implementation {
   Implementation(const urdf::RobotModel& robot, const PlantOptions& options);
 
   void draw_sensor_faults();
+  void set_home();
   void reset(mjData* state) const;
   void apply_motors(std::span<const double> command_Nm);
   void apply_pushes();
-  void read_contacts();
   void read_sensors(bool first);
   void read_foot(std::size_t foot);
   void read_wrench(std::size_t foot);
@@ -35,6 +37,8 @@ struct Plant::Implementation {
   ModelMismatch mismatch;
   BodyConditions body_conditions;
   Eigen::Quaterniond ground;  // ground_rotation()
+  std::optional<world::World> world;
+  std::optional<WorldGround> world_ground;  // of the world
   std::vector<double> zero_error_rad;
   Eigen::Vector3d gyro_bias_rad_per_s = Eigen::Vector3d::Zero();
   std::array<std::array<double, 4>, 2> cell_gain{};
@@ -46,8 +50,8 @@ struct Plant::Implementation {
   int trunk_body = 0;
   std::vector<double> home;  // qpos at the start
   PlantSensors sensors;
-  GroundContact contact;
-  std::vector<double> link_force_N;                        // of the bodies that are no feet
+  ContactReader contacts;
+  std::vector<int> thing_body;
   std::array<Eigen::Vector3d, 3> last_velocity_m_per_s{};  // of IMU, left sole, right sole
   std::vector<ActivePush> pushes;
 };

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "gaitway/input/complaint.hpp"
@@ -286,15 +287,32 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
   return event;
 }
 
+std::optional<WorldChoice> read_world_choice(const YamlValue& root) {
+  const auto seed = root.find("world_seed");
+  const auto world = root.find("world");
+  if (!world) {
+    if (seed) seed->refuse("needs a world", "Add 'world: NAME', or leave it out");
+    return std::nullopt;
+  }
+  WorldChoice choice{
+      .name = world->text(), .random_seed = {}, .written_in = world->file(), .line = world->line()};
+  if (choice.name.empty()) world->refuse("must be a file, or the name of a shipped world", "Name one");
+  if (seed) {
+    choice.random_seed = static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<int>::max()));
+  }
+  return choice;
+}
+
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 3> kKeys{"seconds", "conditions", "events"};
+  constexpr std::array<std::string_view, 5> kKeys{"seconds", "world", "world_seed", "conditions", "events"};
   const YamlValue root = YamlValue::read(file);
   root.require_map(kKeys);
   Scenario scenario;
   scenario.seconds = root.at("seconds").number({0.001, kLongestRun_s, "s"});
   if (const auto conditions = root.find("conditions")) scenario.conditions = read_conditions(*conditions);
+  scenario.world = read_world_choice(root);
   if (const auto events = root.find("events")) {
     for (const YamlValue& event : events->items()) {
       scenario.events.push_back(read_event(event, robot));
@@ -321,7 +339,7 @@ Scenario walk_scenario(double forward_m_per_s, double left_m_per_s, double turn_
                     forward_m_per_s, left_m_per_s, turn_rate_rad_per_s, kLargestWalkSpeed_m_per_s,
                     kLargestTurnRate_rad_per_s));
   }
-  Scenario scenario{.seconds = seconds, .conditions = {}, .events = {}};
+  Scenario scenario{.seconds = seconds, .conditions = {}, .world = {}, .events = {}};
   scenario.events.push_back(
       {.at_s = kStanding_s,
        .action = WalkEvent{.velocity_m_per_s = velocity, .turn_rate_rad_per_s = turn_rate_rad_per_s}});

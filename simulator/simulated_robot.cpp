@@ -28,6 +28,10 @@ simulator::CosimulationOptions options_of(const SimulationOptions& given, const 
   simulator::CosimulationOptions options;
   options.plant.seed = given.seed;
   options.plant.mismatch = given.mismatch;
+  if (!given.world.empty()) {
+    options.plant.world = simulator::load_world(
+        {.name = given.world, .random_seed = {}, .written_in = "SimulationOptions", .line = 0});
+  }
   options.main_controller.configuration = config;
   options.main_controller.plugins = plugins.configuration;
   options.plugin_commands_walk = !plugins.writer_of("walk_command").empty();

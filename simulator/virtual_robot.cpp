@@ -19,6 +19,7 @@
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
+#include "gaitway/simulator/world_choice.hpp"
 #include "interface_robot.hpp"
 
 namespace {
@@ -40,6 +41,7 @@ struct Options {
   simulator::PlantOptions plant;
   double seconds = 0.0;
   std::string socketcand;  // empty: not served
+  std::string world;       // empty: an endless floor
 };
 
 // Body, joints and bus in one time base, a millisecond after the other.
@@ -251,6 +253,7 @@ int main(int argc, char** argv) {
   app.add_option("--mismatch", options.plant.mismatch, "Scale of what the planner does not know of the robot")
       ->check(input::number_within(0.0, 10.0))
       ->capture_default_str();
+  app.add_option("--world", options.world, "What it walks in (YAML): a file, or the name of a shipped one");
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
@@ -270,6 +273,10 @@ int main(int argc, char** argv) {
       "was bad and nothing moved.");
   return input::run_line(app, argc, argv, "virtual_robot", [&] {
     process::stop_on_signals();
+    if (!options.world.empty()) {
+      options.plant.world = simulator::load_world(
+          {.name = options.world, .random_seed = {}, .written_in = "--world", .line = 0});
+    }
     return run(options);
   });
 }

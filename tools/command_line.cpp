@@ -275,6 +275,8 @@ template Option CommandLine::option(const std::string&, std::string&, const std:
 template Option CommandLine::option(const std::string&, std::filesystem::path&, const std::string&) const;
 template Option CommandLine::option(const std::string&, std::optional<double>&, const std::string&) const;
 template Option CommandLine::option(const std::string&, std::optional<int>&, const std::string&) const;
+template Option CommandLine::option(const std::string&, std::optional<std::uint64_t>&,
+                                    const std::string&) const;
 template Option CommandLine::option(const std::string&, std::optional<std::string>&,
                                     const std::string&) const;
 template Option CommandLine::option(const std::string&, std::optional<std::filesystem::path>&,

@@ -106,6 +106,7 @@ inline constexpr std::array kCommands{
     Command{"robot", "Bring, describe and check a robot of your own"},
     Command{"calibrate",
             "Find joint zeros, trunk and force cells from standing poses, and how sure they are"},
+    Command{"world", "Worlds for the simulated robot: list, check and draw them"},
     Command{"wireless", "Run a robot and a client with a bad wireless link between them"}};
 
 // Declares the command of that name, with its line of help.

@@ -26,6 +26,7 @@
 #include "gaitway/simulator/scenario.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
+#include "tools/run/world_option.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -41,6 +42,7 @@ struct RunOptions {
   std::optional<double> seconds;
   std::uint64_t seed = 1;
   double mismatch = 1.0;
+  WorldOptions world;
   std::filesystem::path out = "out/run";
   bool pictures = true;
   std::optional<std::vector<double>> film;  // from and to when the film strip shows the run, s
@@ -242,6 +244,7 @@ int run(const RunOptions& options) {
   cosimulation_options.plant.seed = options.seed;
   cosimulation_options.plant.mismatch = options.mismatch;
   cosimulation_options.plant.conditions = scenario.conditions;
+  cosimulation_options.plant.world = world_of(options.world, scenario.world);
   cosimulation_options.main_controller.configuration = options.config;
   cosimulation_options.main_controller.try_at_start = true;
   cosimulation_options.main_controller.plugins = plugins.configuration;
@@ -278,7 +281,8 @@ int run(const RunOptions& options) {
     }
   }
   const core::MainControllerStatistics statistics = cosimulation.main_controller().statistics();
-  write_report(options.out / "report.html", {robot, recorder, statistics, result, strip});
+  write_report(options.out / "report.html",
+               {robot, cosimulation.plant().solids(), recorder, statistics, result, strip});
   if (!options.quiet) {
     fmt::print("{}  results                   {}\n", summary_table(result),
                (options.out / "report.html").string());
@@ -311,6 +315,7 @@ void add_run(const CommandLine& program) {
                  "Run even if some message of the bus may miss its deadline");
   command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       .between(0.0, 10.0);
+  add_world_options(command, options.world);
   command.option("--out", options.out, "Folder for the results");
   command.option("!--no-pictures", options.pictures, "Draw no film strip");
   command.option("--film", options.film,
@@ -322,6 +327,7 @@ void add_run(const CommandLine& program) {
       "  gaitway run --walk 0.1,0.03,0.2 --seconds 30     forward, sideways and turning\n"
       "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
       "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
+      "  gaitway run --world boxes --world-seed 3         in a room with boxes\n"
       "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
       "Exit code: 0 the robot stayed up and did what it was asked, 2 it fell, 3 it stayed up, but walked or "
       "turned less than\n"

@@ -15,6 +15,7 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "tools/run/contact_log.hpp"
 #include "tools/run/run_metrics.hpp"
 
 namespace gaitway::tools {
@@ -83,6 +84,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
 
   [[nodiscard]] const std::vector<RunSample>& samples() const noexcept { return samples_; }
   [[nodiscard]] const RunMetrics& metrics() const noexcept { return metrics_; }
+  [[nodiscard]] const ContactLog& contacts() const noexcept { return contacts_; }
   [[nodiscard]] std::uint64_t digest() const noexcept { return digest_.value(); }
   [[nodiscard]] const std::vector<float>& torques() const noexcept { return torques_; }
   // Every frame of the cycle that starts at `cycle_start_ns()`: one that was walked, for the timeline.
@@ -112,6 +114,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   bool keep_samples_;
   RunDigest digest_;
   RunMetrics metrics_;
+  ContactLog contacts_;
   CentreOfPressureMean cop_mean_;
   std::array<MotionPlan, 3> plans_{};  // the newest, by sequence modulo 3
   std::vector<RunSample> samples_;

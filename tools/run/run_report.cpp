@@ -10,8 +10,10 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "gaitway/can/profile.hpp"
+#include "gaitway/geometry/convex_hull.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "tools/run/svg_plot.hpp"
@@ -80,6 +82,34 @@ void draw_footprints(SvgPlot& plot, const urdf::RobotModel& robot, std::span<con
   }
 }
 
+// As seen from above; what is round has sixteen corners.
+Points outline(const world::Solid& solid) {
+  Points points;
+  const Eigen::Vector3d half = solid.size_m / 2.0;
+  const bool is_box = solid.shape == world::Solid::Shape::box;
+  for (int i = 0; is_box && i < 8; ++i) {
+    const Eigen::Vector3d corner((i & 1) != 0 ? half.x() : -half.x(), (i & 2) != 0 ? half.y() : -half.y(),
+                                 (i & 4) != 0 ? half.z() : -half.z());
+    points.push_back((solid.pose * corner).head<2>());
+  }
+  for (int i = 0; !is_box && i < 16; ++i) {
+    const double angle = i * std::numbers::pi / 8.0;
+    points.push_back(solid.pose.translation().head<2>() +
+                     half.x() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  const geometry::ConvexHull<Eigen::Vector2d, 16> hull(points);
+  return {hull.corners().begin(), hull.corners().end()};
+}
+
+void draw_world(SvgPlot& plot, const std::vector<world::Solid>& solids) {
+  for (const world::Solid& solid : solids) {
+    const std::string_view fill = world::is_ground(solid.kind)       ? "#94a3b826"
+                                  : solid.kind == world::Kind::thing ? "#2563eb40"
+                                                                     : "#b4530959";
+    plot.background(outline(solid), kGrey, fill, fmt::format("{} '{}'", world::name(solid.kind), solid.name));
+  }
+}
+
 std::string from_above(const ReportInput& input) {
   const std::span<const RunSample> samples = input.recorder.samples();
   PlotFrame frame{.title = "The walk from above: feet, centre of mass, ZMP",
@@ -95,6 +125,7 @@ std::string from_above(const ReportInput& input) {
     frame.y_max = std::max(frame.y_max, sample.com_m.y() + 0.15);
   }
   SvgPlot plot(frame);
+  draw_world(plot, input.solids);
   draw_footprints(plot, input.robot, samples);
   plot.line(series(samples, [](const RunSample& s) { return s.reference_zmp_m; }), kGrey, "reference ZMP");
   plot.line(series(samples, [](const RunSample& s) { return s.measured_zmp_m; }), kGreen, "measured ZMP",

@@ -29,6 +29,7 @@ std::string summary_table(const nlohmann::ordered_json& summary);
 
 struct ReportInput {
   const urdf::RobotModel& robot;
+  std::vector<world::Solid> solids;  // of the world, where they lie at the end
   const RunRecorder& recorder;
   const core::MainControllerStatistics& main_controller;
   const nlohmann::ordered_json& summary;

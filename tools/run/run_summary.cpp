@@ -92,6 +92,31 @@ nlohmann::ordered_json events(const simulator::Cosimulation& run) {
   return {{"total", log.total()}, {"newest", list}};
 }
 
+nlohmann::ordered_json world_json(const std::optional<world::World>& world) {
+  if (!world) return nullptr;
+  nlohmann::ordered_json json = {{"name", world->name}, {"file", world->file.string()}};
+  if (world->random_seed) json["random_seed"] = *world->random_seed;
+  return json;
+}
+
+// A line for each, the first few of them.
+template <class Row>
+void add_contact_rows(const nlohmann::ordered_json& contacts, const Row& row) {
+  const auto total = contacts["total"].get<std::uint64_t>();
+  if (total == 0) row("body contacts", "none");
+  constexpr std::size_t kShown = 5;
+  for (std::size_t i = 0; i < std::min(kShown, contacts["first"].size()); ++i) {
+    const auto& contact = contacts["first"][i];
+    const auto kind = contact["kind"].get<std::string>(), with = contact["with"].get<std::string>();
+    row(i == 0 ? fmt::format("body contacts ({})", total) : "",
+        fmt::format("{:.3f} s {} touches {}: {:.1f} N at most, {:.3f} N*s in {:.3f} s",
+                    contact["from_s"].get<double>(), contact["link"].get<std::string>(),
+                    kind == with ? with : fmt::format("{} '{}'", kind, with), contact["peak_N"].get<double>(),
+                    contact["impulse_Ns"].get<double>(),
+                    contact["to_s"].get<double>() - contact["from_s"].get<double>()));
+  }
+}
+
 }  // namespace
 
 RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& recorder) {
@@ -112,6 +137,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
       {"profile", run.message_controller().profile().name},
       {"seed", seed},
       {"mismatch", mismatch},
+      {"world", world_json(run.plant().world())},
       {"virtual_seconds", virtual_s},
       {"wall_seconds", timing.wall_s},
       {"real_time_factor", virtual_s / timing.wall_s},
@@ -141,6 +167,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
         {"margin_min_m", metrics.zmp_reference_error_m.count() > 0
                              ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
                              : nlohmann::ordered_json(nullptr)}}},
+      {"contacts", contacts_json(recorder.contacts(), run.robot(), run.plant().world())},
       {"events", events(run)},
       {"digest", fmt::format("{:016x}", recorder.digest())}};
   if (metrics.fell) {
@@ -158,6 +185,7 @@ std::string summary_table(const nlohmann::ordered_json& s) {
     text += fmt::format("  {:<26}{}\n", label, value);
   };
   row("result", s["result"].get<std::string>());
+  if (!s["world"].is_null()) row("world", s["world"]["file"].get<std::string>());
   row("distance",
       fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
   row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
@@ -183,6 +211,7 @@ std::string summary_table(const nlohmann::ordered_json& s) {
       fmt::format("reference error {:.1f} mm RMS, estimate error {:.1f} mm RMS, margin at least {:.1f} mm",
                   1e3 * number(zmp["reference_error_rms_m"]), 1e3 * number(zmp["estimate_error_rms_m"]),
                   1e3 * number(zmp["margin_min_m"])));
+  add_contact_rows(s["contacts"], row);
   const auto& physics = s["physics_only_real_time_factor"];
   row("speed",
       fmt::format("{:.1f} x real time{}", number(s["real_time_factor"]),

@@ -116,6 +116,16 @@ void SvgPlot::polygon(std::span<const Eigen::Vector2d> corners, std::string_view
   body_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", points, fill, stroke);
 }
 
+void SvgPlot::background(std::span<const Eigen::Vector2d> corners, std::string_view stroke,
+                         std::string_view fill, std::string_view tooltip) {
+  std::string points;
+  for (const Eigen::Vector2d& corner : corners) {
+    points += fmt::format("{:.1f},{:.1f} ", px(corner.x()), py(corner.y()));
+  }
+  background_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"><title>{}</title></polygon>\n",
+                             points, fill, stroke, escape_html(tooltip));
+}
+
 void SvgPlot::box(double x0, double x1, double y0, double y1, std::string_view colour,
                   std::string_view tooltip) {
   body_ += fmt::format(
@@ -163,6 +173,13 @@ std::string SvgPlot::svg() const {
                                 frame_.width_px, frame_.height_px);
   out += fmt::format("<text class=\"title\" x=\"{:.0f}\" y=\"16\">{}</text>\n", frame_.left_px,
                      escape_html(frame_.title));
+  if (!background_.empty()) {  // an inner picture of the frame's size cuts off what is beyond
+    out += fmt::format(
+        "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} "
+        "{2:.1f} {3:.1f}\">\n{4}</svg>\n",
+        frame_.left_px, kTop_px, frame_.width_px - frame_.left_px - kRight_px,
+        frame_.height_px - kTop_px - kBottom_px, background_);
+  }
   draw_axes(out);
   out += body_ + legend_ + "</svg>\n";
   return out;

@@ -26,6 +26,9 @@ class SvgPlot {
   void line(std::span<const Eigen::Vector2d> points, std::string_view colour, std::string_view name,
             double width_px = 1.5);
   void polygon(std::span<const Eigen::Vector2d> corners, std::string_view stroke, std::string_view fill);
+  // Below everything else, and cut off at the frame.
+  void background(std::span<const Eigen::Vector2d> corners, std::string_view stroke, std::string_view fill,
+                  std::string_view tooltip);
   // A filled box in data coordinates, with a tooltip.
   void box(double x0, double x1, double y0, double y1, std::string_view colour, std::string_view tooltip);
   void y_tick(double y, std::string_view label);  // instead of the numbers
@@ -37,6 +40,7 @@ class SvgPlot {
   void draw_axes(std::string& out) const;
 
   PlotFrame frame_;
+  std::string background_;
   std::string body_;
   std::string legend_;
   double legend_x_px_ = 0.0;

@@ -53,6 +53,13 @@ struct Yaml {
   }
 };
 
+std::string world_lines(const std::optional<world::World>& world) {
+  if (!world) return {};
+  std::string text = "world: " + quoted(std::filesystem::absolute(world->file).string()) + "\n";
+  if (world->random_seed) text += fmt::format("world_seed: {}\n", *world->random_seed);
+  return text;
+}
+
 }  // namespace
 
 CommandLog::CommandLog(simulator::Cosimulation& run)
@@ -125,8 +132,8 @@ std::string CommandLog::scenario(double seconds) const {
   std::string text = fmt::format(
       "# What was asked of the robot. With the same robot, seed and plug-ins, `gaitway run --scenario` of "
       "this file "
-      "gives the same digest.\nseconds: {}\nevents:{}\n",
-      seconds, events_.empty() ? " []" : "");
+      "gives the same digest.\nseconds: {}\n{}events:{}\n",
+      seconds, world_lines(run_.plant().world()), events_.empty() ? " []" : "");
   for (const simulator::ScenarioEvent& event : events_) {
     text += fmt::format("  - {{at_s: {}, {}{}}}\n", event.at_s, event.asked ? "asked: true, " : "",
                         std::visit(Yaml{run_.robot()}, event.action));

@@ -29,6 +29,7 @@
 #include "tools/command_line.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
+#include "tools/run/world_option.hpp"
 #include "tools/serve/command_log.hpp"
 #include "tools/serve/module_keeper.hpp"
 
@@ -52,6 +53,7 @@ struct ServeOptions {
   double speed = 1.0;  // times real time
   std::uint64_t seed = 1;
   double mismatch = 1.0;
+  WorldOptions world;
   std::filesystem::path out = "out/serve";
   bool bus_log = false;
   bool quiet = false;
@@ -238,6 +240,7 @@ int serve(const ServeOptions& options) {
   simulator::CosimulationOptions settings;
   settings.plant.seed = options.seed;
   settings.plant.mismatch = options.mismatch;
+  settings.plant.world = world_of(options.world, std::nullopt);
   settings.memory_block = &block;
   settings.obey_walk_requests = true;
   settings.main_controller.configuration = options.config;
@@ -315,12 +318,14 @@ void declare_program(const CommandLine& app) {
   command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
   command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       .between(0.0, 10.0);
+  add_world_options(command, options.world);
   command.option("--out", options.out, "Folder for the results and recordings");
   command.option("--bus-log", options.bus_log, "Log every frame; 0.4 GB an hour");
   command.option("--quiet", options.quiet, "No events and no table");
   command.footer(
       "Examples:\n"
       "  gaitway serve                              until Ctrl-C; its page is http://127.0.0.1:9090\n"
+      "  gaitway serve --world boxes\n"
       "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
       "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
       "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"

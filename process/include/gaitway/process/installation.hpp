@@ -3,7 +3,7 @@
 //
 //   <root>/bin                          programs
 //   <root>/lib/gaitway                  libraries that they bring along; plugins/ the plug-ins
-//   <root>/share/gaitway                urdf/, config/, scenarios/, templates/, calibration/
+//   <root>/share/gaitway                urdf/, config/, scenarios/, worlds/, templates/, calibration/
 //
 // Of a build tree, urdf/ is the source tree's, into which nothing is built: what is prepared for its robots
 // lies in prepared_motions/ROBOT.
@@ -21,6 +21,7 @@ namespace gaitway::process {
 [[nodiscard]] std::filesystem::path default_robot_directory();
 [[nodiscard]] std::filesystem::path default_config_file();
 [[nodiscard]] std::filesystem::path scenario_directory();
+[[nodiscard]] std::filesystem::path world_directory();
 [[nodiscard]] std::filesystem::path template_directory();
 [[nodiscard]] std::filesystem::path calibration_directory();
 

@@ -6,12 +6,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "gaitway/simulator/conditions.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/world/world.hpp"
 
 namespace gaitway::simulator {
 
@@ -21,6 +23,9 @@ struct PlantOptions {
   double mismatch = 1.0;
   bool sensor_noise = true;
   Conditions conditions = {};
+  // What it walks in; none: an endless floor. A world has its own ground: slopes, tiles and steps of the
+  // conditions are refused then.
+  std::optional<world::World> world = std::nullopt;
 };
 
 // What the sensors read, in SI units, sensor frames; noise included.
@@ -56,6 +61,15 @@ struct GroundContact {
   double trunk_force_N = 0.0;    // normal, of the link with the IMU
 };
 
+// A link that touches something otherwise than by standing: anything but a sole on floor, step, slope or
+// tile.
+struct BodyContact {
+  static constexpr int kFloor = -1;
+  int link = 0;          // index in RobotModel::links
+  int solid = kFloor;    // index in the world's all_solids(true)
+  double force_N = 0.0;  // normal, of all points where the two touch
+};
+
 struct PlantTruth {
   Eigen::Isometry3d base = Eigen::Isometry3d::Identity();   // pelvis in the world
   Eigen::Isometry3d trunk = Eigen::Isometry3d::Identity();  // link with the IMU, in the world
@@ -82,8 +96,9 @@ struct Replay {
 // Depends on nothing but its options and commands: the same give the same motion to the bit. Not thread-safe.
 class Plant {
  public:
-  // Stands in the home posture, soles on the ground. Throws std::runtime_error where MuJoCo refuses the
-  // robot.
+  // Stands in the home posture, soles on the ground, at the world's start. Throws std::runtime_error where
+  // MuJoCo refuses robot or world, input::InputError where the robot has no room at the start, and
+  // std::invalid_argument for a world with conditions of another ground.
   Plant(const urdf::RobotModel& robot, const PlantOptions& options);
   ~Plant();
   Plant(Plant&&) noexcept;
@@ -99,8 +114,13 @@ class Plant {
   [[nodiscard]] PlantTruth truth() const;
   [[nodiscard]] BodyTruth body_truth() const;
   [[nodiscard]] const GroundContact& ground_contact() const noexcept;
+  // Of the last step, each pair of link and solid once.
+  [[nodiscard]] std::span<const BodyContact> body_contacts() const noexcept;
+  [[nodiscard]] const std::optional<world::World>& world() const noexcept;
+  // The world's all_solids(true) as they lie now; nothing without a world.
+  [[nodiscard]] std::vector<world::Solid> solids() const;
   [[nodiscard]] bool fallen()
-      const noexcept;  // trunk tilt > 50°, base < 0.2 m above the ground's plane, or not a number
+      const noexcept;  // trunk tilt > 50°, base < 0.2 m above the ground below it, or not a number
   [[nodiscard]] double time_s() const noexcept;
   // Hash input: qpos and qvel, bit for bit.
   [[nodiscard]] std::span<const double> positions() const noexcept;
@@ -108,8 +128,8 @@ class Plant {
 
   // A constant force at a body's (link's) centre of mass, in the world frame, that gives the impulse along
   // the direction (of any length) in the duration, rounded to steps. Begins with the next step; several may
-  // overlap. Throws std::invalid_argument for an unknown body, a direction of no length, or a duration that
-  // is not positive.
+  // overlap. A thing of the world may be pushed, too, by its name. Throws std::invalid_argument for an
+  // unknown body, a direction of no length, or a duration that is not positive.
   void push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s);
 
   // The same model from the same start, fed the given torques (motor_torque_Nm, one row for each step,

@@ -1,6 +1,8 @@
 // A scenario: what is asked of the robot, and what is done to it, at which time. Read from YAML:
 //
 //   seconds: 20
+//   world: boxes                               # a file beside this one, or a shipped one; world_choice.hpp
+//   world_seed: 7                              # of its random courses; without it the world's own
 //   conditions: {slope_deg: [5, 0]}              # of the ground and the body; see conditions.hpp
 //   events:
 //     - {at_s: 1.0, walk: [0.15, 0.0, 0.0]}        # forward m/s, left m/s, turn rad/s
@@ -26,6 +28,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,6 +36,7 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/manager/plugin_fault_table.hpp"
 #include "gaitway/simulator/conditions.hpp"
+#include "gaitway/simulator/world_choice.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
@@ -119,7 +123,8 @@ struct ScenarioEvent {
 struct Scenario {
   double seconds = 20.0;
   Conditions conditions = {};
-  std::vector<ScenarioEvent> events;  // in order of time
+  std::optional<WorldChoice> world = std::nullopt;  // none: an endless floor
+  std::vector<ScenarioEvent> events;                // in order of time
 };
 
 // Throws input::InputError with file, line, field, value and rule. Pushes must name a link of `robot`, and

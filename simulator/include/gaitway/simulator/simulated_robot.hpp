@@ -28,7 +28,8 @@ struct SimulationOptions {
   std::filesystem::path config = {};             // empty: the shipped one
   std::filesystem::path robot = {};              // empty: humanoid22
   std::uint64_t seed = 1;
-  double mismatch = 1.0;  // how little the plug-ins know of the body's true masses and zeros
+  double mismatch = 1.0;   // how little the plug-ins know of the body's true masses and zeros
+  std::string world = {};  // a file, or the name of a shipped one; empty: an endless floor
 };
 
 // Where the pelvis is, in the world; x, y and heading are 0 at the start.

@@ -1,0 +1,50 @@
+// What the physics engine's contacts mean: the load on the soles, and what else of the robot touches what.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "gaitway/simulator/plant.hpp"
+#include "physics_model.hpp"
+
+namespace gaitway::simulator {
+
+Eigen::Isometry3d body_pose(const mjData& data, int body);  // in the world
+
+class ContactReader {
+ public:
+  // `world` may be none.
+  ContactReader(const mjModel& model, const urdf::RobotModel& robot,
+                const std::optional<world::World>& world);
+
+  // Of the state's last step.
+  void read(const mjModel& model, const mjData& data);
+
+  [[nodiscard]] const GroundContact& ground() const noexcept { return ground_; }
+  [[nodiscard]] const std::vector<BodyContact>& body() const noexcept { return body_; }
+  // Which solid a geometry is; BodyContact::kFloor if none.
+  [[nodiscard]] int solid_of(int geom) const { return solid_of_geom_[static_cast<std::size_t>(geom)]; }
+  // Of its two bodies the robot's link; -1: neither is.
+  [[nodiscard]] int link_in(const mjModel& model, const mjContact& contact) const;
+
+ private:
+  struct FootLoad;
+
+  [[nodiscard]] bool is_on_sole(const mjModel& model, const mjContact& contact, std::size_t foot) const;
+  void add_body_contact(int link, int solid, double force_N);
+  void add_link_force(int link, double force_N);
+
+  int links_;
+  int trunk_link_;
+  std::array<int, 2> foot_link_;
+  std::array<Eigen::Isometry3d, 2> sole_in_foot_;
+  bool has_world_;
+  std::vector<int> solid_of_geom_;
+  std::vector<bool> is_ground_;       // of each solid
+  std::vector<double> link_force_N_;  // of the links that are no feet
+  GroundContact ground_;
+  std::vector<BodyContact> body_;
+};
+
+}  // namespace gaitway::simulator

@@ -1,0 +1,29 @@
+// Which world somebody wants: a file, or the name of one that is shipped.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gaitway/world/world.hpp"
+
+namespace gaitway::simulator {
+
+struct WorldChoice {
+  std::string name;                          // as written
+  std::optional<std::uint64_t> random_seed;  // in place of those of the file's random courses
+  // Where it is written, for complaints: a file and its line, or an option of a command line.
+  std::filesystem::path written_in;
+  int line = 0;
+};
+
+// A name that is no file counts from the folder of the file that it is written in, and then is that of a
+// shipped world. Throws input::InputError.
+[[nodiscard]] world::World load_world(const WorldChoice& choice);
+
+// Their names, in alphabetical order.
+[[nodiscard]] std::vector<std::string> shipped_worlds();
+
+}  // namespace gaitway::simulator

@@ -1,0 +1,55 @@
+// Joins the contacts of single milliseconds to episodes.
+#include "tools/run/contact_log.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gaitway/facts/facts.hpp"
+
+namespace gaitway::tools {
+
+void ContactLog::add(std::int64_t now_ns, std::span<const simulator::BodyContact> contacts) {
+  std::erase_if(open_, [now_ns](const Open& open) { return now_ns - open.last_ns > kContactBreak_ns; });
+  for (const simulator::BodyContact& contact : contacts) {
+    auto open = std::ranges::find_if(open_, [&contact](const Open& one) {
+      return one.link == contact.link && one.solid == contact.solid;
+    });
+    if (open == open_.end()) {
+      ++total_;
+      const bool kept = episodes_.size() < kMost;
+      open_.push_back({contact.link, contact.solid, now_ns, kept ? episodes_.size() : kMost});
+      open = open_.end() - 1;
+      if (kept) {
+        episodes_.push_back(
+            {.link = contact.link, .solid = contact.solid, .from_ns = now_ns - facts::kMillisecond_ns});
+      }
+    }
+    open->last_ns = now_ns;
+    if (open->episode == kMost) continue;
+    ContactEpisode& episode = episodes_[open->episode];
+    episode.to_ns = now_ns;
+    episode.peak_N = std::max(episode.peak_N, contact.force_N);
+    episode.impulse_Ns += contact.force_N * 1e-9 * static_cast<double>(facts::kMillisecond_ns);
+  }
+}
+
+nlohmann::ordered_json contacts_json(const ContactLog& log, const urdf::RobotModel& robot,
+                                     const std::optional<world::World>& world) {
+  const std::vector<world::Solid> solids = world ? world->all_solids(true) : std::vector<world::Solid>{};
+  auto list = nlohmann::ordered_json::array();
+  for (const ContactEpisode& episode : log.episodes()) {
+    const bool floor = episode.solid == simulator::BodyContact::kFloor;
+    const world::Kind kind =
+        floor ? world::Kind::floor : solids[static_cast<std::size_t>(episode.solid)].kind;
+    list.push_back({{"link", robot.links[static_cast<std::size_t>(episode.link)].name},
+                    {"kind", world::name(kind)},
+                    {"with", floor ? "floor" : solids[static_cast<std::size_t>(episode.solid)].name},
+                    {"from_s", static_cast<double>(episode.from_ns) * 1e-9},
+                    {"to_s", static_cast<double>(episode.to_ns) * 1e-9},
+                    {"peak_N", episode.peak_N},
+                    {"impulse_Ns", episode.impulse_Ns}});
+  }
+  return {{"total", log.total()}, {"first", list}};
+}
+
+}  // namespace gaitway::tools
