@@ -72,7 +72,7 @@ class BusSlotOfARobot : public ::testing::Test, private simulator::CosimulationO
 
 TEST_F(BusSlotOfARobot, HasEveryFrameOfItsSlotWithItsTimeAndLengthFourTimesASecond) {
   const std::vector<ros::BusSlot> slots = slots_of(2.5);
-  ASSERT_THAT(slots, ::testing::SizeIs(9)) << "that at 0 s, and from then on each 250 ms; that at 2.5 s is to come";
+  ASSERT_THAT(slots, ::testing::SizeIs(10)) << "those at 0 s to 2.25 s; that at 2.5 s is to come";
   for (const ros::BusSlot& slot : slots) {
     const auto deliveries = on_the_bus(slot);
     ASSERT_EQ(slot.id.size(), deliveries.size());
