@@ -287,7 +287,7 @@ test("shows a slot of the bus as it was: every joint's answer, what is missing, 
   await robot.live();
   await meddle(robot, "/bus_slot");
   await robot.tab("State");
-  const says = (text) => robot.until((words) => document.querySelector(".bus-status")?.textContent.includes(words), `the slot says '${text}'`, 20_000, text);
+  const says = (text) => robot.until((words) => document.querySelector(".bus-verdict")?.textContent.includes(words), `the slot says '${text}'`, 20_000, text);
   await says("none is missing or late");
   const drawn = await robot.page.evaluate(() => [...document.querySelectorAll(".bus-picture .frame title")].map(({ textContent }) => textContent));
   const joints = await robot.page.evaluate(async () => (await (await fetch("robot.json")).json()).joints.map(({ name }) => name.replaceAll("_", " ")));
@@ -326,7 +326,7 @@ test("a joint that does not answer is missing in the slot, one that answers late
     slot.id.push(0x20000000), slot.end_us.push(5000), slot.length_us.push(0);
   }`);
   await robot.tab("State");
-  await robot.until(() => /1 missing \(feedback, left elbow\), 1 late \(feedback, right knee\), 1 error/.test(document.querySelector(".bus-status")?.textContent ?? ""), "what is wrong");
+  await robot.until(() => /1 missing \(feedback, left elbow\), 1 late \(feedback, right knee\), 1 error/.test(document.querySelector(".bus-verdict")?.textContent ?? ""), "what is wrong");
   assert.deepEqual(await robot.page.$$eval(".bus-picture text.missing, .bus-picture text.late, .bus-picture text.error", (marks) => marks.map((mark) => mark.firstChild.textContent).sort()), ["late", "◆", "✕ missing"], "not by colour alone");
   assert.ok((await robot.page.$eval(".bus-picture svg", (picture) => picture.getAttribute("aria-label"))).includes("1 missing"));
   assert.equal(await robot.page.$eval("#panels", (panels) => panels.scrollWidth - panels.clientWidth), 0);

@@ -237,7 +237,8 @@ TEST_F(BusTimelineTest, AJointThatIsMissingIsNotWaitedFor) {
 }
 
 TEST_F(BusTimelineTest, NoticesBelongToTheirOwnSlotHoweverLateTheProcessWakes) {
-  const std::int64_t edge_ns = (kStart_ns / kSlot_ns / kSlotsBetweenRecords + 1) * kSlotsBetweenRecords * kSlot_ns;
+  const std::int64_t edge_ns =
+      (kStart_ns / kSlot_ns / kSlotsBetweenRecords + 1) * kSlotsBetweenRecords * kSlot_ns;
   const can::Frame trim = can::encode(can::kFullProfile, can::Trim{});
   for (const std::int64_t end_ns : {edge_ns - 200'000, edge_ns + 200'000, edge_ns + kSlot_ns + 200'000}) {
     port.notices.push_back({can::BusNotice::Kind::sent, {trim, end_ns - 100'000, end_ns}});

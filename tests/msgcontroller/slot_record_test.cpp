@@ -27,7 +27,8 @@ struct Entry {
 
 class SlotRecordTest : public MessageControllerTest {
  protected:
-  // What is told of the `nth` slot that is recorded (from 1: that at 250 ms). `disturb` acts in each of its milliseconds.
+  // What is told of the `nth` slot that is recorded (from 1: that at 250 ms). `disturb` acts in each of its
+  // milliseconds.
   std::vector<Entry> recorded(int nth, const std::function<void(std::int64_t in_slot_ns)>& disturb = {}) {
     run_until(nth * kBetween_ns);
     every_millisecond = [&] {
@@ -47,10 +48,13 @@ class SlotRecordTest : public MessageControllerTest {
   }
   static std::vector<Entry> of(const std::vector<Entry>& entries, std::uint32_t id) {
     std::vector<Entry> found;
-    std::ranges::copy_if(entries, std::back_inserter(found), [id](const Entry& entry) { return entry.id == id; });
+    std::ranges::copy_if(entries, std::back_inserter(found),
+                         [id](const Entry& entry) { return entry.id == id; });
     return found;
   }
-  static std::uint32_t feedback_of(can::NodeId node) { return kFullProfile.id_of(MessageKind::feedback, node); }
+  static std::uint32_t feedback_of(can::NodeId node) {
+    return kFullProfile.id_of(MessageKind::feedback, node);
+  }
 
   msgclient::Reader<BusSlot> reader_ = client_.read<BusSlot>("bus_slot");
   BusSlot slot_{};
@@ -61,8 +65,9 @@ TEST_F(SlotRecordTest, HasTheSyncAndEveryJointsFeedbackWithTheirTimesAndLengths)
   const std::vector<Entry> sync = of(entries, kFullProfile.id_of(MessageKind::sync));
   ASSERT_THAT(sync, SizeIs(1)) << "a frame of the message controller's own";
   EXPECT_EQ(sync[0].end_us, 10);
-  EXPECT_EQ(sync[0].length_us,
-            can::frame_bits(can::encode(kFullProfile, can::Sync{.cycle = 3, .slot = 1, .batch_committed = false})));
+  EXPECT_EQ(
+      sync[0].length_us,
+      can::frame_bits(can::encode(kFullProfile, can::Sync{.cycle = 3, .slot = 1, .batch_committed = false})));
   for (const urdf::Joint& joint : robot_.joints) {
     const std::vector<Entry> feedback = of(entries, feedback_of(joint.node));
     ASSERT_THAT(feedback, SizeIs(1)) << joint.name;
@@ -122,7 +127,8 @@ TEST_F(SlotRecordTest, CountsWhatItHasNoRoomFor) {
     }
   });
   EXPECT_THAT(entries, SizeIs(kSlotFrames));
-  EXPECT_EQ(slot_.left_out, 100 + 1 + robot_.joints.size() - kSlotFrames) << "a SYNC, and every joint's feedback";
+  EXPECT_EQ(slot_.left_out, 100 + 1 + robot_.joints.size() - kSlotFrames)
+      << "a SYNC, and every joint's feedback";
 }
 
 TEST_F(SlotRecordTest, EverySlotOfTheCycleHasItsTurnAndIsTheOnlyOneInItsRecord) {
@@ -139,7 +145,8 @@ TEST_F(SlotRecordTest, NewsOfAnotherSlotIsLeftOut) {
   const std::vector<Entry> entries = recorded(1, [&](std::int64_t in_slot_ns) {
     if (in_slot_ns == 0) {
       controller_.on_notice({can::BusNotice::Kind::error, {{}, now_ns_ - 1, now_ns_ - 1}});
-      controller_.on_notice({can::BusNotice::Kind::error, {{}, now_ns_ + kSlot_ns + 1, now_ns_ + kSlot_ns + 1}});
+      controller_.on_notice(
+          {can::BusNotice::Kind::error, {{}, now_ns_ + kSlot_ns + 1, now_ns_ + kSlot_ns + 1}});
     }
   });
   EXPECT_THAT(of(entries, kErrorOnTheBus), SizeIs(0));

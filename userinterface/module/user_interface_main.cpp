@@ -131,7 +131,8 @@ int main(int argc, char** argv) {
   app.add_option("--robot", options.robot,
                  "Folder with robot.urdf and robot.yaml: the same as the main controller's");
   app.add_option("--profile", options.profile,
-                 "Messages of its bus: full or paper, as the message controller's. Without it, what the robot's network file says");
+                 "Messages of its bus: full or paper, as the message controller's. Without it, what the "
+                 "robot's network file says");
   app.add_option("--link", options.link, "The main controller: unix:PATH, or serial:DEVICE:BAUD");
   app.add_option(
       "--simulation", options.simulation,

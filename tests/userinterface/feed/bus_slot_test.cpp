@@ -1,5 +1,5 @@
-// The picture of the bus that clients get, from a simulated robot: what was sent is in it, within what is proven; what was
-// lost, broken or killed is not, or shows as what it is. And looking changes nothing.
+// The picture of the bus that clients get, from a simulated robot: what was sent is in it, within what is
+// proven; what was lost, broken or killed is not, or shows as what it is. And looking changes nothing.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -45,12 +45,14 @@ class BusSlotOfARobot : public ::testing::Test, private simulator::CosimulationO
     return static_cast<std::size_t>(std::ranges::count(slot.id, id));
   }
   static std::uint32_t feedback_of(const std::string& joint) {
-    return kFullProfile.id_of(MessageKind::feedback,
-                              humanoid().joints[static_cast<std::size_t>(humanoid().joint_index(joint))].node);
+    return kFullProfile.id_of(
+        MessageKind::feedback,
+        humanoid().joints[static_cast<std::size_t>(humanoid().joint_index(joint))].node);
   }
   // What the bus itself knows of the frames that ended in a slot.
   [[nodiscard]] std::vector<can::SimulatedBus::Delivery> on_the_bus(const ros::BusSlot& slot) const {
-    const std::int64_t edge_ns = std::int64_t{slot.header.stamp.sec} * facts::kSecond_ns + slot.header.stamp.nanosec;
+    const std::int64_t edge_ns =
+        std::int64_t{slot.header.stamp.sec} * facts::kSecond_ns + slot.header.stamp.nanosec;
     std::vector<can::SimulatedBus::Delivery> found;
     std::ranges::copy_if(deliveries_, std::back_inserter(found), [edge_ns](const auto& delivery) {
       return delivery.end_ns >= edge_ns && delivery.end_ns <= edge_ns + kSlot_ns;
@@ -72,7 +74,7 @@ class BusSlotOfARobot : public ::testing::Test, private simulator::CosimulationO
 
 TEST_F(BusSlotOfARobot, HasEveryFrameOfItsSlotWithItsTimeAndLengthFourTimesASecond) {
   const std::vector<ros::BusSlot> slots = slots_of(2.5);
-  ASSERT_THAT(slots, ::testing::SizeIs(9)) << "that at 0 s, and from then on each 250 ms; that at 2.5 s is to come";
+  ASSERT_THAT(slots, ::testing::SizeIs(10)) << "those at 0 s to 2.25 s; that at 2.5 s is to come";
   for (const ros::BusSlot& slot : slots) {
     const auto deliveries = on_the_bus(slot);
     ASSERT_EQ(slot.id.size(), deliveries.size());
@@ -83,7 +85,8 @@ TEST_F(BusSlotOfARobot, HasEveryFrameOfItsSlotWithItsTimeAndLengthFourTimesASeco
     }
     EXPECT_EQ(slot.left_out, 0U);
   }
-  EXPECT_GE(std::ranges::max(slots, {}, [](const auto& slot) { return slot.id.size(); }).id.size(), 22U + 2U + 22U)
+  EXPECT_GE(std::ranges::max(slots, {}, [](const auto& slot) { return slot.id.size(); }).id.size(),
+            22U + 2U + 22U)
       << "a slot with a batch is among them";
 }
 

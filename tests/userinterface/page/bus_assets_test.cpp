@@ -1,4 +1,5 @@
-// The bus as it is meant to be, as a page gets it: the messages that the message controller sends by, with their proof.
+// The bus as it is meant to be, as a page gets it: the messages that the message controller sends by, with
+// their proof.
 #include "gaitway/page/bus_assets.hpp"
 
 #include <gmock/gmock.h>
@@ -53,7 +54,8 @@ TEST(BusAssets, AreTheMessagesOfTheProofInTheirOrder) {
     EXPECT_EQ(message["id"], proof.messages[i].id);
     EXPECT_EQ(message["bytes"], proof.messages[i].bytes);
     EXPECT_EQ(message["period_us"].get<double>() * 1e3, static_cast<double>(proof.messages[i].period_ns));
-    EXPECT_EQ(message["worst_us"].get<double>() * 1e3, static_cast<double>(*proof.responses[i].worst_response_ns));
+    EXPECT_EQ(message["worst_us"].get<double>() * 1e3,
+              static_cast<double>(*proof.responses[i].worst_response_ns));
     EXPECT_EQ(message["transmission_us"], proof.responses[i].length_bits) << "a microsecond a bit";
   }
 }

@@ -1,12 +1,13 @@
 // Draws a time slot of the bus: a lane for what goes to all joints, one for each joint, one for what does not belong there.
-import { hasTrouble, slotPicture, summary, type BusMessage, type BusSlot, type BusTable, type Entry, type SlotPicture } from "./bus_slot.ts";
+import { hasTrouble, share, slotPicture, troubles, type BusMessage, type BusSlot, type BusTable, type Entry, type SlotPicture } from "./bus_slot.ts";
 import { button, element, row, setText, table as makeTable } from "./dom.ts";
 import { ageText } from "./freshness.ts";
 
 const lane_px = 14;
 const axis_px = 18;
-const label_px = 104;
-const right_px = 10;
+const letter_px = 5.7;
+const mostLetters = 22; // of a lane's name
+const right_px = 12;
 const least_px = 280;
 const gridEvery_us = 2000;
 const oldAfter_ms = 1500; // slots are shown four times a second; over a narrow link, each third of them
@@ -33,11 +34,12 @@ function words({ name, verdict, end_us, length_us, latest_us }: Entry): string {
 export class BusPicture {
   private readonly drawing = svg("svg", { role: "img" });
   private readonly status = element("p", { class: "bus-status" });
+  private readonly verdict = element("p", { class: "bus-verdict" });
   private readonly hold = button("Hold", () => this.toggle());
   private readonly rows: HTMLTableSectionElement;
   private readonly details: HTMLDetailsElement;
   private readonly lanes: string[];
-  private readonly ownLane: Set<number>; // joints that are on the bus
+  private readonly label_px: number;
   private readonly jointLane = new Map<number, number>();
   private readonly box = element("div", { class: "bus-picture" });
   private shown: SlotPicture | undefined;
@@ -46,10 +48,11 @@ export class BusPicture {
   readonly content: HTMLElement;
 
   constructor(private readonly bus: BusTable, private readonly joints: readonly string[]) {
-    this.ownLane = new Set(bus.messages.map(({ joint }) => joint).filter((joint) => joint >= 0));
-    const inOrder = joints.map((_, index) => index).filter((index) => this.ownLane.has(index));
-    for (const [place, joint] of inOrder.entries()) this.jointLane.set(joint, place + 1);
-    this.lanes = ["all joints", ...inOrder.map((joint) => joints[joint] ?? ""), "others, errors"];
+    const onBus = [...new Set(bus.messages.map(({ joint }) => joint).filter((joint) => joint >= 0))].sort((one, other) => one - other);
+    for (const [place, joint] of onBus.entries()) this.jointLane.set(joint, place + 1);
+    this.lanes = ["all joints", ...onBus.map((joint) => joints[joint] ?? ""), "others, errors"]
+      .map((name) => (name.length > mostLetters ? `${name.slice(0, mostLetters - 1)}…` : name));
+    this.label_px = Math.max(...this.lanes.map(({ length }) => length)) * letter_px + 10;
     const { table, body } = makeTable("Frames of the slot; times in ms from its edge", "frame", "end", "µs", "at the latest", "");
     table.classList.add("bus-table");
     this.rows = body;
@@ -57,7 +60,7 @@ export class BusPicture {
     this.details.addEventListener("toggle", () => this.fillTable());
     this.box.append(this.drawing);
     const marks = element("ul", { class: "bus-legend", "aria-hidden": true }, ...legend.map(([mark, text]) => element("li", { class: mark }, text)));
-    this.content = element("div", {}, element("div", { class: "tools" }, this.hold, this.status), this.box, marks, element("p", { class: "note" }, this.note()), this.details);
+    this.content = element("div", {}, element("div", { class: "tools" }, this.hold, this.status), this.box, this.verdict, marks, element("p", { class: "note" }, this.note()), this.details);
     new ResizeObserver(() => this.draw()).observe(this.box);
   }
 
@@ -65,6 +68,8 @@ export class BusPicture {
     if (this.held) return;
     this.slot = slot;
     this.shown = slotPicture(slot, this.bus, this.joints);
+    setText(this.verdict, troubles(this.shown));
+    this.verdict.classList.toggle("bad", hasTrouble(this.shown));
     this.draw();
     this.fillTable();
   }
@@ -80,8 +85,7 @@ export class BusPicture {
     const old = !live || Number.isNaN(age_ms) || age_ms > oldAfter_ms;
     this.box.classList.toggle("old", old && !this.held);
     const how = this.held ? "held, " : old ? "old: " : "";
-    setText(this.status, `Slot ${this.slot.slot} of cycle ${this.slot.cycle}, ${how}${Number.isNaN(age_ms) ? "of unknown age" : `${ageText(age_ms)} ago`}. ${summary(this.shown)}.`);
-    this.status.classList.toggle("bad", hasTrouble(this.shown));
+    setText(this.status, `Slot ${this.slot.slot} of cycle ${this.slot.cycle}, ${how}${Number.isNaN(age_ms) ? "of unknown age" : `${ageText(age_ms)} ago`}. ${share(this.shown)}.`);
   }
 
   private note(): string {
@@ -104,10 +108,10 @@ export class BusPicture {
     if (!this.shown || this.box.clientWidth === 0) return; // it is not shown
     const height_px = this.lanes.length * lane_px + axis_px;
     const { slot_us } = this.bus;
-    const x = (time_us: number) => label_px + (Math.min(Math.max(time_us, 0), slot_us) / slot_us) * (width_px - label_px - right_px);
+    const x = (time_us: number) => this.label_px + (Math.min(Math.max(time_us, 0), slot_us) / slot_us) * (width_px - this.label_px - right_px);
     this.drawing.setAttribute("viewBox", `0 0 ${width_px} ${height_px}`);
     this.drawing.setAttribute("height", String(height_px));
-    this.drawing.setAttribute("aria-label", summary(this.shown));
+    this.drawing.setAttribute("aria-label", `${share(this.shown)}: ${troubles(this.shown)}`);
     this.drawing.replaceChildren(...this.ground(x, width_px), ...this.dueLine(x), ...this.shown.entries.flatMap((entry) => this.marks(entry, x)));
   }
 
@@ -115,11 +119,11 @@ export class BusPicture {
     const bottom_px = this.lanes.length * lane_px;
     const parts = this.lanes.flatMap((name, lane) => [
       svg("rect", { class: lane % 2 === 0 ? "lane even" : "lane", x: 0, y: lane * lane_px, width: width_px, height: lane_px }),
-      svg("text", { x: label_px - 6, y: (lane + 1) * lane_px - 3.5, "text-anchor": "end" }, name),
+      svg("text", { x: this.label_px - 6, y: (lane + 1) * lane_px - 3.5, "text-anchor": "end" }, name),
     ]);
     for (let time_us = 0; time_us <= this.bus.slot_us; time_us += gridEvery_us) {
       parts.push(svg("line", { class: "grid", x1: x(time_us), x2: x(time_us), y1: 0, y2: bottom_px }),
-        svg("text", { x: x(time_us), y: bottom_px + 13, "text-anchor": "middle" }, `${time_us / 1000}${time_us === this.bus.slot_us ? " ms" : ""}`));
+        svg("text", { x: time_us === this.bus.slot_us ? width_px : x(time_us), y: bottom_px + 13, "text-anchor": time_us === this.bus.slot_us ? "end" : "middle" }, `${time_us / 1000}${time_us === this.bus.slot_us ? " ms" : ""}`));
     }
     return parts;
   }

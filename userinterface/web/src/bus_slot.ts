@@ -183,20 +183,24 @@ export function slotPicture(slot: BusSlot, table: BusTable, joints: readonly str
   return { entries, load: Math.min(busy_us / table.slot_us, 1), count };
 }
 
-// A line for those who do not see the picture, and for those who do.
-export function summary({ entries, load, count }: SlotPicture): string {
+export function share({ entries, load }: SlotPicture): string {
   const frames = entries.filter(({ end_us, verdict }) => end_us !== undefined && verdict !== "error").length;
+  return `${frames} frames take ${Math.round(load * 100)} % of the slot`;
+}
+
+// What is wrong with it, in words.
+export function troubles({ entries, count }: SlotPicture): string {
   const named = (verdict: Verdict) => {
     const names = entries.filter((entry) => entry.verdict === verdict).map(({ name }) => name);
     return names.length > 2 ? `${names.slice(0, 2).join("; ")} …` : names.join("; ");
   };
-  const troubles = [
+  const all = [
     count.missing > 0 && `${count.missing} missing (${named("missing")})`,
     count.late > 0 && `${count.late} late (${named("late")})`,
     count.error > 0 && `${count.error} ${count.error === 1 ? "error" : "errors"}`,
     count.foreign > 0 && `${count.foreign} not the robot's own (${named("foreign")})`,
   ].filter((text) => text !== false);
-  return `${frames} frames take ${Math.round(load * 100)} % of the slot: ${troubles.length > 0 ? troubles.join(", ") : "none is missing or late"}`;
+  return all.length > 0 ? all.join(", ") : "none is missing or late";
 }
 
 export const hasTrouble = ({ count }: SlotPicture): boolean => count.missing + count.late + count.error + count.foreign > 0;

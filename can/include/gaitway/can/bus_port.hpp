@@ -64,8 +64,8 @@ class BusPort {
   // The next frame of another station, in the order of the bus. A frame that bears one of this station's own
   // identifiers is among them, if another station sent it.
   virtual std::optional<TimedFrame> receive() = 0;
-  // The next notice, in the order of the bus, of those that came with receive() or flush(). A few dozen are kept: of who
-  // does not ask for them, the oldest give way. A port without eyes for them has none.
+  // The next notice, in the order of the bus, of those that came with receive() or flush(). A few dozen are
+  // kept: of who does not ask for them, the oldest give way. A port without eyes for them has none.
   virtual std::optional<BusNotice> next_notice() noexcept { return std::nullopt; }
   // Ends a round of work: everything that this station wanted to send up to `now_ns` has been offered.
   virtual void flush(std::int64_t now_ns) = 0;

@@ -146,7 +146,8 @@ class SocketCanPort final : public BusPort {
   bool drain() noexcept;
   void take(int message) noexcept;
   void take_echo(const TimedFrame& frame) noexcept;
-  void take_error(std::uint32_t error_class, const std::array<std::uint8_t, 8>& data, std::int64_t at_ns) noexcept;
+  void take_error(std::uint32_t error_class, const std::array<std::uint8_t, 8>& data,
+                  std::int64_t at_ns) noexcept;
   void take_socket_error(int error) noexcept;
   [[nodiscard]] TimedFrame timed(const Frame& frame, int message) noexcept;
   void write_next() noexcept;

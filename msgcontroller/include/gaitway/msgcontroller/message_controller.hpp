@@ -41,7 +41,8 @@ class MessageController final : private CommandTaker {
   void on_bus_state(can::BusState state, can::ErrorCounters errors, std::int64_t now_ns) noexcept;
   // A frame of another station arrived from the bus.
   void on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept;
-  // A frame of its own was sent, or an error was signalled on the bus: told to those who look on, and for nothing else.
+  // A frame of its own was sent, or an error was signalled on the bus: told to those who look on, and for
+  // nothing else.
   void on_notice(const can::BusNotice& notice) noexcept { slot_record_.take(notice); }
   // The most urgent frame to send; false when there is none.
   bool take_frame(can::Frame& frame) noexcept { return link_.queue.pop(frame); }

@@ -1,5 +1,5 @@
-// What was on the bus in one time slot, for those who look on: every 25th slot is recorded, so that the eight slots of a
-// cycle have their turns. Nothing that the message controller does depends on it.
+// What was on the bus in one time slot, for those who look on: every 25th slot is recorded, so that the eight
+// slots of a cycle have their turns. Nothing that the message controller does depends on it.
 #pragma once
 
 #include <cstdint>

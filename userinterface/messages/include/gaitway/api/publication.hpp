@@ -77,10 +77,12 @@ inline constexpr std::array kTopics{
     TopicRow{Topic::clock, "/clock", ros::Clock::kName, 100.0, false, "", "The robot's clock"},
     TopicRow{Topic::diagnostics, "/diagnostics", ros::DiagnosticArray::kName, 1.0, true, "",
              "Plug-ins, bus, nodes and loop"},
-    TopicRow{Topic::bus_slot, "/bus_slot", ros::BusSlot::kName, 4.0, false, "",
-             "What was on the bus in one time slot of 25: of each frame its identifier (bit 31: extended, bit 30: "
-             "remote; bit 29 alone: an error was signalled), its last bit from the slot's edge, and its length. The page's "
-             "`/bus.json` says what is meant to be there"},
+    TopicRow{
+        Topic::bus_slot, "/bus_slot", ros::BusSlot::kName, 4.0, false, "",
+        "What was on the bus in one time slot of 25: of each frame its identifier (bit 31: extended, bit 30: "
+        "remote; bit 29 alone: an error was signalled), its last bit from the slot's edge, and its length. "
+        "The page's "
+        "`/bus.json` says what is meant to be there"},
     TopicRow{
         Topic::events, "/events", ros::Log::kName, 0.0, false, "",
         "The main controller's events, as they happen; what is said again within 10 s is told once for all"},

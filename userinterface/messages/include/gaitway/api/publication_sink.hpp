@@ -12,9 +12,9 @@ namespace gaitway::api {
 // A message of one of kTopics.
 using AnyMessage =
     std::variant<const ros::JointState*, const ros::Imu*, const ros::WrenchStamped*, const ros::PointStamped*,
-                 const ros::Odometry*, const ros::TFMessage*, const ros::PoseArray*, const ros::MotionState*, const ros::BusSlot*,
-                 const ros::RobotState*, const ros::String*, const ros::Clock*, const ros::DiagnosticArray*,
-                 const ros::Log*>;
+                 const ros::Odometry*, const ros::TFMessage*, const ros::PoseArray*, const ros::MotionState*,
+                 const ros::BusSlot*, const ros::RobotState*, const ros::String*, const ros::Clock*,
+                 const ros::DiagnosticArray*, const ros::Log*>;
 
 // Called from within Feed::poll(); must not throw.
 class PublicationSink {

@@ -185,8 +185,9 @@ struct BusSlot {
   Header header;  // the slot's edge
   std::uint32_t cycle = 0;
   std::uint8_t slot = 0;
-  // Of each frame: its identifier (bit 31: an extended one, bit 30: a remote frame; bit 29 alone: no frame, but an
-  // error); its last bit, since the slot's edge, or when the error was signalled; its length, 0 of an error.
+  // Of each frame: its identifier (bit 31: an extended one, bit 30: a remote frame; bit 29 alone: no frame,
+  // but an error); its last bit, since the slot's edge, or when the error was signalled; its length, 0 of an
+  // error.
   std::vector<std::uint32_t> id;
   std::vector<std::uint16_t> end_us, length_us;
   std::uint32_t left_out = 0;  // further frames

@@ -27,8 +27,8 @@ struct ProofAssumptions {
 [[nodiscard]] std::vector<AnalysedMessage> message_set(const Profile& profile, std::span<const NodeId> nodes,
                                                        std::int64_t jitter_ns = 0);
 
-// By what somebody who only listens knows when a message was released, so that its arrival can be held against
-// its worst response.
+// By what somebody who only listens knows when a message was released, so that its arrival can be held
+// against its worst response.
 enum class ReleaseSign : std::uint8_t {
   unseen,
   slot_edge,   // of the robot's clock
