@@ -133,6 +133,7 @@ constexpr int kMaxGeoms = 1000;
 constexpr double kDistance_m = 1.5, kAzimuth_deg = -125.0, kElevation_deg = -11.0;
 constexpr double kLookAtHeight_m = 0.40;
 constexpr double kSunDistance_m = 2.3;
+constexpr double kShadowsWithin_m = 4.0;  // further away the sun sees only a part of the picture
 
 void check_size(int width_px, int height_px) {
   if (width_px < 1 || height_px < 1 || width_px > kLargestPictureWidth_px ||
@@ -282,7 +283,14 @@ Image Camera::render(std::span<const double> positions, const View& view) {
   const OffscreenContext::Current current(self.offscreen);
   self.pose(positions);
   self.aim(view);
-  return self.draw();
+  for (int i = 0; i < self.scene.nlight; ++i) {  // the sun is enough for one who looks straight down
+    mjvLight& light = self.scene.lights[i];
+    if (light.headlight != 0) std::fill_n(light.diffuse, 3, 0.0F);
+  }
+  self.scene.flags[mjRND_SHADOW] = view.distance_m < kShadowsWithin_m ? 1 : 0;
+  Image image = self.draw();
+  self.scene.flags[mjRND_SHADOW] = 1;
+  return image;
 }
 
 }  // namespace gaitway::simulator

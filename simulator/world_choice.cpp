@@ -2,7 +2,6 @@
 #include "gaitway/simulator/world_choice.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/process/installation.hpp"
@@ -21,10 +20,9 @@ std::vector<std::string> shipped_worlds() {
 }
 
 world::World load_world(const WorldChoice& choice) {
-  const std::filesystem::path given = choice.name;
   const std::filesystem::path shipped = process::world_directory();
-  for (const std::filesystem::path& file :
-       {given, choice.written_in.parent_path() / given, shipped / given, shipped / (choice.name + ".yaml")}) {
+  for (const std::filesystem::path& file : {choice.written_in.parent_path() / choice.name,
+                                            shipped / choice.name, shipped / (choice.name + ".yaml")}) {
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown) && !std::filesystem::is_directory(file, unknown)) {
       return world::read_world(file, choice.random_seed);

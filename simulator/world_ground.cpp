@@ -27,6 +27,18 @@ std::string millimetres(double length_m) {
       {world.file, world.start.line, "start", "", rule, "Begin elsewhere: start: {position_m: [x, y]}"});
 }
 
+// Of a sole, in its frame, close to one another.
+std::vector<Eigen::Vector3d> places_of(const urdf::Foot& foot) {
+  std::vector<Eigen::Vector3d> places;
+  const Eigen::Vector2d corner = foot.centre_m - foot.size_m / 2.0;
+  for (double x = 0.0; x <= foot.size_m.x(); x += kLookEvery_m) {
+    for (double y = 0.0; y <= foot.size_m.y(); y += kLookEvery_m) {
+      places.emplace_back(corner.x() + x, corner.y() + y, 0.0);
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
 WorldGround::WorldGround(const world::World& world) {
@@ -41,24 +53,44 @@ double WorldGround::height_above_m(const Eigen::Vector3d& point_m, double enough
   return point_m.z() - world::height_at(solids_, point_m.x(), point_m.y(), point_m.z()).surface_m;
 }
 
+// Which of the solids is highest there; none: the floor.
+const world::Solid* WorldGround::top_at(double x_m, double y_m) const noexcept {
+  const world::Solid* top = nullptr;
+  double top_m = 0.0;
+  for (const world::Solid& solid : solids_) {
+    const auto met = solid.on_vertical(x_m, y_m);
+    if (!met || met->top_m <= top_m) continue;
+    top = &solid;
+    top_m = met->top_m;
+  }
+  return top;
+}
+
 Eigen::Isometry3d WorldGround::start_pose(const world::World& world, const urdf::RobotModel& robot,
                                           const std::array<Eigen::Isometry3d, 2>& soles_in_base,
                                           double base_height_m) const {
+  const Eigen::Vector2d at = world.start.position_m;
   Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
-  base.translation().head<2>() = world.start.position_m;
+  base.translation().head<2>() = at;
   base.linear() = Eigen::AngleAxisd(world.start.yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const world::Solid* const middle = top_at(at.x(), at.y());
+  bool on_one_solid = true;
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
   for (std::size_t side = 0; side < 2; ++side) {
-    const urdf::Foot& foot = robot.feet[side];
-    for (double x = 0.0; x <= foot.size_m.x(); x += kLookEvery_m) {
-      for (double y = 0.0; y <= foot.size_m.y(); y += kLookEvery_m) {
-        const Eigen::Vector2d local = foot.centre_m - foot.size_m / 2.0 + Eigen::Vector2d(x, y);
-        const Eigen::Vector3d point = base * soles_in_base[side] * Eigen::Vector3d(local.x(), local.y(), 0.0);
-        const double top_m = world::height_at(solids_, point.x(), point.y()).surface_m;
-        lowest_m = std::min(lowest_m, top_m);
-        highest_m = std::max(highest_m, top_m);
-      }
+    for (const Eigen::Vector3d& place : places_of(robot.feet[side])) {
+      const Eigen::Vector3d point = base * soles_in_base[side] * place;
+      on_one_solid = on_one_solid && top_at(point.x(), point.y()) == middle;
+      const double top_m = world::height_at(solids_, point.x(), point.y()).surface_m;
+      lowest_m = std::min(lowest_m, top_m);
+      highest_m = std::max(highest_m, top_m);
     }
+  }
+  if (on_one_solid && middle != nullptr && middle->kind == world::Kind::slope) {
+    const Eigen::Vector3d normal = middle->pose.linear().col(2);
+    base.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * base.linear();
+    base.translation().z() = middle->on_vertical(at.x(), at.y())->top_m;
+    base.translation() += base_height_m * normal;
+    return base;
   }
   if (highest_m - lowest_m > kUneven_m * robot.body_scale().factor("m")) {
     refuse_start(world, "the ground under the soles differs by " + millimetres(highest_m - lowest_m));

@@ -12,8 +12,9 @@ class WorldGround {
  public:
   explicit WorldGround(const world::World& world);
 
-  // Of the base: upright at the world's start, with the soles on the ground, which must be about level below
-  // them. `base_height_m`: of the base above the soles. Throws input::InputError.
+  // Of the base: at the world's start, with the soles on the ground: square on a slope, and otherwise upright
+  // on ground that must be about level below them. `base_height_m`: of the base above the soles. Throws
+  // input::InputError.
   [[nodiscard]] Eigen::Isometry3d start_pose(const world::World& world, const urdf::RobotModel& robot,
                                              const std::array<Eigen::Isometry3d, 2>& soles_in_base,
                                              double base_height_m) const;
@@ -22,6 +23,8 @@ class WorldGround {
   [[nodiscard]] double height_above_m(const Eigen::Vector3d& point_m, double enough_m) const noexcept;
 
  private:
+  [[nodiscard]] const world::Solid* top_at(double x_m, double y_m) const noexcept;
+
   std::vector<world::Solid> solids_;
   double highest_m_ = 0.0;
 };

@@ -42,6 +42,11 @@ class SimulatedRun {
     chosen.plant.conditions.ground = ground;
     return SimulatedRun(chosen, {});
   }
+  static SimulatedRun in_world(std::uint64_t seed, const world::World& world) {
+    simulator::CosimulationOptions chosen = options(seed, source_tree() / "core/config/walk.yaml");
+    chosen.plant.world = world;
+    return SimulatedRun(chosen, {});
+  }
   static SimulatedRun of_robot(std::uint64_t seed, const urdf::RobotModel& robot) {
     return SimulatedRun(options(seed, source_tree() / "core/config/walk.yaml"), {}, robot);
   }

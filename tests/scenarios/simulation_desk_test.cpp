@@ -13,6 +13,7 @@
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulation/control_client.hpp"
+#include "gaitway/world/world_file.hpp"
 #include "tools/serve/command_log.hpp"
 
 namespace gaitway::scenarios {
@@ -163,6 +164,24 @@ TEST(SimulationDesk, ItsRecordPlaysAgainToTheBit) {
   };
   EXPECT_EQ(pose(*again), pose(*run.run));
   EXPECT_NE(pose(*unpushed), pose(*run.run));
+}
+
+TEST(SimulationDesk, ItsRecordNamesTheWorld) {
+  const process::PrivateFolder folder("gaitway_desk_world_test");
+  const std::filesystem::path world = folder.path() / "course.yaml", file = folder.path() / "commands.yaml";
+  process::write_text_file(world, "boxes: [{name: crate, position_m: [2, 0], size_m: [0.3, 0.3, 0.3]}]\n");
+  simulator::CosimulationOptions options;
+  options.plant.world = world::read_world(world, 7);
+  options.main_controller.configuration = GAITWAY_CONFIGURATION;
+  options.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
+  simulator::Cosimulation run(robot(), options);
+  process::write_text_file(file, tools::CommandLog(run).scenario(1.0));
+  const simulator::Scenario scenario = simulator::load_scenario(file, robot());
+  ASSERT_TRUE(scenario.world);
+  const world::World again = simulator::load_world(*scenario.world);
+  EXPECT_EQ(again.file, world);
+  EXPECT_EQ(again.random_seed, 7U);
+  EXPECT_EQ(again.solids.at(0).name, "crate");
 }
 
 }  // namespace

@@ -362,9 +362,10 @@ TEST_F(BadInput, CommandsThatDoNotExist) {
 
 // Each command's program is found beside this one, and says what it does and shows how.
 TEST_F(BadInput, EveryCommandExplainsItself) {
-  for (const char* const command : {"run", "api", "serve", "stop", "dev", "ctl", "new-plugin", "plugins",
-                                    "check-plugin", "bus", "measure", "motion", "calibrate", "ctl walk",
-                                    "ctl stop", "ctl release", "ctl plugin set", "ctl recording start"}) {
+  for (const char* const command :
+       {"run", "api", "serve", "stop", "dev", "ctl", "new-plugin", "plugins", "check-plugin", "bus",
+        "measure", "motion", "calibrate", "world", "ctl walk", "ctl stop", "ctl release", "ctl plugin set",
+        "ctl recording start"}) {
     EXPECT_EQ(run(std::string(command) + " --help"), 0) << complaint_;
     const std::string said = text_of(file("said"));
     EXPECT_THAT(said, testing::HasSubstr("Example")) << command;

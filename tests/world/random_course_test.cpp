@@ -24,10 +24,10 @@ std::vector<Solid> boxes_of(const World& world) {
   return boxes;
 }
 
-// Points of the outline, every centimetre or closer.
+// Points of the outline, every few centimetres.
 std::vector<Eigen::Vector2d> outline(const Solid& solid) {
   std::vector<Eigen::Vector2d> points;
-  constexpr int kPieces = 40;
+  constexpr int kPieces = 16;
   const Eigen::Vector3d half = solid.size_m / 2.0;
   for (int i = 0; i <= kPieces; ++i) {
     const double share = 2.0 * i / kPieces - 1.0;

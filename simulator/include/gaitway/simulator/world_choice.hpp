@@ -19,8 +19,8 @@ struct WorldChoice {
   int line = 0;
 };
 
-// A name that is no file counts from the folder of the file that it is written in, and then is that of a
-// shipped world. Throws input::InputError.
+// The name counts from the folder of the file that it is written in; where no file is, it is a shipped
+// world's. Throws input::InputError.
 [[nodiscard]] world::World load_world(const WorldChoice& choice);
 
 // Their names, in alphabetical order.
