@@ -20,7 +20,8 @@ namespace {
 std::string process_of(const process::FileDescriptor& connection) {
   ucred peer{};
   socklen_t size = sizeof peer;
-  const bool known = getsockopt(connection.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && peer.pid != 0;
+  const bool known =
+      getsockopt(connection.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && peer.pid != 0;
   return known ? fmt::format(" (process {})", peer.pid) : std::string();
 }
 
@@ -121,17 +122,19 @@ void LinkHost::turn_away(process::FileDescriptor connection, const link::Control
   const std::size_t size = link::encode(end.session().refusal_of_another(), content);
   const std::size_t bytes = link::encode_frame(link::Bytes(content).first(size), frame);
   link::UnixCarrier(std::move(connection)).write(link::Bytes(frame).first(bytes));
-  tell_refusal(fmt::format("another user interface module{} wants the link that '{}' has, and was turned away: "
-                           "a robot has one; end one of the two",
-                           who, end.session().peer_name()),
-               now_ns);
+  tell_refusal(
+      fmt::format("another user interface module{} wants the link that '{}' has, and was turned away: "
+                  "a robot has one; end one of the two",
+                  who, end.session().peer_name()),
+      now_ns);
 }
 
 void LinkHost::follow_session(const link::ControllerEnd& end, std::int64_t now_ns) {
   const std::uint32_t session = end.session().open() ? end.session().count() : 0;
   if (std::exchange(session_, session) == session) {
     if (link::is_refusal(end.session().why())) {
-      tell_refusal(fmt::format("no link to the user interface module: {}", end.session().description()), now_ns);
+      tell_refusal(fmt::format("no link to the user interface module: {}", end.session().description()),
+                   now_ns);
     }
     return;
   }

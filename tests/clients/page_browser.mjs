@@ -8,7 +8,8 @@ const puppeteer = createRequire(path.join(process.env.GAITWAY_PAGE_PACKAGES, "pa
 const patience_ms = 20_000;
 
 // `elsewhere.example` is this computer, too.
-export const openBrowser = () => puppeteer.launch({
+export const openBrowser = (more = {}) => puppeteer.launch({
+  ...more,
   executablePath: process.env.GAITWAY_CHROMIUM,
   args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", "--host-resolver-rules=MAP elsewhere.example 127.0.0.1"],
 });

@@ -3,6 +3,7 @@
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/urdf/calibration.hpp"
 
 namespace gaitway::urdf {
 namespace {
@@ -61,6 +62,43 @@ TEST(CalibrationFile, may_be_left_out) {
   const RobotModel described = load_robot(robot.folder(), CalibrationUse::left_out);
   EXPECT_EQ(described.trunk_com_offset_m, Eigen::Vector3d::Zero());
   for (const Joint& joint : described.joints) EXPECT_EQ(joint.encoder_zero_rad, 0.0);
+}
+
+TEST(CalibrationFile, is_read_as_it_is_for_who_shows_it) {
+  test::BrokenRobot robot;
+  EXPECT_FALSE(read_calibration(robot.load()));
+  robot.write("calibration.yaml", std::string(kSound) + "made: 2026-11-25T03:21:29Z\n");
+  const RobotModel model = robot.load();
+  const auto calibration = read_calibration(model);
+  ASSERT_TRUE(calibration);
+  EXPECT_EQ(calibration->made, "2026-11-25T03:21:29Z");
+  const auto& knee = calibration->zero_rad[static_cast<std::size_t>(model.joint_index("left_knee"))];
+  ASSERT_TRUE(knee && knee->deviation);
+  EXPECT_DOUBLE_EQ(knee->value[0], 0.5 * kRadPerDegree);
+  EXPECT_DOUBLE_EQ((*knee->deviation)[0], 0.03 * kRadPerDegree);
+  EXPECT_FALSE(calibration->zero_rad[static_cast<std::size_t>(model.joint_index("left_hip_yaw"))]);
+  EXPECT_EQ(calibration->trunk_com_offset_m->value[2], 0.01);
+  EXPECT_EQ((*calibration->cell_gain)[1].value[0], 1.03);
+  EXPECT_FALSE((*calibration->cell_gain)[0].deviation);
+  robot.write("calibration.yaml", kSound);
+  EXPECT_EQ(read_calibration(robot.load())->made, "") << "files from before it was written say nothing";
+}
+
+TEST(CalibrationFile, tells_dates_from_what_is_none) {
+  for (const char* const date :
+       {"2026-11-25", "2024-02-29", "2026-11-25T23:59:59Z", "2000-01-01T00:00:00Z"}) {
+    test::BrokenRobot robot;
+    robot.write("calibration.yaml", "robot: humanoid22\nmade: " + std::string(date) + "\n");
+    EXPECT_EQ(read_calibration(robot.load())->made, date);
+  }
+  for (const char* const none :
+       {"2026-02-29", "2026-13-01", "2026-00-10", "1999-12-31", "26-11-25", "2026-11-25T24:00:00Z",
+        "2026-11-25T03:60:00Z", "2026-11-25T03:21:29", "2026-11-25T03:21:29+01:00", "2026-11-25Z",
+        "2026-11-25T", "25.11.2026", "yesterday", "20261125", "2026-1-5", "2026-11-25T03:21:29ZZ"}) {
+    test::BrokenRobot robot;
+    robot.write("calibration.yaml", "robot: humanoid22\nmade: '" + std::string(none) + "'\n");
+    robot.expect_complaint({"calibration.yaml:2", none, "YYYY-MM-DD", "2026-11-25T03:21:29Z"});
+  }
 }
 
 TEST(CalibrationFile, is_refused_with_its_place) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -113,7 +114,7 @@ int finish(const CalibrateOptions& options, const urdf::RobotModel& robot, const
     return kExitMisfit;
   }
   if (!options.out.empty()) {
-    process::write_text_file(options.out, calibration_text(robot, calibration));
+    process::write_text_file(options.out, calibration_text(robot, calibration, std::time(nullptr)));
     if (!options.quiet) {
       fmt::print("{}: written. Beside robot.yaml, named calibration.yaml, it is used.\n",
                  options.out.string());

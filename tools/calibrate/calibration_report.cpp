@@ -2,6 +2,7 @@
 #include "tools/calibrate/calibration_report.hpp"
 #include "gaitway/facts/facts.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,12 +133,15 @@ std::string report_text(const urdf::RobotModel& robot, const Calibration& calibr
   return text;
 }
 
-std::string calibration_text(const urdf::RobotModel& robot, const Calibration& calibration) {
+std::string calibration_text(const urdf::RobotModel& robot, const Calibration& calibration,
+                             std::time_t made_s) {
   std::string text = fmt::format(
       "# Found by gaitway calibrate: put it beside robot.yaml, and everything uses it. Standard deviations "
       "are "
-      "for people.\nrobot: {}\njoint_zeros_deg:  # what an encoder says where its joint is at 0\n",
-      robot.name);
+      "for people.\nrobot: {}\nmade: {:%Y-%m-%dT%H:%M:%SZ}\njoint_zeros_deg:  # what an encoder says where "
+      "its joint "
+      "is at 0\n",
+      robot.name, fmt::gmtime(made_s));
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Estimate& zero = calibration.zero_rad[j];
     if (!is_told(zero)) continue;

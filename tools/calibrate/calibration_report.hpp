@@ -1,6 +1,7 @@
 // A calibration for people, and as the file that the robot is loaded with.
 #pragma once
 
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,10 @@ struct ReportSection {
 [[nodiscard]] std::string report_text(const urdf::RobotModel& robot, const Calibration& calibration,
                                       const RobotDeviations* truth);
 
-// calibration.yaml, to be put beside robot.yaml. What the poses cannot tell is left out.
-[[nodiscard]] std::string calibration_text(const urdf::RobotModel& robot, const Calibration& calibration);
+// calibration.yaml, to be put beside robot.yaml. What the poses cannot tell is left out. `made_s`: when it
+// was made, in seconds since 1970.
+[[nodiscard]] std::string calibration_text(const urdf::RobotModel& robot, const Calibration& calibration,
+                                           std::time_t made_s);
 
 // Many calibrations of robots whose deviations are known: RMS of what is wrong before and after, and whether
 // the claimed deviations are honest.

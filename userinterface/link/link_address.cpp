@@ -17,6 +17,12 @@ namespace {
 
 }  // namespace
 
+std::string text_of(const LinkAddress& address) {
+  return address.kind == LinkAddress::Kind::serial
+             ? "serial:" + address.path.native() + ":" + std::to_string(address.baud)
+             : "unix:" + address.path.native();
+}
+
 LinkAddress parse_link_address(std::string_view text) {
   constexpr std::string_view kUnix = "unix:", kSerial = "serial:";
   if (text.starts_with(kUnix)) {

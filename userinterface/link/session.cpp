@@ -62,7 +62,8 @@ std::string refusal_text(SessionEnd why, const Hello& self, const Hello& other) 
     default:
       return "refused: " + name_of(self) + " has the robot's description " + hex(self.robot_hash) +
              ", the other end, " + name_of(other) + ", has " + hex(other.robot_hash) +
-             ": give both the same robot.urdf and robot.yaml (--robot), and start the one anew that gets others";
+             ": give both the same robot.urdf and robot.yaml (--robot), and start the one anew that gets "
+             "others";
   }
 }
 
@@ -113,14 +114,14 @@ void Session::step(std::int64_t now_ns) noexcept {
 
 void Session::on_hello(const Hello& hello, std::int64_t now_ns) noexcept {
   if (const SessionEnd refusal = refusal_of(hello); refusal != SessionEnd::none) {
-    refused_ = hello;
-    end(refusal);
+    refused_ = hello;  // which bears that one's name, if it has a session with another
+    end(has_another(hello) ? SessionEnd::occupied : refusal);
     return;
   }
   if (open() && hello.self != peer_) {
     end(SessionEnd::peer_anew);
   }
-  if (!open() && hello.role == Role::controller && hello.open && hello.heard.boot != self_.self.boot) {
+  if (!open() && has_another(hello)) {
     refused_ = hello;  // or it has not heard yet that this module was started anew
     end_ = SessionEnd::occupied;
   }
@@ -170,6 +171,11 @@ void Session::begin(std::int64_t now_ns) noexcept {
   end_ = SessionEnd::none;
   heard_ns_ = now_ns;
   ++begun_;
+}
+
+bool Session::has_another(const Hello& hello) const noexcept {
+  return self_.role == Role::module && hello.role == Role::controller && hello.open &&
+         hello.heard.boot != self_.self.boot;
 }
 
 SessionEnd Session::refusal_of(const Hello& hello) const noexcept {

@@ -1,9 +1,12 @@
 // The module's parts, in the order of their construction.
 #include "gaitway/api/door.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -14,6 +17,7 @@
 #include "gaitway/api/hub.hpp"
 #include "gaitway/api/link_robot_port.hpp"
 #include "gaitway/api/link_thread.hpp"
+#include "gaitway/api/link_watch.hpp"
 #include "gaitway/api/module_link.hpp"
 #include "gaitway/api/publication_sink.hpp"
 #include "gaitway/api/recorder.hpp"
@@ -26,6 +30,7 @@
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/page/asset_table.hpp"
 #include "gaitway/page/bus_assets.hpp"
+#include "gaitway/page/calibration_assets.hpp"
 #include "gaitway/page/motion_assets.hpp"
 #include "gaitway/page/robot_assets.hpp"
 #include "gaitway/process/installation.hpp"
@@ -112,9 +117,17 @@ page::AssetTable assets_of(const urdf::RobotModel& robot, const Limits& limits, 
                    .lease_s = static_cast<double>(limits.lease_ns) / kSecond_ns,
                    .push = simulated ? std::optional(push_bounds(robot)) : std::nullopt});
   page::add_bus(assets, robot);
+  page::add_calibration(assets, robot);
   page::add_motions(assets, robot, process::prepared_motion_directories(robot.directory));
   return assets;
 }
+
+std::optional<CertificateWatch> certificate_watch(const ServerSetup& setup) {
+  const auto& term = setup.certificate_term();
+  return term ? std::optional<CertificateWatch>(*term) : std::nullopt;
+}
+
+constexpr std::uint8_t kWarning = 30;  // of ros::Log
 
 }  // namespace
 
@@ -126,7 +139,8 @@ class Door::Impl {
         setup_(options.server),
         url_(setup_.url()),
         stop_socket_(stop_socket(options, setup_.port())),
-        link_(robot_, {.boot = link::random_boot()}),
+        link_(robot_, {.boot = link::random_boot(), .name = "user_interface " + std::to_string(getpid())}),
+        link_address_(link::text_of(options.link)),
         topics_(link_.topics("feed")),
         recorder_(recorder_of(options)),
         port_(link_, robot_, recorder_.get()),
@@ -138,11 +152,12 @@ class Door::Impl {
         hub_(port_, hub_options(options, setup_, simulation_.get())),
         view_hub_(
             {.is_token = token_check(setup_), .authentication_ns = options.server.limits.authentication_ns}),
+        certificate_(certificate_watch(setup_)),
         server_(hub_, std::move(setup_),
                 {.on_tick = [this](std::int64_t now_ns) { on_tick(now_ns); },
                  .on_poll = [this](std::int64_t now_ns) { on_poll(now_ns); },
                  .on_refusals = tell_},
-                {.assets = &assets_, .view = &view_hub_}),
+                {.assets = &assets_, .view = &view_hub_, .version = page::page_version()}),
         link_thread_(link_, options.link, tell_) {
     if (stop_socket_) {
       stop_url_ = "udp" + url_.substr(url_.find(':'), url_.rfind(':') - url_.find(':') + 1) +
@@ -186,6 +201,8 @@ class Door::Impl {
         });
     feed_.poll(now_ns, sink);
     tell_commander(sink);
+    tell_link_state(now_ns, sink);
+    tell_certificate(sink);
     if (stops) {
       tell_stops(*stops, sink);
     }
@@ -218,15 +235,44 @@ class Door::Impl {
     commander_ = ros::String{std::string(hub_.commander())};
     sink.publish(Topic::commander, *commander_, feed_.robot_ns());
   }
-  void tell_stops(const PostedStops& stops, PublicationSink& sink) {
+  void tell_link_state(std::int64_t now_ns, PublicationSink& sink) {
+    const LinkReport report = link_thread_.report();
+    const bool news = !link_told_ || report.state != link_told_->state || report.text != link_told_->text;
+    const bool goes_on = report.state != LinkReport::State::up && now_ns - link_told_ns_ >= facts::kSecond_ns;
+    if (news || goes_on) {
+      sink.publish(Topic::link_state, link_state_of(report, link_address_, now_ns), feed_.robot_ns());
+      link_told_ = report;
+      link_told_ns_ = now_ns;
+    }
+  }
+  void tell_certificate(PublicationSink& sink) {
+    const std::string trouble = certificate_ ? certificate_->trouble() : std::string();
+    if (!certificate_told_ || certificate_told_->data != trouble) {
+      certificate_told_ = ros::String{trouble};
+      sink.publish(Topic::certificate_state, *certificate_told_, feed_.robot_ns());
+    }
+    if (certificate_news_) {
+      tell_event(kWarning, *std::exchange(certificate_news_, std::nullopt), sink);
+    }
+  }
+  void tell_event(std::uint8_t level, const std::string& text, PublicationSink& sink) {
     ros::Log event;
     event.stamp = ros_time(feed_.robot_ns());
+    event.level = level;
     event.name = "user_interface";
-    event.msg = text_of(stops);
+    event.msg = text;
     tell_(event.msg);
     feed_.tell(event, sink);
   }
+  void tell_stops(const PostedStops& stops, PublicationSink& sink) {
+    tell_event(ros::Log().level, text_of(stops), sink);
+  }
   void on_tick(std::int64_t now_ns) {
+    if (certificate_) {
+      if (auto news = certificate_->look(std::time(nullptr), server_.statistics().of(Refusal::tls))) {
+        certificate_news_ = std::move(news);
+      }
+    }
     if (stop_post_) {
       for (const std::string& line : stop_post_->take_refusals()) {
         tell_(line);
@@ -248,6 +294,7 @@ class Door::Impl {
   std::string url_, stop_url_;
   std::optional<stopgram::StopSocket> stop_socket_;  // until the post has it
   ModuleLink link_;
+  std::string link_address_;
   msgclient::Client topics_;
   std::unique_ptr<Recorder> recorder_;
   LinkRobotPort port_;
@@ -258,9 +305,14 @@ class Door::Impl {
   Hub hub_;
   std::optional<ros::String> commander_;  // as told last
   std::uint32_t session_ = 0;             // of the link, as last seen
-  std::int64_t began_ns_ = 0;             // to serve
+  std::optional<LinkReport> link_told_;
+  std::int64_t link_told_ns_ = 0;
+  std::optional<ros::String> certificate_told_;
+  std::optional<std::string> certificate_news_;  // to be told
+  std::int64_t began_ns_ = 0;                    // to serve
   bool address_told_ = false;
   ViewHub view_hub_;
+  std::optional<CertificateWatch> certificate_;  // nothing: no TLS
   Server server_;
   LinkThread link_thread_;
   std::optional<StopPost> stop_post_;

@@ -20,8 +20,6 @@ namespace {
 
 constexpr int kPeriod_ms = 2;
 constexpr std::int64_t kBetweenTries_ns = 50 * facts::kMillisecond_ns;
-// So long without a session, and people are told why.
-constexpr std::int64_t kPatience_ns = facts::kSecond_ns;
 
 }  // namespace
 
@@ -30,7 +28,8 @@ LinkThread::LinkThread(ModuleLink& link, link::LinkAddress address,
     : link_(link),
       address_(std::move(address)),
       tell_(std::move(tell)),
-      wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+      wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
+      watch_(address_, process::monotonic_ns()) {
   if (!wake_) {
     throw std::system_error(errno, std::generic_category(), "no descriptor to wake the link's thread");
   }
@@ -48,7 +47,6 @@ LinkThread::~LinkThread() {
 }
 
 void LinkThread::run(const std::stop_token& stop) {
-  closed_ns_ = process::monotonic_ns();
   while (!stop.stop_requested()) {
     wait();
     const std::int64_t now_ns = process::monotonic_ns();
@@ -56,7 +54,7 @@ void LinkThread::run(const std::stop_token& stop) {
       connect(now_ns);
     }
     link_.pump(carrier_.get(), now_ns);
-    follow_session(now_ns);
+    watch(now_ns);
     if (carrier_ != nullptr && !carrier_->connected()) {
       carrier_.reset();
       carrier_fd_ = -1;
@@ -84,28 +82,32 @@ void LinkThread::connect(std::int64_t now_ns) {
       carrier_fd_ = connection->wake_fd();
       carrier_ = std::move(connection);
     }
+    error_.clear();
   } catch (const std::exception& error) {
-    if (told_ != error.what() && now_ns - closed_ns_ > kPatience_ns) {
-      told_ = error.what();
-      tell_(told_);
-    }
+    error_ = error.what();
   }
 }
 
-void LinkThread::follow_session(std::int64_t now_ns) {
+void LinkThread::watch(std::int64_t now_ns) {
   const bool open = link_.open();
-  if (open != std::exchange(open_, open)) {
-    closed_ns_ = now_ns;
-    complained_ = false;
-    told_.clear();
-    tell_(open ? "linked to the main controller"
-               : "the link to the main controller is lost: " + link_.description());
+  const LinkSight sight{.open = open,
+                        .same_calibration = link_.same_calibration(),
+                        .why = link_.why(),
+                        .description = open ? std::string() : link_.description(),
+                        .error = error_};
+  std::optional<std::string> line;
+  {
+    const std::scoped_lock lock(mutex_);
+    line = watch_.look(sight, now_ns);
   }
-  const bool says_why = carrier_ != nullptr || link_.why() == link::SessionEnd::occupied;
-  if (!open && !complained_ && says_why && now_ns - closed_ns_ > kPatience_ns) {
-    complained_ = true;
-    tell_("no link to the main controller: " + link_.description());
+  if (line) {
+    tell_(*line);
   }
+}
+
+LinkReport LinkThread::report() const {
+  const std::scoped_lock lock(mutex_);
+  return watch_.report();
 }
 
 }  // namespace gaitway::api

@@ -59,6 +59,8 @@ ModuleLink::ModuleLink(const urdf::RobotModel& robot, const ModuleLinkOptions& o
     : codec_{.joint_count = robot.joints.size()},
       orders_{.joint_count = robot.joints.size(), .exact = true},
       mirror_(codec_),
+      robot_(robot.name),
+      robot_directory_(robot.directory),
       calibration_hash_(contract::calibration_hash(robot)),
       end_(contract::identity_of(link::Role::module, options.boot, options.name, robot),
            contract::link_channels(codec_), options.link),
@@ -100,7 +102,9 @@ std::uint32_t ModuleLink::session() const {
 }
 std::string ModuleLink::description() const {
   const std::scoped_lock lock(mutex_);
-  return end_.session().description();
+  const bool of_the_robot = end_.session().why() == link::SessionEnd::wrong_robot;
+  return end_.session().description() +
+         (of_the_robot ? "; here it is '" + robot_ + "' of " + robot_directory_.native() : "");
 }
 link::SessionEnd ModuleLink::why() const {
   const std::scoped_lock lock(mutex_);

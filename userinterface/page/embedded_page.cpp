@@ -1,5 +1,6 @@
 // The bundle's files, taken in by the assembler.
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,7 @@ GAITWAY_EMBED(gaitway_page_html, "index.html");
 GAITWAY_EMBED(gaitway_page_script, "page.js");
 GAITWAY_EMBED(gaitway_page_style, "page.css");
 GAITWAY_EMBED(gaitway_page_icon, "icon.svg");
+GAITWAY_EMBED(gaitway_page_number, "version.json");
 
 namespace gaitway::page {
 
@@ -25,6 +27,13 @@ void add_page(AssetTable& table) {
   table.add("/page.css", "text/css; charset=utf-8", {gaitway_page_style_begin, gaitway_page_style_end},
             false);
   table.add("/icon.svg", "image/svg+xml", {gaitway_page_icon_begin, gaitway_page_icon_end}, false);
+  table.add("/version.json", "application/json", {gaitway_page_number_begin, gaitway_page_number_end}, false);
+}
+
+const std::string& page_version() {
+  static const std::string version =
+      nlohmann::json::parse(gaitway_page_number_begin, gaitway_page_number_end).at("page");
+  return version;
 }
 
 }  // namespace gaitway::page

@@ -115,13 +115,16 @@ void ClientLink::consumed(std::size_t bytes) {
   }
 }
 
-void ClientLink::refuse(Refusal cause, const std::string& origin) {
+void ClientLink::refuse(Refusal cause, const std::string& detail) {
   core_.statistics.count(cause);
   const std::int64_t now_ns = wall_now_ns();
   phase_ = Phase::refused;
   deadline_ns_ = now_ns;
-  if (cause == Refusal::wrong_token || cause == Refusal::foreign_origin) {
-    core_.refusal_log.note(cause, address_.to_string() + (origin.empty() ? "" : ", origin " + origin));
+  const bool tries_to_get_in = cause == Refusal::wrong_token || cause == Refusal::foreign_origin;
+  if (tries_to_get_in || cause == Refusal::other_page) {
+    core_.refusal_log.note(cause, address_.to_string() + (detail.empty() ? "" : ", " + detail));
+  }
+  if (tries_to_get_in) {
     deadline_ns_ += core_.patience.refused(address_, now_ns);
   }
   if (deadline_ns_ == now_ns) {

@@ -79,7 +79,7 @@ class ClientLink : public Connection,
   // Told by the WebSocket.
   void refusing();  // an answer is being written
   // answer_refusal() comes as late as the address must wait for it. `origin`: of a web page, or empty.
-  void refuse(Refusal cause, const std::string& origin);
+  void refuse(Refusal cause, const std::string& detail);
   void giving_page();  // a file of the page is being written
   void opened(bool authorised, bool view);
   void received(std::string_view message, bool binary);

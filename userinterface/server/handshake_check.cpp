@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kQuotedBytes = 200;
 constexpr std::size_t kKeyBytes = 24;  // 16 in base64
+constexpr boost::beast::string_view kViewOfPage = "/view?page=";
 
 // What a client sent, fit to be shown to people.
 std::string quoted(boost::beast::string_view text) {
@@ -42,11 +43,11 @@ std::string_view plain(boost::beast::string_view text) noexcept {
 }
 
 bool asks_for_view(const HandshakeRequest& request) {
-  return request.target() == "/view";
+  return request.target() == "/view" || request.target().starts_with(kViewOfPage);
 }
 
 std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request, const ServerSetup& setup,
-                                                bool view) {
+                                                bool view, std::string_view page_version) {
   const std::optional<AccessToken>& token = setup.token();
   if (!is_root(request.target()) && !(view && asks_for_view(request))) {
     return HandshakeRefusal{http::status::not_found, Refusal::wrong_path,
@@ -75,8 +76,16 @@ std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request,
                                   " may not talk to the robot: add it to the API's parameter origins "
                                   "(--origins of gaitway serve), "
                                   "or serve the page from an origin that is listed there\n",
-                              quoted(field.value())};
+                              "origin " + quoted(field.value())};
     }
+  }
+  if (request.target().starts_with(kViewOfPage) &&
+      plain(request.target()).substr(kViewOfPage.size()) != page_version) {
+    const std::string page = quoted(request.target().substr(kViewOfPage.size()));
+    return HandshakeRefusal{http::status::conflict, Refusal::other_page,
+                            "the page is of the version " + page + ", this robot serves '" +
+                                std::string(page_version) + "': load the page again\n",
+                            "page " + page};
   }
   if (token && request.count(http::field::authorization) != 0 && !is_authorised(request, token)) {
     return HandshakeRefusal{http::status::unauthorized, Refusal::wrong_token,

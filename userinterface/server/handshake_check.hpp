@@ -24,14 +24,16 @@ struct HandshakeRefusal {
   http::status status;
   Refusal cause;
   std::string text;         // for people
-  std::string origin = {};  // of the web page that was refused, quoted
+  std::string detail = {};  // of the web page that was refused: "origin 'https://...'"
 };
 
-// `view`: there is one.
+// `view`: there is one. `page_version`: the page's that is served here.
 [[nodiscard]] std::optional<HandshakeRefusal> check_handshake(const HandshakeRequest& request,
-                                                              const ServerSetup& setup, bool view);
+                                                              const ServerSetup& setup, bool view,
+                                                              std::string_view page_version);
 
-// Whether it asks for the view rather than for the robot API.
+// Whether it asks for the view rather than for the robot API: /view, or /view?page=VERSION by a page that
+// wants it from a server of its own version alone.
 [[nodiscard]] bool asks_for_view(const HandshakeRequest& request);
 
 // Whether the request carries the token, or none is wanted. Of a request that has been checked.

@@ -13,6 +13,8 @@ std::string_view reason(Refusal cause) {
       return "a web page whose origin is not among the API's origins";
     case Refusal::wrong_token:
       return "a client with a wrong token";
+    case Refusal::other_page:
+      return "a page of another version, which its browser must load again";
     case Refusal::too_many:
       return "a client for which there is no place";
     default:

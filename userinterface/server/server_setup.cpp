@@ -194,6 +194,9 @@ ServerSetup::ServerSetup(ServerOptions options) : options_(std::move(options)), 
     token_ = AccessToken::read(options_.token_file);
   }
   tls_ = open_tls(options_);
+  if (tls_) {
+    certificate_term_ = term_of(*tls_, options_.certificate_file);
+  }
   listener_ = listen_at(options_, address);
   ipv6_ = address.ipv6();
   port_ = ntohs(ipv6_ ? reinterpret_cast<const sockaddr_in6&>(address.storage).sin6_port

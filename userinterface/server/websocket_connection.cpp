@@ -148,7 +148,8 @@ void WebSocketConnection<Stream>::decide(ErrorCode error) {
             "there are too many connections, to the robot or from your address: try again later\n"});
   } else if (core().page.assets != nullptr && !websocket::is_upgrade(request_.get())) {
     give_page();
-  } else if (auto refusal = check_handshake(request_.get(), core().setup, core().page.view != nullptr)) {
+  } else if (auto refusal = check_handshake(request_.get(), core().setup, core().page.view != nullptr,
+                                            core().page.version)) {
     refuse(std::move(*refusal));
   } else if (!request_.is_done() || request_bytes_.size() > 0) {
     refuse({http::status::bad_request, Refusal::bad_request,
@@ -161,7 +162,7 @@ void WebSocketConnection<Stream>::decide(ErrorCode error) {
 template <class Stream>
 void WebSocketConnection<Stream>::refuse(HandshakeRefusal refusal) {
   answer_ = answer(refusal);
-  ClientLink::refuse(refusal.cause, refusal.origin);
+  ClientLink::refuse(refusal.cause, refusal.detail);
 }
 
 template <class Stream>

@@ -75,8 +75,9 @@ TEST_F(LinkHostTest, ASecondModuleIsToldWhoHasTheLinkAndTheFirstGoesOn) {
   EXPECT_EQ(first.end.session().count(), 1U) << "it has noticed nothing";
   EXPECT_FALSE(second.end.session().open());
   EXPECT_EQ(second.end.session().why(), link::SessionEnd::occupied) << "though it was cut off at once";
-  EXPECT_THAT(second.end.session().description(),
-              AllOf(HasSubstr("'the first one'"), HasSubstr("a robot has one"), HasSubstr("'the second one'")));
+  EXPECT_THAT(
+      second.end.session().description(),
+      AllOf(HasSubstr("'the first one'"), HasSubstr("a robot has one"), HasSubstr("'the second one'")));
   EXPECT_FALSE(second.carrier.connected());
   EXPECT_THAT(reports, HasSubstr("another user interface module (process " + std::to_string(getpid()) +
                                  ") wants the link that 'the first one' has"));
@@ -98,11 +99,21 @@ TEST_F(LinkHostTest, AModuleThatIsTurnedAwayAgainAndAgainIsToldOfOnceAMinute) {
   EXPECT_EQ(told(), before + 2) << reports;
 }
 
+TEST_F(LinkHostTest, AModuleOfAnotherRobotIsToldFirstThatThereIsOneAlready) {
+  Module first(path, 11, "the first one");
+  pass(200, {&first});
+  Module other(path, 12, "of another robot", 2);
+  pass(200, {&first, &other});
+  EXPECT_EQ(other.end.session().why(), link::SessionEnd::occupied);
+  EXPECT_THAT(other.end.session().description(), HasSubstr("linked to another module, 'the first one'"));
+}
+
 TEST_F(LinkHostTest, AModuleOfAnotherRobotIsRefusedAndToldOfOnce) {
   Module other(path, 11, "the module", 2);
   pass(2000, {&other});
-  EXPECT_THAT(reports, AllOf(HasSubstr("no link to the user interface module: refused"), HasSubstr("'the module', has 00000002"),
-                             HasSubstr("give both the same robot.urdf")));
+  EXPECT_THAT(reports,
+              AllOf(HasSubstr("no link to the user interface module: refused"),
+                    HasSubstr("'the module', has 00000002"), HasSubstr("give both the same robot.urdf")));
   EXPECT_EQ(std::count(reports.begin(), reports.end(), '\n'), 1) << reports;
 }
 

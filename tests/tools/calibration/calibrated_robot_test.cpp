@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -87,7 +88,8 @@ TEST_P(CalibratedRobot, KnowsItsJointsAndStandsUpright) {
       motion::plan_motion(described, motion::read_motion(GAITWAY_POSES, described), {}).plan;
   const Errors before = stand();
   const SimulatedCalibration found = calibrate_simulated(described, poses, {.seed = GetParam()});
-  std::ofstream(folder_ / "calibration.yaml") << calibration_text(described, found.calibration);
+  std::ofstream(folder_ / "calibration.yaml")
+      << calibration_text(described, found.calibration, std::time(nullptr));
   const Errors after = stand();
   EXPECT_GT(before.joint_rad, 0.25 * facts::kRadPerDegree);
   EXPECT_LT(after.joint_rad, 0.08 * facts::kRadPerDegree);

@@ -41,9 +41,14 @@ TEST(Messages, LieOnTheWireAsTheReadmeSays) {
 }
 
 TEST(Messages, DecodeToWhatTheyWere) {
-  Hello hello{
-      .role = Role::controller, .open = true, .self = {1, 2}, .heard = {3, 4}, .table_hash = 5, .robot_hash = 7,
-      .calibration_hash = 8, .time_ns = 6};
+  Hello hello{.role = Role::controller,
+              .open = true,
+              .self = {1, 2},
+              .heard = {3, 4},
+              .table_hash = 5,
+              .robot_hash = 7,
+              .calibration_hash = 8,
+              .time_ns = 6};
   hello.name[0] = 'g';
   Content content;
   content.size = encode(hello, content.room);

@@ -125,7 +125,8 @@ TEST(Session, IsRefusedToOneOfAnotherRobotAndBothSayWhich) {
               AllOf(HasSubstr("'user_interface' has the robot's description 0000000a"),
                     HasSubstr("'main_controller', has 0000000b"),
                     HasSubstr("give both the same robot.urdf and robot.yaml")));
-  EXPECT_THAT(controller.session().description(), HasSubstr("'main_controller' has the robot's description 0000000b"));
+  EXPECT_THAT(controller.session().description(),
+              HasSubstr("'main_controller' has the robot's description 0000000b"));
   module.cut(200 * kMs);
   EXPECT_EQ(module.session().why(), SessionEnd::wrong_robot) << "why it was cut off is still known";
 }
@@ -143,7 +144,8 @@ TEST(Session, TellsOfAnotherCalibrationAndGoesOn) {
 TEST(Session, IsRefusedToAnotherVersion) {
   ModuleEnd module(module_identity(1), kChannels, {});
   // Whatever a hello of that version says behind its number.
-  const std::array<std::uint8_t, 10> content{static_cast<std::uint8_t>(FrameKind::hello), 0, 0, 0, 0, 99, 0, 1, 2, 3};
+  const std::array<std::uint8_t, 10> content{
+      static_cast<std::uint8_t>(FrameKind::hello), 0, 0, 0, 0, 99, 0, 1, 2, 3};
   std::array<std::uint8_t, kMostFrameBytes> wire{};
   module.on_bytes(Bytes(wire).first(encode_frame(content, wire)), 0);
   EXPECT_EQ(module.session().why(), SessionEnd::wrong_version);

@@ -2,13 +2,16 @@
 // socket. Run under the thread sanitizer, too.
 #include "gaitway/api/link_thread.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 
 #include <atomic>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -23,6 +26,9 @@
 
 namespace gaitway::api {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
 
 constexpr std::int64_t kLongest_ns = 60 * facts::kSecond_ns;
 constexpr char kThreadsToken[] = "0123456789abcdef";
@@ -94,6 +100,10 @@ class LinkThreadTest : public ::testing::Test {
       }
     }
   }
+  void note(std::string& told, const std::string& line) {
+    const std::scoped_lock lock(told_mutex_);
+    told += line + "\n";
+  }
   void order_velocity() {
     WalkCommand command{};
     command.walk = 1;
@@ -144,6 +154,47 @@ TEST_F(LinkThreadTest, OrdersStopsAndStateGoOverOneLinkAtOnce) {
   ASSERT_TRUE(network_.read(state));
   const std::uint32_t seen = state.accepted_sequence;
   serve_until([&] { return network_.read(state) && state.accepted_sequence > seen; });
+}
+
+TEST_F(LinkThreadTest, SaysAtWhichPathThereIsNobody) {
+  serve_until([this] { return link_thread_.report().text.find("cannot connect") != std::string::npos; });
+  EXPECT_EQ(link_thread_.report().state, LinkReport::State::down);
+  EXPECT_THAT(link_thread_.report().text, AllOf(HasSubstr("'" + (folder_.path() / "link").native() + "'"),
+                                                HasSubstr("Is main_controller running")));
+}
+
+TEST_F(LinkThreadTest, ASecondModuleIsRefusedByNameAndTheFirstGoesOn) {
+  const Robot robot(folder_.path() / "link", robot_model_);
+  serve_until([this] {
+    order_velocity();
+    return done_ > 0;  // the robot's side knows it, too
+  });
+  std::string told;
+  ModuleLink second(robot_model_, {.boot = link::random_boot(), .name = "the second"});
+  std::optional<LinkThread> thread(std::in_place, second, link::LinkAddress{.path = folder_.path() / "link"},
+                                   [&](const std::string& line) { note(told, line); });
+  serve_until([&] { return thread->report().state == LinkReport::State::refused; });
+  EXPECT_THAT(thread->report().text,
+              AllOf(HasSubstr("linked to another module, 'user_interface'"), HasSubstr("'the second'"),
+                    HasSubstr("end that one, or this one")));
+  EXPECT_TRUE(link_.open()) << "the first goes on";
+  EXPECT_EQ(link_.session(), 1U);
+  thread.reset();
+  EXPECT_THAT(told, HasSubstr("no link to the main controller: refused"));
+}
+
+TEST_F(LinkThreadTest, AModuleOfAnotherRobotsFolderIsRefusedAndSaysWhichFolder) {
+  const Robot robot(folder_.path() / "link", robot_model_);
+  const std::filesystem::path other = folder_.path() / "other";
+  std::filesystem::copy(robot_model_.directory, other, std::filesystem::copy_options::recursive);
+  std::ofstream(other / "robot.yaml", std::ios::app) << "# changed\n";
+  ModuleLink module(urdf::load_robot(other), {.boot = link::random_boot(), .name = "the other's"});
+  std::string told;
+  LinkThread thread(module, {.path = folder_.path() / "link"},
+                    [&](const std::string& line) { note(told, line); });
+  serve_until([&] { return thread.report().state == LinkReport::State::refused; });
+  EXPECT_THAT(thread.report().text, AllOf(HasSubstr("has the robot's description"), HasSubstr("'robot', has"),
+                                          HasSubstr("here it is 'humanoid22' of " + other.native())));
 }
 
 TEST_F(LinkThreadTest, ConnectsAgainAsOftenAsTheOtherSideGoes) {

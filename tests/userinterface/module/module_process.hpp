@@ -55,6 +55,8 @@ class ModuleProcess {
   ModuleProcess& operator=(const ModuleProcess&) = delete;
 
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
+  // Until it served.
+  [[nodiscard]] const std::string& said() const noexcept { return all_; }
   [[nodiscard]] bool runs() const {
     siginfo_t ended{};
     return waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -76,18 +78,17 @@ class ModuleProcess {
   };
   void await_port() {
     const std::regex serves("serves wss?://.*:(\\d+), ");
-    std::string all;
     std::array<char, 512> line{};
     while (std::fgets(line.data(), line.size(), said_.get()) != nullptr) {
-      all += line.data();
+      all_ += line.data();
       std::smatch found;
-      if (std::regex_search(all, found, serves)) {
+      if (std::regex_search(all_, found, serves)) {
         port_ = static_cast<std::uint16_t>(std::stoul(found[1]));
         return;
       }
     }
     waitpid(id_, nullptr, 0);
-    throw std::runtime_error("it ended:\n" + all);
+    throw std::runtime_error("it ended:\n" + all_);
   }
   [[nodiscard]] std::size_t number_in(const std::string& file, const std::regex& pattern) const {
     std::ifstream stream("/proc/" + std::to_string(id_) + "/" + file);
@@ -98,6 +99,7 @@ class ModuleProcess {
 
   pid_t id_ = 0;
   std::uint16_t port_ = 0;
+  std::string all_;
   std::unique_ptr<std::FILE, Close> said_;  // open to the end, so that it may go on to say something
 };
 

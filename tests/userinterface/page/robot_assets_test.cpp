@@ -42,6 +42,15 @@ TEST(AssetTable, HoldsThePageWithoutAnythingFromElsewhereOrInline) {
   EXPECT_LT(table.find("/page.js")->body.size(), 1'000'000U);
 }
 
+TEST(AssetTable, ThePageKnowsTheVersionThatIsServedBesideIt) {
+  AssetTable table;
+  add_page(table);
+  EXPECT_THAT(page_version(), ::testing::MatchesRegex("[0-9a-f]{16}"));
+  EXPECT_EQ(json::parse(table.find("/version.json")->body), (json{{"page", page_version()}}));
+  EXPECT_FALSE(table.find("/version.json")->wants_token);
+  EXPECT_THAT(table.find("/page.js")->body, HasSubstr(page_version()));
+}
+
 TEST(AssetTable, FindsAPathWithAQueryAndNothingElse) {
   AssetTable table;
   add_page(table);

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -47,14 +50,16 @@ class PageServer {
                          state_.commander = "somebody";
                          view_.show(state_, wall_ns);
                        }
-                     }},
-                {.assets = &assets_, .view = &view_}),
+                     },
+                 .on_refusals = [this](const std::string& line) { refusals_.push(line); }},
+                {.assets = &assets_, .view = &view_, .version = "of-the-test"}),
         thread_([this] { server_.run(); }) {}
   ~PageServer() {
     server_.stop();
     thread_.join();
   }
   [[nodiscard]] std::uint16_t port() const { return server_.port(); }
+  [[nodiscard]] std::string await_refusal() const { return refusals_.wait(); }
   [[nodiscard]] std::string ask(const std::string& line, const std::string& more = "",
                                 const std::string& host = "127.0.0.1") const {
     RawClient client(port());
@@ -63,6 +68,28 @@ class PageServer {
   }
 
  private:
+  // The newest line, which another thread has waited for.
+  class Lines {
+   public:
+    void push(const std::string& line) {
+      const std::scoped_lock lock(mutex_);
+      line_ = line;
+      news_.notify_all();
+    }
+    [[nodiscard]] std::string wait() const {
+      constexpr auto kPatience = std::chrono::seconds(20);
+      std::unique_lock lock(mutex_);
+      news_.wait_for(lock, kPatience, [this] { return !line_.empty(); });
+      return line_;
+    }
+
+   private:
+    mutable std::mutex mutex_;
+    mutable std::condition_variable news_;
+    std::string line_;
+  };
+
+  Lines refusals_;
   EchoHub hub_;
   ViewHub view_;
   page::ViewState state_;
@@ -235,6 +262,21 @@ TEST(View, ClosesOnWhatIsNoAcknowledgement) {
     client.send(std::string("\x7F\x7F\x7F\x7F"), binary);
     EXPECT_EQ(client.receive_close(), 1008U);
   }
+}
+
+TEST(View, IsRefusedToAPageOfAnotherVersionAndGivenToOneOfThisOne) {
+  const PageServer server;
+  EXPECT_THAT(server.ask("GET /view?page=of-last-year",
+                         "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+                         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"),
+              AllOf(StartsWith("HTTP/1.1 409 "), HasSubstr("version 'of-last-year'"),
+                    HasSubstr("serves 'of-the-test'"), HasSubstr("load the page again")));
+  EXPECT_THAT(server.await_refusal(),
+              AllOf(HasSubstr("a page of another version"), HasSubstr("127.0.0.1, page 'of-last-year'")));
+  WebSocketClient::Options options;
+  options.target = "/view?page=of-the-test";
+  WebSocketClient client(server.port(), options);
+  EXPECT_GT(frame_of(client.receive().text), 0U);
 }
 
 TEST(View, WantsTheTokenFirst) {

@@ -22,8 +22,6 @@ using Key = std::unique_ptr<EVP_PKEY, Freeing<EVP_PKEY_free>>;
 using Certificate = std::unique_ptr<X509, Freeing<X509_free>>;
 using File = std::unique_ptr<std::FILE, Freeing<std::fclose>>;
 
-constexpr long kDay_s = 24L * 3600;
-
 File create(const std::filesystem::path& path) {
   File file(std::fopen(path.c_str(), "w"));
   if (!file || chmod(path.c_str(), 0600) != 0) {
@@ -42,13 +40,13 @@ Key write_key(const std::filesystem::path& path, SecretFiles::KeyKind kind) {
   return key;
 }
 
-void write_certificate(const std::filesystem::path& path, EVP_PKEY& key) {
+void write_certificate(const std::filesystem::path& path, EVP_PKEY& key, SecretFiles::Validity validity) {
   const Certificate certificate(X509_new());
   X509* const x509 = certificate.get();
   X509_set_version(x509, 2);
   ASN1_INTEGER_set(X509_get_serialNumber(x509), 1);
-  X509_gmtime_adj(X509_getm_notBefore(x509), -kDay_s);
-  X509_gmtime_adj(X509_getm_notAfter(x509), kDay_s);
+  X509_gmtime_adj(X509_getm_notBefore(x509), validity.begins_s);
+  X509_gmtime_adj(X509_getm_notAfter(x509), validity.ends_s);
   X509_set_pubkey(x509, &key);
   X509_NAME* const name = X509_get_subject_name(x509);
   const unsigned char host[] = "localhost";
@@ -61,7 +59,7 @@ void write_certificate(const std::filesystem::path& path, EVP_PKEY& key) {
 
 }  // namespace
 
-SecretFiles::SecretFiles(KeyKind kind) {
+SecretFiles::SecretFiles(KeyKind kind, Validity validity) {
   std::string pattern = (std::filesystem::temp_directory_path() / "gaitway_api_XXXXXX").native();
   if (mkdtemp(pattern.data()) == nullptr) {
     throw std::runtime_error("cannot make " + pattern);
@@ -69,7 +67,7 @@ SecretFiles::SecretFiles(KeyKind kind) {
   folder_ = pattern;
   static_cast<void>(write("token", std::string(kToken) + "\n"));
   const Key key_pair = write_key(key(), kind);
-  write_certificate(certificate(), *key_pair);
+  write_certificate(certificate(), *key_pair, validity);
   static_cast<void>(write_key(other_key(), KeyKind::elliptic));
 }
 

@@ -16,7 +16,13 @@ class SecretFiles {
   // An elliptic key costs its server a tenth of a millisecond for each handshake, a costly one some.
   enum class KeyKind : std::uint8_t { elliptic, costly };
 
-  explicit SecretFiles(KeyKind kind = KeyKind::elliptic);
+  // Of the certificate, from now.
+  struct Validity {
+    long begins_s, ends_s;
+  };
+  static constexpr long kDay = 24L * 3600;  // s
+
+  explicit SecretFiles(KeyKind kind = KeyKind::elliptic, Validity validity = {-kDay, kDay});
   ~SecretFiles();
   SecretFiles(const SecretFiles&) = delete;
   SecretFiles& operator=(const SecretFiles&) = delete;

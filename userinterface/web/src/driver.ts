@@ -17,6 +17,7 @@ export class Driver {
   private readonly keys = new Keys();
   private foreignSince_ms: number | undefined;
   private boundsRead_ms = -Infinity;
+  private retired = false;
   bounds: Bounds;
   sent: Velocity = standstill;
 
@@ -50,6 +51,12 @@ export class Driver {
     this.sent = standstill;
   }
 
+  // For good: what this page says may mean something else by now.
+  retire(): void {
+    this.leave();
+    this.retired = true;
+  }
+
   private letGo(): void {
     this.keys.letGo();
     this.walk.letGo();
@@ -64,6 +71,7 @@ export class Driver {
   }
 
   private look(): void {
+    if (this.retired) return;
     const { drive, freshness, command, news } = this.context;
     const now_ms = performance.now();
     const screen = { ahead: this.walk.y, turn: -this.walk.x, left: -this.side.x };

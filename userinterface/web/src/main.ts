@@ -9,6 +9,7 @@ import { byId } from "./dom.ts";
 import { Drive } from "./drive.ts";
 import { Driver } from "./driver.ts";
 import { Freshness } from "./freshness.ts";
+import { LinkBanner } from "./link_banner.ts";
 import { News } from "./news.ts";
 import { PushTool } from "./push_tool.ts";
 import { Rosbridge, Unanswered } from "./rosbridge.ts";
@@ -66,7 +67,12 @@ function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar,
   const bar = new TabBar(byId("tabs"), byId("panels"), tabs);
   context.frameTakers.push((frame) => scene.show(frame), (frame) => stops.show(frame));
   view.onFrame = (frame) => context.frameTakers.forEach((take) => take(frame));
-  view.onWrongVersion = (text) => news.say(`${text}: load the page again`, "bad");
+  const banner = new LinkBanner(robot);
+  view.onWrongVersion = (text) => {
+    driver.retire();
+    for (const part of ["top", "camera", "panel"]) byId(part).inert = true; // the stops stay
+    banner.otherVersion(text);
+  };
   view.onWrongToken = () => location.reload();
   robot.onClose = () => driver.lost();
   robot.onStatus = (level, text) => {
@@ -76,6 +82,7 @@ function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar,
   const look = () => {
     const now_ms = performance.now();
     status.look(now_ms);
+    banner.look(now_ms);
     bar.look(now_ms);
     scene.setOld(freshness.state(now_ms) !== "live");
   };

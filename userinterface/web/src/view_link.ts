@@ -1,6 +1,8 @@
-// The socket that brings the view's frames, and takes their acknowledgements.
+// The socket that brings the view's frames, and takes their acknowledgements. It asks for the view of this page's own version,
+// which a server of another one refuses.
 import type { Freshness } from "./freshness.ts";
 import { lostAfter_ms } from "./freshness.ts";
+import { otherVersionText, pageVersion, servedVersion } from "./page_version.ts";
 import { SocketKeeper, type SocketUser } from "./socket_keeper.ts";
 import { acknowledgement, decodeView, WrongVersion, type ViewFrame } from "./view_decoder.ts";
 
@@ -19,7 +21,7 @@ export class ViewLink implements SocketUser {
     private readonly freshness: Freshness,
     private readonly token: () => string | undefined,
   ) {
-    this.keeper = new SocketKeeper(url, this);
+    this.keeper = new SocketKeeper(`${url}?page=${pageVersion}`, this);
   }
 
   start(): void {
@@ -35,6 +37,7 @@ export class ViewLink implements SocketUser {
   }
 
   closed(reason: string): void {
+    if (!this.open) void this.askForVersion();
     this.open = false;
     if (reason === wrongToken) {
       this.keeper.stop();
@@ -52,9 +55,19 @@ export class ViewLink implements SocketUser {
       this.onFrame(frame);
     } catch (error) {
       if (!(error instanceof WrongVersion)) throw error;
-      this.keeper.stop();
-      this.onWrongVersion(error.message);
+      this.endFor(`${error.message}: load the page again. Stop still works.`);
     }
+  }
+
+  // A view that does not open may have been refused to this version.
+  private async askForVersion(): Promise<void> {
+    const served = await servedVersion().catch(() => pageVersion); // it does not answer: nothing is known
+    if (served !== pageVersion) this.endFor(otherVersionText(served));
+  }
+
+  private endFor(text: string): void {
+    this.keeper.stop();
+    this.onWrongVersion(text);
   }
 
   // A socket through which nothing comes is given up.

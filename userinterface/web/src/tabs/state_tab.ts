@@ -8,6 +8,7 @@ import { ageText, oldAfter_ms } from "../freshness.ts";
 import type { Message } from "../rosbridge.ts";
 import type { Scene } from "../scene/scene.ts";
 import { ageNames, hasTrouble } from "../view_decoder.ts";
+import { calibrationTable } from "./calibration_table.ts";
 
 interface JointCells {
   row: HTMLTableRowElement;
@@ -87,7 +88,7 @@ export function stateTab(context: Context, scene: Scene): Tab {
   const { table: jointsTable, joints } = jointTable(context);
   const content = element("div", { class: "state" },
     element("h2", {}, "Batches"), batches.list, element("h2", {}, "Age of what is shown"), ages.list, element("h2", {}, "Bus"), bus.list,
-    element("h2", {}, "A time slot on the bus"), slot.content, jointsTable);
+    element("h2", {}, "A time slot on the bus"), slot.content, jointsTable, calibrationTable(context));
   let faults = new Map<string, string>();
   let endings: (() => void)[] = [];
 

@@ -15,8 +15,8 @@
 
 namespace gaitway::api {
 
-// One module at a time: another one that connects meanwhile is told who has the link, and turned away. Whoever is
-// refused is told of once a minute.
+// One module at a time: another one that connects meanwhile is told who has the link, and turned away.
+// Whoever is refused is told of once a minute.
 class LinkHost {
  public:
   // Opens all that it needs: throws process::SocketError, link::SerialError. A serial line that is lost later

@@ -68,9 +68,9 @@ inline constexpr std::size_t kEventChannel = kChannels.size();
 // The link's table of channels for a robot.
 [[nodiscard]] std::vector<link::Channel> link_channels(const TopicCodec& codec);
 
-// By which both ends know that they mean the same: channels, orders and types; the robot's description (robot.urdf
-// and robot.yaml of its folder); its calibration (calibration.yaml; 0: there is none). Throws urdf::RobotError when
-// a file cannot be read.
+// By which both ends know that they mean the same: channels, orders and types; the robot's description
+// (robot.urdf and robot.yaml of its folder); its calibration (calibration.yaml; 0: there is none). Throws
+// urdf::RobotError when a file cannot be read.
 [[nodiscard]] std::uint32_t table_hash();
 [[nodiscard]] std::uint32_t robot_hash(const urdf::RobotModel& robot);
 [[nodiscard]] std::uint16_t calibration_hash(const urdf::RobotModel& robot);

@@ -25,6 +25,9 @@ struct LinkAddress {
   [[nodiscard]] bool narrow() const noexcept { return kind == Kind::serial; }
 };
 
+// As people write it.
+[[nodiscard]] std::string text_of(const LinkAddress& address);
+
 // Throws LinkAddressError.
 [[nodiscard]] LinkAddress parse_link_address(std::string_view text);
 

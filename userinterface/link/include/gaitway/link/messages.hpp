@@ -11,8 +11,8 @@
 
 namespace gaitway::link {
 
-// Raised with every change of a layout; two numbers do not talk to each other. A hello of any version begins with
-// it, so that each can say so.
+// Raised with every change of a layout; two numbers do not talk to each other. A hello of any version begins
+// with it, so that each can say so.
 inline constexpr std::uint16_t kProtocolVersion = 2;
 
 enum class Role : std::uint8_t { module = 1, controller = 2 };
@@ -36,10 +36,10 @@ struct Identity {
 struct Hello {
   std::uint16_t version = kProtocolVersion;
   Role role = Role::module;
-  bool open = false;             // the sender has a session with `heard`
-  Identity self{}, heard{};      // `heard`: zero while nobody was
-  std::uint32_t table_hash = 0;  // of the channels and kinds of orders that both must agree on
-  std::uint32_t robot_hash = 0;  // of the robot's description, on which both must agree, too
+  bool open = false;                   // the sender has a session with `heard`
+  Identity self{}, heard{};            // `heard`: zero while nobody was
+  std::uint32_t table_hash = 0;        // of the channels and kinds of orders that both must agree on
+  std::uint32_t robot_hash = 0;        // of the robot's description, on which both must agree, too
   std::uint16_t calibration_hash = 0;  // of what the robot was calibrated with, which may differ
   std::int64_t time_ns = 0;            // of the sender's clock
   std::array<char, 24> name{};         // of the sender, for texts; ended by 0 unless full

@@ -86,6 +86,8 @@ class Session {
   [[nodiscard]] std::string description() const;
 
  private:
+  // The controller has a session with another module than this one.
+  [[nodiscard]] bool has_another(const Hello& hello) const noexcept;
   [[nodiscard]] SessionEnd refusal_of(const Hello& hello) const noexcept;
   void begin(std::int64_t now_ns) noexcept;
 

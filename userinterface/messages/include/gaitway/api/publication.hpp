@@ -24,6 +24,8 @@ enum class Topic : std::uint8_t {
   motion_state,
   robot_state,
   commander,
+  link_state,
+  certificate_state,
   robot_description,
   clock,
   diagnostics,
@@ -72,6 +74,14 @@ inline constexpr std::array kTopics{
              "\"stopped\" by an emergency stop, \"falls\", has \"fallen\", or is \"gone\""},
     TopicRow{Topic::commander, "/commander", ros::String::kName, 0.0, true, "",
              "Name of who has the command; empty: nobody"},
+    TopicRow{Topic::link_state, "/link_state", ros::LinkState::kName, 0.0, true, "",
+             "Whether the module has the main controller at the other end of its link, since when, and if "
+             "not, why; "
+             "each second while it has not"},
+    TopicRow{
+        Topic::certificate_state, "/certificate_state", ros::String::kName, 0.0, true, "",
+        "What is wrong with the dates of the module's certificate, from two weeks before its end; empty: "
+        "nothing"},
     TopicRow{Topic::robot_description, "/robot_description", ros::String::kName, 0.0, true, "",
              "The robot's URDF"},
     TopicRow{Topic::clock, "/clock", ros::Clock::kName, 100.0, false, "", "The robot's clock"},

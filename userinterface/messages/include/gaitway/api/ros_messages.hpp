@@ -194,6 +194,15 @@ struct BusSlot {
   GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/BusSlot", header, cycle, slot, id, end_us, length_us, left_out);
 };
 
+// Whether the module has the main controller at the other end of its link.
+struct LinkState {
+  std::string state;     // "up", "down", or "refused": that lasts until somebody does something about it
+  std::string text;      // for people: what is wrong, with values, and what to do; empty: nothing
+  std::string link;      // as the module's option --link has it
+  double seconds = 0.0;  // for so long
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/LinkState", state, text, link, seconds);
+};
+
 struct Log {
   Time stamp;
   std::uint8_t level = 20;  // 10 DEBUG, 20 INFO, 30 WARN, 40 ERROR, 50 FATAL

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 
+#include "gaitway/api/link_watch.hpp"
 #include "gaitway/api/module_link.hpp"
 #include "gaitway/link/link_address.hpp"
 #include "gaitway/process/file_descriptor.hpp"
@@ -22,10 +24,13 @@ class LinkThread {
   LinkThread& operator=(const LinkThread&) = delete;
   ~LinkThread();
 
+  // As of now.
+  [[nodiscard]] LinkReport report() const;
+
  private:
   void run(const std::stop_token& stop);
   void connect(std::int64_t now_ns);
-  void follow_session(std::int64_t now_ns);
+  void watch(std::int64_t now_ns);
   void wait() const;
 
   ModuleLink& link_;
@@ -35,9 +40,9 @@ class LinkThread {
   std::unique_ptr<link::Carrier> carrier_;
   int carrier_fd_ = -1;
   std::int64_t tried_ns_ = 0;
-  std::string told_;  // why there is no link, as told last
-  std::int64_t closed_ns_ = 0;
-  bool open_ = false, complained_ = false;
+  std::string error_;  // why there is no carrier
+  mutable std::mutex mutex_;
+  LinkWatch watch_;  // with the mutex
   std::jthread thread_;
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -22,7 +23,7 @@
 namespace gaitway::api {
 
 struct ModuleLinkOptions {
-  std::uint64_t boot = 0;  // random and not 0
+  std::uint64_t boot = 0;               // random and not 0
   std::string name = "user_interface";  // for people at the other end
   link::LinkSettings link = settings();
   // An order's place is kept for as long as a client may wait for its answer.
@@ -116,6 +117,8 @@ class ModuleLink {
 
   contract::TopicCodec codec_, orders_;  // of state, of orders and answers
   StateMirror mirror_;
+  std::string robot_;
+  std::filesystem::path robot_directory_;
   std::uint16_t calibration_hash_;
   link::ModuleEnd end_;
   mutable std::mutex mutex_;

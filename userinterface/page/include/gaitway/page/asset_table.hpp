@@ -27,7 +27,9 @@ class AssetTable {
   std::map<std::string, Asset, std::less<>> assets_;
 };
 
-// Page, script, style and icon: the bundle of userinterface/web that is part of this program.
+// Page, script, style, icon and /version.json: the bundle of userinterface/web that is part of this program.
 void add_page(AssetTable& table);
+// Its version: another page has another one.
+[[nodiscard]] const std::string& page_version();
 
 }  // namespace gaitway::page

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "gaitway/api/server_setup.hpp"
 #include "gaitway/api/server_statistics.hpp"
@@ -25,6 +26,8 @@ struct ServerCallbacks {
 struct ServerPage {
   const page::AssetTable* assets = nullptr;
   SessionHub* view = nullptr;  // of the WebSockets at /view, which are written before all others
+  // Of the page: one of another version gets no view.
+  std::string_view version = {};
 };
 
 // All work is done by the thread in run(). After the constructor it makes no socket but by accept4, opens no

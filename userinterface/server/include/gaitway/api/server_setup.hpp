@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gaitway/api/admission.hpp"
+#include "gaitway/api/certificate_term.hpp"
 #include "gaitway/api/limits.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 
@@ -60,6 +61,10 @@ class ServerSetup {
   [[nodiscard]] bool has_tls() const noexcept { return !options_.certificate_file.empty(); }
   [[nodiscard]] bool is_ipv6() const noexcept { return ipv6_; }
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
+  // Of the certificate; nothing without TLS.
+  [[nodiscard]] const std::optional<CertificateTerm>& certificate_term() const noexcept {
+    return certificate_term_;
+  }
   // For people and clients: ws://127.0.0.1:9090
   [[nodiscard]] std::string url() const;
 
@@ -72,6 +77,7 @@ class ServerSetup {
   OriginRule origins_;
   std::optional<AccessToken> token_;
   TlsContext tls_;
+  std::optional<CertificateTerm> certificate_term_;
   process::FileDescriptor listener_;
   std::uint16_t port_ = 0;
   bool ipv6_ = false;

@@ -15,11 +15,12 @@ enum class Refusal : std::uint8_t {
   no_websocket,    // 426
   foreign_origin,  // 403
   wrong_token,     // 401
+  other_page,      // 409: a page of another version
   tls,             // the TLS handshake failed
   handshake_time,  // too slow
   left             // the client went away first
 };
-inline constexpr std::size_t kRefusalCount = 9;
+inline constexpr std::size_t kRefusalCount = 10;
 
 // Why a WebSocket ended.
 enum class Closing : std::uint8_t {
