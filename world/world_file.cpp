@@ -20,14 +20,13 @@ using Keys = std::vector<std::string_view>;
 
 using facts::kRadPerDegree;
 constexpr input::Range kShare{0.0, 1.0, ""};
-constexpr std::size_t kKinds = 7;
 
 Surface plain(double red, double green, double blue) {
   return {.kind = Surface::Kind::plain, .colours = {Colour{red, green, blue}}, .image = {}};
 }
 
-// Of parts that name none, by Kind.
-std::array<Surface, kKinds> usual_surfaces() {
+// By Kind; behind them the second one of steps.
+std::array<Surface, kUsualSurfaces> usual_surfaces() {
   const Surface floor{.kind = Surface::Kind::checker,
                       .colours = {Colour{0.86, 0.86, 0.86}, Colour{0.76, 0.76, 0.76}},
                       .repeat_m = 0.2,
@@ -38,7 +37,8 @@ std::array<Surface, kKinds> usual_surfaces() {
           plain(0.66, 0.72, 0.62),
           plain(0.70, 0.70, 0.76),
           plain(0.90, 0.88, 0.82),
-          plain(0.30, 0.50, 0.78)};
+          plain(0.30, 0.50, 0.78),
+          plain(0.50, 0.57, 0.64)};
 }
 
 Colour colour_of(const YamlValue& value) {
@@ -181,7 +181,7 @@ std::size_t WorldReader::surface_of(const YamlValue& part, Kind kind) const {
   if (found == surface_names_.end()) {
     named->refuse("the world has no such surface", input::suggest(named->text(), surface_names_));
   }
-  return kKinds + static_cast<std::size_t>(found - surface_names_.begin());
+  return kUsualSurfaces + static_cast<std::size_t>(found - surface_names_.begin());
 }
 
 std::string WorldReader::name_of(const YamlValue& part, const char* what) {

@@ -43,6 +43,7 @@ void read_staircase(WorldReader& reader, const YamlValue& map) {
     const double to_m = from_m + (i == count - 1 ? top_m : run_m);
     Solid tread = step;
     tread.name += fmt::format(" tread {}", i + 1);
+    if (i % 2 == 1 && !map.find("surface")) tread.surface = kSecondStepSurface;
     const int above = std::min(i, 2 * (count - 1) - i) + 1;
     add_ground(reader, map, std::move(tread), place, from_m, to_m, width_m, above * rise_m);
     from_m = to_m;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -24,9 +25,13 @@ inline constexpr input::Range kFriction{0.01, 5.0, ""};
 // Ground begins below the floor: a solid of a millimetre would be too thin to stand on.
 inline constexpr double kBuried_m = 0.05;
 
+// Surfaces of parts that name none: one for each kind, and a second one for every other step, so that one
+// sees where the next begins.
+inline constexpr std::size_t kSecondStepSurface = 7, kUsualSurfaces = 8;
+
 class WorldReader {
  public:
-  // With the surfaces that parts have which name none, one for each kind.
+  // With the usual surfaces.
   explicit WorldReader(const std::filesystem::path& file);
 
   void add_surface(const input::YamlValue& value, const std::string& surface_name, Surface surface);

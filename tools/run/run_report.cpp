@@ -102,8 +102,11 @@ Points outline(const world::Solid& solid) {
 }
 
 void draw_world(SvgPlot& plot, const std::vector<world::Solid>& solids) {
+  constexpr double kClearance_m = 0.05;
   for (const world::Solid& solid : solids) {
-    const std::string_view fill = world::is_ground(solid.kind)       ? "#94a3b826"
+    const bool hangs = solid.bounds_m().first.z() > kClearance_m;  // one walks below it
+    const std::string_view fill = hangs                              ? "none"
+                                  : world::is_ground(solid.kind)     ? "#94a3b826"
                                   : solid.kind == world::Kind::thing ? "#2563eb40"
                                                                      : "#b4530959";
     plot.background(outline(solid), kGrey, fill, fmt::format("{} '{}'", world::name(solid.kind), solid.name));
