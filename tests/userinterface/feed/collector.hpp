@@ -61,7 +61,7 @@ class Collector {
   std::array<std::size_t, kTopicCount> counts_{};
   Lists<ros::JointState, ros::Imu, ros::WrenchStamped, ros::PointStamped, ros::Odometry, ros::TFMessage,
         ros::PoseArray, ros::MotionState, ros::RobotState, ros::String, ros::Clock, ros::DiagnosticArray,
-        ros::BusSlot, ros::Log>
+        ros::BusSlot, ros::LinkState, ros::Log>
       kept_;
 };
 
