@@ -88,8 +88,8 @@ void add_services(TypeRegistry& registry) {
 
 void add_all_messages(TypeRegistry& registry) {
   using namespace ros;
-  add_messages<BusSlot, Clock, DiagnosticArray, Imu, JointState, LinkState, Log, MotionState, Odometry, PointStamped,
-               PoseArray, RobotState, String, TFMessage, Twist, WrenchStamped>(registry);
+  add_messages<BusSlot, Clock, DiagnosticArray, Imu, JointState, LinkState, Log, MotionState, Odometry,
+               PointStamped, PoseArray, RobotState, String, TFMessage, Twist, WrenchStamped>(registry);
 }
 
 void add_all_services(TypeRegistry& registry) {

@@ -94,8 +94,8 @@ std::string trouble_of(const CertificateTerm& term, std::int64_t now_s) {
         of(term.begins_last), date(term.begin_s), days(term.begin_s - now_s), date(now_s));
   }
   if (term.end_s - now_s < kShortTerm_s) {
-    return fmt::format("{} expires on {}, in {}: renew it before, and start the module anew", of(term.ends_first),
-                       date(term.end_s), days(term.end_s - now_s));
+    return fmt::format("{} expires on {}, in {}: renew it before, and start the module anew",
+                       of(term.ends_first), date(term.end_s), days(term.end_s - now_s));
   }
   return {};
 }

@@ -59,7 +59,7 @@ class ServerCore {
   // Of the time in which messages are carried out, before the sockets are looked at again: for a stop, say.
   static constexpr FairTurns::Budget kBudget{.each_ns = 200'000, .all_ns = 1'000'000};
   // In which the sockets are looked at meanwhile, at most.
-  static constexpr std::int64_t kSockets_ns = 2'000'000;
+  static constexpr std::int64_t kSockets_ns = 4'000'000;
 
   void pump_all();
   void post_work();

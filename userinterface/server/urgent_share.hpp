@@ -1,4 +1,5 @@
-// Which of a client's urgent messages need not wait for their turn, so that no client's urgency delays another's.
+// Which of a client's urgent messages need not wait for their turn, so that no client's urgency delays
+// another's.
 #pragma once
 
 #include "gaitway/api/session.hpp"
@@ -6,8 +7,8 @@
 namespace gaitway::api {
 
 // From one sweep to the next so many of each client, whatever the others do, and more while all have sent no
-// more than so many beyond. Who sends still more must wait for his turn. Emergencies have a number of their own:
-// they wait for no urgent ones of their own sender.
+// more than so many beyond. Who sends still more must wait for his turn. Emergencies have a number of their
+// own: they wait for no urgent ones of their own sender.
 class UrgentShare {
  public:
   // `beyond`: what all clients have taken beyond their own.

@@ -45,6 +45,8 @@ class WebSocketConnection final : public ClientLink {
  private:
   using ErrorCode = beast::error_code;
   static constexpr std::size_t kReadSlack = 4096;
+  // At once of one client: a stop behind a hundred others' large messages waits for so much of each.
+  static constexpr std::size_t kReadBytes = 4096;
   static constexpr unsigned char kCloseFrame = 0x88;
 
   [[nodiscard]] auto self() { return std::static_pointer_cast<WebSocketConnection>(shared_from_this()); }
@@ -252,7 +254,7 @@ void WebSocketConnection<Stream>::watch_control_frames() {
 
 template <class Stream>
 void WebSocketConnection<Stream>::read() {
-  socket_.async_read_some(message_, 0,
+  socket_.async_read_some(message_, kReadBytes,
                           [self = self()](ErrorCode error, std::size_t bytes) { self->take(error, bytes); });
 }
 

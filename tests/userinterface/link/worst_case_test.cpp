@@ -19,9 +19,11 @@ struct Longest {
   std::int64_t order_ns = 0, lone_order_ns = 0, stop_ns = 0;
 };
 
-// Advances carrier and ends to a moment, the ends at every `period_ns` (0: at every event of the carrier).
+// `advance_to` advances carrier and ends to a moment; after `emptied_ns` nothing of a stop that has been
+// obeyed is on the carrier any more.
 template <class Advance>
-Longest longest_waits(ModuleEnd& module, ControllerEnd& controller, Advance advance_to, int trials) {
+Longest longest_waits(ModuleEnd& module, ControllerEnd& controller, Advance advance_to,
+                      std::int64_t emptied_ns, int trials) {
   std::mt19937_64 random(7);
   std::int64_t now_ns = 0;
   Longest longest;
@@ -46,8 +48,13 @@ Longest longest_waits(ModuleEnd& module, ControllerEnd& controller, Advance adva
   const auto never = [] { return false; };
   run(300 * kMs, never);
   for (int i = 0; i < trials; ++i) {
+    const auto kind = random() % 3;  // with a stop, as it comes, with no stop under way
+    const bool with_stop = kind == 0, alone = kind == 2;
+    if (alone) {
+      run(200 * kMs, [&] { return module.stops().asked() == module.stops().obeyed(); });
+      run(emptied_ns, never);
+    }
     run(static_cast<std::int64_t>(random() % 40'000'000), never);
-    const bool with_stop = random() % 2 == 0;
     const std::uint32_t stops = controller.stops_asked().stops, before = fetched;
     if (with_stop) module.stop(StopKind::stop);
     EXPECT_EQ(module.submit(1, bytes_of(order), now_ns + 200 * kMs, now_ns).refusal, Refusal::none);
@@ -58,7 +65,7 @@ Longest longest_waits(ModuleEnd& module, ControllerEnd& controller, Advance adva
     }
     const std::int64_t order_ns = run(200 * kMs, [&] { return fetched > before; });
     longest.order_ns = std::max(longest.order_ns, order_ns);
-    if (!with_stop) longest.lone_order_ns = std::max(longest.lone_order_ns, order_ns);
+    if (alone) longest.lone_order_ns = std::max(longest.lone_order_ns, order_ns);
   }
   EXPECT_EQ(fetched, static_cast<std::uint32_t>(trials));
   return longest;
@@ -100,8 +107,10 @@ TEST(WorstCase, HoldsOnI2c) {
     while (const auto transfer_end_ns = bus.advance(until_ns)) pump_both(*transfer_end_ns);
     before_ns = until_ns;
   };
-  expect_within(longest_waits(module, controller, advance, gaitway::test::repeats(2000)), i2c_timing(timing),
-                settings, {});
+  const CarrierTiming carrier = i2c_timing(timing);
+  expect_within(longest_waits(module, controller, advance, worst_stop_wait_ns(carrier, settings),
+                              gaitway::test::repeats(2000)),
+                carrier, settings, {});
 }
 
 TEST(WorstCase, HoldsOnSerialLines) {
@@ -121,8 +130,9 @@ TEST(WorstCase, HoldsOnSerialLines) {
       pump(module, wire.left(), until_ns);
       pump(controller, wire.right(), until_ns);
     };
-    expect_within(longest_waits(module, controller, advance, gaitway::test::repeats(1000)), timing, settings,
-                  kPeriods);
+    expect_within(longest_waits(module, controller, advance, worst_stop_wait_ns(timing, settings, kPeriods),
+                                gaitway::test::repeats(1000)),
+                  timing, settings, kPeriods);
   }
 }
 

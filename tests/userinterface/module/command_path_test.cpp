@@ -1,6 +1,6 @@
-// A command's way from its arrival at the module to the last joint's frame, stage by stage, in virtual time: each
-// stage keeps what is proven of it, and all together what is published. GAITWAY_FIGURES names a file for what was
-// measured (bench/userinterface/server/command_path.py makes a table of it).
+// A command's way from its arrival at the module to the last joint's frame, stage by stage, in virtual time:
+// each stage keeps what is proven of it, and all together what is published. GAITWAY_FIGURES names a file for
+// what was measured (bench/userinterface/server/command_path.py makes a table of it).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,15 +58,16 @@ std::size_t user_command_bytes(std::size_t joints) {
   return contract::kStopsSeenBytes + codec.encode(TopicType<UserCommand>::descriptor, &command, room);
 }
 
-// While no other command is under way. The plug-in's thread and the message controller look once a millisecond;
-// the former is woken before that unless it is flooded.
+// While no other command is under way. The plug-in's thread and the message controller look once a
+// millisecond; the former is woken before that unless it is flooded.
 StageTimes worst_stages(const urdf::RobotModel& robot, test::Line line, Command command) {
   const link::CarrierTiming carrier = line == test::Line::i2c ? link::i2c_timing({}) : link::unix_timing();
   std::vector<can::NodeId> nodes;
   for (const urdf::Joint& joint : robot.joints) nodes.push_back(joint.node);
   const bool stop = command == Command::emergency_stop;
-  const auto bus_ns = can::prove(can::kFullProfile, nodes)
-                          .worst_response_ns(stop ? can::MessageKind::emergency_stop : can::MessageKind::user_command);
+  const auto bus_ns =
+      can::prove(can::kFullProfile, nodes)
+          .worst_response_ns(stop ? can::MessageKind::emergency_stop : can::MessageKind::user_command);
   return {stop ? link::worst_stop_wait_ns(carrier, {})
                : link::worst_lone_order_wait_ns(carrier, {}, user_command_bytes(robot.joints.size())),
           kMillisecond_ns, kMillisecond_ns, bus_ns.value()};
@@ -134,14 +135,16 @@ class CommandedRobot {
     for (int ms = 0; ms < 50 && !witness_.arrived_ns(); ++ms) {
       UserCommandAnswer answer;
       millisecond();
-      if (!offered_ns && (stop ? stop_answers_.newest_sequence() != obeyed : bool{command_answers_.read(answer)})) {
+      if (!offered_ns &&
+          (stop ? stop_answers_.newest_sequence() != obeyed : bool{command_answers_.read(answer)})) {
         offered_ns = run_.now_ns() - kMillisecond_ns;
       }
     }
     linked_.exchanged = {};
     if (!witness_.arrived_ns() || !offered_ns || !heard_ns) return std::nullopt;
     // The plug-in writes as soon as it has heard.
-    return StageTimes{*heard_ns - arrived_ns, 0, *offered_ns - *heard_ns, *witness_.arrived_ns() - *offered_ns};
+    return StageTimes{*heard_ns - arrived_ns, 0, *offered_ns - *heard_ns,
+                      *witness_.arrived_ns() - *offered_ns};
   }
   // Until another command can be given.
   void recover(Command command, std::int64_t pause_ms) {
@@ -193,7 +196,8 @@ class CommandedRobot {
 
 std::int64_t share(std::vector<std::int64_t> values, double part) {
   std::ranges::sort(values);
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
+  return values[std::min(values.size() - 1,
+                         static_cast<std::size_t>(part * static_cast<double>(values.size())))];
 }
 
 class CommandPath : public testing::TestWithParam<std::tuple<test::Line, Command>> {};
@@ -208,7 +212,8 @@ TEST_P(CommandPath, EachStageKeepsItsWorstCaseAndAllTogetherTheLimit) {
   const char* const file = std::getenv("GAITWAY_FIGURES");
   const int trials = file == nullptr ? GAITWAY_TRIALS : kTrialsOfFigures;
   for (int trial = 0; trial < trials; ++trial) {
-    const auto stages = robot.stages_of(command, std::uniform_int_distribution<std::int64_t>(1, kMillisecond_ns - 1)(random));
+    const auto stages =
+        robot.stages_of(command, std::uniform_int_distribution<std::int64_t>(1, kMillisecond_ns - 1)(random));
     ASSERT_TRUE(stages) << "trial " << trial;
     for (std::size_t stage = 0; stage < kStages; ++stage) {
       ASSERT_LE((*stages)[stage], worst[stage]) << kStageNames[stage] << ", trial " << trial;

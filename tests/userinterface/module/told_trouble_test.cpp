@@ -35,8 +35,8 @@ TEST(ToldTrouble, AnExpiredCertificateIsInTheLogAndOnATopicAndRefusesNobody) {
   const ModuleProcess module(
       {"--token-file", files.token(), "--certificate-file", files.certificate(), "--key-file", files.key()});
   EXPECT_THAT(module.said(),
-              AllOf(HasSubstr("the certificate of 'localhost' in certificate_file"), HasSubstr("expired on"), HasSubstr("1 day ago"),
-                    HasSubstr(files.certificate().native()), HasSubstr("renew it")));
+              AllOf(HasSubstr("the certificate of 'localhost' in certificate_file"), HasSubstr("expired on"),
+                    HasSubstr("1 day ago"), HasSubstr(files.certificate().native()), HasSubstr("renew it")));
   WebSocketClient client(module.port(),
                          {.headers = {{"Authorization", "Bearer " + std::string(SecretFiles::kToken)}},
                           .tls = true,

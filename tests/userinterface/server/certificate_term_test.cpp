@@ -51,9 +51,10 @@ TEST(CertificateTerm, IsReadFromTheFileAndRefusesNobody) {
   {
     const ServerSetup setup(options);
     ASSERT_TRUE(setup.certificate_term());
-    EXPECT_THAT(trouble_of(*setup.certificate_term(), std::time(nullptr)),
-                AllOf(HasSubstr(files.certificate().native()), HasSubstr("of 'localhost' in certificate_file"), HasSubstr("expired on"),
-                      HasSubstr("1 day ago")));
+    EXPECT_THAT(
+        trouble_of(*setup.certificate_term(), std::time(nullptr)),
+        AllOf(HasSubstr(files.certificate().native()), HasSubstr("of 'localhost' in certificate_file"),
+              HasSubstr("expired on"), HasSubstr("1 day ago")));
   }
   RunningServer server(options);
   WebSocketClient client(server.port(),
