@@ -48,8 +48,8 @@ Longest longest_waits(ModuleEnd& module, ControllerEnd& controller, Advance adva
   const auto never = [] { return false; };
   run(300 * kMs, never);
   for (int i = 0; i < trials; ++i) {
-    const auto kind = random() % 3;  // with a stop, as it comes, with no stop under way
-    const bool with_stop = kind == 0, alone = kind == 2;
+    const auto kind = random() % 4;
+    const bool with_stop = kind < 2, alone = kind == 3;  // else as it comes
     if (alone) {
       run(200 * kMs, [&] { return module.stops().asked() == module.stops().obeyed(); });
       run(emptied_ns, never);
