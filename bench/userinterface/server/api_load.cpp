@@ -14,7 +14,9 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "gaitway/api/publication.hpp"
 
@@ -39,7 +41,9 @@ class Client {
   Client(asio::io_context& io, const Robot& robot, bool reads, bool cbor, TlsContext&... tls)
       : socket_(io, tls...), robot_(robot), reads_(reads), cbor_(cbor) {}
 
-  void start() {
+  // `then`: called once it is in, or is not let in.
+  void start(std::function<void()> then) {
+    then_ = std::move(then);
     beast::get_lowest_layer(socket_).async_connect(robot_.server, [this](beast::error_code error) {
       if (error) {
         return end(error);
@@ -65,6 +69,7 @@ class Client {
         return end(refused);
       }
       open_ = true;
+      go_on();
       if (robot_.token.empty()) {
         subscribe(0);
       } else {
@@ -106,12 +111,21 @@ class Client {
       read();
     });
   }
-  void end(beast::error_code) { open_ = false; }
+  void end(beast::error_code) {
+    open_ = false;
+    go_on();
+  }
+  void go_on() {
+    if (const auto then = std::exchange(then_, nullptr)) {
+      then();
+    }
+  }
 
   beast::websocket::stream<Stream> socket_;
   const Robot& robot_;
   bool reads_, cbor_;
   bool open_ = false;
+  std::function<void()> then_;
   std::string request_;
   beast::flat_buffer buffer_;
   std::uint64_t messages_ = 0, bytes_ = 0, told_ = 0;
@@ -129,8 +143,14 @@ int load(const Robot& robot, const Wish& wish, TlsContext&... tls) {
   std::deque<Client<Stream>> all;
   for (int i = 0; i < wish.clients; ++i) {
     all.emplace_back(io, robot, i >= wish.silent, i % 2 == 0, tls...);
-    all.back().start();
   }
+  // One after the other: so many strangers of one address at once are not let in.
+  std::function<void(std::size_t)> start = [&](std::size_t at) {
+    if (at < all.size()) {
+      all[at].start([&start, at] { start(at + 1); });
+    }
+  };
+  start(0);
   asio::steady_timer over(
       io, std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(wish.seconds)));
   over.async_wait([&io](beast::error_code) { io.stop(); });

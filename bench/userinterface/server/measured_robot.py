@@ -23,9 +23,10 @@ class MeasuredRobot:
     """The processes, from entry to exit. `bus_port`: where frames are told by the socketcand protocol. `address`: of the module, with
     its options."""
 
-    def __init__(self, folder, address="127.0.0.1", options=(), link=None):
+    def __init__(self, folder, address="127.0.0.1", options=(), link=None, before=()):
         self.folder, self.address, self.options = folder, address, options
         self.link = link or folder / "link"  # where the module connects; the plug-in listens at `link` in the folder
+        self.before = before  # of each command line: what limits the processes
         self.processes = []
 
     def __enter__(self):
@@ -59,7 +60,7 @@ class MeasuredRobot:
 
     def _start(self, name, *arguments):
         with open(self.folder / f"{name}.txt", "wb") as output:
-            self.processes.append(subprocess.Popen([BIN / name, "--robot", ROBOT, *map(str, arguments)], stdout=output,
+            self.processes.append(subprocess.Popen([*self.before, BIN / name, "--robot", ROBOT, *map(str, arguments)], stdout=output,
                                                    stderr=subprocess.STDOUT))
 
     def _said(self, pattern, name):
