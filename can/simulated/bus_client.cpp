@@ -110,6 +110,9 @@ std::optional<TimedFrame> BusClient::receive() {
     bus_time_ns_ = std::max(bus_time_ns_, record.kind == Kind::mark ? record.start_ns : record.end_ns);
     if (record.kind == Kind::sent) {
       --unsent_;
+      if (!protocol::valid_frame(record)) {
+        continue;
+      }
       notices_.push({BusNotice::Kind::sent, {protocol::frame_of(record), record.start_ns, record.end_ns}});
     } else if (record.kind == Kind::error) {
       notices_.push({BusNotice::Kind::error, {{}, record.start_ns, record.end_ns}});

@@ -22,10 +22,18 @@ std::optional<std::int64_t> seconds_of(const ASN1_TIME* time) {
                                                              : std::nullopt;
 }
 
-// Its common name, or all of its name where there is none.
+// Its common name, or all of its name where there is none, or its serial number where it has no name: its
+// hosts stand elsewhere then.
 std::string subject_of(const X509& certificate) {
   X509_NAME* const name = X509_get_subject_name(&certificate);
   std::array<char, 256> text{};
+  if (X509_NAME_entry_count(name) == 0) {
+    const std::unique_ptr<BIGNUM, decltype(&BN_free)> number(
+        ASN1_INTEGER_to_BN(X509_get0_serialNumber(&certificate), nullptr), BN_free);
+    const std::unique_ptr<char, void (*)(char*)> digits(number ? BN_bn2hex(number.get()) : nullptr,
+                                                        [](char* taken) { OPENSSL_free(taken); });
+    return fmt::format("no name, serial number {}", digits ? digits.get() : "unknown");
+  }
   if (X509_NAME_get_text_by_NID(name, NID_commonName, text.data(), text.size()) <= 0) {
     X509_NAME_oneline(name, text.data(), static_cast<int>(text.size()));
   }
@@ -105,6 +113,7 @@ std::optional<std::string> CertificateWatch::look(std::int64_t now_s, std::uint6
   std::string trouble = trouble_of(term_, now_s);
   if (trouble.empty()) {
     told_.clear();
+    failed_ = failed_handshakes;
     return std::nullopt;
   }
   const std::int64_t since_s = now_s < told_s_ ? kDay_s : now_s - told_s_;

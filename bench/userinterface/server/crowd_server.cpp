@@ -1,6 +1,6 @@
-// A server of many WebSockets that has no robot: sends each client so many messages a second of so many bytes, as the
-// user interface module does to who subscribes to everything. What a crowd costs the robot although it is
-// somebody else's is measured with it (crowd.py).
+// A server of many WebSockets that has no robot: sends each client so many messages a second of so many
+// bytes, as the user interface module does to who subscribes to everything. What a crowd costs the robot
+// although it is somebody else's is measured with it (crowd.py).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -74,7 +74,8 @@ class Listener : public std::enable_shared_from_this<Listener> {
                       });
   }
   void wait() {
-    due_ += std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 * speech_.at_once / speech_.messages_per_s));
+    due_ +=
+        std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 * speech_.at_once / speech_.messages_per_s));
     timer_.expires_at(due_);
     timer_.async_wait([self = shared_from_this()](beast::error_code error) {
       if (!error) {
@@ -107,7 +108,9 @@ int main(int argc, char** argv) {
   std::uint16_t port = 0;
   Speech speech;
   app.add_option("--port", port, "0: any; it is printed")->capture_default_str();
-  app.add_option("--bytes", speech.bytes, "Of a message")->check(CLI::Range(126, 65535))->capture_default_str();
+  app.add_option("--bytes", speech.bytes, "Of a message")
+      ->check(CLI::Range(126, 65535))
+      ->capture_default_str();
   app.add_option("--messages-per-s", speech.messages_per_s, "To each client")->capture_default_str();
   app.add_option("--at-once", speech.at_once, "Of these, in each turn")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

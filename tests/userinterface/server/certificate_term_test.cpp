@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <ctime>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "gaitway/api/server_setup.hpp"
@@ -65,6 +67,24 @@ TEST(CertificateTerm, IsReadFromTheFileAndRefusesNobody) {
   EXPECT_EQ(client.receive().text, "as ever");
 }
 
+// Its issuer's dates are not taken for its own.
+TEST(CertificateTerm, OneWithoutANameBeforeItsIssuerIsSpokenOf) {
+  const SecretFiles own(SecretFiles::KeyKind::elliptic, {-10 * SecretFiles::kDay, -SecretFiles::kDay}, "");
+  const SecretFiles issuer(SecretFiles::KeyKind::elliptic, {-10 * SecretFiles::kDay, 90 * SecretFiles::kDay});
+  std::ostringstream chain;
+  for (const SecretFiles* files : {&own, &issuer}) {
+    chain << std::ifstream(files->certificate()).rdbuf();
+  }
+  ServerOptions options = local();
+  options.token_file = own.token();
+  options.certificate_file = own.write("chain.pem", chain.str());
+  options.key_file = own.key();
+  const ServerSetup setup(options);
+  ASSERT_TRUE(setup.certificate_term());
+  EXPECT_THAT(trouble_of(*setup.certificate_term(), std::time(nullptr)),
+              AllOf(HasSubstr("of 'no name, serial number 01'"), HasSubstr("1 day ago")));
+}
+
 TEST(CertificateTerm, OfNoCertificateThereIsNone) {
   EXPECT_FALSE(ServerSetup(local()).certificate_term());
 }
@@ -80,6 +100,12 @@ TEST(CertificateWatch, SaysItWhenItBeginsDailyAndWhenItEnds) {
   EXPECT_THAT(watch.look(kTerm.end_s + 1, 0).value(), HasSubstr("expired on"))
       << "though a day has not passed";
   EXPECT_THAT(watch.trouble(), HasSubstr("expired on"));
+}
+
+TEST(CertificateWatch, CountsNoHandshakesThatFailedWhileNothingWasWrong) {
+  CertificateWatch watch(kTerm);
+  EXPECT_FALSE(watch.look(kNewYear_s + kDay_s, 50));
+  EXPECT_THAT(watch.look(kTerm.end_s + kDay_s, 52).value(), HasSubstr("(2 TLS handshakes"));
 }
 
 TEST(CertificateWatch, SaysItAgainWhenHandshakesFailAndNeverInAFlood) {

@@ -40,7 +40,8 @@ Key write_key(const std::filesystem::path& path, SecretFiles::KeyKind kind) {
   return key;
 }
 
-void write_certificate(const std::filesystem::path& path, EVP_PKEY& key, SecretFiles::Validity validity) {
+void write_certificate(const std::filesystem::path& path, EVP_PKEY& key, SecretFiles::Validity validity,
+                       const std::string& host) {
   const Certificate certificate(X509_new());
   X509* const x509 = certificate.get();
   X509_set_version(x509, 2);
@@ -49,8 +50,10 @@ void write_certificate(const std::filesystem::path& path, EVP_PKEY& key, SecretF
   X509_gmtime_adj(X509_getm_notAfter(x509), validity.ends_s);
   X509_set_pubkey(x509, &key);
   X509_NAME* const name = X509_get_subject_name(x509);
-  const unsigned char host[] = "localhost";
-  X509_NAME_add_entry_by_txt(name, "CN", MBSTRING_ASC, host, -1, -1, 0);
+  if (!host.empty()) {
+    X509_NAME_add_entry_by_txt(name, "CN", MBSTRING_ASC, reinterpret_cast<const unsigned char*>(host.data()),
+                               static_cast<int>(host.size()), -1, 0);
+  }
   X509_set_issuer_name(x509, name);
   if (X509_sign(x509, &key, EVP_sha256()) == 0 || PEM_write_X509(create(path).get(), x509) != 1) {
     throw std::runtime_error("cannot make the certificate " + path.native());
@@ -59,7 +62,7 @@ void write_certificate(const std::filesystem::path& path, EVP_PKEY& key, SecretF
 
 }  // namespace
 
-SecretFiles::SecretFiles(KeyKind kind, Validity validity) {
+SecretFiles::SecretFiles(KeyKind kind, Validity validity, const std::string& name) {
   std::string pattern = (std::filesystem::temp_directory_path() / "gaitway_api_XXXXXX").native();
   if (mkdtemp(pattern.data()) == nullptr) {
     throw std::runtime_error("cannot make " + pattern);
@@ -67,7 +70,7 @@ SecretFiles::SecretFiles(KeyKind kind, Validity validity) {
   folder_ = pattern;
   static_cast<void>(write("token", std::string(kToken) + "\n"));
   const Key key_pair = write_key(key(), kind);
-  write_certificate(certificate(), *key_pair, validity);
+  write_certificate(certificate(), *key_pair, validity, name);
   static_cast<void>(write_key(other_key(), KeyKind::elliptic));
 }
 

@@ -22,7 +22,9 @@ class SecretFiles {
   };
   static constexpr long kDay = 24L * 3600;  // s
 
-  explicit SecretFiles(KeyKind kind = KeyKind::elliptic, Validity validity = {-kDay, kDay});
+  // `name`: of the certificate's subject; empty: it has none, as one whose hosts stand in an extension alone.
+  explicit SecretFiles(KeyKind kind = KeyKind::elliptic, Validity validity = {-kDay, kDay},
+                       const std::string& name = "localhost");
   ~SecretFiles();
   SecretFiles(const SecretFiles&) = delete;
   SecretFiles& operator=(const SecretFiles&) = delete;

@@ -81,7 +81,9 @@ export class BusPicture {
       return;
     }
     const { sec, nanosec } = this.slot.header.stamp;
-    const age_ms = Math.max(robot_ms - sec * 1000 - nanosec / 1e6, 0);
+    const since_ms = robot_ms - sec * 1000 - nanosec / 1e6;
+    // Of a run before this one, when it lies ahead.
+    const age_ms = since_ms < -oldAfter_ms ? NaN : Math.max(since_ms, 0);
     const old = !live || Number.isNaN(age_ms) || age_ms > oldAfter_ms;
     this.box.classList.toggle("old", old && !this.held);
     const how = this.held ? "held, " : old ? "old: " : "";

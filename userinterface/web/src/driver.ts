@@ -71,11 +71,12 @@ export class Driver {
   }
 
   private look(): void {
+    const padWish = this.pad.wish; // its stop buttons work whatever the page may do
     if (this.retired) return;
     const { drive, freshness, command, news } = this.context;
     const now_ms = performance.now();
     const screen = { ahead: this.walk.y, turn: -this.walk.x, left: -this.side.x };
-    const wish = strongest([screen, this.keys.wish, document.hidden ? undefined : this.pad.wish]);
+    const wish = strongest([screen, this.keys.wish, document.hidden ? undefined : padWish]);
     this.walk.mirror(-wish.turn, wish.ahead);
     this.side.mirror(-wish.left, 0);
     const held = velocityOf(wish, this.bounds);
