@@ -131,8 +131,9 @@ void LinkHost::turn_away(process::FileDescriptor connection, const link::Control
 
 void LinkHost::follow_session(const link::ControllerEnd& end, std::int64_t now_ns) {
   const std::uint32_t session = end.session().open() ? end.session().count() : 0;
+  const bool refused_anew = std::exchange(refusals_, end.session().refusals()) != end.session().refusals();
   if (std::exchange(session_, session) == session) {
-    if (link::is_refusal(end.session().why())) {
+    if (refused_anew && link::is_refusal(end.session().why())) {
       tell_refusal(fmt::format("no link to the user interface module: {}", end.session().description()),
                    now_ns);
     }

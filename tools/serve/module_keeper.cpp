@@ -70,21 +70,19 @@ void ModuleKeeper::keep() {
   std::int64_t pause_ns = kFirstPause_ns;
   while (true) {
     const std::int64_t born_ns = process::monotonic_ns();
-    if (!start()) {
-      first_state_ = 2;
-      first_state_.notify_all();
-      return;
-    }
-    const bool serves = comes_to_serve();
+    const bool started = start();
+    const bool serves = started && comes_to_serve();
     if (first_state_ == 0) {
       first_state_ = serves ? 1 : 2;
       first_state_.notify_all();
     }
-    const int status = wait_for_end();
+    const int status = started ? wait_for_end() : 0;
     if (first_state_ == 2 || readable(ending_.get(), 0)) {
       return;
     }
-    report(status);
+    if (started) {
+      report(status);
+    }
     pause_ns = process::monotonic_ns() - born_ns > kShortLife_ns ? kFirstPause_ns
                                                                  : std::min(2 * pause_ns, kLongestPause_ns);
     if (readable(ending_.get(), static_cast<int>(pause_ns / 1'000'000))) {
@@ -94,9 +92,14 @@ void ModuleKeeper::keep() {
 }
 
 bool ModuleKeeper::start() {
+  const auto fail = [](const char* what) {
+    fmt::print(stderr, "gaitway serve: the user interface module cannot be started: {}: {}\n", what,
+               std::strerror(errno));
+    return false;
+  };
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    return false;
+    return fail("no pipe");
   }
   ready_ = process::FileDescriptor(ends[0]);
   const process::FileDescriptor says(ends[1]);
@@ -120,11 +123,18 @@ bool ModuleKeeper::start() {
     }
     _exit(127);
   }
-  process_ = child;
-  if (child > 0) {
-    pidfd_ = process::FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
+  if (child < 0) {
+    return fail("no process");
   }
-  return child > 0 && pidfd_;
+  pidfd_ = process::FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
+  if (!pidfd_) {
+    const bool failed = fail("it cannot be watched");
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    return failed;
+  }
+  process_ = child;
+  return true;
 }
 
 bool ModuleKeeper::comes_to_serve() const {

@@ -114,6 +114,7 @@ void Session::step(std::int64_t now_ns) noexcept {
 
 void Session::on_hello(const Hello& hello, std::int64_t now_ns) noexcept {
   if (const SessionEnd refusal = refusal_of(hello); refusal != SessionEnd::none) {
+    ++refusals_;
     refused_ = hello;  // which bears that one's name, if it has a session with another
     end(has_another(hello) ? SessionEnd::occupied : refusal);
     return;
@@ -138,6 +139,7 @@ void Session::on_hello(const Hello& hello, std::int64_t now_ns) noexcept {
 }
 
 void Session::on_hello_of_version(std::uint16_t version) noexcept {
+  ++refusals_;
   refused_ = {};
   refused_.version = version;
   end(SessionEnd::wrong_version);

@@ -117,6 +117,16 @@ TEST_F(LinkHostTest, AModuleOfAnotherRobotIsRefusedAndToldOfOnce) {
   EXPECT_EQ(std::count(reports.begin(), reports.end(), '\n'), 1) << reports;
 }
 
+TEST_F(LinkHostTest, AModuleThatWasRefusedAndHasGoneIsSpokenOfNoMore) {
+  {
+    Module other(path, 11, "the module", 2);
+    pass(200, {&other});
+  }
+  reports.clear();
+  pass(61'000, {});
+  EXPECT_EQ(reports, "");
+}
+
 TEST_F(LinkHostTest, AModuleThatComesAfterAnotherHasGoneIsLinked) {
   {
     Module first(path, 11, "the first one");

@@ -184,14 +184,14 @@ TEST_F(LinkThreadTest, ASecondModuleIsRefusedByNameAndTheFirstGoesOn) {
 }
 
 TEST_F(LinkThreadTest, AModuleOfAnotherRobotsFolderIsRefusedAndSaysWhichFolder) {
-  const Robot robot(folder_.path() / "link", robot_model_);
+  const std::filesystem::path path = folder_.path() / "that_no_other_module_wants";
+  const Robot robot(path, robot_model_);
   const std::filesystem::path other = folder_.path() / "other";
   std::filesystem::copy(robot_model_.directory, other, std::filesystem::copy_options::recursive);
   std::ofstream(other / "robot.yaml", std::ios::app) << "# changed\n";
   ModuleLink module(urdf::load_robot(other), {.boot = link::random_boot(), .name = "the other's"});
   std::string told;
-  LinkThread thread(module, {.path = folder_.path() / "link"},
-                    [&](const std::string& line) { note(told, line); });
+  LinkThread thread(module, {.path = path}, [&](const std::string& line) { note(told, line); });
   serve_until([&] { return thread.report().state == LinkReport::State::refused; });
   EXPECT_THAT(thread.report().text, AllOf(HasSubstr("has the robot's description"), HasSubstr("'robot', has"),
                                           HasSubstr("here it is 'humanoid22' of " + other.native())));

@@ -45,7 +45,7 @@ class LinkHost {
   int wake_fd_ = -1;
   std::int64_t tried_ns_ = 0;
   std::string line_error_;  // why there is no line, as told last
-  std::uint32_t session_ = 0;
+  std::uint32_t session_ = 0, refusals_ = 0;
   std::string refusal_;  // as told last
   std::int64_t refusal_told_ns_ = 0;
   std::int64_t wakes_since_ns_ = 0;

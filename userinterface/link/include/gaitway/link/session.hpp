@@ -77,6 +77,8 @@ class Session {
   // As it calls itself, for people: printable.
   [[nodiscard]] std::string peer_name() const;
   [[nodiscard]] SessionEnd why() const noexcept { return end_; }
+  // How many hellos were refused: whoever is refused and still there says one after the other.
+  [[nodiscard]] std::uint32_t refusals() const noexcept { return refusals_; }
   // For a module that comes while the controller has a session with another one: what refuses it, with the
   // other one's name in the place of the own.
   [[nodiscard]] Hello refusal_of_another() const noexcept;
@@ -98,7 +100,7 @@ class Session {
   Hello refused_;  // the last hello that did not fit
   std::int64_t hello_period_ns_, silence_ns_;
   SessionEnd end_ = SessionEnd::not_begun;
-  std::uint32_t tag_ = 0, begun_ = 0;
+  std::uint32_t tag_ = 0, begun_ = 0, refusals_ = 0;
   std::int64_t heard_ns_ = 0;
   std::optional<std::int64_t> hello_sent_ns_;
   bool hello_wanted_ = true;
