@@ -15,12 +15,11 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "tools/bus/bus_options.hpp"
+#include "tools/bus/log_input.hpp"
 #include "tools/bus/log_replay.hpp"
 
 namespace gaitway::tools {
 namespace {
-
-using facts::kMillisecond_ns;
 
 constexpr int kExitDiffers = 3;
 
@@ -34,49 +33,6 @@ struct BusReplayOptions {
   std::optional<std::filesystem::path> scenario;  // of the recorded run
   std::filesystem::path out;                      // CSV; empty: none
 };
-
-// A log that begins later than this after time zero was not taken from the robot's own clock.
-constexpr std::int64_t kLatestStart_ns = 1'000'000'000;
-
-// Frames in order, most of them messages of this profile.
-void check_log(const std::filesystem::path& file, const std::vector<can::LoggedFrame>& log,
-               const can::Profile& profile) {
-  if (log.empty()) {
-    throw std::invalid_argument(
-        fmt::format("{}: no frame in it. Give a log that `gaitway run` or candump -L wrote", file.string()));
-  }
-  std::size_t known = 0;
-  for (std::size_t i = 0; i < log.size(); ++i) {
-    if (i > 0 && log[i].time_ns < log[i - 1].time_ns) {
-      throw std::invalid_argument(
-          fmt::format("{}: frame {} at {:.6f} s comes before the one above it: frames must be in order of "
-                      "time. Sort the log",
-                      file.string(), i + 1, static_cast<double>(log[i].time_ns) * 1e-9));
-    }
-    const can::Frame& frame = log[i].frame;
-    const auto message = profile.identify(frame.id);
-    known += message && frame.size == can::layout(message->kind).size ? 1U : 0U;
-  }
-  if (2 * known < log.size()) {
-    throw std::invalid_argument(fmt::format(
-        "{}: {} of {} frames are no messages of the profile '{}'. Give the recorded run's --profile",
-        file.string(), log.size() - known, log.size(), profile.name));
-  }
-}
-
-// A log of another clock than the robot's is laid out so that its first frame is within its first
-// millisecond; returns what was taken off.
-std::int64_t start_at_zero(std::vector<can::LoggedFrame>& log) {
-  const std::int64_t first_ns = log.front().time_ns;
-  if (first_ns <= kLatestStart_ns) {
-    return 0;
-  }
-  const std::int64_t shift_ns = first_ns / kMillisecond_ns * kMillisecond_ns;
-  for (can::LoggedFrame& logged : log) {
-    logged.time_ns -= shift_ns;
-  }
-  return shift_ns;
-}
 
 std::string csv_header(const urdf::RobotModel& robot) {
   std::string header = "time_s";
@@ -132,9 +88,8 @@ void print(const BusReplayOptions& options, const BusRobot& robot, const ReplayR
 
 int replay_bus_log(const BusReplayOptions& options) {
   const BusRobot robot = load_bus_robot(options.robot);
-  std::vector<can::LoggedFrame> log = can::read_candump_log(options.log);
-  check_log(options.log, log, robot.profile);
-  const std::int64_t shift_ns = start_at_zero(log);
+  RobotLog log = read_robot_log(options.log, robot.profile);
+  const std::int64_t shift_ns = log.shift_ns;
   ReplayOptions replay_options{
       .plant = {.seed = options.seed, .mismatch = options.mismatch, .conditions = {}},
       .comparison = options.references_only ? ReplayComparison::references : ReplayComparison::everything,
@@ -153,7 +108,7 @@ int replay_bus_log(const BusReplayOptions& options) {
       csv += csv_row(robot.model, now_ns, joints, plant);
     });
   }
-  const ReplayResult result = replay.run(log);
+  const ReplayResult result = replay.run(log.frames);
   if (!options.out.empty()) {
     process::write_text_file(options.out, csv);
   }

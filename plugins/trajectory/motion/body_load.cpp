@@ -36,12 +36,7 @@ const BodyLoad& BodyLoadCalculator::compute(const std::array<BodyPosture, 3>& po
   load_.speed_rad_per_s = (posture[2].joint_rad - posture[0].joint_rad) / (2.0 * interval_s);
   load_.acceleration_rad_per_s2 =
       (posture[2].joint_rad - 2.0 * posture[1].joint_rad + posture[0].joint_rad) / (interval_s * interval_s);
-  if (contact != Contact::none) stand(posture, interval_s, contact, sole);
-  return load_;
-}
-
-void BodyLoadCalculator::stand(const std::array<BodyPosture, 3>& posture, double interval_s, Contact contact,
-                               const std::array<Eigen::Isometry3d, 2>& sole) {
+  if (contact == Contact::none) return load_;
   const Eigen::Vector3d before =
       rotation_vector(posture[1].pelvis.linear() * posture[0].pelvis.linear().transpose());
   const Eigen::Vector3d after =
@@ -55,6 +50,21 @@ void BodyLoadCalculator::stand(const std::array<BodyPosture, 3>& posture, double
   motion_.joint_rad = posture[1].joint_rad;
   motion_.speed_rad_per_s = load_.speed_rad_per_s;
   motion_.acceleration_rad_per_s2 = load_.acceleration_rad_per_s2;
+  stand(contact, sole);
+  return load_;
+}
+
+const BodyLoad& BodyLoadCalculator::compute(const BodyMotion& motion, Contact contact,
+                                            const std::array<Eigen::Isometry3d, 2>& sole) {
+  load_.speed_rad_per_s = motion.speed_rad_per_s;
+  load_.acceleration_rad_per_s2 = motion.acceleration_rad_per_s2;
+  if (contact == Contact::none) return load_;
+  motion_ = motion;
+  stand(contact, sole);
+  return load_;
+}
+
+void BodyLoadCalculator::stand(Contact contact, const std::array<Eigen::Isometry3d, 2>& sole) {
   const Wrench ground = dynamics_.move(motion_);
 
   // In free fall there is no ZMP; a hundredth of the weight keeps the numbers finite, and is refused

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
 #include "gaitway/api/ros_messages.hpp"
@@ -66,6 +67,38 @@ TEST(CdrCodec, AppendsToWhatIsThereAndAlignsFromItsOwnBeginning) {
   std::string out = "123";
   append_cdr(out, ros::Time{1, 2});
   EXPECT_EQ(out, "123"s + cdr(ros::Time{1, 2}));
+}
+
+TEST(CdrReader, ReadsWhatIsWrittenWhateverItIs) {
+  ros::JointState joints;
+  joints.header.frame_id = "b";
+  joints.name = {"left_knee", "", "x"};
+  joints.position = {1.5, -2.0, 0.0};
+  const auto back = read_cdr<ros::JointState>(cdr(joints));
+  EXPECT_EQ(back.header.frame_id, "b");
+  EXPECT_EQ(back.name, joints.name);
+  EXPECT_EQ(back.position, joints.position);
+  EXPECT_TRUE(back.velocity.empty());
+  ros::Odometry odometry;
+  odometry.pose.pose.orientation.w = 0.5;
+  odometry.pose.covariance[35] = 7.0;
+  odometry.child_frame_id = "base";
+  EXPECT_EQ(cdr(read_cdr<ros::Odometry>(cdr(odometry))), cdr(odometry));
+}
+
+TEST(CdrReader, RefusesWhatIsCutOffAndWhatIsNoCdr) {
+  ros::JointState joints;
+  joints.name = {"left_knee"};
+  joints.position = {1.5};
+  const std::string whole = cdr(joints);
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_THROW((void)read_cdr<ros::JointState>(whole.substr(0, size)), std::invalid_argument) << size;
+  std::string large = whole;
+  large[12 + 3] = '\x7f';  // of the frame's name: its length
+  EXPECT_THROW((void)read_cdr<ros::JointState>(large), std::invalid_argument);
+  std::string big_endian = whole;
+  big_endian[1] = '\0';
+  EXPECT_THROW((void)read_cdr<ros::JointState>(big_endian), std::invalid_argument);
 }
 
 }  // namespace

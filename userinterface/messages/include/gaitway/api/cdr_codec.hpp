@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -75,6 +76,71 @@ class CdrWriter {
 template <class Message>
 void append_cdr(std::string& out, const Message& message) {
   CdrWriter(out).write(message);
+}
+
+// Reads what CdrWriter writes. Whatever the bytes: a message, or std::invalid_argument that says what is
+// wrong.
+class CdrReader {
+ public:
+  explicit CdrReader(std::string_view message) {
+    if (message.substr(0, 2) != std::string_view("\x00\x01", 2) || message.size() < 4)
+      throw std::invalid_argument("is no plain CDR message, little endian");
+    bytes_ = message.substr(4);
+  }
+
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  void read(Number& value) {
+    static_assert(std::endian::native == std::endian::little, "numbers are copied as they lie in memory");
+    at_ += (sizeof value - at_ % sizeof value) % sizeof value;
+    const std::string_view taken = take(sizeof value);
+    if constexpr (std::is_same_v<Number, bool>) {
+      value = taken[0] != 0;
+    } else {
+      std::memcpy(&value, taken.data(), sizeof value);
+    }
+  }
+  void read(std::string& text) {
+    std::uint32_t size = 0;
+    read(size);
+    text = take(size);
+    if (text.empty() || text.back() != '\0') throw std::invalid_argument("a text in it has no end");
+    text.pop_back();
+  }
+  template <class Element>
+  void read(std::vector<Element>& elements) {
+    std::uint32_t count = 0;
+    read(count);
+    if (at_ > bytes_.size() || count > bytes_.size() - at_) throw std::invalid_argument("is cut off");
+    elements.resize(count);
+    for (Element& element : elements) read(element);
+  }
+  template <class Element, std::size_t count>
+  void read(std::array<Element, count>& elements) {
+    for (Element& element : elements) read(element);
+  }
+  template <class Message>
+  requires std::is_class_v<Message>
+  void read(Message& message) {
+    message.fields([this](std::string_view, auto& member) { this->read(member); });
+  }
+
+ private:
+  std::string_view take(std::size_t size) {
+    if (at_ > bytes_.size() || size > bytes_.size() - at_) throw std::invalid_argument("is cut off");
+    at_ += size;
+    return bytes_.substr(at_ - size, size);
+  }
+
+  std::string_view bytes_;  // after the header
+  std::size_t at_ = 0;
+};
+
+template <class Message>
+[[nodiscard]] Message read_cdr(std::string_view bytes) {
+  Message message;
+  CdrReader(bytes).read(message);
+  return message;
 }
 
 }  // namespace gaitway::api

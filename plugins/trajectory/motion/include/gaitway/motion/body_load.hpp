@@ -35,12 +35,14 @@ class BodyLoadCalculator {
   // frame.
   const BodyLoad& compute(const std::array<BodyPosture, 3>& posture, double interval_s, Contact contact,
                           const std::array<Eigen::Isometry3d, 2>& sole);
+  // The same of a motion whose derivatives are known. Contact::none: torque and ground stay as they were.
+  const BodyLoad& compute(const BodyMotion& motion, Contact contact,
+                          const std::array<Eigen::Isometry3d, 2>& sole);
 
   [[nodiscard]] double weight_N() const noexcept { return dynamics_.weight_N(); }
 
  private:
-  void stand(const std::array<BodyPosture, 3>& posture, double interval_s, Contact contact,
-             const std::array<Eigen::Isometry3d, 2>& sole);
+  void stand(Contact contact, const std::array<Eigen::Isometry3d, 2>& sole);
 
   std::array<urdf::Foot, 2> feet_;
   WholeBodyDynamics dynamics_;
