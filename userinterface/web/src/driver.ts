@@ -113,7 +113,7 @@ export class Driver {
     command.keep(now_ms).catch((error: Error) => {
       if (!(error instanceof Refused)) return; // it was not answered: the frames tell who commands
       drive.end();
-      news.say(`You do not command any more: ${error.message}`, "bad");
+      news.say("You do not command any more: the robot has not heard from this page in time (is this computer busy?), or somebody has stopped it.", "bad");
     });
     const frame = freshness.newest;
     const foreign = frame !== undefined && freshness.state(now_ms) !== "lost" && commanderOf(frame) !== command.name;
