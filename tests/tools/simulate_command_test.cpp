@@ -24,21 +24,27 @@ using ::testing::Not;
 
 class SimulateCommand : public ::testing::Test {
  protected:
-  // One walk of three seconds for all tests.
   static void SetUpTestSuite() {
     folder_ = fs::temp_directory_path() / ("gaitway_simulate_" + std::to_string(::getpid()));
     fs::create_directories(folder_);
-    const auto run =
-        test::run_command(std::string(GAITWAY_COMMAND) + " run --quiet --no-pictures --seconds 5 --out '" +
-                          (folder_ / "run").string() + "'");
-    ASSERT_EQ(run.code, 0) << run.all();
-    const auto plan =
-        test::run_command(std::string(GAITWAY_COMMAND) + " motion plan wave --out '" + points() + "'");
-    ASSERT_EQ(plan.code, 0) << plan.all();
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
 
-  static std::string points() { return (folder_ / "wave.csv").string(); }
+  // Made by the first test that wants them: the points of a motion, and a walk's folder.
+  static std::string points() {
+    const std::string file = in_folder("wave.csv");
+    if (!fs::exists(file)) expect_done("motion plan wave --out '" + file + "'");
+    return file;
+  }
+  static std::string walk() {
+    const std::string folder = in_folder("run");
+    if (!fs::exists(folder)) expect_done("run --quiet --no-pictures --seconds 5 --out '" + folder + "'");
+    return folder;
+  }
+  static void expect_done(const std::string& arguments) {
+    const test::CommandRun run = test::run_command(std::string(GAITWAY_COMMAND) + " " + arguments);
+    EXPECT_EQ(run.code, 0) << run.all();
+  }
   static std::string in_folder(const std::string& name) { return (folder_ / name).string(); }
   int simulate(const std::string& arguments) {
     const test::CommandRun run = test::run_command(std::string(GAITWAY_COMMAND) + " simulate " + arguments);
@@ -109,23 +115,23 @@ TEST_F(SimulateCommand, AnAngleBeyondItsStopIsToldWithJointInstantValueAndRule) 
 }
 
 TEST_F(SimulateCommand, AWalkThatWasRunIsPlayedFromItsFolder) {
-  ASSERT_EQ(simulate("trajectory '" + in_folder("run") + "' --json"), 0) << complaint_ << said_;
+  ASSERT_EQ(simulate("trajectory '" + walk() + "' --json"), 0) << complaint_ << said_;
   const json run = played();
   EXPECT_EQ(run.at("rows"), 500);
   EXPECT_GT(run.at("stands").size(), 8U) << "it has walked";
   for (const char* const source : {"planned", "all_masses", "cells", "solver"})
     EXPECT_GT(run.at("zmp").at(source).at("rows"), 200) << source;
-  EXPECT_EQ(simulate("zmp '" + in_folder("run") + "'"), 0) << said_;
+  EXPECT_EQ(simulate("zmp '" + walk() + "'"), 0) << said_;
   EXPECT_THAT(said_, AllOf(HasSubstr("contact solver"), Not(HasSubstr("not known"))));
 }
 
 TEST_F(SimulateCommand, ABusLogGivesTheReferencesOfTheRunToTheCount) {
-  ASSERT_EQ(simulate("trajectory '" + in_folder("run/bus.log") + "' --json"), 0) << complaint_ << said_;
+  ASSERT_EQ(simulate("trajectory '" + walk() + "/bus.log" + "' --json"), 0) << complaint_ << said_;
   const json log = played();
   EXPECT_EQ(log.at("kind"), "bus log");
   EXPECT_NEAR(log.at("duration_s"), 4.98, 0.03);
   ASSERT_EQ(
-      simulate("trajectory '" + in_folder("run/bus.log") + "' --against '" + in_folder("run") + "' --json"),
+      simulate("trajectory '" + walk() + "/bus.log" + "' --against '" + walk() + "' --json"),
       0)
       << complaint_ << said_;
   const json compared = json::parse(said_);
@@ -151,7 +157,7 @@ TEST_F(SimulateCommand, APlannedWalkKeepsItsZmpOverTheSupport) {
 
 TEST_F(SimulateCommand, TheReportCarriesEverythingInItselfAndNothingFromElsewhere) {
   ASSERT_EQ(
-      simulate("trajectory '" + in_folder("run") + "' --against kick --report '" + in_folder("r.html") + "'"),
+      simulate("trajectory '" + walk() + "' --against kick --report '" + in_folder("r.html") + "'"),
       0)
       << complaint_ << said_;
   const std::string page = test::text_of(in_folder("r.html"));
