@@ -64,11 +64,26 @@ test("drives by touch and with a game pad, whose buttons stop", async () => {
   const robot = await RobotPage.open(browser, address(), { width: 360, height: 740, hasTouch: true, isMobile: true });
   await robot.live();
   const stick = await (await robot.page.$(".stick.round")).boundingBox();
-  const finger = await robot.page.touchscreen.touchStart(stick.x + stick.width / 2, stick.y + stick.height / 2);
-  await finger.move(stick.x + stick.width / 2, stick.y + 20);
-  await robot.says("activity", "walks");
-  await finger.end();
-  await robot.says("activity", "stands");
+  const hold = async () => {
+    const begun = await robot.page.touchscreen.touchStart(stick.x + stick.width / 2, stick.y + stick.height / 2);
+    await begun.move(stick.x + stick.width / 2, stick.y + 20);
+    return begun;
+  };
+  let finger = await hold();
+  for (const stop of ["#stop", "#emergency"]) {
+    await robot.says("activity", "walks");
+    const place = await (await robot.page.$(stop)).boundingBox();
+    const second = await robot.page.touchscreen.touchStart(place.x + place.width / 2, place.y + place.height / 2);
+    await robot.hints(stop === "#stop" ? "Ended" : "The emergency stop holds the robot");
+    await robot.newsOf(stop === "#stop" ? "Stop: done" : "Emergency stop: done");
+    await second.end();
+    await finger.end();
+    await robot.says("activity", "stands");
+    if (stop === "#emergency") break;
+    finger = await hold();
+  }
+  await robot.press("release");
+  await robot.until(() => document.getElementById("activity").textContent === "stands", "it stands");
   await robot.page.evaluate(() => {
     const buttons = Array.from({ length: 4 }, () => ({ pressed: false }));
     window.pad = { connected: true, axes: [0, -1, 0, 0], buttons };
@@ -85,7 +100,7 @@ test("plays a motion, and tells how far it is", async () => {
   const robot = await RobotPage.open(browser, address());
   await robot.live();
   await robot.page.evaluate(() => [...document.querySelectorAll(".drive button")].find((button) => button.textContent === "wave").click());
-  await robot.newsOf("Motion wave: done");
+  await robot.newsOf("Motion wave: begun");
   await robot.until(() => /wave: playing/.test(document.querySelector(".drive").textContent), "it plays");
   await robot.says("activity", "plays a motion");
   await robot.page.evaluate(() => [...document.querySelectorAll(".drive button")].find((button) => button.textContent === "Leave the motion").click());
@@ -232,6 +247,22 @@ test("every view fits a narrow phone, with Stop where it was, and can be walked 
   await robot.close();
 });
 
+test("a phone held sideways has the whole stick beside the stops", async () => {
+  const robot = await RobotPage.open(browser, address(), { width: 740, height: 360 });
+  await robot.live();
+  const [stick, panel, stops] = await Promise.all([".stick.round", "#panels", "#stops"].map(async (part) => (await robot.page.$(part)).boundingBox()));
+  assert.ok(stick.y >= panel.y && stick.y + stick.height <= panel.y + panel.height, "in the panel");
+  assert.ok(panel.y + panel.height <= stops.y + 1, "above the stops");
+  assert.equal(await robot.page.evaluate(() => document.documentElement.scrollHeight), 360);
+  await robot.page.mouse.move(stick.x + stick.width / 2, stick.y + stick.height / 2);
+  await robot.page.mouse.down();
+  await robot.page.mouse.move(stick.x + stick.width / 2, stick.y + 10);
+  await robot.says("activity", "walks");
+  await robot.page.mouse.up();
+  await robot.says("activity", "stands");
+  await robot.close();
+});
+
 test("shows joints, plots, plug-ins with live parameters, events and recordings", async () => {
   const robot = await RobotPage.open(browser, address());
   await robot.live();
@@ -250,8 +281,10 @@ test("shows joints, plots, plug-ins with live parameters, events and recordings"
   await robot.until(() => document.getElementById("parameter-stability-trim_limit").value.startsWith("0.11"), "the new value");
   await robot.tab("Recordings");
   await robot.page.$eval("#recording-name", (input) => (input.value = "of_the_page"));
-  await robot.page.evaluate(() => [...document.querySelectorAll(".recordings button")].find((button) => button.textContent === "Record").click());
-  await robot.newsOf("Recording: done");
+  await robot.page.focus("#recording-name");
+  await robot.page.keyboard.press("Enter");
+  await robot.newsOf("Recording: begun");
+  await robot.until(() => document.querySelector(".recordings tbody tr").textContent.includes(", recording"), "it is being recorded");
   await robot.page.evaluate(() => [...document.querySelectorAll(".recordings button")].find((button) => button.textContent === "End the recording").click());
   await robot.until(() => document.querySelector(".recordings tbody").textContent.includes("of_the_page.mcap"), "the recording");
   await robot.tab("Drive");
@@ -262,6 +295,7 @@ test("shows joints, plots, plug-ins with live parameters, events and recordings"
   await robot.until(() => document.querySelectorAll(".events li").length > 0, "events");
   await robot.page.type(".events-tab input", "no event has these words");
   await robot.until(() => document.querySelectorAll(".events li").length === 0, "no events");
+  await robot.until(() => /None of \d+ events/.test(document.querySelector(".events-tab").textContent), "that none passes");
   assert.deepEqual(robot.errors, []);
   await robot.close();
 });
@@ -346,6 +380,7 @@ test("stops by Escape and Space, and a stick that is still held does not undo it
     await robot.hints("Ended");
     await robot.says("activity", "stands");
     await robot.hints("Ended");
+    assert.equal(await robot.page.$(".news .bad"), null, "what a stop did as it should is no fault");
     await robot.letGo("w");
     await robot.hints("Hold the stick");
   }
@@ -357,9 +392,17 @@ test("stops in an emergency, tells so, and releases", async () => {
   await robot.live();
   const size = await (await robot.page.$("#stop")).boundingBox();
   assert.ok(size.width >= 64 && size.height >= 64);
-  await robot.press("emergency");
+  const { x, y, width, height } = await (await robot.page.$("#emergency")).boundingBox();
+  const placeOfEmergency = [x + width / 2, y + height / 2];
+  await robot.page.mouse.click(...placeOfEmergency);
   await robot.says("activity", "emergency stop");
   await robot.page.waitForSelector("#release:not([hidden])");
+  assert.deepEqual(await (await robot.page.$("#stop")).boundingBox(), size, "Stop is where it was");
+  await robot.page.mouse.click(...placeOfEmergency, { clickCount: 2, delay: 100 });  // as one does who is frightened
+  await robot.newsOf("Emergency stop: done");
+  assert.equal(await robot.page.$eval("#emergency", (button) => button.getAttribute("aria-pressed")), "true");
+  await robot.says("activity", "emergency stop");
+  assert.ok(!(await robot.text("news")).includes("Release"));
   await robot.press("release");
   await robot.newsOf("Release: done");
   await robot.until(() => document.getElementById("activity").textContent === "stands", "it stands");

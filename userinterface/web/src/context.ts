@@ -16,8 +16,9 @@ export interface Context {
   readonly news: News;
   readonly token: () => string | undefined;
   readonly frameTakers: ((frame: ViewFrame) => void)[];
-  // Carries out what a person asked for; what became of it is told. Gives whether it was done.
-  readonly attempt: (what: string, order: () => Promise<unknown>) => Promise<boolean>;
+  // Carries out what a person asked for; what became of it is told. Gives whether it was done; `done`: in one word,
+  // where that is only its beginning.
+  readonly attempt: (what: string, order: () => Promise<unknown>, done?: string) => Promise<boolean>;
 }
 
 // One of the views beside the picture. `look`: a few times a second while it is shown.

@@ -47,14 +47,14 @@ async function description(news: News): Promise<Description> {
 }
 
 function makeAttempt(news: News): Context["attempt"] {
-  return async (what, order) => {
+  return async (what, order, done = "done") => {
     try {
       await order();
-      news.say(`${what}: done`, "good");
+      news.say(`${what}: ${done}`, "good", what);
       return true;
     } catch (error) {
       const doubt = error instanceof Unanswered ? " Look whether it was carried out: it is not sent again." : "";
-      news.say(`${what}: ${(error as Error).message}${doubt}`, "bad");
+      news.say(`${what}: ${(error as Error).message}${doubt}`, "bad", what);
       return false;
     }
   };
@@ -77,7 +77,8 @@ function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar,
   robot.onClose = () => driver.lost();
   robot.onStatus = (level, text) => {
     if (level === "error") context.drive.end();
-    news.say(text, level === "error" ? "bad" : "plain");
+    if (stops.hasStopped(performance.now())) return;
+    news.say(level === "error" ? `What you asked for was not done: ${text}` : text, level === "error" ? "bad" : "plain");
   };
   const look = () => {
     const now_ms = performance.now();

@@ -8,10 +8,12 @@ const atMost = 4;
 export class News {
   constructor(private readonly list: HTMLElement) {}
 
-  say(text: string, weight: Weight = "plain"): void {
-    const last = this.list.lastElementChild;
-    if (last instanceof HTMLElement && last.dataset["text"] === text) last.remove();
-    const item = element("p", { class: weight, "data-text": text }, text);
+  // What is said again, or of the same thing as before, takes the place of what was said.
+  say(text: string, weight: Weight = "plain", about = text): void {
+    for (const said of [...this.list.children]) {
+      if (said instanceof HTMLElement && said.dataset["about"] === about) said.remove();
+    }
+    const item = element("p", { class: weight, "data-about": about }, text);
     this.list.append(item);
     while (this.list.childElementCount > atMost) this.list.firstElementChild?.remove();
     setTimeout(() => item.remove(), shown_ms[weight]);

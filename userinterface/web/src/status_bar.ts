@@ -29,8 +29,9 @@ export class StatusBar {
     setText(this.lampText, this.linkText(now_ms));
     this.old.hidden = state === "live";
     if (state !== "live") setText(this.old, this.oldText(now_ms));
-    const frame = freshness.newest;
+    const frame = state === "lost" ? undefined : freshness.newest; // what was is not what is
     if (frame) this.showFrame(frame);
+    else this.showNothing();
     this.showCommand(frame);
   }
 
@@ -49,6 +50,12 @@ export class StatusBar {
     return `Old, ${ageText(freshness.pictureAge_ms(now_ms))}: ${late.join(", ")}.`;
   }
 
+  private showNothing(): void {
+    setText(this.activity, "");
+    this.activity.classList.remove("alarm", "caution");
+    this.canvas.setAttribute("aria-label", "The robot, as it was last seen");
+  }
+
   private showFrame(frame: ViewFrame): void {
     const mode = frame.mode[0] ?? NaN;
     const activity = activities[frame.activity[0] ?? 0] ?? "";
@@ -64,7 +71,7 @@ export class StatusBar {
     const { command, robot } = this.context;
     const name = frame ? commanderOf(frame) : "";
     const byOther = !command.mine && name !== "";
-    setText(this.commander, command.mine ? "you command" : byOther ? `${name} commands` : "nobody commands");
+    setText(this.commander, command.mine ? "you command" : byOther ? `${name} commands` : frame ? "nobody commands" : "");
     this.commander.classList.toggle("mine", command.mine);
     this.take.hidden = command.mine;
     this.take.disabled = byOther || !robot.isOpen;

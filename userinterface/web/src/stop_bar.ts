@@ -3,37 +3,65 @@ import type { Context } from "./context.ts";
 import { byId, isTyping } from "./dom.ts";
 import { modes, type ViewFrame } from "./view_decoder.ts";
 
+const afterStop_ms = 1000;
+
+// Called as soon as the button is touched: a second finger, while the first one holds a stick, brings no click. Keys and
+// assistive technology bring a click alone.
+function whenTouched(button: HTMLButtonElement, press: () => void): void {
+  let touched = false;
+  button.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    touched = true;
+    press();
+  });
+  button.addEventListener("click", () => {
+    if (!touched) press();
+    touched = false;
+  });
+}
+
 export class StopBar {
   private readonly stopButton = byId<HTMLButtonElement>("stop");
   private readonly emergencyButton = byId<HTMLButtonElement>("emergency");
   private readonly releaseButton = byId<HTMLButtonElement>("release");
+  private stopped_ms = -Infinity;
 
   // `ended`: whatever was being driven is ended before the stop is sent.
   constructor(
     private readonly context: Context,
     private readonly ended: () => void,
   ) {
-    this.stopButton.addEventListener("click", () => this.stop());
-    this.emergencyButton.addEventListener("click", () => this.emergencyStop());
+    whenTouched(this.stopButton, () => this.stop());
+    whenTouched(this.emergencyButton, () => this.emergencyStop());
     this.releaseButton.addEventListener("click", () => this.release());
     document.addEventListener("keydown", (event) => this.key(event), { capture: true });
     // A button is pressed when Space is let go.
     document.addEventListener("keyup", (event) => event.code === "Space" && !isTyping(event.target) && event.preventDefault(), { capture: true });
   }
 
+  // Just now: what was asked for before is then refused, as it should be.
+  hasStopped(now_ms: number): boolean {
+    return now_ms - this.stopped_ms < afterStop_ms;
+  }
+
   stop(): void {
-    this.ended();
+    this.end();
     void this.context.attempt("Stop", () => this.context.robot.stop("/stop"));
   }
 
   show(frame: ViewFrame): void {
     const stopped = frame.mode[0] === modes.emergencyStop;
     this.releaseButton.hidden = !stopped;
-    this.emergencyButton.hidden = stopped;
+    this.emergencyButton.setAttribute("aria-pressed", String(stopped));
+  }
+
+  private end(): void {
+    this.stopped_ms = performance.now();
+    this.ended();
   }
 
   private emergencyStop(): void {
-    this.ended();
+    this.end();
     void this.context.attempt("Emergency stop", () => this.context.robot.stop("/emergency_stop", { data: false }));
   }
 

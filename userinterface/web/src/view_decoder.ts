@@ -73,6 +73,7 @@ export function hasTrouble(frame: ViewFrame, joint: number): boolean {
 
 export const modes = { batches: 0, safeTail: 1, holds: 2, emergencyStop: 3 } as const;
 export const activities = ["not known", "stands", "walks", "plays a motion", "falls", "lies"] as const;
+export const lies = 5; // of `activities`
 export const modeTexts = ["plays batches", "plays a safe tail", "holds, waits for a batch", "emergency stop"] as const;
 // In the order of the row `age`.
 export const ageNames = ["joints", "pose", "message controller", "plan", "robot's clock"] as const;

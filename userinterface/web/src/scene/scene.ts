@@ -38,6 +38,7 @@ export class Scene {
   private readonly software: boolean;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
+  private readonly fog = new THREE.Fog(0);
   private readonly camera = new THREE.PerspectiveCamera(38, 1, 0.02, 200);
   private readonly controls: OrbitControls;
   private readonly ground: Ground;
@@ -61,6 +62,7 @@ export class Scene {
     const [sole] = description.soles;
     this.ground = new Ground({ length: sole.size[0], width: sole.size[1], ahead: sole.centre[0] }, this.size_m, palettes.light);
     this.arrow = new PushArrow(this.size_m, description.bounds.push?.most ?? 1);
+    this.scene.fog = this.fog;
     this.scene.add(this.body.base, this.ground.group, this.arrow.group, new THREE.HemisphereLight(0xffffff, 0x8899aa, 2));
     const sun = new THREE.DirectionalLight(0xffffff, 2.2);
     sun.position.set(1.5, 2, 4);
@@ -167,9 +169,17 @@ export class Scene {
       return;
     }
     this.pending = false;
+    this.haze();
     this.renderer.render(this.scene, this.camera);
     if (this.pace.drew(now_ms)) this.resize();
     this.onDrawn();
+  }
+
+  // The ground fades out behind what is looked at, from however far.
+  private haze(): void {
+    const away_m = this.camera.position.distanceTo(this.controls.target);
+    this.fog.near = away_m + this.size_m;
+    this.fog.far = away_m + Math.max(6.5 * this.size_m, away_m);
   }
 
   private follow(): void {
@@ -184,7 +194,7 @@ export class Scene {
   private paint(dark: boolean): void {
     const palette = palettes[dark ? "dark" : "light"];
     this.scene.background = new THREE.Color(palette.sky);
-    this.scene.fog = new THREE.Fog(palette.sky, this.size_m * 3.5, this.size_m * 9);
+    this.fog.color.set(palette.sky);
     this.ground.setColours(palette);
     this.arrow.colour = palette.push;
     this.ask();

@@ -1,7 +1,9 @@
 // Sticks, speeds and motions.
 import type { Context, Tab } from "../context.ts";
 import { button, element, setText } from "../dom.ts";
+import type { DriveState } from "../drive.ts";
 import type { Driver } from "../driver.ts";
+import { lies, modes, type ViewFrame } from "../view_decoder.ts";
 import { motionButtons } from "./motion_buttons.ts";
 
 const signed = (value: number) => (Number.isNaN(value) ? "–" : `${value < -0.005 ? "−" : ""}${Math.abs(value).toFixed(2)}`);
@@ -25,18 +27,26 @@ const states = {
   blocked: "Ended. Let go of the stick first.",
 } as const;
 
+// Of what the robot does, where it goes before whatever is held.
+function hintOf(state: DriveState, frame: ViewFrame | undefined, motions: readonly string[]): string {
+  if (frame?.mode[0] === modes.emergencyStop) return "The emergency stop holds the robot: it walks once that is released.";
+  if (frame?.activity[0] !== lies) return states[state];
+  const rise = motions.filter((motion) => motion.startsWith("get_up")).map((motion) => `“${motion.replaceAll("_", " ")}”`);
+  return `The robot lies, and walks nowhere. ${rise.length > 0 ? `Below are ${rise.join(" and ")}: the side that it lies on decides.` : "Lift it up."}`;
+}
+
 export function driveTab(context: Context, driver: Driver): Tab {
   const { attempt, command, robot, freshness, drive } = context;
   const { table, cells } = speedTable();
   const hint = element("p", { class: "hint", role: "status" });
-  const commanded = (what: string, order: () => Promise<unknown>) => () =>
+  const commanded = (what: string, order: () => Promise<unknown>, done?: string) => () =>
     void attempt(what, async () => {
       if (!command.mine) await command.take();
       await order();
-    });
+    }, done);
   const stand = button("Stand", commanded("Stand", () => robot.order("/stand", {}, 15_000)));
   const leave = button("Leave the motion", commanded("Leave the motion", () => robot.order("/play_motion", { motion: "" })));
-  const motions = motionButtons(context, (motion) => commanded(`Motion ${motion}`, () => robot.order("/play_motion", { motion }, 15_000))(), leave);
+  const motions = motionButtons(context, (motion) => commanded(`Motion ${motion}`, () => robot.order("/play_motion", { motion }, 15_000), "begun")(), leave);
   const progress = element("p", { class: "hint", role: "status" });
   const content = element("div", { class: "drive" },
     element("div", { class: "sticks" }, driver.walk.field, element("div", { class: "beside" }, driver.side.field, hint, stand)),
@@ -55,7 +65,7 @@ export function driveTab(context: Context, driver: Driver): Tab {
     content,
     hide: motions.hide,
     look: () => {
-      setText(hint, states[drive.state]);
+      setText(hint, hintOf(drive.state, freshness.newest, context.description.motions));
       const { forward, left, turn } = driver.sent;
       const is = freshness.newest?.velocity ?? [];
       const { bounds } = driver;

@@ -1,6 +1,6 @@
 // The robot's events as they come, with a filter.
 import type { Context, Tab } from "../context.ts";
-import { button, element } from "../dom.ts";
+import { button, element, setText } from "../dom.ts";
 import type { Message } from "../rosbridge.ts";
 
 const kept = 500;
@@ -39,7 +39,12 @@ export function eventsTab({ robot }: Context): Tab {
   const level = element("select", { id: "event-level", "aria-label": "Which events" }, ...levels.map(({ least, name }) => element("option", { value: least }, name)));
   const words = element("input", { type: "search", placeholder: "filter by words", "aria-label": "Filter by words" });
   const passing = (event: Event) => passes(event, Number(level.value), words.value);
-  const fill = () => list.replaceChildren(...events.filter(passing).map(line));
+  const none = element("p", { class: "hint", role: "status" });
+  const tell = () => setText(none, list.childElementCount > 0 ? "" : events.length > 0 ? `None of ${events.length} events passes the filter.` : "No event yet.");
+  const fill = () => {
+    list.replaceChildren(...events.filter(passing).map(line));
+    tell();
+  };
   level.addEventListener("change", fill);
   words.addEventListener("input", fill);
   // From the page's start on, so that nothing is missed while another tab is open.
@@ -48,10 +53,12 @@ export function eventsTab({ robot }: Context): Tab {
     events = [event, ...events.slice(0, kept - 1)];
     if (passing(event)) list.prepend(line(event));
     while (list.childElementCount > kept) list.lastElementChild?.remove();
+    tell();
   });
+  tell();
   const clear = button("Clear", () => {
     events = [];
     fill();
   });
-  return { title: "Events", content: element("div", { class: "events-tab" }, element("div", { class: "tools" }, level, words, clear), list) };
+  return { title: "Events", content: element("div", { class: "events-tab" }, element("div", { class: "tools" }, level, words, clear), none, list) };
 }
