@@ -76,7 +76,7 @@ export class RobotPage {
     return this.page.$eval(`#${id}`, (element) => element.textContent);
   }
   said() {
-    return this.page.evaluate(() => document.getElementById("top").innerText.replaceAll("\n", " | ") + " || " + document.getElementById("news").innerText);
+    return this.page.evaluate(() => document.getElementById("top").innerText.replaceAll("\n", " | ") + ` || ${document.querySelector(".drive .hint")?.textContent} || ${document.getElementById("news").innerText}`);
   }
   hold(key) {
     return this.page.keyboard.down(key);

@@ -18,6 +18,7 @@ export interface Bounds {
 
 export const standstill: Velocity = { forward: 0, left: 0, turn: 0 };
 export const sendEvery_ms = 80;
+const lateApart_ms = 400; // late ones further apart have to do with each other no more
 
 export function isStandstill(velocity: Velocity): boolean {
   return velocity.forward === 0 && velocity.left === 0 && velocity.turn === 0;
@@ -42,6 +43,8 @@ export class Drive {
   private current: DriveState = "rests";
   private wanted: Velocity = standstill;
   private sent_ms = -Infinity;
+  private late_ms = -Infinity;
+  private lateSince_ms = -Infinity;
 
   get state(): DriveState {
     return this.current;
@@ -73,6 +76,14 @@ export class Drive {
     const drove = this.current === "drives";
     if (this.current !== "rests") this.current = "blocked";
     return drove;
+  }
+
+  // A velocity was too old when it came to the robot. One is nothing: the next is on its way. When they have been late for as
+  // long as one holds, the robot stands, and the drive has ended: then true.
+  late(now_ms: number, holds_ms: number): boolean {
+    if (now_ms - this.late_ms > lateApart_ms) this.lateSince_ms = now_ms;
+    this.late_ms = now_ms;
+    return now_ms - this.lateSince_ms >= holds_ms && this.end();
   }
 
   // What is to be sent now, if anything.

@@ -51,6 +51,13 @@ export class Driver {
     this.sent = standstill;
   }
 
+  // A velocity was too old when it came to the robot.
+  late(now_ms: number): void {
+    const { drive, news, description } = this.context;
+    if (!drive.late(now_ms, description.bounds.velocity_holds * 1000)) return;
+    news.say("The drive has ended: what you ask for comes too late, since the connection, or this computer, is slow. Let go of the stick first.", "bad");
+  }
+
   // For good: what this page says may mean something else by now.
   retire(): void {
     this.leave();

@@ -13,6 +13,11 @@ export class Unanswered extends Error {}
 // It was not sent, or the robot refused it.
 export class Refused extends Error {}
 
+// Of a status message: a velocity may have been on its way for too long, and was not carried out.
+export function isLate(text: string): boolean {
+  return text.includes("late: it may have been sent");
+}
+
 interface Waiting {
   service: string;
   resolve: (values: Message) => void;

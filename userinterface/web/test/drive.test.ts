@@ -57,3 +57,15 @@ test("the stick's place is a share of what holds in its direction", () => {
   const bounds = { forward: 0.4, backward: 0.2, left: 0.1, turn: 1.5 };
   assert.deepEqual(velocityOf({ ahead: -1, left: 0.5, turn: 2 }, bounds), { forward: -0.2, left: 0.05, turn: 1.5 });
 });
+
+test("a velocity that comes too late is nothing, and a row of them as long as one holds ends the drive", () => {
+  const drive = new Drive();
+  const ahead = { forward: 0.2, left: 0, turn: 0 };
+  drive.hold(ahead, true);
+  for (const now_ms of [1000, 1080, 2000, 2080, 2400]) assert.equal(drive.late(now_ms, 500), false);
+  assert.deepEqual(drive.due(2480), ahead);
+  assert.equal(drive.late(2500, 500), true);
+  assert.equal(drive.state, "blocked");
+  assert.equal(drive.due(2600), undefined);
+  assert.equal(drive.late(2600, 500), false, "told once");
+});
