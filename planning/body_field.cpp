@@ -33,8 +33,10 @@ BodyMoves::BodyMoves(const Limits& limits, double cell_m, double cost_per_norm)
             continue;
           const double ahead_m = node_m * (std::cos(yaw_rad) * columns + std::sin(yaw_rad) * rows);
           const double left_m = node_m * (std::cos(yaw_rad) * rows - std::sin(yaw_rad) * columns);
-          // Sidelong and turning at once is left to moves one after the other.
-          if (by != 0 && std::abs(left_m) > 0.5 * std::abs(ahead_m)) continue;
+          // What is far from straight ahead or back, or turns at the same time, is left to shorter moves.
+          const bool knight = std::abs(rows) + std::abs(columns) == 3;
+          if ((by != 0 || knight) && std::abs(left_m) > 0.7 * std::abs(ahead_m)) continue;
+          if (by != 0 && ahead_m < 0.0) continue;
           const double norm =
               std::hypot(ahead_m / (ahead_m >= 0.0 ? limits.max_step_forward_m : limits.max_step_backward_m),
                          left_m / side_m, by * kTurn_rad / limits.max_step_turn_rad);

@@ -12,10 +12,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array kWeights{2.5, 1.4, 1.2, 1.1, 1.05,
                               1.0, 0.9, 0.8, 0.6, 0.0};  // below 1: the guide may be too dear
 constexpr int kAskEvery = 64;
-constexpr double kAlong = 2.0;  // sole lengths from a step
+constexpr double kWholeBudget = 10.0;  // steps; the longer a plan is beyond, the fewer are its improvements
+constexpr double kAlong = 2.0;         // sole lengths from a step
 constexpr double kSamePlace = 1e-9;
 constexpr double kTightFor_m = 0.5;  // from a start that is close to something the clearance is less
 
+// Of a long way only the beginning is walked before the next plan.
+int improvements(const Budget& budget, double cost) {
+  return static_cast<int>(budget.improvements * std::min(kWholeBudget / cost, 1.0));
+}
 bool is_same(const Pose& a, const Pose& b) {
   return way_m(a, b) < kSamePlace && turn_rad(a, b) < kSamePlace;
 }
@@ -159,18 +164,6 @@ double FootstepSearch::cost_to_goal(const Stand& stand) const {
   return cost_of(effort) + cost_of(limits_.effort(first.pose.relative_of(own), stand.side));
 }
 
-// Nothing is in any band's way wherever a step from there may reach.
-bool FootstepSearch::is_open_around(const Cell& cell) const noexcept {
-  const int reach = terrain_.margin_cells() - 2;
-  for (std::size_t band = 0; band < limits_.bands.size(); ++band) {
-    if (!terrain_.is_square_free(band, {cell.column - reach, cell.row - reach},
-                                 {cell.column + reach, cell.row + reach})) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // Returns whether nothing was in the way of a swing.
 bool FootstepSearch::reach_goal(std::uint32_t node) {
   const Stand& stand = stands_[nodes_[node].stand];
@@ -207,7 +200,7 @@ void FootstepSearch::expand(std::uint32_t node) {
     stands_[at].cost_to_goal = cost_to_goal(stands_[at]);
   }
   bool clean = reach_goal(node);
-  const bool open = !tried && is_open_around(place.cell);
+  const unsigned crowded = tried ? 0 : check_.crowded_bands(place.cell);
   for (std::size_t i = 0; i < landings.size(); ++i) {
     const std::uint64_t bit = std::uint64_t{1} << i;
     if (tried && (stands_[at].possible & bit) == 0) continue;
@@ -221,7 +214,7 @@ void FootstepSearch::expand(std::uint32_t node) {
       if (!landed.is_footing ||
           !check_.is_step_height(stands_[at].standing.height_m, landed.standing.height_m))
         continue;
-      if (!open && !check_.has_room(place, side, i) &&
+      if (!check_.has_room(place, side, i, crowded) &&
           !(tight_ && has_room(stands_[at], landed.standing.pose)))
         continue;
       stands_[at].possible |= bit;
@@ -265,7 +258,7 @@ bool FootstepSearch::improve(const Budget& budget) {
     if (!std::isfinite(goal_cost_)) {
       if (expansions_ >= budget.expansions) return false;
       found_after_ = expansions_;
-    } else if (expansions_ - found_after_ >= budget.improvements) {
+    } else if (expansions_ - found_after_ >= improvements(budget, goal_cost_)) {
       return false;
     }
     std::ranges::pop_heap(open_, is_later);

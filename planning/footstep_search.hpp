@@ -68,7 +68,6 @@ class FootstepSearch {
   void relax(std::uint32_t stand, std::uint32_t partner, std::uint32_t parent, double cost);
   void expand(std::uint32_t node);
   void expand_start(std::uint32_t node);
-  [[nodiscard]] bool is_open_around(const Cell& cell) const noexcept;
   bool reach_goal(std::uint32_t node);
   [[nodiscard]] bool has_room(const Stand& stance, const Pose& landing) const;
   [[nodiscard]] double cost_to_goal(const Stand& stand) const;

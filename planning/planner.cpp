@@ -25,6 +25,7 @@ constexpr double kPitchPerSoleWidth = 0.24;  // of the lattice: 20 mm for a sole
 constexpr double kThere = 1e-6;
 // A foot that is so near to a footstep stands on it, in sole lengths and as a turn.
 constexpr double kOnStep = 0.2, kOnStep_rad = 0.15;
+constexpr int kLessForKept = 4;  // so many times less is searched beside a plan that may be kept
 // A new plan is worth it when it saves more than this share of what is left, or this many steps.
 constexpr double kKeepShare = 0.10, kKeepSteps = 1.0;
 
@@ -175,21 +176,24 @@ Plan Planner::plan(const GroundMap& map, const Request& request) const {
   }
   Plan plan;
   const BodyField guide(terrain, limits_, *moves_, request.goal, question.start_middle);
+  Budget budget = request.budget;
   const auto search = [&](std::span<const Footstep> along) {
     FootstepSearch one(limits_, *lattice_, terrain, check, field, guide, feet, goal, start_clearance_m,
                        along);
-    FootstepSearch::Result result = one.run(request.budget);
+    FootstepSearch::Result result = one.run(budget);
     plan.expansions += result.expansions;
     return result;
   };
-  FootstepSearch::Result result = search({});
   const std::span<const Footstep> rest = rest_of(request, limits_, question.goal);
+  const bool walkable = !rest.empty() && can_walk(rest, limits_, check, feet, start_clearance_m);
+  if (walkable) budget.improvements /= kLessForKept;
+  FootstepSearch::Result result = search({});
   if (!rest.empty()) {
     const auto hardly_saves = [&result](double cost) {
       return !result.found || cost <= result.cost + std::max(kKeepShare * cost, kKeepSteps);
     };
     const double cost = cost_of(limits_, request.left, request.right, rest);
-    if (hardly_saves(cost) && can_walk(rest, limits_, check, feet, start_clearance_m)) {
+    if (walkable && hardly_saves(cost)) {
       plan.kept = true;
       plan.cost = cost;
       plan.bound = result.found ? std::max(cost * result.bound / result.cost, 1.0)

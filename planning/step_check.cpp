@@ -53,8 +53,21 @@ double StepCheck::surface_below_m(const Pose& foot) const noexcept {
   return terrain_.contains(cell) ? terrain_.surface_m(cell) : 0.0F;
 }
 
-bool StepCheck::has_room(const Place& stance, Side side, std::size_t landing) const noexcept {
+unsigned StepCheck::crowded_bands(const Cell& stance) const noexcept {
+  const int reach = terrain_.margin_cells() - 2;
+  unsigned crowded = 0;
   for (std::size_t band = 0; band < limits_.bands.size(); ++band) {
+    const bool free = terrain_.is_square_free(band, {stance.column - reach, stance.row - reach},
+                                              {stance.column + reach, stance.row + reach});
+    crowded |= free ? 0U : 1U << band;
+  }
+  return crowded;
+}
+
+bool StepCheck::has_room(const Place& stance, Side side, std::size_t landing,
+                         unsigned crowded) const noexcept {
+  for (std::size_t band = 0; band < limits_.bands.size(); ++band) {
+    if ((crowded >> band & 1U) == 0) continue;
     if (!terrain_.is_free(band, stance.cell, lattice_.body(side, stance.direction, landing, band)))
       return false;
   }
@@ -115,6 +128,10 @@ bool StepCheck::can_swing(const Standing& from, const Standing& to, bool leaves_
     const double half_m = 0.5 * terrain_.cell_m();
     const Cell cell = terrain_.cell_of(x_m + half_m, y_m + half_m);
     if (!terrain_.contains(cell)) return false;
+    const int half = lattice_.sole_radius();
+    const bool smooth =
+        terrain_.is_smooth({cell.column - half, cell.row - half}, {cell.column + half, cell.row + half});
+    if (smooth && terrain_.surface_m(cell) <= sole_m) continue;
     const bool narrow = leaves_start && time < 0.5;
     if (terrain_.highest_m(cell, narrow ? lattice_.sole(direction) : lattice_.wide_sole(direction)) >
         sole_m) {

@@ -28,7 +28,11 @@ class StepCheck {
   // The same without any rule: of whatever is under the middle of the sole.
   [[nodiscard]] double surface_below_m(const Pose& foot) const noexcept;
 
-  [[nodiscard]] bool has_room(const Place& stance, Side side, std::size_t landing) const noexcept;
+  // The bands, a bit each, in whose way there is anything that a step from there may reach.
+  [[nodiscard]] unsigned crowded_bands(const Cell& stance) const noexcept;
+  // In the bands that are `crowded`; without it in all.
+  [[nodiscard]] bool has_room(const Place& stance, Side side, std::size_t landing,
+                              unsigned crowded = ~0U) const noexcept;
   // Of a step from or to anywhere; `clearance_m` may be less than the limits'.
   [[nodiscard]] bool has_room(const Pose& stance, Side side, const Pose& landing, double clearance_m) const;
   // Of a robot that stands there, on both feet.

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "gaitway/planning/swept_body.hpp"
+
 namespace gaitway::planning {
 namespace {
 
@@ -57,6 +59,9 @@ StepLattice::StepLattice(const Limits& limits, double cell_m, int pitch)
     add_spans(soles_.back(), sole, 0.5 * cell_m_, Eigen::Vector2d::Zero(), cell_m_);
     wide_soles_.emplace_back();
     add_spans(wide_soles_.back(), sole, 1.5 * cell_m_, Eigen::Vector2d::Zero(), cell_m_);
+    for (const CellSpan& span : wide_soles_.back()) {
+      sole_radius_ = std::max({sole_radius_, std::abs(span.row), std::abs(span.from), std::abs(span.to)});
+    }
     for (const Side stance : {Side::left, Side::right}) choose_landings(stance, direction);
   }
   find_fastest();
@@ -168,6 +173,11 @@ Points body_points(const Limits& limits, std::size_t band, const Pose& stance, S
     add_outline(points, outline, pose);
   }
   return points;
+}
+
+std::vector<Eigen::Vector2d> swept_body(const Limits& limits, std::size_t band, const Pose& stance,
+                                        Side stance_side, const Pose& landing) {
+  return convex_hull(body_points(limits, band, stance, stance_side, landing));
 }
 
 void StepLattice::lay_out(Side stance, int direction) {

@@ -56,6 +56,8 @@ class StepLattice {
   [[nodiscard]] std::span<const CellSpan> wide_sole(int direction) const noexcept {
     return wide_soles_[static_cast<std::size_t>(direction)];
   }
+  // Of a square of cells around a sole in any direction, with the cell around it.
+  [[nodiscard]] int sole_radius() const noexcept { return sole_radius_; }
   // Places near each landing of a foot that stands anywhere, as offsets from `stance` seen from the corner of
   // cell (0, 0) at `origin_m`; only those within the limits.
   [[nodiscard]] std::vector<Place> places_from(const Pose& stance, Side stance_side,
@@ -94,6 +96,7 @@ class StepLattice {
   std::vector<std::vector<CellSpan>> soles_, wide_soles_;
   Fastest fastest_;
   double reach_m_ = 0.0;
+  int sole_radius_ = 0;
 };
 
 // What a step from `stance` to `landing` takes of a band, in the world's frame: outlines whose hull it is.

@@ -48,7 +48,7 @@ enum class Reason : std::uint8_t {
 // them, and a plan that it cut short depends on whoever asked.
 struct Budget {
   int expansions = 12'000;       // until there is a plan
-  int improvements = 4'000;      // expansions for a better one
+  int improvements = 4'000;      // expansions for a better one; of more than 10 steps: times 10 / steps
   double good_enough = 1.0;      // it ends at a plan that is proven to cost at most this times the cheapest
   std::function<bool()> stop{};  // empty: never
 };
