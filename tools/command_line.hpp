@@ -107,6 +107,7 @@ inline constexpr std::array kCommands{
     Command{"calibrate",
             "Find joint zeros, trunk and force cells from standing poses, and how sure they are"},
     Command{"world", "Worlds for the simulated robot: list, check and draw them"},
+    Command{"plan", "Plan footsteps through a world, past its obstacles and within the gait's limits"},
     Command{"simulate", "Trajectories and ZMPs on the robot without dynamics: limits, collisions, margins"},
     Command{"wireless", "Run a robot and a client with a bad wireless link between them"}};
 
