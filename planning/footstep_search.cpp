@@ -17,9 +17,11 @@ constexpr double kAlong = 2.0;         // sole lengths from a step
 constexpr double kSamePlace = 1e-9;
 constexpr double kTightFor_m = 0.5;  // from a start that is close to something the clearance is less
 
-// Of a long way only the beginning is walked before the next plan.
-int improvements(const Budget& budget, double cost) {
-  return static_cast<int>(budget.improvements * std::min(kWholeBudget / cost, 1.0));
+// With a plan at hand. Of a long way only the beginning is walked before the next plan.
+int most_expansions(const Budget& budget, double cost, int found_after) {
+  constexpr int kShare = 4;
+  const int improvements = static_cast<int>(budget.improvements * std::min(kWholeBudget / cost, 1.0));
+  return std::max(improvements, found_after + improvements / kShare);
 }
 bool is_same(const Pose& a, const Pose& b) {
   return way_m(a, b) < kSamePlace && turn_rad(a, b) < kSamePlace;
@@ -258,7 +260,7 @@ bool FootstepSearch::improve(const Budget& budget) {
     if (!std::isfinite(goal_cost_)) {
       if (expansions_ >= budget.expansions) return false;
       found_after_ = expansions_;
-    } else if (expansions_ - found_after_ >= improvements(budget, goal_cost_)) {
+    } else if (expansions_ >= most_expansions(budget, goal_cost_, found_after_)) {
       return false;
     }
     std::ranges::pop_heap(open_, is_later);
