@@ -17,9 +17,11 @@ constexpr double kAlong = 2.0;         // sole lengths from a step
 constexpr double kSamePlace = 1e-9;
 constexpr double kTightFor_m = 0.5;  // from a start that is close to something the clearance is less
 
-// Of a long way only the beginning is walked before the next plan.
-int improvements(const Budget& budget, double cost) {
-  return static_cast<int>(budget.improvements * std::min(kWholeBudget / cost, 1.0));
+// With a plan at hand. Of a long way only the beginning is walked before the next plan.
+int most_expansions(const Budget& budget, double cost, int found_after) {
+  constexpr int kShare = 4;
+  const int improvements = static_cast<int>(budget.improvements * std::min(kWholeBudget / cost, 1.0));
+  return std::max(improvements, found_after + improvements / kShare);
 }
 bool is_same(const Pose& a, const Pose& b) {
   return way_m(a, b) < kSamePlace && turn_rad(a, b) < kSamePlace;
@@ -89,13 +91,26 @@ std::uint32_t FootstepSearch::stand_at(const Place& place, Side side) {
   stand.standing.pose = {at.x(), at.y(), lattice_.yaw_rad(place.direction)};
   stand.at_least = is_along(stand.standing.pose) ? at_least(stand.standing.pose, side) : kInfinity;
   if (std::isfinite(stand.at_least)) {
-    stand.about = std::max(guide_.to_goal(limits_.middle_beside(stand.standing.pose, side)), stand.at_least);
+    stand.about = std::max(about(stand.standing.pose, side), stand.at_least);
     const auto height_m = check_.height_at(place);
     stand.is_footing = height_m.has_value();
     stand.standing.height_m = height_m.value_or(0.0);
   }
   stands_.push_back(stand);
   return id;
+}
+
+// By the guide; along a plan, which may go another way than the guide would, by what is left of that plan.
+double FootstepSearch::about(const Pose& foot, Side side) const {
+  if (along_.empty()) return guide_.to_goal(limits_.middle_beside(foot, side));
+  constexpr double kStepCost = 1.1;  // between one on the spot and one at the limits
+  double least = kInfinity;
+  for (std::size_t i = 0; i < along_.size(); ++i) {
+    const double left = static_cast<double>(along_.size() - 1 - i);
+    least =
+        std::min(least, kStepCost * (left + 2.0 * way_m(foot, along_[i].pose) / lattice_.fastest().way_m));
+  }
+  return least;
 }
 
 bool FootstepSearch::is_along(const Pose& foot) const noexcept {
@@ -258,7 +273,7 @@ bool FootstepSearch::improve(const Budget& budget) {
     if (!std::isfinite(goal_cost_)) {
       if (expansions_ >= budget.expansions) return false;
       found_after_ = expansions_;
-    } else if (expansions_ - found_after_ >= improvements(budget, goal_cost_)) {
+    } else if (expansions_ >= most_expansions(budget, goal_cost_, found_after_)) {
       return false;
     }
     std::ranges::pop_heap(open_, is_later);

@@ -77,6 +77,7 @@ class FootstepSearch {
   double next_round(double weight);
   [[nodiscard]] std::vector<Footstep> steps() const;
   [[nodiscard]] double at_least(const Pose& foot, Side side) const;
+  [[nodiscard]] double about(const Pose& foot, Side side) const;
   [[nodiscard]] bool is_along(const Pose& foot) const noexcept;
   [[nodiscard]] static bool is_later(const Entry& a, const Entry& b) noexcept;
 

@@ -47,8 +47,10 @@ enum class Reason : std::uint8_t {
 // How long the search may go on. Expansions make it the same on every machine; `stop` is asked every 64 of
 // them, and a plan that it cut short depends on whoever asked.
 struct Budget {
-  int expansions = 12'000;       // until there is a plan
-  int improvements = 4'000;      // expansions for a better one; of more than 10 steps: times 10 / steps
+  int expansions = 12'000;  // until there is a plan
+  // In all, once there is a plan, but at least a quarter of them after it; for a plan of more than 10 steps
+  // fewer in proportion.
+  int improvements = 4'000;
   double good_enough = 1.0;      // it ends at a plan that is proven to cost at most this times the cheapest
   std::function<bool()> stop{};  // empty: never
 };
