@@ -102,6 +102,8 @@ TEST_F(PlanCommand, BadInputIsRefused) {
   expect_refused("--world boxes", "--to");
   expect_refused("--world boxes --to 1,0", "--to");
   expect_refused("--world boxes --to 1,nan,0", "--to");
+  expect_refused("--world boxes --to 1e300,0,0", "1000");
+  expect_refused("--world boxes --from -1e300,0,0 --to 0,0,0", "1000");
   expect_refused("--world boxes --to 1,0,0 --robot nowhere", "nowhere");
   expect_refused("--world empty --to 1,0,0 --picture '" + (folder_ / "no" / "way.png").string() + "'",
                  "way.png");

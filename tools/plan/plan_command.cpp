@@ -100,6 +100,7 @@ void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "plan");
   PlanOptions& options = command.runs(plan);
   constexpr int kNumbers = 3;
+  constexpr double kMost = 1000.0;
   command.option("--world", options.world, "A file, or the name of a shipped world").required();
   command.option("--world-seed", options.seed, "Seed of its random courses, in place of their own")
       .between(0.0, std::numeric_limits<int>::max());
@@ -107,8 +108,12 @@ void declare_program(const CommandLine& app) {
   command
       .option("--from", options.from,
               "X,Y,YAW in m, m and degrees, of the middle between the feet; otherwise the world's start")
+      .between(-kMost, kMost)
       .values(kNumbers);
-  command.option("--to", options.to, "X,Y,YAW in m, m and degrees, of the same").required().values(kNumbers);
+  command.option("--to", options.to, "X,Y,YAW in m, m and degrees, of the same")
+      .required()
+      .between(-kMost, kMost)
+      .values(kNumbers);
   command.option("--json", options.json, "The plan as JSON");
   command.option("--picture", options.picture,
                  "PNG file: map, obstacles, footsteps, swept body and goal from above");
