@@ -130,9 +130,7 @@ TEST_F(SimulateCommand, ABusLogGivesTheReferencesOfTheRunToTheCount) {
   const json log = played();
   EXPECT_EQ(log.at("kind"), "bus log");
   EXPECT_NEAR(log.at("duration_s"), 4.98, 0.03);
-  ASSERT_EQ(
-      simulate("trajectory '" + walk() + "/bus.log" + "' --against '" + walk() + "' --json"),
-      0)
+  ASSERT_EQ(simulate("trajectory '" + walk() + "/bus.log" + "' --against '" + walk() + "' --json"), 0)
       << complaint_ << said_;
   const json compared = json::parse(said_);
   for (const json& joint : compared.at("differences"))
@@ -156,9 +154,7 @@ TEST_F(SimulateCommand, APlannedWalkKeepsItsZmpOverTheSupport) {
 }
 
 TEST_F(SimulateCommand, TheReportCarriesEverythingInItselfAndNothingFromElsewhere) {
-  ASSERT_EQ(
-      simulate("trajectory '" + walk() + "' --against kick --report '" + in_folder("r.html") + "'"),
-      0)
+  ASSERT_EQ(simulate("trajectory '" + walk() + "' --against kick --report '" + in_folder("r.html") + "'"), 0)
       << complaint_ << said_;
   const std::string page = test::text_of(in_folder("r.html"));
   EXPECT_THAT(page,
