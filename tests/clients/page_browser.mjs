@@ -88,7 +88,11 @@ export class RobotPage {
     return this.page.click(`#${id}`);
   }
   async tab(title) {
-    await this.page.evaluate((wanted) => [...document.querySelectorAll("[role=tab]")].find((tab) => tab.textContent === wanted).click(), title);
+    await this.page.evaluate((wanted) => {
+      const tab = [...document.querySelectorAll("[role=tab]")].find(({ textContent }) => textContent === wanted);
+      tab.focus(); // as a click does: keys go there
+      tab.click();
+    }, title);
   }
   close() {
     return this.page.close();

@@ -60,6 +60,25 @@ test("drives with keys and with the mouse, as long as they are held", async () =
   await robot.close();
 });
 
+test("drives within the gait's limits, however late the page gets to know them", async () => {
+  const robot = await RobotPage.open(browser, address());
+  await robot.page.evaluateOnNewDocument(() => {
+    const send = WebSocket.prototype.send;
+    WebSocket.prototype.send = function (data) {
+      if (typeof data === "string" && data.includes("/walk/limits")) setTimeout(() => send.call(this, data), 500);
+      else send.call(this, data);
+    };
+  });
+  await robot.page.reload();
+  await robot.live();
+  await robot.hold("w");
+  await robot.says("activity", "walks");
+  assert.equal(await robot.page.$(".news .bad"), null);
+  await robot.letGo("w");
+  await robot.says("activity", "stands");
+  await robot.close();
+});
+
 test("drives by touch and with a game pad, whose buttons stop", async () => {
   const robot = await RobotPage.open(browser, address(), { width: 360, height: 740, hasTouch: true, isMobile: true });
   await robot.live();

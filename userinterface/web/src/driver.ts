@@ -17,6 +17,7 @@ export class Driver {
   private readonly keys = new Keys();
   private foreignSince_ms: number | undefined;
   private boundsRead_ms = -Infinity;
+  private boundsKnown = false; // before, a stick's place is no velocity: the robot may allow less than half of what the API does
   private retired = false;
   bounds: Bounds;
   sent: Velocity = standstill;
@@ -86,7 +87,7 @@ export class Driver {
     const wish = strongest([screen, this.keys.wish, document.hidden ? undefined : padWish]);
     this.walk.mirror(-wish.turn, wish.ahead);
     this.side.mirror(-wish.left, 0);
-    const held = velocityOf(wish, this.bounds);
+    const held = this.boundsKnown ? velocityOf(wish, this.bounds) : standstill;
     if (isStandstill(held)) {
       const last = drive.letGo();
       if (last) this.publish(last);
@@ -136,7 +137,10 @@ export class Driver {
     if (!robot.isOpen || document.hidden || now_ms - this.boundsRead_ms < boundsEvery_ms) return;
     this.boundsRead_ms = now_ms;
     readBounds(robot, description).then(
-      (bounds) => (this.bounds = bounds),
+      (bounds) => {
+        this.bounds = bounds;
+        this.boundsKnown = true;
+      },
       () => {}, // those that are known hold on
     );
   }
