@@ -99,6 +99,10 @@ test("drives by touch and with a game pad, whose buttons stop", async () => {
     await finger.end();
     await robot.says("activity", "stands");
     if (stop === "#emergency") break;
+    await robot.page.evaluate(() => document.getElementById("news").replaceChildren());
+    await robot.page.focus(stop);
+    await robot.page.keyboard.press("Enter");  // as assistive technology does
+    await robot.newsOf("Stop: done");
     finger = await hold();
   }
   await robot.press("release");

@@ -12,7 +12,7 @@ import { Freshness } from "./freshness.ts";
 import { LinkBanner } from "./link_banner.ts";
 import { News } from "./news.ts";
 import { PushTool } from "./push_tool.ts";
-import { isLate, Rosbridge, Unanswered } from "./rosbridge.ts";
+import { isLate, isOvertakenByStop, Rosbridge, Unanswered } from "./rosbridge.ts";
 import { Scene } from "./scene/scene.ts";
 import { socketUrl } from "./socket_keeper.ts";
 import { StatusBar } from "./status_bar.ts";
@@ -81,7 +81,7 @@ function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar,
       return;
     }
     if (level === "error") context.drive.end();
-    if (stops.hasStopped(performance.now())) return;
+    if (isOvertakenByStop(text)) return; // as it should be
     news.say(level === "error" ? `What you asked for was not done: ${text}` : text, level === "error" ? "bad" : "plain");
   };
   const look = () => {

@@ -18,6 +18,11 @@ export function isLate(text: string): boolean {
   return text.includes("late: it may have been sent");
 }
 
+// Likewise: it was on its way when a stop was carried out.
+export function isOvertakenByStop(text: string): boolean {
+  return text.includes("given before a stop") || text.includes("a stop that this connection called later");
+}
+
 interface Waiting {
   service: string;
   resolve: (values: Message) => void;

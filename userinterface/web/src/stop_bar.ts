@@ -3,28 +3,17 @@ import type { Context } from "./context.ts";
 import { byId, isTyping } from "./dom.ts";
 import { modes, type ViewFrame } from "./view_decoder.ts";
 
-const afterStop_ms = 1000;
-
-// Called as soon as the button is touched: a second finger, while the first one holds a stick, brings no click. Keys and
-// assistive technology bring a click alone.
+// As soon as the button is touched: a second finger, while the first one holds a stick, brings no click. Keys and assistive
+// technology bring a click alone; to stop twice, where both come, does no harm.
 function whenTouched(button: HTMLButtonElement, press: () => void): void {
-  let touched = false;
-  button.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    touched = true;
-    press();
-  });
-  button.addEventListener("click", () => {
-    if (!touched) press();
-    touched = false;
-  });
+  button.addEventListener("pointerdown", (event) => event.button === 0 && press());
+  button.addEventListener("click", press);
 }
 
 export class StopBar {
   private readonly stopButton = byId<HTMLButtonElement>("stop");
   private readonly emergencyButton = byId<HTMLButtonElement>("emergency");
   private readonly releaseButton = byId<HTMLButtonElement>("release");
-  private stopped_ms = -Infinity;
 
   // `ended`: whatever was being driven is ended before the stop is sent.
   constructor(
@@ -39,13 +28,8 @@ export class StopBar {
     document.addEventListener("keyup", (event) => event.code === "Space" && !isTyping(event.target) && event.preventDefault(), { capture: true });
   }
 
-  // Just now: what was asked for before is then refused, as it should be.
-  hasStopped(now_ms: number): boolean {
-    return now_ms - this.stopped_ms < afterStop_ms;
-  }
-
   stop(): void {
-    this.end();
+    this.ended();
     void this.context.attempt("Stop", () => this.context.robot.stop("/stop"));
   }
 
@@ -55,13 +39,8 @@ export class StopBar {
     this.emergencyButton.setAttribute("aria-pressed", String(stopped));
   }
 
-  private end(): void {
-    this.stopped_ms = performance.now();
-    this.ended();
-  }
-
   private emergencyStop(): void {
-    this.end();
+    this.ended();
     void this.context.attempt("Emergency stop", () => this.context.robot.stop("/emergency_stop", { data: false }));
   }
 
