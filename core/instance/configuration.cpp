@@ -130,9 +130,19 @@ bool read_sockets(const YamlValue& value) {
   return text == "local";
 }
 
+bool answers_next_step(const YamlValue& value) {
+  const std::string text = value.text();
+  if (text != "this_step" && text != "next_step") {
+    value.refuse("must be 'this_step' or 'next_step'",
+                 "'this_step': the tick waits for it; 'next_step': it works beside the tick, and what it "
+                 "publishes is there one step later");
+  }
+  return text == "next_step";
+}
+
 ChildSettings read_child_settings(const YamlValue& plugin, bool isolated) {
   ChildSettings settings;
-  for (const std::string_view key : {"sockets", "descriptors", "memory"}) {
+  for (const std::string_view key : {"sockets", "descriptors", "memory", "answer"}) {
     if (const auto value = plugin.find(key); value && !isolated) {
       value->refuse("is for plug-ins in processes of their own alone",
                     "Add 'isolation: process', or leave it out");
@@ -140,6 +150,9 @@ ChildSettings read_child_settings(const YamlValue& plugin, bool isolated) {
   }
   if (const auto sockets = plugin.find("sockets")) {
     settings.local_sockets = read_sockets(*sockets);
+  }
+  if (const auto answer = plugin.find("answer")) {
+    settings.answers_next_step = answers_next_step(*answer);
   }
   if (const auto descriptors = plugin.find("descriptors")) {
     settings.descriptor_limit = static_cast<std::uint32_t>(descriptors->integer(16, 4096));
@@ -152,9 +165,9 @@ ChildSettings read_child_settings(const YamlValue& plugin, bool isolated) {
 }
 
 PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& others) {
-  constexpr std::array<std::string_view, 12> kKeys{"name",          "library", "isolation",   "parameters",
-                                                   "period",        "phase",   "fallback",    "budget",
-                                                   "give_up_after", "sockets", "descriptors", "memory"};
+  constexpr std::array<std::string_view, 13> kKeys{
+      "name",   "library",       "isolation", "parameters",  "period", "phase", "fallback",
+      "budget", "give_up_after", "sockets",   "descriptors", "memory", "answer"};
   map.require_map(kKeys);
   PluginEntry entry;
   entry.line = map.line();

@@ -66,7 +66,7 @@ void IsolatedPlugin::activate() {
 }
 
 void IsolatedPlugin::deactivate() noexcept {
-  if (condition_ == Condition::active) {
+  if (condition_ == Condition::active && settle(kFarewell_ns)) {
     condition_ = Condition::idle;
     child_->copy_in(ports_);
     if (!call(ChildCall::deactivate, kFarewell_ns)) {
@@ -90,17 +90,27 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
     restate_loss();
     return false;
   }
+  if (settings_.answers_next_step) {
+    return run_beside_tick(tick);
+  }
+  begin_step(tick);
+  return finish_step(step_limit_ns(), tick);
+}
+
+void IsolatedPlugin::begin_step(const Tick& tick) noexcept {
   child_->copy_in(ports_);
   child_->request().keep_state = 1;
   child_->request().tick = abi_tick(tick);
   child_->begin(ChildCall::step);
-  const std::int64_t limit_ns =
-      options_.lock_step ? options_.watchdog_ns : step_budget_ns(containment_, period_ == Period::batch);
+  step_began_ns_ = tick.now_ns;
+}
+
+bool IsolatedPlugin::finish_step(std::int64_t limit_ns, const Tick& tick) noexcept {
   switch (child_->finish(limit_ns, *this)) {
     case Child::Result::done:
       child_->copy_out(ports_);
       static_cast<void>(child_->take_state(*state_));
-      state_ns_ = tick.now_ns;
+      state_ns_ = step_began_ns_;
       ++steps_since_start_;
       set_fault("");
       return true;
@@ -111,8 +121,9 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
       if (!options_.lock_step) {
         condition_ = Condition::late;
         still_late_ = false;
-        late_ns_ = tick.now_ns;
-        set_fault(child_->text());
+        late_ns_ = step_began_ns_;
+        format_into(text_, "did not answer within {:g} ms", static_cast<double>(step_limit_ns()) * 1e-6);
+        set_fault(text_.data());
         return false;
       }
       format_into(text_, "{} of wall time: its process was ended", child_->text());
@@ -123,6 +134,34 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
   }
   lose(child_->text(), tick.now_ns);
   return false;
+}
+
+// Takes the answer to the step before, and begins the next one. In real time a step that is still within its
+// budget is left alone; in virtual time it is waited for, so that each run of one seed does the same.
+bool IsolatedPlugin::run_beside_tick(const Tick& tick) noexcept {
+  bool fine = true;
+  if (step_open_) {
+    const bool may_take_longer = !options_.lock_step && tick.now_ns - step_began_ns_ < step_limit_ns();
+    if (may_take_longer && !child_->has_answered() && !child_->process().has_ended()) {
+      return true;
+    }
+    step_open_ = false;
+    fine = finish_step(options_.lock_step ? options_.watchdog_ns : 0, tick);
+  }
+  if (condition_ == Condition::active) {
+    begin_step(tick);
+    step_open_ = true;
+  }
+  return fine;
+}
+
+// Before another call: takes the answer to a step that no tick waited for. False: there is none.
+bool IsolatedPlugin::settle(std::int64_t limit_ns) noexcept {
+  if (step_open_) {
+    step_open_ = false;
+    static_cast<void>(finish_step(limit_ns, tick_));
+  }
+  return condition_ == Condition::active || condition_ == Condition::idle;
 }
 
 void IsolatedPlugin::fail_step(const Tick& tick) noexcept {
@@ -217,6 +256,7 @@ void IsolatedPlugin::lose(std::string_view what, std::int64_t now_ns) noexcept {
     child_->process().kill();
   }
   const bool ran = condition_ == Condition::active || condition_ == Condition::late;
+  step_open_ = false;
   lost_ns_ = now_ns;
   restart_ns_ = now_ns + restarts_.delay_ns(now_ns, ran);
   lost_in_step_ = true;
@@ -243,7 +283,7 @@ void IsolatedPlugin::restate_loss() noexcept {
 void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
   const bool runs = condition_ == Condition::active || condition_ == Condition::late;
   if (runs && !options_.lock_step && child_->process().has_ended()) {
-    child_->describe_end("between two steps", *this);
+    child_->describe_end(step_open_ ? child_->calling() : "between two steps", *this);
     lose(child_->text(), now_ns);
   } else if (condition_ == Condition::late && now_ns - late_ns_ > options_.hang_ns) {
     format_into(text_, "has not answered for {} ms: its process was ended",

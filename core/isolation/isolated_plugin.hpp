@@ -69,6 +69,10 @@ class IsolatedPlugin final : public ManagedPlugin {
   };
 
   bool run(const Tick& tick) noexcept override;
+  void begin_step(const Tick& tick) noexcept;
+  bool finish_step(std::int64_t limit_ns, const Tick& tick) noexcept;
+  bool run_beside_tick(const Tick& tick) noexcept;
+  bool settle(std::int64_t limit_ns) noexcept;
   void fail_step(const Tick& tick) noexcept;
   bool resume_late(const Tick& tick) noexcept;
 
@@ -90,7 +94,10 @@ class IsolatedPlugin final : public ManagedPlugin {
 
   [[nodiscard]] bool require_child() noexcept {  // false: fault() says since when there is none
     const bool there = condition_ == Condition::active || condition_ == Condition::idle;
-    return there || (restate_loss(), false);
+    return there ? settle(between_steps_limit_ns()) : (restate_loss(), false);
+  }
+  [[nodiscard]] std::int64_t step_limit_ns() const noexcept {
+    return options_.lock_step ? options_.watchdog_ns : step_budget_ns(containment_, period_ == Period::batch);
   }
   [[nodiscard]] std::int64_t between_steps_limit_ns() const noexcept {
     if (options_.lock_step) {
@@ -115,9 +122,10 @@ class IsolatedPlugin final : public ManagedPlugin {
   Condition condition_ = Condition::creating;
   bool still_late_ = false;    // the step that the last one found late
   bool lost_in_step_ = false;  // the last one
+  bool step_open_ = false;     // a step that no tick waited for: its answer is still to be taken
 
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();  // of the last good step
-  std::int64_t state_ns_ = 0;
+  std::int64_t state_ns_ = 0, step_began_ns_ = 0;
   std::uint32_t steps_since_start_ = 0;
   bool restored_ = false;
   RestartRule restarts_;

@@ -118,6 +118,8 @@ TEST(Configuration, ReadsWhatAProcessMay) {
   EXPECT_FALSE(plain.containment.give_up.never);
   EXPECT_FALSE(
       entry_with("isolation: process, sockets: local, give_up_after: {faults: 3}").containment.give_up.never);
+  EXPECT_FALSE(entry_with("isolation: process, answer: this_step").child.answers_next_step);
+  EXPECT_TRUE(entry_with("isolation: process, answer: next_step").child.answers_next_step);
   const PluginEntry none = entry_with("isolation: process, sockets: none");
   EXPECT_FALSE(none.child.local_sockets);
   EXPECT_FALSE(none.containment.give_up.never);
@@ -132,10 +134,14 @@ TEST(Configuration, RefusesWhatNoProcessMay) {
       testing::AllOf(HasSubstr("walk.yaml:3: plugins[0].sockets = 'local': is for plug-ins in processes of "
                                "their own alone"),
                      HasSubstr("Add 'isolation: process'")));
-  for (const char* const key : {"sockets: none", "descriptors: 100", "memory: 1 GiB"}) {
+  for (const char* const key : {"sockets: none", "descriptors: 100", "memory: 1 GiB", "answer: next_step"}) {
     EXPECT_THAT(refused(key), HasSubstr("is for plug-ins in processes of their own alone")) << key;
   }
   const std::string process = "isolation: process\n    ";
+  EXPECT_THAT(refused(process + "answer: never"),
+              testing::AllOf(HasSubstr("walk.yaml:4: plugins[0].answer = 'never': must be 'this_step' or "
+                                       "'next_step'"),
+                             HasSubstr("'next_step': it works beside the tick")));
   for (const char* const value : {"serve", "Local", "true", "unix"}) {
     EXPECT_THAT(refused(process + "sockets: " + value),
                 testing::AllOf(HasSubstr("walk.yaml:4: plugins[0].sockets = '" + std::string(value) +

@@ -2,6 +2,7 @@
 """What a crowd of clients costs the main controller, in real time: rounds of runs one after the other, so that whatever else the computer does is in all of them.
 
   alone    the robot walks, and nobody but who walks it is connected
+  watched  one client is subscribed to everything: the robot sends its module all that it has, as it does for a crowd
   crowd    as many clients are subscribed to everything
   control  the same load generator reads as many messages of a server that has no robot: what the generator itself, and the messages' way, cost
 
@@ -21,7 +22,7 @@ from pathlib import Path
 
 from measured_robot import BIN, MeasuredRobot, WebSocket
 
-KINDS = ("alone", "crowd", "control")
+KINDS = ("alone", "watched", "crowd", "control")
 NO_FIFO = ["setpriv", "--bounding-set=-sys_nice", "--inh-caps=-sys_nice"]
 WALK = {"op": "publish", "topic": "/cmd_vel", "msg": {"linear": {"x": 0.1}}}
 
@@ -92,7 +93,7 @@ def run(kind, options, like):
             port = robot.port
             if kind == "control":
                 foreign, port = foreign_server(options.clients, like)
-            load = generator(port, options.clients, options.seconds) if kind != "alone" else None
+            load = generator(port, 1 if kind == "watched" else options.clients, options.seconds) if kind != "alone" else None
             module = robot.processes[-1].pid
             before_s, began = cpu_s(module), time.monotonic()
             while time.monotonic() < began + options.seconds:
@@ -130,7 +131,7 @@ options = parser.parse_args()
 print(f"load of the computer before: {os.getloadavg()[0]:.2f}")
 runs = {kind: [] for kind in KINDS}
 for round_ in range(options.rounds):
-    for kind in KINDS if round_ % 2 == 0 else ("crowd", "control", "alone"):
+    for kind in KINDS if round_ % 2 == 0 else ("crowd", "control", "alone", "watched"):
         runs[kind].append(quiet_run(kind, options, runs["crowd"][-1] if runs["crowd"] else None))
         print(round_, kind, json.dumps(runs[kind][-1]), flush=True)
 print("\n| median of the runs | batch compute p50, p99, max [us] | wakes late by p50, p99, max [us] | batches late in all | messages/s | module's processor time |")

@@ -272,6 +272,68 @@ TEST_F(IsolatedPluginTest, AParameterThatIsSetWhenItsProcessHasJustDiedIsRefused
   }
 }
 
+// --- Whose answer comes with the next step.
+
+TEST_F(IsolatedPluginTest, WithItsAnswerNextStepItsOutputsComeOneStepLater) {
+  const auto manager = load(relay("source", "to: a") +
+                            "  - {name: it, library: relay.so, isolation: process, answer: next_step, "
+                            "parameters: {from: a, add: 100, to: b}}\n");
+  for (std::uint32_t i = 1; i < 20; ++i) {
+    ASSERT_EQ(manager->step(tick(i)), 0);
+    Correction correction{};
+    ASSERT_EQ(static_cast<bool>(other.read<Correction>("b").read(correction)), i > 1);
+    ASSERT_EQ(correction.com_offset[0], i > 1 ? 99.0 + i : 0.0);
+  }
+}
+
+TEST_F(IsolatedPluginTest, WithItsAnswerNextStepAFaultIsTheNextStepsAndSurvived) {
+  const std::pair<const char*, const char*> ways[] = {{"segfault", "was ended by SIGSEGV in its step"},
+                                                      {"exit", "exited with code"},
+                                                      {"loop", "did not answer"}};
+  isolation.watchdog_ns = 50'000'000;
+  for (const auto& [how, fault] : ways) {
+    const auto manager = load(
+        "  - {name: it, library: misbehaves.so, isolation: process, answer: next_step, "
+        "parameters: {how: " +
+        std::string(how) + "}}\n");
+    std::uint32_t at = 1;
+    for (; at <= 3; ++at) {
+      ASSERT_EQ(manager->step(tick(at)), 0);
+      manager->maintain(tick(at).now_ns);
+    }
+    ASSERT_EQ(manager->step(tick(at)), 1) << how;
+    EXPECT_THAT(std::string(manager->plugin(0).fault()), HasSubstr(fault));
+    EXPECT_EQ(value(), 2.0) << "nothing of the bad step went out";
+    do {
+      manager->maintain(tick(at).now_ns);
+      ASSERT_LT(++at, 20U) << how;
+    } while (manager->step(tick(at)) != 0);
+    ASSERT_EQ(manager->step(tick(at + 1)), 0);
+    EXPECT_EQ(value(), 3.0) << "it goes on from the state of its last good step";
+  }
+}
+
+TEST_F(IsolatedPluginTest, WithItsAnswerNextStepParametersAndReloadsComeBetweenTwoSteps) {
+  for (const bool lock_step : {true, false}) {
+    isolation.lock_step = lock_step;
+    const auto manager =
+        load("  - {name: it, library: counter.so, isolation: process, answer: next_step, budget: 80 ms}\n");
+    ASSERT_EQ(manager->step(tick(1)), 0);
+    manager->changes().set_parameter("it", "offset", "1 m");
+    ASSERT_EQ(manager->step(tick(2)), 0);
+    ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload("it")));
+    ASSERT_EQ(manager->step(tick(6)), 0);
+    manager->end_trial(tick(6));
+    const auto result = manager->changes().take_result();
+    ASSERT_TRUE(result.has_value());
+    EXPECT_TRUE(result->done) << result->text;
+    ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_stop("it")));
+    manager->step(tick(14));
+    manager->end_trial(tick(14));
+    EXPECT_TRUE(manager->changes().take_result()->done);
+  }
+}
+
 TEST_F(IsolatedPluginTest, WhatHasNoProcessCanBeStoppedAndReloaded) {
   const auto manager = load(isolated("misbehaves", "how: abort"));
   for (std::uint32_t i = 1; i <= 5; ++i) {

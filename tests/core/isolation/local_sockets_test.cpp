@@ -263,6 +263,25 @@ TEST_F(LocalSockets, InRealTimeLateStepsLeaveNoTraceOnTheOthersAndNeverPutItOutO
   EXPECT_THAT(newest("has not answered"), HasSubstr("has not answered for 510 ms: its process was ended"));
 }
 
+TEST_F(LocalSockets, InRealTimeNoTickWaitsForOneThatAnswersNextStep) {
+  isolation.lock_step = false;
+  manager = load(relays() + server(", answer: next_step, budget: 25 ms"));
+  ASSERT_EQ(ask("step wait"), 0);
+  ASSERT_EQ(step(), 0);
+  while (ask("waits") != 1) {  // its thread tells when its step has begun
+  }
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(step(), 0) << "within its budget it is left alone";
+    EXPECT_EQ(relayed(), 100.0 + number);
+  }
+  EXPECT_EQ(step(), 1);
+  EXPECT_THAT(fault(), HasSubstr("did not answer within 25 ms"));
+  EXPECT_EQ(step(), 1);
+  EXPECT_THAT(fault(), HasSubstr("has not answered for 40 ms"));
+  EXPECT_EQ(relayed(), 100.0 + number);
+  EXPECT_EQ(service(), ServiceState::failing);
+}
+
 TEST_F(LocalSockets, FloodOfFaultsIsToldOnceASecond) {
   manager = load(server());
   for (int i = 0; i < 250; ++i) {

@@ -86,6 +86,7 @@ struct ContainmentSettings {
 // Of a plug-in with Isolation::process.
 struct ChildSettings {
   bool local_sockets = false;          // it may use Unix sockets: for a link to another process of the robot
+  bool answers_next_step = false;      // no tick waits for its step; the next one takes what it gave
   std::uint32_t descriptor_limit = 0;  // 0: what all have
   std::uint64_t memory_limit_bytes = 0;  // 0: the same
 };
