@@ -49,13 +49,15 @@ struct Options {
 
 // What people ask through the robot API.
 struct PeoplesRequests {
-  explicit PeoplesRequests(msgclient::Client& behavior) : walk(behavior), motion(behavior) {}
+  explicit PeoplesRequests(msgclient::Client& behavior) : walk(behavior), motion(behavior), way(behavior) {}
   void step(std::int64_t now_ns) noexcept {
     walk.step(now_ns);
     motion.step(now_ns);
+    way.step(now_ns);
   }
   msgcontroller::WalkRequests walk;
   msgcontroller::MotionRequests motion;
+  msgcontroller::WayRequests way;
 };
 
 // Publishes one walk command after a while, as the scenario's player does.

@@ -24,6 +24,12 @@ bool sensible(const WalkCommand& request) noexcept {
          within("turn_rate", request.turn_rate);
 }
 
+// Another process wrote these, too.
+void make_sound(MotionRequest& request) noexcept {
+  request.name[sizeof request.name - 1] = 0;
+}
+void make_sound(WalkToRequest&) noexcept {}  // whoever walks there looks at its numbers
+
 }  // namespace
 
 WalkRequests::WalkRequests(msgclient::Client& client)
@@ -63,20 +69,20 @@ void WalkRequests::command(const WalkCommand& command, std::int64_t now_ns) noex
   commands_.publish(command, now_ns);
 }
 
-MotionRequests::MotionRequests(msgclient::Client& client)
-    : requests_(client.read<MotionRequest>("motion_request")),
-      commands_(client.write<MotionRequest>("motion_command")) {}
-
-std::optional<MotionRequest> MotionRequests::step(std::int64_t now_ns) noexcept {
+template <class Request>
+std::optional<Request> PassedRequests<Request>::step(std::int64_t now_ns) noexcept {
   if (ended_ || requests_.newest_sequence() == seen_) return std::nullopt;
-  MotionRequest request;
+  Request request;
   const auto read = requests_.read(request);
   if (!read) return std::nullopt;
   seen_ = read.sequence;
   request.stamp_ns = now_ns;
-  request.name[sizeof request.name - 1] = 0;  // another process wrote it
+  make_sound(request);
   commands_.publish(request, now_ns);
   return request;
 }
+
+template class PassedRequests<MotionRequest>;
+template class PassedRequests<WalkToRequest>;
 
 }  // namespace gaitway::msgcontroller

@@ -32,7 +32,8 @@ bool is_same(const Pose& a, const Pose& b) {
 FootstepSearch::FootstepSearch(const Limits& limits, const StepLattice& lattice, const Terrain& terrain,
                                const StepCheck& check, const DistanceField& field, const BodyField& guide,
                                const std::array<Standing, 2>& feet, const std::array<Standing, 2>& goal,
-                               double start_clearance_m, std::span<const Footstep> along)
+                               double start_clearance_m, std::optional<Side> first,
+                               std::span<const Footstep> along)
     : limits_(limits),
       lattice_(lattice),
       terrain_(terrain),
@@ -43,6 +44,7 @@ FootstepSearch::FootstepSearch(const Limits& limits, const StepLattice& lattice,
       goal_middle_(middle_of(goal[0].pose, goal[1].pose)),
       start_clearance_m_(start_clearance_m),
       start_m_(0.5 * (feet[0].pose.x_m + feet[1].pose.x_m), 0.5 * (feet[0].pose.y_m + feet[1].pose.y_m)),
+      first_(first),
       along_(along),
       tight_(start_clearance_m < limits.clearance_m),
       goal_cost_(kInfinity) {
@@ -313,7 +315,7 @@ FootstepSearch::Result FootstepSearch::run(const Budget& budget) {
   for (std::uint32_t side = 0; side < 2; ++side) {
     stands_[side].at_least = stands_[side].about =
         0.0;  // whatever its own place is like: from there the search begins
-    push(side);
+    if (!first_ || static_cast<Side>(side) != *first_) push(side);  // on it the robot stands
   }
   Result result;
   double least = 0.0;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,11 +24,12 @@ namespace gaitway::planning {
 class FootstepSearch {
  public:
   // `feet` and `goal`: left and right. `start_clearance_m`: of the body's first steps, where it stands closer
-  // to something than its clearance. `along`: if there are steps, those that are found stay near them.
+  // to something than its clearance. `first`: the foot that steps first, if it is not free. `along`: if there
+  // are steps, those that are found stay near them.
   FootstepSearch(const Limits& limits, const StepLattice& lattice, const Terrain& terrain,
                  const StepCheck& check, const DistanceField& field, const BodyField& guide,
                  const std::array<Standing, 2>& feet, const std::array<Standing, 2>& goal,
-                 double start_clearance_m, std::span<const Footstep> along);
+                 double start_clearance_m, std::optional<Side> first, std::span<const Footstep> along);
 
   struct Result {
     bool found = false;
@@ -48,7 +50,6 @@ class FootstepSearch {
     Standing standing;
     double at_least = 0.0;       // what the rest costs, never more than the truth
     double about = 0.0;          // and by the guide
-                                 //          // what the rest costs at least
     std::uint64_t possible = 0;  // a bit for each landing that the body has room for
     double cost_to_goal = 0.0;   // by the goal's feet; infinite: they are not in reach
     double clean_cost = 0.0;     // the least at which it was expanded with all swings free; infinite: never
@@ -91,6 +92,7 @@ class FootstepSearch {
   Pose goal_middle_;
   double start_clearance_m_;
   Eigen::Vector2d start_m_;
+  std::optional<Side> first_;
   std::span<const Footstep> along_;
   bool tight_ = false;  // the start is closer to something than the clearance
 

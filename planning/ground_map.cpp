@@ -5,8 +5,15 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace gaitway::planning {
+namespace {
+
+constexpr double kAround_m = 1.0;    // of floor around everything
+constexpr double kFurther_m = 10.0;  // from start and goal nothing is looked at
+
+}  // namespace
 
 void GroundMap::validate() const {
   const std::size_t cells =
@@ -18,6 +25,32 @@ void GroundMap::validate() const {
   if (!std::ranges::all_of(surface_m, [](float height_m) { return std::isfinite(height_m); })) {
     throw std::invalid_argument("ground map: surface_m must be finite: mark what is unknown as no ground");
   }
+}
+
+world::Grid grid_over(const world::World& world, const Pose& start, const Pose& goal, double cell_m) {
+  const Eigen::Vector2d from(start.x_m, start.y_m), to(goal.x_m, goal.y_m);
+  const Eigen::Vector2d far = Eigen::Vector2d::Constant(kFurther_m),
+                        around = Eigen::Vector2d::Constant(kAround_m);
+  Eigen::Vector2d least = from, greatest = from;
+  if ((to - from).norm() < 2.0 * kFurther_m) {  // further off it is not on the map, and told so
+    least = least.cwiseMin(to);
+    greatest = greatest.cwiseMax(to);
+  }
+  const Eigen::Vector2d lowest = least - far, highest = greatest + far;
+  for (const world::Solid& solid : world.all_solids(true)) {
+    const auto [low, high] = solid.bounds_m();
+    least = least.cwiseMin(low.head<2>());
+    greatest = greatest.cwiseMax(high.head<2>());
+  }
+  least = (least - around).cwiseMax(lowest);
+  greatest = (greatest + around).cwiseMin(highest);
+  const auto count = [cell_m](double length_m) {
+    return std::min(static_cast<int>(std::ceil(length_m / cell_m)), world::kMostCells);
+  };
+  return {.origin_m = least,
+          .cell_m = cell_m,
+          .columns = count(greatest.x() - least.x()),
+          .rows = count(greatest.y() - least.y())};
 }
 
 GroundMap ground_map(const world::World& world, const world::Grid& grid, double ceiling_m) {

@@ -136,6 +136,10 @@ Planner::Planner(const Limits& limits, double cell_m)
 
 Planner::~Planner() = default;
 
+double Planner::cell_m() const noexcept {
+  return lattice_->cell_m();
+}
+
 Plan Planner::plan(const GroundMap& map, const Request& request) const {
   map.validate();
   if (std::abs(map.grid.cell_m - lattice_->cell_m()) > 1e-9) {
@@ -179,13 +183,14 @@ Plan Planner::plan(const GroundMap& map, const Request& request) const {
   Budget budget = request.budget;
   const auto search = [&](std::span<const Footstep> along) {
     FootstepSearch one(limits_, *lattice_, terrain, check, field, guide, feet, goal, start_clearance_m,
-                       along);
+                       request.first, along);
     FootstepSearch::Result result = one.run(budget);
     plan.expansions += result.expansions;
     return result;
   };
   const std::span<const Footstep> rest = rest_of(request, limits_, question.goal);
-  const bool walkable = !rest.empty() && can_walk(rest, limits_, check, feet, start_clearance_m);
+  const bool walkable = !rest.empty() && rest.front().side == request.first.value_or(rest.front().side) &&
+                        can_walk(rest, limits_, check, feet, start_clearance_m);
   if (walkable) budget.improvements /= kLessForKept;
   FootstepSearch::Result result = search({});
   if (!rest.empty()) {

@@ -35,6 +35,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       behavior_client_(memory_block_.local_client("behavior")),
       observer_client_(memory_block_.local_client("observer")),
       main_client_(memory_block_.local_client("main_controller")),
+      localization_client_(memory_block_.local_client("localization")),
       plant_(robot_, options.plant),
       joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
       message_controller_(robot_, message_client_, adapter_.message()),
@@ -47,10 +48,15 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
   if (options_.obey_walk_requests) {
     walk_requests_.emplace(behavior_client_);
     motion_requests_.emplace(behavior_client_);
+    way_requests_.emplace(behavior_client_);
   } else if (!options_.plugin_commands_walk) {
     walk_command_.emplace(behavior_client_.write<WalkCommand>("walk_command"));
     walk_command_->publish(WalkCommand{}, 0);
     motion_command_.emplace(behavior_client_.write<MotionRequest>("motion_command"));
+    walk_to_command_.emplace(behavior_client_.write<WalkToRequest>("walk_to_command"));
+  }
+  if (options_.localization.is_there) {
+    localization_.emplace(localization_client_, options_.localization, options_.plant.seed);
   }
   options_.main_controller.injected_faults = &plugin_faults_;
   main_controller_ =
@@ -71,6 +77,13 @@ void Cosimulation::advance_millisecond() {
     if (motion && observer_ != nullptr) {
       observer_->on_motion_request(*motion, now_ns_);
     }
+    const auto way = way_requests_->step(now_ns_);
+    if (way && observer_ != nullptr) {
+      observer_->on_way_request(*way, now_ns_);
+    }
+  }
+  if (localization_) {
+    localization_->step(now_ns_, plant_);
   }
   joints_.step(now_ns_, plant_.sensors());
   message_controller_.step(now_ns_);
@@ -251,6 +264,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       self.walk_command_->publish(command, self.now_ns_);
     }
     void operator()(const MotionEvent& motion) const { self.ask(motion); }
+    void operator()(const WalkToEvent& way) const { self.ask(way); }
     void operator()(const StopEvent&) const { post(msgclient::UserCommandKind::stop); }
     void operator()(const ReleaseEvent&) const { post(msgclient::UserCommandKind::release); }
     void operator()(const EmergencyStopEvent& stop) const {
@@ -331,10 +345,23 @@ void Cosimulation::ask(const MotionEvent& motion) {
   motion_command_->publish(request, now_ns_);
 }
 
+void Cosimulation::ask(const WalkToEvent& way) {
+  if (!walk_to_command_) {
+    throw std::invalid_argument("a plug-in or somebody outside alone commands the ways");
+  }
+  WalkToRequest request{};
+  request.stamp_ns = now_ns_;
+  request.number = ++ways_asked_;
+  request.cancel = way.goal ? 0 : 1;
+  if (way.goal) std::copy_n(way.goal->data(), way.goal->size(), request.goal);
+  walk_to_command_->publish(request, now_ns_);
+}
+
 void Cosimulation::end_walk_requests() {
   if (walk_requests_) {
     walk_requests_->end(now_ns_);
     motion_requests_->end();
+    way_requests_->end();
   }
 }
 

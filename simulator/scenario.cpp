@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -231,10 +232,17 @@ MotionEvent read_motion_name(const YamlValue& value) {
   return {name};
 }
 
+WalkToEvent read_walk_to(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 3>{"x_m", "y_m", "yaw_deg"});
+  const input::Range place{-world::kFarthest_m, world::kFarthest_m, "m"};
+  return {std::array{value.at("x_m").number(place), value.at("y_m").number(place),
+                     value.at("yaw_deg").number({-360.0, 360.0, "degrees"}) * facts::kRadPerDegree}};
+}
+
 ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 12> kKeys{"at_s",    "asked",        "walk", "stand",
-                                                   "motion",  "leave_motion", "stop", "emergency_stop",
-                                                   "release", "move_joint",   "push", "fault"};
+  constexpr std::array<std::string_view, 14> kKeys{
+      "at_s",         "asked", "walk",           "stand",   "walk_to",    "leave_way", "motion",
+      "leave_motion", "stop",  "emergency_stop", "release", "move_joint", "push",      "fault"};
   value.require_map(kKeys);
   ScenarioEvent event{.at_s = value.at("at_s").number({0.0, kLongestRun_s, "s"}), .action = StopEvent{}};
   if (const auto asked = value.find("asked")) {
@@ -253,6 +261,11 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
     } else if (key == "stand") {
       require_true(*action);
       event.action = WalkEvent{.walk = false};
+    } else if (key == "walk_to") {
+      event.action = read_walk_to(*action);
+    } else if (key == "leave_way") {
+      require_true(*action);
+      event.action = WalkToEvent{};
     } else if (key == "motion") {
       event.action = read_motion_name(*action);
     } else if (key == "leave_motion") {
@@ -279,7 +292,8 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
   }
   if (actions != 1) {
     value.refuse(
-        "an event has at_s and exactly one of walk, stand, motion, leave_motion, stop, emergency_stop, "
+        "an event has at_s and exactly one of walk, stand, walk_to, leave_way, motion, leave_motion, stop, "
+        "emergency_stop, "
         "release, move_joint, push, "
         "fault",
         "Write one event for each action.");
@@ -287,14 +301,14 @@ ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) 
   return event;
 }
 
-std::optional<WorldChoice> read_world_choice(const YamlValue& root) {
+std::optional<world::WorldChoice> read_world_choice(const YamlValue& root) {
   const auto seed = root.find("world_seed");
   const auto world = root.find("world");
   if (!world) {
     if (seed) seed->refuse("needs a world", "Add 'world: NAME', or leave it out");
     return std::nullopt;
   }
-  WorldChoice choice{
+  world::WorldChoice choice{
       .name = world->text(), .random_seed = {}, .written_in = world->file(), .line = world->line()};
   if (choice.name.empty()) world->refuse("must be a file, or the name of a shipped world", "Name one");
   if (seed) {

@@ -29,7 +29,7 @@ simulator::CosimulationOptions options_of(const SimulationOptions& given, const 
   options.plant.seed = given.seed;
   options.plant.mismatch = given.mismatch;
   if (!given.world.empty()) {
-    options.plant.world = simulator::load_world(
+    options.plant.world = world::load_world(
         {.name = given.world, .random_seed = {}, .written_in = "SimulationOptions", .line = 0});
   }
   options.main_controller.configuration = config;

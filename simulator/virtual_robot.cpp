@@ -19,7 +19,7 @@
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
-#include "gaitway/simulator/world_choice.hpp"
+#include "gaitway/world/world_choice.hpp"
 #include "interface_robot.hpp"
 
 namespace {
@@ -274,8 +274,8 @@ int main(int argc, char** argv) {
   return input::run_line(app, argc, argv, "virtual_robot", [&] {
     process::stop_on_signals();
     if (!options.world.empty()) {
-      options.plant.world = simulator::load_world(
-          {.name = options.world, .random_seed = {}, .written_in = "--world", .line = 0});
+      options.plant.world =
+          world::load_world({.name = options.world, .random_seed = {}, .written_in = "--world", .line = 0});
     }
     return run(options);
   });

@@ -130,7 +130,14 @@ Pose2 FootstepPlanner::landing(const Pose2& stance, Side swing, const Velocity2&
   const Pose2 way = moved(velocity.forward_m_per_s * T, outer ? 2.0 * velocity.left_m_per_s * T : 0.0,
                           velocity.turn_rad_per_s * T);
   const Pose2 middle = Pose2{0.0, 0.5 * side * walking_spacing_m(before), 0.0}.compose(way);
-  Pose2 foot = middle.compose({0.0, 0.5 * side * walking_spacing_m(velocity), 0.0});
+  const Pose2 foot = middle.compose({0.0, 0.5 * side * walking_spacing_m(velocity), 0.0});
+  return stance.compose(limited(foot, swing, offset_m, applied));
+}
+
+// `foot`, here and below: in the stance foot's frame.
+Pose2 FootstepPlanner::limited(Pose2 foot, Side swing, const Eigen::Vector2d& offset_m,
+                               StepLimit& applied) const noexcept {
+  const double side = sign_of(swing);
   foot.yaw_rad = clamp_counting(foot.yaw_rad, -parameters_.max_step_turn_rad, parameters_.max_step_turn_rad,
                                 StepLimit::turn, applied);
   foot.x_m = clamp_counting(foot.x_m + offset_m.x(), -parameters_.max_step_backward_m,
@@ -139,7 +146,13 @@ Pose2 FootstepPlanner::landing(const Pose2& stance, Side swing, const Velocity2&
   lateral = clamp_counting(lateral, -1e9, parameters_.max_foot_spacing_m, StepLimit::spacing, applied);
   lateral = clamp_counting(lateral, least_spacing_m(swing, foot.yaw_rad), 1e9, StepLimit::sole_gap, applied);
   foot.y_m = side * lateral;
-  return stance.compose(foot);
+  return foot;
+}
+
+Pose2 FootstepPlanner::placed_landing(const Pose2& stance, Side swing, const Pose2& place,
+                                      const Eigen::Vector2d& offset_m) const noexcept {
+  StepLimit ignored = StepLimit::none;  // nobody has asked for more than the plan
+  return stance.compose(limited(place, swing, offset_m, ignored));
 }
 
 Pose2 FootstepPlanner::adjusted_landing(const Pose2& stance, Side swing, const Velocity2& before,

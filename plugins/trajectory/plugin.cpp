@@ -20,6 +20,7 @@
 #include "gaitway/trajectory/motion_player.hpp"
 #include "gaitway/trajectory/motion_table.hpp"
 #include "gaitway/trajectory/plan_continuity.hpp"
+#include "gaitway/trajectory/planned_steps.hpp"
 #include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/trajectory/walking_pattern.hpp"
 
@@ -120,9 +121,10 @@ class Trajectory final : public Plugin {
     player_.tell(state_.value());
     state_.value().stamp_ns = tick.now_ns;
     state_.publish();
+    tell_footsteps(tick, decision);
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 8; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 9; }
   void save_state(StateWriter& state) const override {
     state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_);
   }
@@ -150,12 +152,14 @@ class Trajectory final : public Plugin {
         request_(setup.reads_optional<MotionRequest>("motion_command")),
         estimate_(setup.reads_optional<Estimate>("estimate")),
         joints_(setup.reads_optional<JointStates>("joint_states")),
+        footsteps_(setup.reads_optional<FootstepPlan>("footstep_plan")),
         network_(setup.reads_optional<NetworkState>("network_state")),
         correction_(setup.reads_previous<Correction>("correction")),
         joint_plan_(setup.reads_previous_optional<JointPlan>("joint_plan")),
         plan_(setup.writes<MotionPlan>("motion_plan")),
         posture_(setup.writes<PosturePlan>("posture_plan")),
-        state_(setup.writes<gaitway::MotionState>("motion_state")) {
+        state_(setup.writes<gaitway::MotionState>("motion_state")),
+        footstep_state_(setup.writes<FootstepState>("footstep_state")) {
     setup.period(revision_slot_ > 0 ? Period::tick : Period::batch);
     pattern_.revise_from(revision_slot_);
   }
@@ -169,7 +173,7 @@ class Trajectory final : public Plugin {
     if (network.mode != network_state::mode::batches || network.accepted_sequence != running) return;
     const std::int64_t start_ns = plan.start_ns + revision_slot_ * facts::kSlot_ns;
     const WalkCommand walk = commanded(tick.now_ns);
-    if (!pattern_.revise(walk, correction(), plan, deviation_m(start_ns))) return;
+    if (!pattern_.revise(walk, correction(), plan, deviation_m(start_ns), footsteps(tick.now_ns))) return;
     divergence_.take(plan);
     divergence_.answered(pattern_.answered_m(), start_ns);
     report_limits(walk);
@@ -202,11 +206,29 @@ class Trajectory final : public Plugin {
 
   void plan_steps(const Tick& tick, const WalkCommand& walk, MotionPlan& plan) {
     pattern_.plan(tick.batch_sequence, tick.batch_start_ns, walk, correction(), plan,
-                  deviation_m(tick.batch_start_ns));
+                  deviation_m(tick.batch_start_ns), footsteps(tick.now_ns));
     divergence_.take(plan);
     divergence_.answered(pattern_.answered_m(), tick.batch_start_ns);
     report_limits(walk);
     continuity_.published(tick.batch_sequence, pattern_.final_stance());
+  }
+
+  // A plan from before a fall, or during it, is void, as a command is.
+  PlannedSteps footsteps(std::int64_t now_ns) {
+    if (!footsteps_.has_value() || !estimate_.has_value()) return {};
+    const FootstepPlan& plan = footsteps_.read();
+    return plan.stamp_ns <= void_until_ns_ ? PlannedSteps{}
+                                           : planned_steps(plan, estimate_.read(), pattern_.state(), now_ns);
+  }
+
+  void tell_footsteps(const Tick& tick, PlanDecision decision) {
+    if (!estimate_.has_value()) return;
+    const bool free = decision != PlanDecision::wait && !player_.plays() && !player_.lies() &&
+                      !fall_.plays() && estimate_.read().fall == estimate::fall::upright;
+    FootstepState& state = footstep_state_.value();
+    state.stamp_ns = tick.now_ns;
+    describe(pattern_.state(), estimate_.read(), free, state);
+    footstep_state_.publish();
   }
 
   // Who commands a walk while a motion plays means the motion to end.
@@ -314,6 +336,7 @@ class Trajectory final : public Plugin {
   Input<MotionRequest> request_;
   Input<Estimate> estimate_;
   Input<JointStates> joints_;
+  Input<FootstepPlan> footsteps_;
   Input<NetworkState> network_;
   Input<Correction> correction_;
   Input<JointPlan> joint_plan_;
@@ -322,6 +345,7 @@ class Trajectory final : public Plugin {
   Output<MotionPlan> plan_;
   Output<PosturePlan> posture_;
   Output<gaitway::MotionState> state_;
+  Output<FootstepState> footstep_state_;
 };
 
 }  // namespace

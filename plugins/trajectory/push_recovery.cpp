@@ -11,7 +11,7 @@
 
 namespace gaitway::trajectory {
 
-StepInFlight PushRecovery::step_in_flight(const PatternState& state, const FootstepPlanner& planner,
+StepInFlight PushRecovery::step_in_flight(const PatternState& state, const StepSchedule& schedule,
                                           const DivergenceAbsorber& absorber,
                                           const ZmpReference& reference) const noexcept {
   const Step& step = state.step;
@@ -31,8 +31,7 @@ StepInFlight PushRecovery::step_in_flight(const PatternState& state, const Foots
   const auto landing_moved = [&](double by_m) {
     Eigen::Vector2d moved = step.adjustment_m.array() + by_m;
     if (state.recovery_steps == kRecoverySteps) moved.x() = parameters_.limit_recovery_m(moved.x());
-    const Pose2 landing =
-        planner.adjusted_landing(step.stance, step.swing, step.velocity_before, step.velocity, moved);
+    const Pose2 landing = schedule.adjusted_landing(step, moved);
     return Eigen::Vector2d(step.stance.relative_of(landing).position() -
                            step.stance.relative_of(step.landing).position());
   };
@@ -53,7 +52,7 @@ bool PushRecovery::adjust(PatternState& state, const StepSchedule& schedule, con
   if (excess.isZero() || state.swing_share() >= parameters_.adjust_until_share) return false;
   walk.lay_out(state, schedule, static_cast<int>(kBatchPoints) + parameters_.preview_points(), reference);
   const StepAnswer answer =
-      adjustment_.answer(excess, step_in_flight(state, schedule.planner(), walk.absorber(), reference));
+      adjustment_.answer(excess, step_in_flight(state, schedule, walk.absorber(), reference));
   step.swing_points += answer.points - (step.points() - state.elapsed_points);
   step.adjustment_m += answer.shift;
   const Pose2 shifted = step.stance.relative_of(step.landing);

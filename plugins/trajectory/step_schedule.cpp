@@ -37,6 +37,7 @@ Step StepSchedule::closing_step_after(const Step& before) const noexcept {
   step.double_support_points = parameters_.double_support_points();
   step.swing_points = parameters_.swing_points();
   step.stance = before.landing;
+  step.lift = before.stance;
   step.landing = planner_.beside(step.stance, step.swing);
   step.zmp_from = before.zmp_to;
   step.zmp_to = stance_zmp(before.swing, step.stance);
@@ -44,17 +45,74 @@ Step StepSchedule::closing_step_after(const Step& before) const noexcept {
 }
 
 void StepSchedule::aim(Step& step, const WantedWalk& wanted, const Eigen::Vector2d& offset_m) noexcept {
+  step.number = 0;
   step.velocity = planner_.next_velocity(step.velocity_before, wanted.velocity, applied_);
   Velocity2 commanded = wanted.velocity, before = step.velocity_before;
   commanded.turn_rad_per_s = wanted.commanded_turn_rad_per_s;
   before.turn_rad_per_s = step.commanded_turn_before_rad_per_s;
   StepLimit ignored = StepLimit::none;  // what limits the commands is told of the velocity
   step.commanded_turn_rad_per_s = planner_.next_velocity(before, commanded, ignored).turn_rad_per_s;
-  step.landing =
-      step.adjustment_m.isZero()
-          ? planner_.landing(step.stance, step.swing, step.velocity_before, step.velocity, offset_m, applied_)
-          : planner_.adjusted_landing(step.stance, step.swing, step.velocity_before, step.velocity,
-                                      offset_m + step.adjustment_m);
+  step.landing = step.adjustment_m.isZero() ? planner_.landing(step.stance, step.swing, step.velocity_before,
+                                                               step.velocity, offset_m, applied_)
+                                            : adjusted_landing(step, offset_m + step.adjustment_m);
+}
+
+Pose2 StepSchedule::adjusted_landing(const Step& step, const Eigen::Vector2d& offset_m) const noexcept {
+  return step.number != 0 ? planner_.placed_landing(step.stance, step.swing, step.placed, offset_m)
+                          : planner_.adjusted_landing(step.stance, step.swing, step.velocity_before,
+                                                      step.velocity, offset_m);
+}
+
+bool StepSchedule::is_in_reach(const Pose2& stance, const PlannedSteps& steps,
+                               std::uint32_t number) const noexcept {
+  constexpr double kCorrected_m = 0.03, kCorrected_rad = 0.15;
+  const PlannedSteps::Place* const place = steps.find(number);
+  if (place == nullptr) return false;
+  const Pose2 local = stance.relative_of(place->pose);
+  const Pose2 limited =
+      stance.relative_of(planner_.placed_landing(stance, place->side, local, Eigen::Vector2d::Zero()));
+  return (local.position() - limited.position()).norm() <= kCorrected_m &&
+         std::abs(local.yaw_rad - limited.yaw_rad) <= kCorrected_rad;
+}
+
+// The way's last step ends exactly beside the other foot, as every stand.
+void StepSchedule::place(Step& step, const PlannedSteps& steps, double stance_correction_rad) noexcept {
+  const PlannedSteps::Place& place = *steps.find(step.number);
+  step.last = steps.is_last(step.number);
+  step.landing = step.last
+                     ? planner_.beside(step.stance, step.swing)
+                     : planner_.placed_landing(step.stance, step.swing, step.stance.relative_of(place.pose),
+                                               Eigen::Vector2d::Zero());
+  step.placed = step.stance.relative_of(step.landing);
+  const double time_s = parameters_.step_time_s;
+  const Pose2 way = step.stance.relative_of(step.landing), from = step.stance.relative_of(step.lift);
+  step.velocity = {0.5 * (way.x_m - from.x_m) / time_s, 0.5 * (way.y_m - from.y_m) / time_s,
+                   way.yaw_rad / time_s};
+  step.commanded_turn_rad_per_s =
+      step.velocity.turn_rad_per_s - (steps.yaw_correction_rad - stance_correction_rad) / time_s;
+}
+
+void StepSchedule::follow_after(const Step& flying, int elapsed_points, const PlannedSteps& steps) noexcept {
+  count_ = next_ = 0;
+  ends_ = flying.last;
+  const int wanted_points = static_cast<int>(kBatchPoints) + parameters_.preview_points();
+  const Step* before = &flying;
+  for (int points = flying.points() - elapsed_points; points <= wanted_points && count_ < kMaxSteps && !ends_;
+       points += before->points()) {
+    Step& next = steps_[static_cast<std::size_t>(count_++)];
+    next = closing_step_after(*before);
+    next.velocity_before = before->velocity;
+    next.commanded_turn_before_rad_per_s = before->commanded_turn_rad_per_s;
+    const PlannedSteps::Place* const place = before->number == 0 ? nullptr : steps.find(before->number + 1);
+    if (place != nullptr && place->side == next.swing) {
+      next.number = before->number + 1;
+      this->place(next, steps, steps.yaw_correction_rad);
+    } else {
+      next.last = true;  // nothing more is known
+    }
+    ends_ = next.last;
+    before = &next;
+  }
 }
 
 void StepSchedule::walk_after(const Step& flying, int elapsed_points, const WantedWalk& wanted,
@@ -84,6 +142,7 @@ bool StepSchedule::stop_after(PatternState& state) noexcept {
     if (planner_.is_beside(step.stance, step.swing, state.feet[index_of(step.swing)])) return false;
     step.landing = planner_.beside(step.stance, step.swing);
     step.velocity = {};
+    step.number = 0;
   }
   step.last = planner_.is_beside(step.stance, step.swing, step.landing);
   if (step.last) return true;

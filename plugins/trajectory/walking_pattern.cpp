@@ -30,6 +30,12 @@ bool must_finish_stop(const PatternState& state) noexcept {
   return state.phase == Phase::walking && state.step.last;
 }
 
+// The foot towards which the robot is to move steps first, else the left one.
+Side first_swing(const Velocity2& wanted) noexcept {
+  const double direction = wanted.left_m_per_s != 0.0 ? wanted.left_m_per_s : wanted.turn_rad_per_s;
+  return direction < 0.0 ? Side::right : Side::left;
+}
+
 }  // namespace
 
 WalkingPattern::WalkingPattern(const GaitParameters& parameters)
@@ -48,7 +54,9 @@ void WalkingPattern::tune(const GaitParameters& changed) noexcept {
 }
 
 void WalkingPattern::reset_to_stand(const Pose2& middle) noexcept {
+  const std::uint32_t landed = state_.landed;
   state_ = PatternState{};
+  state_.landed = landed;
   const double half = 0.5 * parameters_.foot_spacing_m;
   state_.feet = {middle.compose({0.0, half, 0.0}), middle.compose({0.0, -half, 0.0})};
   state_.cart.motion.row(0) = walk_.stand_com(state_.feet);
@@ -59,25 +67,25 @@ void WalkingPattern::reset_to_stand(const Pose2& middle) noexcept {
 
 void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
                           const Correction& correction, MotionPlan& plan,
-                          const Eigen::Vector2d& dcm_deviation_m) noexcept {
+                          const Eigen::Vector2d& dcm_deviation_m, const PlannedSteps& steps) noexcept {
   plan.sequence = sequence;
   plan.start_ns = start_ns;
   plan.motion = 0;
   plan.arm_swing = parameters_.arm_swing_rad_per_m;
-  schedule(command, correction, dcm_deviation_m);
+  schedule(command, correction, dcm_deviation_m, steps);
   write_batch(0, plan);
   write_tail(plan);
   revisable_sequence_ = first_revised_ > 0 ? sequence : 0;
 }
 
 bool WalkingPattern::revise(const WalkCommand& command, const Correction& correction, MotionPlan& plan,
-                            const Eigen::Vector2d& dcm_deviation_m) noexcept {
+                            const Eigen::Vector2d& dcm_deviation_m, const PlannedSteps& steps) noexcept {
   if (revisable_sequence_ == 0 || plan.sequence != revisable_sequence_ || plan.motion != 0) return false;
   revisable_sequence_ = 0;
   unrevised_state_ = state_;
   unrevised_final_stance_ = final_stance_;
   state_ = revisable_state_;
-  schedule(command, correction, dcm_deviation_m);
+  schedule(command, correction, dcm_deviation_m, steps);
   write_batch(first_revised_, plan);
   write_tail(plan);
   return true;
@@ -89,13 +97,13 @@ void WalkingPattern::take_revision_back() noexcept {
 }
 
 void WalkingPattern::schedule(const WalkCommand& command, const Correction& correction,
-                              const Eigen::Vector2d& dcm_deviation_m) noexcept {
+                              const Eigen::Vector2d& dcm_deviation_m, const PlannedSteps& steps) noexcept {
   schedule_.forget_limits();
   const Eigen::RowVector2d before = walk_.absorber().divergence(state_.cart);
   Eigen::Vector2d deviation_m = dcm_deviation_m;
   const double bow_rad = std::isfinite(correction.bow[1]) ? correction.bow[1] : 0.0;
   if (recovery_.must_step(state_, deviation_m, bow_rad, walk_.absorber())) {
-    begin_walking(state_, {0.0, recovery_.side_to_step_to(state_, deviation_m), 0.0});
+    begin_walking(state_, first_swing({0.0, recovery_.side_to_step_to(state_, deviation_m), 0.0}));
     recovery_.take_over(state_, schedule_, walk_, deviation_m, bow_rad, batch_reference_);
     deviation_m.setZero();  // it is the plan's now
   }
@@ -114,9 +122,10 @@ void WalkingPattern::schedule(const WalkCommand& command, const Correction& corr
     schedule_walk(state_, {wanted, commanded_turn_rad_per_s}, offset_m, deviation_m);
   } else if (state_.recovery_steps > 0) {
     schedule_walk(state_, {}, Eigen::Vector2d::Zero(), deviation_m);
+  } else if (command.walk == 0 && steps.count > 0 && !must_finish_stop(state_)) {
+    schedule_planned(state_, steps, deviation_m);
   } else {
-    schedule_stop(state_);
-    if (recovery_.adjust(state_, schedule_, walk_, deviation_m, batch_reference_)) schedule_stop(state_);
+    stop(deviation_m);
   }
   answered_m_ = (walk_.absorber().divergence(state_.cart) - before).transpose();
 }
@@ -126,15 +135,46 @@ bool WalkingPattern::is_open(const PatternState& state) const noexcept {
          state.swing_share() < parameters_.freeze_share;
 }
 
-// The first step. It begins with the foot towards which the robot is to move, else with the left one.
-void WalkingPattern::begin_walking(PatternState& state, const Velocity2& wanted) noexcept {
-  const double direction = wanted.left_m_per_s != 0.0 ? wanted.left_m_per_s : wanted.turn_rad_per_s;
+void WalkingPattern::stop(const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  schedule_stop(state_);
+  if (recovery_.adjust(state_, schedule_, walk_, dcm_deviation_m, batch_reference_)) schedule_stop(state_);
+}
+
+// A step that the balance has moved stays where it is; those after it are the plan's again, if they are in
+// reach of it.
+void WalkingPattern::schedule_planned(PatternState& state, const PlannedSteps& steps,
+                                      const Eigen::Vector2d& dcm_deviation_m) noexcept {
+  const bool begins = state.phase != Phase::walking;
+  const std::uint32_t number = begins ? steps.next_after(state.landed) : state.step.number;
+  const PlannedSteps::Place* const place = steps.find(number);
+  const Pose2& stance =
+      begins && place != nullptr ? state.feet[index_of(other(place->side))] : state.step.stance;
+  if (number == 0 || (begins && !schedule_.is_in_reach(stance, steps, number))) {
+    stop(dcm_deviation_m);
+    return;
+  }
+  if (begins) begin_walking(state, place->side);
+  Step& step = state.step;
+  step.number = number;
+  if (is_open(state) && step.adjustment_m.isZero() && place != nullptr && place->side == step.swing) {
+    schedule_.place(step, steps, state.yaw_correction_rad[index_of(other(step.swing))]);
+    state.aim_swing();
+  }
+  aim_hips(state, parameters_.hip_height_at_m(std::abs(step.velocity.forward_m_per_s)));
+  schedule_.follow_after(step, state.elapsed_points, steps);
+  if (recovery_.adjust(state, schedule_, walk_, dcm_deviation_m, batch_reference_))
+    schedule_.follow_after(step, state.elapsed_points, steps);
+}
+
+// The first step.
+void WalkingPattern::begin_walking(PatternState& state, Side swing) noexcept {
   Step step;
-  step.swing = direction < 0.0 ? Side::right : Side::left;
+  step.swing = swing;
   step.double_support_points = parameters_.lead_in_points();
   step.swing_points = parameters_.swing_points();
   step.lead_in = true;
   step.stance = state.feet[index_of(other(step.swing))];
+  step.lift = state.feet[index_of(step.swing)];
   step.zmp_from = controller_.zmp(state.cart);
   step.zmp_to = schedule_.stance_zmp(other(step.swing), step.stance);
   state.step = step;
@@ -171,7 +211,7 @@ void WalkingPattern::aim_hips(PatternState& state, double goal_m) const noexcept
 void WalkingPattern::schedule_walk(PatternState& state, const WantedWalk& wanted,
                                    const Eigen::Vector2d& offset_m,
                                    const Eigen::Vector2d& dcm_deviation_m) noexcept {
-  if (state.phase != Phase::walking) begin_walking(state, wanted.velocity);
+  if (state.phase != Phase::walking) begin_walking(state, first_swing(wanted.velocity));
   Step& step = state.step;
   Eigen::Vector2d remaining_offset_m = offset_m;
   if (is_open(state)) {
@@ -221,6 +261,7 @@ void WalkingPattern::advance_step(PatternState& state) noexcept {
     return;
   }
   if (state.recovery_steps > 0) --state.recovery_steps;
+  if (step.number != 0) state.landed = step.number;
   state.feet[foot] = step.landing;
   state.yaw_correction_rad[foot] = state.landing_yaw_correction_rad(parameters_.step_time_s);
   state.foot_height_m[foot] = 0.0;

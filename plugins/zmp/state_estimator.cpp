@@ -65,6 +65,7 @@ bool StateEstimator::update(std::int64_t now_ns, const JointStates& joints, cons
   hold_heading();
   update_slip();
   update_com();
+  if (!inputs_.faults().joints_stale) odometry_.update(kinematics_, support_);
   update_fall();
   write(estimate);
   return true;
@@ -309,7 +310,19 @@ void StateEstimator::write(Estimate& estimate) const noexcept {
   estimate.attitude[2] = attitude.yaw_rad;
   Eigen::Map<Eigen::Vector3d>(estimate.angular_velocity) = angular_velocity_;
   Eigen::Map<Eigen::Vector3d>(estimate.gyro_bias) = attitude_.bias_rad_per_s();
+  write_odometry(estimate);
   write_deviations(estimate);
+}
+
+void StateEstimator::write_odometry(Estimate& estimate) const noexcept {
+  const auto write = [](const FootOdometry::Pose& pose, double* to) {
+    to[0] = pose.place_m.x();
+    to[1] = pose.place_m.y();
+    to[2] = pose.yaw_rad;
+  };
+  for (const urdf::Side side : urdf::kSides)
+    write(odometry_.foot(side), estimate.odometry_foot[index_of(side)]);
+  write(odometry_.base(), estimate.odometry_base);
 }
 
 void StateEstimator::write_deviations(Estimate& estimate) const noexcept {

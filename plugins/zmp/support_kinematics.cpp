@@ -61,6 +61,13 @@ Eigen::Vector3d SupportKinematics::sole_point_m(urdf::Side foot, urdf::Side of,
   return level_from_base_[i] * (in_base - base_from_sole_[i].translation());
 }
 
+SupportKinematics::BasePlace SupportKinematics::base(urdf::Side foot) const noexcept {
+  const std::size_t i = index_of(foot);
+  const Eigen::Vector3d forward = level_from_base_[i].col(0);
+  return {(level_from_base_[i] * -base_from_sole_[i].translation()).head<2>(),
+          std::atan2(forward.y(), forward.x())};
+}
+
 Eigen::Vector2d SupportKinematics::tilt_on_level_soles() const noexcept {
   const Eigen::Vector3d up_in_base = base_from_sole_[0].linear().col(2) + base_from_sole_[1].linear().col(2);
   return geometry::tilt_at_rest(kinematics_.link_rotation(trunk_).transpose() * up_in_base);

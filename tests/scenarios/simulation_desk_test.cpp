@@ -178,7 +178,7 @@ TEST(SimulationDesk, ItsRecordNamesTheWorld) {
   process::write_text_file(file, tools::CommandLog(run).scenario(1.0));
   const simulator::Scenario scenario = simulator::load_scenario(file, robot());
   ASSERT_TRUE(scenario.world);
-  const world::World again = simulator::load_world(*scenario.world);
+  const world::World again = world::load_world(*scenario.world);
   EXPECT_EQ(again.file, world);
   EXPECT_EQ(again.random_seed, 7U);
   EXPECT_EQ(again.solids.at(0).name, "crate");

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "command_run.hpp"
+#include "gaitway/navigation/robot_limits.hpp"
 #include "gaitway/trajectory/gait_choice.hpp"
-#include "tools/plan/robot_limits.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -114,7 +114,7 @@ TEST_F(PlanCommand, BadInputIsRefused) {
 TEST(RobotLimits, AreThoseOfTheGaitAndTheBody) {
   const urdf::RobotModel robot = urdf::load_robot(fs::path(GAITWAY_URDF_DIR) / "humanoid22");
   const trajectory::GaitParameters gait = trajectory::choose_gait(robot).parameters;
-  const planning::Limits limits = limits_of(robot);
+  const planning::Limits limits = navigation::limits_of(robot);
   EXPECT_EQ(limits.max_step_forward_m, gait.max_step_forward_m);
   EXPECT_EQ(limits.max_step_turn_rad, gait.max_step_turn_rad);
   EXPECT_EQ(limits.min_sole_gap_m, gait.min_sole_gap_m);
@@ -125,7 +125,7 @@ TEST(RobotLimits, AreThoseOfTheGaitAndTheBody) {
     widest_m = std::max(widest_m, corner.y());
   EXPECT_NEAR(widest_m, 0.165, 0.05);
   for (const Eigen::Vector2d& corner : limits.bands.front().outline_m) EXPECT_LT(corner.y(), 0.12);
-  EXPECT_NEAR(cell_for(limits), 0.010, 1e-9);
+  EXPECT_NEAR(navigation::cell_for(limits), 0.010, 1e-9);
 }
 
 }  // namespace

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/navigation/robot_limits.hpp"
 #include "gaitway/process/installation.hpp"
-#include "gaitway/simulator/world_choice.hpp"
+#include "gaitway/world/world_choice.hpp"
 #include "tools/command_line.hpp"
 #include "tools/plan/plan_report.hpp"
-#include "tools/plan/robot_limits.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -31,55 +31,24 @@ struct PlanOptions {
   bool json = false;
 };
 
-constexpr double kAround_m = 1.0;    // of floor around everything
-constexpr double kFurther_m = 10.0;  // from start and goal nothing is looked at
-
 planning::Pose pose_of(const std::vector<double>& numbers) {
   return {numbers[0], numbers[1], planning::wrapped(numbers[2] * facts::kRadPerDegree)};
 }
 
-// Around all that stands in the world, the start and the goal.
-world::Grid grid_over(const world::World& world, const planning::Pose& start, const planning::Pose& goal,
-                      double cell_m) {
-  const Eigen::Vector2d from(start.x_m, start.y_m), to(goal.x_m, goal.y_m);
-  const Eigen::Vector2d far = Eigen::Vector2d::Constant(kFurther_m),
-                        around = Eigen::Vector2d::Constant(kAround_m);
-  Eigen::Vector2d least = from, greatest = from;
-  if ((to - from).norm() < 2.0 * kFurther_m) {  // further off it is not on the map, and told so
-    least = least.cwiseMin(to);
-    greatest = greatest.cwiseMax(to);
-  }
-  const Eigen::Vector2d lowest = least - far, highest = greatest + far;
-  for (const world::Solid& solid : world.all_solids(true)) {
-    const auto [low, high] = solid.bounds_m();
-    least = least.cwiseMin(low.head<2>());
-    greatest = greatest.cwiseMax(high.head<2>());
-  }
-  least = (least - around).cwiseMax(lowest);
-  greatest = (greatest + around).cwiseMin(highest);
-  const auto count = [cell_m](double length_m) {
-    return std::min(static_cast<int>(std::ceil(length_m / cell_m)), world::kMostCells);
-  };
-  return {.origin_m = least,
-          .cell_m = cell_m,
-          .columns = count(greatest.x() - least.x()),
-          .rows = count(greatest.y() - least.y())};
-}
-
 int plan(const PlanOptions& options) {
-  const world::World world = simulator::load_world(
+  const world::World world = world::load_world(
       {.name = options.world, .random_seed = options.seed, .written_in = "--world", .line = 0});
-  const planning::Limits limits = limits_of(urdf::load_robot(options.robot));
+  const planning::Limits limits = navigation::limits_of(urdf::load_robot(options.robot));
   const planning::Pose start = options.from ? pose_of(*options.from)
                                             : planning::Pose{world.start.position_m.x(),
                                                              world.start.position_m.y(), world.start.yaw_rad};
   const planning::Request request{.left = limits.foot_of(start, planning::Side::left),
                                   .right = limits.foot_of(start, planning::Side::right),
                                   .goal = pose_of(options.to)};
-  const double cell_m = cell_for(limits);
+  const double cell_m = navigation::cell_for(limits);
   const planning::Planner planner(limits, cell_m);
   const planning::GroundMap map =
-      planning::ground_map(world, grid_over(world, start, request.goal, cell_m), limits.height_m);
+      planning::ground_map(world, planning::grid_over(world, start, request.goal, cell_m), limits.height_m);
   const planning::Plan planned = planner.plan(map, request);
   const PlannedWay way{world, limits, map, request, planned};
   if (!options.picture.empty()) draw_plan(options.picture, way);
@@ -119,7 +88,7 @@ void declare_program(const CommandLine& app) {
                  "PNG file: map, obstacles, footsteps, swept body and goal from above");
   command.footer(
       "Examples:\n"
-      "  gaitway plan --world boxes --to 2.3,2.3,90 --picture way.png\n"
+      "  gaitway plan --world boxes --to 2.3,2,90 --picture way.png\n"
       "  gaitway plan --world slalom --from 0,0.5,0 --to 5.5,0,0 --json\n"
       "  gaitway plan --world my_world.yaml --robot my_robot --to 1,0,0\n"
       "Exit code: 0 a plan, 3 there is no way, and the reason is told, 1 the input was bad.");

@@ -39,6 +39,8 @@ struct RunOptions {
   std::vector<std::filesystem::path> with;  // libraries put into it; see manager/plugin_exchange.hpp
   std::optional<std::filesystem::path> scenario;
   std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
+  std::optional<std::vector<double>> to;    // x m, y m, yaw deg
+  bool localization = true;
   std::optional<double> seconds;
   std::uint64_t seed = 1;
   double mismatch = 1.0;
@@ -52,6 +54,9 @@ struct RunOptions {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kDefaultSeconds = 20.0;
+constexpr double kLongestWay_s = 120.0;  // a run that walks to a place ends when the robot is there
+constexpr double kStand_s = 1.0;         // before it
+constexpr double kAfterWay_s = 1.0;
 constexpr double kDefaultSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
 constexpr double kAfterFall_s = 1.0;            // shown after a fall, before the run ends
 constexpr int kPictures = 8;
@@ -68,12 +73,22 @@ std::filesystem::path scenario_file(const std::filesystem::path& given) {
   return !std::filesystem::exists(given) && std::filesystem::exists(shipped) ? shipped : given;
 }
 
+// Stands for a second, then walks there.
+simulator::Scenario way_scenario(const std::vector<double>& to, double seconds) {
+  simulator::Scenario scenario;
+  scenario.seconds = seconds;
+  scenario.events.push_back(
+      {kStand_s, simulator::WalkToEvent{std::array{to[0], to[1], to[2] * facts::kRadPerDegree}}});
+  return scenario;
+}
+
 simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotModel& robot) {
   if (options.scenario) {
     simulator::Scenario scenario = simulator::load_scenario(scenario_file(*options.scenario), robot);
     scenario.seconds = options.seconds.value_or(scenario.seconds);
     return scenario;
   }
+  if (options.to) return way_scenario(*options.to, options.seconds.value_or(kLongestWay_s));
   const facts::BodyScale larger = robot.body_scale();
   std::vector<double> walk =
       options.walk.value_or(std::vector<double>{kDefaultSpeed_m_per_s * larger.factor("m/s")});
@@ -129,10 +144,11 @@ bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
   });
 }
 
-// Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot; returns the
-// wall time that it took.
+// Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot, or after
+// the end of its way; returns the wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
-                RunRecorder& recorder, Snapshots& snapshots, const ProgressLine& progress) {
+                bool ends_with_way, RunRecorder& recorder, Snapshots& snapshots,
+                const ProgressLine& progress) {
   const auto started = Clock::now();
   const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
   auto next_event = scenario.events.begin();
@@ -148,6 +164,9 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
     if (const RunMetrics& metrics = recorder.metrics();
         metrics.fell && last_ns == end_ns && !gets_up_after(scenario, metrics.fell_at_s)) {
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
+    }
+    if (ends_with_way && last_ns == end_ns && recorder.way().ended()) {
+      last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterWay_s * 1e9);
     }
     if (cosimulation.now_ns() % 100'000'000 == 0) {
       const double wall_s = seconds_since(started);
@@ -171,9 +190,41 @@ void check(const RunOptions& options) {
   }
 }
 
-core::PluginExchange plugins_of(const RunOptions& options) {
+bool walks_ways(const simulator::Scenario& scenario) {
+  return std::ranges::any_of(scenario.events, [](const auto& event) {
+    return std::holds_alternative<simulator::WalkToEvent>(event.action);
+  });
+}
+
+// Knows the world as its map. In the simulator's time it plans in its steps: the same in each run.
+core::PluginEntry navigation_in(const std::optional<world::World>& world) {
+  core::PluginEntry entry;
+  entry.name = "navigation";
+  entry.library = "libgaitway_plugin_navigation.so";
+  entry.parameters.push_back({"plans_in_step", "true", 0});
+  if (world) {
+    entry.parameters.push_back({"world", world->file.string(), 0});
+    if (world->random_seed)
+      entry.parameters.push_back({"world_seed", std::to_string(*world->random_seed), 0});
+  }
+  return entry;
+}
+
+core::Configuration configuration_of(const RunOptions& options, bool navigates,
+                                     const std::optional<world::World>& world) {
+  core::Configuration configuration = core::read_configuration(options.config);
+  if (navigates && std::ranges::none_of(configuration.plugins, [](const core::PluginEntry& entry) {
+        return entry.name == "navigation";
+      })) {
+    configuration.plugins.push_back(navigation_in(world));
+  }
+  return configuration;
+}
+
+core::PluginExchange plugins_of(const RunOptions& options, bool navigates,
+                                const std::optional<world::World>& world) {
   core::PluginExchange plugins =
-      core::put_in(core::read_configuration(options.config), options.with,
+      core::put_in(configuration_of(options, navigates, world), options.with,
                    {.robot_directory = options.robot, .plugin_path = core::plugin_search_path({})});
   for (const core::AddedPlugin& added : plugins.added) {
     if (!options.quiet) {
@@ -235,7 +286,8 @@ int run(const RunOptions& options) {
   const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   simulator::Scenario scenario = scenario_of(options, robot);
-  const core::PluginExchange plugins = plugins_of(options);
+  const std::optional<world::World> world = world_of(options.world, scenario.world);
+  const core::PluginExchange plugins = plugins_of(options, walks_ways(scenario), world);
   const std::string commander = plugins.writer_of("walk_command");
   if (!commander.empty()) {
     leave_walk_to(commander, options, scenario);
@@ -244,7 +296,8 @@ int run(const RunOptions& options) {
   cosimulation_options.plant.seed = options.seed;
   cosimulation_options.plant.mismatch = options.mismatch;
   cosimulation_options.plant.conditions = scenario.conditions;
-  cosimulation_options.plant.world = world_of(options.world, scenario.world);
+  cosimulation_options.plant.world = world;
+  cosimulation_options.localization.is_there = options.localization && walks_ways(scenario);
   cosimulation_options.main_controller.configuration = options.config;
   cosimulation_options.main_controller.try_at_start = true;
   cosimulation_options.main_controller.plugins = plugins.configuration;
@@ -262,7 +315,8 @@ int run(const RunOptions& options) {
                                                  ((*options.film)[1] - (*options.film)[0]) / (kPictures - 1))
                                      : Snapshots(kFirstPicture_s, scenario.seconds / kPictures);
   RunTiming timing;
-  timing.wall_s = simulate(cosimulation, scenario, recorder, snapshots, ProgressLine(!options.quiet));
+  timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), recorder, snapshots,
+                           ProgressLine(!options.quiet));
   const auto csv_started = Clock::now();
   write_states_csv(options.out / "states.csv", robot, recorder.samples());
   timing.wall_s += seconds_since(csv_started);
@@ -306,7 +360,17 @@ void add_run(const CommandLine& program) {
   command
       .option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
       .excludes(scenario);
-  command.option("--seconds", options.seconds, "Virtual time to run (default 20, or the scenario's)")
+  command
+      .option("--to", options.to,
+              "Walk to X,Y,YAW in m, m and degrees of the world, and end there: footsteps are planned "
+              "through the world and followed")
+      .excludes(scenario)
+      .values(3);
+  command.option("!--no-localization", options.localization,
+                 "Nothing in the room tells a robot on its way where it is: dead reckoning alone");
+  command
+      .option("--seconds", options.seconds,
+              "Virtual time to run (default 20, or the scenario's; with --to at most 120)")
       .between(0.001, 86400.0);
   command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
   command.option("--profile", options.profile,
@@ -328,6 +392,7 @@ void add_run(const CommandLine& program) {
       "  gaitway run --scenario push.yaml --seed 7 --out out/push\n"
       "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
       "  gaitway run --world boxes --world-seed 3         in a room with boxes\n"
+      "  gaitway run --world boxes --to 2.3,2,90          to a place in it\n"
       "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
       "Exit code: 0 the robot stayed up and did what it was asked, 2 it fell, 3 it stayed up, but walked or "
       "turned less than\n"

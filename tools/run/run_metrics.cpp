@@ -76,11 +76,14 @@ std::string missing(const RunMetrics& metrics, const BatchCount& batches, double
 
 }  // namespace
 
-RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s) {
+RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s,
+                      const std::string& way_missing) {
   if (metrics.fell) {
     return {Verdict::fell, fmt::format("FELL at {:.2f} s", metrics.fell_at_s)};
   }
-  if (const std::string text = missing(metrics, batches, virtual_s); !text.empty()) {
+  std::string text_missing = missing(metrics, batches, virtual_s);
+  if (!way_missing.empty()) add(text_missing, way_missing);
+  if (const std::string& text = text_missing; !text.empty()) {
     return {Verdict::not_done, "stayed up, but DID NOT DO WHAT WAS ASKED: " + text};
   }
   std::string text = "stayed up";

@@ -114,7 +114,9 @@ struct RunOutcome {
 
 // Not done: less than half of the commanded way or turn (start-ups not counted), more than a tenth of the
 // batches refused, or none handed over at all.
-[[nodiscard]] RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s);
+// way_missing: of a way that was asked for, and not walked to its end.
+[[nodiscard]] RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s,
+                                    const std::string& way_missing = {});
 
 // Of the program.
 [[nodiscard]] int exit_code(RunOutcome::Verdict verdict) noexcept;

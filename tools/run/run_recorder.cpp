@@ -55,7 +55,8 @@ RunRecorder::RunRecorder(simulator::Cosimulation& run, const std::filesystem::pa
       motion_plan_(run.client().read<MotionPlan>("motion_plan")),
       trim_(run.client().read<TrimCommand>("trim")),
       walk_command_(run.client().read<WalkCommand>("walk_command")),
-      keep_samples_(keep_samples) {
+      keep_samples_(keep_samples),
+      way_(run.client()) {
   if (!bus_log.empty()) {
     bus_log_.emplace(bus_log);
   }
@@ -97,6 +98,7 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
   }
   if (core::is_tick(now_ns - facts::kMillisecond_ns)) {
     read_plan();
+    way_.look(now_ns, run_.plant());
     follow_walk_command(now_ns);
     add_sample(now_ns);
   }
@@ -127,6 +129,8 @@ void RunRecorder::on_event(const simulator::ScenarioEvent& event, std::int64_t n
     on_command(walk->walk, walk->velocity_m_per_s, walk->turn_rate_rad_per_s, now_ns);
   } else if (std::holds_alternative<simulator::StopEvent>(event.action)) {
     on_command(false, Eigen::Vector2d::Zero(), 0.0, now_ns);
+  } else if (std::holds_alternative<simulator::WalkToEvent>(event.action)) {
+    way_.on_request();
   }
 }
 

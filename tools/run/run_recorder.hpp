@@ -17,6 +17,7 @@
 #include "gaitway/simulator/cosimulation.hpp"
 #include "tools/run/contact_log.hpp"
 #include "tools/run/run_metrics.hpp"
+#include "tools/run/way_record.hpp"
 
 namespace gaitway::tools {
 
@@ -85,6 +86,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   [[nodiscard]] const std::vector<RunSample>& samples() const noexcept { return samples_; }
   [[nodiscard]] const RunMetrics& metrics() const noexcept { return metrics_; }
   [[nodiscard]] const ContactLog& contacts() const noexcept { return contacts_; }
+  [[nodiscard]] const WayRecord& way() const noexcept { return way_; }
   [[nodiscard]] std::uint64_t digest() const noexcept { return digest_.value(); }
   [[nodiscard]] const std::vector<float>& torques() const noexcept { return torques_; }
   // Every frame of the cycle that starts at `cycle_start_ns()`: one that was walked, for the timeline.
@@ -115,6 +117,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   RunDigest digest_;
   RunMetrics metrics_;
   ContactLog contacts_;
+  WayRecord way_;
   CentreOfPressureMean cop_mean_;
   std::array<MotionPlan, 3> plans_{};  // the newest, by sequence modulo 3
   std::vector<RunSample> samples_;

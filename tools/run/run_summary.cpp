@@ -124,7 +124,7 @@ RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& rec
   return outcome_of(recorder.metrics(),
                     {.handed_over = state.handed_over,
                      .refused = state.refused + run.main_controller().statistics().refused_locally},
-                    static_cast<double>(run.now_ns()) * 1e-9);
+                    static_cast<double>(run.now_ns()) * 1e-9, recorder.way().missing());
 }
 
 nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,
@@ -167,6 +167,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
         {"margin_min_m", metrics.zmp_reference_error_m.count() > 0
                              ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
                              : nlohmann::ordered_json(nullptr)}}},
+      {"way", recorder.way().json()},
       {"contacts", contacts_json(recorder.contacts(), run.robot(), run.plant().world())},
       {"events", events(run)},
       {"digest", fmt::format("{:016x}", recorder.digest())}};
@@ -190,6 +191,18 @@ std::string summary_table(const nlohmann::ordered_json& s) {
       fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
   row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
                            number(s["heading_drift_rad"]) * 57.29578));
+  if (const auto& way = s["way"]; !way.is_null()) {
+    row("way", fmt::format("{} at {:.2f} s, {} footsteps, {} plans after the first",
+                           way["result"].get<std::string>(), number(way["ended_s"]),
+                           way["footsteps"].get<int>(), way["replans"].get<int>()));
+    row("footsteps", fmt::format("{:.1f} mm RMS beside their places, {:.1f} mm at most, {:.2f} deg RMS",
+                                 number(way["placement_rms_mm"]), number(way["placement_worst_mm"]),
+                                 number(way["placement_rms_deg"])));
+    row("stands",
+        fmt::format("{:.1f} mm and {:.2f} deg beside the goal; it thinks {:.1f} mm and {:.2f} deg beside",
+                    number(way["goal_error_mm"]), number(way["goal_error_deg"]), number(way["pose_error_mm"]),
+                    number(way["pose_error_deg"])));
+  }
   const auto& b = s["batches"];
   row("batches", fmt::format("{} handed over, {} late, {} refused, {} cycles from the safe tail",
                              b["handed_over"].get<std::uint64_t>(), b["late"].get<std::uint64_t>(),

@@ -16,18 +16,18 @@ void add_world_options(const CommandLine& command, WorldOptions& options) {
 }
 
 std::optional<world::World> world_of(const WorldOptions& options,
-                                     const std::optional<simulator::WorldChoice>& of_scenario) {
-  std::optional<simulator::WorldChoice> choice = of_scenario;
+                                     const std::optional<world::WorldChoice>& of_scenario) {
+  std::optional<world::WorldChoice> choice = of_scenario;
   if (options.world) {
     choice =
-        simulator::WorldChoice{.name = *options.world, .random_seed = {}, .written_in = "--world", .line = 0};
+        world::WorldChoice{.name = *options.world, .random_seed = {}, .written_in = "--world", .line = 0};
   }
   if (!choice) {
     if (options.seed) throw std::invalid_argument("--world-seed: needs a world. Add --world NAME");
     return std::nullopt;
   }
   if (options.seed) choice->random_seed = options.seed;
-  return simulator::load_world(*choice);
+  return world::load_world(*choice);
 }
 
 }  // namespace gaitway::tools

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "gaitway/simulator/world_choice.hpp"
+#include "gaitway/world/world_choice.hpp"
 #include "tools/command_line.hpp"
 
 namespace gaitway::tools {
@@ -21,6 +21,6 @@ void add_world_options(const CommandLine& command, WorldOptions& options);
 // What is chosen, by option or otherwise by a scenario. Throws input::InputError, std::invalid_argument for a
 // seed without a world.
 [[nodiscard]] std::optional<world::World> world_of(const WorldOptions& options,
-                                                   const std::optional<simulator::WorldChoice>& of_scenario);
+                                                   const std::optional<world::WorldChoice>& of_scenario);
 
 }  // namespace gaitway::tools

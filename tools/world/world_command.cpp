@@ -18,8 +18,8 @@
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/simulator/camera.hpp"
-#include "gaitway/simulator/world_choice.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/world/world_choice.hpp"
 #include "tools/command_line.hpp"
 
 namespace gaitway::tools {
@@ -36,7 +36,7 @@ constexpr int kWidth_px = 1200, kHeight_px = 900;
 constexpr double kMargin_m = 0.3;
 
 world::World read(const CommandOptions& options) {
-  return simulator::load_world(
+  return world::load_world(
       {.name = options.world, .random_seed = options.seed, .written_in = "world", .line = 0});
 }
 
@@ -69,7 +69,7 @@ std::string description(const std::filesystem::path& file) {
 }
 
 int list(const CommandOptions&) {
-  for (const std::string& name : simulator::shipped_worlds()) {
+  for (const std::string& name : world::shipped_worlds()) {
     fmt::print("{:<10} {}\n", name, description(process::world_directory() / (name + ".yaml")));
   }
   return kExitFine;

@@ -1,5 +1,5 @@
-// Makes what people ask for, a walk or a motion, the command, where no plug-in decides what the robot does
-// next.
+// Makes what people ask for, a walk, a way or a motion, the command, where no plug-in decides what the robot
+// does next.
 #pragma once
 
 #include <cstdint>
@@ -37,22 +37,39 @@ class WalkRequests {
   WalkCommand current_{};
 };
 
-// Reads the topic `motion_request`, writes `motion_command`.
-class MotionRequests {
+// Reads a topic of requests, writes the one of commands, with the stamp of now.
+template <class Request>
+class PassedRequests {
  public:
-  // Throws msgclient::TopicError when somebody writes `motion_command`.
-  explicit MotionRequests(msgclient::Client& client);
-
   // Once a millisecond. What has been passed on just now, if anything has. No allocation.
-  std::optional<MotionRequest> step(std::int64_t now_ns) noexcept;
+  std::optional<Request> step(std::int64_t now_ns) noexcept;
   // No request is passed on any more.
   void end() noexcept { ended_ = true; }
 
+ protected:
+  // Throws msgclient::TopicError when somebody else writes `commands`.
+  PassedRequests(msgclient::Client& client, const char* requests, const char* commands)
+      : requests_(client.read<Request>(requests)), commands_(client.write<Request>(commands)) {}
+
  private:
-  msgclient::Reader<MotionRequest> requests_;
-  msgclient::Writer<MotionRequest> commands_;
+  msgclient::Reader<Request> requests_;
+  msgclient::Writer<Request> commands_;
   std::uint64_t seen_ = 0;
   bool ended_ = false;
+};
+
+// From `motion_request` to `motion_command`.
+class MotionRequests : public PassedRequests<MotionRequest> {
+ public:
+  explicit MotionRequests(msgclient::Client& client)
+      : PassedRequests(client, "motion_request", "motion_command") {}
+};
+
+// From `walk_to_request` to `walk_to_command`.
+class WayRequests : public PassedRequests<WalkToRequest> {
+ public:
+  explicit WayRequests(msgclient::Client& client)
+      : PassedRequests(client, "walk_to_request", "walk_to_command") {}
 };
 
 }  // namespace gaitway::msgcontroller

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gaitway/planning/limits.hpp"
 #include "gaitway/world/height_grid.hpp"
 
 namespace gaitway::planning {
@@ -18,6 +19,11 @@ struct GroundMap {
   // Throws std::invalid_argument for arrays that do not fit the grid, and for heights that are not finite.
   void validate() const;
 };
+
+// Around all that stands in the world, start and goal, with a metre of floor; not further than 10 m from
+// them.
+[[nodiscard]] world::Grid grid_over(const world::World& world, const Pose& start, const Pose& goal,
+                                    double cell_m);
 
 // Floor, steps, slopes and tiles are ground, all else stands in the way. `ceiling_m`: what begins above it is
 // walked under. Throws std::invalid_argument as world::height_grid does.

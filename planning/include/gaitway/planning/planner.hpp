@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,8 +57,9 @@ struct Budget {
 };
 
 struct Request {
-  Pose left, right;  // where the feet are
-  Pose goal;         // of the middle between them
+  Pose left, right;             // where the feet are
+  Pose goal;                    // of the middle between them
+  std::optional<Side> first{};  // the foot that steps first; none: whichever is better
   // The plan that is being walked, if there is one: what is left of it is kept as long as it can be walked
   // and a new one would cost hardly less, so that the robot does not turn to and fro between two ways.
   std::span<const Footstep> previous{};
@@ -98,6 +100,7 @@ class Planner {
   [[nodiscard]] Plan plan(const GroundMap& map, const Request& request) const;
 
   [[nodiscard]] const Limits& limits() const noexcept { return limits_; }
+  [[nodiscard]] double cell_m() const noexcept;  // of the maps that it takes
   [[nodiscard]] const StepLattice& lattice() const noexcept { return *lattice_; }
   [[nodiscard]] const BodyMoves& moves() const noexcept { return *moves_; }
 

@@ -18,6 +18,7 @@
 #include "gaitway/msgcontroller/message_controller.hpp"
 #include "gaitway/msgcontroller/peoples_requests.hpp"
 #include "gaitway/simulator/joint_network.hpp"
+#include "gaitway/simulator/localization.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/simulator/scenario.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -34,6 +35,7 @@ struct CosimulationOptions {
   bool obey_walk_requests = false;
   // To be shared with other processes; it outlives the run. nullptr: a block of its own.
   msgclient::MemoryBlock* memory_block = nullptr;
+  LocalizationOptions localization;
   // What the main controller's work is charged in virtual time: from a tick to its mails lying in the window.
   std::int64_t tick_cost_ns = 100'000;
   std::int64_t batch_cost_ns = 500'000;
@@ -54,6 +56,8 @@ class CosimulationObserver {
   virtual void on_walk_request(const WalkCommand&, std::int64_t /*now_ns*/) {}
   // The same of a request for a motion.
   virtual void on_motion_request(const MotionRequest&, std::int64_t /*now_ns*/) {}
+  // The same of a place to walk to.
+  virtual void on_way_request(const WalkToRequest&, std::int64_t /*now_ns*/) {}
 };
 
 class Cosimulation {
@@ -112,6 +116,7 @@ class Cosimulation {
   void inject(const PluginFault& fault);
   void ask(const msgclient::UserCommandMail& mail);
   void ask(const MotionEvent& motion);
+  void ask(const WalkToEvent& way);
 
   urdf::RobotModel robot_;
   CosimulationOptions options_;
@@ -119,7 +124,7 @@ class Cosimulation {
   std::optional<msgclient::MemoryBlock> own_block_;
   msgclient::MemoryBlock& memory_block_;
   msgclient::EmiAdapter adapter_;
-  msgclient::Client message_client_, behavior_client_, observer_client_, main_client_;
+  msgclient::Client message_client_, behavior_client_, observer_client_, main_client_, localization_client_;
   Plant plant_;
   JointNetwork joints_;
   can::SimulatedBus bus_;
@@ -131,6 +136,10 @@ class Cosimulation {
   std::optional<msgclient::Writer<MotionRequest>> motion_command_;  // likewise
   std::optional<msgcontroller::MotionRequests> motion_requests_;
   std::uint32_t motions_asked_ = 0;
+  std::optional<msgclient::Writer<WalkToRequest>> walk_to_command_;  // likewise
+  std::optional<msgcontroller::WayRequests> way_requests_;
+  std::uint32_t ways_asked_ = 0;
+  std::optional<Localization> localization_;
   std::optional<msgclient::QueueWriter<UserCommand>> asked_commands_;  // opened when one is asked for
   CosimulationObserver* observer_ = nullptr;
 

@@ -8,6 +8,7 @@
 //     - {at_s: 1.0, walk: [0.15, 0.0, 0.0]}        # forward m/s, left m/s, turn rad/s
 //     - {at_s: 8.0, stand: true}                   # stop walking: finish the step and stand
 //     - {at_s: 8.5, motion: wave}                  # a key-frame motion; leave_motion: true ends it early
+//     - {at_s: 1.0, walk_to: {x_m: 2.3, y_m: 2.3, yaw_deg: 90}}   # on its own; leave_way: true ends that
 //     - {at_s: 9.0, stop: true}                    # user command: the message controller plays the safe tail
 //     - {at_s: 9.5, emergency_stop: hold}          # or: soft
 //     - {at_s: 9.8, release: true}                 # of the emergency stop: the joints hold where they are
@@ -27,6 +28,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -36,8 +38,8 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/manager/plugin_fault_table.hpp"
 #include "gaitway/simulator/conditions.hpp"
-#include "gaitway/simulator/world_choice.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/world/world_choice.hpp"
 
 namespace gaitway::simulator {
 
@@ -49,6 +51,10 @@ struct WalkEvent {
 // Play a key-frame motion; without a name: leave the one that plays.
 struct MotionEvent {
   std::string name;
+};
+// Walk to a place of the world; without one: leave the way that is being walked.
+struct WalkToEvent {
+  std::optional<std::array<double, 3>> goal;  // x m, y m, yaw rad, of the middle between the feet
 };
 struct StopEvent {};
 struct ReleaseEvent {};
@@ -113,9 +119,9 @@ struct PluginFault {
 
 struct ScenarioEvent {
   double at_s = 0.0;
-  std::variant<WalkEvent, MotionEvent, StopEvent, ReleaseEvent, EmergencyStopEvent, ManualJointEvent,
-               PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault, JamFault, BusOffFault,
-               JointRestartsFault, ForeignFrameFault, PluginFault>
+  std::variant<WalkEvent, MotionEvent, WalkToEvent, StopEvent, ReleaseEvent, EmergencyStopEvent,
+               ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault,
+               JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };
@@ -123,8 +129,8 @@ struct ScenarioEvent {
 struct Scenario {
   double seconds = 20.0;
   Conditions conditions = {};
-  std::optional<WorldChoice> world = std::nullopt;  // none: an endless floor
-  std::vector<ScenarioEvent> events;                // in order of time
+  std::optional<world::WorldChoice> world = std::nullopt;  // none: an endless floor
+  std::vector<ScenarioEvent> events;                       // in order of time
 };
 
 // Throws input::InputError with file, line, field, value and rule. Pushes must name a link of `robot`, and

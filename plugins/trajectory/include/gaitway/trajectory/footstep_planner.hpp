@@ -73,6 +73,11 @@ class FootstepPlanner {
                                        const Velocity2& velocity,
                                        const Eigen::Vector2d& offset_m) const noexcept;
 
+  // Landing place of a step whose place is given, in the stance foot's frame: within the limits of one step,
+  // `offset_m` added before.
+  [[nodiscard]] Pose2 placed_landing(const Pose2& stance, Side swing, const Pose2& place,
+                                     const Eigen::Vector2d& offset_m) const noexcept;
+
   // Landing place beside the stance foot.
   [[nodiscard]] Pose2 beside(const Pose2& stance, Side swing) const noexcept;
   [[nodiscard]] bool is_beside(const Pose2& stance, Side swing, const Pose2& foot) const noexcept;
@@ -87,6 +92,8 @@ class FootstepPlanner {
   [[nodiscard]] double max_turn_rad_per_s() const noexcept;
 
  private:
+  [[nodiscard]] Pose2 limited(Pose2 foot, Side swing, const Eigen::Vector2d& offset_m,
+                              StepLimit& applied) const noexcept;
   [[nodiscard]] double walking_spacing_m(const Velocity2& velocity) const noexcept;
   [[nodiscard]] Velocity2 limit_speed(const Velocity2& wanted, StepLimit& applied) const noexcept;
 

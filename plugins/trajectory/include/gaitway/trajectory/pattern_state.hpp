@@ -34,8 +34,11 @@ struct Step {
   Side swing = Side::left;
   int double_support_points = 0;
   int swing_points = 0;
-  bool last = false;     // the robot settles after it
-  bool lead_in = false;  // first step from the stand: the ZMP moves smoothly, not linearly
+  bool last = false;         // the robot settles after it
+  bool lead_in = false;      // first step from the stand: the ZMP moves smoothly, not linearly
+  std::uint32_t number = 0;  // of the footstep plan's step that it is; 0: it follows a velocity
+  Pose2 placed;              // of such a step: where the plan has it, in the stance foot's frame
+  Pose2 lift;                // where the swing foot stood
   Pose2 stance;
   Pose2 landing;
   Eigen::Vector2d adjustment_m = Eigen::Vector2d::Zero();  // of the landing by StepAdjustment, stance frame
@@ -47,9 +50,10 @@ struct Step {
   [[nodiscard]] int points() const noexcept { return double_support_points + swing_points; }
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.swing, self.double_support_points, self.swing_points, self.last, self.lead_in, self.stance,
-            self.landing, self.adjustment_m, self.velocity_before, self.velocity,
-            self.commanded_turn_before_rad_per_s, self.commanded_turn_rad_per_s, self.zmp_from, self.zmp_to);
+    archive(self.swing, self.double_support_points, self.swing_points, self.last, self.lead_in, self.number,
+            self.placed, self.lift, self.stance, self.landing, self.adjustment_m, self.velocity_before,
+            self.velocity, self.commanded_turn_before_rad_per_s, self.commanded_turn_rad_per_s, self.zmp_from,
+            self.zmp_to);
   }
 };
 
@@ -66,13 +70,14 @@ struct PatternState {
   SwingFoot swing;
   std::array<Quintic, 2> settle;  // x, y of the CoM
   HipHeight hips;
+  std::uint32_t landed = 0;                    // number of the footstep plan's step that landed last
   int recovery_steps = 0;                      // to be taken in place before the robot stands again
   std::array<double, 2> yaw_correction_rad{};  // [Side]: by which the yaw feedback has turned the foot so far
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.phase, self.elapsed_points, self.cart, self.divergence, self.zmp_offset, self.feet,
-            self.foot_height_m, self.step, self.swing, self.settle, self.hips, self.recovery_steps,
-            self.yaw_correction_rad);
+            self.foot_height_m, self.step, self.swing, self.settle, self.hips, self.landed,
+            self.recovery_steps, self.yaw_correction_rad);
   }
 
   // Of the step in flight: points since the lift, 0 or less in the double support.

@@ -38,7 +38,7 @@ class PushRecovery {
                  ZmpReference& reference) const noexcept;
 
  private:
-  [[nodiscard]] StepInFlight step_in_flight(const PatternState& state, const FootstepPlanner& planner,
+  [[nodiscard]] StepInFlight step_in_flight(const PatternState& state, const StepSchedule& schedule,
                                             const DivergenceAbsorber& absorber,
                                             const ZmpReference& reference) const noexcept;
   // Where the hips are to be when the first step of a recovery lands.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "gaitway/trajectory/divergence_absorber.hpp"
@@ -17,6 +19,31 @@ namespace gaitway::trajectory {
 struct WantedWalk {
   Velocity2 velocity;
   double commanded_turn_rad_per_s = 0.0;
+};
+
+// The steps of a footstep plan that come next, in the frame `plan`.
+struct PlannedSteps {
+  struct Place {
+    Side side = Side::left;
+    Pose2 pose;
+  };
+  std::array<Place, kMaxPlannedSteps> place;
+  std::uint32_t first = 1;          // number of place[0]
+  std::uint32_t count = 0;          // 0: nothing is to be followed
+  bool ends = false;                // the last of them is the way's last
+  double yaw_correction_rad = 0.0;  // of the frame `plan` against the measured heading
+
+  [[nodiscard]] const Place* find(std::uint32_t number) const noexcept {
+    return number >= first && number - first < count ? &place[number - first] : nullptr;
+  }
+  // The number of the first one after `number`; 0: there is none.
+  [[nodiscard]] std::uint32_t next_after(std::uint32_t number) const noexcept {
+    const std::uint32_t next = std::max(first, number + 1);
+    return find(next) != nullptr ? next : 0;
+  }
+  [[nodiscard]] bool is_last(std::uint32_t number) const noexcept {
+    return ends && number + 1 == first + count;
+  }
 };
 
 class StepSchedule {
@@ -34,6 +61,17 @@ class StepSchedule {
   // Fills itself with the steps after the one in flight: for a walk that goes on, for a stop.
   void walk_after(const Step& flying, int elapsed_points, const WantedWalk& wanted,
                   Eigen::Vector2d offset_m) noexcept;
+  // Sets a step to where the plan has its number. stance_correction_rad: by which the yaw feedback has turned
+  // its stance foot.
+  void place(Step& step, const PlannedSteps& steps, double stance_correction_rad) noexcept;
+  // Whether the step of that number can be taken from there as it is planned, but for what a correction of
+  // the pose may have moved it.
+  [[nodiscard]] bool is_in_reach(const Pose2& stance, const PlannedSteps& steps,
+                                 std::uint32_t number) const noexcept;
+  // The planned steps after the one in flight, as far as the preview asks for them; then the stand.
+  void follow_after(const Step& flying, int elapsed_points, const PlannedSteps& steps) noexcept;
+  // Where a step lands that is moved after the body by `offset_m` (stance frame) in all.
+  [[nodiscard]] Pose2 adjusted_landing(const Step& step, const Eigen::Vector2d& offset_m) const noexcept;
   // A foot on the ground becomes the closing foot; a foot in the air lands where it was to land, and the
   // other closes. A step that has been adjusted stays so. False: the feet are side by side, nothing is to be
   // stepped.

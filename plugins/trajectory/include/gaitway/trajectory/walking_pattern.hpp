@@ -29,16 +29,18 @@ class WalkingPattern {
   // correction.step_offset moves the next footstep that is not fixed yet. About 5 µs.
   // `dcm_deviation_m`: by how much the body's DCM will be off the plan's at start_ns, in the plan's frame;
   // the step in flight is adjusted to it. A walk command that comes back in the last step before the stand
-  // takes effect when the robot settles.
+  // takes effect when the robot settles. `steps`: followed while nothing is commanded; a robot that walks by
+  // a command stands first. A first step that is out of reach is not taken.
   void plan(std::uint32_t sequence, std::int64_t start_ns, const WalkCommand& command,
             const Correction& correction, MotionPlan& plan,
-            const Eigen::Vector2d& dcm_deviation_m = Eigen::Vector2d::Zero()) noexcept;
+            const Eigen::Vector2d& dcm_deviation_m = Eigen::Vector2d::Zero(),
+            const PlannedSteps& steps = {}) noexcept;
 
   // Plans the last batch anew from its point `first` on, which plan() was told by revise_from(), and its
   // tail; the points before stay as `plan` has them. False, and nothing changes: `plan` is not of the last
   // batch, or that was revised before. dcm_deviation_m: at the start of that slot.
   bool revise(const WalkCommand& command, const Correction& correction, MotionPlan& plan,
-              const Eigen::Vector2d& dcm_deviation_m) noexcept;
+              const Eigen::Vector2d& dcm_deviation_m, const PlannedSteps& steps = {}) noexcept;
   // The point, 1..kBatchPoints - 1, from which batches may be revised from now on.
   void revise_from(int first) noexcept { first_revised_ = first; }
   // The last revision is not played: the batch goes on as it was planned first.
@@ -64,11 +66,14 @@ class WalkingPattern {
  private:
   // What the steps are to be from now on: by what is asked for, and by where the body is.
   void schedule(const WalkCommand& command, const Correction& correction,
-                const Eigen::Vector2d& dcm_deviation_m) noexcept;
+                const Eigen::Vector2d& dcm_deviation_m, const PlannedSteps& steps) noexcept;
+  void schedule_planned(PatternState& state, const PlannedSteps& steps,
+                        const Eigen::Vector2d& dcm_deviation_m) noexcept;
+  void stop(const Eigen::Vector2d& dcm_deviation_m) noexcept;
   void schedule_walk(PatternState& state, const WantedWalk& wanted, const Eigen::Vector2d& offset_m,
                      const Eigen::Vector2d& dcm_deviation_m) noexcept;
   void schedule_stop(PatternState& state) noexcept;
-  void begin_walking(PatternState& state, const Velocity2& wanted) noexcept;
+  void begin_walking(PatternState& state, Side swing) noexcept;
   void begin_settling(PatternState& state) const noexcept;
   // The hips' way to another height from where they are.
   void aim_hips(PatternState& state, double goal_m) const noexcept;

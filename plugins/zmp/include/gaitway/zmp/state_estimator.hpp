@@ -15,6 +15,7 @@
 #include "gaitway/zmp/fall_recognition.hpp"
 #include "gaitway/zmp/foot_contact.hpp"
 #include "gaitway/zmp/foot_load_model.hpp"
+#include "gaitway/zmp/foot_odometry.hpp"
 #include "gaitway/zmp/sensor_inputs.hpp"
 #include "gaitway/zmp/support_kinematics.hpp"
 
@@ -45,7 +46,8 @@ class StateEstimator {
   static void visit_state(Self& self, Archive& archive) {
     archive(self.contacts_, self.cells_, self.attitude_, self.com_, self.com_offset_, self.angular_velocity_,
             self.zmp_m_, self.zmp_variance_, self.support_, self.frame_heading_rad_, self.started_,
-            self.blind_ticks_, self.feet_planted_, self.slip_, self.fall_, self.inputs_, self.load_model_);
+            self.blind_ticks_, self.feet_planted_, self.slip_, self.fall_, self.inputs_, self.load_model_,
+            self.odometry_);
   }
 
  private:
@@ -64,6 +66,7 @@ class StateEstimator {
   [[nodiscard]] Eigen::Vector3d measured_com_m(urdf::Side foot) const noexcept;
   [[nodiscard]] bool in_the_air() const noexcept;
   void write(Estimate& estimate) const noexcept;
+  void write_odometry(Estimate& estimate) const noexcept;
   void write_deviations(Estimate& estimate) const noexcept;
 
   EstimatorParameters parameters_;
@@ -84,6 +87,7 @@ class StateEstimator {
   std::array<FootPressure, 2> pressure_{};
   std::array<SlipObserver, 2> slip_;
   FallRecognition fall_;
+  FootOdometry odometry_;
   Eigen::Vector3d angular_velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d zmp_m_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d zmp_variance_ = Eigen::Vector2d::Zero();

@@ -33,6 +33,12 @@ class SupportKinematics {
   // A point of the sole `of` (in its sole frame, z = 0), in the level frame of `foot`, m.
   [[nodiscard]] Eigen::Vector3d sole_point_m(urdf::Side foot, urdf::Side of,
                                              const Eigen::Vector2d& point_m) const noexcept;
+  // Origin and heading of the base in the level frame of a foot.
+  struct BasePlace {
+    Eigen::Vector2d place_m;
+    double yaw_rad;
+  };
+  [[nodiscard]] BasePlace base(urdf::Side foot) const noexcept;
   // Heading of a sole (of its x axis) against the trunk's heading.
   [[nodiscard]] double heading_rad(urdf::Side foot) const noexcept {
     return heading_rad_[static_cast<std::size_t>(foot)];

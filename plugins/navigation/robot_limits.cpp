@@ -1,5 +1,5 @@
 // Slices the robot's shapes into bands, and takes over the gait's numbers.
-#include "tools/plan/robot_limits.hpp"
+#include "gaitway/navigation/robot_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "gaitway/trajectory/robot_gait.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
 
-namespace gaitway::tools {
+namespace gaitway::navigation {
 namespace {
 
 // On a body of humanoid22's size: `gaitway measure gait` has it walk over steps and tiles so high without
@@ -98,4 +98,4 @@ double cell_for(const planning::Limits& limits) {
   return std::max(1.0, std::floor(kCellPerSoleWidth * limits.sole.width_m / kStep_m)) * kStep_m;
 }
 
-}  // namespace gaitway::tools
+}  // namespace gaitway::navigation

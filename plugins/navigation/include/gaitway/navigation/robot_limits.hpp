@@ -4,7 +4,7 @@
 #include "gaitway/planning/limits.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
-namespace gaitway::tools {
+namespace gaitway::navigation {
 
 // Steps are those of the gait that is chosen for the robot. The body is that of its collision shapes in the
 // home posture. Heights of steps and unevenness are what humanoid22 walks over unaware, times the robot's
@@ -14,4 +14,4 @@ namespace gaitway::tools {
 // Of a map for it: 10 mm on humanoid22.
 [[nodiscard]] double cell_for(const planning::Limits& limits);
 
-}  // namespace gaitway::tools
+}  // namespace gaitway::navigation

@@ -1,5 +1,5 @@
 // Finds the file of a world.
-#include "gaitway/simulator/world_choice.hpp"
+#include "gaitway/world/world_choice.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "gaitway/process/installation.hpp"
 #include "gaitway/world/world_file.hpp"
 
-namespace gaitway::simulator {
+namespace gaitway::world {
 
 std::vector<std::string> shipped_worlds() {
   std::vector<std::string> names;
@@ -19,13 +19,13 @@ std::vector<std::string> shipped_worlds() {
   return names;
 }
 
-world::World load_world(const WorldChoice& choice) {
+World load_world(const WorldChoice& choice) {
   const std::filesystem::path shipped = process::world_directory();
   for (const std::filesystem::path& file : {choice.written_in.parent_path() / choice.name,
                                             shipped / choice.name, shipped / (choice.name + ".yaml")}) {
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown) && !std::filesystem::is_directory(file, unknown)) {
-      return world::read_world(file, choice.random_seed);
+      return read_world(file, choice.random_seed);
     }
   }
   input::refuse({choice.written_in, choice.line, "world", "'" + choice.name + "'",
@@ -33,4 +33,4 @@ world::World load_world(const WorldChoice& choice) {
                  input::suggest(choice.name, shipped_worlds())});
 }
 
-}  // namespace gaitway::simulator
+}  // namespace gaitway::world

@@ -9,7 +9,7 @@
 
 #include "gaitway/world/world.hpp"
 
-namespace gaitway::simulator {
+namespace gaitway::world {
 
 struct WorldChoice {
   std::string name;                          // as written
@@ -21,9 +21,9 @@ struct WorldChoice {
 
 // The name counts from the folder of the file that it is written in; where no file is, it is a shipped
 // world's. Throws input::InputError.
-[[nodiscard]] world::World load_world(const WorldChoice& choice);
+[[nodiscard]] World load_world(const WorldChoice& choice);
 
 // Their names, in alphabetical order.
 [[nodiscard]] std::vector<std::string> shipped_worlds();
 
-}  // namespace gaitway::simulator
+}  // namespace gaitway::world

@@ -1,0 +1,39 @@
+// A way: planned footsteps with their numbers, and how much of it is left.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/planning/planner.hpp"
+
+namespace gaitway::navigation {
+
+class Way {
+ public:
+  // Steps that follow those of the number `after`; what the way had from there on is gone.
+  void go_on(std::uint32_t after, std::span<const planning::Footstep> steps);
+  void clear() noexcept { steps_.clear(); }
+
+  [[nodiscard]] bool empty() const noexcept { return steps_.empty(); }
+  // Number of its last step; of an empty one, 0.
+  [[nodiscard]] std::uint32_t last() const noexcept {
+    return steps_.empty() ? 0 : first_ + static_cast<std::uint32_t>(steps_.size()) - 1;
+  }
+  // Null: the way has no step of that number.
+  [[nodiscard]] const planning::Footstep* find(std::uint32_t number) const noexcept;
+  // From that number on.
+  [[nodiscard]] std::span<const planning::Footstep> from(std::uint32_t number) const noexcept;
+
+  // What the walk is to follow from the step `number` on; `odometry`: that frame in the world.
+  void tell(std::uint32_t number, const planning::Pose& odometry, FootstepPlan& to) const noexcept;
+  // What is still to come after the step `landed`; `from`: where the robot is.
+  void tell_rest(std::uint32_t landed, const planning::Pose& from, NavigationState& to) const noexcept;
+
+ private:
+  std::uint32_t first_ = 1;  // number of the first step
+  std::vector<planning::Footstep> steps_;
+};
+
+}  // namespace gaitway::navigation

@@ -1,0 +1,39 @@
+// What the navigator plans with: the robot's limits, its map, and what has been seen since on top of that.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/planning/planner.hpp"
+#include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/world/world.hpp"
+
+namespace gaitway::navigation {
+
+// Of the gait's own limits, what planned steps take: a way is followed exactly, so something must be left for
+// corrections and pushes.
+struct StepShares {
+  double forward = 0.6, side = 0.6, turn = 0.6;
+};
+
+class WayPlanner {
+ public:
+  // Takes some 100 ms. Throws std::invalid_argument as planning::Planner does.
+  WayPlanner(const urdf::RobotModel& robot, world::World world, const StepShares& shares);
+
+  // Boxes that stand where the map does not have them. Whether that is news.
+  bool see(const Obstacles& obstacles);
+
+  // All that there is to it, for whichever thread: it may outlive later news, but not this.
+  [[nodiscard]] std::function<planning::Plan()> job(const planning::Request& request) const;
+  [[nodiscard]] const planning::Limits& limits() const noexcept { return planner_.limits(); }
+
+ private:
+  planning::Planner planner_;
+  world::World world_;                             // as it was given
+  std::shared_ptr<const world::World> with_seen_;  // and with what has been seen
+  Obstacles seen_{};
+};
+
+}  // namespace gaitway::navigation
