@@ -297,6 +297,7 @@ Reason MessageController::obey(const msgclient::UserCommandMail& mail, std::int6
 }
 
 void MessageController::emergency_stop(bool soft) noexcept {
+  ++link_.state.stops;
   hand_.stop();
   // A joint that is released soon would play them.
   supervision_.drop_waiting();
@@ -344,6 +345,7 @@ void MessageController::start_from_measured() noexcept {
 // Long enough before the next cycle, the running batch's tail takes the place of what is prepared; later,
 // that plays, and its tail follows. On the joints 10 ms after the request, one way or the other.
 void MessageController::stop_early(std::int64_t now_ns) noexcept {
+  ++link_.state.stops;
   constexpr std::int64_t kSend_ns = 3'500'000;  // a batch to 22 joints while nobody else speaks takes 3 ms
   hand_.stop();
   if (mode() == Mode::emergency_stop) {

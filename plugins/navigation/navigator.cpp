@@ -15,10 +15,10 @@ namespace walk_states = footstep_state::state;
 using planning::Pose;
 using planning::Side;
 
-constexpr std::int64_t kOrderValid_ns = 1'000'000'000;      // a request, from its stamp
-constexpr std::int64_t kPlanValid_ns = 1'000'000'000;       // what the walk follows, without a newer one
-constexpr std::int64_t kStandsFor_ns = 500'000'000;         // a stand that no step of the plan ends
-constexpr std::int64_t kMostForStand_ns = 10'000'000'000;   // until the robot stands again
+constexpr std::int64_t kOrderValid_ns = 1'000'000'000;     // a request, from its stamp
+constexpr std::int64_t kPlanValid_ns = 1'000'000'000;      // what the walk follows, without a newer one
+constexpr std::int64_t kStandsFor_ns = 500'000'000;        // a stand that no step of the plan ends
+constexpr std::int64_t kMostForStand_ns = 10'000'000'000;  // until the robot stands again
 
 Pose pose_of(const double (&numbers)[3]) noexcept {
   return {numbers[0], numbers[1], numbers[2]};
@@ -85,6 +85,7 @@ void Navigator::answer(const Inputs& inputs) {
     return;
   }
   goal_ = pose_of(request_.goal);
+  stops_ = inputs.stops;
   if (!std::isfinite(goal_.x_m + goal_.y_m + goal_.yaw_rad)) {
     end(Result::refused, "the goal must be three finite numbers", inputs.now_ns);
     return;
@@ -99,13 +100,14 @@ void Navigator::answer(const Inputs& inputs) {
     return;
   }
   if (state_ == State::idle) {
-    const char* const why =
-        inputs.estimate.fall != estimate::fall::upright ? "the robot falls or lies: have it get up first"
-        : inputs.network_mode == network_state::mode::emergency_stop
-            ? "an emergency stop is in force: release it first"
-        : inputs.commanded ? "somebody walks the robot by velocities: let it stand first"
-        : inputs.walk.state != walk_states::stands ? "the robot does not stand: let it finish what it does first"
-                                                   : nullptr;
+    const char* const why = inputs.estimate.fall != estimate::fall::upright
+                                ? "the robot falls or lies: have it get up first"
+                            : inputs.network_mode == network_state::mode::emergency_stop
+                                ? "an emergency stop is in force: release it first"
+                            : inputs.commanded ? "somebody walks the robot by velocities: let it stand first"
+                            : inputs.walk.state != walk_states::stands
+                                ? "the robot does not stand: let it finish what it does first"
+                                : nullptr;
     if (why != nullptr) {
       end(Result::refused, why, inputs.now_ns);
       return;
@@ -121,8 +123,8 @@ bool Navigator::is_taken_away(const Inputs& inputs) {
     end(Result::cancelled, "somebody walks the robot by velocities", inputs.now_ns);
   } else if (inputs.estimate.fall != estimate::fall::upright) {
     end(Result::failed, "the robot fell", inputs.now_ns);
-  } else if (inputs.network_mode != network_state::mode::batches) {
-    end(Result::failed, "the robot was stopped", inputs.now_ns);
+  } else if (inputs.stops != stops_) {
+    end(Result::cancelled, "somebody stopped the robot", inputs.now_ns);
   }
   return state_ == State::idle;
 }
@@ -160,12 +162,14 @@ void Navigator::begin_way(const planning::Plan& plan, const Inputs& inputs) {
     end(Result::arrived, "", inputs.now_ns);
     return;
   }
-  way_.go_on(std::max({inputs.walk.landed, inputs.walk.step, way_.last()}), plan.steps);
+  const std::uint32_t used = std::max({inputs.walk.landed, inputs.walk.step, way_.last()});
+  way_.clear();
+  way_.go_on(used, plan.steps);
   enter(State::walks, inputs.now_ns);
 }
 
 void Navigator::follow(const Inputs& inputs) {
-  if (inputs.walk.state == walk_states::other) {
+  if (inputs.walk.state == walk_states::other || inputs.network_mode != network_state::mode::batches) {
     enter(State::waits, inputs.now_ns);
   } else if (inputs.walk.state == walk_states::stands) {
     finish_or_plan_anew(inputs);
@@ -197,9 +201,14 @@ void Navigator::finish_or_plan_anew(const Inputs& inputs) {
   }
 }
 
-// A recovery after a push, most of all.
+// A recovery after a push, or a safe tail: the robot is about to stand.
 void Navigator::wait(const Inputs& inputs) {
-  if (inputs.walk.state == walk_states::stands) {
+  const bool plays = inputs.network_mode == network_state::mode::batches;
+  if (plays && inputs.walk.state == walk_states::stands) {
+    if (++stands_in_the_way_ > parameters_.most_replans_at_a_stand) {
+      end(Result::failed, "the robot was brought to a stand again and again", inputs.now_ns);
+      return;
+    }
     enter(State::plans, inputs.now_ns);
   } else if (inputs.now_ns - since_ns_ > kMostForStand_ns) {
     end(Result::failed, "the robot did not come to a stand within 10 s", inputs.now_ns);

@@ -14,13 +14,15 @@ namespace gaitway::navigation {
 namespace {
 
 world::World world_of(Setup& setup) {
-  const std::string name = setup.parameter(
-      "world", "empty", "the map: a world's file, or the name of a shipped one, as `gaitway world list` tells");
-  const std::int64_t seed =
-      setup.parameter("world_seed", std::int64_t{-1}, "1", {-1.0, 2147483647.0, "of its random courses; -1: their own"});
+  const std::string name =
+      setup.parameter("world", "empty",
+                      "the map: a world's file, or the name of a shipped one, as `gaitway world list` tells");
+  const std::int64_t seed = setup.parameter("world_seed", std::int64_t{-1}, "1",
+                                            {-1.0, 2147483647.0, "of its random courses; -1: their own"});
   return world::load_world(
       {.name = name,
-       .random_seed = seed >= 0 ? std::optional<std::uint64_t>(static_cast<std::uint64_t>(seed)) : std::nullopt,
+       .random_seed =
+           seed >= 0 ? std::optional<std::uint64_t>(static_cast<std::uint64_t>(seed)) : std::nullopt,
        .written_in = "the parameter 'world' of the plug-in 'navigation'",
        .line = 0});
 }
@@ -34,9 +36,12 @@ PlanningDesk::Where desk_of(Setup& setup) {
 
 StepShares shares_of(Setup& setup) {
   StepShares shares;
-  shares.forward = setup.parameter("forward_share", shares.forward, "1", {0.2, 1.0, "of the gait's own limit, what planned steps take"});
-  shares.side = setup.parameter("side_share", shares.side, "1", {0.2, 1.0, "of the gait's own limit, what planned steps take"});
-  shares.turn = setup.parameter("turn_share", shares.turn, "1", {0.2, 1.0, "of the gait's own limit, what planned steps take"});
+  shares.forward = setup.parameter("forward_share", shares.forward, "1",
+                                   {0.2, 1.0, "of the gait's own limit, what planned steps take"});
+  shares.side = setup.parameter("side_share", shares.side, "1",
+                                {0.2, 1.0, "of the gait's own limit, what planned steps take"});
+  shares.turn = setup.parameter("turn_share", shares.turn, "1",
+                                {0.2, 1.0, "of the gait's own limit, what planned steps take"});
   return shares;
 }
 
@@ -72,12 +77,14 @@ class Navigation final : public Plugin {
     }
     if (obstacles_.has_value()) navigator_.see(obstacles_.read());
     const WalkCommand command = command_.has_value() ? command_.read() : WalkCommand{};
+    const NetworkState network = network_.has_value() ? network_.read() : NetworkState{};
     navigator_.step({.now_ns = tick.now_ns,
                      .estimate = estimate_.read(),
                      .walk = walk_.read(),
-                     .commanded = command.walk != 0 && (command.valid_until_ns == 0 || tick.now_ns < command.valid_until_ns),
-                     .network_mode = network_.has_value() ? network_.read().mode
-                                                          : std::uint32_t{network_state::mode::batches}},
+                     .commanded = command.walk != 0 &&
+                                  (command.valid_until_ns == 0 || tick.now_ns < command.valid_until_ns),
+                     .network_mode = network.mode,
+                     .stops = network.stops},
                     plan_.value(), state_.value());
     plan_.publish();
     state_.publish();
@@ -103,8 +110,7 @@ class Navigation final : public Plugin {
         obstacles_(setup.reads_optional<Obstacles>("obstacles")),
         network_(setup.reads_optional<NetworkState>("network_state")),
         plan_(setup.writes<FootstepPlan>("footstep_plan")),
-        state_(setup.writes<NavigationState>("navigation_state")) {
-  }
+        state_(setup.writes<NavigationState>("navigation_state")) {}
 
   // Once a way.
   void tell_end() {

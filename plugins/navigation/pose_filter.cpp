@@ -7,7 +7,7 @@
 namespace gaitway::navigation {
 namespace {
 
-constexpr double kStrange = 5.0;            // standard deviations
+constexpr double kStrange = 5.0;                   // standard deviations
 constexpr double kNear_m = 0.10, kNear_rad = 0.2;  // what is so near is never strange
 
 double square(double value) noexcept {
@@ -36,7 +36,8 @@ void PoseFilter::predict(std::int64_t stamp_ns, const planning::Pose& base) noex
     if (stamp_ns <= last.stamp_ns) return;
     const double way_m = planning::way_m(last.base, base), turn_rad = planning::turn_rad(last.base, base);
     variance_m2_ += square(parameters_.way_drift_m) * way_m;
-    variance_rad2_ += square(parameters_.way_drift_rad) * way_m + square(parameters_.turn_drift_rad) * turn_rad;
+    variance_rad2_ +=
+        square(parameters_.way_drift_rad) * way_m + square(parameters_.turn_drift_rad) * turn_rad;
   }
   moments_[count_++ % kRemembered] = {stamp_ns, base};
 }
@@ -64,10 +65,10 @@ bool PoseFilter::correct(std::int64_t stamp_ns, const planning::Pose& base_in_wo
   const planning::Pose expected = odometry_.compose(moment->base);
   const double x_m = base_in_world.x_m - expected.x_m, y_m = base_in_world.y_m - expected.y_m;
   const double yaw_rad = planning::wrapped(base_in_world.yaw_rad - expected.yaw_rad);
-  double variance_m2 = variance_m2_ + square(deviation_m), variance_rad2 = variance_rad2_ + square(deviation_rad);
-  const bool strange =
-      std::hypot(x_m, y_m) > std::max(kStrange * std::sqrt(variance_m2), kNear_m) ||
-      std::abs(yaw_rad) > std::max(kStrange * std::sqrt(variance_rad2), kNear_rad);
+  double variance_m2 = variance_m2_ + square(deviation_m),
+         variance_rad2 = variance_rad2_ + square(deviation_rad);
+  const bool strange = std::hypot(x_m, y_m) > std::max(kStrange * std::sqrt(variance_m2), kNear_m) ||
+                       std::abs(yaw_rad) > std::max(kStrange * std::sqrt(variance_rad2), kNear_rad);
   strange_ = strange ? strange_ + 1 : 0;
   if (strange && strange_ < kInsistent) return false;
   if (strange) {  // it knows nothing any more but what it is told

@@ -28,7 +28,8 @@ std::span<const planning::Footstep> Way::from(std::uint32_t number) const noexce
 
 void Way::tell(std::uint32_t number, const planning::Pose& odometry, FootstepPlan& to) const noexcept {
   const std::span<const planning::Footstep> rest = from(number);
-  const std::span<const planning::Footstep> told = rest.first(std::min<std::size_t>(rest.size(), kMaxPlannedSteps));
+  const std::span<const planning::Footstep> told =
+      rest.first(std::min<std::size_t>(rest.size(), kMaxPlannedSteps));
   to.first = std::max(number, first_);
   to.step_count = static_cast<std::uint32_t>(told.size());
   to.ends = told.size() == rest.size() ? 1 : 0;
@@ -41,7 +42,8 @@ void Way::tell(std::uint32_t number, const planning::Pose& odometry, FootstepPla
   }
 }
 
-void Way::tell_rest(std::uint32_t landed, const planning::Pose& from_pose, NavigationState& to) const noexcept {
+void Way::tell_rest(std::uint32_t landed, const planning::Pose& from_pose,
+                    NavigationState& to) const noexcept {
   const std::span<const planning::Footstep> rest = from(landed + 1);
   to.steps_left = static_cast<std::uint32_t>(rest.size());
   to.distance_left = 0.0;

@@ -30,11 +30,14 @@ planning::Planner planner_for(const urdf::RobotModel& robot, const StepShares& s
 }  // namespace
 
 WayPlanner::WayPlanner(const urdf::RobotModel& robot, world::World world, const StepShares& shares)
-    : planner_(planner_for(robot, shares)), world_(std::move(world)), with_seen_(std::make_shared<world::World>(world_)) {}
+    : planner_(planner_for(robot, shares)),
+      world_(std::move(world)),
+      with_seen_(std::make_shared<world::World>(world_)) {}
 
 bool WayPlanner::see(const Obstacles& obstacles) {
   const std::uint32_t count = std::min(obstacles.count, static_cast<std::uint32_t>(kMaxObstacles));
-  const bool same = count == seen_.count && std::memcmp(obstacles.place, seen_.place, sizeof seen_.place) == 0 &&
+  const bool same = count == seen_.count &&
+                    std::memcmp(obstacles.place, seen_.place, sizeof seen_.place) == 0 &&
                     std::memcmp(obstacles.size, seen_.size, sizeof seen_.size) == 0;
   if (same) return false;
   seen_ = obstacles;

@@ -66,10 +66,10 @@ void describe(const PatternState& state, const Estimate& estimate, bool free, Fo
   const bool walks = state.phase == Phase::walking;
   to.step = walks ? state.step.number : 0;
   to.landed = state.landed;
-  to.state = !free                          ? states::other
-             : state.phase == Phase::stand  ? states::stands
+  to.state = !free                                       ? states::other
+             : state.phase == Phase::stand               ? states::stands
              : to.step != 0 || !walks || state.step.last ? states::follows
-                                            : states::other;
+                                                         : states::other;
   const Side stance = stance_of(state, Side::right);
   const Pose2 local = planned(state, stance).relative_of(walks ? state.step.landing : state.feet[0]);
   const Pose2 landing = measured(estimate, stance).compose(local);

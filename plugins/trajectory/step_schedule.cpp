@@ -142,7 +142,7 @@ bool StepSchedule::stop_after(PatternState& state) noexcept {
     if (planner_.is_beside(step.stance, step.swing, state.feet[index_of(step.swing)])) return false;
     step.landing = planner_.beside(step.stance, step.swing);
     step.velocity = {};
-    step.number = 0;
+    if (!step.last) step.number = 0;  // it is not the plan's any more
   }
   step.last = planner_.is_beside(step.stance, step.swing, step.landing);
   if (step.last) return true;

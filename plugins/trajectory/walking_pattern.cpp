@@ -149,7 +149,11 @@ void WalkingPattern::schedule_planned(PatternState& state, const PlannedSteps& s
   const PlannedSteps::Place* const place = steps.find(number);
   const Pose2& stance =
       begins && place != nullptr ? state.feet[index_of(other(place->side))] : state.step.stance;
-  if (number == 0 || (begins && !schedule_.is_in_reach(stance, steps, number))) {
+  if (begins && steps.is_last(number) &&
+      schedule_.planner().is_beside(stance, place->side, state.feet[index_of(place->side)])) {
+    state.landed = number;  // a stop has brought the feet together already
+  }
+  if (number == 0 || state.landed == number || (begins && !schedule_.is_in_reach(stance, steps, number))) {
     stop(dcm_deviation_m);
     return;
   }

@@ -49,8 +49,7 @@ void FootOdometry::place_others(const SupportKinematics& kinematics) noexcept {
   const Eigen::Rotation2Dd turned(stands.yaw_rad);
   const urdf::Side moves = other(support_);
   foot_[static_cast<std::size_t>(moves)].place_m =
-      stands.place_m +
-      turned * kinematics.sole_point_m(support_, moves, Eigen::Vector2d::Zero()).head<2>();
+      stands.place_m + turned * kinematics.sole_point_m(support_, moves, Eigen::Vector2d::Zero()).head<2>();
   const SupportKinematics::BasePlace base = kinematics.base(support_);
   base_.place_m = stands.place_m + turned * base.place_m;
   base_.yaw_rad = next_to(stands.yaw_rad + base.yaw_rad, base_.yaw_rad);

@@ -13,7 +13,8 @@ namespace {
 constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 
 std::array<double, 3> place_of(const Eigen::Isometry3d& sole) {
-  return {sole.translation().x(), sole.translation().y(), std::atan2(sole.linear()(1, 0), sole.linear()(0, 0))};
+  return {sole.translation().x(), sole.translation().y(),
+          std::atan2(sole.linear()(1, 0), sole.linear()(0, 0))};
 }
 
 double way_m(const std::array<double, 3>& from, const std::array<double, 3>& to) {
@@ -37,7 +38,8 @@ void WayRecord::look(std::int64_t now_ns, const simulator::Plant& plant) {
   take_plan();
   if (footsteps_.landed != landed_) measure_landed(plant);
   if (ended() && !was_ended) ended_s_ = static_cast<double>(now_ns) * 1e-9;
-  const std::array left = place_of(plant.ground_contact().sole[0]), right = place_of(plant.ground_contact().sole[1]);
+  const std::array left = place_of(plant.ground_contact().sole[0]),
+                   right = place_of(plant.ground_contact().sole[1]);
   stand_ = {0.5 * (left[0] + right[0]), 0.5 * (left[1] + right[1]),
             left[2] + 0.5 * std::remainder(right[2] - left[2], 2.0 * std::numbers::pi)};
 }
@@ -68,7 +70,8 @@ bool WayRecord::ended() const noexcept {
 std::string WayRecord::missing() const {
   if (!asked_ || state_.result == navigation_state::result::arrived) return {};
   if (!ended()) return fmt::format("the way was not walked to its end, {} steps are left", state_.steps_left);
-  return fmt::format("the way was {}: {}", name_of(state_.result), reinterpret_cast<const char*>(state_.text));
+  return fmt::format("the way was {}: {}", name_of(state_.result),
+                     reinterpret_cast<const char*>(state_.text));
 }
 
 nlohmann::ordered_json WayRecord::json() const {

@@ -1,5 +1,5 @@
-// What became of the ways that a run was asked to walk: where the feet landed against where they were planned,
-// and where the robot came to stand.
+// What became of the ways that a run was asked to walk: where the feet landed against where they were
+// planned, and where the robot came to stand.
 #pragma once
 
 #include <array>

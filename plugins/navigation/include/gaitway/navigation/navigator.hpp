@@ -28,8 +28,9 @@ class Navigator {
     std::int64_t now_ns = 0;
     const Estimate& estimate;
     const FootstepState& walk;
-    bool commanded = false;                                  // somebody walks the robot by velocities
+    bool commanded = false;  // somebody walks the robot by velocities
     std::uint32_t network_mode = network_state::mode::batches;
+    std::uint64_t stops = 0;  // of people, since start
   };
 
   // `planner` and `desk` outlive it.
@@ -79,13 +80,14 @@ class Navigator {
   Result result_ = Result::none;
   std::int64_t since_ns_ = 0;  // in this state
   std::uint32_t answered_ = 0;
+  std::uint64_t stops_ = 0;  // when the way was asked for
   WalkToRequest request_{};  // answered, or to be
   planning::Pose goal_;
   Way way_;
   bool is_first_plan_ = true;
   bool sees_news_ = false;
   bool has_new_goal_ = false;
-  std::uint32_t judged_step_ = 0;  // in flight, when it was looked at whether it was pushed
+  std::uint32_t judged_step_ = 0;    // in flight, when it was looked at whether it was pushed
   std::uint32_t planned_after_ = 0;  // the step from whose landing on the rest is being planned anew
   std::uint32_t replans_ = 0;
   int adjustments_ = 0, stands_in_the_way_ = 0;

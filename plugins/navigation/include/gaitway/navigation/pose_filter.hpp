@@ -1,4 +1,5 @@
-// Where the frame `odometry` lies in the world: dead reckoning drifts, and whatever sees the room corrects it.
+// Where the frame `odometry` lies in the world: dead reckoning drifts, and whatever sees the room corrects
+// it.
 #pragma once
 
 #include <array>

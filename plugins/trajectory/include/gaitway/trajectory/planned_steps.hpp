@@ -9,9 +9,9 @@
 
 namespace gaitway::trajectory {
 
-// The plan's steps in the frame `plan`, by where the stance foot of the step in flight is planned and where it
-// has been measured; of a standing robot, the first step's. Without a step: the plan is too old, or breaks a
-// rule (numbers from 1, sides that take turns, finite places).
+// The plan's steps in the frame `plan`, by where the stance foot of the step in flight is planned and where
+// it has been measured; of a standing robot, the first step's. Without a step: the plan is too old, or breaks
+// a rule (numbers from 1, sides that take turns, finite places).
 [[nodiscard]] PlannedSteps planned_steps(const FootstepPlan& plan, const Estimate& estimate,
                                          const PatternState& state, std::int64_t now_ns) noexcept;
 
