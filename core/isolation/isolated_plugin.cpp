@@ -66,7 +66,7 @@ void IsolatedPlugin::activate() {
 }
 
 void IsolatedPlugin::deactivate() noexcept {
-  if (condition_ == Condition::active && settle(kFarewell_ns)) {
+  if (condition_ == Condition::active && settle(kFarewell_ns, tick_.now_ns)) {
     condition_ = Condition::idle;
     child_->copy_in(ports_);
     if (!call(ChildCall::deactivate, kFarewell_ns)) {

@@ -1,4 +1,6 @@
 // The steps of an isolated plug-in: those that the tick waits for, and those whose answer the next one takes.
+#include <utility>
+
 #include "gaitway/facts/facts.hpp"
 #include "isolated_plugin.hpp"
 
@@ -10,6 +12,7 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
     return false;
   }
   if (condition_ != Condition::active) {
+    settled_ = Settled::none;
     restate_loss();
     return false;
   }
@@ -17,7 +20,7 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
     return run_beside_tick(tick);
   }
   begin_step(tick);
-  return finish_step(step_limit_ns(), tick);
+  return finish_step(step_limit_ns(), tick.now_ns);
 }
 
 void IsolatedPlugin::begin_step(const Tick& tick) noexcept {
@@ -28,7 +31,7 @@ void IsolatedPlugin::begin_step(const Tick& tick) noexcept {
   step_began_ns_ = tick.now_ns;
 }
 
-bool IsolatedPlugin::finish_step(std::int64_t limit_ns, const Tick& tick) noexcept {
+bool IsolatedPlugin::finish_step(std::int64_t limit_ns, std::int64_t now_ns) noexcept {
   switch (child_->finish(limit_ns, *this)) {
     case Child::Result::done:
       child_->copy_out(ports_);
@@ -38,7 +41,7 @@ bool IsolatedPlugin::finish_step(std::int64_t limit_ns, const Tick& tick) noexce
       set_fault("");
       return true;
     case Child::Result::failed:
-      fail_step(tick);
+      fail_step(now_ns);
       return false;
     case Child::Result::pending:
       if (!options_.lock_step) {
@@ -50,26 +53,26 @@ bool IsolatedPlugin::finish_step(std::int64_t limit_ns, const Tick& tick) noexce
         return false;
       }
       format_into(text_, "{} of wall time: its process was ended", child_->text());
-      lose(text_.data(), tick.now_ns);
+      lose(text_.data(), now_ns);
       return false;
     case Child::Result::lost:
       break;
   }
-  lose(child_->text(), tick.now_ns);
+  lose(child_->text(), now_ns);
   return false;
 }
 
 // Takes the answer to the step before, and begins the next one. In real time a step that is still within its
 // budget is left alone; in virtual time it is waited for, so that each run of one seed does the same.
 bool IsolatedPlugin::run_beside_tick(const Tick& tick) noexcept {
-  bool fine = true;
+  bool fine = take_settled();
   if (step_open_) {
     const bool may_take_longer = !options_.lock_step && tick.now_ns - step_began_ns_ < step_limit_ns();
     if (may_take_longer && !child_->has_answered() && !child_->process().has_ended()) {
       return true;
     }
     step_open_ = false;
-    fine = finish_step(options_.lock_step ? options_.watchdog_ns : 0, tick);
+    fine = finish_step(options_.lock_step ? options_.watchdog_ns : 0, tick.now_ns);
   }
   if (condition_ == Condition::active) {
     begin_step(tick);
@@ -78,21 +81,35 @@ bool IsolatedPlugin::run_beside_tick(const Tick& tick) noexcept {
   return fine;
 }
 
-// Before another call: takes the answer to a step that no tick waited for. False: there is none.
-bool IsolatedPlugin::settle(std::int64_t limit_ns) noexcept {
+// Before another call: takes the answer to a step that no tick waited for; what it is, the next run() tells.
+// False: there is no child that could be called.
+bool IsolatedPlugin::settle(std::int64_t limit_ns, std::int64_t now_ns) noexcept {
+  if (step_open_ && !options_.lock_step && !child_->wait(limit_ns)) {
+    tell_under_way();
+    return false;
+  }
   if (step_open_) {
     step_open_ = false;
-    static_cast<void>(finish_step(limit_ns, tick_));
+    settled_ = finish_step(limit_ns, now_ns) ? Settled::good : Settled::bad;
+    format_into(settled_fault_, "{}", fault());
   }
   return condition_ == Condition::active || condition_ == Condition::idle;
 }
 
-void IsolatedPlugin::fail_step(const Tick& tick) noexcept {
+bool IsolatedPlugin::take_settled() noexcept {
+  if (std::exchange(settled_, Settled::none) == Settled::bad) {
+    set_fault(settled_fault_.data());
+    return false;
+  }
+  return true;
+}
+
+void IsolatedPlugin::fail_step(std::int64_t now_ns) noexcept {
   const std::string_view exhausted = child_->exhausted();
   set_fault(child_->text().empty() ? "failed without a text" : child_->text());
   if (!exhausted.empty()) {
     format_into(text_, "{} (its process has used up its {})", fault(), exhausted);
-    lose(text_.data(), tick.now_ns);
+    lose(text_.data(), now_ns);
   }
 }
 

@@ -2,12 +2,96 @@
 // becomes of its fault and of what it published.
 #include <gmock/gmock.h>
 
+#include <string>
+
+#include "gaitway/process/real_time.hpp"
 #include "isolation/local_sockets_fixture.hpp"
 
 namespace gaitway::core {
 namespace {
 
+using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+
+// Ticks 6 and 14 prepare batches.
+class NextStepTest : public PluginFixture {
+ protected:
+  static std::string beside(const std::string& library, const std::string& parameters = "") {
+    return "  - {name: it, library: " + library +
+           ".so, isolation: process, answer: next_step, budget: 80 ms, parameters: {" + parameters + "}}\n";
+  }
+  static PluginEntry entry(const std::string& plugin) {
+    return parse_configuration("plugins:\n" + plugin, "new.yaml").plugins.front();
+  }
+  double value() {
+    Correction correction{};
+    EXPECT_TRUE(other.read<Correction>("out").read(correction));
+    return correction.com_offset[0];
+  }
+  // The values of topic `out` after each of these ticks, none of which finds a fault.
+  std::vector<double> run(PluginManager& manager, std::uint32_t first, std::uint32_t last) {
+    std::vector<double> values;
+    for (std::uint32_t number = first; number <= last; ++number) {
+      EXPECT_EQ(manager.step(tick(number)), 0) << number << ": " << manager.plugin(0).fault();
+      values.push_back(value());
+    }
+    return values;
+  }
+  static int times_told(const PluginManager& manager, const std::string& part) {
+    int told = 0;
+    for (std::uint64_t i = manager.events().first(); i < manager.events().total(); ++i) {
+      told += manager.events()[i].text().find(part) != std::string_view::npos ? 1 : 0;
+    }
+    return told;
+  }
+};
+
+// The same again, whatever the processes' times: published values, faults and events.
+TEST_F(NextStepTest, InVirtualTimeEachRunDoesTheSame) {
+  std::vector<std::string> first;
+  for (int i = 0; i < 3; ++i) {
+    const auto manager = load(beside("misbehaves", "how: segfault, at: 9"));
+    std::vector<std::string> lines;
+    for (std::uint32_t number = 1; number < 40; ++number) {
+      if (number == 30) {
+        ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_reload("it")));
+      }
+      const int failed = manager->step(tick(number));
+      lines.push_back(std::to_string(failed) + " " + std::to_string(number == 1 ? 0.0 : value()));
+      manager->maintain(tick(number).now_ns);
+    }
+    for (std::uint64_t at = 0; at < manager->events().total(); ++at) {
+      const std::string text(manager->events()[at].text());  // without the process's own addresses
+      lines.push_back(std::to_string(manager->events()[at].stamp_ns) + text.substr(0, text.find(" (at")));
+    }
+    first = i == 0 ? lines : first;
+    EXPECT_EQ(lines, first);
+  }
+  EXPECT_GT(first.size(), 41U);
+}
+
+TEST_F(NextStepTest, AFaultThatAParameterMeetsIsStillThatOfItsStep) {
+  const auto manager = load(beside("counter", "failing_step: 2"));
+  EXPECT_EQ(manager->step(tick(1)), 0);
+  EXPECT_EQ(manager->step(tick(2)), 0);
+  manager->changes().set_parameter("it", "offset", "10 m");
+  EXPECT_EQ(manager->step(tick(3)), 1);
+  EXPECT_EQ(manager->plugin(0).fault(), "cannot count");
+  EXPECT_EQ(times_told(*manager, "cannot count"), 1);
+  EXPECT_EQ(manager->timings()[0].faults, 1U);
+  EXPECT_THAT(run(*manager, 4, 5), ElementsAre(13, 14));
+}
+
+TEST_F(NextStepTest, AParameterIsOfTheStepAfterTheOneThatItMeets) {
+  const auto manager = load(beside("counter"));
+  manager->step(tick(1));
+  EXPECT_THAT(run(*manager, 2, 3), ElementsAre(1, 2));
+  manager->changes().set_parameter("it", "offset", "10 m");
+  manager->changes().set_parameter("it", "offset", "20 m");
+  EXPECT_EQ(value(), 2);
+  EXPECT_THAT(run(*manager, 4, 6), ElementsAre(3, 24, 25));
+}
 
 class NextStepOfAServer : public LocalSockets {};
 
@@ -28,6 +112,50 @@ TEST_F(NextStepOfAServer, InRealTimeNoTickWaitsForOneThatAnswersNextStep) {
   EXPECT_THAT(fault(), HasSubstr("has not answered for 40 ms"));
   EXPECT_EQ(relayed(), 100.0 + number);
   EXPECT_EQ(service(), ServiceState::failing);
+}
+
+TEST_F(NextStepOfAServer, InRealTimeAParameterIsRefusedWhileAStepIsUnderWayAndTheStepGoesOn) {
+  isolation.lock_step = false;
+  manager = load(server(", answer: next_step, budget: 80 ms"));
+  ASSERT_EQ(ask("step wait"), 0);
+  ASSERT_EQ(step(), 0);
+  EXPECT_THAT(parameter_refusal(), HasSubstr("its step is under way"));
+  EXPECT_EQ(step(), 0) << fault();
+  ASSERT_EQ(ask("go on"), 0);
+  wait_until_idle(ask("process"));
+  EXPECT_EQ(parameter_refusal(), "");
+  EXPECT_EQ(step(), 0) << fault();
+  EXPECT_EQ(newest("did not answer"), "");
+}
+
+TEST_F(NextStepOfAServer, InRealTimeAParameterIsRefusedWhileItIsLate) {
+  isolation.lock_step = false;
+  manager = load(server(", budget: 1 ms"));
+  ASSERT_EQ(ask("step wait"), 0);
+  ASSERT_EQ(step(), 1);
+  EXPECT_THAT(parameter_refusal(), HasSubstr("its step is under way"));
+}
+
+TEST_F(NextStepOfAServer, InRealTimeAReloadIsRefusedWhileAStepIsUnderWayAndTheStepGoesOn) {
+  isolation.lock_step = false;
+  manager = load(server(", answer: next_step, budget: 80 ms"));
+  std::string newcomer = server();
+  newcomer.replace(newcomer.find("/door"), 5, "/other");
+  number = 4;
+  ASSERT_EQ(ask("step wait"), 0);
+  ASSERT_EQ(step(), 0);
+  while (ask("waits") != 1) {
+  }
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_replacement(
+      parse_configuration("plugins:\n" + newcomer, "new.yaml").plugins.front())));
+  EXPECT_EQ(step(), 0) << fault();
+  manager->end_trial(tick(number));
+  EXPECT_THAT(manager->changes().take_result()->text,
+              HasSubstr("not changed: the running one cannot hand its state on: its step is under way"));
+  ASSERT_EQ(ask("go on"), 0);
+  wait_until_idle(ask("process"));
+  EXPECT_EQ(step(), 0) << fault();
+  EXPECT_EQ(service(), ServiceState::works);
 }
 
 }  // namespace
