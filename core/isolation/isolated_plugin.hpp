@@ -32,6 +32,7 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool save_state(PluginState& state) noexcept override;
   bool restore_state(const PluginState& state) noexcept override;
   bool set_parameter(const char* name, const gaitway_value& value) noexcept override;
+  [[nodiscard]] bool is_under_way() const noexcept override { return under_way_; }
 
   // Of one that is not active: destroys the plug-in and ends its process. False: that failed, and fault()
   // says why.
@@ -128,6 +129,7 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool still_late_ = false;    // the step that the last one found late
   bool lost_in_step_ = false;  // the last one
   bool step_open_ = false;     // a step that no tick waited for: its answer is still to be taken
+  bool under_way_ = false;     // the last run() had no answer to tell
   enum class Settled : std::uint8_t { none, good, bad };
   Settled settled_ = Settled::none;  // an answer that settle() took
 

@@ -7,7 +7,7 @@
 namespace gaitway::core {
 
 bool IsolatedPlugin::run(const Tick& tick) noexcept {
-  lost_in_step_ = false;
+  lost_in_step_ = under_way_ = false;
   if (condition_ == Condition::late && !resume_late(tick)) {
     return false;
   }
@@ -65,10 +65,12 @@ bool IsolatedPlugin::finish_step(std::int64_t limit_ns, std::int64_t now_ns) noe
 // Takes the answer to the step before, and begins the next one. In real time a step that is still within its
 // budget is left alone; in virtual time it is waited for, so that each run of one seed does the same.
 bool IsolatedPlugin::run_beside_tick(const Tick& tick) noexcept {
+  under_way_ = !step_open_ && settled_ == Settled::none;
   bool fine = take_settled();
   if (step_open_) {
     const bool may_take_longer = !options_.lock_step && tick.now_ns - step_began_ns_ < step_limit_ns();
     if (may_take_longer && !child_->has_answered() && !child_->process().has_ended()) {
+      under_way_ = true;
       return true;
     }
     step_open_ = false;

@@ -290,7 +290,6 @@ TEST_F(IsolatedPluginTest, WithItsAnswerNextStepAFaultIsTheNextStepsAndSurvived)
       manager->maintain(tick(at).now_ns);
       ASSERT_LT(++at, 20U) << how;
     } while (manager->step(tick(at)) != 0);
-    ASSERT_EQ(manager->step(tick(at + 1)), 0);
     EXPECT_EQ(value(), 3.0) << "it goes on from the state of its last good step";
   }
 }

@@ -136,6 +136,29 @@ TEST_F(NextStepOfAServer, InRealTimeAParameterIsRefusedWhileItIsLate) {
   EXPECT_THAT(parameter_refusal(), HasSubstr("its step is under way"));
 }
 
+TEST_F(NextStepOfAServer, InRealTimeOneThatIsAlwaysLateIsGivenUpHoweverItAnswers) {
+  isolation.lock_step = false;
+  for (const char* const answer : {"this_step", "next_step"}) {
+    manager.reset();
+    manager =
+        load(server(std::string(", give_up_after: {batches: 3}, answer: ") + answer, ", every_batch: true"));
+    for (number = 6; number < 100 && service() != ServiceState::out_of_service; number += 8) {
+      ASSERT_EQ(ask("step wait"), 0);
+      manager->step(tick(number));
+      while (ask("waits") != 1) {
+      }
+      if (std::string(answer) == "next_step") {
+        manager->step(tick(number += 8));
+      }
+      EXPECT_THAT(fault(), HasSubstr("did not answer")) << answer;
+      ASSERT_EQ(ask("go on"), 0);
+      wait_until_idle(ask("process"));
+    }
+    EXPECT_EQ(service(), ServiceState::out_of_service) << answer;
+    EXPECT_THAT(newest("out of service"), HasSubstr("out of service after 3 faults")) << answer;
+  }
+}
+
 TEST_F(NextStepOfAServer, InRealTimeAReloadIsRefusedWhileAStepIsUnderWayAndTheStepGoesOn) {
   isolation.lock_step = false;
   manager = load(server(", answer: next_step, budget: 80 ms"));

@@ -69,6 +69,8 @@ class ManagedPlugin : protected PluginDeclarations {
   bool prepare(const Tick& tick, double offset = 0.0) noexcept;
   void commit() noexcept;  // publishes what was staged
   void discard() noexcept;
+  // The last prepare() had no answer to tell: it says nothing of the plug-in, for better or worse.
+  [[nodiscard]] virtual bool is_under_way() const noexcept { return false; }
   [[nodiscard]] std::string_view fault() const noexcept { return error_text_.data(); }
   void set_fault(std::string_view text) noexcept;
   // In the plug-in's place, through its own output: one writer a topic. False: it is none of its outputs.
