@@ -66,7 +66,16 @@ void IsolatedPlugin::activate() {
 }
 
 void IsolatedPlugin::deactivate() noexcept {
-  if (condition_ == Condition::active && settle(kFarewell_ns, tick_.now_ns)) {
+  const bool settled = condition_ == Condition::active && settle(kFarewell_ns, tick_.now_ns);
+  bool fine = take_settled();
+  if (step_open_) {
+    set_fault("its step did not end within 1 s: its process was ended");
+    step_open_ = fine = false;
+  }
+  if (!fine) {
+    events_.post(EventKind::error, name_, fault());  // no step comes that would tell
+  }
+  if (settled) {
     condition_ = Condition::idle;
     child_->copy_in(ports_);
     if (!call(ChildCall::deactivate, kFarewell_ns)) {

@@ -32,6 +32,8 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool save_state(PluginState& state) noexcept override;
   bool restore_state(const PluginState& state) noexcept override;
   bool set_parameter(const char* name, const gaitway_value& value) noexcept override;
+  void answer_at_once() noexcept override { answers_at_once_ = true; }
+  void take_answer() noexcept override;
   [[nodiscard]] bool is_under_way() const noexcept override { return under_way_; }
 
   // Of one that is not active: destroys the plug-in and ends its process. False: that failed, and fault()
@@ -74,7 +76,7 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool finish_step(std::int64_t limit_ns, std::int64_t now_ns) noexcept;
   bool run_beside_tick(const Tick& tick) noexcept;
   bool settle(std::int64_t limit_ns, std::int64_t now_ns) noexcept;
-  bool take_settled() noexcept;
+  bool take_settled() noexcept override;
   void fail_step(std::int64_t now_ns) noexcept;
   bool resume_late(const Tick& tick) noexcept;
 
@@ -126,10 +128,11 @@ class IsolatedPlugin final : public ManagedPlugin {
   std::optional<ChildStart> start_;  // of the child that is being started
   std::size_t declared_ports_ = 0;   // by it
   Condition condition_ = Condition::creating;
-  bool still_late_ = false;    // the step that the last one found late
-  bool lost_in_step_ = false;  // the last one
-  bool step_open_ = false;     // a step that no tick waited for: its answer is still to be taken
-  bool under_way_ = false;     // the last run() had no answer to tell
+  bool still_late_ = false;       // the step that the last one found late
+  bool lost_in_step_ = false;     // the last one
+  bool answers_at_once_ = false;  // the next step
+  bool step_open_ = false;        // a step that no tick waited for: its answer is still to be taken
+  bool under_way_ = false;        // the last run() had no answer to tell
   enum class Settled : std::uint8_t { none, good, bad };
   Settled settled_ = Settled::none;  // an answer that settle() took
 

@@ -8,6 +8,7 @@ namespace gaitway::core {
 
 bool IsolatedPlugin::run(const Tick& tick) noexcept {
   lost_in_step_ = under_way_ = false;
+  const bool at_once = std::exchange(answers_at_once_, false) || !settings_.answers_next_step;
   if (condition_ == Condition::late && !resume_late(tick)) {
     return false;
   }
@@ -16,7 +17,7 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
     restate_loss();
     return false;
   }
-  if (settings_.answers_next_step) {
+  if (!at_once) {
     return run_beside_tick(tick);
   }
   begin_step(tick);
@@ -104,6 +105,10 @@ bool IsolatedPlugin::take_settled() noexcept {
     return false;
   }
   return true;
+}
+
+void IsolatedPlugin::take_answer() noexcept {
+  static_cast<void>(settle(options_.lock_step ? options_.watchdog_ns : 0, tick_.now_ns));
 }
 
 void IsolatedPlugin::fail_step(std::int64_t now_ns) noexcept {

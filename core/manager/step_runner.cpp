@@ -63,6 +63,9 @@ void StepRunner::step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcep
   const PluginFault injected = options_.injected_faults == nullptr
                                    ? PluginFault{}
                                    : options_.injected_faults->at(slot.plugin->name(), tick.now_ns);
+  if (on_trial) {
+    slot.plugin->answer_at_once();
+  }
   const std::int64_t begin_ns = wall_ns();
   const bool fine = run_step(slot, tick, injected.kind);
   slot.last_step_ns = wall_ns() - begin_ns;

@@ -93,6 +93,77 @@ TEST_F(NextStepTest, AParameterIsOfTheStepAfterTheOneThatItMeets) {
   EXPECT_THAT(run(*manager, 4, 6), ElementsAre(3, 24, 25));
 }
 
+TEST_F(NextStepTest, WhatTheOldOneGaveLastIsPublishedWhenANewOneComes) {
+  for (const auto& [parameters, then] :
+       {std::pair{"offset: 100 m", std::vector<double>{103, 103, 104}},
+        std::pair{"failing_step: 1", std::vector<double>{2, 3, 4}},  // taken back
+        std::pair{"longer_state: true", std::vector<double>{2, 3, 4}}}) {
+    const auto manager = load(beside("counter"));
+    manager->step(tick(4));
+    EXPECT_THAT(run(*manager, 5, 5), ElementsAre(1));
+    const auto before = other.read<Correction>("out").newest_sequence();
+    ASSERT_TRUE(manager->changes().schedule(
+        manager->changes().prepare_replacement(entry(beside("counter", parameters)))));
+    EXPECT_EQ(run(*manager, 6, 8), then) << parameters;
+    EXPECT_EQ(other.read<Correction>("out").newest_sequence(), before + 3) << "each once";
+    EXPECT_EQ(manager->changes().take_result()->done, then[0] == 103) << parameters;
+  }
+}
+
+TEST_F(NextStepTest, ANewOneThatFailsInItsFirstStepIsTakenBackWithinTheTick) {
+  isolation.watchdog_ns = 100'000'000;
+  const std::pair<const char*, const char*> ways[] = {
+      {"fork", "called clone"}, {"segfault", "was ended by SIGSEGV"}, {"loop", "did not answer within"}};
+  for (const bool lock_step : {true, false}) {
+    isolation.lock_step = lock_step;
+    for (const auto& [how, fault] : ways) {
+      const auto manager = load(beside("misbehaves"));
+      manager->step(tick(5));
+      ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_replacement(
+          entry(beside("misbehaves", std::string("at: 6, how: ") + how)))));
+      EXPECT_EQ(manager->step(tick(6)), 0);
+      EXPECT_EQ(value(), 1.0) << "the old one takes its turn";
+      manager->end_trial(tick(6));
+      const auto result = manager->changes().take_result();
+      ASSERT_TRUE(result.has_value());
+      EXPECT_FALSE(result->done);
+      EXPECT_THAT(result->text, AllOf(HasSubstr("the new one failed in its first step"), HasSubstr(fault)));
+      EXPECT_TRUE(!lock_step || run(*manager, 7, 7).front() == 2.0) << "and goes on";
+    }
+  }
+}
+
+TEST_F(NextStepTest, AStepThatEndedItsProcessKeepsNoNewOneAway) {
+  const auto manager = load(beside("misbehaves", "how: segfault, at: 5"));
+  manager->step(tick(4));
+  manager->step(tick(5));
+  ASSERT_TRUE(
+      manager->changes().schedule(manager->changes().prepare_replacement(entry(beside("misbehaves")))));
+  EXPECT_EQ(manager->step(tick(6)), 0);
+  manager->end_trial(tick(6));
+  const auto result = manager->changes().take_result();
+  ASSERT_TRUE(result.has_value());
+  EXPECT_TRUE(result->done) << result->text;
+  EXPECT_EQ(times_told(*manager, "was ended by SIGSEGV in its step"), 1);
+}
+
+TEST_F(NextStepTest, AFaultOfItsLastStepIsToldThoughItIsNotSteppedAnyMore) {
+  using Prepare = std::unique_ptr<PluginChange> (*)(ChangeControl&);
+  for (const Prepare prepare : {Prepare([](ChangeControl& to) { return to.prepare_removal("it"); }),
+                                Prepare([](ChangeControl& to) { return to.prepare_stop("it"); }),
+                                Prepare([](ChangeControl& to) { return to.prepare_reload("it"); })}) {
+    const auto manager = load(beside("counter", "failing_step: 2"));
+    manager->step(tick(4));
+    manager->step(tick(5));
+    ASSERT_TRUE(manager->changes().schedule(prepare(manager->changes())));
+    manager->step(tick(6));
+    manager->end_trial(tick(6));
+    EXPECT_TRUE(manager->changes().take_result()->done);
+    manager->step(tick(7));
+    EXPECT_EQ(times_told(*manager, "cannot count"), 1);
+  }
+}
+
 class NextStepOfAServer : public LocalSockets {};
 
 TEST_F(NextStepOfAServer, InRealTimeNoTickWaitsForOneThatAnswersNextStep) {
@@ -157,6 +228,24 @@ TEST_F(NextStepOfAServer, InRealTimeOneThatIsAlwaysLateIsGivenUpHoweverItAnswers
     EXPECT_EQ(service(), ServiceState::out_of_service) << answer;
     EXPECT_THAT(newest("out of service"), HasSubstr("out of service after 3 faults")) << answer;
   }
+}
+
+TEST_F(NextStepOfAServer, InRealTimeOneWhoseStepDoesNotEndIsRemovedWithoutATickThatWaits) {
+  isolation.lock_step = false;
+  manager = load(relays() + server(", answer: next_step, budget: 80 ms"));
+  number = 4;
+  ASSERT_EQ(ask("step wait"), 0);
+  ASSERT_EQ(step(), 0);
+  while (ask("waits") != 1) {
+  }
+  ASSERT_TRUE(manager->changes().schedule(manager->changes().prepare_removal("server")));
+  const std::int64_t began_ns = process::monotonic_ns();
+  EXPECT_EQ(step(), 0);
+  EXPECT_LT(process::monotonic_ns() - began_ns, 50'000'000) << "its budget is 80 ms";
+  manager->end_trial(tick(number));
+  EXPECT_TRUE(manager->changes().take_result()->done);
+  EXPECT_EQ(step(), 0);
+  EXPECT_EQ(newest("its step"), "its step did not end within 1 s: its process was ended");
 }
 
 TEST_F(NextStepOfAServer, InRealTimeAReloadIsRefusedWhileAStepIsUnderWayAndTheStepGoesOn) {
