@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "gaitway/process/real_time.hpp"
 
@@ -150,8 +151,8 @@ bool Child::is_whole() const noexcept {
 }
 
 void Child::take_reports(PluginDeclarations& to) const noexcept {
-  const ChildReply& reply = exchange().reply;
-  const std::size_t count = std::min<std::size_t>(reply.reports, kExchangeReports);
+  ChildReply& reply = exchange().reply;
+  const std::size_t count = std::min<std::size_t>(std::exchange(reply.reports, 0U), kExchangeReports);
   for (std::size_t i = 0; i < count; ++i) {
     to.report(reply.report[i].severity, text_up_to_nul(reply.report[i].text).substr(0, kLongestReport));
   }

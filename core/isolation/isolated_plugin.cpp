@@ -181,8 +181,10 @@ void IsolatedPlugin::restate_loss() noexcept {
 void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
   const bool runs = condition_ == Condition::active || condition_ == Condition::late;
   if (runs && !options_.lock_step && child_->process().has_ended()) {
-    child_->describe_end(step_open_ ? child_->calling() : "between two steps", *this);
-    lose(child_->text(), now_ns);
+    if (!step_open_ || settle(0, now_ns)) {  // what its last step gave, or how it ended
+      child_->describe_end(child_->has_answered() ? "between two steps" : child_->calling(), *this);
+      lose(child_->text(), now_ns);
+    }
   } else if (condition_ == Condition::late && now_ns - late_ns_ > options_.hang_ns) {
     format_into(text_, "has not answered for {} ms: its process was ended",
                 (now_ns - late_ns_) / kMillisecond_ns);

@@ -13,7 +13,9 @@ bool IsolatedPlugin::run(const Tick& tick) noexcept {
     return false;
   }
   if (condition_ != Condition::active) {
-    settled_ = Settled::none;
+    if (std::exchange(settled_, Settled::none) == Settled::good) {
+      return true;  // what it published before it was lost, which the next step tells
+    }
     restate_loss();
     return false;
   }

@@ -1,6 +1,7 @@
 // A plug-in whose answer comes with the next step: what meets its step while that is under way, and what
 // becomes of its fault and of what it published.
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include <string>
 
@@ -164,6 +165,41 @@ TEST_F(NextStepTest, AFaultOfItsLastStepIsToldThoughItIsNotSteppedAnyMore) {
   }
 }
 
+TEST_F(NextStepTest, WhatItPublishedBeforeItDiedGoesOut) {
+  for (const bool lock_step : {true, false}) {
+    isolation.lock_step = lock_step;
+    const auto manager = load(beside("counter"));
+    manager->step(tick(1));
+    wait_until_idle(child_process());
+    EXPECT_THAT(run(*manager, 2, 2), ElementsAre(1));
+    wait_until_idle(child_process());
+    ASSERT_EQ(kill(child_process(), SIGKILL), 0);
+    wait_until_ended(child_process());
+    manager->maintain(tick(2).now_ns);
+    EXPECT_THAT(run(*manager, 3, 3), ElementsAre(2)) << lock_step;
+    EXPECT_EQ(manager->step(tick(4)), 1);
+    EXPECT_THAT(std::string(manager->plugin(0).fault()),
+                HasSubstr(lock_step ? "in its step" : "in between two steps"));
+    EXPECT_EQ(manager->timings()[0].faults, 1U);
+  }
+}
+
+// Its turn comes once in 80 ms; after 40 ms it has a new process.
+TEST_F(NextStepTest, InRealTimeACrashIsToldThoughItIsThereAgainWhenItsTurnComes) {
+  isolation.lock_step = false;
+  std::string plugin = beside("misbehaves", "how: segfault, at: 16");
+  plugin.insert(plugin.find("budget"), "period: 80 ms, ");
+  const auto manager = load(plugin);
+  EXPECT_EQ(manager->step(tick(16)), 0);
+  for (int i = 0; i < 100'000 && times_told(*manager, "runs in a new process") == 0; ++i) {
+    manager->maintain(tick(23).now_ns + i / 1000 * facts::kSlot_ns);
+  }
+  ASSERT_EQ(manager->plugin(0).recovery(), Recovery::not_needed);
+  EXPECT_EQ(manager->step(tick(160'000)), 1);
+  EXPECT_EQ(manager->timings()[0].faults, 1U);
+  EXPECT_EQ(times_told(*manager, "was ended by SIGSEGV in its step"), 1);
+}
+
 class NextStepOfAServer : public LocalSockets {};
 
 TEST_F(NextStepOfAServer, InRealTimeNoTickWaitsForOneThatAnswersNextStep) {
@@ -205,6 +241,30 @@ TEST_F(NextStepOfAServer, InRealTimeAParameterIsRefusedWhileItIsLate) {
   ASSERT_EQ(ask("step wait"), 0);
   ASSERT_EQ(step(), 1);
   EXPECT_THAT(parameter_refusal(), HasSubstr("its step is under way"));
+}
+
+TEST_F(NextStepOfAServer, InRealTimeOneThatDiesAfterItsStepDiesBetweenTwoAndIsHeardOnce) {
+  isolation.lock_step = false;
+  for (const char* const answer : {"this_step", "next_step"}) {
+    manager.reset();
+    manager = load(server(std::string(", budget: 80 ms, answer: ") + answer));
+    const std::uint64_t before = manager->events().total();
+    ASSERT_EQ(ask("step unix"), 0);
+    manager->step(tick(++number));
+    wait_until_idle(ask("process"));
+    const int process = ask("process");
+    ASSERT_EQ(ask("die"), -2);
+    wait_until_ended(process);
+    manager->maintain(tick(number).now_ns);
+    manager->step(tick(++number));  // of next_step it takes what it published
+    EXPECT_EQ(manager->step(tick(++number)), 1);
+    EXPECT_THAT(fault(), HasSubstr("was ended by SIGABRT in between two steps")) << answer;
+    int told = 0;
+    for (std::uint64_t i = before; i < manager->events().total(); ++i) {
+      told += manager->events()[i].text() == "unix: error 0" ? 1 : 0;
+    }
+    EXPECT_EQ(told, 1) << answer;
+  }
 }
 
 TEST_F(NextStepOfAServer, InRealTimeOneThatIsAlwaysLateIsGivenUpHoweverItAnswers) {
