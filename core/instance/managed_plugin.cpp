@@ -140,6 +140,13 @@ void ManagedPlugin::discard() noexcept {
   }
 }
 
+bool ManagedPlugin::hand_in(const Tick& tick) noexcept {
+  tick_ = tick;
+  const bool fine = take_settled() && check_outputs();
+  fine ? commit() : discard();
+  return fine;
+}
+
 bool ManagedPlugin::publish_in_place(std::string_view topic, std::uint64_t type_hash, const void* value,
                                      std::int64_t stamp_ns) noexcept {
   const auto port = std::ranges::find_if(ports_, [&](const TopicPort& candidate) {

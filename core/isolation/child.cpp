@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "gaitway/process/real_time.hpp"
 
@@ -100,7 +101,7 @@ void Child::begin(ChildCall call) noexcept {
   ring(exchange().call, ++called_);
 }
 
-Child::Result Child::finish(std::int64_t limit_ns, PluginDeclarations& reports) noexcept {
+bool Child::wait(std::int64_t limit_ns) noexcept {
   Doorbell& bell = exchange().answer;
   const std::uint32_t before = called_ - 1;
   const std::int64_t end_ns = process::monotonic_ns() + limit_ns;
@@ -109,16 +110,26 @@ Child::Result Child::finish(std::int64_t limit_ns, PluginDeclarations& reports) 
     if (remaining_ns > 0) {
       sleep_on(bell, before, std::min(remaining_ns, kLook_ns));
     }
-    if (bell.number.load() == before && process_.has_ended()) {
-      describe_end(calling(), reports);
-      return Result::lost;
+    if (!has_answered() && process_.has_ended()) {
+      return true;
     }
     if (remaining_ns <= 0) {
-      format_into(text_, "did not answer within {:g} ms", static_cast<double>(limit_ns) * 1e-6);
-      return Result::pending;
+      return has_answered();
     }
   }
-  if (bell.number.load() != called_ || !is_whole()) {
+  return true;
+}
+
+Child::Result Child::finish(std::int64_t limit_ns, PluginDeclarations& reports) noexcept {
+  if (!wait(limit_ns)) {
+    format_into(text_, "did not answer within {:g} ms", static_cast<double>(limit_ns) * 1e-6);
+    return Result::pending;
+  }
+  if (!has_answered()) {
+    describe_end(calling(), reports);
+    return Result::lost;
+  }
+  if (exchange().answer.number.load() != called_ || !is_whole()) {
     format_into(text_, "wrote over the memory that it shares with the manager");
     return Result::lost;
   }
@@ -140,8 +151,8 @@ bool Child::is_whole() const noexcept {
 }
 
 void Child::take_reports(PluginDeclarations& to) const noexcept {
-  const ChildReply& reply = exchange().reply;
-  const std::size_t count = std::min<std::size_t>(reply.reports, kExchangeReports);
+  ChildReply& reply = exchange().reply;
+  const std::size_t count = std::min<std::size_t>(std::exchange(reply.reports, 0U), kExchangeReports);
   for (std::size_t i = 0; i < count; ++i) {
     to.report(reply.report[i].severity, text_up_to_nul(reply.report[i].text).substr(0, kLongestReport));
   }

@@ -53,7 +53,8 @@ class Child {
   // Waits at most so long for the answer to what was begun; text() says what became of it. What the plug-in
   // reported goes to `reports`.
   Result finish(std::int64_t limit_ns, PluginDeclarations& reports) noexcept;
-  // Whether finish() would find something without waiting.
+  // Waits at most so long for what finish() would find without waiting. False: there is nothing yet.
+  [[nodiscard]] bool wait(std::int64_t limit_ns) noexcept;
   [[nodiscard]] bool has_answered() const noexcept { return exchange().answer.number.load() != called_ - 1; }
   [[nodiscard]] std::string_view text() const noexcept { return text_.data(); }
   [[nodiscard]] std::string_view calling() const noexcept;  // the last call, for people

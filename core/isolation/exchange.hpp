@@ -52,7 +52,7 @@ struct ChildReply {  // written by the child
   std::int32_t status = 0;
   std::uint32_t exhausted = 0;                      // 1: memory, 2: descriptors
   std::uint32_t state_size = 0, state_version = 0;  // version 0: none was saved
-  std::uint32_t reports = 0;                        // may be more than there is room for
+  std::uint32_t reports = 0;                        // may be more than there is room for; 0 again once taken
   char text[1024]{};
   ChildReport report[kExchangeReports]{};
 };

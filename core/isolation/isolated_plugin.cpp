@@ -1,4 +1,4 @@
-// The conditions of an isolated plug-in: in service, late, lost, and on its way back.
+// The conditions of an isolated plug-in, in service, lost, and on its way back; and calls between two steps.
 #include "isolated_plugin.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,16 @@ void IsolatedPlugin::activate() {
 }
 
 void IsolatedPlugin::deactivate() noexcept {
-  if (condition_ == Condition::active && settle(kFarewell_ns)) {
+  const bool settled = condition_ == Condition::active && settle(kFarewell_ns, tick_.now_ns);
+  bool fine = take_settled();
+  if (step_open_) {
+    set_fault("its step did not end within 1 s: its process was ended");
+    step_open_ = fine = false;
+  }
+  if (!fine) {
+    events_.post(EventKind::error, name_, fault());  // no step comes that would tell
+  }
+  if (settled) {
     condition_ = Condition::idle;
     child_->copy_in(ports_);
     if (!call(ChildCall::deactivate, kFarewell_ns)) {
@@ -79,118 +88,7 @@ void IsolatedPlugin::deactivate() noexcept {
   }
 }
 
-// --- Steps and what happens between them.
-
-bool IsolatedPlugin::run(const Tick& tick) noexcept {
-  lost_in_step_ = false;
-  if (condition_ == Condition::late && !resume_late(tick)) {
-    return false;
-  }
-  if (condition_ != Condition::active) {
-    restate_loss();
-    return false;
-  }
-  if (settings_.answers_next_step) {
-    return run_beside_tick(tick);
-  }
-  begin_step(tick);
-  return finish_step(step_limit_ns(), tick);
-}
-
-void IsolatedPlugin::begin_step(const Tick& tick) noexcept {
-  child_->copy_in(ports_);
-  child_->request().keep_state = 1;
-  child_->request().tick = abi_tick(tick);
-  child_->begin(ChildCall::step);
-  step_began_ns_ = tick.now_ns;
-}
-
-bool IsolatedPlugin::finish_step(std::int64_t limit_ns, const Tick& tick) noexcept {
-  switch (child_->finish(limit_ns, *this)) {
-    case Child::Result::done:
-      child_->copy_out(ports_);
-      static_cast<void>(child_->take_state(*state_));
-      state_ns_ = step_began_ns_;
-      ++steps_since_start_;
-      set_fault("");
-      return true;
-    case Child::Result::failed:
-      fail_step(tick);
-      return false;
-    case Child::Result::pending:
-      if (!options_.lock_step) {
-        condition_ = Condition::late;
-        still_late_ = false;
-        late_ns_ = step_began_ns_;
-        format_into(text_, "did not answer within {:g} ms", static_cast<double>(step_limit_ns()) * 1e-6);
-        set_fault(text_.data());
-        return false;
-      }
-      format_into(text_, "{} of wall time: its process was ended", child_->text());
-      lose(text_.data(), tick.now_ns);
-      return false;
-    case Child::Result::lost:
-      break;
-  }
-  lose(child_->text(), tick.now_ns);
-  return false;
-}
-
-// Takes the answer to the step before, and begins the next one. In real time a step that is still within its
-// budget is left alone; in virtual time it is waited for, so that each run of one seed does the same.
-bool IsolatedPlugin::run_beside_tick(const Tick& tick) noexcept {
-  bool fine = true;
-  if (step_open_) {
-    const bool may_take_longer = !options_.lock_step && tick.now_ns - step_began_ns_ < step_limit_ns();
-    if (may_take_longer && !child_->has_answered() && !child_->process().has_ended()) {
-      return true;
-    }
-    step_open_ = false;
-    fine = finish_step(options_.lock_step ? options_.watchdog_ns : 0, tick);
-  }
-  if (condition_ == Condition::active) {
-    begin_step(tick);
-    step_open_ = true;
-  }
-  return fine;
-}
-
-// Before another call: takes the answer to a step that no tick waited for. False: there is none.
-bool IsolatedPlugin::settle(std::int64_t limit_ns) noexcept {
-  if (step_open_) {
-    step_open_ = false;
-    static_cast<void>(finish_step(limit_ns, tick_));
-  }
-  return condition_ == Condition::active || condition_ == Condition::idle;
-}
-
-void IsolatedPlugin::fail_step(const Tick& tick) noexcept {
-  const std::string_view exhausted = child_->exhausted();
-  set_fault(child_->text().empty() ? "failed without a text" : child_->text());
-  if (!exhausted.empty()) {
-    format_into(text_, "{} (its process has used up its {})", fault(), exhausted);
-    lose(text_.data(), tick.now_ns);
-  }
-}
-
-// What the late step did is of no use any more. True: the child is free for the next one.
-bool IsolatedPlugin::resume_late(const Tick& tick) noexcept {
-  switch (child_->finish(0, *this)) {
-    case Child::Result::done:
-    case Child::Result::failed:
-      condition_ = Condition::active;
-      return true;
-    case Child::Result::pending:
-      format_into(text_, "has not answered for {} ms", (tick.now_ns - late_ns_) / kMillisecond_ns);
-      set_fault(text_.data());
-      still_late_ = true;
-      return false;
-    case Child::Result::lost:
-      break;
-  }
-  lose(child_->text(), tick.now_ns);
-  return false;
-}
+// --- Between two steps.
 
 // A call between two steps, or at set-up. False: it failed, and fault() says why.
 bool IsolatedPlugin::call(ChildCall what, std::int64_t limit_ns) noexcept {
@@ -283,8 +181,10 @@ void IsolatedPlugin::restate_loss() noexcept {
 void IsolatedPlugin::maintain(std::int64_t now_ns) noexcept {
   const bool runs = condition_ == Condition::active || condition_ == Condition::late;
   if (runs && !options_.lock_step && child_->process().has_ended()) {
-    child_->describe_end(step_open_ ? child_->calling() : "between two steps", *this);
-    lose(child_->text(), now_ns);
+    if (!step_open_ || settle(0, now_ns)) {  // what its last step gave, or how it ended
+      child_->describe_end(child_->has_answered() ? "between two steps" : child_->calling(), *this);
+      lose(child_->text(), now_ns);
+    }
   } else if (condition_ == Condition::late && now_ns - late_ns_ > options_.hang_ns) {
     format_into(text_, "has not answered for {} ms: its process was ended",
                 (now_ns - late_ns_) / kMillisecond_ns);

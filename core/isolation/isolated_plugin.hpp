@@ -32,6 +32,9 @@ class IsolatedPlugin final : public ManagedPlugin {
   bool save_state(PluginState& state) noexcept override;
   bool restore_state(const PluginState& state) noexcept override;
   bool set_parameter(const char* name, const gaitway_value& value) noexcept override;
+  void answer_at_once() noexcept override { answers_at_once_ = true; }
+  void take_answer() noexcept override;
+  [[nodiscard]] bool is_under_way() const noexcept override { return under_way_; }
 
   // Of one that is not active: destroys the plug-in and ends its process. False: that failed, and fault()
   // says why.
@@ -70,10 +73,11 @@ class IsolatedPlugin final : public ManagedPlugin {
 
   bool run(const Tick& tick) noexcept override;
   void begin_step(const Tick& tick) noexcept;
-  bool finish_step(std::int64_t limit_ns, const Tick& tick) noexcept;
+  bool finish_step(std::int64_t limit_ns, std::int64_t now_ns) noexcept;
   bool run_beside_tick(const Tick& tick) noexcept;
-  bool settle(std::int64_t limit_ns) noexcept;
-  void fail_step(const Tick& tick) noexcept;
+  bool settle(std::int64_t limit_ns, std::int64_t now_ns) noexcept;
+  bool take_settled() noexcept override;
+  void fail_step(std::int64_t now_ns) noexcept;
   bool resume_late(const Tick& tick) noexcept;
 
   // What a child declares, the first and each later one.
@@ -93,9 +97,13 @@ class IsolatedPlugin final : public ManagedPlugin {
   void come_back(std::int64_t now_ns);
 
   [[nodiscard]] bool require_child() noexcept {  // false: fault() says since when there is none
-    const bool there = condition_ == Condition::active || condition_ == Condition::idle;
-    return there ? settle(between_steps_limit_ns()) : (restate_loss(), false);
+    if (condition_ == Condition::active || condition_ == Condition::idle) {
+      return settle(between_steps_limit_ns(), tick_.now_ns);
+    }
+    condition_ == Condition::late ? tell_under_way() : restate_loss();
+    return false;
   }
+  void tell_under_way() noexcept { set_fault("its step is under way. Try again"); }
   [[nodiscard]] std::int64_t step_limit_ns() const noexcept {
     return options_.lock_step ? options_.watchdog_ns : step_budget_ns(containment_, period_ == Period::batch);
   }
@@ -120,9 +128,13 @@ class IsolatedPlugin final : public ManagedPlugin {
   std::optional<ChildStart> start_;  // of the child that is being started
   std::size_t declared_ports_ = 0;   // by it
   Condition condition_ = Condition::creating;
-  bool still_late_ = false;    // the step that the last one found late
-  bool lost_in_step_ = false;  // the last one
-  bool step_open_ = false;     // a step that no tick waited for: its answer is still to be taken
+  bool still_late_ = false;       // the step that the last one found late
+  bool lost_in_step_ = false;     // the last one
+  bool answers_at_once_ = false;  // the next step
+  bool step_open_ = false;        // a step that no tick waited for: its answer is still to be taken
+  bool under_way_ = false;        // the last run() had no answer to tell
+  enum class Settled : std::uint8_t { none, good, bad };
+  Settled settled_ = Settled::none;  // an answer that settle() took
 
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();  // of the last good step
   std::int64_t state_ns_ = 0, step_began_ns_ = 0;
@@ -131,7 +143,7 @@ class IsolatedPlugin final : public ManagedPlugin {
   RestartRule restarts_;
   std::int64_t start_began_ns_ = 0;  // by the wall clock
   std::int64_t lost_ns_ = 0, restart_ns_ = 0, late_ns_ = 0;
-  std::array<char, 768> text_{}, loss_text_{};
+  std::array<char, 768> text_{}, loss_text_{}, settled_fault_{};
 };
 
 }  // namespace gaitway::core

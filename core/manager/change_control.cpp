@@ -191,6 +191,9 @@ void ChangeControl::begin(const Tick& tick) noexcept {
   PluginSlot* const incoming = change.incoming();
   const bool replaces = change.outgoing_index() != PluginChange::kIncoming;
   ManagedPlugin* const old = replaces ? plugins_[change.outgoing_index()].plugin.get() : nullptr;
+  if (old != nullptr) {
+    old->take_answer();
+  }
   if (incoming != nullptr && old != nullptr) {
     // One that is out of service, or whose process is away, has nothing to hand on that is of use; and one
     // that is stopped has nobody to hand it on to.
@@ -202,6 +205,11 @@ void ChangeControl::begin(const Tick& tick) noexcept {
     if (!incoming->plugin->restore_state(change.state())) {
       return fail(tick, "the new one refuses the state that is handed on", incoming->plugin->fault());
     }
+  }
+  if (old != nullptr && !old->hand_in(tick)) {
+    events_.add(tick, EventKind::fault, old->name(), old->fault());
+  }
+  if (incoming != nullptr && old != nullptr) {
     incoming->plugin->take_outputs(*old);
   }
   if (old != nullptr) {

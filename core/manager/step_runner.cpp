@@ -63,6 +63,9 @@ void StepRunner::step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcep
   const PluginFault injected = options_.injected_faults == nullptr
                                    ? PluginFault{}
                                    : options_.injected_faults->at(slot.plugin->name(), tick.now_ns);
+  if (on_trial) {
+    slot.plugin->answer_at_once();
+  }
   const std::int64_t begin_ns = wall_ns();
   const bool fine = run_step(slot, tick, injected.kind);
   slot.last_step_ns = wall_ns() - begin_ns;
@@ -77,6 +80,10 @@ void StepRunner::step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcep
     slot.plugin->set_fault(format_into(text, "took {} us; its budget is {} us", cost_ns / 1000,
                                        slot.containment.budget_ns() / 1000));
   }
+  if (fine && !overrun && slot.plugin->is_under_way()) {
+    keep_verdict(slot, tick);
+    return;
+  }
   slot.failed = !fine || overrun;
   slot.failed ? note_fault(slot, tick, overrun, on_trial) : note_success(slot, tick);
 }
@@ -88,6 +95,14 @@ bool StepRunner::run_step(PluginSlot& slot, const Tick& tick, PluginFaultKind in
   }
   const WatchedCall call(options_.step_watch, slot.watch_id);
   return slot.plugin->prepare(tick, offset_of(injected));
+}
+
+// A step without an answer yet: what the last answer was still counts.
+void StepRunner::keep_verdict(PluginSlot& slot, const Tick& tick) noexcept {
+  slot.failed = slot.containment.state() == ServiceState::failing;
+  if (slot.failed) {
+    slot.covered = slot.containment.fallbacks().act(tick, *slot.plugin);
+  }
 }
 
 void StepRunner::note_success(PluginSlot& slot, const Tick& tick) noexcept {

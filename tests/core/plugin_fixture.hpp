@@ -2,7 +2,11 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -51,6 +55,34 @@ class PluginFixture : public testing::Test {
 // An entry of the configuration for the plug-in `relay`.
 inline std::string relay(const std::string& name, const std::string& parameters) {
   return "  - {name: " + name + ", library: relay.so, parameters: {" + parameters + "}}\n";
+}
+
+// The only child of this process.
+inline pid_t child_process() {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream status(entry.path() / "stat");
+    std::string pid, name, state;
+    pid_t parent = 0;
+    if (status >> pid >> name >> state >> parent && parent == getpid()) {
+      return std::stoi(pid);
+    }
+  }
+  return 0;
+}
+
+// Until that child's thread that steps has nothing to do: its answer is there.
+inline void wait_until_idle(pid_t child) {
+  const std::string path = "/proc/" + std::to_string(child) + "/stat";
+  std::string pid, name, state;
+  do {
+    std::ifstream(path) >> pid >> name >> state;
+  } while (state == "R" || state == "D");
+}
+
+// Until it has ended; it stays to be waited for.
+inline void wait_until_ended(pid_t child) {
+  siginfo_t info{};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT), 0);
 }
 
 }  // namespace gaitway::core

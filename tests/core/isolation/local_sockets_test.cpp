@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <sys/socket.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,107 +13,19 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "gaitway/process/listening_socket.hpp"
-#include "plugin_fixture.hpp"
+#include "isolation/local_sockets_fixture.hpp"
 
 namespace gaitway::core {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-class LocalSockets : public PluginFixture {
- protected:
-  LocalSockets() {
-    std::string name = (std::filesystem::path(testing::TempDir()) / "gaitway_sockets_XXXXXX").string();
-    EXPECT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  ~LocalSockets() override {
-    manager.reset();
-    std::filesystem::remove_all(folder);
-  }
-  // `parameters`: beside its door.
-  [[nodiscard]] std::string server(const std::string& keys = "", const std::string& parameters = "") const {
-    return entry(", isolation: process, sockets: local" + keys, parameters);
-  }
-  [[nodiscard]] std::string entry(const std::string& keys, const std::string& parameters = "") const {
-    return "  - {name: server, library: local_sockets.so" + keys +
-           ", parameters: {door: " + (folder / "door").string() + parameters + "}}\n";
-  }
-
-  // The newest line of the server that contains `part`.
-  [[nodiscard]] std::string newest(const std::string& part) const {
-    const EventLog& events = manager->events();
-    for (std::uint64_t i = events.total(); i > events.first(); --i) {
-      if (events[i - 1].source() == "server" && events[i - 1].text().find(part) != std::string_view::npos) {
-        return std::string(events[i - 1].text());
-      }
-    }
-    return {};
-  }
-  // The server's answer; -2: it closed the connection without one.
-  [[nodiscard]] int ask(const std::string& what) const {
-    const process::FileDescriptor connection(socket(AF_UNIX, SOCK_STREAM, 0));
-    const sockaddr_un to = process::socket_address(folder / "door");
-    EXPECT_EQ(connect(connection.get(), reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
-    EXPECT_EQ(send(connection.get(), what.data(), what.size(), MSG_NOSIGNAL),
-              static_cast<ssize_t>(what.size()));
-    std::array<char, 32> answer{};
-    return recv(connection.get(), answer.data(), answer.size() - 1, 0) > 0 ? std::atoi(answer.data()) : -2;
-  }
-  int step() {
-    const int failed = manager->step(tick(++number));
-    manager->maintain(tick(number).now_ns);
-    return failed;
-  }
-  [[nodiscard]] std::string fault() const {
-    for (std::size_t i = 0; i < manager->size(); ++i) {
-      if (manager->plugin(i).name() == "server") {
-        return std::string(manager->plugin(i).fault());
-      }
-    }
-    return {};
-  }
-  // Of the last of two relays that work beside it.
-  double relayed() {
-    Correction correction{};
-    EXPECT_TRUE(other.read<Correction>("b").read(correction));
-    return correction.com_offset[0];
-  }
-  static std::string relays() {
-    return relay("first", "to: a") + relay("second", "from: a, add: 100, to: b");
-  }
-  [[nodiscard]] ServiceState service() const {
-    for (const PluginTiming& timing : manager->timings()) {
-      if (timing.name == "server") {
-        return timing.state;
-      }
-    }
-    return ServiceState::stopped;
-  }
-  // Ends its process and gives the line with which it comes back.
-  std::string end_and_wait() {
-    EXPECT_EQ(ask("die"), -2);
-    int failed = 0;
-    for (int i = 0; i == 0 || (failed > 0 && i < 100); ++i) {
-      failed = step();
-      EXPECT_EQ(failed, i == 0 ? 1 : std::min(failed, 1)) << "nobody else fails";
-      EXPECT_EQ(relayed(), 100.0 + number);
-      EXPECT_EQ(manager->fault_behind("b"), nullptr);
-    }
-    EXPECT_EQ(failed, 0);
-    return newest("runs in a new process");
-  }
-
-  std::filesystem::path folder;
-  std::unique_ptr<PluginManager> manager;
-  std::uint32_t number = 0;
-};
 
 TEST_F(LocalSockets, UnixSocketsMayBeUsedInTheConstructorAndEverAfter) {
   manager = load(server());
@@ -261,25 +174,6 @@ TEST_F(LocalSockets, InRealTimeLateStepsLeaveNoTraceOnTheOthersAndNeverPutItOutO
     EXPECT_EQ(relayed(), 100.0 + number);
   }
   EXPECT_THAT(newest("has not answered"), HasSubstr("has not answered for 510 ms: its process was ended"));
-}
-
-TEST_F(LocalSockets, InRealTimeNoTickWaitsForOneThatAnswersNextStep) {
-  isolation.lock_step = false;
-  manager = load(relays() + server(", answer: next_step, budget: 25 ms"));
-  ASSERT_EQ(ask("step wait"), 0);
-  ASSERT_EQ(step(), 0);
-  while (ask("waits") != 1) {  // its thread tells when its step has begun
-  }
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(step(), 0) << "within its budget it is left alone";
-    EXPECT_EQ(relayed(), 100.0 + number);
-  }
-  EXPECT_EQ(step(), 1);
-  EXPECT_THAT(fault(), HasSubstr("did not answer within 25 ms"));
-  EXPECT_EQ(step(), 1);
-  EXPECT_THAT(fault(), HasSubstr("has not answered for 40 ms"));
-  EXPECT_EQ(relayed(), 100.0 + number);
-  EXPECT_EQ(service(), ServiceState::failing);
 }
 
 TEST_F(LocalSockets, FloodOfFaultsIsToldOnceASecond) {

@@ -28,7 +28,11 @@ class LocalSockets final : public gaitway::Plugin {
       : path_(setup.parameter("door", std::string(), "where it listens")),
         door_(required("socket", new_socket())),
         attempts_(door_),
-        report_(setup.reporter()) {
+        report_(setup.reporter()),
+        level_(setup.live_parameter("level", 0.0)) {
+    if (setup.parameter("every_batch", false)) {
+      setup.period(gaitway::Period::batch);
+    }
     unlink(path_.c_str());  // of the process before
     const sockaddr_un address = door_address();
     required("bind", bind(door_, reinterpret_cast<const sockaddr*>(&address), sizeof address));
@@ -118,6 +122,14 @@ class LocalSockets final : public gaitway::Plugin {
     if (what == "waits") {
       return waits_ ? 1 : 0;
     }
+    if (what == "go on") {
+      waits_ = false;
+      waits_.notify_all();
+      return 0;
+    }
+    if (what == "process") {
+      return getpid();
+    }
     if (what == "policy") {
       return sched_getscheduler(0);
     }
@@ -170,6 +182,7 @@ class LocalSockets final : public gaitway::Plugin {
   std::atomic<std::string*> asked_{nullptr};
   std::atomic<bool> waits_{false};
   gaitway::Reporter report_;
+  gaitway::Live<double> level_;
   std::optional<gaitway::msgclient::Client> client_;
   std::optional<gaitway::msgclient::Writer<gaitway::WalkCommand>> walk_;
   std::thread thread_;

@@ -69,6 +69,14 @@ class ManagedPlugin : protected PluginDeclarations {
   bool prepare(const Tick& tick, double offset = 0.0) noexcept;
   void commit() noexcept;  // publishes what was staged
   void discard() noexcept;
+  // Of one whose answer comes with the next step. Its next step answers in its own tick: for a trial.
+  virtual void answer_at_once() noexcept {}
+  // The last prepare() had no answer to tell: it says nothing of the plug-in, for better or worse.
+  [[nodiscard]] virtual bool is_under_way() const noexcept { return false; }
+  // Before it is replaced or removed: takes the answer of such a step, and once it is sure that it goes,
+  // publishes what that gave. False: it was a fault, and fault() says why.
+  virtual void take_answer() noexcept {}
+  bool hand_in(const Tick& tick) noexcept;
   [[nodiscard]] std::string_view fault() const noexcept { return error_text_.data(); }
   void set_fault(std::string_view text) noexcept;
   // In the plug-in's place, through its own output: one writer a topic. False: it is none of its outputs.
@@ -101,6 +109,9 @@ class ManagedPlugin : protected PluginDeclarations {
   // Runs one step of the plug-in's own code, which stages its outputs in the ports. False: error_text_ says
   // why.
   virtual bool run(const Tick& tick) noexcept = 0;
+  // The answer that take_answer() or another call between two steps took before the step that would have told
+  // it. False: error_text_ says why.
+  virtual bool take_settled() noexcept { return true; }
 
   // Appends a port, which is also the answer.
   gaitway_port* open_topic(const gaitway_topic& topic, gaitway_access access) override;

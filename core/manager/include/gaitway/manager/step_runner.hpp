@@ -34,6 +34,7 @@ class StepRunner {
  private:
   void step(PluginSlot& slot, const Tick& tick, bool on_trial) noexcept;
   bool run_step(PluginSlot& slot, const Tick& tick, PluginFaultKind injected) noexcept;
+  void keep_verdict(PluginSlot& slot, const Tick& tick) noexcept;
   void note_success(PluginSlot& slot, const Tick& tick) noexcept;
   void note_fault(PluginSlot& slot, const Tick& tick, bool overrun, bool on_trial) noexcept;
   [[nodiscard]] std::int64_t wall_ns() const noexcept {
