@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "gaitway/world/world_file.hpp"
 #include "tools/run/run_recorder.hpp"
 
 namespace gaitway::scenarios {
@@ -23,6 +25,10 @@ inline const urdf::RobotModel& humanoid22() {
   static const urdf::RobotModel robot =
       urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
   return robot;
+}
+
+inline world::World shipped_world(const std::string& name) {
+  return world::read_world(std::filesystem::path(GAITWAY_SOURCE_DIR) / "tools/worlds" / (name + ".yaml"));
 }
 
 class SimulatedRun {
@@ -45,6 +51,19 @@ class SimulatedRun {
   static SimulatedRun in_world(std::uint64_t seed, const world::World& world) {
     simulator::CosimulationOptions chosen = options(seed, source_tree() / "core/config/walk.yaml");
     chosen.plant.world = world;
+    return SimulatedRun(chosen, {});
+  }
+  // With the plug-in `navigation`, which has the world as its map, and something in the room that sees the
+  // robot.
+  static SimulatedRun on_its_way(std::uint64_t seed, const world::World& world, bool localization = true) {
+    core::Configuration plugins = core::read_configuration(source_tree() / "core/config/walk.yaml");
+    core::PluginEntry& navigation = plugins.plugins.emplace_back();
+    navigation.name = "navigation";
+    navigation.library = "libgaitway_plugin_navigation.so";
+    navigation.parameters = {{"plans_in_step", "true", 0}, {"world", world.file.string(), 0}};
+    simulator::CosimulationOptions chosen = options(seed, plugins.file, plugins);
+    chosen.plant.world = world;
+    chosen.localization.is_there = localization;
     return SimulatedRun(chosen, {});
   }
   static SimulatedRun of_robot(std::uint64_t seed, const urdf::RobotModel& robot) {
@@ -95,6 +114,9 @@ class SimulatedRun {
 
 inline simulator::ScenarioEvent walk_at(double at_s, double forward, double left = 0.0, double turn = 0.0) {
   return {at_s, simulator::WalkEvent{.velocity_m_per_s = {forward, left}, .turn_rate_rad_per_s = turn}};
+}
+inline simulator::ScenarioEvent walk_to_at(double at_s, double x_m, double y_m, double yaw_rad) {
+  return {at_s, simulator::WalkToEvent{std::array{x_m, y_m, yaw_rad}}};
 }
 inline simulator::ScenarioEvent stand_at(double at_s) {
   return {at_s, simulator::WalkEvent{.walk = false}};

@@ -12,10 +12,6 @@
 namespace gaitway::scenarios {
 namespace {
 
-world::World shipped(const std::string& name) {
-  return world::read_world(std::filesystem::path(GAITWAY_SOURCE_DIR) / "tools/worlds" / (name + ".yaml"));
-}
-
 world::World written(const std::string& text) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() /
                                      ("gaitway_scenario_world_" + std::to_string(getpid()) + ".yaml");
@@ -37,7 +33,7 @@ std::vector<std::string> touched(const SimulatedRun& run) {
 
 TEST(WorldRun, TenSecondsWhereTheBoxesLeaveRoomTouchNothing) {
   for (int seed = 1; seed <= seeds(2); ++seed) {
-    SimulatedRun run = SimulatedRun::in_world(static_cast<std::uint64_t>(seed), shipped("boxes"));
+    SimulatedRun run = SimulatedRun::in_world(static_cast<std::uint64_t>(seed), shipped_world("boxes"));
     // In a circle of 0.4 m around a place at the start's side.
     run.play({.seconds = 11.0, .events = {walk_at(1.0, 0.12, 0.0, 0.3)}});
     EXPECT_FALSE(run.metrics().fell);
@@ -76,14 +72,14 @@ TEST(WorldRun, AThingThatIsPushedMovesAndRunsAreTheSameToTheBit) {
 // A world adds nothing but what stands in it.
 TEST(WorldRun, AnEmptyWorldIsTheEndlessFloor) {
   const simulator::Scenario walk{.seconds = 5.0, .events = {walk_at(1.0, 0.15)}};
-  SimulatedRun plain(1), in_world = SimulatedRun::in_world(1, shipped("empty"));
+  SimulatedRun plain(1), in_world = SimulatedRun::in_world(1, shipped_world("empty"));
   plain.play(walk);
   in_world.play(walk);
   EXPECT_EQ(plain.recorder.digest(), in_world.recorder.digest());
 }
 
 TEST(WorldRun, ClimbsTheShippedStairs) {
-  SimulatedRun run = SimulatedRun::in_world(1, shipped("stairs"));
+  SimulatedRun run = SimulatedRun::in_world(1, shipped_world("stairs"));
   run.play({.seconds = 16.0, .events = {walk_at(1.0, 0.15)}});
   EXPECT_FALSE(run.metrics().fell) << "at " << run.metrics().fell_at_s << " s";
   double highest_m = 0.0;
