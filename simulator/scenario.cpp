@@ -233,10 +233,16 @@ MotionEvent read_motion_name(const YamlValue& value) {
 }
 
 WalkToEvent read_walk_to(const YamlValue& value) {
-  value.require_map(std::array<std::string_view, 3>{"x_m", "y_m", "yaw_deg"});
-  const input::Range place{-world::kFarthest_m, world::kFarthest_m, "m"};
-  return {std::array{value.at("x_m").number(place), value.at("y_m").number(place),
-                     value.at("yaw_deg").number({-360.0, 360.0, "degrees"}) * facts::kRadPerDegree}};
+  value.require_map(std::array<std::string_view, 4>{"x_m", "y_m", "yaw_deg", "yaw_rad"});
+  constexpr double kFarthest_m = 1000.0;
+  const input::Range place{-kFarthest_m, kFarthest_m, "m"};
+  const auto exact = value.find("yaw_rad");  // as logs have it, which play again to the bit
+  if (exact && value.find("yaw_deg")) exact->refuse("is there beside yaw_deg", "Leave one of them out");
+  constexpr double kMostTurn_rad = 100.0;
+  const double yaw_rad = exact
+                             ? exact->number({-kMostTurn_rad, kMostTurn_rad, "rad"})
+                             : value.at("yaw_deg").number({-360.0, 360.0, "degrees"}) * facts::kRadPerDegree;
+  return {std::array{value.at("x_m").number(place), value.at("y_m").number(place), yaw_rad}};
 }
 
 ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {

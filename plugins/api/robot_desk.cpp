@@ -5,6 +5,7 @@
 #include <array>
 #include <random>
 #include <span>
+#include <string_view>
 
 namespace gaitway::api {
 namespace {
@@ -34,6 +35,8 @@ RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot,
       command_answers_(client.read_stream<UserCommandAnswer>("user_command_answer")),
       requests_(client.write_queue<PluginRequest>("api_plugin_request")),
       request_answers_(client.read_stream<PluginAnswer>("plugin_answer")),
+      way_requests_(client.write<WalkToRequest>("walk_to_request")),
+      navigation_states_(client.read<NavigationState>("navigation_state")),
       motion_requests_(client.write<MotionRequest>("motion_request")),
       motion_states_(client.read<MotionState>("motion_state")),
       last_number_(std::random_device{}()) {  // answers to a process before this one are not ours
@@ -52,7 +55,8 @@ void RobotDesk::step(std::int64_t now_ns) {
     session_ = session;
     awaited_.clear();
     motions_.clear();
-    if (walks_) {
+    ways_.clear();
+    if (walks_ || on_way_) {
       stand(robot_ns);
     }
   }
@@ -93,6 +97,8 @@ void RobotDesk::carry_out(const link::Order& order, std::int64_t robot_ns) {
       return walk(order, robot_ns);
     case OrderKind::motion:
       return play_motion(order, robot_ns);
+    case OrderKind::way:
+      return walk_to(order, robot_ns);
     case OrderKind::user_command:
       return command(order, robot_ns);
     case OrderKind::plugin_request:
@@ -140,6 +146,9 @@ void RobotDesk::walk(const link::Order& order, std::int64_t robot_ns) {
   request.stamp_ns = robot_ns;
   request.valid_until_ns = request.walk == 0 ? 0 : robot_ns + request.valid_until_ns;
   walks_ = request.walk != 0;
+  if (!walks_) {
+    leave_way(robot_ns);
+  }
   walk_requests_.publish(request, robot_ns);
   finish(order.id, OrderResultCode::done);
 }
@@ -149,6 +158,64 @@ void RobotDesk::stand(std::int64_t robot_ns) {
   request.stamp_ns = robot_ns;
   walks_ = false;
   walk_requests_.publish(request, robot_ns);
+  leave_way(robot_ns);
+}
+
+// Whoever wants the robot to stand means its way, too.
+void RobotDesk::leave_way(std::int64_t robot_ns) {
+  if (!on_way_) {
+    return;
+  }
+  WalkToRequest request{};
+  request.stamp_ns = robot_ns;
+  request.number = next_number();
+  request.cancel = 1;
+  on_way_ = false;
+  way_requests_.publish(request, robot_ns);
+}
+
+// Answered when the way is planned, or refused; the end of one is answered at once.
+void RobotDesk::walk_to(const link::Order& order, std::int64_t robot_ns) {
+  WalkToRequest request;
+  if (!decode(order, request)) {
+    return finish(order.id, OrderResultCode::malformed);
+  }
+  for (; !ways_.empty(); ways_.pop_front()) {
+    finish(ways_.front().id, OrderResultCode::overtaken);
+  }
+  if (request.cancel != 0) {
+    leave_way(robot_ns);
+    return answer(order.id, NavigationState{});
+  }
+  if (navigation_states_.newest_sequence() == 0) {
+    constexpr std::string_view kNobody =
+        "no plug-in of this robot walks to places: add 'navigation' to its configuration";
+    NavigationState nobody{};
+    nobody.result = navigation_state::result::refused;
+    std::ranges::copy(kNobody, nobody.text);
+    return answer(order.id, nobody);
+  }
+  request.stamp_ns = robot_ns;
+  request.number = next_number();
+  on_way_ = true;
+  way_requests_.publish(request, robot_ns);
+  ways_.push_back({request.number, order.id});
+}
+
+void RobotDesk::take_way_answer() {
+  if (ways_.empty() || navigation_states_.newest_sequence() == way_seen_) {
+    return;
+  }
+  NavigationState state;
+  const auto read = navigation_states_.read(state);
+  if (!read) {
+    return;
+  }
+  way_seen_ = read.sequence;
+  if (state.answered == ways_.front().number && state.state != navigation_state::state::plans) {
+    answer(ways_.front().id, state);
+    ways_.pop_front();
+  }
 }
 
 std::uint32_t RobotDesk::next_number() noexcept {
@@ -211,6 +278,7 @@ void RobotDesk::take_answers() {
     }
   }
   take_motion_answer();
+  take_way_answer();
 }
 
 void RobotDesk::take_motion_answer() {

@@ -56,7 +56,7 @@ void Navigator::see(const Obstacles& obstacles) {
   sees_news_ = planner_.see(obstacles) || sees_news_;
 }
 
-void Navigator::step(const Inputs& inputs, FootstepPlan& plan, NavigationState& state) {
+void Navigator::step(const Inputs& inputs, FootstepPlan& plan, NavigationState& state, NavigationWay& way) {
   pose_.predict(inputs.estimate.stamp_ns, pose_of(inputs.estimate.odometry_base));
   answer(inputs);
   if (state_ != State::idle && !is_taken_away(inputs)) {
@@ -74,7 +74,7 @@ void Navigator::step(const Inputs& inputs, FootstepPlan& plan, NavigationState& 
         break;
     }
   }
-  tell(inputs, plan, state);
+  tell(inputs, plan, state, way);
 }
 
 void Navigator::answer(const Inputs& inputs) {
@@ -276,16 +276,22 @@ void Navigator::end(Result result, std::string_view why, std::int64_t now_ns) no
   enter(State::idle, now_ns);
 }
 
-void Navigator::tell(const Inputs& inputs, FootstepPlan& plan, NavigationState& state) const noexcept {
+void Navigator::tell(const Inputs& inputs, FootstepPlan& plan, NavigationState& state,
+                     NavigationWay& way) const noexcept {
   plan.stamp_ns = inputs.now_ns;
   plan.valid_until_ns = inputs.now_ns + kPlanValid_ns;
   plan.first = 1;
   plan.step_count = plan.ends = 0;
   const Pose here = middle(inputs.estimate);
   state = NavigationState{};
+  way.stamp_ns = inputs.now_ns;
+  way.first = 1;
+  way.step_count = 0;
   if (state_ == State::walks) {
     way_.tell(inputs.walk.step != 0 ? inputs.walk.step : inputs.walk.landed + 1, pose_.odometry(), plan);
-    way_.tell_rest(inputs.walk.landed, here, state);
+    way_.tell_rest(inputs.walk.landed, way);
+    state.steps_left = static_cast<std::uint32_t>(way_.from(inputs.walk.landed + 1).size());
+    state.distance_left = way_.distance_left_m(inputs.walk.landed, here);
   }
   state.stamp_ns = inputs.now_ns;
   state.answered = answered_;

@@ -85,9 +85,10 @@ class Navigation final : public Plugin {
                                   (command.valid_until_ns == 0 || tick.now_ns < command.valid_until_ns),
                      .network_mode = network.mode,
                      .stops = network.stops},
-                    plan_.value(), state_.value());
+                    plan_.value(), state_.value(), way_.value());
     plan_.publish();
     state_.publish();
+    way_.publish();
     tell_end();
   }
 
@@ -110,7 +111,8 @@ class Navigation final : public Plugin {
         obstacles_(setup.reads_optional<Obstacles>("obstacles")),
         network_(setup.reads_optional<NetworkState>("network_state")),
         plan_(setup.writes<FootstepPlan>("footstep_plan")),
-        state_(setup.writes<NavigationState>("navigation_state")) {}
+        state_(setup.writes<NavigationState>("navigation_state")),
+        way_(setup.writes<NavigationWay>("navigation_way")) {}
 
   // Once a way.
   void tell_end() {
@@ -140,6 +142,7 @@ class Navigation final : public Plugin {
   Input<NetworkState> network_;
   Output<FootstepPlan> plan_;
   Output<NavigationState> state_;
+  Output<NavigationWay> way_;
 };
 
 }  // namespace

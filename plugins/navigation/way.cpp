@@ -42,25 +42,28 @@ void Way::tell(std::uint32_t number, const planning::Pose& odometry, FootstepPla
   }
 }
 
-void Way::tell_rest(std::uint32_t landed, const planning::Pose& from_pose,
-                    NavigationState& to) const noexcept {
+void Way::tell_rest(std::uint32_t landed, NavigationWay& to) const noexcept {
   const std::span<const planning::Footstep> rest = from(landed + 1);
-  to.steps_left = static_cast<std::uint32_t>(rest.size());
-  to.distance_left = 0.0;
+  to.first = std::max(landed + 1, first_);
+  to.step_count = static_cast<std::uint32_t>(std::min<std::size_t>(rest.size(), kMaxWaySteps));
+  for (std::size_t i = 0; i < to.step_count; ++i) {
+    to.side[i] = static_cast<std::uint8_t>(rest[i].side);
+    to.step[i][0] = static_cast<float>(rest[i].pose.x_m);
+    to.step[i][1] = static_cast<float>(rest[i].pose.y_m);
+    to.step[i][2] = static_cast<float>(rest[i].pose.yaw_rad);
+  }
+}
+
+double Way::distance_left_m(std::uint32_t landed, const planning::Pose& from_pose) const noexcept {
+  const std::span<const planning::Footstep> rest = from(landed + 1);
+  double way_m = 0.0;
   planning::Pose before = from_pose;
   for (std::size_t i = 1; i < rest.size(); ++i) {
     const planning::Pose middle = planning::middle_of(rest[i - 1].pose, rest[i].pose);
-    to.distance_left += planning::way_m(before, middle);
+    way_m += planning::way_m(before, middle);
     before = middle;
   }
-  to.way_step_count = static_cast<std::uint32_t>(std::min<std::size_t>(rest.size(), kMaxWaySteps));
-  to.way_first = std::max(landed + 1, first_);
-  for (std::size_t i = 0; i < to.way_step_count; ++i) {
-    to.way_side[i] = static_cast<std::uint8_t>(rest[i].side);
-    to.way_step[i][0] = static_cast<float>(rest[i].pose.x_m);
-    to.way_step[i][1] = static_cast<float>(rest[i].pose.y_m);
-    to.way_step[i][2] = static_cast<float>(rest[i].pose.yaw_rad);
-  }
+  return way_m;
 }
 
 }  // namespace gaitway::navigation

@@ -55,14 +55,13 @@ TEST(WalkTo, IsTheSameToTheBitForOneSeed) {
 TEST(WalkTo, PushesOnTheWayAreGotOver) {
   for (int seed = 1; seed <= seeds(5); ++seed) {
     SimulatedRun run = SimulatedRun::on_its_way(static_cast<std::uint64_t>(seed), shipped_world("boxes"));
-    const std::string trunk =
-        humanoid22().links[static_cast<std::size_t>(humanoid22().imu.link)].name;
+    const std::string trunk = humanoid22().links[static_cast<std::size_t>(humanoid22().imu.link)].name;
     const auto push = [&trunk](double at_s, const Eigen::Vector3d& direction) {
       return simulator::ScenarioEvent{
           at_s, simulator::PushEvent{.body = trunk, .direction = direction, .impulse_Ns = 1.8}};
     };
-    const auto way = walk(run, {.events = {walk_to_at(1.0, 2.3, 2.0, kQuarter_rad), push(7.0, {0.0, 1.0, 0.0}),
-                                           push(10.3, {1.0, -1.0, 0.0})}});
+    const auto way = walk(run, {.events = {walk_to_at(1.0, 2.3, 2.0, kQuarter_rad),
+                                           push(7.0, {0.0, 1.0, 0.0}), push(10.3, {1.0, -1.0, 0.0})}});
     EXPECT_FALSE(run.metrics().fell) << "seed " << seed;
     EXPECT_EQ(way["result"], "arrived") << "seed " << seed << ": " << way["text"];
     EXPECT_GT(way["replans"], 0) << "seed " << seed;
@@ -105,7 +104,8 @@ TEST(WalkTo, LeavingTheWayHasTheRobotStand) {
 
 TEST(WalkTo, AVelocityTakesTheRobotAway) {
   SimulatedRun run = SimulatedRun::on_its_way(1, shipped_world("empty"));
-  const auto way = walk(run, {.events = {walk_to_at(1.0, 2.0, 0.0, 0.0), walk_at(4.0, -0.1), stand_at(8.0)}}, 12.0);
+  const auto way =
+      walk(run, {.events = {walk_to_at(1.0, 2.0, 0.0, 0.0), walk_at(4.0, -0.1), stand_at(8.0)}}, 12.0);
   EXPECT_EQ(way["result"], "cancelled");
   EXPECT_EQ(way["text"], "somebody walks the robot by velocities");
   EXPECT_FALSE(run.metrics().fell);

@@ -24,6 +24,7 @@
 #include "gaitway/simulator/camera.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
+#include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/world_option.hpp"
@@ -196,28 +197,10 @@ bool walks_ways(const simulator::Scenario& scenario) {
   });
 }
 
-// Knows the world as its map. In the simulator's time it plans in its steps: the same in each run.
-core::PluginEntry navigation_in(const std::optional<world::World>& world) {
-  core::PluginEntry entry;
-  entry.name = "navigation";
-  entry.library = "libgaitway_plugin_navigation.so";
-  entry.parameters.push_back({"plans_in_step", "true", 0});
-  if (world) {
-    entry.parameters.push_back({"world", world->file.string(), 0});
-    if (world->random_seed)
-      entry.parameters.push_back({"world_seed", std::to_string(*world->random_seed), 0});
-  }
-  return entry;
-}
-
 core::Configuration configuration_of(const RunOptions& options, bool navigates,
                                      const std::optional<world::World>& world) {
   core::Configuration configuration = core::read_configuration(options.config);
-  if (navigates && std::ranges::none_of(configuration.plugins, [](const core::PluginEntry& entry) {
-        return entry.name == "navigation";
-      })) {
-    configuration.plugins.push_back(navigation_in(world));
-  }
+  if (navigates) add_navigation(configuration, world);
   return configuration;
 }
 

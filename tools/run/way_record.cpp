@@ -45,10 +45,11 @@ void WayRecord::look(std::int64_t now_ns, const simulator::Plant& plant) {
 }
 
 void WayRecord::take_plan() {
-  for (std::uint32_t i = 0; i < std::min<std::uint32_t>(state_.way_step_count, kMaxWaySteps); ++i) {
-    const float* const step = state_.way_step[i];
-    planned_[state_.way_first + i] = {state_.way_side[i],
-                                      {double{step[0]}, double{step[1]}, double{step[2]}}};
+  NavigationWay way;
+  if (!way_.read(way)) return;
+  for (std::uint32_t i = 0; i < std::min<std::uint32_t>(way.step_count, kMaxWaySteps); ++i) {
+    const float* const step = way.step[i];
+    planned_[way.first + i] = {way.side[i], {double{step[0]}, double{step[1]}, double{step[2]}}};
   }
 }
 

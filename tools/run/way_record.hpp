@@ -20,6 +20,7 @@ class WayRecord {
  public:
   explicit WayRecord(msgclient::Client& client)
       : navigation_(client.read<NavigationState>("navigation_state")),
+        way_(client.read<NavigationWay>("navigation_way")),
         walk_(client.read<FootstepState>("footstep_state")) {}
 
   // Every 10 ms.
@@ -43,6 +44,7 @@ class WayRecord {
   void measure_landed(const simulator::Plant& plant);
 
   msgclient::Reader<NavigationState> navigation_;
+  msgclient::Reader<NavigationWay> way_;
   msgclient::Reader<FootstepState> walk_;
   NavigationState state_{};
   FootstepState footsteps_{};

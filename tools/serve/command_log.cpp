@@ -32,6 +32,11 @@ struct Yaml {
   std::string operator()(const simulator::MotionEvent& motion) const {
     return motion.name.empty() ? "leave_motion: true" : "motion: " + quoted(motion.name);
   }
+  std::string operator()(const simulator::WalkToEvent& way) const {
+    return way.goal ? fmt::format("walk_to: {{x_m: {}, y_m: {}, yaw_rad: {}}}", (*way.goal)[0],
+                                  (*way.goal)[1], (*way.goal)[2])
+                    : "leave_way: true";
+  }
   std::string operator()(const simulator::StopEvent&) const { return "stop: true"; }
   std::string operator()(const simulator::EmergencyStopEvent& stop) const {
     return fmt::format("emergency_stop: {}", stop.soft ? "soft" : "hold");
@@ -79,6 +84,12 @@ void CommandLog::on_motion_request(const MotionRequest& request, std::int64_t no
   events_.push_back({.at_s = seconds_of(now_ns),
                      .action = simulator::MotionEvent{{name, strnlen(name, sizeof request.name)}},
                      .asked = *name != 0});
+}
+
+void CommandLog::on_way_request(const WalkToRequest& request, std::int64_t now_ns) {
+  simulator::WalkToEvent way;
+  if (request.cancel == 0) way.goal = std::array{request.goal[0], request.goal[1], request.goal[2]};
+  events_.push_back({.at_s = seconds_of(now_ns), .action = way});
 }
 
 void CommandLog::on_end(std::int64_t now_ns) {

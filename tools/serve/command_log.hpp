@@ -9,7 +9,8 @@
 
 namespace gaitway::tools {
 
-// Notes each walk request, motion request and user command with the millisecond in which it took effect.
+// Notes each walk request, motion request, place to walk to and user command with the millisecond in which it
+// took effect.
 class CommandLog {
  public:
   // Opens what `run` tells; outlived by it. Throws msgclient::TopicError.
@@ -17,6 +18,7 @@ class CommandLog {
 
   void on_walk_request(const WalkCommand& command, std::int64_t now_ns);
   void on_motion_request(const MotionRequest& request, std::int64_t now_ns);
+  void on_way_request(const WalkToRequest& request, std::int64_t now_ns);
   // A push that begins in the millisecond that comes next.
   void on_push(const simulator::ScenarioEvent& push) { events_.push_back(push); }
   // `gaitway serve` itself ends the walk: nobody may walk on, and the safe tail plays.

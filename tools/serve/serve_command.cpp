@@ -27,6 +27,7 @@
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/simulation_desk.hpp"
 #include "tools/command_line.hpp"
+#include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/world_option.hpp"
@@ -97,6 +98,10 @@ class ServeObserver final : public simulator::CosimulationObserver {
   void on_motion_request(const MotionRequest& request, std::int64_t now_ns) override {
     commands.on_motion_request(request, now_ns);
   }
+  void on_way_request(const WalkToRequest& request, std::int64_t now_ns) override {
+    commands.on_way_request(request, now_ns);
+    if (request.cancel == 0) recorder.on_way_request();
+  }
 
   RunRecorder recorder;
   CommandLog commands;
@@ -114,8 +119,10 @@ core::PluginEntry& api_of(core::Configuration& configuration) {
   return *api;
 }
 
-core::Configuration configuration_of(const ServeOptions& options, const std::string& link) {
+core::Configuration configuration_of(const ServeOptions& options, const std::string& link,
+                                     const std::optional<world::World>& world) {
   core::Configuration configuration = core::read_configuration(options.config);
+  add_navigation(configuration, world);
   core::PluginEntry& api = api_of(configuration);
   std::erase_if(api.parameters, [](const core::ParameterEntry& entry) { return entry.name == "link"; });
   api.parameters.push_back({"link", link, api.line});
@@ -243,8 +250,9 @@ int serve(const ServeOptions& options) {
   settings.plant.world = world_of(options.world, std::nullopt);
   settings.memory_block = &block;
   settings.obey_walk_requests = true;
+  settings.localization.is_there = true;
   settings.main_controller.configuration = options.config;
-  settings.main_controller.plugins = configuration_of(options, link);
+  settings.main_controller.plugins = configuration_of(options, link, settings.plant.world);
   settings.main_controller.try_at_start = true;
   settings.main_controller.memory_socket = folder.path() / "memory.sock";
   settings.main_controller.isolation.lock_step = false;  // the API's process may hang as it likes

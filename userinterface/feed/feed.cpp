@@ -66,6 +66,7 @@ struct Feed::Topics {
   Latest<Estimate> estimate{client, "estimate"};
   Latest<PlannedState> planned{client, "planned_state"};
   Latest<gaitway::MotionState> motion{client, "motion_state"};
+  Latest<NavigationState> navigation{client, "navigation_state"};
   Latest<PluginStatistics> statistics{client, "plugin_statistics"};
   Latest<gaitway::BusSlot> bus_slot{client, "bus_slot"};
   msgclient::StreamReader<Event> events;
@@ -108,6 +109,8 @@ struct Feed::State {
   std::uint64_t missed_events = 0;
   std::uint32_t motion_told = 0, motions_ended = 0;  // MotionState::state and ended, of the last message
   bool any_motion_told = false;
+  std::uint32_t way_told = 0, way_answered = 0;  // NavigationState::state and answered, of the last message
+  bool any_way_told = false;
 };
 
 Feed::Feed(msgclient::Client& client, const urdf::RobotModel& model)
@@ -141,6 +144,7 @@ void Feed::poll(std::int64_t wall_ns, PublicationSink& sink) {
   publish_diagnostics(wall_ns, sink);
   publish_bus_slot(sink);
   publish_motion(sink);
+  publish_way(sink);
   publish_robot_state(sink);
   publish_events(sink);
 }
@@ -320,6 +324,18 @@ void Feed::publish_motion(PublicationSink& sink) {
   state.any_motion_told = true;
   if (sink.wants(Topic::motion_state))
     sink.publish(Topic::motion_state, motion_state_of(motion), state.robot_ns);
+}
+
+void Feed::publish_way(PublicationSink& sink) {
+  if (!topics_->navigation.update()) return;
+  const NavigationState& navigation = topics_->navigation.value();
+  State& state = *state_;
+  const bool news = navigation.state != 0 || state.way_told != 0 || navigation.answered != state.way_answered;
+  if (!news && state.any_way_told) return;
+  state.way_told = navigation.state;
+  state.way_answered = navigation.answered;
+  state.any_way_told = true;
+  if (sink.wants(Topic::way_state)) sink.publish(Topic::way_state, way_state_of(navigation), state.robot_ns);
 }
 
 void Feed::publish_robot_state(PublicationSink& sink) {

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kStates{"none", "approaching", "playing", "leaving", "unknown"};
 constexpr std::array<std::string_view, 5> kResults{"none", "finished", "left", "broken off", "unknown"};
+constexpr std::array<std::string_view, 5> kWayStates{"idle", "plans", "walks", "waits", "unknown"};
+constexpr std::array<std::string_view, 5> kWayResults{"none", "arrived", "cancelled", "refused", "failed"};
 
 std::string name_in(const std::array<std::string_view, 5>& names, std::uint32_t value) {
   return std::string(names[std::min<std::size_t>(value, names.size() - 1)]);
@@ -90,6 +92,21 @@ ros::MotionState motion_state_of(const gaitway::MotionState& motion) {
   message.duration = motion.duration;
   message.ended = motion.ended;
   message.result = name_in(kResults, motion.result);
+  return message;
+}
+
+ros::WayState way_state_of(const NavigationState& navigation) {
+  ros::WayState message;
+  message.header.stamp = ros_time(navigation.stamp_ns);
+  message.state = name_in(kWayStates, navigation.state);
+  message.result = name_in(kWayResults, navigation.result);
+  message.text = text_of(navigation.text);
+  message.steps_left = navigation.steps_left;
+  message.replans = navigation.replans;
+  message.distance_left = navigation.distance_left;
+  message.goal.assign(std::begin(navigation.goal), std::end(navigation.goal));
+  message.pose.assign(std::begin(navigation.pose), std::end(navigation.pose));
+  message.pose_deviation.assign(std::begin(navigation.pose_deviation), std::end(navigation.pose_deviation));
   return message;
 }
 

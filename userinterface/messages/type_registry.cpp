@@ -89,13 +89,15 @@ void add_services(TypeRegistry& registry) {
 void add_all_messages(TypeRegistry& registry) {
   using namespace ros;
   add_messages<BusSlot, Clock, DiagnosticArray, Imu, JointState, LinkState, Log, MotionState, Odometry,
-               PointStamped, PoseArray, RobotState, String, TFMessage, Twist, WrenchStamped>(registry);
+               WayState, PointStamped, PoseArray, RobotState, String, TFMessage, Twist, WrenchStamped>(
+      registry);
 }
 
 void add_all_services(TypeRegistry& registry) {
   using namespace ros;
-  add_services<Trigger, SetBool, MoveJoint, PlayMotion, PushLink, ListPlugins, ChangePlugin, GetParameters,
-               SetParameter, WalkLimits, StartRecording, ListRecordings, AcquireCommand, Lease>(registry);
+  add_services<Trigger, SetBool, MoveJoint, PlayMotion, WalkTo, PushLink, ListPlugins, ChangePlugin,
+               GetParameters, SetParameter, WalkLimits, StartRecording, ListRecordings, AcquireCommand,
+               Lease>(registry);
   add_services<Topics, TopicType, TopicsForType, TopicsAndRawTypes, Publishers, Subscribers, Interfaces,
                Services, ServiceType, ServicesForType, ServiceNode, ServiceProviders, ServiceRequestDetails,
                ServiceResponseDetails, MessageDetails, Nodes, NodeDetails, GetActionServers, GetTime,

@@ -22,6 +22,7 @@ using Kind = msgclient::UserCommandKind;
 
 static_assert(contract::row(OrderKind::walk).validity_ns == kVelocityValidity_ns);
 static_assert(contract::row(OrderKind::motion).validity_ns == kOrderValidity_ns);
+static_assert(contract::row(OrderKind::way).validity_ns == kOrderValidity_ns);
 static_assert(contract::row(OrderKind::user_command).validity_ns == kOrderValidity_ns);
 
 constexpr std::int64_t kControllerSilence_ns = facts::kSecond_ns;  // of the message controller
@@ -141,6 +142,20 @@ std::optional<std::uint32_t> LinkRobotPort::play_motion(std::string_view name, s
     return std::nullopt;
   }
   return link_.order(OrderKind::motion, request, age_ns, now_ns_);
+}
+
+std::optional<std::uint32_t> LinkRobotPort::walk_to(const Goal& goal, std::int64_t age_ns) {
+  WalkToRequest request{};
+  request.goal[0] = goal.x_m;
+  request.goal[1] = goal.y_m;
+  request.goal[2] = goal.yaw_rad;
+  return link_.order(OrderKind::way, request, age_ns, now_ns_);
+}
+
+std::optional<std::uint32_t> LinkRobotPort::leave_way(std::int64_t age_ns) {
+  WalkToRequest request{};
+  request.cancel = 1;
+  return link_.order(OrderKind::way, request, age_ns, now_ns_);
 }
 
 std::optional<std::uint32_t> LinkRobotPort::order(const PluginOrder& order) {

@@ -294,6 +294,13 @@ OrderResult ModuleLink::answer_of(const Given& given, link::Bytes payload) const
     if (decode(state)) {
       return {given.number, state.refused == 0, gaitway::api::text_of(state.text)};
     }
+  } else if (given.kind == OrderKind::way) {
+    NavigationState state;
+    if (decode(state)) {
+      namespace results = navigation_state::result;
+      const bool refused = state.result == results::refused || state.result == results::failed;
+      return {given.number, !refused, gaitway::api::text_of(state.text)};
+    }
   } else if (given.kind == OrderKind::user_command) {
     UserCommandAnswer answer;
     if (decode(answer)) {

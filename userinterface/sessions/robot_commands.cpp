@@ -82,6 +82,20 @@ std::optional<std::uint32_t> RobotCommands::play_motion(Claimant& claimant, cons
   return robot_.play_motion(name, claimant.age_ns);
 }
 
+// Whoever gives a way must stay: the robot stands when it has gone, as with a velocity.
+std::optional<std::uint32_t> RobotCommands::walk_to(Claimant& claimant, const Goal& goal,
+                                                    std::int64_t now_ns) {
+  demand_movement(claimant, now_ns, kOrderValidity_ns);
+  walks_ = true;
+  moved_ns_ = robot_.now_ns();
+  return robot_.walk_to(goal, claimant.age_ns);
+}
+
+std::optional<std::uint32_t> RobotCommands::leave_way(Claimant& claimant, std::int64_t now_ns) {
+  demand(claimant, now_ns);
+  return robot_.leave_way(claimant.age_ns);
+}
+
 std::optional<std::uint32_t> RobotCommands::move_joint(Claimant& claimant, int joint, double position_rad,
                                                        double duration_s, std::int64_t now_ns) {
   demand_movement(claimant, now_ns, kOrderValidity_ns);

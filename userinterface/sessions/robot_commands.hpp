@@ -32,6 +32,8 @@ class RobotCommands {
   std::optional<std::uint32_t> move_joint(Claimant& claimant, int joint, double position_rad,
                                           double duration_s, std::int64_t now_ns);
   std::optional<std::uint32_t> play_motion(Claimant& claimant, const std::string& name, std::int64_t now_ns);
+  std::optional<std::uint32_t> walk_to(Claimant& claimant, const Goal& goal, std::int64_t now_ns);
+  std::optional<std::uint32_t> leave_way(Claimant& claimant, std::int64_t now_ns);
   std::optional<std::uint32_t> order(Claimant& claimant, const PluginOrder& order, std::int64_t now_ns);
   std::optional<std::uint32_t> end_emergency_stop(Claimant& claimant, std::int64_t now_ns);
 

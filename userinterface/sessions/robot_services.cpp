@@ -193,6 +193,29 @@ void ServiceDesk::play_motion(const Caller& caller) {
   await<ros::PlayMotion>(caller, commands_.play_motion(caller.claimant, asked.motion, caller.now_ns));
 }
 
+void ServiceDesk::walk_to(const Caller& caller) {
+  constexpr double kFarthest_m = 1000.0, kMostTurn_rad = 100.0;
+  const auto asked = request<ros::WalkTo>(caller);
+  const auto require = [](const char* name, double value, double most, const char* unit) {
+    if (!(value >= -most && value <= most)) {
+      throw Refused(std::string(name) + " is " + shown_json(json(value)) + ", but must be from " +
+                    shown_json(json(-most)) + " to " + shown_json(json(most)) + " " + unit);
+    }
+  };
+  require("x", asked.x, kFarthest_m, "m");
+  require("y", asked.y, kFarthest_m, "m");
+  require("yaw", asked.yaw, kMostTurn_rad, "rad");
+  orders_.require_room(caller.call.client);
+  await<ros::WalkTo>(caller,
+                     commands_.walk_to(caller.claimant, {asked.x, asked.y, asked.yaw}, caller.now_ns));
+}
+
+void ServiceDesk::leave_way(const Caller& caller) {
+  static_cast<void>(request<ros::Trigger>(caller));
+  orders_.require_room(caller.call.client);
+  await<ros::Trigger>(caller, commands_.leave_way(caller.claimant, caller.now_ns));
+}
+
 void ServiceDesk::start_recording(const Caller& caller) {
   const auto asked = request<ros::StartRecording>(caller);
   if (!is_plain_name(asked.name)) {

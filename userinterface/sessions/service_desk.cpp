@@ -156,6 +156,8 @@ void ServiceDesk::answer(const ServiceRow& row, const Caller& caller) {
           .add("/walk/limits", &ServiceDesk::tell_walk_limits)
           .add("/move_joint", &ServiceDesk::move_joint)
           .add("/play_motion", &ServiceDesk::play_motion)
+          .add("/walk_to", &ServiceDesk::walk_to)
+          .add("/walk_to/cancel", &ServiceDesk::leave_way)
           .add("/plugins/list", &ServiceDesk::list_plugins)
           .add("/plugins/get_parameters", &ServiceDesk::get_parameters)
           .add("/plugins/set_parameter", &ServiceDesk::set_parameter)

@@ -112,6 +112,8 @@ class ServiceDesk {
   void tell_walk_limits(const Caller& caller);
   void move_joint(const Caller& caller);
   void play_motion(const Caller& caller);
+  void walk_to(const Caller& caller);
+  void leave_way(const Caller& caller);
   void push_link(const Caller& caller);
   void start_recording(const Caller& caller);
   void stop_recording(const Caller& caller);

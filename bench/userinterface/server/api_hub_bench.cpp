@@ -34,6 +34,8 @@ class DeafRobot final : public RobotPort {
   [[nodiscard]] bool emergency_stopped() const override { return false; }
   std::optional<std::uint32_t> move_joint(int, double, double, std::int64_t) override { return std::nullopt; }
   std::optional<std::uint32_t> play_motion(std::string_view, std::int64_t) override { return std::nullopt; }
+  std::optional<std::uint32_t> walk_to(const Goal&, std::int64_t) override { return std::nullopt; }
+  std::optional<std::uint32_t> leave_way(std::int64_t) override { return std::nullopt; }
   std::optional<std::uint32_t> order(const PluginOrder&) override { return std::nullopt; }
   std::optional<OrderResult> take_result() override { return std::nullopt; }
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }

@@ -75,7 +75,7 @@ class NavigatorTest : public testing::Test {
                     .commanded = commanded,
                     .network_mode = mode,
                     .stops = stops},
-                   *plan, *state);
+                   *plan, *state, *way);
     if (walks_on) walk_on();
   }
   // Lands the step in flight, and begins the next one.
@@ -124,6 +124,7 @@ class NavigatorTest : public testing::Test {
   Side side_of_step = Side::left;
   std::unique_ptr<FootstepPlan> plan = std::make_unique<FootstepPlan>();
   std::unique_ptr<NavigationState> state = std::make_unique<NavigationState>();
+  std::unique_ptr<NavigationWay> way = std::make_unique<NavigationWay>();
 };
 
 TEST_F(NavigatorTest, WithoutARequestNothingIsToBeWalked) {
@@ -142,7 +143,7 @@ TEST_F(NavigatorTest, WalksToThePlaceAndSaysSo) {
   run_until([this] { return state->state == states::walks; });
   const double way_m = state->distance_left;
   EXPECT_GT(way_m, 0.75);
-  EXPECT_EQ(state->steps_left, state->way_step_count);
+  EXPECT_EQ(state->steps_left, way->step_count);
   run_until([this] { return state->steps_left < 5; });
   EXPECT_LT(state->distance_left, 0.5 * way_m);
   run_to_end();
@@ -202,7 +203,7 @@ TEST_F(NavigatorTest, AnOldRequestIsNotWalked) {
   old.number = 9;
   old.goal[0] = 1.0;
   successor.ask(old, now_ns);
-  successor.step({.now_ns = now_ns, .estimate = estimate, .walk = walk}, *plan, *state);
+  successor.step({.now_ns = now_ns, .estimate = estimate, .walk = walk}, *plan, *state, *way);
   EXPECT_EQ(state->state, states::idle);
   EXPECT_EQ(state->answered, 0U);
 }

@@ -33,10 +33,12 @@ TEST(PoseFilter, WithoutMeasurementsItBelievesItsStartAndEverLess) {
   EXPECT_EQ(filter.odometry().x_m, kOdometry.x_m);
   EXPECT_EQ(filter.odometry().yaw_rad, kOdometry.yaw_rad);
   EXPECT_GT(filter.deviation_m(), 2.0 * at_start_m);
-  EXPECT_NEAR(std::pow(filter.deviation_m(), 2), 0.005 * 0.005 + 0.02 * 0.02 * 1.0, 2e-5) << "after one metre";
+  EXPECT_NEAR(std::pow(filter.deviation_m(), 2), 0.005 * 0.005 + 0.02 * 0.02 * 1.0, 2e-5)
+      << "after one metre";
 }
 
-// Ten a second, a tenth of a second old: each is held against where the base was then, 20 mm from where it is.
+// Ten a second, a tenth of a second old: each is held against where the base was then, 20 mm from where it
+// is.
 TEST(PoseFilter, FindsTheFrameFromLateAndNoisyMeasurements) {
   PoseFilter filter({1.45, -0.6, 1.9}, {.start_deviation_m = 0.1, .start_deviation_rad = 0.1});
   std::mt19937_64 random(7);

@@ -74,14 +74,14 @@ TEST(Way, ToldBeforeItsFirstStepItBeginsWithThat) {
 TEST(Way, TellsWhatIsLeft) {
   Way way;
   way.go_on(0, straight(11, 0.1));
-  const auto state = std::make_unique<NavigationState>();
-  way.tell_rest(5, {0.55, 0.0, 0.0}, *state);
-  EXPECT_EQ(state->steps_left, 6U);
-  EXPECT_EQ(state->way_first, 6U);
-  EXPECT_EQ(state->way_step_count, 6U);
-  EXPECT_NEAR(state->distance_left, 1.05 - 0.55, 1e-9) << "to the middle of the last two feet";
-  EXPECT_FLOAT_EQ(state->way_step[0][0], 0.6F);
-  EXPECT_EQ(state->way_side[0], 1);
+  const auto rest = std::make_unique<NavigationWay>();
+  way.tell_rest(5, *rest);
+  EXPECT_EQ(rest->first, 6U);
+  EXPECT_EQ(rest->step_count, 6U);
+  EXPECT_FLOAT_EQ(rest->step[0][0], 0.6F);
+  EXPECT_EQ(rest->side[0], 1);
+  EXPECT_NEAR(way.distance_left_m(5, {0.55, 0.0, 0.0}), 1.05 - 0.55, 1e-9)
+      << "to the middle of the last feet";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Footsteps in place of a velocity: the feet go where they are planned, in the order of their numbers, and what
-// cannot be followed is not.
+// Footsteps in place of a velocity: the feet go where they are planned, in the order of their numbers, and
+// what cannot be followed is not.
 #include "gaitway/trajectory/planned_steps.hpp"
 
 #include <gtest/gtest.h>

@@ -60,8 +60,8 @@ class Collector {
   std::bitset<kTopicCount> wanted_;
   std::array<std::size_t, kTopicCount> counts_{};
   Lists<ros::JointState, ros::Imu, ros::WrenchStamped, ros::PointStamped, ros::Odometry, ros::TFMessage,
-        ros::PoseArray, ros::MotionState, ros::RobotState, ros::String, ros::Clock, ros::DiagnosticArray,
-        ros::BusSlot, ros::LinkState, ros::Log>
+        ros::PoseArray, ros::MotionState, ros::WayState, ros::RobotState, ros::String, ros::Clock,
+        ros::DiagnosticArray, ros::BusSlot, ros::LinkState, ros::Log>
       kept_;
 };
 

@@ -34,6 +34,7 @@ TEST_F(OrderAgeTest, OtherOrdersMayBeASecondOld) {
     for (const auto& [service, arguments] :
          {std::pair{"/move_joint", json{{"joint", "neck_yaw"}, {"position", 0.1}, {"duration", 1.0}}},
           {"/play_motion", json{{"motion", "wave"}}},
+          {"/walk_to", json{{"x", 1.0}, {"y", 0.0}, {"yaw", 0.0}}},
           {"/stand", json::object()},
           {"/release", json::object()}}) {
       anna->send({{"op", "call_service"}, {"service", service}, {"args", arguments}});

@@ -73,6 +73,11 @@ class RecordedRobot : public RobotPort {
     }
     return note("play_motion " + std::string(name));
   }
+  std::optional<std::uint32_t> walk_to(const Goal& goal, std::int64_t) override {
+    return note("walk_to " + std::to_string(goal.x_m) + " " + std::to_string(goal.y_m) + " " +
+                std::to_string(goal.yaw_rad));
+  }
+  std::optional<std::uint32_t> leave_way(std::int64_t) override { return note("leave_way"); }
   std::optional<std::uint32_t> order(const PluginOrder& order) override {
     orders.push_back(order);
     return note("order");

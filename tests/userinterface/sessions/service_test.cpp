@@ -284,6 +284,36 @@ TEST_F(ServiceTest, ParametersAreSetAndRemembered) {
   EXPECT_EQ(known(), "2");
 }
 
+TEST_F(ServiceTest, WalksToPlacesAndPassesOnWhyNot) {
+  call_later("/walk_to", {{"x", 1.5}, {"y", -0.5}, {"yaw", 3.0}});
+  EXPECT_EQ(robot.told.back(), "walk_to 1.500000 -0.500000 3.000000");
+  finish(true, "");
+  EXPECT_EQ(values(client->receive_one())["success"], true);
+  call_later("/walk_to", {{"x", 9.0}, {"y", 0.0}, {"yaw", 0.0}});
+  finish(false, "goal_outside_map: the goal lies outside of the map");
+  EXPECT_EQ(values(client->receive_one())["message"], "goal_outside_map: the goal lies outside of the map");
+  call_later("/walk_to/cancel", json::object());
+  EXPECT_EQ(robot.told.back(), "leave_way");
+  finish(true, "");
+  EXPECT_EQ(values(client->receive_one())["success"], true);
+  const std::size_t told = robot.told.size();
+  for (const json& place :
+       {json{{"x", 1001.0}, {"y", 0.0}, {"yaw", 0.0}}, json{{"x", 0.0}, {"y", 0.0}, {"yaw", 101.0}},
+        json{{"x", "1"}, {"y", 0.0}, {"yaw", 0.0}}, json{{"x", nullptr}, {"y", 0.0}, {"yaw", 0.0}}}) {
+    EXPECT_EQ(client->call("/walk_to", place)["result"], false) << place;
+  }
+  EXPECT_EQ(robot.told.size(), told);
+}
+
+// Nobody but who gave it looks after it.
+TEST_F(ServiceTest, AWayEndsWhenWhoGaveItHasGone) {
+  call_later("/walk_to", {{"x", 1.0}, {"y", 0.0}, {"yaw", 0.0}});
+  finish(true, "");
+  client->receive();
+  client.reset();
+  EXPECT_EQ(robot.told.back(), "stand");
+}
+
 TEST_F(ServiceTest, PlaysMotionsAndPassesOnWhyNot) {
   call_later("/play_motion", {{"motion", "wave"}});
   EXPECT_EQ(robot.told.back(), "play_motion wave");

@@ -45,12 +45,15 @@ class RobotDesk {
   void carry_out(const link::Order& order, std::int64_t robot_ns);
   void walk(const link::Order& order, std::int64_t robot_ns);
   void play_motion(const link::Order& order, std::int64_t robot_ns);
+  void walk_to(const link::Order& order, std::int64_t robot_ns);
+  void leave_way(std::int64_t robot_ns);
   void command(const link::Order& order, std::int64_t robot_ns);
   void request_plugin(const link::Order& order, std::int64_t robot_ns);
   void stand(std::int64_t robot_ns);
   [[nodiscard]] bool was_given_before_stop(const link::Order& order) const noexcept;
   void take_answers();
   void take_motion_answer();
+  void take_way_answer();
   template <class Answer>
   void answer(link::OrderId id, const Answer& answer);
   void finish(link::OrderId id, contract::OrderResultCode code);  // without an answer of the robot's
@@ -70,10 +73,12 @@ class RobotDesk {
   msgclient::StreamReader<UserCommandAnswer> command_answers_;
   msgclient::QueueWriter<PluginRequest> requests_;
   msgclient::StreamReader<PluginAnswer> request_answers_;
+  msgclient::Writer<WalkToRequest> way_requests_;
+  msgclient::Reader<NavigationState> navigation_states_;
   msgclient::Writer<MotionRequest> motion_requests_;
   msgclient::Reader<MotionState> motion_states_;
 
-  struct AwaitedMotion {
+  struct Awaited {
     std::uint32_t number;
     link::OrderId id;
   };
@@ -81,8 +86,11 @@ class RobotDesk {
   StopRequest stops_at_start_{};  // what the topic had when the link's counts were 0
   link::StopCounts stops_passed_on_;
   std::unordered_map<std::uint32_t, link::OrderId> awaited_;  // by the number under which the robot answers
-  std::deque<AwaitedMotion> motions_;  // oldest first; the newest alone is answered by the robot
+  std::deque<Awaited> motions_;  // oldest first; the newest alone is answered by the robot
   std::uint64_t motion_seen_ = 0;
+  std::deque<Awaited> ways_;  // likewise
+  std::uint64_t way_seen_ = 0;
+  bool on_way_ = false;        // told to walk to a place, and not told to leave the way since
   std::uint32_t session_ = 0;  // of the link, in which the orders below were given
   bool walks_ = false;         // told to, and not told to stand since
 };

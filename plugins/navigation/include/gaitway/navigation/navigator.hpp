@@ -43,7 +43,7 @@ class Navigator {
   void see(const Obstacles& obstacles);
 
   // Every tick.
-  void step(const Inputs& inputs, FootstepPlan& plan, NavigationState& state);
+  void step(const Inputs& inputs, FootstepPlan& plan, NavigationState& state, NavigationWay& way);
 
   [[nodiscard]] const PoseFilter& pose() const noexcept { return pose_; }
 
@@ -70,7 +70,8 @@ class Navigator {
   [[nodiscard]] planning::Pose middle(const Estimate& estimate) const noexcept;
   void enter(State state, std::int64_t now_ns) noexcept;
   void end(Result result, std::string_view why, std::int64_t now_ns) noexcept;
-  void tell(const Inputs& inputs, FootstepPlan& plan, NavigationState& state) const noexcept;
+  void tell(const Inputs& inputs, FootstepPlan& plan, NavigationState& state,
+            NavigationWay& way) const noexcept;
 
   WayPlanner& planner_;
   PlanningDesk& desk_;

@@ -28,8 +28,10 @@ class Way {
 
   // What the walk is to follow from the step `number` on; `odometry`: that frame in the world.
   void tell(std::uint32_t number, const planning::Pose& odometry, FootstepPlan& to) const noexcept;
-  // What is still to come after the step `landed`; `from`: where the robot is.
-  void tell_rest(std::uint32_t landed, const planning::Pose& from, NavigationState& to) const noexcept;
+  // What is still to come after the step `landed`.
+  void tell_rest(std::uint32_t landed, NavigationWay& to) const noexcept;
+  // Along it, by the feet's middle; `from`: where that is.
+  [[nodiscard]] double distance_left_m(std::uint32_t landed, const planning::Pose& from) const noexcept;
 
  private:
   std::uint32_t first_ = 1;  // number of the first step

@@ -45,6 +45,8 @@ inline constexpr std::array kNetworkTopics{
     MirroredTopic{"network_state", &TopicType<NetworkState>::descriptor}};
 inline constexpr std::array kMotionStateTopics{
     MirroredTopic{"motion_state", &TopicType<MotionState>::descriptor}};
+inline constexpr std::array kNavigationTopics{
+    MirroredTopic{"navigation_state", &TopicType<NavigationState>::descriptor}};
 inline constexpr std::array kHealthTopics{
     MirroredTopic{"network_health", &TopicType<NetworkHealth>::descriptor}};
 inline constexpr std::array kStatisticsTopics{
@@ -56,6 +58,7 @@ inline constexpr std::array kChannels{
     ChannelRow{"sensors", kSensorTopics, 0, 10 * facts::kSlot_ns},
     ChannelRow{"network", kNetworkTopics, 0, 5 * facts::kSlot_ns},
     ChannelRow{"motion_state", kMotionStateTopics, 0, 0},
+    ChannelRow{"navigation", kNavigationTopics, 8 * facts::kSlot_ns, 50 * facts::kSlot_ns},
     ChannelRow{"health", kHealthTopics, 10 * facts::kSlot_ns, 50 * facts::kSlot_ns},
     ChannelRow{"statistics", kStatisticsTopics, 50 * facts::kSlot_ns, 100 * facts::kSlot_ns},
     // A slot every 250 ms. Of these each third on a narrow carrier: two have no slots of odd numbers.

@@ -13,7 +13,7 @@
 
 namespace gaitway::contract {
 
-enum class OrderKind : std::uint16_t { walk = 1, motion = 2, user_command = 3, plugin_request = 4 };
+enum class OrderKind : std::uint16_t { walk = 1, motion = 2, user_command = 3, plugin_request = 4, way = 5 };
 
 // An order begins with how many stops of all kinds the module had asked for when it was given (4 bytes,
 // little-endian): one that was given before a stop which the robot has heard moves it no more, though it
@@ -41,6 +41,8 @@ inline constexpr std::array kOrders{
              &TopicType<UserCommandAnswer>::descriptor, facts::kSecond_ns},
     OrderRow{OrderKind::plugin_request, "plug-in request", &TopicType<PluginRequest>::descriptor,
              &TopicType<PluginAnswer>::descriptor, 5 * facts::kSecond_ns},
+    OrderRow{OrderKind::way, "way", &TopicType<WalkToRequest>::descriptor,
+             &TopicType<NavigationState>::descriptor, facts::kSecond_ns},
 };
 
 // Null: no such kind.

@@ -19,6 +19,7 @@ namespace gaitway::api {
 //   /zmp/reference, /footsteps                 with each new planned state
 //   /diagnostics                               each second, of the robot's clock or of the caller's
 //   /motion_state                              as it changes, and with each batch while a motion plays
+//   /walk_to/state                             as it changes, and with each batch while there is a way
 //   /robot_state                               as it changes
 //   /bus_slot                                  with each new value
 //   /events, /rosout                           as they come;   /robot_description   in the first poll
@@ -66,6 +67,7 @@ class Feed {
   void publish_diagnostics(std::int64_t wall_ns, PublicationSink& sink);
   void publish_bus_slot(PublicationSink& sink);
   void publish_motion(PublicationSink& sink);
+  void publish_way(PublicationSink& sink);
   void publish_robot_state(PublicationSink& sink);
   void publish_event(const ros::Log& event, PublicationSink& sink);
   void publish_events(PublicationSink& sink);

@@ -32,6 +32,7 @@ void fill(ros::WrenchStamped& message, const FootForces& forces, const urdf::Rob
           urdf::Side side) noexcept;
 
 [[nodiscard]] ros::MotionState motion_state_of(const gaitway::MotionState& motion);
+[[nodiscard]] ros::WayState way_state_of(const NavigationState& navigation);
 
 [[nodiscard]] ros::BusSlot bus_slot_of(const gaitway::BusSlot& slot);
 

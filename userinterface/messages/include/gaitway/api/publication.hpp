@@ -22,6 +22,7 @@ enum class Topic : std::uint8_t {
   transforms,
   footsteps,
   motion_state,
+  way_state,
   robot_state,
   commander,
   link_state,
@@ -69,6 +70,10 @@ inline constexpr std::array kTopics{
              "Planned footsteps that have not landed yet"},
     TopicRow{Topic::motion_state, "/motion_state", ros::MotionState::kName, 0.0, true, "",
              "Which key-frame motion plays, how far it is [s], and how the last one ended"},
+    TopicRow{
+        Topic::way_state, "/walk_to/state", ros::WayState::kName, 0.0, true, "",
+        "How far the robot is on its way to a place, where it thinks that it is in the world, and how the "
+        "last way ended; with each batch while there is one, else as it changes"},
     TopicRow{Topic::robot_state, "/robot_state", ros::RobotState::kName, 0.0, true, "",
              "What the robot does: \"stands\", \"walks\", \"plays\" a motion, \"stops\" by its safe tail, is "
              "\"stopped\" by an emergency stop, \"falls\", has \"fallen\", or is \"gone\""},

@@ -173,6 +173,23 @@ struct MotionState {
   GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/MotionState", header, motion, state, time, duration, ended, result);
 };
 
+// How far the robot is on its way to a place, or what became of the last one.
+struct WayState {
+  Header header;
+  std::string state;  // "idle", "plans", "walks" or "waits"
+  std::string
+      result;        // of the newest way that has ended: "none", "arrived", "cancelled", "refused", "failed"
+  std::string text;  // why it was refused or has failed
+  std::uint32_t steps_left = 0;
+  std::uint32_t replans = 0;           // of this way
+  double distance_left = 0.0;          // m, along the planned footsteps
+  std::vector<double> goal;            // x m, y m, yaw rad, in the world
+  std::vector<double> pose;            // of the middle between the feet, likewise, estimated
+  std::vector<double> pose_deviation;  // standard deviation of its place, m, and heading, rad
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/WayState", header, state, result, text, steps_left, replans,
+                      distance_left, goal, pose, pose_deviation);
+};
+
 // What the robot does, in a word.
 struct RobotState {
   Header header;

@@ -46,6 +46,18 @@ inline constexpr std::array kServices{
         "tells how it goes on",
         R"({"motion": "wave"})"},
     ServiceRow{
+        "/walk_to", ros::WalkTo::kName, true,
+        "Walk to a place of the world, `x`, `y` [m] and `yaw` [rad] of the middle between the feet: "
+        "footsteps "
+        "are planned through the robot's map and followed, and planned anew when it is pushed. Answered when "
+        "there is a way, or with the reason why there is none; /walk_to/state tells how it goes on. Ended by "
+        "its end, /walk_to/cancel, /stand, a velocity, a stop, a fall, or when who gave it has gone; nothing "
+        "goes on with it by itself. Wants the plug-in `navigation`",
+        R"({"x": 1.0, "y": 0.5, "yaw": 0.0})"},
+    ServiceRow{"/walk_to/cancel", ros::Trigger::kName, true,
+               "Leave the way that is being walked, if there is one: the robot stands after its next steps",
+               "{}"},
+    ServiceRow{
         "/walk/limits", ros::WalkLimits::kName, false,
         "How fast the gait walks now, ahead, back, aside [m/s] and turning [rad/s]; a velocity beyond is "
         "refused, and two at once are slowed down together. It is what the parameters of the plug-in "

@@ -73,6 +73,15 @@ using MoveJoint = RosService<"gaitway_msgs/srv/MoveJoint", JointMove, Outcome>;
 GAITWAY_ONE_FIELD(MotionName, std::string, motion);
 using PlayMotion = RosService<"gaitway_msgs/srv/PlayMotion", MotionName, Outcome>;
 
+// A place of the world [m] and a heading [rad], of the middle between the feet.
+struct Place {
+  double x = 0.0;
+  double y = 0.0;
+  double yaw = 0.0;
+  GAITWAY_FIELDS(x, y, yaw)
+};
+using WalkTo = RosService<"gaitway_msgs/srv/WalkTo", Place, Outcome>;
+
 // One plug-in as the manager sees it.
 struct PluginState {
   std::string name;

@@ -21,6 +21,11 @@ struct Velocity {
   double turn_rad_per_s = 0.0;
 };
 
+// Of the world, of the middle between the feet.
+struct Goal {
+  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
+};
+
 // core::PluginVerb, with the numbers that the schema gives.
 enum class PluginVerb : std::uint32_t {
   reload = 0,
@@ -103,6 +108,9 @@ class RobotPort {
                                                   std::int64_t age_ns) = 0;
   // An empty name: leave the motion that plays, if any. Answered when it begins, or is refused.
   virtual std::optional<std::uint32_t> play_motion(std::string_view name, std::int64_t age_ns) = 0;
+  // Answered when the way is planned, or refused.
+  virtual std::optional<std::uint32_t> walk_to(const Goal& goal, std::int64_t age_ns) = 0;
+  virtual std::optional<std::uint32_t> leave_way(std::int64_t age_ns) = 0;
   virtual std::optional<std::uint32_t> order(const PluginOrder& order) = 0;
   virtual std::optional<OrderResult> take_result() = 0;
 

@@ -1,0 +1,26 @@
+// One more entry.
+#include "tools/run/navigation_option.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace gaitway::tools {
+
+void add_navigation(core::Configuration& configuration, const std::optional<world::World>& world) {
+  constexpr const char* kName = "navigation";
+  if (std::ranges::any_of(configuration.plugins, [](const auto& entry) { return entry.name == kName; })) {
+    return;
+  }
+  core::PluginEntry entry;
+  entry.name = kName;
+  entry.library = "libgaitway_plugin_navigation.so";
+  entry.parameters.push_back({"plans_in_step", "true", 0});
+  if (world) {
+    entry.parameters.push_back({"world", world->file.string(), 0});
+    if (world->random_seed) entry.parameters.push_back({"world_seed", std::to_string(*world->random_seed), 0});
+  }
+  configuration.plugins.push_back(std::move(entry));
+}
+
+}  // namespace gaitway::tools
