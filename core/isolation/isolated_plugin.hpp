@@ -138,6 +138,7 @@ class IsolatedPlugin final : public ManagedPlugin {
 
   std::unique_ptr<PluginState> state_ = std::make_unique<PluginState>();  // of the last good step
   std::int64_t state_ns_ = 0, step_began_ns_ = 0;
+  std::int64_t step_began_wall_ns_ = 0;
   std::uint32_t steps_since_start_ = 0;
   bool restored_ = false;
   RestartRule restarts_;

@@ -1,7 +1,9 @@
 // The steps of an isolated plug-in: those that the tick waits for, and those whose answer the next one takes.
+#include <algorithm>
 #include <utility>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/process/real_time.hpp"
 #include "isolated_plugin.hpp"
 
 namespace gaitway::core {
@@ -32,6 +34,7 @@ void IsolatedPlugin::begin_step(const Tick& tick) noexcept {
   child_->request().tick = abi_tick(tick);
   child_->begin(ChildCall::step);
   step_began_ns_ = tick.now_ns;
+  step_began_wall_ns_ = process::monotonic_ns();
 }
 
 bool IsolatedPlugin::finish_step(std::int64_t limit_ns, std::int64_t now_ns) noexcept {
@@ -77,7 +80,10 @@ bool IsolatedPlugin::run_beside_tick(const Tick& tick) noexcept {
       return true;
     }
     step_open_ = false;
-    fine = finish_step(options_.lock_step ? options_.watchdog_ns : 0, tick.now_ns);
+    // Nothing is left where the robot's clock is the computer's; a simulator may run ahead of it.
+    const std::int64_t left_ns = step_limit_ns() - (process::monotonic_ns() - step_began_wall_ns_);
+    fine = finish_step(options_.lock_step ? options_.watchdog_ns : std::max<std::int64_t>(left_ns, 0),
+                       tick.now_ns);
   }
   if (condition_ == Condition::active) {
     begin_step(tick);

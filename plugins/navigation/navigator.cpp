@@ -95,6 +95,7 @@ void Navigator::answer(const Inputs& inputs) {
   replans_ = 0;
   adjustments_ = stands_in_the_way_ = 0;
   text_[0] = '\0';
+  result_ = Result::none;
   if (state_ == State::walks && inputs.walk.step != 0) {
     has_new_goal_ = true;
     return;
@@ -113,7 +114,6 @@ void Navigator::answer(const Inputs& inputs) {
       return;
     }
   }
-  result_ = Result::none;
   enter(State::plans, inputs.now_ns);
 }
 

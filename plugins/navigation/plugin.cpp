@@ -117,9 +117,8 @@ class Navigation final : public Plugin {
   // Once a way.
   void tell_end() {
     const NavigationState& state = state_.value();
-    if (state.result == told_result_ && state.answered == told_answer_) return;
+    if (state.result == told_result_) return;
     told_result_ = state.result;
-    told_answer_ = state.answered;
     namespace results = navigation_state::result;
     if (state.result == results::refused || state.result == results::failed) {
       report_(Severity::warning, reinterpret_cast<const char*>(state.text));
@@ -132,7 +131,7 @@ class Navigation final : public Plugin {
   Navigator navigator_;
   Reporter report_;
   std::int64_t measured_ns_ = -1;
-  std::uint32_t told_result_ = 0, told_answer_ = 0;
+  std::uint32_t told_result_ = 0;
   Input<Estimate> estimate_;
   Input<FootstepState> walk_;
   Input<WalkToRequest> request_;

@@ -18,7 +18,8 @@ void add_navigation(core::Configuration& configuration, const std::optional<worl
   entry.parameters.push_back({"plans_in_step", "true", 0});
   if (world) {
     entry.parameters.push_back({"world", world->file.string(), 0});
-    if (world->random_seed) entry.parameters.push_back({"world_seed", std::to_string(*world->random_seed), 0});
+    if (world->random_seed)
+      entry.parameters.push_back({"world_seed", std::to_string(*world->random_seed), 0});
   }
   configuration.plugins.push_back(std::move(entry));
 }

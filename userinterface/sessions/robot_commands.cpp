@@ -64,6 +64,7 @@ std::optional<std::uint32_t> RobotCommands::walk(Claimant& claimant, const ros::
   const Velocity velocity = velocity_of(twist, limits_, gait_);
   demand_movement(claimant, now_ns, kVelocityValidity_ns);
   walks_ = true;
+  way_of_.reset();
   moved_ns_ = robot_.now_ns();
   return robot_.walk(velocity, limits_.velocity_ns, claimant.age_ns);
 }
@@ -71,6 +72,7 @@ std::optional<std::uint32_t> RobotCommands::walk(Claimant& claimant, const ros::
 void RobotCommands::stand(Claimant& claimant, std::int64_t now_ns) {
   demand_movement(claimant, now_ns, kOrderValidity_ns);
   walks_ = false;
+  way_of_.reset();
   robot_.stand();
   static_cast<void>(robot_.play_motion("", claimant.age_ns));
 }
@@ -82,11 +84,12 @@ std::optional<std::uint32_t> RobotCommands::play_motion(Claimant& claimant, cons
   return robot_.play_motion(name, claimant.age_ns);
 }
 
-// Whoever gives a way must stay: the robot stands when it has gone, as with a velocity.
+// Whoever gives a way must stay, as with a velocity; but it goes on without the command being renewed.
 std::optional<std::uint32_t> RobotCommands::walk_to(Claimant& claimant, const Goal& goal,
                                                     std::int64_t now_ns) {
   demand_movement(claimant, now_ns, kOrderValidity_ns);
-  walks_ = true;
+  end_walk();
+  way_of_ = claimant.number;
   moved_ns_ = robot_.now_ns();
   return robot_.walk_to(goal, claimant.age_ns);
 }
@@ -159,6 +162,7 @@ std::optional<std::uint32_t> RobotCommands::stop(Claimant& by) {
   authority_.stop(by);
   const auto number = robot_.stop();
   walks_ = false;
+  way_of_.reset();
   robot_.stand();
   return number;
 }
@@ -167,6 +171,7 @@ std::optional<std::uint32_t> RobotCommands::emergency_stop(Claimant& by, bool so
   authority_.stop(by);
   const auto number = robot_.emergency_stop(soft);
   walks_ = false;
+  way_of_.reset();
   robot_.stand();
   return number;
 }
@@ -184,21 +189,25 @@ void RobotCommands::keep_alive(const Claimant& claimant, std::string_view lease,
 void RobotCommands::release(const Claimant& claimant, std::string_view lease, std::int64_t now_ns) {
   step(now_ns);
   authority_.release(claimant, lease, now_ns);
+  end_way(claimant);
   end_walk();
 }
 
 void RobotCommands::robot_lost() noexcept {
   authority_.end_all();
   walks_ = false;  // its own side sees to that it stands
+  way_of_.reset();
 }
 
 void RobotCommands::stopped_by_datagram() {
   authority_.end_all();
   walks_ = false;
+  way_of_.reset();
   robot_.stand();
 }
 
 void RobotCommands::leave(const Claimant& claimant) {
+  end_way(claimant);
   if (authority_.leave(claimant)) {
     end_walk();
   }
@@ -207,6 +216,14 @@ void RobotCommands::leave(const Claimant& claimant) {
 void RobotCommands::step(std::int64_t now_ns) {
   if (authority_.lapse(now_ns)) {
     end_walk();
+  }
+}
+
+void RobotCommands::end_way(const Claimant& claimant) {
+  if (way_of_ == claimant.number) {
+    way_of_.reset();
+    walks_ = false;
+    robot_.stand();
   }
 }
 

@@ -71,12 +71,14 @@ class RobotCommands {
   void demand(Claimant& claimant, std::int64_t now_ns);
   // `validity_ns`: how old what it asks for may be.
   void demand_movement(Claimant& claimant, std::int64_t now_ns, std::int64_t validity_ns);
+  void end_way(const Claimant& claimant);
   void end_walk();
 
   RobotPort& robot_;
   Limits limits_;
   Authority authority_;
-  bool walks_ = false;  // told to, and not told to stand since
+  bool walks_ = false;                   // told to, and not told to stand since
+  std::optional<std::uint64_t> way_of_;  // number of the claimant whose way it walks, as far as is known here
   std::int64_t moved_ns_ = kNever_ns;
   std::optional<GaitBounds> gait_;
 };

@@ -200,6 +200,17 @@ TEST_F(NextStepTest, InRealTimeACrashIsToldThoughItIsThereAgainWhenItsTurnComes)
   EXPECT_EQ(times_told(*manager, "was ended by SIGSEGV in its step"), 1);
 }
 
+// A second of the robot's passes in microseconds: the process gets its budget by the wall clock.
+TEST_F(NextStepTest, InASimulatorThatRunsAheadOfTheClockItIsNotLate) {
+  isolation.lock_step = false;
+  const auto manager = load(relay("source", "to: a") +
+                            "  - {name: it, library: relay.so, isolation: process, answer: next_step, "
+                            "budget: 80 ms, parameters: {from: a, add: 100, to: b}}\n");
+  for (std::uint32_t i = 1; i <= 50; ++i) {
+    ASSERT_EQ(manager->step(tick(100 * i)), 0) << manager->plugin(1).fault();
+  }
+}
+
 class NextStepOfAServer : public LocalSockets {};
 
 TEST_F(NextStepOfAServer, InRealTimeNoTickWaitsForOneThatAnswersNextStep) {

@@ -305,11 +305,14 @@ TEST_F(ServiceTest, WalksToPlacesAndPassesOnWhyNot) {
   EXPECT_EQ(robot.told.size(), told);
 }
 
-// Nobody but who gave it looks after it.
+// It goes on without the command being renewed, but not without who gave it.
 TEST_F(ServiceTest, AWayEndsWhenWhoGaveItHasGone) {
   call_later("/walk_to", {{"x", 1.0}, {"y", 0.0}, {"yaw", 0.0}});
   finish(true, "");
   client->receive();
+  const std::size_t told = robot.told.size();
+  pass(3 * kSecond_ns);
+  EXPECT_EQ(robot.told.size(), told) << "the lease of the command has run out";
   client.reset();
   EXPECT_EQ(robot.told.back(), "stand");
 }
