@@ -69,7 +69,7 @@ class Navigation final : public Plugin {
   explicit Navigation(Setup& setup) : Navigation(setup, world_of(setup)) {}
 
   void step(const Tick& tick) override {
-    if (!estimate_.has_value() || !walk_.has_value()) return;
+    if (!estimate_.has_value() || !walk_.has_value() || !knows_odometry()) return;
     if (request_.has_value()) navigator_.ask(request_.read(), tick.now_ns);
     if (measurement_.has_value() && measurement_.read().stamp_ns != measured_ns_) {
       measured_ns_ = measurement_.read().stamp_ns;
@@ -93,8 +93,8 @@ class Navigation final : public Plugin {
   }
 
   [[nodiscard]] std::uint32_t state_version() const override { return 1; }
-  void save_state(StateWriter& state) const override { state(navigator_); }
-  void restore_state(StateReader& state) override { state(navigator_); }
+  void save_state(StateWriter& state) const override { state(navigator_, measured_ns_, told_result_); }
+  void restore_state(StateReader& state) override { state(navigator_, measured_ns_, told_result_); }
 
  private:
   Navigation(Setup& setup, world::World world)
@@ -113,6 +113,13 @@ class Navigation final : public Plugin {
         plan_(setup.writes<FootstepPlan>("footstep_plan")),
         state_(setup.writes<NavigationState>("navigation_state")),
         way_(setup.writes<NavigationWay>("navigation_way")) {}
+
+  [[nodiscard]] bool knows_odometry() {
+    const Estimate& estimate = estimate_.read();
+    const auto is_finite = [](const double(&pose)[3]) { return std::isfinite(pose[0] + pose[1] + pose[2]); };
+    return is_finite(estimate.odometry_base) && is_finite(estimate.odometry_foot[0]) &&
+           is_finite(estimate.odometry_foot[1]) && is_finite(walk_.read().landing);
+  }
 
   // Once a way.
   void tell_end() {

@@ -48,6 +48,7 @@ PlannedSteps planned_steps(const FootstepPlan& plan, const Estimate& estimate, c
   if (!is_valid(plan, now_ns)) return steps;
   const Side stance = stance_of(state, static_cast<Side>(plan.side[0]));
   const Pose2 inside = planned(state, stance), outside = measured(estimate, stance);
+  if (!std::isfinite(outside.x_m + outside.y_m + outside.yaw_rad)) return steps;
   steps.first = plan.first;
   steps.count = plan.step_count;
   steps.ends = plan.ends != 0;
@@ -61,7 +62,7 @@ PlannedSteps planned_steps(const FootstepPlan& plan, const Estimate& estimate, c
   return steps;
 }
 
-void describe(const PatternState& state, const Estimate& estimate, bool free, FootstepState& to) noexcept {
+bool describe(const PatternState& state, const Estimate& estimate, bool free, FootstepState& to) noexcept {
   namespace states = footstep_state::state;
   const bool walks = state.phase == Phase::walking;
   to.step = walks ? state.step.number : 0;
@@ -76,6 +77,7 @@ void describe(const PatternState& state, const Estimate& estimate, bool free, Fo
   to.landing[0] = landing.x_m;
   to.landing[1] = landing.y_m;
   to.landing[2] = landing.yaw_rad;
+  return std::isfinite(landing.x_m + landing.y_m + landing.yaw_rad);
 }
 
 }  // namespace gaitway::trajectory

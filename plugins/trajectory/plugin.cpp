@@ -227,8 +227,7 @@ class Trajectory final : public Plugin {
                       !fall_.plays() && estimate_.read().fall == estimate::fall::upright;
     FootstepState& state = footstep_state_.value();
     state.stamp_ns = tick.now_ns;
-    describe(pattern_.state(), estimate_.read(), free, state);
-    footstep_state_.publish();
+    if (describe(pattern_.state(), estimate_.read(), free, state)) footstep_state_.publish();
   }
 
   // Who commands a walk while a motion plays means the motion to end.

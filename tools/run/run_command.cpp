@@ -116,13 +116,19 @@ void leave_walk_to(const std::string& plugin, const RunOptions& options, simulat
 // The poses for the film strip, taken during the run and drawn after it.
 class Snapshots {
  public:
-  // The first one at `from_s`.
-  Snapshots(double from_s, double interval_s) : interval_s_(interval_s), next_s_(from_s) {}
+  // The first one at `from_s`. `open_end`: nobody knows how long the run is, and every second one is dropped
+  // when there are too many.
+  Snapshots(double from_s, double interval_s, bool open_end)
+      : interval_s_(interval_s), next_s_(from_s), open_end_(open_end) {}
   void look(const simulator::Plant& plant) {
-    if (plant.time_s() >= next_s_ && poses_.size() < kPictures) {
-      next_s_ += interval_s_;
-      poses_.emplace_back(plant.positions().begin(), plant.positions().end());
+    if (plant.time_s() < next_s_ || (!open_end_ && poses_.size() == kPictures)) return;
+    if (poses_.size() == kPictures) {
+      for (std::size_t i = 1; 2 * i < poses_.size(); ++i) poses_[i] = std::move(poses_[2 * i]);
+      poses_.resize(kPictures / 2);
+      interval_s_ *= 2.0;
     }
+    next_s_ += interval_s_;
+    poses_.emplace_back(plant.positions().begin(), plant.positions().end());
   }
   void draw(simulator::Plant& plant, const std::filesystem::path& file) const {
     simulator::Camera camera(plant, kPictureWidth_px, kPictureHeight_px);
@@ -136,6 +142,7 @@ class Snapshots {
  private:
   double interval_s_;
   double next_s_;
+  bool open_end_;
   std::vector<std::vector<double>> poses_;
 };
 
@@ -294,9 +301,11 @@ int run(const RunOptions& options) {
 
   RunRecorder recorder(cosimulation, options.out / "bus.log", true);
   cosimulation.observe(&recorder);
-  Snapshots snapshots = options.film ? Snapshots((*options.film)[0],
-                                                 ((*options.film)[1] - (*options.film)[0]) / (kPictures - 1))
-                                     : Snapshots(kFirstPicture_s, scenario.seconds / kPictures);
+  Snapshots snapshots =
+      options.film
+          ? Snapshots((*options.film)[0], ((*options.film)[1] - (*options.film)[0]) / (kPictures - 1), false)
+      : options.to ? Snapshots(kFirstPicture_s, 1.0, true)
+                   : Snapshots(kFirstPicture_s, scenario.seconds / kPictures, false);
   RunTiming timing;
   timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), recorder, snapshots,
                            ProgressLine(!options.quiet));

@@ -78,7 +78,6 @@ class RunRecorder final : public simulator::CosimulationObserver {
 
   // What was commanded at `now_ns`: the metrics of walking depend on it.
   void on_event(const simulator::ScenarioEvent& event, std::int64_t now_ns);
-  void on_way_request() noexcept { way_.on_request(); }
   void on_frame(const can::SimulatedBus::Delivery& delivery) override;
   void on_millisecond(std::int64_t now_ns) override;
   // Writes what is still buffered; throws std::runtime_error naming the file when the disk is full.

@@ -69,7 +69,9 @@ bool WayRecord::ended() const noexcept {
 }
 
 std::string WayRecord::missing() const {
-  if (!asked_ || state_.result == navigation_state::result::arrived) return {};
+  namespace results = navigation_state::result;
+  if (!asked_ || state_.result == results::arrived) return {};
+  if (ended() && state_.result == results::cancelled) return {};  // somebody wanted that
   if (!ended()) return fmt::format("the way was not walked to its end, {} steps are left", state_.steps_left);
   return fmt::format("the way was {}: {}", name_of(state_.result),
                      reinterpret_cast<const char*>(state_.text));

@@ -30,7 +30,8 @@ class WayRecord {
   [[nodiscard]] bool asked() const noexcept { return asked_; }
   // The newest way has ended, one way or the other.
   [[nodiscard]] bool ended() const noexcept;
-  // What was asked and not done; empty: the robot has arrived, or was asked for nothing.
+  // What was asked and not done; empty: the robot has arrived, somebody has ended the way, or none was asked
+  // for.
   [[nodiscard]] std::string missing() const;
   // For summary.json and the table; null: nothing was asked.
   [[nodiscard]] nlohmann::ordered_json json() const;

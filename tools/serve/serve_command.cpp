@@ -100,7 +100,6 @@ class ServeObserver final : public simulator::CosimulationObserver {
   }
   void on_way_request(const WalkToRequest& request, std::int64_t now_ns) override {
     commands.on_way_request(request, now_ns);
-    if (request.cancel == 0) recorder.on_way_request();
   }
 
   RunRecorder recorder;

@@ -196,22 +196,31 @@ TEST_F(FollowedSteps, WhatTheOdometryHasSeenIsMadeUpFor) {
   EXPECT_NEAR(seen.place[6].pose.yaw_rad, before.place[6].pose.yaw_rad - 0.05, 1e-12);
 }
 
+TEST_F(FollowedSteps, WithoutOdometryThereAreNoStepsAndNothingIsTold) {
+  plan_straight(9, 0.08);
+  Estimate unknown = measured();
+  for (auto& foot : unknown.odometry_foot) foot[1] = kNan;
+  EXPECT_EQ(planned_steps(steps, unknown, pattern.state(), 0).count, 0U);
+  FootstepState told{};
+  EXPECT_FALSE(describe(pattern.state(), unknown, true, told));
+}
+
 TEST_F(FollowedSteps, WhoPlansIsToldWhichStepIsInFlight) {
   plan_straight(9, 0.08);
   FootstepState told{};
-  describe(pattern.state(), measured(), true, told);
+  EXPECT_TRUE(describe(pattern.state(), measured(), true, told));
   EXPECT_EQ(told.state, std::uint32_t{footstep_state::state::stands});
   follow(16);
-  describe(pattern.state(), measured(), true, told);
+  EXPECT_TRUE(describe(pattern.state(), measured(), true, told));
   EXPECT_EQ(told.state, std::uint32_t{footstep_state::state::follows});
   ASSERT_GE(told.step, 2U);
   EXPECT_EQ(told.landed, told.step - 1);
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(told.landing[axis], steps.step[told.step - 1][axis], 1e-9);
-  describe(pattern.state(), measured(), false, told);
+  EXPECT_TRUE(describe(pattern.state(), measured(), false, told));
   EXPECT_EQ(told.state, std::uint32_t{footstep_state::state::other}) << "a motion plays";
   command_walk(0.1, 0.0, 0.0);
   follow(4);
-  describe(pattern.state(), measured(), true, told);
+  EXPECT_TRUE(describe(pattern.state(), measured(), true, told));
   EXPECT_EQ(told.state, std::uint32_t{footstep_state::state::other}) << "it walks by a velocity";
 }
 

@@ -49,7 +49,10 @@ class Navigator {
 
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.pose_, self.answered_);
+    archive(self.pose_, self.state_, self.result_, self.since_ns_, self.answered_, self.stops_, self.request_,
+            self.goal_, self.way_, self.is_first_plan_, self.sees_news_, self.has_new_goal_,
+            self.judged_step_, self.planned_after_, self.replans_, self.adjustments_, self.stands_in_the_way_,
+            self.text_);
   }
 
  private:

@@ -36,8 +36,8 @@ class PoseFilter {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.odometry_.x_m, self.odometry_.y_m, self.odometry_.yaw_rad, self.variance_m2_,
-            self.variance_rad2_);
+    archive(self.odometry_, self.variance_m2_, self.variance_rad2_, self.moments_, self.count_,
+            self.strange_);
   }
 
  private:

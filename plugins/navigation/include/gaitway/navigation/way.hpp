@@ -1,8 +1,11 @@
 // A way: planned footsteps with their numbers, and how much of it is left.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "gaitway/msgclient/topics.hpp"
@@ -30,6 +33,14 @@ class Way {
   void tell(std::uint32_t number, const planning::Pose& odometry, FootstepPlan& to) const noexcept;
   // What is still to come after the step `landed`.
   void tell_rest(std::uint32_t landed, NavigationWay& to) const noexcept;
+  // What a successor goes on from: the way's next steps, as far as there is room.
+  template <class Self, class Archive>
+  static void visit_state(Self& self, Archive& archive) {
+    auto count = static_cast<std::uint32_t>(std::min<std::size_t>(self.steps_.size(), kMaxWaySteps));
+    archive(self.first_, count);
+    if constexpr (!std::is_const_v<Self>) self.steps_.resize(std::min<std::size_t>(count, kMaxWaySteps));
+    for (std::uint32_t i = 0; i < count && i < self.steps_.size(); ++i) archive(self.steps_[i]);
+  }
   // Along it, by the feet's middle; `from`: where that is.
   [[nodiscard]] double distance_left_m(std::uint32_t landed, const planning::Pose& from) const noexcept;
 
