@@ -98,6 +98,7 @@ void Navigator::answer(const Inputs& inputs) {
   result_ = Result::none;
   if (state_ == State::walks && inputs.walk.step != 0) {
     has_new_goal_ = true;
+    desk_.forget();  // a plan to the goal before
     return;
   }
   if (state_ == State::idle) {

@@ -311,6 +311,23 @@ TEST_F(NavigatorTest, ANewGoalIsTakenInMidWalk) {
   EXPECT_LT(planning::way_m(middle(), {0.3, 0.8, 1.5}), 1e-6);
 }
 
+// The plan that is being made then is for the goal before, to which there is no way any more.
+TEST_F(NavigatorTest, ANewGoalIsNotRefusedForTheOneBefore) {
+  ask({1.4, 0.0, 0.0});
+  tick();
+  run_until([this] { return walk.step == 5; });
+  const auto seen = std::make_unique<Obstacles>();
+  seen->count = 1;
+  seen->place[0][0] = 1.4;
+  seen->size[0][0] = seen->size[0][1] = seen->size[0][2] = 0.3;
+  navigator.see(*seen);
+  tick();
+  ASSERT_TRUE(desk.waits());
+  ask({0.3, 0.8, 1.5});
+  run_to_end();
+  EXPECT_EQ(state->result, results::arrived) << text();
+}
+
 // A recovery, or a tail: the robot stands a little elsewhere, and the way begins anew from there.
 TEST_F(NavigatorTest, GoesOnByItselfAfterAPushThatBroughtItToAStand) {
   ask({1.2, 0.0, 0.0});
