@@ -2,6 +2,7 @@
 import type { Context } from "./context.ts";
 import { button, element, setText } from "./dom.ts";
 import { forceOfDrag, heading_rad, inHeading, push_s, pushRequest, sizeOf, type Flat, type PushBounds } from "./push.ts";
+import type { PictureTools } from "./picture_tools.ts";
 import type { Grip } from "./scene/push_arrow.ts";
 import type { Scene } from "./scene/scene.ts";
 
@@ -36,6 +37,7 @@ export class PushTool {
     private readonly scene: Scene,
     private readonly canvas: HTMLCanvasElement,
     private readonly bounds: PushBounds,
+    private readonly tools: PictureTools,
   ) {
     const { links } = context.description;
     this.link = element("select", { "aria-label": "Link that is pushed" }, ...links.map(({ name }) => element("option", {}, name)));
@@ -61,7 +63,9 @@ export class PushTool {
     return this.toggle.getAttribute("aria-pressed") === "true";
   }
 
-  private setOn(on: boolean): void {
+  setOn(on: boolean): void {
+    if (on === this.on) return;
+    if (on) this.tools.choose(this);
     this.toggle.setAttribute("aria-pressed", String(on));
     this.form.hidden = !on;
     this.canvas.classList.toggle("pushes", on);

@@ -53,6 +53,7 @@ export class Ground {
   private readonly plannedZmp;
   private readonly com;
   private readonly comDrop: THREE.Line;
+  private gridShown = true;
   private readonly stood: [boolean, boolean] = [false, false];
 
   constructor(
@@ -89,6 +90,12 @@ export class Ground {
     paint(this.zmp, colours.zmp);
     paint(this.plannedZmp, colours.plannedZmp);
     for (const part of [this.com, this.comDrop]) paint(part, colours.com);
+  }
+
+  // For good: there is another one.
+  hideGrid(): void {
+    this.gridShown = false;
+    this.grid.visible = false;
   }
 
   // `body`: posed as the frame has it.
@@ -159,6 +166,7 @@ export class Ground {
     const extent_m = 2 * Math.ceil(this.size_m * 5);
     const grid = new THREE.GridHelper(extent_m, extent_m * 4, this.colours.grid, this.colours.grid);
     grid.rotation.x = Math.PI / 2;
+    grid.visible = this.gridShown;
     return grid;
   }
 }
