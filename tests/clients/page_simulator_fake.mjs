@@ -39,9 +39,11 @@ export class FakeSimulator {
   #places = new Map(); // instant in ticks: where the robot was
   #way;
   #frame = 0;
+  #commander = "";
   #sockets = new Set();
 
-  constructor(description, solids) {
+  // `silent`: it tells no state of the simulation.
+  constructor(description, solids, { silent = false } = {}) {
     this.description = { ...description, bounds: { ...description.bounds, push: { least: 0.1, most: 200, usual: 20, shortest: 0.01, longest: 2 } } };
     this.solids = solids;
     this.server = http.createServer((request, answer) => void this.#serve(request, answer));
@@ -51,11 +53,11 @@ export class FakeSimulator {
       (view ? views : talks).handleUpgrade(request, socket, head, (opened) => (view ? this.#show(opened) : this.#talk(opened)));
     });
     this.timer = setInterval(() => this.#tick(), tick_ms);
-    this.teller = setInterval(() => this.#tellState(), 100);
+    if (!silent) this.teller = setInterval(() => this.#tellState(), 100);
   }
 
-  static async serve(description, solids) {
-    const fake = new FakeSimulator(description, solids);
+  static async serve(description, solids, more) {
+    const fake = new FakeSimulator(description, solids, more);
     await new Promise((resolve) => fake.server.listen(0, "127.0.0.1", resolve));
     return fake;
   }
@@ -172,7 +174,11 @@ export class FakeSimulator {
     const done = { result: { result: 1, error_message: "" } };
     switch (service) {
       case "/command/acquire":
+        this.#commander = args.name;
         return { ...ok, lease: "1", keep_alive_period: 0.5 };
+      case "/command/release":
+        this.#commander = "";
+        return ok;
       case "/walk/limits":
         return { ...ok, forward: 0.4, backward: 0.3, left: 0.15, turn: 1.5 };
       case "/plugins/list":
@@ -256,7 +262,7 @@ export class FakeSimulator {
     const [x, y, yaw] = this.#base();
     const values = {
       version: [viewVersion], joint_count: [joints.length], frame: [++this.#frame], robot_time: [this.#time_s], mode: [0], activity: [this.#way ? 2 : 1], contact: [1, 1], age: [0.01, 0.01, 0.01, 0.01, this.#playing ? 0.01 : 9],
-      round_trip: [0.002], base_place: [x, y], base_height: [hip_height], base_turn: turned(yaw), com: [0.01, 0, 0.4], zmp: [0.01, 0], planned_zmp: [0.012, 0], velocity: [0, 0, 0], joint: joints.map(({ home }) => home),
+      round_trip: [0.002], base_place: [x, y], base_height: [hip_height], base_turn: turned(yaw), com: [0.01, 0, 0.4], zmp: [0.01, 0], planned_zmp: [0.012, 0], velocity: [0, 0, 0], commander: [...Buffer.from(this.#commander).subarray(0, 16)], joint: joints.map(({ home }) => home),
     };
     const bytes = viewRows.reduce((sum, row) => sum + bytesOf[row.type] * (row.count || joints.length), 0);
     const frame = new DataView(new ArrayBuffer(bytes));

@@ -44,7 +44,7 @@ export class PushTool {
     this.newtons = element("input", {
       type: "number", "aria-label": "Force of a push in newtons", min: Math.ceil(bounds.least), max: bounds.most, step: 1, value: bounds.usual,
     });
-    this.toggle = button("Push", () => this.setOn(!this.on), { "aria-pressed": "false", id: "push", title: "Push the robot: click or drag on a part of it" });
+    this.toggle = button("Push", () => (this.on ? this.tools.done(this) : this.setOn(true)), { "aria-pressed": "false", id: "push", title: "Push the robot: click or drag on a part of it" });
     this.form = element("div", { class: "push-form", role: "group", "aria-label": "Push the robot", hidden: true }, this.link, this.newtons, "N",
       ...directions.map(({ text, name, force }) => button(text, () => this.pushBy(force), { "aria-label": `Push ${name}`, title: `Push ${name}` })));
     canvas.after(this.label);
@@ -59,7 +59,7 @@ export class PushTool {
     window.addEventListener("keydown", (event) => event.key === "Escape" && this.cancel(), { capture: true }); // a stop goes no further
   }
 
-  private get on(): boolean {
+  get on(): boolean {
     return this.toggle.getAttribute("aria-pressed") === "true";
   }
 

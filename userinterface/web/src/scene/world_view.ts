@@ -148,11 +148,13 @@ export class WorldView {
     thing.mesh.instanceMatrix.needsUpdate = true;
   }
 
-  // A line each half metre, over as much as is seen before the haze.
+  // A line each half metre, over as much as is seen before the haze. In pieces: software rendering leaves out lines that reach behind the eye.
   private makeGrid(colour: THREE.Color): void {
-    const lines_m = 12, every_m = 0.5;
+    const half_m = 10, every_m = 0.5, piece_m = 1;
     const points: number[] = [];
-    for (let at = -lines_m; at <= lines_m; at += every_m) points.push(-lines_m, at, 0, lines_m, at, 0, at, -lines_m, 0, at, lines_m, 0);
+    for (let at = -half_m; at <= half_m; at += every_m) {
+      for (let from = -half_m; from < half_m; from += piece_m) points.push(from, at, 0, from + piece_m, at, 0, at, from, 0, at, from + piece_m, 0);
+    }
     const geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
     const grid = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour, depthWrite: false }));
     grid.renderOrder = -1;

@@ -1,6 +1,6 @@
 // The simulator's part of the page: there from the first /simulation/state on, so a real robot's page has nothing of it.
 import type { Context } from "../context.ts";
-import { button, byId } from "../dom.ts";
+import { button, byId, element } from "../dom.ts";
 import type { LinkBanner } from "../link_banner.ts";
 import type { PictureTools } from "../picture_tools.ts";
 import type { Scene } from "../scene/scene.ts";
@@ -14,6 +14,8 @@ import { paceOf, readState, silentAfter_ms, stateTopic, type SimulationState } f
 import { SimulatorBar } from "./simulator_bar.ts";
 import { WayTool } from "./way_tool.ts";
 import { WorldKeeper } from "./world_keeper.ts";
+
+const firstZoom = 1.3; // so that there is floor to be clicked
 
 export interface SimulatorPlace {
   scene: Scene;
@@ -61,6 +63,8 @@ class Simulator {
     byId("panel").before(this.bar.box);
     byId("camera").prepend(this.way.tool.toggle);
     byId("picture").append(this.way.card.box);
+    document.querySelector(".legend")?.append(element("li", { class: "left-step" }, "left step"), element("li", { class: "right-step" }, "right step"));
+    scene.zoom(firstZoom);
     this.way.tool.setOn(true); // the first that somebody wants to do
   }
 

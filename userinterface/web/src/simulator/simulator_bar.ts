@@ -34,7 +34,7 @@ export class SimulatorBar {
   ) {
     this.seeker = new Seeker((time_s) => orders.seek(time_s), (error) => context.news.say(`Going to an instant: ${error.message}`, "bad", "seek"));
     this.timeLine = new TimeLineBar((time_s) => void this.seeker.to(time_s), () => this.seeker.target_s);
-    this.playButton = button("▶", () => this.playOrPause(), { id: "play", class: "play", "aria-keyshortcuts": "Space" });
+    this.playButton = button("", () => this.playOrPause(), { id: "play", class: "play", "aria-keyshortcuts": "Space" });
     this.stepButtons = steps_ms.map((step_ms) => button(String(step_ms), () => this.step(step_ms), { id: `step-${step_ms}`, "aria-label": `One step of ${step_ms} ms` }));
     this.speed = element("select", { id: "speed", "aria-label": "Speed, in times real time", title: "Speed, in times real time" }, ...speeds.map((times) => this.speedOption(times)));
     this.speed.addEventListener("change", () => {
@@ -57,7 +57,7 @@ export class SimulatorBar {
     this.state = state;
     const plays = state.state === "playing";
     const words = plays ? "Pause (Space)" : "Play (Space)";
-    setText(this.playButton, plays ? "⏸" : "▶");
+    this.playButton.classList.toggle("plays", plays);
     this.playButton.title = words;
     this.playButton.setAttribute("aria-label", words);
     this.showSpeed(state);

@@ -14,6 +14,7 @@ export class WayCard {
   private readonly leave: HTMLButtonElement;
   private arrivedUntil_ms = 0;
   private went = false;
+  private readonly more = element("small", {}, "Turn the view: the right button, or two fingers.");
   toolOn = false;
 
   constructor(
@@ -23,7 +24,13 @@ export class WayCard {
     this.walk = button("Walk", orders.walk, { class: "primary", id: "way-walk", title: "The robot walks there (Enter)" });
     this.cancel = button("Cancel", orders.cancel, { id: "way-cancel", title: "Forget this goal (Escape)" });
     this.leave = button("Leave the way", orders.leave, { id: "way-leave", title: "The robot stands after its next steps" });
-    this.box = element("div", { class: "way-card", id: "way", role: "group", "aria-label": "Walk to a place", hidden: true }, this.text, this.walk, this.cancel, this.leave);
+    this.box = element("div", { class: "way-card", id: "way", role: "group", "aria-label": "Walk to a place", hidden: true }, this.text, this.more, this.walk, this.cancel, this.leave);
+  }
+
+  // Another instant: what was there is not told.
+  forget(): void {
+    this.arrivedUntil_ms = 0;
+    this.went = false;
   }
 
   show(now_ms: number): void {
@@ -37,6 +44,7 @@ export class WayCard {
     setText(this.text, text);
     this.box.hidden = text === "";
     const begins = !this.walk.hidden;
+    this.more.hidden = draft !== undefined || goes || arrived;
     this.walk.hidden = !draft?.plan;
     this.cancel.hidden = !draft;
     this.leave.hidden = !goes || draft !== undefined;
@@ -46,10 +54,10 @@ export class WayCard {
   private words(arrived: boolean): string {
     const { draft, way } = this.planner;
     if (draft?.refusal !== undefined) return `No way leads there: ${draft.refusal}`;
-    if (draft?.plan) return draft.plan.steps.length === 0 ? "The robot stands there already." : `${planText(draft.plan)}. Walk there?`;
+    if (draft?.plan) return draft.plan.steps.length === 0 ? "The robot stands there already." : planText(draft.plan);
     if (draft) return "Looking for a way…";
     if (way?.goes) return `On its way${leftText(way) ? `: ${leftText(way)} left` : "…"}`;
     if (arrived) return "Arrived.";
-    return this.toolOn ? "Click a place on the floor: the robot walks there. Drag to choose where it looks." : "";
+    return this.toolOn ? "Click the floor: the robot walks there. Drag to choose where it looks." : "";
   }
 }

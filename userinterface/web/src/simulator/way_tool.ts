@@ -56,6 +56,7 @@ export class WayTool {
 
   // The robot was put to another instant.
   jumped(): void {
+    this.card.forget();
     this.planner.jumped();
   }
   // Another world: what lies on its ground lies elsewhere.

@@ -117,7 +117,7 @@ export function thingsTab({ attempt, news }: Context, orders: SimulationOrders, 
     },
     hide: () => {
       shown = false;
-      tool.setOn(false);
+      tools.done(tool);
     },
     worldChanged: () => shown && fill(),
   };
