@@ -85,6 +85,10 @@ export class FakeSimulator {
   run(seconds) {
     for (let i = 0; i < (seconds * 1000) / tick_ms; ++i) this.#advance(tick_ms / 1000);
   }
+  // As /walk_to.
+  walk(goal) {
+    this.#way = { goal };
+  }
   mark(kind, text) {
     this.#events.push({ at_s: this.#time_s, kind, text });
   }
@@ -209,7 +213,7 @@ export class FakeSimulator {
       case "/simulation/apply":
         return this.#apply(JSON.parse(args.event));
       case "/walk_to":
-        this.#way = { goal: [args.x, args.y, args.yaw] };
+        this.walk([args.x, args.y, args.yaw]);
         this.mark("command", `walk_to`);
         return ok;
       case "/walk_to/cancel":

@@ -67,7 +67,7 @@ async function pixels(robot, condition) {
 // Where in the window a mark on the floor is seen.
 async function seen(robot, colour) {
   const found = await pixels(robot, isColour[colour]);
-  assert.ok(found.count > 20, `the ${colour} mark is not seen: ${found.count} pixels`);
+  assert.ok(found.count > 8, `the ${colour} mark is not seen: ${found.count} pixels`);
   return found;
 }
 async function clickOn(robot, { x, y }) {
@@ -157,8 +157,8 @@ test("while it is paused Walk plays, and Escape only breaks off; a refusal says 
   await cardSays(robot, "steps");
   await robot.page.keyboard.press("Enter");
   await answered("it walks", () => fake.of("/walk_to").length === 1 && fake.playing);
-  await clickOn(robot, await seen(robot, "green"));
-  await cardSays(robot, "steps");
+  await clickOn(robot, { x: 150, y: 600 }); // floor, wherever the camera has followed the robot to
+  await cardSays(robot, "steps,");
   await robot.page.keyboard.press("Escape");
   await answered("it stops", () => fake.of("/stop").length > 0);
 }));

@@ -51,11 +51,12 @@ export class Scene {
   private old = false;
   private asked = false;
   private dark = false;
-  private hasWorld = false;
+  // How far behind what is looked at the haze is closed, in sizes of the robot.
+  hazeAfter = 6.5;
   follows = true;
   onDrawn: () => void = () => {};
   // Before each picture: what moves by itself is put where it belongs.
-  onBeforeDraw: (now_ms: number) => void = () => {};
+  onBeforeDraw: (now_ms: number, camera: THREE.PerspectiveCamera, far_m: number) => void = () => {};
   onPaint: (palette: Palette, dark: boolean) => void = () => {};
 
   constructor(
@@ -153,7 +154,6 @@ export class Scene {
   // There is a floor with a grid of its own, and more to be seen of it.
   showWorld(): void {
     this.ground.hideGrid();
-    this.hasWorld = true;
     this.ask();
   }
   // While a tool takes what a single finger, or the left button, does on the floor: the right button and two fingers turn the camera.
@@ -199,8 +199,8 @@ export class Scene {
       return;
     }
     this.pending = false;
-    this.onBeforeDraw(now_ms);
     this.haze();
+    this.onBeforeDraw(now_ms, this.camera, this.fog.far);
     this.renderer.render(this.scene, this.camera);
     if (this.pace.drew(now_ms)) this.resize();
     this.onDrawn();
@@ -210,7 +210,7 @@ export class Scene {
   private haze(): void {
     const away_m = this.camera.position.distanceTo(this.controls.target);
     this.fog.near = away_m + this.size_m;
-    this.fog.far = away_m + Math.max((this.hasWorld ? 13 : 6.5) * this.size_m, away_m);
+    this.fog.far = away_m + Math.max(this.hazeAfter * this.size_m, away_m);
   }
 
   private follow(): void {

@@ -10,6 +10,7 @@ import { GoalGhost } from "./ghost.ts";
 import type { Scene } from "./scene.ts";
 import { WorldView } from "./world_view.ts";
 
+const manySolids = 300; // more than that: less of them is seen at once, so that a computer that draws in software keeps up
 const longestPicture_s = 0.5;
 
 export class SimulatorPicture {
@@ -30,7 +31,10 @@ export class SimulatorPicture {
     this.marks = new FootstepMarks({ length: sole.size[0], width: sole.size[1], ahead: sole.centre[0] }, scene.size_m, { left: 0, right: 0, goal: 0 });
     this.ghost = new GoalGhost(description);
     this.world.group.add(this.marks.group, this.ghost.group);
-    scene.onBeforeDraw = (now_ms) => this.settle(now_ms);
+    scene.onBeforeDraw = (now_ms, camera, far_m) => {
+      this.settle(now_ms);
+      this.world.see(camera, far_m);
+    };
     scene.onPaint = ({ way }, dark) => {
       this.marks.setColours(way);
       this.world.setDark(dark);
@@ -47,12 +51,13 @@ export class SimulatorPicture {
   }
   setSolids(solids: readonly Solid[], floorColour: Triple): void {
     this.world.setSolids(solids, floorColour);
+    this.scene.hazeAfter = solids.length > manySolids ? 9 : 11;
     this.scene.ask();
   }
 
   show(state: SimulationState): void {
     this.frame.take(state.odometry, state.run);
-    this.world.moveThings(state.things, state.run !== this.run);
+    this.world.things.move(state.things, state.run !== this.run);
     this.run = state.run;
     this.scene.ask();
   }
@@ -60,7 +65,7 @@ export class SimulatorPicture {
   // What is seen at this place of the window, in the world's frame; undefined: nothing of it, or the robot.
   hitAt(x_px: number, y_px: number): Hit | undefined {
     if (this.scene.gripAt(x_px, y_px)) return undefined;
-    return firstHit(this.rayAt(x_px, y_px), this.world.solids, (solid) => this.world.poseOf(solid.name) ?? solid);
+    return firstHit(this.rayAt(x_px, y_px), this.world.solids, (solid) => this.world.poseOf(solid));
   }
   // Where a level plane of this height is seen there.
   levelAt(x_px: number, y_px: number, height_m: number): Triple | undefined {

@@ -15,6 +15,7 @@ interface Drag {
   at: Triple; // its middle now
   moved: boolean;
 }
+const told_ms = 300; // after which the simulator has told where it is
 const startsAfter_m = 0.01; // who only clicks chooses
 
 export class ThingTool implements PictureTool {
@@ -58,8 +59,7 @@ export class ThingTool implements PictureTool {
     const { drag } = this;
     this.drag = undefined;
     if (!drag) return;
-    this.picture.world.hold(drag.solid.name, drag.pose);
-    this.picture.world.hold(drag.solid.name, undefined);
+    this.putBack(drag);
     this.label.hidden = true;
   }
 
@@ -79,7 +79,8 @@ export class ThingTool implements PictureTool {
     }
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
-    const pose = this.picture.world.poseOf(taken.name) ?? taken;
+    this.letGo(); // of the one before
+    const pose = this.picture.world.poseOf(taken);
     this.drag = { pointer: event.pointerId, solid: taken, pose, grip: hit.place, at: pose.place, moved: false };
     this.user.choose(taken);
   }
@@ -95,7 +96,7 @@ export class ThingTool implements PictureTool {
     drag.moved ||= Math.hypot(dx, dy) > startsAfter_m;
     if (!drag.moved) return;
     drag.at = [drag.pose.place[0] + dx, drag.pose.place[1] + dy, drag.pose.place[2]];
-    this.picture.world.hold(drag.solid.name, { place: drag.at, turn: drag.pose.turn });
+    this.picture.world.things.hold(drag.solid, { place: drag.at, turn: drag.pose.turn });
     this.picture.ask();
     this.tell(event, `${drag.solid.name}: x ${drag.at[0].toFixed(2)} m, y ${drag.at[1].toFixed(2)} m`);
   }
@@ -106,9 +107,19 @@ export class ThingTool implements PictureTool {
     event.stopImmediatePropagation();
     this.drag = undefined;
     this.label.hidden = true;
-    const { world } = this.picture;
-    if (drag.moved && !(await this.user.move(drag.solid, drag.at, heading_rad(drag.pose.turn)))) world.hold(drag.solid.name, drag.pose); // refused: back
-    world.hold(drag.solid.name, undefined);
+    if (!drag.moved) return;
+    const done = await this.user.move(drag.solid, drag.at, heading_rad(drag.pose.turn));
+    if (done) setTimeout(() => !this.drag && this.letGo(), told_ms);
+    else this.putBack(drag);
+  }
+
+  private putBack({ solid, moved, pose }: Drag): void {
+    if (!moved) return;
+    this.picture.world.things.hold(solid, pose);
+    this.letGo();
+  }
+  private letGo(): void {
+    this.picture.world.things.letGo();
     this.picture.ask();
   }
 

@@ -65,7 +65,7 @@ export class WayPlanner {
   // What is to be drawn: of a draft all, of a way that is walked those that are still to come.
   get shown(): { goal: Goal; plan: FootstepPlan | undefined; passed: number } | undefined {
     if (this.draft) return { goal: this.draft.goal, plan: this.draft.plan, passed: 0 };
-    if (this.way?.goes && this.way.goal) return { goal: this.way.goal, plan: this.walked?.plan, passed: this.walked ? passedSteps(this.walked.plan, this.way.stepsLeft) : 0 };
+    if (this.way?.goes && this.way.goal) return { goal: this.walked?.goal ?? this.way.goal, plan: this.walked?.plan, passed: this.walked ? passedSteps(this.walked.plan, this.way.stepsLeft) : 0 };
     return this.walked ? { ...this.walked, passed: 0 } : undefined;
   }
 

@@ -18,6 +18,7 @@ export class WayTool {
   private readonly planner: WayPlanner;
   private aimed: Goal | undefined; // while it is dragged
   private drawn: FootstepPlan | undefined;
+  private drawnGoal: Goal | undefined;
 
   // `plays`: the simulator plays, or is made to.
   constructor(
@@ -61,7 +62,7 @@ export class WayTool {
   }
   // Another world: what lies on its ground lies elsewhere.
   worldChanged(): void {
-    this.drawn = undefined;
+    this.drawn = this.drawnGoal = undefined;
     this.show();
   }
   look(now_ms: number): void {
@@ -84,11 +85,12 @@ export class WayTool {
     const shown = this.aimed ? { goal: this.aimed, plan: undefined, passed: 0 } : this.planner.shown;
     if (!shown) this.picture.clearWay();
     else {
-      this.picture.showGoal(shown.goal);
+      if (shown.goal !== this.drawnGoal) this.picture.showGoal(shown.goal);
       if (shown.plan !== this.drawn) this.picture.showPlan(shown.plan);
       this.picture.fadeSteps(shown.passed);
     }
     this.drawn = shown?.plan;
+    this.drawnGoal = shown?.goal;
     this.card.show(performance.now());
   }
 
