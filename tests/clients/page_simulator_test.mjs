@@ -92,7 +92,7 @@ test("the world is drawn under the robot, and its things go where the simulator 
   ball.pose = [1.2, -0.75, ...ball.pose.slice(2)];
   await pause(700);
   assert.ok(Math.abs((await inScene()) - before) > 40, "the ball is drawn elsewhere");
-  assert.equal(fake.of("/simulation/geometry").length, 1, "the geometry is asked for once");
+  assert.ok(fake.of("/simulation/geometry").length <= 2, "the geometry is asked for when it is another, or when nothing came for long"); // of some 30 states
   const pink = await seen(robot, "pink");
   fake.odometry[0] += 0.02; // it drifts, and the robot stays where it is in the world
   await pause(900);

@@ -48,6 +48,20 @@ test("while the simulator is on its way only the newest wish is kept", async () 
   assert.deepEqual(asked, [1, 4]);
   arrive();
   await done;
+  seeker.told(1);
+  assert.equal(seeker.target_s, 4, "a state of before it arrived");
+  seeker.told(4.0004);
+  assert.equal(seeker.target_s, undefined);
+});
+
+test("a state that is of another instant for long is believed", async () => {
+  let now_ms = 0;
+  const seeker = new Seeker(async () => {}, () => assert.fail("nothing fails"), () => now_ms);
+  await seeker.to(5);
+  seeker.told(7);
+  assert.equal(seeker.target_s, 5);
+  now_ms = 600;
+  seeker.told(7.6);
   assert.equal(seeker.target_s, undefined);
 });
 
@@ -58,8 +72,9 @@ test("a refused way there is told, and does not hold up the next", async () => {
     if (refuse) throw new Error("no such instant");
   }, (error) => failures.push(error.message));
   await seeker.to(1);
+  assert.equal(seeker.target_s, undefined);
   refuse = false;
   await seeker.to(2);
   assert.deepEqual(failures, ["no such instant"]);
-  assert.equal(seeker.target_s, undefined);
+  assert.equal(seeker.target_s, 2);
 });

@@ -52,7 +52,8 @@ export class WorldView {
 
   setDark(dark: boolean): void {
     this.dark = dark;
-    const { h, s, l } = this.floorColour.getHSL({ h: 0, s: 0, l: 0 }, THREE.SRGBColorSpace);
+    const told = this.floorColour.getHSL({ h: 0, s: 0, l: 0 }, THREE.SRGBColorSpace);
+    const { h, s, l } = told.s < 0.05 ? { h: 0.58, s: dark ? 0.16 : 0.1, l: told.l } : told; // grey becomes the page's own
     // The floor keeps its hue, and as much of its brightness as the page's own looks bear.
     const lightness = dark ? 0.09 + 0.1 * l : 0.72 + 0.16 * l;
     this.floorMaterial.color.setHSL(h, Math.min(s, 0.35), lightness, THREE.SRGBColorSpace);

@@ -70,6 +70,7 @@ class Simulator {
 
   take(state: SimulationState, now_ms: number): void {
     const jumped = this.state !== undefined && this.state.run !== state.run;
+    if (now_ms - this.came_ms > silentAfter_ms || this.state?.world !== state.world) this.world.forget();
     this.state = state;
     this.came_ms = now_ms;
     this.context.freshness.pace = paceOf(state);

@@ -55,6 +55,7 @@ export class SimulatorBar {
 
   show(state: SimulationState): void {
     this.state = state;
+    this.seeker.told(state.time_s);
     const plays = state.state === "playing";
     const words = plays ? "Pause (Space)" : "Play (Space)";
     this.playButton.classList.toggle("plays", plays);
@@ -79,7 +80,7 @@ export class SimulatorBar {
   private tell(state: SimulationState, time_s: number): void {
     const forgotten = state.state === "playing" ? "" : forgottenText(time_s, state.recorded_s);
     const words = this.silent ? "The simulator does not answer." : state.state === "failed" ? `The simulator has failed: ${state.text || "it does not say why"}` :
-      state.state === "busy" ? `Busy: ${state.text || "…"}` : this.seeker.target_s !== undefined ? `Going to ${timeText(this.seeker.target_s)}…` :
+      state.state === "busy" ? `Busy: ${state.text || "…"}` : this.seeker.isGoing && this.seeker.target_s !== undefined ? `Going to ${timeText(this.seeker.target_s)}…` :
       state.fallen ? `The robot has fallen. ${forgotten || "Drag the time line back to before, or reset."}` : forgotten;
     setText(this.note, words);
     this.note.className = `simulator-note${this.silent || state.state === "failed" ? " bad" : state.state === "busy" ? " busy" : state.fallen ? " caution" : ""}`;

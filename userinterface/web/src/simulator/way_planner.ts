@@ -48,10 +48,8 @@ export class WayPlanner {
 
   // The robot was put to another instant: its feet are elsewhere.
   jumped(): void {
-    this.walked = undefined;
-    this.asked = undefined;
+    this.walked = this.asked = this.way = undefined; // whether it walks there, it will tell
     if (this.draft) void this.choose(this.draft.goal);
-    if (this.way) this.take(this.way);
     this.onChange();
   }
 

@@ -14,6 +14,11 @@ export class WorldKeeper {
     private readonly failed: (error: Error) => void,
   ) {}
 
+  // It may be another simulator, which counts anew.
+  forget(): void {
+    this.known = undefined;
+  }
+
   // The simulator has this geometry by now.
   async take(geometry: number, now_ms: number): Promise<void> {
     if (geometry === this.known || this.asks || now_ms - this.failed_ms < 2000) return;
