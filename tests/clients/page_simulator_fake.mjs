@@ -141,14 +141,14 @@ export class FakeSimulator {
     return { sides: steps.map(({ side }) => side), steps: steps.flatMap(({ pose }) => pose), feet: this.#feet(), duration: steps.length * 0.4 };
   }
 
-  #publish(topic, msg) {
+  publish(topic, msg) {
     const text = JSON.stringify({ op: "publish", topic, msg });
     for (const { socket, topics } of this.#sockets) if (topics.has(topic)) socket.send(text);
   }
   #tellState() {
     const things = this.solids.filter(({ movable }) => movable);
     const [x, y, yaw] = this.robot;
-    this.#publish("/simulation/state", {
+    this.publish("/simulation/state", {
       time: this.#time_s, recorded: this.#recorded_s, state: this.#text ? "busy" : this.#playing ? "playing" : "paused", text: this.#text, speed: this.#speed, pace: 0.98 * this.#speed,
       world: "boxes", geometry: this.#geometry, run: this.#run, fallen: false, odometry: this.odometry, base: [x, y, this.description.hip_height, ...turned(yaw)],
       thing_names: things.map(({ name }) => name), thing_poses: things.map(ros), mark_times: this.#events.map(({ at_s }) => at_s), mark_kinds: this.#events.map(({ kind }) => kind),
@@ -158,7 +158,7 @@ export class FakeSimulator {
   #tellWay(state, result) {
     const goal = this.#way?.goal ?? [0, 0, 0];
     const left_m = Math.hypot(goal[0] - this.robot[0], goal[1] - this.robot[1]);
-    this.#publish("/walk_to/state", { state, result, text: "", steps_left: Math.ceil(left_m / 0.1), replans: 0, distance_left: left_m, goal, pose: this.robot, pose_deviation: [0.01, 0.01, 0.01] });
+    this.publish("/walk_to/state", { state, result, text: "", steps_left: Math.ceil(left_m / 0.1), replans: 0, distance_left: left_m, goal, pose: this.robot, pose_deviation: [0.01, 0.01, 0.01] });
   }
 
   #talk(socket) {

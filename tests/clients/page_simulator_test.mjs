@@ -144,6 +144,12 @@ test("the goal is where the pointer is, wherever the camera looks from and howev
 test("while it is paused Walk plays, and Escape only breaks off; a refusal says why", () => withPage(async (robot, fake) => {
   await robot.press("play");
   await robot.says("link-text", "paused");
+  const down = { state: "down", text: "nothing is heard of it", link: "unix:link.sock", seconds: 3 };
+  fake.publish("/link_state", down);
+  await pause(400);
+  assert.ok(await robot.page.$eval("#trouble", ({ hidden }) => hidden), "a robot that is paused is not away");
+  assert.ok(await robot.page.$eval("#old", ({ hidden }) => hidden), "and not old, though its clock is 9 s behind");
+  fake.publish("/link_state", { ...down, state: "up", text: "" });
   fake.refusal = "the goal stands in carton_1";
   await clickOn(robot, await seen(robot, "pink"));
   await cardSays(robot, "No way leads there: the goal stands in carton_1");

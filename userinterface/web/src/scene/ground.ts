@@ -5,6 +5,7 @@ import { convexHull, type Point } from "./polygon.ts";
 import type { RobotBody } from "./robot_body.ts";
 
 const madeAtMost = 24;
+const stepLeast_m = 0.005; // odometry's height is hardly better
 const heights_m = { made: 0.001, support: 0.002, planned: 0.003, marks: 0.004 };
 
 export interface GroundColours {
@@ -133,9 +134,10 @@ export class Ground {
     const bearing: Point[] = [];
     for (const side of [0, 1] as const) {
       const stands = frame.contact[side] === 1;
-      const corners = stands ? body.soleCorners(side).map(({ x, y }): Point => [x, y]) : [];
+      const sole = stands ? body.soleCorners(side) : [];
+      const corners = sole.map(({ x, y }): Point => [x, y]);
       bearing.push(...corners);
-      if (stands && !this.stood[side]) this.addMade(corners);
+      if (stands && !this.stood[side]) this.addMade(corners, Math.max(...sole.map(({ z }) => z)));
       this.stood[side] = stands;
     }
     const hull = convexHull(bearing);
@@ -147,12 +149,13 @@ export class Ground {
     this.support.position.z = heights_m.support;
   }
 
-  private addMade(corners: readonly Point[]): void {
+  // `height_m`: of the sole; it may have stepped onto something.
+  private addMade(corners: readonly Point[], height_m: number): void {
     const line = this.made.length < madeAtMost ? outline(4, this.colours.made) : this.made.shift();
     if (!line) return;
     this.made.push(line);
     this.group.add(line);
-    setOutline(line, corners, heights_m.made);
+    setOutline(line, corners, heights_m.made + (height_m > stepLeast_m ? height_m : 0));
   }
 
   private rectangle(x: number, y: number, yaw: number): Point[] {
