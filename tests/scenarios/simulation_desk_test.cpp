@@ -14,7 +14,7 @@
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulation/control_client.hpp"
 #include "gaitway/world/world_file.hpp"
-#include "tools/serve/command_log.hpp"
+#include "gaitway/simulator/command_log.hpp"
 
 namespace gaitway::scenarios {
 namespace {
@@ -65,7 +65,7 @@ class AskedRun {
   [[nodiscard]] double x_m() const { return run->plant().truth().com_m.x(); }
 
   std::unique_ptr<simulator::Cosimulation> run = new_run();
-  tools::CommandLog log{*run};
+  simulator::CommandLog log{*run};
 
  private:
   process::PrivateFolder folder_{"gaitway_desk_test"};
@@ -175,7 +175,7 @@ TEST(SimulationDesk, ItsRecordNamesTheWorld) {
   options.main_controller.configuration = GAITWAY_CONFIGURATION;
   options.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
   simulator::Cosimulation run(robot(), options);
-  process::write_text_file(file, tools::CommandLog(run).scenario(1.0));
+  process::write_text_file(file, simulator::CommandLog(run).scenario(1.0));
   const simulator::Scenario scenario = simulator::load_scenario(file, robot());
   ASSERT_TRUE(scenario.world);
   const world::World again = world::load_world(*scenario.world);

@@ -31,7 +31,7 @@
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/world_option.hpp"
-#include "tools/serve/command_log.hpp"
+#include "gaitway/simulator/command_log.hpp"
 #include "tools/serve/module_keeper.hpp"
 
 namespace gaitway::tools {
@@ -103,7 +103,7 @@ class ServeObserver final : public simulator::CosimulationObserver {
   }
 
   RunRecorder recorder;
-  CommandLog commands;
+  simulator::CommandLog commands;
 };
 
 core::PluginEntry& api_of(core::Configuration& configuration) {
@@ -189,7 +189,7 @@ struct Loop {
   simulator::Cosimulation& run;
   simulator::SimulationDesk& desk;
   core::PluginRequests& requests;
-  CommandLog& commands;
+  simulator::CommandLog& commands;
   core::EventPrinter printer{"gaitway serve"};
   bool quiet = false;
 
