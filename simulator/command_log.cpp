@@ -29,7 +29,12 @@ std::string world_lines(const std::optional<world::World>& world) {
 CommandLog::CommandLog(Cosimulation& run)
     : run_(run),
       answers_(run.client().read_stream<UserCommandAnswer>("user_command_answer")),
-      stops_(run.client().read<StopRequest>("stop_answer")) {}
+      stops_(run.client().read<StopRequest>("stop_answer")) {
+  UserCommandAnswer before;
+  while (answers_.read(before)) {
+  }
+  static_cast<void>(stops_.read(stops_logged_));
+}
 
 void CommandLog::on_walk_request(const WalkCommand& command, std::int64_t now_ns) {
   const WalkEvent walk{.velocity_m_per_s = {command.velocity[0], command.velocity[1]},
@@ -99,14 +104,19 @@ void CommandLog::on_millisecond(std::int64_t began_ns) {
 }
 
 std::string CommandLog::scenario(double seconds) const {
+  return scenario_text(seconds, run_.plant().world(), events_, run_.robot());
+}
+
+std::string scenario_text(double seconds, const std::optional<world::World>& world,
+                          std::span<const ScenarioEvent> events, const urdf::RobotModel& robot) {
   std::string text = fmt::format(
       "# What was asked of the robot. With the same robot, seed and plug-ins, `gaitway run --scenario` of "
       "this file "
       "gives the same digest.\nseconds: {}\n{}events:{}\n",
-      seconds, world_lines(run_.plant().world()), events_.empty() ? " []" : "");
-  for (const ScenarioEvent& event : events_) {
+      seconds, world_lines(world), events.empty() ? " []" : "");
+  for (const ScenarioEvent& event : events) {
     text += fmt::format("  - {{at_s: {}, {}{}}}\n", event.at_s, event.asked ? "asked: true, " : "",
-                        action_text(event, run_.robot()));
+                        action_text(event, robot));
   }
   return text;
 }

@@ -336,18 +336,16 @@ void Cosimulation::apply(const ScenarioEvent& event) {
 }
 
 void Cosimulation::ask(const msgclient::UserCommandMail& mail) {
-  if (!asked_commands_) {
-    msgclient::Client client = memory_block_.local_client("people");
-    auto queue = client.write_queue<UserCommand>("user_command");
-    asked_commands_.emplace(std::move(client), std::move(queue));
-  }
+  // Whoever people are later finds the queue free.
+  msgclient::Client people = memory_block_.local_client("people");
+  auto commands = people.write_queue<UserCommand>("user_command");
   UserCommand command{};
   command.number = mail.sequence;
   command.kind = static_cast<std::uint32_t>(mail.kind);
   command.joint = mail.joint;
   command.duration_slots = mail.duration_slots;
   command.position = static_cast<double>(mail.position);
-  if (!asked_commands_->queue.push(command, now_ns_)) {
+  if (!commands.push(command, now_ns_)) {
     throw std::runtime_error("more user commands in one millisecond than the queue holds");
   }
 }
@@ -385,7 +383,6 @@ void Cosimulation::change_world(const SpawnEvent& spawn) {
 }
 
 void Cosimulation::hand_to_people() {
-  asked_commands_.reset();
   walk_command_.reset();
   motion_command_.reset();
   walk_to_command_.reset();

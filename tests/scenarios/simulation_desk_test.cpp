@@ -70,7 +70,7 @@ class AskedRun {
  private:
   process::PrivateFolder folder_{"gaitway_desk_test"};
   simulator::SimulationDesk desk_{*run, folder_.path() / "simulation.sock",
-                                  [this](const auto& event) { log.on_push(event); }};
+                                  [this](const auto& event) { log.on_applied(event); }};
   simulation::ControlClient client_{folder_.path() / "simulation.sock"};
 };
 
@@ -108,7 +108,7 @@ TEST(SimulationDesk, UnknownLinksAreRefusedByName) {
 TEST(SimulationDesk, NoMorePushesAtOnceThanPeopleHaveHands) {
   AskedRun run;
   const Push light{.link = "trunk", .force_N = {0.1, 0.0, 0.0}, .duration_s = 0.5};
-  for (std::size_t i = 0; i < simulator::SimulationDesk::kMostPushes; ++i) {
+  for (std::size_t i = 0; i < simulator::PushTaker::kMostPushes; ++i) {
     EXPECT_TRUE(run.ask(light).accepted);
   }
   EXPECT_THAT(run.ask(light).reason, HasSubstr("8 pushes are under way"));

@@ -18,13 +18,14 @@
 #include "gaitway/core/events.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
-#include "gaitway/msgclient/memory_block_server.hpp"
+#include "gaitway/msgclient/memory_block_thread.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/simulator/pace.hpp"
 #include "gaitway/simulator/simulation_desk.hpp"
 #include "tools/command_line.hpp"
 #include "tools/run/navigation_option.hpp"
@@ -60,27 +61,7 @@ struct ServeOptions {
   bool quiet = false;
 };
 
-constexpr std::int64_t kLongestLag_ns = 200 * kMillisecond_ns;     // then the pace begins anew
 constexpr std::int64_t kLongestStop_ns = 5'000 * kMillisecond_ns;  // of the robot's time, until it stands
-
-// Gives the memory block to the API's process. A thread of its own, since a plug-in's constructor waits for
-// it.
-class BlockThread {
- public:
-  BlockThread(const msgclient::MemoryBlock& block, const std::filesystem::path& socket)
-      : server_(block, socket), thread_([this](const std::stop_token& stop) {
-          std::array<pollfd, 1> wakes{pollfd{server_.wake_fd(), POLLIN, 0}};
-          while (!stop.stop_requested()) {
-            poll(wakes.data(), wakes.size(), kLook_ms);
-            server_.step(process::monotonic_ns());
-          }
-        }) {}
-
- private:
-  static constexpr int kLook_ms = 100;  // for the wish to stop
-  msgclient::MemoryBlockServer server_;
-  std::jthread thread_;
-};
 
 // Metrics, and what people ask.
 class ServeObserver final : public simulator::CosimulationObserver {
@@ -153,38 +134,6 @@ std::vector<std::string> module_arguments(const ServeOptions& options, const std
   return words;
 }
 
-// When each millisecond of the robot's is due by the wall clock.
-class Pace {
- public:
-  explicit Pace(double speed) : millisecond_ns_(static_cast<double>(kMillisecond_ns) / speed) {}
-  // Waits for the next one; false: told to stop.
-  bool wait() {
-    due_ns_ += millisecond_ns_;
-    std::int64_t now_ns = process::monotonic_ns();
-    if (static_cast<double>(now_ns) - due_ns_ > static_cast<double>(kLongestLag_ns)) {
-      lost_ns_ += started_ ? static_cast<double>(now_ns) - due_ns_ : 0.0;
-      due_ns_ = static_cast<double>(now_ns);
-    }
-    started_ = true;
-    const auto due_ns = static_cast<std::int64_t>(due_ns_);
-    while (!process::stop_requested() && now_ns < due_ns) {
-      process::wait_until(due_ns, {});
-      now_ns = process::monotonic_ns();
-    }
-    late_.add(std::max<std::int64_t>(now_ns - due_ns, 0));
-    return !process::stop_requested();
-  }
-  [[nodiscard]] double lost_s() const noexcept { return lost_ns_ * 1e-9; }
-  [[nodiscard]] process::DurationSummary lateness_us() const { return late_.summary(); }
-
- private:
-  double millisecond_ns_;
-  double due_ns_ = 0.0;
-  double lost_ns_ = 0.0;  // that the robot's time has fallen behind for good
-  bool started_ = false;
-  process::DurationHistogram late_;
-};
-
 struct Loop {
   simulator::Cosimulation& run;
   simulator::SimulationDesk& desk;
@@ -218,7 +167,7 @@ struct Loop {
 };
 
 void write_results(const ServeOptions& options, simulator::Cosimulation& run, ServeObserver& observer,
-                   const Pace& pace, double wall_s) {
+                   const simulator::Pace& pace, double wall_s) {
   observer.recorder.finish();
   nlohmann::ordered_json result =
       summary(run, observer.recorder, {.wall_s = wall_s}, options.seed, options.mismatch);
@@ -241,7 +190,7 @@ int serve(const ServeOptions& options) {
   const process::PrivateFolder folder("gaitway_serve");
   const std::string link = "unix:" + (folder.path() / "link.sock").string();
   msgclient::MemoryBlock block;
-  const BlockThread block_thread(block, folder.path() / "memory.sock");
+  const msgclient::MemoryBlockThread block_thread(block, folder.path() / "memory.sock");
 
   simulator::CosimulationOptions settings;
   settings.plant.seed = options.seed;
@@ -264,19 +213,19 @@ int serve(const ServeOptions& options) {
 
   const std::filesystem::path simulation = folder.path() / "simulation.sock";
   simulator::SimulationDesk desk(run, simulation, [&observer](const simulator::ScenarioEvent& push) {
-    observer.commands.on_push(push);
+    observer.commands.on_applied(push);
   });
 
   const ModuleKeeper module(module_arguments(options, link, simulation));
 
   Loop loop{
       .run = run, .desk = desk, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
-  Pace pace(options.speed);
+  simulator::Pace pace(options.speed);
   const auto end_ns = options.seconds ? static_cast<std::int64_t>(std::llround(*options.seconds * 1e9))
                                       : std::numeric_limits<std::int64_t>::max();
   const std::int64_t began_ns = process::monotonic_ns();
   process::stop_on_signals();
-  while (run.now_ns() < end_ns && pace.wait()) {
+  while (run.now_ns() < end_ns && pace.wait({})) {
     loop.millisecond();
   }
   if (process::stop_requested()) {

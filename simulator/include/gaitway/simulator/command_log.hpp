@@ -1,6 +1,8 @@
 // What people asked of a served robot, as a scenario that `gaitway run` plays again.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,14 +15,14 @@ namespace gaitway::simulator {
 // took effect.
 class CommandLog {
  public:
-  // Opens what `run` tells; outlived by it. Throws msgclient::TopicError.
+  // Opens what `run` tells from now on; outlived by it. Throws msgclient::TopicError.
   explicit CommandLog(Cosimulation& run);
 
   void on_walk_request(const WalkCommand& command, std::int64_t now_ns);
   void on_motion_request(const MotionRequest& request, std::int64_t now_ns);
   void on_way_request(const WalkToRequest& request, std::int64_t now_ns);
-  // A push that begins in the millisecond that comes next.
-  void on_push(const ScenarioEvent& push) { events_.push_back(push); }
+  // What was done to the robot or its world, in the millisecond that comes next.
+  void on_applied(const ScenarioEvent& event) { events_.push_back(event); }
   // `gaitway serve` itself ends the walk: nobody may walk on, and the safe tail plays.
   void on_end(std::int64_t now_ns);
   // After each millisecond; `began_ns`: when it began. What was obeyed in it.
@@ -37,5 +39,9 @@ class CommandLog {
   StopRequest stops_logged_{};
   std::vector<ScenarioEvent> events_;
 };
+
+// A scenario file of these events. `world`: the one of the start.
+[[nodiscard]] std::string scenario_text(double seconds, const std::optional<world::World>& world,
+                                        std::span<const ScenarioEvent> events, const urdf::RobotModel& robot);
 
 }  // namespace gaitway::simulator

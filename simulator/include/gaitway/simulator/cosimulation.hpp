@@ -146,11 +146,6 @@ class Cosimulation {
   std::uint32_t ways_asked_ = 0;
   std::optional<Localization> localization_;
   WalkCommand scenario_walk_{};      // the newest one
-  struct AskedCommands {             // of people who are played by a scenario
-    msgclient::Client client;
-    msgclient::QueueWriter<UserCommand> queue;
-  };
-  std::optional<AskedCommands> asked_commands_;  // opened when one is asked for
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;
