@@ -60,7 +60,7 @@ class AskedRun {
         return *answer;
       }
     }
-    return {.reason = "no answer has come"};
+    return {.text = "no answer has come"};
   }
   [[nodiscard]] double x_m() const { return run->plant().truth().com_m.x(); }
 
@@ -79,7 +79,7 @@ TEST(SimulationDesk, APushMovesTheRobotWhereItPoints) {
   run.advance(1.0);
   const double before_m = run.x_m();
   const Answer answer = run.ask({.link = "trunk", .force_N = {20.0, 0.0, 0.0}, .duration_s = 0.1});
-  ASSERT_TRUE(answer.accepted) << answer.reason;
+  ASSERT_TRUE(answer.accepted) << answer.text;
   run.advance(0.15);
   EXPECT_GT(run.x_m(), before_m + 0.005);
   EXPECT_FALSE(run.run->plant().fallen());
@@ -90,7 +90,7 @@ TEST(SimulationDesk, EveryLinkCanBePushed) {
   run.advance(0.2);
   for (const urdf::Link& link : robot().links) {
     const Answer answer = run.ask({.link = link.name, .force_N = {0.0, 0.5, 0.0}, .duration_s = 0.01});
-    EXPECT_TRUE(answer.accepted) << link.name << ": " << answer.reason;
+    EXPECT_TRUE(answer.accepted) << link.name << ": " << answer.text;
     run.advance(0.01);
   }
   EXPECT_THAT(run.log.events(), SizeIs(robot().links.size()));
@@ -100,7 +100,7 @@ TEST(SimulationDesk, UnknownLinksAreRefusedByName) {
   AskedRun run;
   const Answer answer = run.ask({.link = "tunk", .force_N = {1.0, 0.0, 0.0}, .duration_s = 0.1});
   EXPECT_FALSE(answer.accepted);
-  EXPECT_THAT(answer.reason, AllOf(HasSubstr("link is 'tunk'"), HasSubstr("humanoid22"),
+  EXPECT_THAT(answer.text, AllOf(HasSubstr("link is 'tunk'"), HasSubstr("humanoid22"),
                                    HasSubstr("Did you mean 'trunk'?")));
   EXPECT_THAT(run.log.events(), SizeIs(0));
 }
@@ -111,7 +111,7 @@ TEST(SimulationDesk, NoMorePushesAtOnceThanPeopleHaveHands) {
   for (std::size_t i = 0; i < simulator::PushTaker::kMostPushes; ++i) {
     EXPECT_TRUE(run.ask(light).accepted);
   }
-  EXPECT_THAT(run.ask(light).reason, HasSubstr("8 pushes are under way"));
+  EXPECT_THAT(run.ask(light).text, HasSubstr("8 pushes are under way"));
   run.advance(0.5);
   EXPECT_TRUE(run.ask(light).accepted);
 }

@@ -29,7 +29,7 @@ std::optional<OrderResult> SimulatorPort::take_result() {
   if (!answer) {
     return std::nullopt;
   }
-  return OrderResult{answer->number, answer->accepted, answer->accepted ? "the push begins" : answer->reason};
+  return OrderResult{answer->number, answer->accepted, answer->accepted ? "the push begins" : answer->text};
 }
 
 }  // namespace gaitway::api
