@@ -19,7 +19,8 @@ double seconds_of(std::int64_t time_ns) noexcept {
 
 std::string world_lines(const std::optional<world::World>& world) {
   if (!world) return {};
-  std::string text = fmt::format("world: {}\n", nlohmann::json(std::filesystem::absolute(world->file).string()).dump());
+  std::string text =
+      fmt::format("world: {}\n", nlohmann::json(std::filesystem::absolute(world->file).string()).dump());
   if (world->random_seed) text += fmt::format("world_seed: {}\n", *world->random_seed);
   return text;
 }
@@ -38,8 +39,8 @@ CommandLog::CommandLog(Cosimulation& run)
 
 void CommandLog::on_walk_request(const WalkCommand& command, std::int64_t now_ns) {
   const WalkEvent walk{.velocity_m_per_s = {command.velocity[0], command.velocity[1]},
-                                  .turn_rate_rad_per_s = command.turn_rate,
-                                  .walk = command.walk != 0};
+                       .turn_rate_rad_per_s = command.turn_rate,
+                       .walk = command.walk != 0};
   events_.push_back({.at_s = seconds_of(now_ns), .action = walk});
 }
 
@@ -74,12 +75,11 @@ void CommandLog::on_millisecond(std::int64_t began_ns) {
         break;
       case Kind::emergency_stop_hold:
       case Kind::emergency_stop_soft:
-        event.action =
-            EmergencyStopEvent{static_cast<Kind>(answer.command) == Kind::emergency_stop_soft};
+        event.action = EmergencyStopEvent{static_cast<Kind>(answer.command) == Kind::emergency_stop_soft};
         break;
       case Kind::manual_joint:
         event.action = ManualJointEvent{static_cast<int>(answer.joint), answer.position,
-                                                   static_cast<int>(answer.duration_slots)};
+                                        static_cast<int>(answer.duration_slots)};
         break;
       case Kind::release:
         event.action = ReleaseEvent{};
@@ -94,8 +94,7 @@ void CommandLog::on_millisecond(std::int64_t began_ns) {
   }
   const bool soft = obeyed.softs != stops_logged_.softs;
   if (soft || obeyed.holds != stops_logged_.holds) {
-    events_.push_back(
-        {.at_s = seconds_of(began_ns), .action = EmergencyStopEvent{soft}, .asked = true});
+    events_.push_back({.at_s = seconds_of(began_ns), .action = EmergencyStopEvent{soft}, .asked = true});
   }
   if (obeyed.stops != stops_logged_.stops) {
     events_.push_back({.at_s = seconds_of(began_ns), .action = StopEvent{}, .asked = true});

@@ -10,30 +10,10 @@
 namespace gaitway::simulator {
 namespace {
 
-constexpr double kOverhead_m = 1.5;    // what begins higher is in nobody's way
 constexpr double kSamePlace_m = 0.01;  // and rad
 
-// On the ground, upright, around each of them.
-Obstacles boxes_around(std::span<const world::Solid> solids) {
-  Obstacles boxes{};
-  for (const world::Solid& solid : solids) {
-    const auto [least_m, greatest_m] = solid.bounds_m();
-    if (least_m.z() > kOverhead_m || boxes.count == kMaxObstacles) continue;
-    const Eigen::Matrix3d turn = solid.pose.linear();
-    const bool upright = turn(2, 2) > 0.999 && solid.shape == world::Solid::Shape::box;
-    const Eigen::Vector3d size_m = upright ? solid.size_m : Eigen::Vector3d(greatest_m - least_m);
-    const Eigen::Vector3d middle_m = (greatest_m + least_m) / 2.0;
-    const std::array<double, 3> place{middle_m.x(), middle_m.y(), upright ? std::atan2(turn(1, 0), turn(0, 0)) : 0.0};
-    const std::array<double, 3> size{size_m.x(), size_m.y(), greatest_m.z()};
-    std::ranges::copy(place, boxes.place[boxes.count]);
-    std::ranges::copy(size, boxes.size[boxes.count]);
-    ++boxes.count;
-  }
-  return boxes;
-}
-
 bool same_places(const Obstacles& a, const Obstacles& b) {
-  const auto near = [](const double (&x)[3], const double (&y)[3]) {
+  const auto near = [](const double(&x)[3], const double(&y)[3]) {
     return std::ranges::equal(x, y, [](double p, double q) { return std::abs(p - q) < kSamePlace_m; });
   };
   for (std::uint32_t i = 0; a.count == b.count && i < a.count; ++i) {
@@ -43,6 +23,26 @@ bool same_places(const Obstacles& a, const Obstacles& b) {
 }
 
 }  // namespace
+
+Obstacles boxes_around(std::span<const world::Solid> solids) {
+  constexpr double kOverhead_m = 1.5;  // what begins higher is in nobody's way
+  Obstacles boxes{};
+  for (const world::Solid& solid : solids) {
+    const auto [least_m, greatest_m] = solid.bounds_m();
+    if (least_m.z() > kOverhead_m || boxes.count == kMaxObstacles) continue;
+    const Eigen::Matrix3d turn = solid.pose.linear();
+    const bool upright = turn(2, 2) > 0.999 && solid.shape == world::Solid::Shape::box;
+    const Eigen::Vector3d size_m = upright ? solid.size_m : Eigen::Vector3d(greatest_m - least_m);
+    const Eigen::Vector3d middle_m = (greatest_m + least_m) / 2.0;
+    const std::array<double, 3> place{middle_m.x(), middle_m.y(),
+                                      upright ? std::atan2(turn(1, 0), turn(0, 0)) : 0.0};
+    const std::array<double, 3> size{size_m.x(), size_m.y(), greatest_m.z()};
+    std::ranges::copy(place, boxes.place[boxes.count]);
+    std::ranges::copy(size, boxes.size[boxes.count]);
+    ++boxes.count;
+  }
+  return boxes;
+}
 
 Localization::Localization(msgclient::Client& client, const LocalizationOptions& options, std::uint64_t seed)
     : client_(client),

@@ -22,7 +22,8 @@ struct ActivePush {
 };
 
 // Of a world's things, in their order.
-[[nodiscard]] std::vector<int> bodies_of_things(const mjModel& model, const std::optional<world::World>& world);
+[[nodiscard]] std::vector<int> bodies_of_things(const mjModel& model,
+                                                const std::optional<world::World>& world);
 
 struct Plant::Implementation {
   Implementation(const urdf::RobotModel& robot, const PlantOptions& options);
@@ -36,8 +37,8 @@ struct Plant::Implementation {
   void read_foot(std::size_t foot);
   void read_wrench(std::size_t foot);
   [[nodiscard]] urdf::Wrench weight_on_sensor(std::size_t foot) const;
-  // The same state in a world with other solids. Throws std::invalid_argument where `newcomer` would lie inside
-  // the robot, and nothing has changed.
+  // The same state in a world with other solids. Throws std::invalid_argument where `newcomer` would lie
+  // inside the robot, and nothing has changed.
   void change_world(world::World next, std::string_view newcomer);
   [[nodiscard]] world::World& changeable_world();  // throws std::invalid_argument where there is none
   [[nodiscard]] world::World world_as_it_lies() const;

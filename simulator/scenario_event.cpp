@@ -1,5 +1,5 @@
-// Reads what happens in a scenario strictly: what isn't understood is refused with file, line, field, value and
-// rule.
+// Reads what happens in a scenario strictly: what isn't understood is refused with file, line, field, value
+// and rule.
 #include "gaitway/simulator/scenario_event.hpp"
 
 #include <fmt/format.h>
@@ -84,7 +84,8 @@ PluginFault read_plugin_fault(const YamlValue& value) {
   PluginFault fault;
   fault.plugin = value.at("plugin").text();
   const YamlValue how = value.at("how");
-  const auto found = std::ranges::find_if(core::kPluginFaultNames, [&](const auto& entry) { return entry.first == how.text(); });
+  const auto found = std::ranges::find_if(core::kPluginFaultNames,
+                                          [&](const auto& entry) { return entry.first == how.text(); });
   if (found == core::kPluginFaultNames.end()) {
     how.refuse("must be throws, not_a_number, jumps or overruns", "Choose one of them.");
   }

@@ -23,7 +23,8 @@ std::string list(const Eigen::Vector3d& v) {
 
 std::string frame_text(const can::Frame& frame) {
   std::string bytes;
-  for (std::size_t i = 0; i < frame.size; ++i) bytes += fmt::format("{}{}", i == 0 ? "" : ", ", frame.data[i]);
+  for (std::size_t i = 0; i < frame.size; ++i)
+    bytes += fmt::format("{}{}", i == 0 ? "" : ", ", frame.data[i]);
   return fmt::format("id: {}, data: [{}]{}{}", frame.id, bytes, frame.extended ? ", extended: true" : "",
                      frame.remote ? ", remote: true" : "");
 }
@@ -85,13 +86,13 @@ struct ActionText {
     return fmt::format("fault: {{kind: foreign_frame, {}}}", frame_text(fault.frame));
   }
   std::string operator()(const PluginFault& fault) const {
-    const std::string_view how =
-        std::ranges::find(core::kPluginFaultNames, fault.how, [](const auto& entry) { return entry.second; })
-            ->first;
-    return fmt::format("fault: {{kind: plugin_fails, plugin: {}, how: {}{}{}}}", quoted(fault.plugin),
-                       how, duration(fault.duration_s),
-                       fault.how == core::PluginFaultKind::overruns ? fmt::format(", cost_s: {}", fault.cost_s)
-                                                                    : "");
+    const std::string_view how = std::ranges::find(core::kPluginFaultNames, fault.how, [](const auto& entry) {
+                                   return entry.second;
+                                 })->first;
+    return fmt::format(
+        "fault: {{kind: plugin_fails, plugin: {}, how: {}{}{}}}", quoted(fault.plugin), how,
+        duration(fault.duration_s),
+        fault.how == core::PluginFaultKind::overruns ? fmt::format(", cost_s: {}", fault.cost_s) : "");
   }
   std::string operator()(const SpawnEvent& spawn) const {
     constexpr std::string_view kShapes[] = {"box", "cylinder", "sphere"};  // as Solid::Shape

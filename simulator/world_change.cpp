@@ -83,14 +83,16 @@ void require_room_for_one(std::size_t there, std::size_t most, const char* what)
 
 world::World& Plant::Implementation::changeable_world() {
   if (!world) {
-    throw std::invalid_argument("the robot is in no world, where nothing can be put: give one (--world empty)");
+    throw std::invalid_argument(
+        "the robot is in no world, where nothing can be put: give one (--world empty)");
   }
   return *world;
 }
 
 world::World Plant::Implementation::world_as_it_lies() const {
   world::World now = *world;
-  for (std::size_t i = 0; i < thing_body.size(); ++i) now.things[i].solid.pose = body_pose(*data, thing_body[i]);
+  for (std::size_t i = 0; i < thing_body.size(); ++i)
+    now.things[i].solid.pose = body_pose(*data, thing_body[i]);
   return now;
 }
 
@@ -116,7 +118,8 @@ void Plant::Implementation::change_world(world::World next, std::string_view new
   ContactReader next_contacts = contacts;
   next_contacts.follow(*next_model, changed);
   mj_step1(next_model.get(), next_data.get());
-  if (const int link = next_contacts.link_inside(*next_model, *next_data, changed->index_of(newcomer), kDeepest_m);
+  if (const int link =
+          next_contacts.link_inside(*next_model, *next_data, changed->index_of(newcomer), kDeepest_m);
       link >= 0) {
     throw std::invalid_argument("'" + std::string(newcomer) + "' would lie inside the robot's " +
                                 robot.links[static_cast<std::size_t>(link)].name + ": choose another place");
@@ -161,7 +164,8 @@ void Plant::put(const world::Solid& solid, const world::Colour& colour, std::opt
 void Plant::move(std::string_view name, const Eigen::Isometry3d& pose) {
   Implementation& self = *implementation_;
   world::World next = (static_cast<void>(self.changeable_world()), self.world_as_it_lies());
-  const auto thing = std::ranges::find(next.things, name, [](const world::Thing& one) { return one.solid.name; });
+  const auto thing =
+      std::ranges::find(next.things, name, [](const world::Thing& one) { return one.solid.name; });
   const bool was_put = std::ranges::find(self.put_names, name) != self.put_names.end();
   const auto fixed = std::ranges::find(next.solids, name, &world::Solid::name);
   if (thing != next.things.end()) {
@@ -169,8 +173,9 @@ void Plant::move(std::string_view name, const Eigen::Isometry3d& pose) {
   } else if (was_put && fixed != next.solids.end()) {
     fixed->pose = pose;
   } else if (fixed != next.solids.end()) {
-    throw std::invalid_argument("'" + std::string(name) +
-                                "' stands fast: only things that can be pushed, and what was put there, move");
+    throw std::invalid_argument(
+        "'" + std::string(name) +
+        "' stands fast: only things that can be pushed, and what was put there, move");
   } else {
     throw std::invalid_argument("the world has no '" + std::string(name) + "'. " +
                                 input::suggest(std::string(name), names_of(next)));

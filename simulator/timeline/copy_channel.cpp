@@ -45,7 +45,8 @@ bool CopyChannel::try_send(const nlohmann::json& message) const {
 bool CopyChannel::send_packet(const nlohmann::json& message, int passed, int flags) const {
   std::string text = message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (text.size() > kMostBytes) {
-    throw std::length_error("a message of " + std::to_string(text.size()) + " bytes between copies of the simulation");
+    throw std::length_error("a message of " + std::to_string(text.size()) +
+                            " bytes between copies of the simulation");
   }
   iovec piece{text.data(), text.size()};
   msghdr header{};
@@ -63,7 +64,8 @@ bool CopyChannel::send_packet(const nlohmann::json& message, int passed, int fla
   }
   while (sendmsg(socket_.get(), &header, MSG_NOSIGNAL | flags) < 0) {
     if (errno == EAGAIN || errno == EWOULDBLOCK) return false;
-    if (errno == EPIPE || errno == ECONNRESET) throw ChannelEnded("the other process of the simulation has ended");
+    if (errno == EPIPE || errno == ECONNRESET)
+      throw ChannelEnded("the other process of the simulation has ended");
     if (errno != EINTR) fail("cannot speak to a copy of the simulation");
   }
   return true;

@@ -6,7 +6,8 @@
 namespace gaitway::timeline {
 namespace {
 
-simulator::CosimulationOptions with_block(simulator::CosimulationOptions options, msgclient::MemoryBlock& block) {
+simulator::CosimulationOptions with_block(simulator::CosimulationOptions options,
+                                          msgclient::MemoryBlock& block) {
   options.memory_block = &block;
   return options;
 }

@@ -99,8 +99,7 @@ class SimulationCopy {
 }  // namespace
 
 CopyHandle::CopyHandle(CopyChannel channel, pid_t process)
-    : channel_(std::move(channel)),
-      process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
+    : channel_(std::move(channel)), process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
 
 CopyHandle& CopyHandle::operator=(CopyHandle&& other) noexcept {
   end();
@@ -119,7 +118,8 @@ void CopyHandle::end() noexcept {
   pollfd ended{process_.get(), POLLIN, 0};
   while (poll(&ended, 1, CopyChannel::kForEver) < 0 && errno == EINTR) {
   }
-  waitid(P_PIDFD, static_cast<id_t>(process_.get()), nullptr, WEXITED);  // where it is a child of this process
+  waitid(P_PIDFD, static_cast<id_t>(process_.get()), nullptr,
+         WEXITED);  // where it is a child of this process
   process_ = {};
 }
 
@@ -139,6 +139,8 @@ CopyHandle CopyHandle::copy() const {
 }
 
 CopyHandle start_simulation(const MakeRun& make, const Live& live) {
+  // Copies whose own parent has ended become this process's children, which it waits for.
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
   auto [ours, others] = CopyChannel::pair();
   const pid_t process = fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "no process for the simulation");

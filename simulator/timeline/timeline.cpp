@@ -53,10 +53,10 @@ void Timeline::send_events(const CopyChannel& channel, std::int64_t from_ns, std
 
 CopyHandle Timeline::at(std::int64_t at_ns) {
   if (bar_ && at_ns > bar_->first) {
-    throw std::invalid_argument(fmt::format("{:.3f} s cannot be reached: {} at {:.3f} s, which no replay does. "
-                                            "Choose an instant before that",
-                                            static_cast<double>(at_ns) * 1e-9, bar_->second,
-                                            static_cast<double>(bar_->first) * 1e-9));
+    throw std::invalid_argument(fmt::format(
+        "{:.3f} s cannot be reached: {} at {:.3f} s, which no replay does. "
+        "Choose an instant before that",
+        static_cast<double>(at_ns) * 1e-9, bar_->second, static_cast<double>(bar_->first) * 1e-9));
   }
   const auto before = std::prev(copies_.upper_bound(at_ns));
   CopyHandle copy = before->second.copy();

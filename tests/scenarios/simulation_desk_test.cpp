@@ -13,8 +13,8 @@
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulation/control_client.hpp"
-#include "gaitway/world/world_file.hpp"
 #include "gaitway/simulator/command_log.hpp"
+#include "gaitway/world/world_file.hpp"
 
 namespace gaitway::scenarios {
 namespace {
@@ -101,7 +101,7 @@ TEST(SimulationDesk, UnknownLinksAreRefusedByName) {
   const Answer answer = run.ask({.link = "tunk", .force_N = {1.0, 0.0, 0.0}, .duration_s = 0.1});
   EXPECT_FALSE(answer.accepted);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("link is 'tunk'"), HasSubstr("humanoid22"),
-                                   HasSubstr("Did you mean 'trunk'?")));
+                                 HasSubstr("Did you mean 'trunk'?")));
   EXPECT_THAT(run.log.events(), SizeIs(0));
 }
 

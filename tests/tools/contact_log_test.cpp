@@ -42,8 +42,9 @@ TEST(ContactLogTest, JoinsWhatIsNotBrokenForLong) {
 
 TEST(ContactLogTest, TellsLinksAndSolidsApart) {
   ContactLog log;
-  add(log, 1 * kMs, std::array{BodyContact{3, 1, 2.0}, BodyContact{4, 1, 2.0}, BodyContact{3, 2, 2.0},
-                              BodyContact{3, BodyContact::kFloor, 2.0}});
+  add(log, 1 * kMs,
+      std::array{BodyContact{3, 1, 2.0}, BodyContact{4, 1, 2.0}, BodyContact{3, 2, 2.0},
+                 BodyContact{3, BodyContact::kFloor, 2.0}});
   add(log, 2 * kMs, std::array{BodyContact{3, 2, 5.0}, BodyContact{3, 1, 1.0}});
   ASSERT_EQ(log.total(), 4U);
   EXPECT_EQ(log.episodes()[0].to_ns, 2 * kMs);

@@ -335,8 +335,8 @@ int run(const RunOptions& options) {
       : options.to ? Snapshots(kFirstPicture_s, 1.0, true)
                    : Snapshots(kFirstPicture_s, scenario.seconds / kPictures, false);
   RunTiming timing;
-  timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder, snapshots,
-                           ProgressLine(!options.quiet));
+  timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
+                           snapshots, ProgressLine(!options.quiet));
   const auto csv_started = Clock::now();
   write_states_csv(options.out / "states.csv", robot, recorder.samples());
   timing.wall_s += seconds_since(csv_started);

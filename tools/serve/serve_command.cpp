@@ -24,6 +24,7 @@
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
+#include "gaitway/simulator/command_log.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/pace.hpp"
 #include "gaitway/simulator/simulation_desk.hpp"
@@ -32,8 +33,9 @@
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/world_option.hpp"
-#include "gaitway/simulator/command_log.hpp"
+#include "tools/serve/api_entry.hpp"
 #include "tools/serve/module_keeper.hpp"
+#include "tools/serve/module_options.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -46,11 +48,7 @@ struct ServeOptions {
                                  "serve.yaml";  // plug-ins of the main controller, the api among them
   std::string profile;                          // of the bus; empty: what the robot's network file says
   bool accept_unproven = false;
-  std::string address = "127.0.0.1";
-  int port = 9090;
-  std::optional<int> stop_port;
-  std::string origins;  // further web origins that may connect, with commas between them
-  std::filesystem::path token_file, certificate_file, key_file, limits;
+  ModuleOptions module;
   std::optional<double> seconds;
   double speed = 1.0;  // times real time
   std::uint64_t seed = 1;
@@ -87,51 +85,12 @@ class ServeObserver final : public simulator::CosimulationObserver {
   simulator::CommandLog commands;
 };
 
-core::PluginEntry& api_of(core::Configuration& configuration) {
-  const auto api = std::ranges::find_if(
-      configuration.plugins, [](const core::PluginEntry& entry) { return entry.child.local_sockets; });
-  if (api == configuration.plugins.end()) {
-    throw std::invalid_argument(fmt::format(
-        "--config {}: has no plug-in that keeps a link to the user interface module. Add `api` with "
-        "`isolation: process` and `sockets: local`, as the shipped serve.yaml does",
-        configuration.file.string()));
-  }
-  return *api;
-}
-
 core::Configuration configuration_of(const ServeOptions& options, const std::string& link,
                                      const std::optional<world::World>& world) {
   core::Configuration configuration = core::read_configuration(options.config);
   add_navigation(configuration, world);
-  core::PluginEntry& api = api_of(configuration);
-  std::erase_if(api.parameters, [](const core::ParameterEntry& entry) { return entry.name == "link"; });
-  api.parameters.push_back({"link", link, api.line});
+  set_link(api_of(configuration), link);
   return configuration;
-}
-
-// The user interface module's command line.
-std::vector<std::string> module_arguments(const ServeOptions& options, const std::string& link,
-                                          const std::filesystem::path& simulation) {
-  std::vector<std::string> words{
-      "--robot",      options.robot.string(),
-      "--link",       link,
-      "--simulation", "unix:" + simulation.string(),
-      "--address",    options.address,
-      "--port",       std::to_string(options.port),
-      "--recordings", (std::filesystem::absolute(options.out) / "recordings").string()};
-  const auto add = [&words](const char* name, const std::string& value) {
-    if (!value.empty()) {
-      words.insert(words.end(), {name, value});
-    }
-  };
-  add("--profile", options.profile);
-  add("--origins", options.origins);
-  add("--token-file", options.token_file.string());
-  add("--certificate-file", options.certificate_file.string());
-  add("--key-file", options.key_file.string());
-  add("--limits", options.limits.string());
-  add("--stop-port", options.stop_port ? std::to_string(*options.stop_port) : "");
-  return words;
 }
 
 struct Loop {
@@ -216,7 +175,11 @@ int serve(const ServeOptions& options) {
     observer.commands.on_applied(push);
   });
 
-  const ModuleKeeper module(module_arguments(options, link, simulation));
+  const ModuleKeeper module(module_arguments(options.module, {.robot = options.robot,
+                                                              .profile = options.profile,
+                                                              .link = link,
+                                                              .simulation = "unix:" + simulation.string(),
+                                                              .recordings = options.out / "recordings"}));
 
   Loop loop{
       .run = run, .desk = desk, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
@@ -244,26 +207,7 @@ void declare_program(const CommandLine& app) {
   ServeOptions& options = command.runs(serve);
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
-  command.option("--port", options.port, "TCP port of the robot API; 0: any free one").between(0, 65535);
-  command
-      .option(
-          "--stop-port", options.stop_port,
-          "UDP port of stops by datagram (gaitway stop), at the same address; 0: none; without it one more "
-          "than the TCP port")
-      .between(0, 65535);
-  command.option("--address", options.address,
-                 "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
-                 "--key-file");
-  command.option(
-      "--origins", options.origins,
-      "Web origins that may connect besides this computer's, with commas between them; null: pages "
-      "from files");
-  command.option("--token-file", options.token_file, "File with the token that clients must know");
-  command.option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
-  command.option("--key-file", options.key_file, "Its private key (PEM)");
-  command.option(
-      "--limits", options.limits,
-      "Limits of clients (YAML: name: value) in place of the shipped ones; docs/api.md lists them");
+  add_module_options(command, options.module);
   command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop")
       .between(0.001, 86400.0 * 365.0);
   command.option("--speed", options.speed, "Times real time").between(0.01, 100.0);

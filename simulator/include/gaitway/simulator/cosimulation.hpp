@@ -80,8 +80,8 @@ class Cosimulation {
   // are not copied. Once; copies of the copy go on by themselves. Throws std::system_error.
   void keep_to_this_process() { memory_block_.keep_to_this_process(); }
   // From now on people command the robot, as with `obey_walk_requests` from the start: requests that lie in
-  // the topics already do not count, and a walk that the scenario asked for ends soon, as that of somebody who
-  // has gone; a way or motion goes on.
+  // the topics already do not count, and a walk that the scenario asked for ends soon, as that of somebody
+  // who has gone; a way or motion goes on.
   void hand_to_people();
 
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
@@ -145,7 +145,7 @@ class Cosimulation {
   std::optional<msgcontroller::WayRequests> way_requests_;
   std::uint32_t ways_asked_ = 0;
   std::optional<Localization> localization_;
-  WalkCommand scenario_walk_{};      // the newest one
+  WalkCommand scenario_walk_{};  // the newest one
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 #include <random>
+#include <span>
 
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -21,8 +22,11 @@ struct LocalizationOptions {
   double deviation_rad = 0.01;
 };
 
-// Writes the topic `pose_measurement`, and `obstacles` as soon as something has been put into the world that the
-// robot's map does not have, where nobody else writes it.
+// Upright boxes on the ground around each of them, as something that looks down sees them.
+[[nodiscard]] Obstacles boxes_around(std::span<const world::Solid> solids);
+
+// Writes the topic `pose_measurement`, and `obstacles` as soon as something has been put into the world that
+// the robot's map does not have, where nobody else writes it.
 class Localization {
  public:
   // Throws msgclient::TopicError when somebody else writes the topic.

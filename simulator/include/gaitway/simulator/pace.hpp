@@ -14,8 +14,8 @@ class Pace {
  public:
   // `speed`: times real time.
   explicit Pace(double speed);
-  // Waits for the next one. False: told to stop by a signal, or a descriptor is readable before it is due; then
-  // it is still to come.
+  // Waits for the next one. False: told to stop by a signal, or a descriptor is readable before it is due;
+  // then it is still to come.
   bool wait(std::span<pollfd> descriptors);
   // From now on.
   void set_speed(double speed);

@@ -133,8 +133,8 @@ class Plant {
   void push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s);
 
   // Changes of the world while the robot is in it; what moves there goes on as it did. From the next step on.
-  // All throw std::invalid_argument, with name, rule and remedy, and nothing has changed: without a world, for
-  // a name that is taken, or that nothing has, and where the solid would lie inside the robot.
+  // All throw std::invalid_argument, with name, rule and remedy, and nothing has changed: without a world,
+  // for a name that is taken, or that nothing has, and where the solid would lie inside the robot.
   //
   // `mass_kg`: none: it stands fast.
   void put(const world::Solid& solid, const world::Colour& colour, std::optional<double> mass_kg);

@@ -1,5 +1,5 @@
-// The whole robot in virtual time, told what happens on the time line and when: the same gives the same to the
-// bit, which its digest shows.
+// The whole robot in virtual time, told what happens on the time line and when: the same gives the same to
+// the bit, which its digest shows.
 #pragma once
 
 #include <cstdint>

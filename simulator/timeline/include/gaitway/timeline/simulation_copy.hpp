@@ -1,15 +1,14 @@
-// A process that is a copy of the simulation at one instant of its time line. It waits there for what it is told:
-// to be copied once more, to replay up to a later instant, or to become the one that people see.
+// A process that is a copy of the simulation at one instant of its time line. It waits there for what it is
+// told: to be copied once more, to replay up to a later instant, or to become the one that people see.
 //
 // | told ("do") | what it does | answer |
 // |---|---|---|
-// | copy | makes a copy of itself, which waits at the same instant | copied: its process; its channel comes along |
-// | events | keeps further events for the replay | none |
-// | advance | replays to `to_ns` | at_ns, digest |
-// | live | becomes the simulation that runs (live_simulation.hpp) | that one's |
+// | copy | makes a copy of itself, which waits at the same instant | copied: its process; its channel comes
+// along | | events | keeps further events for the replay | none | | advance | replays to `to_ns` | at_ns,
+// digest | | live | becomes the simulation that runs (live_simulation.hpp) | that one's |
 //
-// What throws is told as {"failed": why}, and the process ends. It ends, too, when the other end of its channel
-// is closed.
+// What throws is told as {"failed": why}, and the process ends. It ends, too, when the other end of its
+// channel is closed.
 #pragma once
 
 #include <sys/types.h>
@@ -48,8 +47,8 @@ class CopyHandle {
   process::FileDescriptor process_;  // a pidfd
 };
 
-// The first copy, in a process of its own that this one makes: where there is no other thread yet. Returns when
-// the simulation is there. Throws std::runtime_error with what `make` threw.
+// The first copy, in a process of its own that this one makes: where there is no other thread yet. Returns
+// when the simulation is there. Throws std::runtime_error with what `make` threw.
 [[nodiscard]] CopyHandle start_simulation(const MakeRun& make, const Live& live);
 
 }  // namespace gaitway::timeline

@@ -1,5 +1,5 @@
-// The time line of a simulation: what has happened on it, and copies of the simulation that wait at some of its
-// instants, so that any of them is reached by a short replay.
+// The time line of a simulation: what has happened on it, and copies of the simulation that wait at some of
+// its instants, so that any of them is reached by a short replay.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ class Timeline {
   // `start`: the simulation at 0.
   explicit Timeline(CopyHandle start);
 
-  // The simulation that runs has come to `until_ns`; `events` happened since the last call. `digests`: its own,
-  // at instants of kSpacing_ns.
+  // The simulation that runs has come to `until_ns`; `events` happened since the last call. `digests`: its
+  // own, at instants of kSpacing_ns.
   void extend(std::int64_t until_ns, std::span<const TimedEvent> events);
   void note_digest(std::int64_t at_ns, std::uint64_t digest);
   // What happened from there on is forgotten.
@@ -33,14 +33,17 @@ class Timeline {
   // From there on nothing can be replayed, for this reason.
   void bar(std::int64_t at_ns, std::string why);
 
-  // A copy of the simulation as it was at that instant, 0 to recorded_ns(). Takes as long as the replay from the
-  // copy before it. Throws std::invalid_argument: beyond a bar; ChannelEnded, std::runtime_error: it failed.
+  // A copy of the simulation as it was at that instant, 0 to recorded_ns(). Takes as long as the replay from
+  // the copy before it. Throws std::invalid_argument: beyond a bar; ChannelEnded, std::runtime_error: it
+  // failed.
   [[nodiscard]] CopyHandle at(std::int64_t at_ns);
 
   // Makes copies while the simulation goes on. Throws as at() does.
   void keep_up();
   // Readable when keep_up() has something to do; -1: nothing is awaited.
-  [[nodiscard]] int wake_fd() const noexcept { return on_the_way_ ? on_the_way_->handle.channel().descriptor() : -1; }
+  [[nodiscard]] int wake_fd() const noexcept {
+    return on_the_way_ ? on_the_way_->handle.channel().descriptor() : -1;
+  }
 
   [[nodiscard]] std::int64_t recorded_ns() const noexcept { return recorded_ns_; }
   [[nodiscard]] std::span<const TimedEvent> events() const noexcept { return events_; }
