@@ -76,6 +76,9 @@ class SimulationCopy {
 // Neither destructors nor exit handlers run: what they would clean up is another process's.
 [[noreturn]] void be_the_first(CopyChannel channel, const MakeRun& make, const Live& live) {
   leave_signals_to_the_program();
+  // What is left of copies whose own parent has ended comes to this process, which lives as long as the
+  // simulation and leaves no zombies, since it ignores SIGCHLD.
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
   const CopyChannel* said_to = &channel;
   std::optional<SimulationCopy> copy;
   try {
@@ -139,8 +142,6 @@ CopyHandle CopyHandle::copy() const {
 }
 
 CopyHandle start_simulation(const MakeRun& make, const Live& live) {
-  // Copies whose own parent has ended become this process's children, which it waits for.
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
   auto [ours, others] = CopyChannel::pair();
   const pid_t process = fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "no process for the simulation");

@@ -19,6 +19,12 @@ Timeline::Timeline(CopyHandle start) {
   copies_.emplace(0, std::move(start));
 }
 
+// The first one last: what is left of the others comes to it.
+Timeline::~Timeline() {
+  on_the_way_.reset();
+  while (!copies_.empty()) copies_.erase(std::prev(copies_.end()));
+}
+
 void Timeline::extend(std::int64_t until_ns, std::span<const TimedEvent> events) {
   events_.insert(events_.end(), events.begin(), events.end());
   recorded_ns_ = std::max(recorded_ns_, until_ns);

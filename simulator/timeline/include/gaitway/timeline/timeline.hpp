@@ -23,6 +23,9 @@ class Timeline {
 
   // `start`: the simulation at 0.
   explicit Timeline(CopyHandle start);
+  ~Timeline();
+  Timeline(const Timeline&) = delete;
+  Timeline& operator=(const Timeline&) = delete;
 
   // The simulation that runs has come to `until_ns`; `events` happened since the last call. `digests`: its
   // own, at instants of kSpacing_ns.
