@@ -30,8 +30,8 @@ double seconds_of(std::int64_t time_ns) noexcept {
 double number_of(const json& order, const char* field, double least, double most, const char* unit) {
   const auto value = order.find(field);
   if (value == order.end() || !value->is_number()) {
-    throw std::invalid_argument(fmt::format("{} is missing: it must be a number from {} to {} {}", field, least,
-                                            most, unit));
+    throw std::invalid_argument(
+        fmt::format("{} is missing: it must be a number from {} to {} {}", field, least, most, unit));
   }
   const double number = value->get<double>();
   if (!(number >= least && number <= most)) {
@@ -45,7 +45,8 @@ double number_of(const json& order, const char* field, double least, double most
 void check_passed_on(const json& order, const std::string& what) {
   if (what == "step") static_cast<void>(number_of(order, "milliseconds", 1, kMostSteps_ms, "ms"));
   if (what == "apply" && !(order.contains("event") && order.at("event").is_string())) {
-    throw std::invalid_argument("event is missing: it must be the text of a scenario's event, as {push: {...}}");
+    throw std::invalid_argument(
+        "event is missing: it must be the text of a scenario's event, as {push: {...}}");
   }
 }
 
@@ -282,17 +283,21 @@ json Director::state() const {
   }
   std::string text = failure_;
   if (timeline_.differences() > 0) {
-    text += fmt::format("{}{} replays ended elsewhere than the simulation that ran: something in it is not "
-                        "deterministic",
-                        text.empty() ? "" : "; ", timeline_.differences());
+    text += fmt::format(
+        "{}{} replays ended elsewhere than the simulation that ran: something in it is not "
+        "deterministic",
+        text.empty() ? "" : "; ", timeline_.differences());
   }
   result.update({{"recorded_s", seconds_of(timeline_.recorded_ns())},
-                 {"state", !failure_.empty() ? "failed" : playing_ ? "playing" : "paused"},
+                 {"state", !failure_.empty() ? "failed"
+                           : playing_        ? "playing"
+                                             : "paused"},
                  {"text", text},
                  {"speed", speed_},
                  {"pace", playing_ ? pace_ : 0.0},
                  {"world", options_.world},
                  {"run", run_},
+                 {"process", live_ ? live_->process() : 0},  // for debuggers
                  {"events", events},
                  {"marks", marks}});
   return result;

@@ -31,8 +31,8 @@ constexpr std::int64_t kReport_ns = 20 * kMillisecond_ns;  // by the wall clock
 constexpr std::int64_t kPrint_ns = 100 * kMillisecond_ns;  // of the robot's time
 constexpr int kPausedLook_ms = 20;
 
-// The robot's side of the robot API comes into a robot that has been without so far, and people's orders count
-// from then on.
+// The robot's side of the robot API comes into a robot that has been without so far, and people's orders
+// count from then on.
 class PeoplesAccess {
  public:
   PeoplesAccess(const LiveOptions& options, ReplayedRun& run)
@@ -123,7 +123,8 @@ class LiveSimulation final : public simulator::CosimulationObserver {
     run_.advance_millisecond();
     if (core::is_tick(now_ns)) access_.step(now_ns);
     if (access_.take_change() && bar_.is_null()) bar_ = {now_ns, "a plug-in was changed"};
-    if (run_.now_ns() % options_.digest_every_ns == 0) digests_.push_back({run_.now_ns(), replayed_.digest()});
+    if (run_.now_ns() % options_.digest_every_ns == 0)
+      digests_.push_back({run_.now_ns(), replayed_.digest()});
     if (!options_.quiet && now_ns % kPrint_ns == 0) printer_.print(run_.main_controller().events());
   }
 
@@ -180,7 +181,8 @@ class LiveSimulation final : public simulator::CosimulationObserver {
                          mark_of(timed(event, run_.robot())) != "command";
     if (!is_done) {
       throw std::invalid_argument(
-          "event is an order to the robot, but must be push, fault, spawn, move or remove: the robot API takes "
+          "event is an order to the robot, but must be push, fault, spawn, move or remove: the robot API "
+          "takes "
           "orders (/walk_to, /stand, /play_motion, ...)");
     }
   }
@@ -205,13 +207,10 @@ class LiveSimulation final : public simulator::CosimulationObserver {
     if (!must_arrive && wall_ns - reported_ns_ < kReport_ns) return;
     std::vector<TimedEvent> events;
     const auto& logged = log_.events();
-    for (std::size_t i = events_told_; i < logged.size(); ++i) events.push_back(timed(logged[i], run_.robot()));
-    json message{{"at_ns", run_.now_ns()},
-                 {"playing", playing_},
-                 {"events", to_json(events)},
-                 {"digests", digests_},
-                 {"bar", bar_},
-                 {"state", state_.describe()}};
+    for (std::size_t i = events_told_; i < logged.size(); ++i)
+      events.push_back(timed(logged[i], run_.robot()));
+    json message{{"at_ns", run_.now_ns()}, {"playing", playing_}, {"events", to_json(events)},
+                 {"digests", digests_},    {"bar", bar_},         {"state", state_.describe()}};
     if (must_arrive) {
       channel_.send(message);
     } else if (!channel_.try_send(message)) {

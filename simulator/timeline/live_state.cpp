@@ -47,8 +47,8 @@ const char* name_of(world::Solid::Shape shape) {
   return kNames[static_cast<std::size_t>(shape)];
 }
 
-// The frame `odometry` in the world: there the estimated base lies over the true one, and the more loaded sole is
-// at height 0.
+// The frame `odometry` in the world: there the estimated base lies over the true one, and the more loaded
+// sole is at height 0.
 json odometry_json(const simulator::Plant& plant, const Estimate& estimate) {
   const simulator::PlantTruth truth = plant.truth();
   const double yaw = yaw_of(truth.base) - estimate.odometry_base[2];

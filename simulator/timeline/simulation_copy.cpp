@@ -102,11 +102,14 @@ class SimulationCopy {
 }  // namespace
 
 CopyHandle::CopyHandle(CopyChannel channel, pid_t process)
-    : channel_(std::move(channel)), process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
+    : channel_(std::move(channel)),
+      id_(process),
+      process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
 
 CopyHandle& CopyHandle::operator=(CopyHandle&& other) noexcept {
   end();
   channel_ = std::move(other.channel_);
+  id_ = other.id_;
   process_ = std::move(other.process_);
   return *this;
 }

@@ -28,13 +28,12 @@ void add_module_options(const CommandLine& command, ModuleOptions& options) {
 
 std::vector<std::string> module_arguments(const ModuleOptions& options,
                                           const ModuleSurroundings& surroundings) {
-  std::vector<std::string> words{
-      "--robot",      surroundings.robot.string(),
-      "--link",       surroundings.link,
-      "--simulation", surroundings.simulation,
-      "--address",    options.address,
-      "--port",       std::to_string(options.port),
-      "--recordings", std::filesystem::absolute(surroundings.recordings).string()};
+  std::vector<std::string> words{"--robot",      surroundings.robot.string(),
+                                 "--link",       surroundings.link,
+                                 "--simulation", surroundings.simulation,
+                                 "--address",    options.address,
+                                 "--port",       std::to_string(options.port),
+                                 "--recordings", std::filesystem::absolute(surroundings.recordings).string()};
   const auto add = [&words](const char* name, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {name, value});
   };

@@ -1,4 +1,5 @@
-// `gaitway simulator`: a simulated robot in a world, with a page to walk it, plan, push, break, pause and rewind.
+// `gaitway simulator`: a simulated robot in a world, with a page to walk it, plan, push, break, pause and
+// rewind.
 
 #include <fmt/format.h>
 
@@ -59,17 +60,20 @@ struct Sockets {
 
 // All plug-ins but the robot's side of the API, which comes when the simulation goes live. None has a process
 // of its own: a simulation that is copied has no other processes.
-core::Configuration plugins_of(const SimulatorOptions& options, const world::World& world, core::PluginEntry& api) {
+core::Configuration plugins_of(const SimulatorOptions& options, const world::World& world,
+                               core::PluginEntry& api) {
   core::Configuration configuration = core::read_configuration(options.config);
   add_navigation(configuration, world);
   api = api_of(configuration);
-  std::erase_if(configuration.plugins, [&api](const core::PluginEntry& entry) { return entry.name == api.name; });
+  std::erase_if(configuration.plugins,
+                [&api](const core::PluginEntry& entry) { return entry.name == api.name; });
   for (core::PluginEntry& entry : configuration.plugins) {
     if (entry.isolation == core::Isolation::none) continue;
-    fmt::print(stderr,
-               "gaitway simulator: {}, line {}: plug-in '{}' runs in the simulation's own process here, since no "
-               "other can be rewound\n",
-               configuration.file.string(), entry.line, entry.name);
+    fmt::print(
+        stderr,
+        "gaitway simulator: {}, line {}: plug-in '{}' runs in the simulation's own process here, since no "
+        "other can be rewound\n",
+        configuration.file.string(), entry.line, entry.name);
     entry.isolation = core::Isolation::none;
   }
   return configuration;
@@ -126,13 +130,13 @@ int simulate(const SimulatorOptions& options) {
         timeline::live(live, run, channel, told);
       });
   WayPreview preview(robot, world);
-  timeline::Director director(
-      std::move(start),
-      {.socket = sockets.orders,
-       .playing = !options.paused,
-       .speed = options.speed,
-       .world = world.name,
-       .plan_way = [&preview](const auto& goal, const auto& state) { return preview.plan(goal, state); }});
+  timeline::Director director(std::move(start), {.socket = sockets.orders,
+                                                 .playing = !options.paused,
+                                                 .speed = options.speed,
+                                                 .world = world.name,
+                                                 .plan_way = [&preview](const auto& goal, const auto& state) {
+                                                   return preview.plan(goal, state);
+                                                 }});
   const ModuleKeeper module(module_arguments(options.module, {.robot = options.robot,
                                                               .profile = options.profile,
                                                               .link = "unix:" + sockets.link.string(),
@@ -157,7 +161,8 @@ void declare_program(const CommandLine& app) {
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
   add_module_options(command, options.module);
-  command.option("--speed", options.speed, "Times real time, at first").between(timeline::kSlowest, timeline::kFastest);
+  command.option("--speed", options.speed, "Times real time, at first")
+      .between(timeline::kSlowest, timeline::kFastest);
   command.option("--paused", options.paused, "Begin paused");
   command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop")
       .between(0.001, 86400.0 * 365.0);

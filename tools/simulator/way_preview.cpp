@@ -48,7 +48,8 @@ json WayPreview::plan(const std::array<double, 3>& goal, const json& state) {
                      {"pose", {step.pose.x_m, step.pose.y_m, step.pose.yaw_rad}},
                      {"height", step.height_m}});
   }
-  return {{"steps", steps}, {"feet", feet}, {"seconds", static_cast<double>(plan.steps.size()) * step_time_s_}};
+  return {
+      {"steps", steps}, {"feet", feet}, {"seconds", static_cast<double>(plan.steps.size()) * step_time_s_}};
 }
 
 }  // namespace gaitway::tools

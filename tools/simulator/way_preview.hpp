@@ -1,5 +1,5 @@
-// Footsteps to a place before the robot walks there, as its plug-in `navigation` would plan them: from where the
-// simulated robot's feet are, around what stands there now.
+// Footsteps to a place before the robot walks there, as its plug-in `navigation` would plan them: from where
+// the simulated robot's feet are, around what stands there now.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ class WayPreview {
   // Throws std::invalid_argument as the planner does.
   WayPreview(const urdf::RobotModel& robot, const world::World& world);
 
-  // `state`: of the simulation (timeline/README.md). Throws std::invalid_argument with the reason why there is no
-  // way.
+  // `state`: of the simulation (timeline/README.md). Throws std::invalid_argument with the reason why there
+  // is no way.
   [[nodiscard]] nlohmann::json plan(const std::array<double, 3>& goal, const nlohmann::json& state);
 
  private:

@@ -144,7 +144,7 @@ class Plant {
   void remove(std::string_view name);
   // Solids that were put there, as they lie now.
   [[nodiscard]] std::vector<world::Solid> put_solids() const;
-  // Rises whenever the world has other solids than before, or one that stands fast stands elsewhere.
+  // Rises with each of these changes.
   [[nodiscard]] std::uint32_t geometry() const noexcept;
 
   // The same model from the same start, fed the given torques (motor_torque_Nm, one row for each step,

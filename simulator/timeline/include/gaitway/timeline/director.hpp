@@ -1,5 +1,5 @@
-// Carries out what people and programs ask of a simulation that has a time line: play, pause, step, speed, reset,
-// seek, and what is done to the robot and its world. README.md lists the orders.
+// Carries out what people and programs ask of a simulation that has a time line: play, pause, step, speed,
+// reset, seek, and what is done to the robot and its world. README.md lists the orders.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace gaitway::timeline {
 
-// The JSON that an order `plan` is answered with, for a goal (x m, y m, yaw rad) and the state of the simulation
-// (live_state.hpp). Throws std::exception: why there is no way.
+// The JSON that an order `plan` is answered with, for a goal (x m, y m, yaw rad) and the state of the
+// simulation (live_state.hpp). Throws std::exception: why there is no way.
 using PlanWay = std::function<nlohmann::json(const std::array<double, 3>& goal, const nlohmann::json& state)>;
 
 struct DirectorOptions {
@@ -35,7 +35,8 @@ inline constexpr int kMostSteps_ms = 10'000;              // at once
 
 class Director {
  public:
-  // `start`: the simulation at 0. Throws process::SocketError, and what the start of the live simulation throws.
+  // `start`: the simulation at 0. Throws process::SocketError, and what the start of the live simulation
+  // throws.
   Director(CopyHandle start, DirectorOptions options);
 
   // Waits for what comes, at most so long, and does it.

@@ -37,6 +37,7 @@ class CopyHandle {
   // A copy of the same instant. Throws ChannelEnded, std::runtime_error with why it failed.
   [[nodiscard]] CopyHandle copy() const;
   [[nodiscard]] const CopyChannel& channel() const noexcept { return channel_; }
+  [[nodiscard]] pid_t process() const noexcept { return id_; }
   // The next packet. Throws std::runtime_error when it says that the copy failed, ChannelEnded.
   [[nodiscard]] std::optional<CopyChannel::Packet> receive(int patience_ms) const;
 
@@ -44,7 +45,8 @@ class CopyHandle {
   void end() noexcept;
 
   CopyChannel channel_;
-  process::FileDescriptor process_;  // a pidfd
+  pid_t id_ = 0;
+  process::FileDescriptor process_;  // a pidfd of it
 };
 
 // The first copy, in a process of its own that this one makes: where there is no other thread yet. Returns
