@@ -38,7 +38,8 @@ TEST_F(WorldTest, BeginsOnTheSoleThatIsLower) {
   PlantOptions options{.mismatch = 0.0, .sensor_noise = false};
   for (const urdf::Joint& joint : model_.joints) {
     const bool leans = joint.name == "left_ankle_pitch" || joint.name == "right_ankle_pitch";
-    options.start_rad.push_back(joint.home_rad + (leans ? 0.1 : 0.0) + (joint.name == "right_knee" ? 0.4 : 0.0));
+    options.start_rad.push_back(joint.home_rad + (leans ? 0.1 : 0.0) +
+                                (joint.name == "right_knee" ? 0.4 : 0.0));
   }
   const Plant robot(model_, options);
   EXPECT_NEAR(robot.ground_contact().sole[0].linear()(2, 2), 1.0, 1e-9);
