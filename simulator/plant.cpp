@@ -53,6 +53,14 @@ PointVelocity point_velocity(const mjModel& model, const mjData& data, int body,
 
 }  // namespace
 
+std::vector<int> bodies_of_things(const mjModel& model, const std::optional<world::World>& world) {
+  std::vector<int> bodies;
+  for (std::size_t i = 0; world && i < world->things.size(); ++i) {
+    bodies.push_back(mj_name2id(&model, mjOBJ_BODY, world_name(world->things[i].solid).c_str()));
+  }
+  return bodies;
+}
+
 Plant::Implementation::Implementation(const urdf::RobotModel& description, const PlantOptions& options)
     : robot(description),
       mismatch_random(options.seed, 0x6D69'736D'6174'6368ULL),
@@ -60,7 +68,7 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
       condition_random(options.seed, 0x636F'6E64'6974'696FULL),
       noise(options.sensor_noise),
       mismatch(draw_mismatch(robot, mismatch_random, options.mismatch)),
-      body_conditions(options.conditions.body),
+      conditions(options.conditions),
       ground(ground_rotation(options.conditions.ground)),
       world(options.world),
       world_ground(world ? std::optional<WorldGround>(*world) : std::nullopt),
@@ -77,9 +85,7 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
     velocity_address.push_back(model->jnt_dofadr[hinge]);
     zero_error_rad.push_back(options.mismatch * kZeroDeviation_rad * mismatch_random.normal());
   }
-  for (std::size_t i = 0; world && i < world->things.size(); ++i) {
-    thing_body.push_back(mj_name2id(model.get(), mjOBJ_BODY, world_name(world->things[i].solid).c_str()));
-  }
+  thing_body = bodies_of_things(*model, world);
   set_home();
   draw_sensor_faults();
   tiles.follow(*model, Eigen::Map<const Eigen::Vector3d>(home.data()));
@@ -121,13 +127,13 @@ void Plant::Implementation::set_home() {
 
 void Plant::Implementation::draw_sensor_faults() {
   for (double& bias : gyro_bias_rad_per_s) {
-    bias = body_conditions.gyro_bias_deviation_rad_per_s * condition_random.normal();
+    bias = conditions.body.gyro_bias_deviation_rad_per_s * condition_random.normal();
   }
   for (auto& foot : cell_gain) {
-    for (double& gain : foot) gain = 1.0 + body_conditions.cell_gain_deviation * condition_random.normal();
+    for (double& gain : foot) gain = 1.0 + conditions.body.cell_gain_deviation * condition_random.normal();
   }
-  if (body_conditions.dead_cell)
-    cell_gain[static_cast<std::size_t>(body_conditions.dead_cell->foot)][body_conditions.dead_cell->cell] =
+  if (conditions.body.dead_cell)
+    cell_gain[static_cast<std::size_t>(conditions.body.dead_cell->foot)][conditions.body.dead_cell->cell] =
         0.0;
 }
 
@@ -151,7 +157,7 @@ void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
     const double velocity = data->qvel[address];
     const bool driving = command_Nm[j] * velocity > 0.0;
     const double fade = driving ? std::max(0.0, 1.0 - std::abs(velocity) / motor.speed_limit_rad_per_s) : 1.0;
-    const double limit = motor.torque_limit_Nm * body_conditions.torque_factor * fade;
+    const double limit = motor.torque_limit_Nm * conditions.body.torque_factor * fade;
     // In single precision, so that a record of the torques replays to the bit.
     const double torque = static_cast<double>(static_cast<float>(std::clamp(command_Nm[j], -limit, limit)));
     sensors.motor_torque_Nm[j] = torque;

@@ -94,6 +94,7 @@ inline constexpr std::array kCommands{
     Command{"run", "Run the simulated robot headless, faster than real time, and report"},
     Command{"api", "The robot API's reference"},
     Command{"serve", "Serve the simulated robot in paced real time, with the robot API"},
+    Command{"simulator", "Try things in a simulated world: goals by click, pushes, faults, pause, rewind"},
     Command{"stop", "Stop a robot by datagram, beside whatever connections it has"},
     Command{"dev", "Watch a plug-in's sources; put each new build into the walking robot"},
     Command{"ctl", "Command a running robot, and change its plug-ins"},

@@ -133,41 +133,44 @@ void ControlServer::take(Client& client, const Request& request) {
 }
 
 void ControlServer::take_push(Client& client, const Request& request) {
-  Answer answer{.number = request.number};
+  const auto ticket = open(client, request.number);
+  if (!ticket) return;
   try {
-    on_push_(push_of(request));
-    answer.accepted = true;
+    if (on_push_(*ticket, push_of(request))) answer(*ticket, true, {});
   } catch (const std::exception& error) {
-    answer.text = error.what();
+    answer(*ticket, false, error.what());
   }
-  finish(client, answer);
 }
 
 void ControlServer::take_order(Client& client, const Request& request) {
-  const auto refuse = [&](std::string why) {
-    finish(client, {.number = request.number, .text = std::move(why)});
-  };
   if (!on_order_) {
-    return refuse("this simulator takes pushes alone: `gaitway simulator` takes orders, too");
+    return finish(client,
+                  {.number = request.number,
+                   .text = "this simulator takes pushes alone: `gaitway simulator` takes orders, too"});
   }
-  if (client.open.size() >= kMostOpenOrders) {
-    return refuse(
-        std::to_string(client.open.size()) +
-        " orders of this client wait for their answers, and no more may: wait for one of them first");
-  }
-  if (std::ranges::find(client.open, request.number) != client.open.end()) {
-    return refuse("number is " + std::to_string(request.number) +
-                  ", but must not be one of an order that waits for its answer");
-  }
-  const Ticket ticket{client.id, request.number};
-  client.open.push_back(ticket.number);
+  const auto ticket = open(client, request.number);
+  if (!ticket) return;
   try {
-    if (const auto json = on_order_(ticket, order_of(request))) {
-      answer(ticket, true, *json);
-    }
+    if (const auto json = on_order_(*ticket, order_of(request))) answer(*ticket, true, *json);
   } catch (const std::exception& error) {
-    answer(ticket, false, error.what());
+    answer(*ticket, false, error.what());
   }
+}
+
+std::optional<Ticket> ControlServer::open(Client& client, std::uint32_t number) {
+  const auto refuse = [&](std::string why) { finish(client, {.number = number, .text = std::move(why)}); };
+  if (client.open.size() >= kMostOpen) {
+    refuse(std::to_string(client.open.size()) +
+           " requests of this client wait for their answers, and no more may: wait for one of them first");
+    return std::nullopt;
+  }
+  if (std::ranges::find(client.open, number) != client.open.end()) {
+    refuse("number is " + std::to_string(number) +
+           ", but must not be one of a request that waits for its answer");
+    return std::nullopt;
+  }
+  client.open.push_back(number);
+  return Ticket{client.id, number};
 }
 
 void ControlServer::answer(const Ticket& ticket, bool accepted, const std::string& text) {

@@ -42,7 +42,11 @@ class Simulator {
   explicit Simulator(const std::filesystem::path& path)
       : path_(path),
         server_(
-            path, [this](const Push& push) { take(push); },
+            path,
+            [this](const Ticket&, const Push& push) {
+              take(push);
+              return true;
+            },
             [this](const Ticket& ticket, std::string_view order) { return take(ticket, order); }),
         decent_(path) {
     step();

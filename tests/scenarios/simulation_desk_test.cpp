@@ -13,8 +13,8 @@
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulation/control_client.hpp"
+#include "gaitway/simulator/command_log.hpp"
 #include "gaitway/world/world_file.hpp"
-#include "tools/serve/command_log.hpp"
 
 namespace gaitway::scenarios {
 namespace {
@@ -65,12 +65,12 @@ class AskedRun {
   [[nodiscard]] double x_m() const { return run->plant().truth().com_m.x(); }
 
   std::unique_ptr<simulator::Cosimulation> run = new_run();
-  tools::CommandLog log{*run};
+  simulator::CommandLog log{*run};
 
  private:
   process::PrivateFolder folder_{"gaitway_desk_test"};
   simulator::SimulationDesk desk_{*run, folder_.path() / "simulation.sock",
-                                  [this](const auto& event) { log.on_push(event); }};
+                                  [this](const auto& event) { log.on_applied(event); }};
   simulation::ControlClient client_{folder_.path() / "simulation.sock"};
 };
 
@@ -101,14 +101,14 @@ TEST(SimulationDesk, UnknownLinksAreRefusedByName) {
   const Answer answer = run.ask({.link = "tunk", .force_N = {1.0, 0.0, 0.0}, .duration_s = 0.1});
   EXPECT_FALSE(answer.accepted);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("link is 'tunk'"), HasSubstr("humanoid22"),
-                                   HasSubstr("Did you mean 'trunk'?")));
+                                 HasSubstr("Did you mean 'trunk'?")));
   EXPECT_THAT(run.log.events(), SizeIs(0));
 }
 
 TEST(SimulationDesk, NoMorePushesAtOnceThanPeopleHaveHands) {
   AskedRun run;
   const Push light{.link = "trunk", .force_N = {0.1, 0.0, 0.0}, .duration_s = 0.5};
-  for (std::size_t i = 0; i < simulator::SimulationDesk::kMostPushes; ++i) {
+  for (std::size_t i = 0; i < simulator::PushTaker::kMostPushes; ++i) {
     EXPECT_TRUE(run.ask(light).accepted);
   }
   EXPECT_THAT(run.ask(light).text, HasSubstr("8 pushes are under way"));
@@ -175,7 +175,7 @@ TEST(SimulationDesk, ItsRecordNamesTheWorld) {
   options.main_controller.configuration = GAITWAY_CONFIGURATION;
   options.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
   simulator::Cosimulation run(robot(), options);
-  process::write_text_file(file, tools::CommandLog(run).scenario(1.0));
+  process::write_text_file(file, simulator::CommandLog(run).scenario(1.0));
   const simulator::Scenario scenario = simulator::load_scenario(file, robot());
   ASSERT_TRUE(scenario.world);
   const world::World again = world::load_world(*scenario.world);

@@ -26,11 +26,13 @@ class ControlChannelTest : public testing::Test {
 
   void start() {
     server.reset();
-    server = std::make_unique<ControlServer>(path, [this](const Push& push) {
+    server = std::make_unique<ControlServer>(path, [this](const Ticket& ticket, const Push& push) {
       if (push.link == "wall") {
         throw std::invalid_argument("link is 'wall', but must be one of the robot's");
       }
       pushed.push_back(push);
+      tickets.push_back(ticket);
+      return push.link != "patient";
     });
   }
   [[nodiscard]] static Push push(const std::string& link = "trunk") {
@@ -67,6 +69,7 @@ class ControlChannelTest : public testing::Test {
 
   process::PrivateFolder folder{"gaitway_control_test"};
   std::filesystem::path path = folder.path() / "simulation.sock";
+  std::vector<Ticket> tickets;
   std::vector<Push> pushed;
   std::unique_ptr<ControlServer> server;
   std::int64_t now_ns = facts::kSecond_ns;

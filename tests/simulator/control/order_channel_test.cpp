@@ -26,7 +26,7 @@ class OrderChannelTest : public testing::Test {
  protected:
   [[nodiscard]] std::unique_ptr<ControlServer> new_server(bool takes_orders = true) {
     return std::make_unique<ControlServer>(
-        path, [](const Push&) {},
+        path, [](const Ticket&, const Push&) { return true; },
         takes_orders ? ControlServer::OnOrder([this](const Ticket& ticket, std::string_view order) {
           return carry_out(ticket, order);
         })
@@ -183,13 +183,13 @@ TEST_F(OrderChannelTest, EachOrderHasThePatienceOfWhoGaveIt) {
 
 TEST_F(OrderChannelTest, OneClientHasSoManyOpenOrders) {
   ControlClient client(path);
-  for (std::size_t i = 0; i < ControlServer::kMostOpenOrders; ++i) {
+  for (std::size_t i = 0; i < ControlServer::kMostOpen; ++i) {
     client.order("later", now_ns, kPatience_ns);
     EXPECT_FALSE(answer(client, 1));
   }
   const auto refused = ask(client, "later");
   ASSERT_TRUE(refused);
-  EXPECT_THAT(refused->text, HasSubstr("64 orders of this client wait"));
+  EXPECT_THAT(refused->text, HasSubstr("64 requests of this client wait"));
   ControlClient other(path);
   EXPECT_TRUE(ask(other, "{}")->accepted) << "that is nobody else's matter";
   server->answer(tickets[0], true, "{}");

@@ -132,6 +132,21 @@ class Plant {
   // unknown body, a direction of no length, or a duration that is not positive.
   void push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s);
 
+  // Changes of the world while the robot is in it; what moves there goes on as it did. From the next step on.
+  // All throw std::invalid_argument, with name, rule and remedy, and nothing has changed: without a world,
+  // for a name that is taken, or that nothing has, and where the solid would lie inside the robot.
+  //
+  // `mass_kg`: none: it stands fast.
+  void put(const world::Solid& solid, const world::Colour& colour, std::optional<double> mass_kg);
+  // What was put there, or a thing of the world; it comes to rest.
+  void move(std::string_view name, const Eigen::Isometry3d& pose);
+  // What was put there.
+  void remove(std::string_view name);
+  // Solids that were put there, as they lie now.
+  [[nodiscard]] std::vector<world::Solid> put_solids() const;
+  // Rises with each of these changes.
+  [[nodiscard]] std::uint32_t geometry() const noexcept;
+
   // The same model from the same start, fed the given torques (motor_torque_Nm, one row for each step,
   // row-major) and nothing else: no sensors, no contacts read. Without pushes it ends where the recorded run
   // did, to the bit; pushes are not replayed, tiles stay where they lie. The plant itself does not move.

@@ -18,7 +18,7 @@
 
 namespace gaitway::simulation {
 
-// An order whose answer may come later: whose, and which of his.
+// A request whose answer may come later: whose, and which of his.
 struct Ticket {
   std::uint64_t client = 0;  // of one connection, and of no other one ever after
   std::uint32_t number = 0;
@@ -32,11 +32,12 @@ class ControlServer {
  public:
   static constexpr std::size_t kMostClients = 8;
   static constexpr int kRequestsAStep = 4, kClientsAStep = 2;
-  // Of one client: orders that wait for their answers, and answers that it has not read.
-  static constexpr std::size_t kMostOpenOrders = 64, kMostUnsent = 256, kMostUnsentBytes = 4'000'000;
+  // Of one client: requests that wait for their answers, and answers that it has not read.
+  static constexpr std::size_t kMostOpen = 64, kMostUnsent = 256, kMostUnsentBytes = 4'000'000;
 
-  // What becomes of a push; throws std::exception to refuse it, with the reason.
-  using OnPush = std::function<void(const Push& push)>;
+  // True: the push begins; false: what becomes of it comes later, by answer(). Throws std::exception to
+  // refuse it, with the reason.
+  using OnPush = std::function<bool(const Ticket& ticket, const Push& push)>;
   // The JSON of the answer; nothing: it comes later, by answer(). Throws std::exception to refuse.
   using OnOrder = std::function<std::optional<std::string>(const Ticket& ticket, std::string_view order)>;
 
@@ -46,7 +47,7 @@ class ControlServer {
 
   // Never blocks; one system call while nobody has anything to say.
   void step();
-  // What became of an order that OnOrder left open; `text` is the JSON of the answer, or why not. Nothing
+  // What became of a request that was left open; `text` is the JSON of the answer, or why not. Nothing
   // happens when that client has gone or has its answer. May be called by OnOrder, for any ticket.
   void answer(const Ticket& ticket, bool accepted, const std::string& text);
   // Readable when step() has something to do: for who waits for that alone, since its simulation is paused.
@@ -58,7 +59,7 @@ class ControlServer {
   struct Client {
     std::uint64_t id = 0;
     process::FileDescriptor socket;     // none: it was dropped, and goes with the next step
-    std::vector<std::uint32_t> open{};  // orders without an answer yet
+    std::vector<std::uint32_t> open{};  // requests without an answer yet
     std::deque<Packet> unsent{};
     std::size_t unsent_bytes = 0;
   };
@@ -68,6 +69,8 @@ class ControlServer {
   void take(Client& client, const Request& request);
   void take_push(Client& client, const Request& request);
   void take_order(Client& client, const Request& request);
+  // Nothing: the request was refused.
+  [[nodiscard]] std::optional<Ticket> open(Client& client, std::uint32_t number);
   void finish(Client& client, const Answer& answer);
   void send_unsent(Client& client);
   void await_room(const Client& client, bool wanted) const;
