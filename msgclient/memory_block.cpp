@@ -51,6 +51,10 @@ void MemoryBlock::beat(std::int64_t now_ns) noexcept {
 void MemoryBlock::keep_to_this_process() {
   registry_->keep_to_this_process();
 }
+
+void MemoryBlock::share_anew() {
+  registry_->share_anew();
+}
 std::size_t MemoryBlock::size_bytes() const noexcept {
   return registry_->block_bytes();
 }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "gaitway/msgclient/topic.hpp"
@@ -82,6 +83,15 @@ void Segment::keep_to_this_process() {
   if (mmap(data_, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED, fd_.get(), 0) == MAP_FAILED) {
     fail("cannot map " + std::to_string(bytes_) + " bytes of its own for a copy of the process");
   }
+}
+
+void Segment::share_anew(const std::string& name) {
+  Segment fresh = create(name, bytes_);
+  std::memcpy(fresh.data_, data_, bytes_);
+  if (mmap(data_, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, fresh.fd_.get(), 0) == MAP_FAILED) {
+    fail("cannot map " + std::to_string(bytes_) + " bytes anew in a copy of the process");
+  }
+  std::swap(fd_, fresh.fd_);
 }
 
 process::FileDescriptor Segment::reopen_read_only() const {

@@ -214,4 +214,15 @@ void TopicRegistry::keep_to_this_process() {
   }
 }
 
+void TopicRegistry::share_anew() {
+  const std::scoped_lock lock(mutex_);
+  directory_segment_.share_anew("gaitway_directory");
+  for (const Topic& topic : topics_) {
+    topic.storage->share_anew("gaitway_" + topic.info.descriptor.name);
+    if (topic.cursor) {
+      topic.cursor->share_anew("gaitway_cursor_" + topic.info.descriptor.name);
+    }
+  }
+}
+
 }  // namespace gaitway::msgclient

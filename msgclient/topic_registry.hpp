@@ -28,6 +28,7 @@ class TopicRegistry {
   void release_all(ClientId client) noexcept;
 
   void keep_to_this_process();
+  void share_anew();
 
   void beat(std::int64_t now_ns) noexcept { directory_.beat(now_ns); }
   [[nodiscard]] const Directory& directory() const noexcept { return directory_; }

@@ -38,6 +38,12 @@ WalkRequests::WalkRequests(msgclient::Client& client)
   commands_.publish(current_, 0);
 }
 
+WalkRequests::WalkRequests(msgclient::Client& client, const WalkCommand& in_force)
+    : requests_(client.read<WalkCommand>("walk_request")),
+      commands_(client.write<WalkCommand>("walk_command")),
+      seen_(requests_.newest_sequence()),
+      current_(in_force) {}
+
 std::optional<WalkCommand> WalkRequests::step(std::int64_t now_ns) noexcept {
   WalkCommand request;
   if (!ended_ && requests_.newest_sequence() != seen_) {

@@ -26,10 +26,16 @@ ContactReader::ContactReader(const mjModel& model, const urdf::RobotModel& robot
       trunk_link_(robot.imu.link),
       foot_link_{robot.feet[0].link, robot.feet[1].link},
       sole_in_foot_{robot.feet[0].sole, robot.feet[1].sole},
-      has_world_(world.has_value()),
-      solid_of_geom_(static_cast<std::size_t>(model.ngeom), BodyContact::kFloor),
       link_force_N_(robot.links.size(), 0.0) {
   body_.reserve(robot.links.size() * 4);
+  follow(model, world);
+}
+
+void ContactReader::follow(const mjModel& model, const std::optional<world::World>& world) {
+  has_world_ = world.has_value();
+  solid_of_geom_.assign(static_cast<std::size_t>(model.ngeom), BodyContact::kFloor);
+  is_ground_.clear();
+  body_.clear();
   if (!world) return;
   for (const world::Solid& solid : world->all_solids(true)) {
     const int geom = mj_name2id(&model, mjOBJ_GEOM, world_name(solid).c_str());
@@ -54,6 +60,16 @@ bool ContactReader::is_on_sole(const mjModel& model, const mjContact& contact, s
   const Eigen::Vector3d normal = Eigen::Map<const Eigen::Vector3d>(contact.frame);  // from first to second
   const Eigen::Vector3d on_foot = foot_is_second ? normal : Eigen::Vector3d(-normal);
   return on_foot.dot(ground_.sole[foot].linear().col(2)) > kLeastCosine;
+}
+
+int ContactReader::link_inside(const mjModel& model, const mjData& data, int solid, double deepest_m) const {
+  for (int i = 0; solid >= 0 && i < data.ncon; ++i) {
+    const mjContact& contact = data.contact[i];
+    const bool is_it = solid_of(contact.geom[0]) == solid || solid_of(contact.geom[1]) == solid;
+    const int link = link_in(model, contact);
+    if (is_it && link >= 0 && contact.dist < -deepest_m) return link;
+  }
+  return -1;
 }
 
 void ContactReader::add_body_contact(int link, int solid, double force_N) {

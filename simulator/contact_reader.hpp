@@ -18,6 +18,11 @@ class ContactReader {
   ContactReader(const mjModel& model, const urdf::RobotModel& robot,
                 const std::optional<world::World>& world);
 
+  // The same robot in a model with another world.
+  void follow(const mjModel& model, const std::optional<world::World>& world);
+  // A link that a solid reaches into by more than so much; -1: none.
+  [[nodiscard]] int link_inside(const mjModel& model, const mjData& data, int solid, double deepest_m) const;
+
   // Of the state's last step.
   void read(const mjModel& model, const mjData& data);
 
@@ -39,7 +44,7 @@ class ContactReader {
   int trunk_link_;
   std::array<int, 2> foot_link_;
   std::array<Eigen::Isometry3d, 2> sole_in_foot_;
-  bool has_world_;
+  bool has_world_ = false;
   std::vector<int> solid_of_geom_;
   std::vector<bool> is_ground_;       // of each solid
   std::vector<double> link_force_N_;  // of the links that are no feet

@@ -18,6 +18,16 @@ namespace {
 
 using facts::kMillisecond_ns;
 
+// How long a walk goes on whose commander has gone.
+constexpr std::int64_t kOrphanedWalk_ns = 500 * kMillisecond_ns;
+
+Eigen::Isometry3d pose_at(const Eigen::Vector3d& position_m, double yaw_rad) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = position_m;
+  pose.linear() = Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return pose;
+}
+
 std::int64_t to_ns(double seconds) {
   return static_cast<std::int64_t>(std::llround(seconds * 1e9));
 }
@@ -262,6 +272,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       command.velocity[1] = walk.velocity_m_per_s.y();
       command.turn_rate = walk.turn_rate_rad_per_s;
       self.walk_command_->publish(command, self.now_ns_);
+      self.scenario_walk_ = command;
     }
     void operator()(const MotionEvent& motion) const { self.ask(motion); }
     void operator()(const WalkToEvent& way) const { self.ask(way); }
@@ -306,6 +317,11 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     void operator()(const JointRestartsFault& fault) const { self.restart(fault); }
     void operator()(const ForeignFrameFault& fault) const { self.foreign_frames_.push_back(fault.frame); }
     void operator()(const PluginFault& fault) const { self.inject(fault); }
+    void operator()(const SpawnEvent& spawn) const { self.change_world(spawn); }
+    void operator()(const MoveEvent& move) const {
+      self.plant_.move(move.name, pose_at(move.position_m, move.yaw_rad));
+    }
+    void operator()(const RemoveEvent& remove) const { self.plant_.remove(remove.name); }
     void post(msgclient::UserCommandKind kind) const { post(msgclient::UserCommandMail{.kind = kind}); }
     void post(msgclient::UserCommandMail mail) const {
       mail.sequence = ++self.user_commands_;
@@ -320,16 +336,16 @@ void Cosimulation::apply(const ScenarioEvent& event) {
 }
 
 void Cosimulation::ask(const msgclient::UserCommandMail& mail) {
-  if (!asked_commands_) {
-    asked_commands_.emplace(behavior_client_.write_queue<UserCommand>("user_command"));
-  }
+  // Whoever people are later finds the queue free.
+  msgclient::Client people = memory_block_.local_client("people");
+  auto commands = people.write_queue<UserCommand>("user_command");
   UserCommand command{};
   command.number = mail.sequence;
   command.kind = static_cast<std::uint32_t>(mail.kind);
   command.joint = mail.joint;
   command.duration_slots = mail.duration_slots;
   command.position = static_cast<double>(mail.position);
-  if (!asked_commands_->push(command, now_ns_)) {
+  if (!commands.push(command, now_ns_)) {
     throw std::runtime_error("more user commands in one millisecond than the queue holds");
   }
 }
@@ -355,6 +371,27 @@ void Cosimulation::ask(const WalkToEvent& way) {
   request.cancel = way.goal ? 0 : 1;
   if (way.goal) std::copy_n(way.goal->data(), way.goal->size(), request.goal);
   walk_to_command_->publish(request, now_ns_);
+}
+
+void Cosimulation::change_world(const SpawnEvent& spawn) {
+  world::Solid solid;
+  solid.shape = spawn.shape;
+  solid.name = spawn.name;
+  solid.pose = pose_at(spawn.position_m, spawn.yaw_rad);
+  solid.size_m = spawn.size_m;
+  plant_.put(solid, spawn.colour, spawn.mass_kg);
+}
+
+void Cosimulation::hand_to_people() {
+  walk_command_.reset();
+  motion_command_.reset();
+  walk_to_command_.reset();
+  WalkCommand in_force = scenario_walk_;
+  if (in_force.walk != 0) in_force.valid_until_ns = now_ns_ + kOrphanedWalk_ns;
+  walk_requests_.emplace(behavior_client_, in_force);
+  motion_requests_.emplace(behavior_client_, msgcontroller::Waiting::dropped);
+  way_requests_.emplace(behavior_client_, msgcontroller::Waiting::dropped);
+  options_.obey_walk_requests = true;
 }
 
 void Cosimulation::end_walk_requests() {

@@ -53,6 +53,60 @@ PointVelocity point_velocity(const mjModel& model, const mjData& data, int body,
 
 }  // namespace
 
+namespace {
+
+// On which sole a robot with these joints stands, and how its base lies then: with heading 0, above its own
+// place.
+struct Stand {
+  Eigen::Quaterniond base_tilt = Eigen::Quaterniond::Identity();
+  std::array<Eigen::Isometry3d, 2> soles{};  // in the frame of the base without its tilt
+  double height_m = 0.0;                     // of the base above the lowest sole
+};
+
+// With the one sole level; the other one must not be below.
+Stand stand_on(const std::array<Eigen::Isometry3d, 2>& soles_in_base, std::size_t side) {
+  Stand stand;
+  const Eigen::Vector3d up = soles_in_base[side].linear().col(2);  // of the sole, in the base
+  stand.base_tilt = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < 2; ++i) stand.soles[i] = stand.base_tilt * soles_in_base[i];
+  stand.height_m = -std::min(stand.soles[0].translation().z(), stand.soles[1].translation().z());
+  return stand;
+}
+
+// In the home posture both soles are level.
+Stand stand_in(const urdf::RobotModel& robot, const std::vector<double>& joint_rad, bool is_home) {
+  if (joint_rad.size() != robot.joints.size()) {
+    throw std::invalid_argument(robot.name + ": a start has " + std::to_string(robot.joints.size()) +
+                                " joints, not " + std::to_string(joint_rad.size()));
+  }
+  for (std::size_t j = 0; j < joint_rad.size(); ++j) {
+    const urdf::Joint& joint = robot.joints[j];
+    if (!(joint_rad[j] >= joint.lower_rad && joint_rad[j] <= joint.upper_rad)) {
+      throw std::invalid_argument(joint.name + " begins at " + std::to_string(joint_rad[j]) +
+                                  " rad, but must be from " + std::to_string(joint.lower_rad) + " to " +
+                                  std::to_string(joint.upper_rad) + " rad");
+    }
+  }
+  urdf::ForwardKinematics kinematics(robot);
+  kinematics.compute(joint_rad);
+  const std::array<Eigen::Isometry3d, 2> soles{kinematics.sole_pose(urdf::Side::left),
+                                               kinematics.sole_pose(urdf::Side::right)};
+  if (is_home)
+    return {.soles = soles, .height_m = -std::min(soles[0].translation().z(), soles[1].translation().z())};
+  const Stand left = stand_on(soles, 0), right = stand_on(soles, 1);
+  return left.soles[0].translation().z() <= left.soles[1].translation().z() ? left : right;
+}
+
+}  // namespace
+
+std::vector<int> bodies_of_things(const mjModel& model, const std::optional<world::World>& world) {
+  std::vector<int> bodies;
+  for (std::size_t i = 0; world && i < world->things.size(); ++i) {
+    bodies.push_back(mj_name2id(&model, mjOBJ_BODY, world_name(world->things[i].solid).c_str()));
+  }
+  return bodies;
+}
+
 Plant::Implementation::Implementation(const urdf::RobotModel& description, const PlantOptions& options)
     : robot(description),
       mismatch_random(options.seed, 0x6D69'736D'6174'6368ULL),
@@ -60,7 +114,7 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
       condition_random(options.seed, 0x636F'6E64'6974'696FULL),
       noise(options.sensor_noise),
       mismatch(draw_mismatch(robot, mismatch_random, options.mismatch)),
-      body_conditions(options.conditions.body),
+      conditions(options.conditions),
       ground(ground_rotation(options.conditions.ground)),
       world(options.world),
       world_ground(world ? std::optional<WorldGround>(*world) : std::nullopt),
@@ -77,10 +131,8 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
     velocity_address.push_back(model->jnt_dofadr[hinge]);
     zero_error_rad.push_back(options.mismatch * kZeroDeviation_rad * mismatch_random.normal());
   }
-  for (std::size_t i = 0; world && i < world->things.size(); ++i) {
-    thing_body.push_back(mj_name2id(model.get(), mjOBJ_BODY, world_name(world->things[i].solid).c_str()));
-  }
-  set_home();
+  thing_body = bodies_of_things(*model, world);
+  set_home(options.start_rad);
   draw_sensor_faults();
   tiles.follow(*model, Eigen::Map<const Eigen::Vector3d>(home.data()));
   sensors.encoder_count.assign(robot.joints.size(), 0);
@@ -92,21 +144,19 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
   read_sensors(true);
 }
 
-// Home posture, soles on the ground; things where the model has them.
-void Plant::Implementation::set_home() {
-  std::vector<double> home_rad;
-  for (const urdf::Joint& joint : robot.joints) home_rad.push_back(joint.home_rad);
-  urdf::ForwardKinematics kinematics(robot);
-  kinematics.compute(home_rad);
-  const std::array<Eigen::Isometry3d, 2> soles{kinematics.sole_pose(urdf::Side::left),
-                                               kinematics.sole_pose(urdf::Side::right)};
-  const double height_m = -std::min(soles[0].translation().z(), soles[1].translation().z());
-  Eigen::Vector3d place = ground * Eigen::Vector3d(0.0, 0.0, height_m);
-  Eigen::Quaterniond rotation = ground;
+// Posture of the start, soles on the ground; things where the model has them.
+void Plant::Implementation::set_home(const std::vector<double>& start_rad) {
+  std::vector<double> home_rad = start_rad;
+  for (std::size_t j = 0; start_rad.empty() && j < robot.joints.size(); ++j) {
+    home_rad.push_back(robot.joints[j].home_rad);
+  }
+  const Stand stand = stand_in(robot, home_rad, start_rad.empty());
+  Eigen::Vector3d place = ground * Eigen::Vector3d(0.0, 0.0, stand.height_m);
+  Eigen::Quaterniond rotation = ground * stand.base_tilt;
   if (world) {
-    const Eigen::Isometry3d base = world_ground->start_pose(*world, robot, soles, height_m);
+    const Eigen::Isometry3d base = world_ground->start_pose(*world, robot, stand.soles, stand.height_m);
     place = base.translation();
-    rotation = Eigen::Quaterniond(base.linear());
+    rotation = Eigen::Quaterniond(base.linear()) * stand.base_tilt;
   }
   home.assign(model->qpos0, model->qpos0 + model->nq);
   std::copy_n(place.data(), 3, home.begin());
@@ -121,13 +171,13 @@ void Plant::Implementation::set_home() {
 
 void Plant::Implementation::draw_sensor_faults() {
   for (double& bias : gyro_bias_rad_per_s) {
-    bias = body_conditions.gyro_bias_deviation_rad_per_s * condition_random.normal();
+    bias = conditions.body.gyro_bias_deviation_rad_per_s * condition_random.normal();
   }
   for (auto& foot : cell_gain) {
-    for (double& gain : foot) gain = 1.0 + body_conditions.cell_gain_deviation * condition_random.normal();
+    for (double& gain : foot) gain = 1.0 + conditions.body.cell_gain_deviation * condition_random.normal();
   }
-  if (body_conditions.dead_cell)
-    cell_gain[static_cast<std::size_t>(body_conditions.dead_cell->foot)][body_conditions.dead_cell->cell] =
+  if (conditions.body.dead_cell)
+    cell_gain[static_cast<std::size_t>(conditions.body.dead_cell->foot)][conditions.body.dead_cell->cell] =
         0.0;
 }
 
@@ -151,7 +201,7 @@ void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
     const double velocity = data->qvel[address];
     const bool driving = command_Nm[j] * velocity > 0.0;
     const double fade = driving ? std::max(0.0, 1.0 - std::abs(velocity) / motor.speed_limit_rad_per_s) : 1.0;
-    const double limit = motor.torque_limit_Nm * body_conditions.torque_factor * fade;
+    const double limit = motor.torque_limit_Nm * conditions.body.torque_factor * fade;
     // In single precision, so that a record of the torques replays to the bit.
     const double torque = static_cast<double>(static_cast<float>(std::clamp(command_Nm[j], -limit, limit)));
     sensors.motor_torque_Nm[j] = torque;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "contact_reader.hpp"
@@ -18,11 +21,15 @@ struct ActivePush {
   long remaining_steps = 0;
 };
 
+// Of a world's things, in their order.
+[[nodiscard]] std::vector<int> bodies_of_things(const mjModel& model,
+                                                const std::optional<world::World>& world);
+
 struct Plant::Implementation {
   Implementation(const urdf::RobotModel& robot, const PlantOptions& options);
 
   void draw_sensor_faults();
-  void set_home();
+  void set_home(const std::vector<double>& start_rad);
   void reset(mjData* state) const;
   void apply_motors(std::span<const double> command_Nm);
   void apply_pushes();
@@ -30,12 +37,17 @@ struct Plant::Implementation {
   void read_foot(std::size_t foot);
   void read_wrench(std::size_t foot);
   [[nodiscard]] urdf::Wrench weight_on_sensor(std::size_t foot) const;
+  // The same state in a world with other solids. Throws std::invalid_argument where `newcomer` would lie
+  // inside the robot, and nothing has changed.
+  void change_world(world::World next, std::string_view newcomer);
+  [[nodiscard]] world::World& changeable_world();  // throws std::invalid_argument where there is none
+  [[nodiscard]] world::World world_as_it_lies() const;
 
   urdf::RobotModel robot;
   facts::RandomStream mismatch_random, noise_random, condition_random;
   bool noise;
   ModelMismatch mismatch;
-  BodyConditions body_conditions;
+  Conditions conditions;
   Eigen::Quaterniond ground;  // ground_rotation()
   std::optional<world::World> world;
   std::optional<WorldGround> world_ground;  // of the world
@@ -52,6 +64,8 @@ struct Plant::Implementation {
   PlantSensors sensors;
   ContactReader contacts;
   std::vector<int> thing_body;
+  std::vector<std::string> put_names;  // of solids that came later
+  std::uint32_t geometry = 1;
   std::array<Eigen::Vector3d, 3> last_velocity_m_per_s{};  // of IMU, left sole, right sole
   std::vector<ActivePush> pushes;
 };

@@ -94,6 +94,7 @@ inline constexpr std::array kCommands{
     Command{"run", "Run the simulated robot headless, faster than real time, and report"},
     Command{"api", "The robot API's reference"},
     Command{"serve", "Serve the simulated robot in paced real time, with the robot API"},
+    Command{"simulator", "Try things in a simulated world: goals by click, pushes, faults, pause, rewind"},
     Command{"stop", "Stop a robot by datagram, beside whatever connections it has"},
     Command{"dev", "Watch a plug-in's sources; put each new build into the walking robot"},
     Command{"ctl", "Command a running robot, and change its plug-ins"},
@@ -108,6 +109,7 @@ inline constexpr std::array kCommands{
             "Find joint zeros, trunk and force cells from standing poses, and how sure they are"},
     Command{"world", "Worlds for the simulated robot: list, check and draw them"},
     Command{"plan", "Plan footsteps through a world, past its obstacles and within the gait's limits"},
+    Command{"preflight", "Try something on many simulated robots before it is sent to a real one"},
     Command{"simulate", "Trajectories and ZMPs on the robot without dynamics: limits, collisions, margins"},
     Command{"wireless", "Run a robot and a client with a bad wireless link between them"}};
 

@@ -100,4 +100,10 @@ std::vector<Solid> World::all_solids(bool with_things) const {
   return all;
 }
 
+int World::index_of(std::string_view solid) const {
+  const std::vector<Solid> all = all_solids(true);
+  const auto found = std::ranges::find(all, solid, &Solid::name);
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
 }  // namespace gaitway::world

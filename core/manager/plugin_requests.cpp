@@ -107,6 +107,7 @@ void PluginRequests::step(std::int64_t now_ns) noexcept {
     case Stage::scheduled:
       if (auto result = manager_.changes().take_result()) {
         done_ = result->done;
+        changed_ = changed_ || done_;
         set_text(result->text);
         change_ = std::move(result->remains);
         go_to(Stage::clearing);
@@ -143,6 +144,7 @@ void PluginRequests::put_in_place() noexcept {
     return;
   }
   done_ = ChangeControl::apply(*parameter_);
+  changed_ = changed_ || done_;
   if (!done_) {
     set_text(parameter_->slot->plugin->fault());
   }

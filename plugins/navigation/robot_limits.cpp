@@ -93,6 +93,10 @@ planning::Limits limits_of(const urdf::RobotModel& robot) {
   return limits;
 }
 
+double step_time_s(const urdf::RobotModel& robot) {
+  return trajectory::gait_of(robot).step_time_s;
+}
+
 double cell_for(const planning::Limits& limits) {
   constexpr double kStep_m = 0.0005;
   return std::max(1.0, std::floor(kCellPerSoleWidth * limits.sole.width_m / kStep_m)) * kStep_m;

@@ -13,13 +13,12 @@ constexpr std::uint32_t kRequestMagic = 0x51'53'57'47;  // GWSQ
 constexpr std::uint32_t kAnswerMagic = 0x41'53'57'47;   // GWSA
 constexpr std::uint16_t kAccepted = 1, kRefused = 2;
 
-struct RequestLayout {
-  std::uint32_t magic = kRequestMagic;
+struct HeadLayout {
+  std::uint32_t magic = 0;
   std::uint16_t version = kControlVersion;
-  std::uint16_t kind = 0;
+  std::uint16_t meaning = 0;  // a request's kind, an answer's outcome
   std::uint32_t number = 0;
   std::uint32_t reserved = 0;
-  std::array<std::byte, kRequestBytes - 16> body{};
 };
 struct PushLayout {
   char link[kMostLinkNameBytes + 1]{};
@@ -28,23 +27,13 @@ struct PushLayout {
   std::uint32_t frame = 0;
   std::uint8_t reserved[28]{};
 };
-struct AnswerLayout {
-  std::uint32_t magic = kAnswerMagic;
-  std::uint16_t version = kControlVersion;
-  std::uint16_t outcome = 0;
-  std::uint32_t number = 0;
-  std::uint32_t reserved = 0;
-  char reason[kMostReasonBytes + 1]{};
-};
-static_assert(sizeof(RequestLayout) == kRequestBytes && sizeof(AnswerLayout) == kAnswerBytes);
-static_assert(sizeof(PushLayout) == sizeof(RequestLayout::body));
+static_assert(sizeof(HeadLayout) == kHeadBytes && sizeof(PushLayout) == kPushBytes);
 
-template <class Layout, std::size_t size>
-std::array<std::byte, size> bytes_of(const Layout& layout) {
-  static_assert(sizeof layout == size);
-  std::array<std::byte, size> bytes{};
-  std::memcpy(bytes.data(), &layout, size);
-  return bytes;
+Packet packet_of(const HeadLayout& head, std::span<const std::byte> content) {
+  Packet packet(kHeadBytes + content.size());
+  std::memcpy(packet.data(), &head, kHeadBytes);
+  std::ranges::copy(content, packet.begin() + kHeadBytes);
+  return packet;
 }
 
 template <class Layout>
@@ -52,6 +41,20 @@ Layout layout_of(std::span<const std::byte> bytes) {
   Layout layout;
   std::memcpy(&layout, bytes.data(), sizeof layout);
   return layout;
+}
+
+// Of a packet of a possible size and of this magic.
+std::optional<HeadLayout> head_of(std::span<const std::byte> packet, std::size_t most_bytes,
+                                  std::uint32_t magic) {
+  if (packet.size() < kHeadBytes || packet.size() > most_bytes) {
+    return std::nullopt;
+  }
+  const auto head = layout_of<HeadLayout>(packet);
+  return head.magic == magic && head.reserved == 0 ? std::optional(head) : std::nullopt;
+}
+
+std::string_view text_in(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 // Ends within the field, and is followed by zeros alone.
@@ -110,13 +113,22 @@ std::string objection(const Push& push) {
   return {};
 }
 
-RequestPacket encode(const Request& request) {
-  RequestLayout layout;
-  layout.version = request.version;
-  layout.kind = request.kind;
-  layout.number = request.number;
-  layout.body = request.body;
-  return bytes_of<RequestLayout, kRequestBytes>(layout);
+std::string objection_to_order(std::string_view json) {
+  if (json.empty() || json.size() > kMostBodyBytes) {
+    return "the order has " + std::to_string(json.size()) + " bytes, but must be a JSON object of 1 to " +
+           std::to_string(kMostBodyBytes);
+  }
+  return {};
+}
+
+Packet encode(const Request& request) {
+  if (request.body.size() > kMostBodyBytes) {
+    throw std::invalid_argument("the request's body has " + std::to_string(request.body.size()) +
+                                " bytes, but must have at most " + std::to_string(kMostBodyBytes));
+  }
+  return packet_of(
+      {.magic = kRequestMagic, .version = request.version, .meaning = request.kind, .number = request.number},
+      request.body);
 }
 
 Request request_of(const Push& push, std::uint32_t number) {
@@ -128,44 +140,56 @@ Request request_of(const Push& push, std::uint32_t number) {
   std::ranges::copy(push.force_N, layout.force_N);
   layout.duration_s = push.duration_s;
   layout.frame = static_cast<std::uint32_t>(push.frame);
+  const auto bytes = std::as_bytes(std::span(&layout, 1));
   return {.kind = static_cast<std::uint16_t>(RequestKind::push),
           .number = number,
-          .body = bytes_of<PushLayout, sizeof layout>(layout)};
+          .body = {bytes.begin(), bytes.end()}};
 }
 
-AnswerPacket encode(const Answer& answer) {
-  AnswerLayout layout;
-  layout.outcome = answer.accepted ? kAccepted : kRefused;
-  layout.number = answer.number;
-  std::ranges::copy(cut(answer.reason, kMostReasonBytes), layout.reason);
-  return bytes_of<AnswerLayout, kAnswerBytes>(layout);
+Request request_of(std::string_view order, std::uint32_t number) {
+  if (const std::string why = objection_to_order(order); !why.empty()) {
+    throw std::invalid_argument(why);
+  }
+  const auto bytes = std::as_bytes(std::span(order));
+  return {.kind = static_cast<std::uint16_t>(RequestKind::order),
+          .number = number,
+          .body = {bytes.begin(), bytes.end()}};
+}
+
+Packet encode(const Answer& answer) {
+  if (answer.accepted && answer.text.size() > kMostTextBytes) {
+    throw std::invalid_argument("the answer has " + std::to_string(answer.text.size()) +
+                                " bytes, but must have at most " + std::to_string(kMostTextBytes));
+  }
+  const std::string_view text = cut(answer.text, kMostTextBytes);
+  return packet_of(
+      {.magic = kAnswerMagic, .meaning = answer.accepted ? kAccepted : kRefused, .number = answer.number},
+      std::as_bytes(std::span(text)));
 }
 
 std::optional<Request> decode_request(std::span<const std::byte> packet) {
-  if (packet.size() != kRequestBytes) {
+  const auto head = head_of(packet, kMostRequestBytes, kRequestMagic);
+  if (!head) {
     return std::nullopt;
   }
-  const auto layout = layout_of<RequestLayout>(packet);
-  if (layout.magic != kRequestMagic || layout.reserved != 0) {
-    return std::nullopt;
-  }
-  return Request{layout.version, layout.kind, layout.number, layout.body};
+  const auto body = packet.subspan(kHeadBytes);
+  return Request{head->version, head->meaning, head->number, {body.begin(), body.end()}};
 }
 
 std::optional<Answer> decode_answer(std::span<const std::byte> packet) {
-  if (packet.size() != kAnswerBytes) {
+  const auto head = head_of(packet, kMostAnswerBytes, kAnswerMagic);
+  if (!head || head->version != kControlVersion ||
+      (head->meaning != kAccepted && head->meaning != kRefused)) {
     return std::nullopt;
   }
-  const auto layout = layout_of<AnswerLayout>(packet);
-  const bool known = layout.outcome == kAccepted || layout.outcome == kRefused;
-  if (layout.magic != kAnswerMagic || layout.version != kControlVersion || layout.reserved != 0 || !known ||
-      !is_text(layout.reason)) {
-    return std::nullopt;
-  }
-  return Answer{layout.number, layout.outcome == kAccepted, layout.reason};
+  return Answer{head->number, head->meaning == kAccepted, std::string(text_in(packet.subspan(kHeadBytes)))};
 }
 
 Push push_of(const Request& request) {
+  if (request.body.size() != kPushBytes) {
+    throw std::invalid_argument("the push has " + std::to_string(request.body.size()) +
+                                " bytes, but must have " + std::to_string(kPushBytes));
+  }
   const auto layout = layout_of<PushLayout>(request.body);
   const bool clear = std::ranges::all_of(layout.reserved, [](std::uint8_t byte) { return byte == 0; });
   if (!is_text(layout.link) || !clear) {
@@ -179,6 +203,14 @@ Push push_of(const Request& request) {
     throw std::invalid_argument(why);
   }
   return push;
+}
+
+std::string_view order_of(const Request& request) {
+  const std::string_view json = text_in(request.body);
+  if (const std::string why = objection_to_order(json); !why.empty()) {
+    throw std::invalid_argument(why);
+  }
+  return json;
 }
 
 }  // namespace gaitway::simulation

@@ -22,7 +22,7 @@ FULL_RATE = [
 ]
 LATCHED = ["/footsteps", "/motion_state", "/robot_state", "/commander", "/robot_description", "/diagnostics",
            "/walk_to/state", "/link_state", "/certificate_state"]
-OF_THE_MODULE = {"/link_state", "/certificate_state"}  # told by the process that faces the network, of itself
+OF_THE_MODULE = {"/link_state", "/certificate_state", "/simulation/state"}  # told by the process that faces the network, of itself, or of a simulator
 OF_NOBODY = {"/walk_to/state"}  # this robot has no plug-in that walks to places
 SECONDS = 5.0
 

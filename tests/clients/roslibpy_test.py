@@ -50,11 +50,12 @@ class Roslibpy(unittest.TestCase):
 
     def test_1_lists_what_there_is(self):
         topics = self.ros.get_topics()
-        for topic in STEADY + LATCHED + ["/events", "/rosout", "/cmd_vel"]:
+        for topic in STEADY + LATCHED + ["/events", "/rosout", "/cmd_vel", "/simulation/state"]:
             self.assertIn(topic, topics)
             self.assertTrue(self.ros.get_topic_type(topic), topic)
         services = self.ros.get_services()
-        for service in ["/stand", "/stop", "/emergency_stop", "/move_joint", "/play_motion", "/plugins/list", "/recording/start"]:
+        for service in ["/stand", "/stop", "/emergency_stop", "/move_joint", "/play_motion", "/plugins/list", "/recording/start", "/simulation/push",
+                        "/simulation/spawn_entity"]:
             self.assertIn(service, services)
             self.assertTrue(self.ros.get_service_type(service), service)
         details = self.ros.get_message_details("sensor_msgs/msg/JointState")

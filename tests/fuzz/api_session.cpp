@@ -17,6 +17,7 @@
 #include "gaitway/api/hub.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "tests/userinterface/sessions/recorded_robot.hpp"
+#include "tests/userinterface/sessions/recorded_simulation.hpp"
 
 namespace gaitway::fuzz {
 namespace {
@@ -28,7 +29,7 @@ constexpr std::size_t kClients = 3;
 using facts::kMillisecond_ns;
 constexpr std::size_t kMostActions = 500;
 
-constexpr std::array<std::string_view, 59> kMessages{
+constexpr std::array<std::string_view, 69> kMessages{
     R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":0.2},"angular":{"z":0.1}}})",
     R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":-1.5}}})",
     R"({"op":"publish","topic":"cmd_vel","msg":{"linear":{"z":1}}})",
@@ -87,7 +88,17 @@ constexpr std::array<std::string_view, 59> kMessages{
     R"({"op":"call_service","service":"x","timeout":0.1,"compression":"cbor"})",
     R"({"op":"service_response","service":"/x","id":"CALL","values":{"a":1},"result":true})",
     R"({"op":"service_response","service":"/x","id":"CALL","values":"no","result":false})",
-    R"({"op":"status","id":[[[[[[]]]]]]})"};
+    R"({"op":"status","id":[[[[[[]]]]]]})",
+    R"({"op":"call_service","service":"/simulation/push","args":{"link":"trunk","force":{"x":5},"duration":0.1}})",
+    R"({"op":"call_service","service":"/simulation/seek","args":[1.5]})",
+    R"({"op":"call_service","service":"/simulation/plan","args":{"x":1.0},"compression":"cbor"})",
+    R"({"op":"call_service","service":"/simulation/geometry","args":{"first":1}})",
+    R"({"op":"call_service","service":"/simulation/set_simulation_state","args":{"state":{"state":1}}})",
+    R"({"op":"call_service","service":"/simulation/get_entities","args":{"filters":{"filter":"^(a|b)[^c]*.$"}}})",
+    R"({"op":"call_service","service":"/simulation/get_entities_states","args":{"filters":{"bounds":{"type":3,"points":[{},{"x":2}]}}}})",
+    R"({"op":"call_service","service":"/simulation/spawn_entity","args":{"name":"a","entity_resource":{"uri":"gaitway:box?size=1,1,1"}}})",
+    R"({"op":"call_service","service":"/simulation/set_entity_state","args":{"entity":"ball","set_pose":true}})",
+    R"({"op":"call_service","service":"/simulation/delete_entity","args":["crate"],"timeout":0.1})"};
 
 Limits tight() {
   Limits limits;
@@ -143,8 +154,9 @@ class Trial {
   }
 
  private:
-  HubOptions options() const {
+  HubOptions options() {
     HubOptions options;
+    options.simulation = &simulation_;
     options.limits = tight();
     if (wants_token_) {
       options.is_token = [](std::string_view offered) { return offered == "secret"; };
@@ -290,6 +302,7 @@ class Trial {
   Input& input_;
   bool wants_token_;
   RecordedRobot robot_;
+  RecordedSimulation simulation_;
   Hub hub_;
   std::array<Peer, kClients> peers_;
   std::int64_t now_ns_ = 1'000'000'000;

@@ -292,10 +292,15 @@ def simulation_seeds():
     """As simulation_requests.cpp takes its actions apart."""
     connect, step = bytes([0, 0]), bytes([0, 3])
 
-    def request(client, link, force, frame=0, duration=0.1, version=None, kind=None):
+    def request(client, link, force, frame=0, duration=0.1, version=None):
         head = b"\x01" if version is None else b"\x00" + struct.pack("<H", version)
-        head += b"\x01" if kind is None else b"\x00" + struct.pack("<H", kind)
-        return bytes([client, 4]) + head + struct.pack("<I48sddddI28x", 7, link, *force, duration, frame)
+        return bytes([client, 5]) + head + b"\x01\x00" + struct.pack("<I48sddddI28x", 7, link, *force, duration, frame)
+
+    def order(client, number, text, kind=b"\x01\x01"):
+        return bytes([client, 5]) + b"\x01" + kind + struct.pack("<IH", number, len(text)) + text
+
+    def answer(which, accepted):
+        return bytes([0, 4, which, accepted])
 
     def said(client, content):
         return bytes([client, 1, len(content)]) + content
@@ -305,7 +310,10 @@ def simulation_seeds():
         ((0, b"trunk", (50, 0, 0), 0), (1, b"left_foot", (0, -200, 0), 1), (0, b"head", (0, 0, 0.1), 1))))
     write("simulation_requests", "refused", connect + b"".join(request(0, *wrong) + step for wrong in (
         (b"", (1, 0, 0)), (b"x" * 48, (1, 0, 0)), (b"trunk", (float("nan"), 0, 0)), (b"trunk", (1e300, 0, 0)),
-        (b"trunk", (1, 0, 0), 2), (b"trunk", (1, 0, 0), 0, 9.0), (b"trunk", (1, 0, 0), 0, 0.1, 9), (b"trunk", (1, 0, 0), 0, 0.1, None, 2))))
+        (b"trunk", (1, 0, 0), 2), (b"trunk", (1, 0, 0), 0, 9.0), (b"trunk", (1, 0, 0), 0, 0.1, 9))) + order(0, 8, b"{}", b"\x00\x07\x00") + step)
+    write("simulation_requests", "orders", connect * 2 + b"".join(order(0, 1 + number, text) + step for number, text in enumerate(
+        (b"{\"order\": \"seek\", \"time_s\": 1}", b"\x00", b"\x01", b"\x01x", b"\x02", b"", b"{", b"x" * 300))) + order(1, 1, b"{}") + order(1, 1, b"{}") +
+          step + answer(1, 1) + bytes([0, 2]) + step + answer(0, 0) + answer(0, 1) + step)
     write("simulation_requests", "strangers", connect * 10 + said(0, b"GWSQ") + said(1, bytes(128)) + said(2, bytes(255)) + step * 2 + bytes([0, 2]))
 
 

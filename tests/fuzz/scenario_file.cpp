@@ -36,6 +36,10 @@ void check_bus_fault(const simulator::ScenarioEvent& event) {
 
 void check(const simulator::ScenarioEvent& event) {
   require(event.at_s >= 0.0 && std::isfinite(event.at_s), "events happen at a time");
+  const std::string text = simulator::action_text(event, shipped_robot());
+  require(simulator::action_text(simulator::parse_action("{" + text + "}", "log", shipped_robot()),
+                                 shipped_robot()) == text,
+          "a log's words read back the same");
   if (const auto* const walk = std::get_if<simulator::WalkEvent>(&event.action)) {
     require(walk->velocity_m_per_s.norm() <= msgcontroller::kLargestWalkSpeed_m_per_s &&
                 std::abs(walk->turn_rate_rad_per_s) <= msgcontroller::kLargestTurnRate_rad_per_s,

@@ -1,12 +1,18 @@
 // What the end of a process leaves behind: of a writer in the middle of a value, of the server, of a copy.
 #include <gmock/gmock.h>
+#include <poll.h>
 
+#include <array>
+#include <filesystem>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checked_value.hpp"
+#include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/working_copy.hpp"
 #include "processes.hpp"
 
@@ -82,6 +88,54 @@ TEST(CopiedBlock, GoesOnWithWhatIsThereAndLeavesNoTrace) {
     EXPECT_THAT(told, ElementsAre("5", "6", "a command"));
     EXPECT_EQ(reader.read(imu).stamp_ns, 5);
   }
+}
+
+// Another process reads from the copy what the first owner never had, and the first owner sees nothing of it.
+TEST(CopiedBlock, BecomesABlockForOtherProcesses) {
+  const process::PrivateFolder folder("gaitway_copy");
+  const std::filesystem::path socket = folder.path() / "copy.sock";
+  MemoryBlock block;
+  Client client = block.local_client("both");
+  auto writer = client.write<Imu>("imu");
+  auto reader = client.read<Imu>("imu");
+  auto pushes = client.write_queue<UserCommand>("user_command");
+  Imu imu{};
+  writer.publish(imu, 5);
+  (void)pushes.push(UserCommand{}, 5);
+  process::WorkingCopy copy([&](const process::WorkingCopy::Tell& tell) {
+    block.keep_to_this_process();
+    writer.publish(imu, 6);
+    block.share_anew();
+    MemoryBlockServer server(block, socket);
+    process::WorkingCopy other([&](const process::WorkingCopy::Tell& tell_owner) {
+      Client outside = Client::connect(socket, "outside");
+      auto outside_reader = outside.read<Imu>("imu");
+      auto outside_pops = outside.read_queue<UserCommand>("user_command");
+      UserCommand command{};
+      tell_owner(std::to_string(outside_reader.read(imu).stamp_ns));
+      tell_owner(outside_pops.pop(command) ? "a command" : "no command");
+      while (outside_reader.read(imu).stamp_ns != 7) {
+      }
+      tell_owner("7");
+    });
+    bool published = false;
+    while (!other.done()) {
+      std::array<pollfd, 2> wakes{pollfd{server.wake_fd(), POLLIN, 0}, pollfd{other.descriptor(), POLLIN, 0}};
+      poll(wakes.data(), wakes.size(), -1);
+      server.step(0);
+      if (wakes[1].revents == 0) continue;
+      for (const std::string& line : other.listen()) {
+        tell(line);
+        if (line == "a command" && !std::exchange(published, true)) writer.publish(imu, 7);
+      }
+    }
+  });
+  std::vector<std::string> told;
+  while (!copy.done()) {
+    std::ranges::move(copy.listen(), std::back_inserter(told));
+  }
+  EXPECT_THAT(told, ElementsAre("6", "a command", "7"));
+  EXPECT_EQ(reader.read(imu).stamp_ns, 5);
 }
 
 // The writer is killed again and again while it publishes; large values make sure that it is in the middle of

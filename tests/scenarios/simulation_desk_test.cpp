@@ -13,8 +13,8 @@
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulation/control_client.hpp"
+#include "gaitway/simulator/command_log.hpp"
 #include "gaitway/world/world_file.hpp"
-#include "tools/serve/command_log.hpp"
 
 namespace gaitway::scenarios {
 namespace {
@@ -60,17 +60,17 @@ class AskedRun {
         return *answer;
       }
     }
-    return {.reason = "no answer has come"};
+    return {.text = "no answer has come"};
   }
   [[nodiscard]] double x_m() const { return run->plant().truth().com_m.x(); }
 
   std::unique_ptr<simulator::Cosimulation> run = new_run();
-  tools::CommandLog log{*run};
+  simulator::CommandLog log{*run};
 
  private:
   process::PrivateFolder folder_{"gaitway_desk_test"};
   simulator::SimulationDesk desk_{*run, folder_.path() / "simulation.sock",
-                                  [this](const auto& event) { log.on_push(event); }};
+                                  [this](const auto& event) { log.on_applied(event); }};
   simulation::ControlClient client_{folder_.path() / "simulation.sock"};
 };
 
@@ -79,7 +79,7 @@ TEST(SimulationDesk, APushMovesTheRobotWhereItPoints) {
   run.advance(1.0);
   const double before_m = run.x_m();
   const Answer answer = run.ask({.link = "trunk", .force_N = {20.0, 0.0, 0.0}, .duration_s = 0.1});
-  ASSERT_TRUE(answer.accepted) << answer.reason;
+  ASSERT_TRUE(answer.accepted) << answer.text;
   run.advance(0.15);
   EXPECT_GT(run.x_m(), before_m + 0.005);
   EXPECT_FALSE(run.run->plant().fallen());
@@ -90,7 +90,7 @@ TEST(SimulationDesk, EveryLinkCanBePushed) {
   run.advance(0.2);
   for (const urdf::Link& link : robot().links) {
     const Answer answer = run.ask({.link = link.name, .force_N = {0.0, 0.5, 0.0}, .duration_s = 0.01});
-    EXPECT_TRUE(answer.accepted) << link.name << ": " << answer.reason;
+    EXPECT_TRUE(answer.accepted) << link.name << ": " << answer.text;
     run.advance(0.01);
   }
   EXPECT_THAT(run.log.events(), SizeIs(robot().links.size()));
@@ -100,18 +100,18 @@ TEST(SimulationDesk, UnknownLinksAreRefusedByName) {
   AskedRun run;
   const Answer answer = run.ask({.link = "tunk", .force_N = {1.0, 0.0, 0.0}, .duration_s = 0.1});
   EXPECT_FALSE(answer.accepted);
-  EXPECT_THAT(answer.reason, AllOf(HasSubstr("link is 'tunk'"), HasSubstr("humanoid22"),
-                                   HasSubstr("Did you mean 'trunk'?")));
+  EXPECT_THAT(answer.text, AllOf(HasSubstr("link is 'tunk'"), HasSubstr("humanoid22"),
+                                 HasSubstr("Did you mean 'trunk'?")));
   EXPECT_THAT(run.log.events(), SizeIs(0));
 }
 
 TEST(SimulationDesk, NoMorePushesAtOnceThanPeopleHaveHands) {
   AskedRun run;
   const Push light{.link = "trunk", .force_N = {0.1, 0.0, 0.0}, .duration_s = 0.5};
-  for (std::size_t i = 0; i < simulator::SimulationDesk::kMostPushes; ++i) {
+  for (std::size_t i = 0; i < simulator::PushTaker::kMostPushes; ++i) {
     EXPECT_TRUE(run.ask(light).accepted);
   }
-  EXPECT_THAT(run.ask(light).reason, HasSubstr("8 pushes are under way"));
+  EXPECT_THAT(run.ask(light).text, HasSubstr("8 pushes are under way"));
   run.advance(0.5);
   EXPECT_TRUE(run.ask(light).accepted);
 }
@@ -175,7 +175,7 @@ TEST(SimulationDesk, ItsRecordNamesTheWorld) {
   options.main_controller.configuration = GAITWAY_CONFIGURATION;
   options.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
   simulator::Cosimulation run(robot(), options);
-  process::write_text_file(file, tools::CommandLog(run).scenario(1.0));
+  process::write_text_file(file, simulator::CommandLog(run).scenario(1.0));
   const simulator::Scenario scenario = simulator::load_scenario(file, robot());
   ASSERT_TRUE(scenario.world);
   const world::World again = world::load_world(*scenario.world);

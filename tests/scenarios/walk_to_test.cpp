@@ -102,6 +102,40 @@ TEST(WalkTo, LeavingTheWayHasTheRobotStand) {
   EXPECT_LT(x_m, 1.0);
 }
 
+simulator::ScenarioEvent box_appears(double at_s, double x_m, double y_m, double width_m) {
+  simulator::SpawnEvent box;
+  box.name = "box";
+  box.size_m = {width_m, width_m, 0.2};
+  box.position_m = {x_m, y_m, 0.1};
+  return {at_s, box};
+}
+
+// Nothing stood there when the way was planned.
+TEST(WalkTo, AroundWhatAppearsOnTheWay) {
+  for (int seed = 1; seed <= seeds(10); ++seed) {
+    SimulatedRun run = SimulatedRun::on_its_way(static_cast<std::uint64_t>(seed), shipped_world("empty"));
+    const auto way =
+        walk(run, {.events = {walk_to_at(1.0, 2.0, 0.0, 0.0), box_appears(5.0, 1.2, 0.05, 0.25)}});
+    EXPECT_FALSE(run.metrics().fell) << "seed " << seed;
+    EXPECT_EQ(way["result"], "arrived") << "seed " << seed << ": " << way["text"];
+    EXPECT_GT(way["replans"], 0) << "seed " << seed;
+    EXPECT_EQ(run.recorder.contacts().total(), 0U) << "seed " << seed;
+    EXPECT_LT(way["goal_error_mm"], 20.0) << "seed " << seed;
+  }
+}
+
+TEST(WalkTo, WhereTheGoalIsBuiltOverTheRobotStandsAndSaysWhy) {
+  SimulatedRun run = SimulatedRun::on_its_way(1, shipped_world("empty"));
+  const auto way =
+      walk(run, {.events = {walk_to_at(1.0, 2.0, 0.0, 0.0), box_appears(5.0, 2.0, 0.0, 0.4), stand_at(20.0)}},
+           20.0);
+  EXPECT_EQ(way["result"], "failed");
+  EXPECT_THAT(way["text"].get<std::string>(), HasSubstr("goal"));
+  EXPECT_FALSE(run.metrics().fell);
+  EXPECT_EQ(run.recorder.contacts().total(), 0U);
+  EXPECT_LT(run.cosimulation.plant().truth().com_m.x(), 1.7);
+}
+
 TEST(WalkTo, AVelocityTakesTheRobotAway) {
   SimulatedRun run = SimulatedRun::on_its_way(1, shipped_world("empty"));
   const auto way =

@@ -23,10 +23,9 @@ world::World written(const std::string& text) {
 
 // The names of what was touched.
 std::vector<std::string> touched(const SimulatedRun& run) {
-  const std::vector<world::Solid> solids = run.cosimulation.plant().world()->all_solids(true);
   std::vector<std::string> names;
   for (const tools::ContactEpisode& episode : run.recorder.contacts().episodes()) {
-    names.push_back(episode.solid < 0 ? "floor" : solids[static_cast<std::size_t>(episode.solid)].name);
+    names.push_back(episode.with);
   }
   return names;
 }

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::tools {
 
-void ContactLog::add(std::int64_t now_ns, std::span<const simulator::BodyContact> contacts) {
+void ContactLog::add(std::int64_t now_ns, std::span<const simulator::BodyContact> contacts,
+                     const std::optional<world::World>& world, std::uint32_t geometry) {
+  if (std::exchange(geometry_, geometry) != geometry) open_.clear();  // their numbers mean other solids now
   std::erase_if(open_, [now_ns](const Open& open) { return now_ns - open.last_ns > kContactBreak_ns; });
   for (const simulator::BodyContact& contact : contacts) {
     auto open = std::ranges::find_if(open_, [&contact](const Open& one) {
@@ -20,8 +23,14 @@ void ContactLog::add(std::int64_t now_ns, std::span<const simulator::BodyContact
       open_.push_back({contact.link, contact.solid, now_ns, kept ? episodes_.size() : kMost});
       open = open_.end() - 1;
       if (kept) {
-        episodes_.push_back(
-            {.link = contact.link, .solid = contact.solid, .from_ns = now_ns - facts::kMillisecond_ns});
+        ContactEpisode& begun = episodes_.emplace_back();
+        begun.link = contact.link;
+        begun.from_ns = now_ns - facts::kMillisecond_ns;
+        if (contact.solid != simulator::BodyContact::kFloor) {
+          const world::Solid solid = world->all_solids(true)[static_cast<std::size_t>(contact.solid)];
+          begun.kind = solid.kind;
+          begun.with = solid.name;
+        }
       }
     }
     open->last_ns = now_ns;
@@ -33,17 +42,12 @@ void ContactLog::add(std::int64_t now_ns, std::span<const simulator::BodyContact
   }
 }
 
-nlohmann::ordered_json contacts_json(const ContactLog& log, const urdf::RobotModel& robot,
-                                     const std::optional<world::World>& world) {
-  const std::vector<world::Solid> solids = world ? world->all_solids(true) : std::vector<world::Solid>{};
+nlohmann::ordered_json contacts_json(const ContactLog& log, const urdf::RobotModel& robot) {
   auto list = nlohmann::ordered_json::array();
   for (const ContactEpisode& episode : log.episodes()) {
-    const bool floor = episode.solid == simulator::BodyContact::kFloor;
-    const world::Kind kind =
-        floor ? world::Kind::floor : solids[static_cast<std::size_t>(episode.solid)].kind;
     list.push_back({{"link", robot.links[static_cast<std::size_t>(episode.link)].name},
-                    {"kind", world::name(kind)},
-                    {"with", floor ? "floor" : solids[static_cast<std::size_t>(episode.solid)].name},
+                    {"kind", world::name(episode.kind)},
+                    {"with", episode.with},
                     {"from_s", static_cast<double>(episode.from_ns) * 1e-9},
                     {"to_s", static_cast<double>(episode.to_ns) * 1e-9},
                     {"peak_N", episode.peak_N},

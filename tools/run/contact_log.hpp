@@ -15,7 +15,8 @@ namespace gaitway::tools {
 // One pair of link and solid that touched, with no longer a break than kContactBreak_ns.
 struct ContactEpisode {
   int link = 0;
-  int solid = simulator::BodyContact::kFloor;
+  world::Kind kind = world::Kind::floor;
+  std::string with = "floor";           // the solid's name
   std::int64_t from_ns = 0, to_ns = 0;  // beginning of the first millisecond, end of the last one
   double peak_N = 0.0;                  // of one millisecond
   double impulse_Ns = 0.0;
@@ -26,8 +27,10 @@ class ContactLog {
  public:
   static constexpr std::size_t kMost = 200;  // are kept; further ones are counted
 
-  // Of the millisecond that ended at `now_ns`.
-  void add(std::int64_t now_ns, std::span<const simulator::BodyContact> contacts);
+  // Of the millisecond that ended at `now_ns`, in the world as it was then; `geometry` tells one world from
+  // the next (Plant::geometry()).
+  void add(std::int64_t now_ns, std::span<const simulator::BodyContact> contacts,
+           const std::optional<world::World>& world, std::uint32_t geometry);
 
   [[nodiscard]] std::uint64_t total() const noexcept { return total_; }
   [[nodiscard]] const std::vector<ContactEpisode>& episodes() const noexcept { return episodes_; }
@@ -40,11 +43,11 @@ class ContactLog {
   };
   std::vector<ContactEpisode> episodes_;
   std::vector<Open> open_;
+  std::uint32_t geometry_ = 0;
   std::uint64_t total_ = 0;
 };
 
 // For summary.json.
-[[nodiscard]] nlohmann::ordered_json contacts_json(const ContactLog& log, const urdf::RobotModel& robot,
-                                                   const std::optional<world::World>& world);
+[[nodiscard]] nlohmann::ordered_json contacts_json(const ContactLog& log, const urdf::RobotModel& robot);
 
 }  // namespace gaitway::tools

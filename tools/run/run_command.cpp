@@ -128,23 +128,50 @@ class Snapshots {
       interval_s_ *= 2.0;
     }
     next_s_ += interval_s_;
-    poses_.emplace_back(plant.positions().begin(), plant.positions().end());
+    poses_.push_back({{plant.positions().begin(), plant.positions().end()}, {}});
   }
-  void draw(simulator::Plant& plant, const std::filesystem::path& file) const {
-    simulator::Camera camera(plant, kPictureWidth_px, kPictureHeight_px);
-    std::vector<simulator::Image> images;
-    for (const std::vector<double>& pose : poses_) {
-      images.push_back(camera.render(pose));
+  // What has been taken so far; before the world changes, since a pose belongs to its world.
+  void draw_before_change(const simulator::Plant& plant) noexcept {
+    try {
+      draw(plant);
+    } catch (const std::exception& error) {
+      failure_ = error.what();
     }
+  }
+  // Throws std::runtime_error where no pictures can be drawn or written.
+  void write(const simulator::Plant& plant, const std::filesystem::path& file) {
+    if (!failure_.empty()) throw std::runtime_error(failure_);
+    draw(plant);
+    std::vector<simulator::Image> images;
+    for (const Pose& pose : poses_) images.push_back(pose.image);
     simulator::write_film_strip(file.string(), images, kPictures);
   }
 
  private:
+  void draw(const simulator::Plant& plant) {
+    if (std::ranges::none_of(poses_, [](const Pose& pose) { return pose.image.rgb.empty(); })) return;
+    simulator::Camera camera(plant, kPictureWidth_px, kPictureHeight_px);
+    for (Pose& pose : poses_) {
+      if (pose.image.rgb.empty()) pose.image = camera.render(pose.positions);
+    }
+  }
+
   double interval_s_;
   double next_s_;
   bool open_end_;
-  std::vector<std::vector<double>> poses_;
+  std::string failure_;
+  struct Pose {
+    std::vector<double> positions;
+    simulator::Image image;  // without pixels: not drawn yet
+  };
+  std::vector<Pose> poses_;
 };
+
+bool changes_world(const simulator::ScenarioEvent& event) {
+  return std::holds_alternative<simulator::SpawnEvent>(event.action) ||
+         std::holds_alternative<simulator::MoveEvent>(event.action) ||
+         std::holds_alternative<simulator::RemoveEvent>(event.action);
+}
 
 bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
   return std::ranges::any_of(scenario.events, [fell_at_s](const auto& event) {
@@ -155,7 +182,7 @@ bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
 // Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot, or after
 // the end of its way; returns the wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
-                bool ends_with_way, RunRecorder& recorder, Snapshots& snapshots,
+                bool ends_with_way, bool draws, RunRecorder& recorder, Snapshots& snapshots,
                 const ProgressLine& progress) {
   const auto started = Clock::now();
   const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
@@ -165,6 +192,7 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
     const double now_s = static_cast<double>(cosimulation.now_ns()) * 1e-9;
     while (next_event != scenario.events.end() && next_event->at_s <= now_s + 1e-9) {
       recorder.on_event(*next_event, cosimulation.now_ns());
+      if (draws && changes_world(*next_event)) snapshots.draw_before_change(cosimulation.plant());
       cosimulation.apply(*next_event++);
     }
     cosimulation.advance_millisecond();
@@ -307,8 +335,8 @@ int run(const RunOptions& options) {
       : options.to ? Snapshots(kFirstPicture_s, 1.0, true)
                    : Snapshots(kFirstPicture_s, scenario.seconds / kPictures, false);
   RunTiming timing;
-  timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), recorder, snapshots,
-                           ProgressLine(!options.quiet));
+  timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
+                           snapshots, ProgressLine(!options.quiet));
   const auto csv_started = Clock::now();
   write_states_csv(options.out / "states.csv", robot, recorder.samples());
   timing.wall_s += seconds_since(csv_started);
@@ -321,7 +349,7 @@ int run(const RunOptions& options) {
   std::filesystem::remove(strip);
   if (options.pictures) {
     try {
-      snapshots.draw(cosimulation.plant(), strip);
+      snapshots.write(cosimulation.plant(), strip);
     } catch (const std::runtime_error& error) {
       fmt::print(stderr, "gaitway: no pictures: {}\n", error.what());
     }

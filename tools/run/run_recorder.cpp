@@ -91,7 +91,7 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
     metrics_.fell = true;
     metrics_.fell_at_s = plant.time_s();
   }
-  contacts_.add(now_ns, plant.body_contacts());
+  contacts_.add(now_ns, plant.body_contacts(), plant.world(), plant.geometry());
   cop_mean_.add(plant.ground_contact());
   if (now_ns % kSlot_ns == 0) {
     cop_mean_.close_slot();

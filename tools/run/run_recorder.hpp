@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/simulator/run_digest.hpp"
 #include "tools/run/contact_log.hpp"
 #include "tools/run/run_metrics.hpp"
 #include "tools/run/way_record.hpp"
@@ -43,31 +43,6 @@ struct RunSample {
   std::array<std::array<double, 4>, 2> force_N{};
   std::array<double, 8> trim_rad{};
   std::vector<float> joint_position_rad, joint_velocity_rad_per_s, joint_reference_rad, joint_torque_Nm;
-};
-
-// A 64-bit hash over everything that a run did: two runs are the same to the bit when their digests are.
-class RunDigest {
- public:
-  void add(std::uint64_t word) noexcept {
-    // One round of a multiply-xorshift mix (Steele, Lea, Flood 2014) a word, chained.
-    state_ ^= word;
-    state_ *= 0xBF58'476D'1CE4'E5B9ULL;
-    state_ ^= state_ >> 29U;
-  }
-  void add(std::span<const double> values) noexcept {
-    for (const double value : values) {
-      add(std::bit_cast<std::uint64_t>(value));
-    }
-  }
-  void add(const can::Frame& frame, std::int64_t start_ns) noexcept {
-    add(std::bit_cast<std::uint64_t>(frame.data));
-    add((std::uint64_t{frame.id} << 8U) | frame.size);
-    add(static_cast<std::uint64_t>(start_ns));
-  }
-  [[nodiscard]] std::uint64_t value() const noexcept { return state_; }
-
- private:
-  std::uint64_t state_ = 0x9E37'79B9'7F4A'7C15ULL;
 };
 
 class RunRecorder final : public simulator::CosimulationObserver {
@@ -114,7 +89,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   msgclient::Reader<WalkCommand> walk_command_;
   std::optional<can::CandumpWriter> bus_log_;
   bool keep_samples_;
-  RunDigest digest_;
+  simulator::RunDigest digest_;
   RunMetrics metrics_;
   ContactLog contacts_;
   WayRecord way_;

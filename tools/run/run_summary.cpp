@@ -168,7 +168,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
                              ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
                              : nlohmann::ordered_json(nullptr)}}},
       {"way", recorder.way().json()},
-      {"contacts", contacts_json(recorder.contacts(), run.robot(), run.plant().world())},
+      {"contacts", contacts_json(recorder.contacts(), run.robot())},
       {"events", events(run)},
       {"digest", fmt::format("{:016x}", recorder.digest())}};
   if (metrics.fell) {

@@ -18,21 +18,24 @@
 #include "gaitway/core/events.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
-#include "gaitway/msgclient/memory_block_server.hpp"
+#include "gaitway/msgclient/memory_block_thread.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
+#include "gaitway/simulator/command_log.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
+#include "gaitway/simulator/pace.hpp"
 #include "gaitway/simulator/simulation_desk.hpp"
 #include "tools/command_line.hpp"
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/world_option.hpp"
-#include "tools/serve/command_log.hpp"
+#include "tools/serve/api_entry.hpp"
 #include "tools/serve/module_keeper.hpp"
+#include "tools/serve/module_options.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -45,11 +48,7 @@ struct ServeOptions {
                                  "serve.yaml";  // plug-ins of the main controller, the api among them
   std::string profile;                          // of the bus; empty: what the robot's network file says
   bool accept_unproven = false;
-  std::string address = "127.0.0.1";
-  int port = 9090;
-  std::optional<int> stop_port;
-  std::string origins;  // further web origins that may connect, with commas between them
-  std::filesystem::path token_file, certificate_file, key_file, limits;
+  ModuleOptions module;
   std::optional<double> seconds;
   double speed = 1.0;  // times real time
   std::uint64_t seed = 1;
@@ -60,27 +59,7 @@ struct ServeOptions {
   bool quiet = false;
 };
 
-constexpr std::int64_t kLongestLag_ns = 200 * kMillisecond_ns;     // then the pace begins anew
 constexpr std::int64_t kLongestStop_ns = 5'000 * kMillisecond_ns;  // of the robot's time, until it stands
-
-// Gives the memory block to the API's process. A thread of its own, since a plug-in's constructor waits for
-// it.
-class BlockThread {
- public:
-  BlockThread(const msgclient::MemoryBlock& block, const std::filesystem::path& socket)
-      : server_(block, socket), thread_([this](const std::stop_token& stop) {
-          std::array<pollfd, 1> wakes{pollfd{server_.wake_fd(), POLLIN, 0}};
-          while (!stop.stop_requested()) {
-            poll(wakes.data(), wakes.size(), kLook_ms);
-            server_.step(process::monotonic_ns());
-          }
-        }) {}
-
- private:
-  static constexpr int kLook_ms = 100;  // for the wish to stop
-  msgclient::MemoryBlockServer server_;
-  std::jthread thread_;
-};
 
 // Metrics, and what people ask.
 class ServeObserver final : public simulator::CosimulationObserver {
@@ -103,93 +82,22 @@ class ServeObserver final : public simulator::CosimulationObserver {
   }
 
   RunRecorder recorder;
-  CommandLog commands;
+  simulator::CommandLog commands;
 };
-
-core::PluginEntry& api_of(core::Configuration& configuration) {
-  const auto api = std::ranges::find_if(
-      configuration.plugins, [](const core::PluginEntry& entry) { return entry.child.local_sockets; });
-  if (api == configuration.plugins.end()) {
-    throw std::invalid_argument(fmt::format(
-        "--config {}: has no plug-in that keeps a link to the user interface module. Add `api` with "
-        "`isolation: process` and `sockets: local`, as the shipped serve.yaml does",
-        configuration.file.string()));
-  }
-  return *api;
-}
 
 core::Configuration configuration_of(const ServeOptions& options, const std::string& link,
                                      const std::optional<world::World>& world) {
   core::Configuration configuration = core::read_configuration(options.config);
   add_navigation(configuration, world);
-  core::PluginEntry& api = api_of(configuration);
-  std::erase_if(api.parameters, [](const core::ParameterEntry& entry) { return entry.name == "link"; });
-  api.parameters.push_back({"link", link, api.line});
+  set_link(api_of(configuration), link);
   return configuration;
 }
-
-// The user interface module's command line.
-std::vector<std::string> module_arguments(const ServeOptions& options, const std::string& link,
-                                          const std::filesystem::path& simulation) {
-  std::vector<std::string> words{
-      "--robot",      options.robot.string(),
-      "--link",       link,
-      "--simulation", "unix:" + simulation.string(),
-      "--address",    options.address,
-      "--port",       std::to_string(options.port),
-      "--recordings", (std::filesystem::absolute(options.out) / "recordings").string()};
-  const auto add = [&words](const char* name, const std::string& value) {
-    if (!value.empty()) {
-      words.insert(words.end(), {name, value});
-    }
-  };
-  add("--profile", options.profile);
-  add("--origins", options.origins);
-  add("--token-file", options.token_file.string());
-  add("--certificate-file", options.certificate_file.string());
-  add("--key-file", options.key_file.string());
-  add("--limits", options.limits.string());
-  add("--stop-port", options.stop_port ? std::to_string(*options.stop_port) : "");
-  return words;
-}
-
-// When each millisecond of the robot's is due by the wall clock.
-class Pace {
- public:
-  explicit Pace(double speed) : millisecond_ns_(static_cast<double>(kMillisecond_ns) / speed) {}
-  // Waits for the next one; false: told to stop.
-  bool wait() {
-    due_ns_ += millisecond_ns_;
-    std::int64_t now_ns = process::monotonic_ns();
-    if (static_cast<double>(now_ns) - due_ns_ > static_cast<double>(kLongestLag_ns)) {
-      lost_ns_ += started_ ? static_cast<double>(now_ns) - due_ns_ : 0.0;
-      due_ns_ = static_cast<double>(now_ns);
-    }
-    started_ = true;
-    const auto due_ns = static_cast<std::int64_t>(due_ns_);
-    while (!process::stop_requested() && now_ns < due_ns) {
-      process::wait_until(due_ns, {});
-      now_ns = process::monotonic_ns();
-    }
-    late_.add(std::max<std::int64_t>(now_ns - due_ns, 0));
-    return !process::stop_requested();
-  }
-  [[nodiscard]] double lost_s() const noexcept { return lost_ns_ * 1e-9; }
-  [[nodiscard]] process::DurationSummary lateness_us() const { return late_.summary(); }
-
- private:
-  double millisecond_ns_;
-  double due_ns_ = 0.0;
-  double lost_ns_ = 0.0;  // that the robot's time has fallen behind for good
-  bool started_ = false;
-  process::DurationHistogram late_;
-};
 
 struct Loop {
   simulator::Cosimulation& run;
   simulator::SimulationDesk& desk;
   core::PluginRequests& requests;
-  CommandLog& commands;
+  simulator::CommandLog& commands;
   core::EventPrinter printer{"gaitway serve"};
   bool quiet = false;
 
@@ -218,7 +126,7 @@ struct Loop {
 };
 
 void write_results(const ServeOptions& options, simulator::Cosimulation& run, ServeObserver& observer,
-                   const Pace& pace, double wall_s) {
+                   const simulator::Pace& pace, double wall_s) {
   observer.recorder.finish();
   nlohmann::ordered_json result =
       summary(run, observer.recorder, {.wall_s = wall_s}, options.seed, options.mismatch);
@@ -241,7 +149,7 @@ int serve(const ServeOptions& options) {
   const process::PrivateFolder folder("gaitway_serve");
   const std::string link = "unix:" + (folder.path() / "link.sock").string();
   msgclient::MemoryBlock block;
-  const BlockThread block_thread(block, folder.path() / "memory.sock");
+  const msgclient::MemoryBlockThread block_thread(block, folder.path() / "memory.sock");
 
   simulator::CosimulationOptions settings;
   settings.plant.seed = options.seed;
@@ -264,19 +172,23 @@ int serve(const ServeOptions& options) {
 
   const std::filesystem::path simulation = folder.path() / "simulation.sock";
   simulator::SimulationDesk desk(run, simulation, [&observer](const simulator::ScenarioEvent& push) {
-    observer.commands.on_push(push);
+    observer.commands.on_applied(push);
   });
 
-  const ModuleKeeper module(module_arguments(options, link, simulation));
+  const ModuleKeeper module(module_arguments(options.module, {.robot = options.robot,
+                                                              .profile = options.profile,
+                                                              .link = link,
+                                                              .simulation = "unix:" + simulation.string(),
+                                                              .recordings = options.out / "recordings"}));
 
   Loop loop{
       .run = run, .desk = desk, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
-  Pace pace(options.speed);
+  simulator::Pace pace(options.speed);
   const auto end_ns = options.seconds ? static_cast<std::int64_t>(std::llround(*options.seconds * 1e9))
                                       : std::numeric_limits<std::int64_t>::max();
   const std::int64_t began_ns = process::monotonic_ns();
   process::stop_on_signals();
-  while (run.now_ns() < end_ns && pace.wait()) {
+  while (run.now_ns() < end_ns && pace.wait({})) {
     loop.millisecond();
   }
   if (process::stop_requested()) {
@@ -295,26 +207,7 @@ void declare_program(const CommandLine& app) {
   ServeOptions& options = command.runs(serve);
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
-  command.option("--port", options.port, "TCP port of the robot API; 0: any free one").between(0, 65535);
-  command
-      .option(
-          "--stop-port", options.stop_port,
-          "UDP port of stops by datagram (gaitway stop), at the same address; 0: none; without it one more "
-          "than the TCP port")
-      .between(0, 65535);
-  command.option("--address", options.address,
-                 "Address to listen on. Any but a loopback one needs --token-file, --certificate-file and "
-                 "--key-file");
-  command.option(
-      "--origins", options.origins,
-      "Web origins that may connect besides this computer's, with commas between them; null: pages "
-      "from files");
-  command.option("--token-file", options.token_file, "File with the token that clients must know");
-  command.option("--certificate-file", options.certificate_file, "Certificate chain (PEM)");
-  command.option("--key-file", options.key_file, "Its private key (PEM)");
-  command.option(
-      "--limits", options.limits,
-      "Limits of clients (YAML: name: value) in place of the shipped ones; docs/api.md lists them");
+  add_module_options(command, options.module);
   command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop")
       .between(0.001, 86400.0 * 365.0);
   command.option("--speed", options.speed, "Times real time").between(0.01, 100.0);

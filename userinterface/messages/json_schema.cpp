@@ -61,6 +61,9 @@ Json field_schema(const FieldDescription& field, Sender sender) {
   if (field.length == kNoArray) {
     return element_schema(field, sender);
   }
+  if (field.type == "uint8" && sender == Sender::robot) {
+    return {{"type", "string"}, {"contentEncoding", "base64"}};
+  }
   Json schema{{"type", "array"}, {"items", element_schema(field, sender)}};
   if (field.length != kAnyLength) {
     schema["minItems"] = schema["maxItems"] = field.length;

@@ -16,6 +16,9 @@ std::string array_suffix(int length) {
 
 std::string fields_text(const TypeDescription& type) {
   std::string text;
+  for (const Constant& constant : type.constants) {
+    text += fmt::format("{} {}={}\n", constant.type, constant.name, constant.value);
+  }
   for (const FieldDescription& field : type.fields) {
     text += fmt::format("{}{} {}\n", field.is_message ? short_name(field.type) : std::string(field.type),
                         array_suffix(field.length), field.name);
@@ -31,6 +34,10 @@ ros::TypeDef type_definition(const TypeDescription& type) {
     definition.fieldtypes.push_back(field.is_message ? short_name(field.type) : std::string(field.type));
     definition.fieldarraylen.push_back(field.length);
     definition.examples.push_back(field.default_value);
+  }
+  for (const Constant& constant : type.constants) {
+    definition.constnames.emplace_back(constant.name);
+    definition.constvalues.push_back(fmt::format("{}", constant.value));
   }
   return definition;
 }

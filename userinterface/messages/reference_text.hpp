@@ -55,8 +55,9 @@ All other names are for the clients' own topics.
 inline constexpr std::string_view kServices = R"(
 ## Services of the robot
 
-Every response has `success` and, when that is false, the reason in `message`. A service that needs the command is refused to who
-does not have it.
+Every response has `success` and, when that is false, the reason in `message`; those of the package simulation_interfaces have a `result`, 1 when it
+worked, and the reason in its `error_message`. A service that needs the command is refused to who does not have it. What stands under `/simulation/` is
+offered by a simulated robot alone, to everybody who is let in.
 
 )";
 

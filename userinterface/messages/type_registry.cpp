@@ -11,6 +11,8 @@
 
 #include "gaitway/api/message_definition.hpp"
 #include "gaitway/api/service_types.hpp"
+#include "gaitway/api/simulation_interfaces_types.hpp"
+#include "gaitway/api/simulation_types.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -64,6 +66,9 @@ void add(TypeRegistry& registry) {
   }
   TypeDescription& description = registry.types[M::kName];
   description.name = M::kName;
+  if constexpr (requires { M::kConstants; }) {
+    description.constants.assign(M::kConstants.begin(), M::kConstants.end());
+  }
   M{}.fields([&]<class T>(std::string_view name, const T& value) {
     using Element = typename FieldShape<T>::Element;
     description.fields.push_back({name, is_byte<M>(name) ? "byte" : type_name<Element>(),
@@ -89,25 +94,34 @@ void add_services(TypeRegistry& registry) {
 void add_all_messages(TypeRegistry& registry) {
   using namespace ros;
   add_messages<BusSlot, Clock, DiagnosticArray, Imu, JointState, LinkState, Log, MotionState, Odometry,
-               WayState, PointStamped, PoseArray, RobotState, String, TFMessage, Twist, WrenchStamped>(
-      registry);
+               WayState, PointStamped, PoseArray, RobotState, SimulationState, String, TFMessage, Twist,
+               WrenchStamped>(registry);
 }
 
 void add_all_services(TypeRegistry& registry) {
   using namespace ros;
-  add_services<Trigger, SetBool, MoveJoint, PlayMotion, WalkTo, PushLink, ListPlugins, ChangePlugin,
-               GetParameters, SetParameter, WalkLimits, StartRecording, ListRecordings, AcquireCommand,
-               Lease>(registry);
+  add_services<Trigger, SetBool, MoveJoint, PlayMotion, WalkTo, ListPlugins, ChangePlugin, GetParameters,
+               SetParameter, WalkLimits, StartRecording, ListRecordings, AcquireCommand, Lease>(registry);
   add_services<Topics, TopicType, TopicsForType, TopicsAndRawTypes, Publishers, Subscribers, Interfaces,
                Services, ServiceType, ServicesForType, ServiceNode, ServiceProviders, ServiceRequestDetails,
                ServiceResponseDetails, MessageDetails, Nodes, NodeDetails, GetActionServers, GetTime,
                GetROSVersion, GetParamNames, GetParam, SetParam, HasParam, DeleteParam>(registry);
 }
 
+void add_simulation_services(TypeRegistry& registry) {
+  using namespace ros;
+  add_services<PushLink, SetSpeed, SeekTime, ApplyEvent, PlanFootsteps, GetGeometry>(registry);
+  using namespace ros::simulation;
+  add_services<GetSimulatorFeatures, GetSimulationState, SetSimulationState, StepSimulation, ResetSimulation,
+               SpawnEntity, DeleteEntity, GetEntities, GetEntityState, SetEntityState, GetEntitiesStates,
+               GetEntityInfo, GetSpawnables, GetCurrentWorld>(registry);
+}
+
 TypeRegistry make_registry() {
   TypeRegistry registry;
   add_all_messages(registry);
   add_all_services(registry);
+  add_simulation_services(registry);
   for (const auto& [name, description] : registry.types) {
     if (name.find("/msg/") != std::string_view::npos) {
       registry.messages.push_back(name);

@@ -22,6 +22,7 @@ struct FieldDescription {
 
 struct TypeDescription {
   std::string_view name;
+  std::vector<Constant> constants;
   std::vector<FieldDescription> fields;
 };
 

@@ -200,6 +200,9 @@ class Door::Impl {
           }
         });
     feed_.poll(now_ns, sink);
+    if (const auto state = hub_.take_simulation_state()) {
+      sink.publish(Topic::simulation_state, *state, feed_.robot_ns());
+    }
     tell_commander(sink);
     tell_link_state(now_ns, sink);
     tell_certificate(sink);

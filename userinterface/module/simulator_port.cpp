@@ -1,17 +1,18 @@
-// Pushes as the control channel has them.
+// Pushes and orders as the control channel has them.
 #include "gaitway/api/simulator_port.hpp"
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace gaitway::api {
 
 std::filesystem::path simulator_socket(std::string_view text) {
   constexpr std::string_view kUnix = "unix:";
   if (!text.starts_with(kUnix) || text.size() == kUnix.size()) {
-    throw std::invalid_argument(
-        "simulation '" + std::string(text) +
-        "': must be unix:PATH, the socket of a simulator, as `gaitway serve` gives it");
+    throw std::invalid_argument("simulation '" + std::string(text) +
+                                "': must be unix:PATH, the socket of a simulator, as `gaitway simulator` and "
+                                "`gaitway serve` give it");
   }
   return text.substr(kUnix.size());
 }
@@ -24,12 +25,16 @@ std::uint32_t SimulatorPort::push(const LinkPush& push) {
                       now_ns_);
 }
 
+std::uint32_t SimulatorPort::order(const std::string& json, std::int64_t patience_ns) {
+  return client_.order(json, now_ns_, patience_ns);
+}
+
 std::optional<OrderResult> SimulatorPort::take_result() {
   auto answer = client_.take_answer();
   if (!answer) {
     return std::nullopt;
   }
-  return OrderResult{answer->number, answer->accepted, answer->accepted ? "the push begins" : answer->reason};
+  return OrderResult{answer->number, answer->accepted, std::move(answer->text)};
 }
 
 }  // namespace gaitway::api

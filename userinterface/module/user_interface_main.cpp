@@ -136,8 +136,9 @@ int main(int argc, char** argv) {
   app.add_option("--link", options.link, "The main controller: unix:PATH, or serial:DEVICE:BAUD");
   app.add_option(
       "--simulation", options.simulation,
-      "The robot is a simulation whose simulator listens there: unix:PATH, as `gaitway serve` gives it. Then "
-      "clients may push the robot");
+      "The robot is a simulation whose simulator listens there: unix:PATH, as `gaitway simulator` and "
+      "`gaitway "
+      "serve` give it. Then clients may push the robot, and, with the former, have its time and its world");
   app.add_option("--port", options.port, "TCP port of the robot API; 0: any free one");
   app.add_option(
       "--stop-port", options.stop_port,

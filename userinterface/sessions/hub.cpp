@@ -78,6 +78,10 @@ void Hub::answer(std::int64_t wall_ns) {
   state_->keep_within_budget();
 }
 
+std::optional<ros::SimulationState> Hub::take_simulation_state() {
+  return state_->desk.take_simulation_state();
+}
+
 bool Hub::wanted(Topic topic) const noexcept {
   return state_->publications.wanted(topic);
 }

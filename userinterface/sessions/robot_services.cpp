@@ -92,17 +92,17 @@ void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order
   });
 }
 
-void ServiceDesk::await_result(Orders& orders, const Caller& caller, std::uint32_t order,
+void ServiceDesk::await_result(const Caller& caller, std::uint32_t order,
                                std::function<void(const ServiceCall&, const OrderResult&)> respond) {
-  orders.wait(order, caller.call.client, end_of_wait(caller),
-              [this, call = caller.call, respond = std::move(respond)](const OrderResult* result) {
-                if (result == nullptr) {
-                  const std::int64_t waited_ns = std::min(call.timeout_ns, limits_.answer_ns);
-                  return send_(
-                      call, service_failure(call, "the robot has not answered within " + seconds(waited_ns)));
-                }
-                respond(call, *result);
-              });
+  orders_.wait(order, caller.call.client, end_of_wait(caller),
+               [this, call = caller.call, respond = std::move(respond)](const OrderResult* result) {
+                 if (result == nullptr) {
+                   const std::int64_t waited_ns = std::min(call.timeout_ns, limits_.answer_ns);
+                   return send_(call, service_failure(
+                                          call, "the robot has not answered within " + seconds(waited_ns)));
+                 }
+                 respond(call, *result);
+               });
 }
 
 void ServiceDesk::stand(const Caller& caller) {

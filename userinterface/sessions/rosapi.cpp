@@ -1,7 +1,6 @@
 #include "rosapi.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -15,20 +14,6 @@
 
 namespace gaitway::api {
 namespace {
-
-struct NamedType {
-  std::string_view name, type;
-};
-
-constexpr auto kAllTopics = [] {
-  std::array<NamedType, kTopicCount + 1> all{};
-  std::size_t count = 0;
-  for (const TopicRow& row : kTopics) {
-    all[count++] = {row.name, row.type};
-  }
-  all[count] = {kVelocityTopic, ros::Twist::kName};
-  return all;
-}();
 
 // Of the types of clients' topics: an answer is to fit into what may wait for one client.
 constexpr std::size_t kMostDefinitionBytes = std::size_t{128} * 1024;
@@ -74,16 +59,6 @@ std::vector<std::string> all_names(const Rows& rows) {
   return names;
 }
 
-std::vector<std::string> published() {
-  auto names = all_names(kAllTopics);
-  names.pop_back();
-  return names;
-}
-
-bool is_published(std::string_view topic) {
-  return std::ranges::find(kTopics, topic, &TopicRow::name) != kTopics.end();
-}
-
 std::vector<std::string> node_if(bool so) {
   return so ? std::vector<std::string>{std::string(kNode)} : std::vector<std::string>{};
 }
@@ -119,11 +94,23 @@ Rosapi::Rosapi(const RobotPort& robot, bool simulated, const ParameterValues& pa
     : robot_(robot), parameters_(parameters), offers_(offers) {
   std::ranges::copy_if(kServices, std::back_inserter(services_),
                        [simulated](const ServiceRow& row) { return simulated || !row.of_simulation; });
+  for (const TopicRow& row : kTopics) {
+    if (simulated || !row.of_simulation) {
+      topics_.push_back({row.name, row.type});
+    }
+  }
+  topics_.push_back({kVelocityTopic, ros::Twist::kName});
+}
+
+std::vector<std::string> Rosapi::published() const {
+  auto names = all_names(topics_);
+  names.pop_back();
+  return names;
 }
 
 ros::Topics::Response Rosapi::answer(const ros::Topics::Request&) const {
   ros::Topics::Response response;
-  for (const NamedType& topic : kAllTopics) {
+  for (const NamedType& topic : topics_) {
     response.topics.emplace_back(topic.name);
     response.types.emplace_back(topic.type);
   }
@@ -135,16 +122,16 @@ ros::Topics::Response Rosapi::answer(const ros::Topics::Request&) const {
 }
 
 ros::TopicType::Response Rosapi::answer(const ros::TopicType::Request& request) const {
-  return {type_of(kAllTopics, offers_.topics.all(), request.topic)};
+  return {type_of(topics_, offers_.topics.all(), request.topic)};
 }
 
 ros::TopicsForType::Response Rosapi::answer(const ros::TopicsForType::Request& request) const {
-  return {names_of(kAllTopics, offers_.topics.all(), request.type)};
+  return {names_of(topics_, offers_.topics.all(), request.type)};
 }
 
 ros::TopicsAndRawTypes::Response Rosapi::answer(const ros::TopicsAndRawTypes::Request&) const {
   ros::TopicsAndRawTypes::Response response;
-  for (const NamedType& topic : kAllTopics) {
+  for (const NamedType& topic : topics_) {
     response.topics.emplace_back(topic.name);
     response.types.emplace_back(topic.type);
     response.typedefs_full_text.push_back(full_message_definition(topic.type));
@@ -165,7 +152,8 @@ ros::TopicsAndRawTypes::Response Rosapi::answer(const ros::TopicsAndRawTypes::Re
 }
 
 ros::Publishers::Response Rosapi::answer(const ros::Publishers::Request& request) const {
-  auto nodes = node_if(is_published(request.topic));
+  const std::vector<std::string> published = this->published();
+  auto nodes = node_if(std::ranges::find(published, request.topic) != published.end());
   if (const ClientTopic* const topic = offers_.topics.find(request.topic)) {
     for (const auto& [client, publisher] : topic->publishers) {
       nodes.push_back(node_of(client));

@@ -61,8 +61,14 @@ class Rosapi {
   [[nodiscard]] ros::HasParam::Response answer(const ros::HasParam::Request& request) const;
 
  private:
+  struct NamedType {
+    std::string_view name, type;
+  };
+  [[nodiscard]] std::vector<std::string> published() const;
+
   const RobotPort& robot_;
   std::vector<ServiceRow> services_;  // those that this robot offers
+  std::vector<NamedType> topics_;     // likewise; the last one it takes, the others it publishes
   const ParameterValues& parameters_;
   ClientOffers offers_;
 };

@@ -1,4 +1,4 @@
-// Which service is answered by whom; orders whose answers are waited for.
+// Which service is answered by whom.
 #include "service_desk.hpp"
 
 #include <array>
@@ -9,62 +9,25 @@
 
 namespace gaitway::api {
 
-void Orders::require_room(std::uint64_t client) const {
-  const auto count = std::ranges::count_if(
-      waiting_, [client](const auto& order) { return order.second.client == client && order.second.counts; });
-  if (static_cast<std::size_t>(count) >= kMostOfOneClient) {
-    throw CommandDenied("this connection waits for " + std::to_string(count) +
-                        " answers already: wait for one of them first");
-  }
-}
-
-void Orders::wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish,
-                  bool counts) {
-  waiting_.insert_or_assign(number, Waiting{client, ends_ns, std::move(finish), counts});
-}
-
-void Orders::step(std::int64_t now_ns) {
-  // What is finished may give the next order, so it is taken out first.
-  while (const auto result = take_result_()) {
-    if (const auto order = waiting_.extract(result->number)) {
-      order.mapped().finish(&*result);
-    }
-  }
-  std::vector<Finish> late;
-  std::erase_if(waiting_, [&](auto& order) {
-    const bool over = now_ns >= order.second.ends_ns;
-    if (over) {
-      late.push_back(std::move(order.second.finish));
-    }
-    return over;
-  });
-  for (const Finish& finish : late) {
-    finish(nullptr);
-  }
-}
-
-void Orders::forget(std::uint64_t client) {
-  std::erase_if(waiting_, [client](const auto& order) { return order.second.client == client; });
-}
-
 ServiceDesk::ServiceDesk(RobotPort& robot, SimulationPort* simulation, RobotCommands& commands,
                          const Limits& limits, ParameterValues parameters, const ClientOffers& offers,
                          Send send)
     : robot_(robot),
-      simulation_(simulation),
       commands_(commands),
       limits_(limits),
       parameters_(std::move(parameters)),
       send_(std::move(send)),
-      rosapi_(robot_, simulation_ != nullptr, parameters_, offers),
+      rosapi_(robot_, simulation != nullptr, parameters_, offers),
       orders_([&robot] { return robot.take_result(); }),
-      simulation_orders_(
-          [simulation] { return simulation == nullptr ? std::nullopt : simulation->take_result(); }),
       stands_(robot_, commands_,
               [this](const ServiceCall& call, StandWaits::Outcome outcome, const std::string& text) {
                 answer_stand(call, outcome, text);
               }),
-      gait_(robot_, orders_) {}
+      gait_(robot_, orders_) {
+  if (simulation != nullptr) {
+    simulation_.emplace(*simulation, limits_, send_);
+  }
+}
 
 void ServiceDesk::watch(std::uint32_t order, const Claimant& claimant, std::int64_t now_ns,
                         std::function<void(const std::string& why)> refused) {
@@ -81,7 +44,9 @@ void ServiceDesk::watch(std::uint32_t order, const Claimant& claimant, std::int6
 void ServiceDesk::leave(const Claimant& claimant) {
   orders_.forget(claimant.number);
   stands_.forget(claimant.number);
-  simulation_orders_.forget(claimant.number);
+  if (simulation_) {
+    simulation_->leave(claimant.number);
+  }
   if (records_ && records_->number == claimant.number) {
     records_.reset();
   }
@@ -108,6 +73,9 @@ void ServiceDesk::deny(const ServiceRow& row, const ServiceCall& call, std::stri
   if (row.type == ros::SetParam::kName || row.type == ros::DeleteParam::kName) {
     return reply(call, ros::SetParam::Response{false, std::string(why)});
   }
+  if (row.type.starts_with("simulation_interfaces/")) {  // which has no code for it
+    return send_(call, service_failure(call, why));
+  }
   if (row.type == ros::AcquireCommand::kName) {
     return reply(call, ros::AcquireCommand::Response{false, std::string(why), "", 0.0});
   }
@@ -120,6 +88,14 @@ struct ServiceDesk::Answers {
 
   constexpr Answers& add(std::string_view name, Answer answer) {
     set(find_service(name), answer);
+    return *this;
+  }
+  constexpr Answers& add_simulation() {
+    for (const ServiceRow& row : kServices) {
+      if (row.of_simulation) {
+        set(&row, &ServiceDesk::simulate);
+      }
+    }
     return *this;
   }
   // Those of rosapi that are answered at once.
@@ -164,7 +140,7 @@ void ServiceDesk::answer(const ServiceRow& row, const Caller& caller) {
           .add("/plugins/reload", &ServiceDesk::change_plugin<PluginVerb::reload>)
           .add("/plugins/unload", &ServiceDesk::change_plugin<PluginVerb::unload>)
           .add("/plugins/load", &ServiceDesk::change_plugin<PluginVerb::load>)
-          .add("/simulation/push", &ServiceDesk::push_link)
+          .add_simulation()
           .add("/recording/start", &ServiceDesk::start_recording)
           .add("/recording/stop", &ServiceDesk::stop_recording)
           .add("/recording/list", &ServiceDesk::list_recordings)
@@ -184,23 +160,12 @@ void ServiceDesk::answer(const ServiceRow& row, const Caller& caller) {
   (this->*kAnswers.members[Answers::place(&row)])(caller);
 }
 
-void ServiceDesk::push_link(const Caller& caller) {
-  if (simulation_ == nullptr) {
-    throw CommandDenied("this robot is no simulation: nobody can push it from here");
+void ServiceDesk::simulate(const Caller& caller) {
+  if (!simulation_) {
+    throw CommandDenied(
+        "this robot is no simulation: nobody can push it from here, or change its time or world");
   }
-  const auto asked = request<ros::PushLink>(caller);
-  const bool along_heading = asked.frame == "heading";
-  if (!along_heading && asked.frame != "world" && !asked.frame.empty()) {
-    throw Refused("frame is " + shown(asked.frame) + ", but must be \"world\" or \"heading\"");
-  }
-  simulation_orders_.require_room(caller.call.client);
-  const std::uint32_t order = simulation_->push({.link = asked.link,
-                                                 .force_N = {asked.force.x, asked.force.y, asked.force.z},
-                                                 .along_heading = along_heading,
-                                                 .duration_s = asked.duration});
-  await_result(simulation_orders_, caller, order, [this](const auto& call, const auto& result) {
-    reply(call, ros::PushLink::Response{result.done, result.text});
-  });
+  simulation_->call(*find_service(caller.call.service), caller.call, caller.arguments, caller.now_ns);
 }
 
 void ServiceDesk::acquire_command(const Caller& caller) {

@@ -17,46 +17,14 @@
 #include "gaitway/api/robot_port.hpp"
 #include "gaitway/api/service_table.hpp"
 #include "gaitway/api/simulation_port.hpp"
+#include "orders.hpp"
 #include "robot_commands.hpp"
 #include "rosapi.hpp"
 #include "service_call.hpp"
+#include "simulation_services.hpp"
 #include "stand_waits.hpp"
 
 namespace gaitway::api {
-
-// Orders that somebody (the robot, or its simulation) has been given and has not answered yet.
-class Orders {
- public:
-  // One client may wait for so many answers at once.
-  static constexpr std::size_t kMostOfOneClient = 32;
-  // `result`: null when none has come in time.
-  using Finish = std::function<void(const OrderResult* result)>;
-
-  // The next that was answered, if any.
-  using TakeResult = std::function<std::optional<OrderResult>()>;
-
-  explicit Orders(TakeResult take_result) : take_result_(std::move(take_result)) {}
-
-  // Throws CommandDenied when the client waits for too many answers already; before it gives another order.
-  void require_room(std::uint64_t client) const;
-  // `counts`: among those of which one client may wait for so many.
-  void wait(std::uint32_t number, std::uint64_t client, std::int64_t ends_ns, Finish finish,
-            bool counts = true);
-  // Finishes what the robot has told of, and what has waited for too long.
-  void step(std::int64_t now_ns);
-  // The client is gone: its orders are finished without a word.
-  void forget(std::uint64_t client);
-
- private:
-  struct Waiting {
-    std::uint64_t client = 0;
-    std::int64_t ends_ns = 0;
-    Finish finish;
-    bool counts = true;
-  };
-  TakeResult take_result_;
-  std::unordered_map<std::uint32_t, Waiting> waiting_;
-};
 
 class ServiceDesk {
  public:
@@ -79,7 +47,9 @@ class ServiceDesk {
   // Takes what the robot says, and ends what has waited for too long.
   void step(std::int64_t now_ns) {
     orders_.step(now_ns);
-    simulation_orders_.step(now_ns);
+    if (simulation_) {
+      simulation_->step(now_ns);
+    }
     stands_.step(now_ns);
     gait_.step(now_ns);
     commands_.keep_to(gait_.bounds());
@@ -88,6 +58,10 @@ class ServiceDesk {
   void robot_lost() {
     stands_.robot_lost();
     gait_.robot_lost();
+  }
+  // As last heard, since it was last taken; nothing, too, where there is no simulation.
+  [[nodiscard]] std::optional<ros::SimulationState> take_simulation_state() {
+    return simulation_ ? simulation_->take_state() : std::nullopt;
   }
   // The connection has ended: its orders are answered to nobody.
   void leave(const Claimant& claimant);
@@ -114,7 +88,7 @@ class ServiceDesk {
   void play_motion(const Caller& caller);
   void walk_to(const Caller& caller);
   void leave_way(const Caller& caller);
-  void push_link(const Caller& caller);
+  void simulate(const Caller& caller);
   void start_recording(const Caller& caller);
   void stop_recording(const Caller& caller);
   void list_recordings(const Caller& caller);
@@ -161,24 +135,20 @@ class ServiceDesk {
   }
   // `respond`: when the robot has said what became of the order.
   void await_result(const Caller& caller, std::uint32_t order,
-                    std::function<void(const ServiceCall& call, const OrderResult& result)> respond) {
-    await_result(orders_, caller, order, std::move(respond));
-  }
-  void await_result(Orders& orders, const Caller& caller, std::uint32_t order,
                     std::function<void(const ServiceCall& call, const OrderResult& result)> respond);
   // Makes S's response out of the order's result. `done`: called before, when it was carried out.
   template <class S>
   void await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done = {});
 
   RobotPort& robot_;
-  SimulationPort* simulation_;
   RobotCommands& commands_;
   Limits limits_;
   ParameterValues parameters_;
   std::set<std::string> read_plugins_;  // whose parameters are all in parameters_
   Send send_;
   Rosapi rosapi_;
-  Orders orders_, simulation_orders_;
+  Orders orders_;
+  std::optional<SimulationServices> simulation_;  // nothing: the robot is none
   StandWaits stands_;
   GaitWatch gait_;
   std::optional<Claimant> records_;  // who began the recording, while it is connected

@@ -1,5 +1,5 @@
 // Server and client of the control channel over a real socket: answers, hostile peers, a simulator that comes
-// and goes.
+// and goes. Orders are in order_channel_test.cpp.
 #include <gmock/gmock.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -26,11 +26,13 @@ class ControlChannelTest : public testing::Test {
 
   void start() {
     server.reset();
-    server = std::make_unique<ControlServer>(path, [this](const Push& push) {
+    server = std::make_unique<ControlServer>(path, [this](const Ticket& ticket, const Push& push) {
       if (push.link == "wall") {
         throw std::invalid_argument("link is 'wall', but must be one of the robot's");
       }
       pushed.push_back(push);
+      tickets.push_back(ticket);
+      return push.link != "patient";
     });
   }
   [[nodiscard]] static Push push(const std::string& link = "trunk") {
@@ -48,9 +50,9 @@ class ControlChannelTest : public testing::Test {
            static_cast<ssize_t>(packet.size());
   }
   static std::optional<Answer> hear(const process::FileDescriptor& socket) {
-    AnswerPacket packet;
+    Packet packet(kMostAnswerBytes);
     const ssize_t size = recv(socket.get(), packet.data(), packet.size(), 0);
-    return size == static_cast<ssize_t>(packet.size()) ? decode_answer(packet) : std::nullopt;
+    return size > 0 ? decode_answer(std::span(packet).first(static_cast<std::size_t>(size))) : std::nullopt;
   }
   // What becomes of what `asker` has asked, once the server has had this many milliseconds.
   std::optional<Answer> answer(ControlClient& asker, int milliseconds = 3) {
@@ -67,6 +69,7 @@ class ControlChannelTest : public testing::Test {
 
   process::PrivateFolder folder{"gaitway_control_test"};
   std::filesystem::path path = folder.path() / "simulation.sock";
+  std::vector<Ticket> tickets;
   std::vector<Push> pushed;
   std::unique_ptr<ControlServer> server;
   std::int64_t now_ns = facts::kSecond_ns;
@@ -96,7 +99,7 @@ TEST_F(ControlChannelTest, RefusalsBearTheReason) {
   const auto result = answer(client);
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->accepted);
-  EXPECT_THAT(result->reason, HasSubstr("'wall'"));
+  EXPECT_THAT(result->text, HasSubstr("'wall'"));
   Push wrong = push();
   wrong.duration_s = 3.0;
   EXPECT_THROW(client.push(wrong, now_ns), std::invalid_argument);
@@ -112,19 +115,19 @@ TEST_F(ControlChannelTest, AnotherVersionAndAnUnknownKindAreToldSo) {
   auto told = hear(peer);
   ASSERT_TRUE(told);
   EXPECT_EQ(told->number, 5U);
-  EXPECT_THAT(told->reason, AllOf(HasSubstr("version 9"), HasSubstr("speaks 1")));
+  EXPECT_THAT(told->text, AllOf(HasSubstr("version 9"), HasSubstr("speaks 2")));
   request.version = kControlVersion;
   request.kind = 77;
   ASSERT_TRUE(say(peer, encode(request)));
   server->step();
   told = hear(peer);
   ASSERT_TRUE(told);
-  EXPECT_THAT(told->reason, HasSubstr("kind is 77"));
+  EXPECT_THAT(told->text, HasSubstr("kind is 77"));
   EXPECT_THAT(pushed, SizeIs(0));
 }
 
 TEST_F(ControlChannelTest, WhoSpeaksAnythingElseIsDropped) {
-  for (const std::size_t size : {std::size_t{1}, kRequestBytes, kRequestBytes + 1, std::size_t{4096}}) {
+  for (const std::size_t size : {std::size_t{1}, kHeadBytes, kMostRequestBytes, kMostRequestBytes + 1}) {
     const process::FileDescriptor peer = intruder();
     ASSERT_TRUE(say(peer, std::vector<std::byte>(size, std::byte{7})));
     server->step();
@@ -169,13 +172,13 @@ TEST_F(ControlChannelTest, ClientsBeyondItsPlacesAreTurnedAwayWithTheReason) {
   auto result = answer(client);
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->accepted);
-  EXPECT_THAT(result->reason, HasSubstr("8 clients at once"));
+  EXPECT_THAT(result->text, HasSubstr("8 clients at once"));
   peers.pop_back();
   server->step();
   client.push(push(), now_ns);
   result = answer(client);
   ASSERT_TRUE(result);
-  EXPECT_TRUE(result->accepted) << result->reason;
+  EXPECT_TRUE(result->accepted) << result->text;
 }
 
 TEST_F(ControlChannelTest, WithoutASimulatorARefusalComesAtOnceAndThePushIsNotKept) {
@@ -185,7 +188,7 @@ TEST_F(ControlChannelTest, WithoutASimulatorARefusalComesAtOnceAndThePushIsNotKe
   const auto refused = client.take_answer();
   ASSERT_TRUE(refused);
   EXPECT_FALSE(refused->accepted);
-  EXPECT_THAT(refused->reason, HasSubstr("the simulator is not there"));
+  EXPECT_THAT(refused->text, HasSubstr("the simulator is not there"));
   start();
   EXPECT_FALSE(answer(client, 100));
   EXPECT_TRUE(client.connected()) << "it connects by itself";
@@ -198,11 +201,11 @@ TEST_F(ControlChannelTest, ASimulatorThatWasStartedAnewIsFoundAndNothingIsSentTw
   start();  // the first has not looked at it
   auto result = answer(client);
   ASSERT_TRUE(result);
-  EXPECT_THAT(result->reason, HasSubstr("ended before it answered"));
+  EXPECT_THAT(result->text, HasSubstr("ended before it answered"));
   client.push(push(), now_ns);
   result = answer(client);
   ASSERT_TRUE(result);
-  EXPECT_TRUE(result->accepted) << result->reason;
+  EXPECT_TRUE(result->accepted) << result->text;
   EXPECT_THAT(pushed, SizeIs(1));
 }
 
@@ -215,7 +218,7 @@ TEST_F(ControlChannelTest, AnAnswerThatDoesNotComeIsReported) {
   const auto result = client.take_answer();
   ASSERT_TRUE(result);
   EXPECT_EQ(result->number, number);
-  EXPECT_THAT(result->reason, HasSubstr("not answered within 2 s"));
+  EXPECT_THAT(result->text, HasSubstr("not answered within 2 s"));
 }
 
 }  // namespace

@@ -40,17 +40,41 @@ TEST(ControlMessages, APushComesBackAsItWasAsked) {
   EXPECT_EQ(push.duration_s, 0.1);
 }
 
+TEST(ControlMessages, AnOrderComesBackAsItWasAsked) {
+  const std::string longest = "{\"order\": \"" + std::string(kMostBodyBytes - 13, 'x') + "\"}";
+  for (const std::string& json : {std::string("{}"), longest}) {
+    const auto request = decode_request(encode(request_of(json, 9)));
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->number, 9U);
+    EXPECT_EQ(request->kind, static_cast<std::uint16_t>(RequestKind::order));
+    EXPECT_EQ(order_of(*request), json);
+  }
+  EXPECT_THAT(objection_to_order(longest + " "), AllOf(HasSubstr("4001 bytes"), HasSubstr("1 to 4000")));
+  EXPECT_THROW(static_cast<void>(request_of(longest + " ", 1)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(request_of("", 1)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(order_of(Request{})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(encode(Request{.body = std::vector<std::byte>(kMostBodyBytes + 1)})),
+               std::invalid_argument);
+}
+
 TEST(ControlMessages, AnswersComeBackAndTheirReasonsAreCutBetweenCharacters) {
   const auto accepted = decode_answer(encode(Answer{.number = 7, .accepted = true}));
   ASSERT_TRUE(accepted);
   EXPECT_TRUE(accepted->accepted);
   EXPECT_EQ(accepted->number, 7U);
-  EXPECT_THAT(accepted->reason, IsEmpty());
-  std::string reason(kMostReasonBytes - 1, 'x');
-  const auto refused = decode_answer(encode(Answer{.number = 8, .reason = reason + "\u00e9\u00e9"}));
+  EXPECT_THAT(accepted->text, IsEmpty());
+  const std::string json(kMostTextBytes, 'x');
+  const auto longest = decode_answer(encode(Answer{.number = 7, .accepted = true, .text = json}));
+  ASSERT_TRUE(longest);
+  EXPECT_EQ(longest->text, json);
+  EXPECT_THROW(static_cast<void>(encode(Answer{.number = 7, .accepted = true, .text = json + "x"})),
+               std::invalid_argument)
+      << "half a JSON is none";
+  const std::string reason(kMostTextBytes - 1, 'x');
+  const auto refused = decode_answer(encode(Answer{.number = 8, .text = reason + "\u00e9\u00e9"}));
   ASSERT_TRUE(refused);
   EXPECT_FALSE(refused->accepted);
-  EXPECT_EQ(refused->reason, reason);
+  EXPECT_EQ(refused->text, reason);
 }
 
 TEST(ControlMessages, WhatNobodyMayBePushedWithIsRefusedByFieldValueAndRule) {
@@ -74,18 +98,26 @@ TEST(ControlMessages, WhatNobodyMayBePushedWithIsRefusedByFieldValueAndRule) {
 }
 
 TEST(ControlMessages, OtherPacketsAreNone) {
-  const RequestPacket good = encode(request_of(push_of_trunk(), 7));
+  const Packet good = encode(request_of(push_of_trunk(), 7));
   EXPECT_FALSE(decode_request({}));
-  EXPECT_FALSE(decode_request(std::span(good).first(kRequestBytes - 1)));
+  EXPECT_FALSE(decode_request(std::span(good).first(kHeadBytes - 1)));
+  EXPECT_TRUE(decode_request(std::span(good).first(kHeadBytes)));
+  Packet longer = good;
+  longer.resize(kMostRequestBytes + 1);
+  EXPECT_FALSE(decode_request(longer));
   for (const std::size_t byte : {std::size_t{0}, std::size_t{3}, std::size_t{12}}) {  // magic, reserved
-    RequestPacket bad = good;
+    Packet bad = good;
     bad[byte] ^= std::byte{1};
     EXPECT_FALSE(decode_request(bad)) << byte;
   }
   EXPECT_FALSE(decode_answer(good));
-  AnswerPacket unending = encode(Answer{.number = 1, .reason = "no"});
-  unending.back() = std::byte{'x'};
-  EXPECT_FALSE(decode_answer(unending));
+  const Packet answer = encode(Answer{.number = 1, .text = "no"});
+  EXPECT_TRUE(decode_answer(answer));
+  for (const std::size_t byte : {std::size_t{0}, std::size_t{4}, std::size_t{7}, std::size_t{12}}) {
+    Packet bad = answer;  // magic, version, outcome, reserved
+    bad[byte] ^= std::byte{4};
+    EXPECT_FALSE(decode_answer(bad)) << byte;
+  }
 }
 
 TEST(ControlMessages, ABodyThatIsNoPushIsRefused) {
@@ -96,6 +128,11 @@ TEST(ControlMessages, ABodyThatIsNoPushIsRefused) {
   Request more = good;
   more.body.back() = std::byte{1};
   EXPECT_THROW(static_cast<void>(push_of(more)), std::invalid_argument);
+  for (const std::size_t size : {std::size_t{0}, kPushBytes - 1, kPushBytes + 1}) {
+    Request other = good;
+    other.body.resize(size);
+    EXPECT_THROW(static_cast<void>(push_of(other)), std::invalid_argument) << size;
+  }
 }
 
 }  // namespace

@@ -242,7 +242,7 @@ TEST(FeedOfAWalk, FootstepsAreAheadOfTheRobotAndItsFeetComeToStandOnThem) {
 
 TEST(FeedOfAWalk, EveryTopicComesAtItsRate) {
   for (const TopicRow& topic : kTopics) {
-    if (topic.rate_hz == 0.0) continue;
+    if (topic.rate_hz == 0.0 || topic.of_simulation) continue;
     const auto count = static_cast<double>(rough_walk().collector.count(topic.topic));
     EXPECT_NEAR(count / 5.0, topic.rate_hz, 0.03 * topic.rate_hz + 0.21) << topic.name;
   }

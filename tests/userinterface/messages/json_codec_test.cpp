@@ -130,6 +130,23 @@ TEST(JsonCodec, AgreesWithAnotherLibraryAboutAnyBytes) {
   }
 }
 
+// The vectors of RFC 4648, 10.
+TEST(JsonCodec, WritesBytesInBase64AsRosbridgeDoes) {
+  const auto text_of_bytes = [](std::string_view bytes) {
+    std::string text;
+    append_json_value(text, std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+    return text;
+  };
+  EXPECT_EQ(text_of_bytes(""), R"("")");
+  EXPECT_EQ(text_of_bytes("f"), R"("Zg==")");
+  EXPECT_EQ(text_of_bytes("fo"), R"("Zm8=")");
+  EXPECT_EQ(text_of_bytes("foo"), R"("Zm9v")");
+  EXPECT_EQ(text_of_bytes("foob"), R"("Zm9vYg==")");
+  EXPECT_EQ(text_of_bytes("fooba"), R"("Zm9vYmE=")");
+  EXPECT_EQ(text_of_bytes("foobar"), R"("Zm9vYmFy")");
+  EXPECT_EQ(text_of_bytes("\xfb\xff\xfe"), R"("+//+")");
+}
+
 TEST(JsonCodec, HoldsEveryValueOfRandomMessages) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);

@@ -52,6 +52,22 @@ TEST(MessageDefinition, IsTheTextOfTheMsgFile) {
   EXPECT_EQ(message_definition("std_srvs/srv/Trigger_Request"), "");
 }
 
+TEST(MessageDefinition, HasTheConstantsOfTheMsgFile) {
+  EXPECT_EQ(message_definition("simulation_interfaces/Result"),
+            "uint8 RESULT_FEATURE_UNSUPPORTED=0\nuint8 RESULT_OK=1\nuint8 RESULT_NOT_FOUND=2\n"
+            "uint8 RESULT_INCORRECT_STATE=3\nuint8 RESULT_OPERATION_FAILED=4\n"
+            "uint8 result\nstring error_message\n");
+  EXPECT_EQ(message_definition("simulation_interfaces/srv/ResetSimulation_Request"),
+            "uint8 SCOPE_DEFAULT=0\nuint8 SCOPE_TIME=1\nuint8 SCOPE_STATE=2\nuint8 SCOPE_SPAWNED=4\n"
+            "uint8 SCOPE_ALL=255\nuint8 scope\n");
+  const auto definition = type_definitions("simulation_interfaces/msg/EntityCategory").at(0);
+  EXPECT_THAT(definition.constnames, ElementsAre("CATEGORY_OBJECT", "CATEGORY_ROBOT", "CATEGORY_HUMAN",
+                                                 "CATEGORY_DYNAMIC_OBJECT", "CATEGORY_STATIC_OBJECT"));
+  EXPECT_THAT(definition.constvalues, ElementsAre("0", "1", "2", "4", "5"));
+  EXPECT_THAT(type_definitions("simulation_interfaces/srv/StepSimulation_Request").at(0).examples,
+              ElementsAre("1"));
+}
+
 TEST(MessageDefinition, InFullHoldsEveryInnerTypeOnce) {
   const std::string line(80, '=');
   EXPECT_EQ(full_message_definition("geometry_msgs/PointStamped"),

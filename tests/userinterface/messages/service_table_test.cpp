@@ -46,12 +46,25 @@ TEST(ServiceTable, EverybodyMayStopTheRobotAndOnlyWhoCommandsMayMoveIt) {
   }
 }
 
+TEST(ServiceTable, WhatIsOfASimulationNeedsNoCommand) {
+  for (const ServiceRow& service : kServices) {
+    EXPECT_EQ(service.of_simulation, service.name.starts_with("/simulation/")) << service.name;
+    EXPECT_FALSE(service.of_simulation && service.needs_command) << service.name;
+  }
+}
+
 TEST(ServiceTable, EveryServiceOfTheRobotSaysWhetherItWorkedAndWhy) {
   for (const ServiceRow& service : kServices) {
     if (service.name.starts_with("/rosapi/")) {
       continue;
     }
     const std::string response = message_definition(std::string(service.type) + "_Response");
+    if (service.type.starts_with("simulation_interfaces/")) {
+      EXPECT_TRUE(response.find("simulation_interfaces/Result result\n") != std::string::npos ||
+                  service.name == "/simulation/get_simulator_features")
+          << service.name;
+      continue;
+    }
     EXPECT_TRUE(response.starts_with("bool success\nstring message\n")) << service.name;
   }
 }

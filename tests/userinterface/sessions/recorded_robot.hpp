@@ -1,18 +1,16 @@
-// A robot that writes down what it is told, and answers orders when the test says so; and a simulation.
+// A robot that writes down what it is told, and answers orders when the test says so.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "gaitway/api/robot_port.hpp"
-#include "gaitway/api/simulation_port.hpp"
 
 namespace gaitway::api {
 
@@ -117,34 +115,6 @@ class RecordedRobot : public RobotPort {
     told.emplace_back(what);
     return is_blocked ? std::nullopt : std::optional(++last_number);
   }
-};
-
-// Answers when the test says so, too.
-class RecordedSimulation final : public SimulationPort {
- public:
-  std::vector<LinkPush> pushes;
-  std::deque<OrderResult> results;
-  std::string refusal;  // of the next pushes, as of wrong arguments
-
-  std::uint32_t push(const LinkPush& push) override {
-    if (!refusal.empty()) {
-      throw std::invalid_argument(refusal);
-    }
-    pushes.push_back(push);
-    return ++last_number_;
-  }
-  std::optional<OrderResult> take_result() override {
-    if (results.empty()) {
-      return std::nullopt;
-    }
-    OrderResult result = results.front();
-    results.pop_front();
-    return result;
-  }
-  void finish(bool done, std::string text) { results.push_back({last_number_, done, std::move(text)}); }
-
- private:
-  std::uint32_t last_number_ = 0;
 };
 
 }  // namespace gaitway::api

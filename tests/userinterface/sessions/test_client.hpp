@@ -15,6 +15,7 @@
 #include "gaitway/api/hub.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "recorded_robot.hpp"
+#include "recorded_simulation.hpp"
 
 namespace gaitway::api {
 

@@ -39,6 +39,10 @@ class MemoryBlock {
   // owner and its other copies see nothing of what it writes from now on. The owner must not write while the
   // copy lives, or the copy may see it. Throws std::system_error.
   void keep_to_this_process();
+  // For a copy that keeps it to itself, and that wants to be an owner with clients in other processes: what
+  // is in the block moves into shared memory of its own, under the eyes of this process's clients. Nobody
+  // else may have it yet. Throws std::system_error.
+  void share_anew();
 
   [[nodiscard]] std::size_t size_bytes() const noexcept;
   [[nodiscard]] std::size_t used_bytes() const noexcept;

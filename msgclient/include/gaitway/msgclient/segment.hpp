@@ -31,6 +31,9 @@ class Segment {
   // In a copy of the process that fork() made: the memory stays where it is, but from now on what the copy
   // writes there is seen by nobody else. Of memory that is mapped writable. Throws std::system_error.
   void keep_to_this_process();
+  // What is there moves into a new piece of shared memory behind the same addresses. Throws
+  // std::system_error.
+  void share_anew(const std::string& name);
 
   [[nodiscard]] void* data() const noexcept { return data_; }
   [[nodiscard]] std::size_t size() const noexcept { return bytes_; }

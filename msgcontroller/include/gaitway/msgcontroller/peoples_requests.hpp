@@ -21,6 +21,8 @@ class WalkRequests {
   // The robot stands until the first request. Throws msgclient::TopicError when somebody writes
   // `walk_command`.
   explicit WalkRequests(msgclient::Client& client);
+  // The robot obeys `in_force` already, and requests that were made before do not count.
+  WalkRequests(msgclient::Client& client, const WalkCommand& in_force);
 
   // Once a millisecond. What has been commanded just now, if anything has. No allocation.
   std::optional<WalkCommand> step(std::int64_t now_ns) noexcept;
@@ -37,6 +39,9 @@ class WalkRequests {
   WalkCommand current_{};
 };
 
+// What becomes of a request that was made before anybody obeyed.
+enum class Waiting { obeyed, dropped };
+
 // Reads a topic of requests, writes the one of commands, with the stamp of now.
 template <class Request>
 class PassedRequests {
@@ -48,8 +53,10 @@ class PassedRequests {
 
  protected:
   // Throws msgclient::TopicError when somebody else writes `commands`.
-  PassedRequests(msgclient::Client& client, const char* requests, const char* commands)
-      : requests_(client.read<Request>(requests)), commands_(client.write<Request>(commands)) {}
+  PassedRequests(msgclient::Client& client, const char* requests, const char* commands, Waiting waiting)
+      : requests_(client.read<Request>(requests)),
+        commands_(client.write<Request>(commands)),
+        seen_(waiting == Waiting::dropped ? requests_.newest_sequence() : 0) {}
 
  private:
   msgclient::Reader<Request> requests_;
@@ -61,15 +68,15 @@ class PassedRequests {
 // From `motion_request` to `motion_command`.
 class MotionRequests : public PassedRequests<MotionRequest> {
  public:
-  explicit MotionRequests(msgclient::Client& client)
-      : PassedRequests(client, "motion_request", "motion_command") {}
+  explicit MotionRequests(msgclient::Client& client, Waiting waiting = Waiting::obeyed)
+      : PassedRequests(client, "motion_request", "motion_command", waiting) {}
 };
 
 // From `walk_to_request` to `walk_to_command`.
 class WayRequests : public PassedRequests<WalkToRequest> {
  public:
-  explicit WayRequests(msgclient::Client& client)
-      : PassedRequests(client, "walk_to_request", "walk_to_command") {}
+  explicit WayRequests(msgclient::Client& client, Waiting waiting = Waiting::obeyed)
+      : PassedRequests(client, "walk_to_request", "walk_to_command", waiting) {}
 };
 
 }  // namespace gaitway::msgcontroller

@@ -77,8 +77,12 @@ class Cosimulation {
 
   // For a copy of this process that fork() made: the run goes on in it without a trace in the process that it
   // came from, as long as that one waits. Not where plug-ins have processes or threads of their own, which
-  // are not copied. Throws std::system_error.
+  // are not copied. Once; copies of the copy go on by themselves. Throws std::system_error.
   void keep_to_this_process() { memory_block_.keep_to_this_process(); }
+  // From now on people command the robot, as with `obey_walk_requests` from the start: requests that lie in
+  // the topics already do not count, and a walk that the scenario asked for ends soon, as that of somebody
+  // who has gone; a way or motion goes on.
+  void hand_to_people();
 
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   [[nodiscard]] Plant& plant() noexcept { return plant_; }
@@ -117,6 +121,7 @@ class Cosimulation {
   void ask(const msgclient::UserCommandMail& mail);
   void ask(const MotionEvent& motion);
   void ask(const WalkToEvent& way);
+  void change_world(const SpawnEvent& spawn);
 
   urdf::RobotModel robot_;
   CosimulationOptions options_;
@@ -140,7 +145,7 @@ class Cosimulation {
   std::optional<msgcontroller::WayRequests> way_requests_;
   std::uint32_t ways_asked_ = 0;
   std::optional<Localization> localization_;
-  std::optional<msgclient::QueueWriter<UserCommand>> asked_commands_;  // opened when one is asked for
+  WalkCommand scenario_walk_{};  // the newest one
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

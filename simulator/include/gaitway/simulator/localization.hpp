@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <random>
+#include <span>
 
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -20,7 +22,11 @@ struct LocalizationOptions {
   double deviation_rad = 0.01;
 };
 
-// Writes the topic `pose_measurement`.
+// Upright boxes on the ground around each of them, as something that looks down sees them.
+[[nodiscard]] Obstacles boxes_around(std::span<const world::Solid> solids);
+
+// Writes the topic `pose_measurement`, and `obstacles` as soon as something has been put into the world that
+// the robot's map does not have, where nobody else writes it.
 class Localization {
  public:
   // Throws msgclient::TopicError when somebody else writes the topic.
@@ -30,10 +36,17 @@ class Localization {
   void step(std::int64_t now_ns, const Plant& plant);
 
  private:
+  void see_robot(std::int64_t now_ns, const Plant& plant);
+  void see_obstacles(std::int64_t now_ns, const Plant& plant);
+
+  msgclient::Client& client_;
   LocalizationOptions options_;
   msgclient::Writer<PoseMeasurement> writer_;
   std::mt19937_64 random_;
   std::deque<PoseMeasurement> seen_;  // and not told yet
+  std::optional<msgclient::Writer<Obstacles>> obstacles_;
+  Obstacles told_{};
+  bool others_see_obstacles_ = false;
 };
 
 }  // namespace gaitway::simulator

@@ -26,6 +26,9 @@ struct PlantOptions {
   // What it walks in; none: an endless floor. A world has its own ground: slopes, tiles and steps of the
   // conditions are refused then.
   std::optional<world::World> world = std::nullopt;
+  // Where the joints begin, in the order of RobotModel::joints, rad; empty: in the home posture. The robot
+  // stands on the sole that is lower when it is level.
+  std::vector<double> start_rad = {};
 };
 
 // What the sensors read, in SI units, sensor frames; noise included.
@@ -96,9 +99,10 @@ struct Replay {
 // Depends on nothing but its options and commands: the same give the same motion to the bit. Not thread-safe.
 class Plant {
  public:
-  // Stands in the home posture, soles on the ground, at the world's start. Throws std::runtime_error where
-  // MuJoCo refuses robot or world, input::InputError where the robot has no room at the start, and
-  // std::invalid_argument for a world with conditions of another ground.
+  // Stands in the posture of the start, soles on the ground, at the world's start. Throws std::runtime_error
+  // where MuJoCo refuses robot or world, input::InputError where the robot has no room at the start, and
+  // std::invalid_argument for a world with conditions of another ground, and for a start with another number
+  // of joints, or one that is not finite or beyond its limits.
   Plant(const urdf::RobotModel& robot, const PlantOptions& options);
   ~Plant();
   Plant(Plant&&) noexcept;
@@ -131,6 +135,21 @@ class Plant {
   // overlap. A thing of the world may be pushed, too, by its name. Throws std::invalid_argument for an
   // unknown body, a direction of no length, or a duration that is not positive.
   void push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s);
+
+  // Changes of the world while the robot is in it; what moves there goes on as it did. From the next step on.
+  // All throw std::invalid_argument, with name, rule and remedy, and nothing has changed: without a world,
+  // for a name that is taken, or that nothing has, and where the solid would lie inside the robot.
+  //
+  // `mass_kg`: none: it stands fast.
+  void put(const world::Solid& solid, const world::Colour& colour, std::optional<double> mass_kg);
+  // What was put there, or a thing of the world; it comes to rest.
+  void move(std::string_view name, const Eigen::Isometry3d& pose);
+  // What was put there.
+  void remove(std::string_view name);
+  // Solids that were put there, as they lie now.
+  [[nodiscard]] std::vector<world::Solid> put_solids() const;
+  // Rises with each of these changes.
+  [[nodiscard]] std::uint32_t geometry() const noexcept;
 
   // The same model from the same start, fed the given torques (motor_torque_Nm, one row for each step,
   // row-major) and nothing else: no sensors, no contacts read. Without pushes it ends where the recorded run

@@ -25,106 +25,22 @@
 //     - {at_s: 16.4, fault: {kind: foreign_frame, id: 0x7AB, data: [1, 2, 3]}}    # or also: extended: true,
 //     remote: true
 //     - {at_s: 17.0, fault: {kind: plugin_fails, plugin: zmp, how: throws, duration_s: 1.0}}
+//     - {at_s: 18.0, spawn: {name: crate, shape: box, size_m: [0.2, 0.2, 0.1], position_m: [1, 0, 0.05]}}
+//                                  # or cylinder, sphere; with mass_kg it can be pushed; yaw_deg, colour
+//     - {at_s: 19.0, move: {name: crate, position_m: [1, 0.5, 0.05], yaw_deg: 30}}
+//     - {at_s: 20.0, remove: {name: crate}}          # what was spawned
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <variant>
 #include <vector>
 
-#include "gaitway/can/frame.hpp"
-#include "gaitway/manager/plugin_fault_table.hpp"
 #include "gaitway/simulator/conditions.hpp"
+#include "gaitway/simulator/scenario_event.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/world/world_choice.hpp"
 
 namespace gaitway::simulator {
-
-struct WalkEvent {
-  Eigen::Vector2d velocity_m_per_s = Eigen::Vector2d::Zero();
-  double turn_rate_rad_per_s = 0.0;
-  bool walk = true;  // false: finish the step and stand
-};
-// Play a key-frame motion; without a name: leave the one that plays.
-struct MotionEvent {
-  std::string name;
-};
-// Walk to a place of the world; without one: leave the way that is being walked.
-struct WalkToEvent {
-  std::optional<std::array<double, 3>> goal;  // x m, y m, yaw rad, of the middle between the feet
-};
-struct StopEvent {};
-struct ReleaseEvent {};
-struct EmergencyStopEvent {
-  bool soft = false;
-};
-// User command: one joint moves to an angle; refused unless the robot stands without a batch.
-struct ManualJointEvent {
-  int joint = 0;  // index in RobotModel::joints
-  double position_rad = 0.0;
-  int duration_slots = 1;  // time slots of 10 ms over which it moves there
-};
-inline constexpr double kLargestImpulse_Ns = 400.0;
-struct PushEvent {
-  std::string body;
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
-  double impulse_Ns = 0.0;
-  double duration_s = 0.1;
-};
-// The main controller makes no tick for a while; 0: never again.
-struct MainControllerSilentFault {
-  double duration_s = 0.0;
-};
-// Frames are lost on the wire, each with this probability.
-struct LoseFramesFault {
-  double probability = 0.0;
-  double duration_s = 0.0;
-};
-// Errors at random, each attempt to send a frame meeting one with these probabilities (can::RandomFaults).
-struct DisturbBusFault {
-  double corruption = 0.0;
-  double omission = 0.0;
-  double duplicate = 0.0;
-  double duration_s = 0.0;
-};
-// The bus is unusable for a while: noise, or stuck dominant.
-struct JamFault {
-  double duration_s = 0.0;
-  bool stuck = false;
-};
-// A station's frames are destroyed until it is bus-off; it comes back as the standard has it.
-struct BusOffFault {
-  std::string node;  // a joint's name, or message_controller
-};
-// A local controller is without power for a while, its motor without torque. Afterwards it holds where its
-// absolute encoder says that it is.
-struct JointRestartsFault {
-  std::string joint;
-  double duration_s = 0.0;
-};
-// A station that does not belong there sends one frame.
-struct ForeignFrameFault {
-  can::Frame frame;
-};
-// A plug-in's steps fail for a while; 0: for ever.
-struct PluginFault {
-  std::string plugin;
-  core::PluginFaultKind how = core::PluginFaultKind::throws;
-  double duration_s = 0.0;
-  double cost_s = 0.006;  // of a step that overruns
-};
-
-struct ScenarioEvent {
-  double at_s = 0.0;
-  std::variant<WalkEvent, MotionEvent, WalkToEvent, StopEvent, ReleaseEvent, EmergencyStopEvent,
-               ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault,
-               JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault>
-      action;
-  bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
-};
 
 struct Scenario {
   double seconds = 20.0;

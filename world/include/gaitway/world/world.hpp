@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -103,6 +104,8 @@ struct World {
 
   // The floor, what stands on it and, where `with_things`, what can be pushed, where it lies at the start.
   [[nodiscard]] std::vector<Solid> all_solids(bool with_things) const;
+  // Of the solid of that name in all_solids(true); -1: there is none.
+  [[nodiscard]] int index_of(std::string_view solid) const;
 };
 
 // The most there may be of each.

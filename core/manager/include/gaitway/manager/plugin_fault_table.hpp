@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace gaitway::core {
 
@@ -17,6 +18,13 @@ enum class PluginFaultKind : std::uint8_t {
   jumps,         // ... with a number that lies 1000 beyond
   overruns       // the step takes longer
 };
+
+// As people write them.
+inline constexpr std::array<std::pair<std::string_view, PluginFaultKind>, 4> kPluginFaultNames{
+    {{"throws", PluginFaultKind::throws},
+     {"not_a_number", PluginFaultKind::not_a_number},
+     {"jumps", PluginFaultKind::jumps},
+     {"overruns", PluginFaultKind::overruns}}};
 
 struct PluginFault {
   PluginFaultKind kind = PluginFaultKind::none;

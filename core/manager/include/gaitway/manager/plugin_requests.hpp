@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 #include "gaitway/manager/plugin_manager.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -46,6 +47,8 @@ class PluginRequests {
   // Sleeps until there is something to do, or end_work() was called; then false, for ever.
   [[nodiscard]] bool wait_for_work() const noexcept;
   void end_work() noexcept;  // from any thread
+  // Whether a change or a parameter has been put in place since the last call; by the thread of the ticks.
+  [[nodiscard]] bool take_change() noexcept { return std::exchange(changed_, false); }
 
  private:
   // Whose turn it is: step()'s, where nothing else is said.
@@ -77,6 +80,7 @@ class PluginRequests {
   bool from_network_ = false;
   PluginRequest request_{};
   bool done_ = false;
+  bool changed_ = false;
   std::array<char, sizeof(PluginAnswer::text)> text_{};   // of the answer
   std::array<char, sizeof(PluginAnswer::text)> value_{};  // of the parameter that is to be described
   std::unique_ptr<PluginChange> change_;                  // prepared, or no longer needed

@@ -11,6 +11,9 @@ namespace gaitway::navigation {
 // size.
 [[nodiscard]] planning::Limits limits_of(const urdf::RobotModel& robot);
 
+// How long a step of that gait takes.
+[[nodiscard]] double step_time_s(const urdf::RobotModel& robot);
+
 // Of a map for it: 10 mm on humanoid22.
 [[nodiscard]] double cell_for(const planning::Limits& limits);
 

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,9 @@ namespace gaitway::api {
 
 // Appends a JSON string, quoted and escaped. Bytes that are not UTF-8 become U+FFFD.
 void append_json_string(std::string& out, std::string_view text);
+
+// Appends a JSON string of the bytes in base64 (RFC 4648, 4), as rosbridge writes uint8[].
+void append_json_bytes(std::string& out, std::span<const std::uint8_t> bytes);
 
 // Appends a number; null when it is not finite.
 template <Number T>
@@ -47,16 +51,18 @@ void append_json_value(std::string& out, const T& value) {
     append_json(out, value);
   } else if constexpr (Array<T>) {
     using Element = typename FieldShape<T>::Element;
-    static_assert(!std::same_as<Element, std::uint8_t>,
-                  "rosbridge wants uint8[] in base64: write that first");
-    out += '[';
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      if (i > 0) {
-        out += ',';
+    if constexpr (std::same_as<Element, std::uint8_t>) {
+      return append_json_bytes(out, value);
+    } else {
+      out += '[';
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        if (i > 0) {
+          out += ',';
+        }
+        append_json_value<Element>(out, value[i]);
       }
-      append_json_value<Element>(out, value[i]);
+      out += ']';
     }
-    out += ']';
   } else if constexpr (std::same_as<T, bool>) {
     out += value ? "true" : "false";
   } else if constexpr (Number<T>) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -51,6 +52,32 @@ void visit_named([[maybe_unused]] const std::array<std::string_view, sizeof...(M
 #define GAITWAY_ROS_MESSAGE(type_name, ...) \
   GAITWAY_FIELDS(__VA_ARGS__)               \
   static constexpr std::string_view kName = type_name
+
+// A constant of a definition, which tells what a number in a field means.
+struct Constant {
+  std::string_view type;
+  std::string_view name;
+  std::uint32_t value = 0;
+};
+
+template <std::size_t count>
+[[nodiscard]] consteval std::array<Constant, count> constants_of(
+    std::string_view type, const std::array<std::string_view, count>& names,
+    const std::array<std::uint32_t, count>& values) {
+  std::array<Constant, count> constants;
+  for (std::size_t i = 0; i < count; ++i) {
+    constants[i] = {type, names[i], values[i]};
+  }
+  return constants;
+}
+
+// Constants of a message or of a part of a service, all of one type: enumerators of the struct, which bear
+// the names that the definition has.
+#define GAITWAY_CONSTANTS(type, ...)                                                                \
+  static constexpr auto kConstants =                                                                \
+      ::gaitway::api::constants_of<::gaitway::api::count_names(#__VA_ARGS__)>(                      \
+          #type, ::gaitway::api::names_in<::gaitway::api::count_names(#__VA_ARGS__)>(#__VA_ARGS__), \
+          {__VA_ARGS__})
 
 // A whole struct of one field, for the arguments and answers of services.
 #define GAITWAY_ONE_FIELD(struct_name, type, field) \

@@ -32,7 +32,8 @@ enum class Topic : std::uint8_t {
   diagnostics,
   bus_slot,
   events,
-  rosout
+  rosout,
+  simulation_state
 };
 
 struct TopicRow {
@@ -43,6 +44,7 @@ struct TopicRow {
   bool latched;            // a new subscriber gets the last message at once
   std::string_view frame;  // its name, or what it is where the robot's description names it
   std::string_view doc;
+  bool of_simulation = false;  // a real robot does not publish it
 };
 
 inline constexpr std::array kTopics{
@@ -103,6 +105,13 @@ inline constexpr std::array kTopics{
         "The main controller's events, as they happen; what is said again within 10 s is told once for all"},
     TopicRow{Topic::rosout, "/rosout", ros::Log::kName, 0.0, false, "",
              "The same as /events, where tools of ROS look for it"},
+    TopicRow{
+        Topic::simulation_state, "/simulation/state", ros::SimulationState::kName, 10.0, false,
+        "the simulator's world",
+        "Where the simulation is in its time, whether it plays, where the robot truly is, and what is in "
+        "its world. By the computer's clock, so it comes while the simulation is paused, too; of a "
+        "simulator that takes orders (`gaitway simulator`) alone",
+        true},
 };
 inline constexpr std::size_t kTopicCount = kTopics.size();
 

@@ -14,7 +14,8 @@ using AnyMessage =
     std::variant<const ros::JointState*, const ros::Imu*, const ros::WrenchStamped*, const ros::PointStamped*,
                  const ros::Odometry*, const ros::TFMessage*, const ros::PoseArray*, const ros::MotionState*,
                  const ros::WayState*, const ros::BusSlot*, const ros::RobotState*, const ros::LinkState*,
-                 const ros::String*, const ros::Clock*, const ros::DiagnosticArray*, const ros::Log*>;
+                 const ros::String*, const ros::Clock*, const ros::DiagnosticArray*, const ros::Log*,
+                 const ros::SimulationState*>;
 
 // Called from within Feed::poll(); must not throw.
 class PublicationSink {

@@ -58,6 +58,12 @@ struct Pose {
   GAITWAY_ROS_MESSAGE("geometry_msgs/msg/Pose", position, orientation);
 };
 
+struct PoseStamped {
+  Header header;
+  Pose pose;
+  GAITWAY_ROS_MESSAGE("geometry_msgs/msg/PoseStamped", header, pose);
+};
+
 struct PoseArray {
   Header header;
   std::vector<Pose> poses;
@@ -73,6 +79,11 @@ struct PointStamped {
 struct Twist {
   Vector3 linear, angular;
   GAITWAY_ROS_MESSAGE("geometry_msgs/msg/Twist", linear, angular);
+};
+
+struct Accel {
+  Vector3 linear, angular;
+  GAITWAY_ROS_MESSAGE("geometry_msgs/msg/Accel", linear, angular);
 };
 
 struct Wrench {
@@ -218,6 +229,32 @@ struct LinkState {
   std::string link;      // as the module's option --link has it
   double seconds = 0.0;  // for so long
   GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/LinkState", state, text, link, seconds);
+};
+
+// Where a simulation is in its time, and what is in its world. Poses are of the simulator's world: position,
+// and orientation as x, y, z, w.
+struct SimulationState {
+  double time = 0.0;      // s
+  double recorded = 0.0;  // s: the last instant that has been simulated, and can be gone to
+  std::string state;      // "playing", "paused", "busy" or "failed"
+  std::string text;       // for people: what it is busy with, or why it has failed
+  double speed = 1.0;     // times real time, as asked
+  double pace = 0.0;      // the same as measured
+  std::string world;
+  std::uint32_t geometry = 0;  // rises when the solids of the world are others
+  std::uint32_t run = 0;       // rises when the robot has been put back to another instant
+  bool fallen = false;
+  std::vector<double> odometry;          // of the frame odom: x m, y m, z m, yaw rad
+  std::vector<double> base;              // true pose of the robot's base, seven numbers
+  std::vector<std::string> thing_names;  // of what can be moved
+  std::vector<Pose> thing_poses;         // where it is now
+  std::vector<double> mark_times;        // s; for a time line
+  std::vector<std::string> mark_kinds;   // "command", "push", "fault", "world" or "fall"
+  std::vector<double> event_times;       // s; the last ones
+  std::vector<std::string> event_texts;  // events of a scenario
+  GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/SimulationState", time, recorded, state, text, speed, pace, world,
+                      geometry, run, fallen, odometry, base, thing_names, thing_poses, mark_times, mark_kinds,
+                      event_times, event_texts);
 };
 
 struct Log {

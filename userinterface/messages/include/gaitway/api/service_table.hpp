@@ -6,6 +6,8 @@
 
 #include "gaitway/api/rosapi_types.hpp"
 #include "gaitway/api/service_types.hpp"
+#include "gaitway/api/simulation_interfaces_types.hpp"
+#include "gaitway/api/simulation_types.hpp"
 
 namespace gaitway::api {
 
@@ -114,6 +116,97 @@ inline constexpr std::array kServices{
         "in. A real robot does not list this service, and refuses it",
         R"({"link": "trunk", "force": {"x": 5.0, "y": 0.0, "z": 0.0}, "duration": 0.1, "frame": "heading"})",
         true},
+    ServiceRow{"/simulation/set_speed", ros::SetSpeed::kName, false,
+               "Let the simulation run at `speed` times real time, 0.1 to 40, as far as the computer can; "
+               "`pace` of /simulation/state tells how fast it does",
+               R"({"speed": 2.0})", true},
+    ServiceRow{
+        "/simulation/seek", ros::SeekTime::kName, false,
+        "Go to the instant `time` [s], from 0 to `recorded` of /simulation/state, and pause there: all "
+        "of the robot and the world is as it was. When it plays on from there, what came later is "
+        "forgotten. `time`: the instant that was reached",
+        R"({"time": 1.5})", true},
+    ServiceRow{
+        "/simulation/apply", ros::ApplyEvent::kName, false,
+        "Do something to the robot or the world now: `event` is an event of a scenario without `at_s`, "
+        "as YAML in one line or as JSON: `push`, `fault`, `spawn`, `move` or `remove` with its fields "
+        "(docs/simulator.md)",
+        R"({"event": "{fault: {kind: jam, duration_s: 0.01}}"})", true},
+    ServiceRow{
+        "/simulation/plan", ros::PlanFootsteps::kName, false,
+        "Plan footsteps to a place of the world, as /walk_to does, and walk none of them. `sides`: of "
+        "each step, 0 left or 1 right; `steps`: x, y [m] and yaw [rad] of each; `feet`: the same of the "
+        "left and the right foot now; `duration`: of the walk [s], estimated. `success` is false with "
+        "the planner's reason where there is no way",
+        R"({"x": 1.0, "y": 0.5, "yaw": 0.0})", true},
+    ServiceRow{
+        "/simulation/geometry", ros::GetGeometry::kName, false,
+        "The solids of the world, from the one of index `first` on, as many as one answer holds (200), "
+        "of `total`. Ask again where `geometry` of /simulation/state is another one; what can be moved "
+        "is where the state says",
+        R"({"first": 0})", true},
+    ServiceRow{
+        "/simulation/get_simulator_features", ros::simulation::GetSimulatorFeatures::kName, false,
+        "What this simulator can do of what the package simulation_interfaces has. `custom_info`: what "
+        "there is to know about it, or why it can do nothing",
+        "{}", true},
+    ServiceRow{
+        "/simulation/get_simulation_state", ros::simulation::GetSimulationState::kName, false,
+        "Whether it plays (1) or is paused (2); it is stopped (0) when it is paused and nothing has been "
+        "simulated",
+        "{}", true},
+    ServiceRow{"/simulation/set_simulation_state", ros::simulation::SetSimulationState::kName, false,
+               "Play (1), pause (2), or stop (0), which pauses and resets", R"({"state": {"state": 2}})",
+               true},
+    ServiceRow{
+        "/simulation/step_simulation", ros::simulation::StepSimulation::kName, false,
+        "Simulate so many milliseconds, 1 to 10000, while it is paused; answered when it has. A step is "
+        "one millisecond",
+        R"({"steps": 10})", true},
+    ServiceRow{"/simulation/reset_simulation", ros::simulation::ResetSimulation::kName, false,
+               "Back to the start: the time, the robot and the world, without what was spawned. All of these "
+               "together or none: `scope` is 0, 7 or 255",
+               R"({"scope": 255})", true},
+    ServiceRow{
+        "/simulation/spawn_entity", ros::simulation::SpawnEntity::kName, false,
+        "Put something into the world, centre at `initial_pose` (of the frame `world`, upright). `uri` of "
+        "its "
+        "resource: one that /simulation/get_spawnables lists, with other values: "
+        "`gaitway:SHAPE?size=X,Y,Z&mass=KG&colour=R,G,B`, SHAPE box, cylinder or sphere, `size` whole [m], "
+        "colours from 0 to 1. Without `mass` it stands fast. `entity_name`: what it is called now",
+        R"({"name": "crate", "allow_renaming": true, "entity_resource": {"uri": "gaitway:box?size=0.1,0.1,0.1&mass=0.5"}, "initial_pose": {"pose": {"position": {"x": 1.0, "y": 0.5, "z": 0.05}}}})",
+        true},
+    ServiceRow{"/simulation/delete_entity", ros::simulation::DeleteEntity::kName, false,
+               "Remove what was spawned", R"({"entity": "crate"})", true},
+    ServiceRow{
+        "/simulation/get_entities", ros::simulation::GetEntities::kName, false,
+        "Names of what is in the world: `robot`, and every solid. Filters: a regular expression (POSIX "
+        "extended, without intervals and back references) of the name, categories, tags, and a sphere "
+        "that it overlaps with",
+        R"({"filters": {"filter": "^crate"}})", true},
+    ServiceRow{
+        "/simulation/get_entity_state", ros::simulation::GetEntityState::kName, false,
+        "True pose of an entity, in the frame `world`, and its velocity, as the mean of the last 0.25 s "
+        "of simulated time or less; null where that is not known, as accelerations of what can move are",
+        R"({"entity": "robot"})", true},
+    ServiceRow{
+        "/simulation/set_entity_state", ros::simulation::SetEntityState::kName, false,
+        "Move what was spawned, or what can be pushed, to a pose (`set_pose`), upright; velocities cannot "
+        "be set",
+        R"({"entity": "crate", "state": {"pose": {"position": {"x": 1.0, "y": 0.2, "z": 0.05}}}, "set_pose": true})",
+        true},
+    ServiceRow{"/simulation/get_entities_states", ros::simulation::GetEntitiesStates::kName, false,
+               "Names and states of what is in the world, with the filters of /simulation/get_entities",
+               R"({"filters": {"filter": "robot"}})", true},
+    ServiceRow{
+        "/simulation/get_entity_info", ros::simulation::GetEntityInfo::kName, false,
+        "What an entity is: its category (1 the robot, 0 what can be moved, 5 what stands fast), and as "
+        "tags its kind, its shape and whether it was spawned",
+        R"({"entity": "robot"})", true},
+    ServiceRow{"/simulation/get_spawnables", ros::simulation::GetSpawnables::kName, false,
+               "What /simulation/spawn_entity can spawn", "{}", true},
+    ServiceRow{"/simulation/get_current_world", ros::simulation::GetCurrentWorld::kName, false,
+               "The world that is simulated. `uri`: as the option --world has it", "{}", true},
     ServiceRow{"/rosapi/topics", ros::Topics::kName, false, "Every topic and its type", "{}"},
     ServiceRow{"/rosapi/topic_type", ros::TopicType::kName, false,
                "The type of a topic; empty when there is none of that name", R"({"topic": "/joint_states"})"},

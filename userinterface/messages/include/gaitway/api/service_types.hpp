@@ -182,16 +182,6 @@ struct CommandLease {
 };
 using AcquireCommand = RosService<"gaitway_msgs/srv/AcquireCommand", CommanderName, CommandLease>;
 
-// A force [N] on a link's centre of mass for `duration` [s]. `frame`: world, or heading; empty: world.
-struct LinkForce {
-  std::string link;
-  Vector3 force;
-  double duration = 0.0;
-  std::string frame;
-  GAITWAY_FIELDS(link, force, duration, frame)
-};
-using PushLink = RosService<"gaitway_msgs/srv/PushLink", LinkForce, Outcome>;
-
 GAITWAY_ONE_FIELD(LeaseName, std::string, lease);
 using Lease = RosService<"gaitway_msgs/srv/Lease", LeaseName, Outcome>;
 

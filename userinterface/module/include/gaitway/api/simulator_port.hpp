@@ -1,10 +1,11 @@
 // The simulation as the sessions reach it: over the simulator's control channel, whose other end `gaitway
-// serve` has.
+// simulator` or `gaitway serve` has.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -29,6 +30,7 @@ class SimulatorPort final : public SimulationPort {
   }
 
   std::uint32_t push(const LinkPush& push) override;
+  std::uint32_t order(const std::string& json, std::int64_t patience_ns) override;
   std::optional<OrderResult> take_result() override;
 
  private:

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -64,6 +65,10 @@ class Hub final : public SessionHub {
   void stopped_by_datagram();
   // Passes on the answers of the robot; step() does so, too.
   void answer(std::int64_t wall_ns);
+
+  // What the simulator has told of its state since the last call, for who publishes it; nothing, too, where
+  // there is no simulator, or one that tells none.
+  [[nodiscard]] std::optional<ros::SimulationState> take_simulation_state();
 
   // A message for all who subscribe to `topic`: encoded at most once per encoding, and not at all for nobody,
   // unless the topic is latched. Throws std::logic_error when M is not the topic's type.

@@ -27,6 +27,9 @@ class SimulationPort {
   // The number under which take_result() tells of it; never 0, and not one of the robot's orders. Throws
   // std::invalid_argument, naming field, value and rule.
   virtual std::uint32_t push(const LinkPush& push) = 0;
+  // Likewise, of an order as the simulator has names for them, `{"order": NAME, ...}`; its result's text is
+  // the JSON of the answer, or why not. It waits for its answer so long.
+  virtual std::uint32_t order(const std::string& json, std::int64_t patience_ns) = 0;
   virtual std::optional<OrderResult> take_result() = 0;
 };
 

@@ -1,0 +1,394 @@
+// Reads what happens in a scenario strictly: what isn't understood is refused with file, line, field, value
+// and rule.
+#include "gaitway/simulator/scenario_event.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/input/complaint.hpp"
+#include "gaitway/input/yaml_value.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "gaitway/msgcontroller/peoples_requests.hpp"
+
+namespace gaitway::simulator {
+namespace {
+
+using input::YamlValue;
+using msgcontroller::kLargestTurnRate_rad_per_s;
+using msgcontroller::kLargestWalkSpeed_m_per_s;
+
+constexpr input::Range kDuration{0.001, kLongestRun_s, "s"};
+
+Eigen::Vector3d three(const YamlValue& value, const input::Range& range) {
+  const std::array<double, 3> numbers = value.numbers<3>(range);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+WalkEvent read_walk(const YamlValue& value) {
+  const Eigen::Vector3d command =
+      three(value, {-kLargestTurnRate_rad_per_s, kLargestTurnRate_rad_per_s, "m/s, m/s, rad/s"});
+  if (command.head<2>().norm() > kLargestWalkSpeed_m_per_s) {
+    value.refuse(fmt::format("at most {} m/s may be commanded", kLargestWalkSpeed_m_per_s),
+                 "Choose a lower speed.");
+  }
+  return {.velocity_m_per_s = command.head<2>(), .turn_rate_rad_per_s = command.z()};
+}
+
+// One of the robot's names.
+std::string read_name(const YamlValue& value, const urdf::RobotModel& robot, const char* what,
+                      const std::vector<std::string>& known) {
+  const std::string name = value.text();
+  if (std::ranges::find(known, name) == known.end()) {
+    value.refuse(fmt::format("the robot '{}' has no such {}", robot.name, what), input::suggest(name, known));
+  }
+  return name;
+}
+
+std::string read_body(const YamlValue& value, const urdf::RobotModel& robot) {
+  std::vector<std::string> known;
+  std::ranges::transform(robot.links, std::back_inserter(known),
+                         [](const urdf::Link& link) { return link.name; });
+  return read_name(value, robot, "link", known);
+}
+
+PushEvent read_push(const YamlValue& value, const urdf::RobotModel& robot) {
+  constexpr std::array<std::string_view, 4> kKeys{"body", "direction", "impulse_Ns", "duration_s"};
+  value.require_map(kKeys);
+  PushEvent push;
+  const auto body = value.find("body");
+  push.body = body ? read_body(*body, robot) : robot.links[static_cast<std::size_t>(robot.imu.link)].name;
+  push.direction = three(value.at("direction"), {-1e6, 1e6, ""});
+  if (push.direction.norm() < 1e-9) {
+    value.at("direction")
+        .refuse("must not be zero", "Give the direction in the world frame, e.g. [0, 1, 0].");
+  }
+  push.impulse_Ns = value.at("impulse_Ns").number({0.0, kLargestImpulse_Ns, "N*s"});
+  if (const auto duration = value.find("duration_s")) {
+    push.duration_s = duration->number(kDuration);
+  }
+  return push;
+}
+
+PluginFault read_plugin_fault(const YamlValue& value) {
+  using Kind = core::PluginFaultKind;
+  constexpr std::array<std::string_view, 5> kKeys{"kind", "plugin", "how", "duration_s", "cost_s"};
+  value.require_map(kKeys);
+  PluginFault fault;
+  fault.plugin = value.at("plugin").text();
+  const YamlValue how = value.at("how");
+  const auto found = std::ranges::find_if(core::kPluginFaultNames,
+                                          [&](const auto& entry) { return entry.first == how.text(); });
+  if (found == core::kPluginFaultNames.end()) {
+    how.refuse("must be throws, not_a_number, jumps or overruns", "Choose one of them.");
+  }
+  fault.how = found->second;
+  if (const auto duration = value.find("duration_s")) {
+    fault.duration_s = duration->number(kDuration);
+  }
+  if (const auto cost = value.find("cost_s")) {
+    if (fault.how != Kind::overruns) {
+      cost->refuse("belongs to a step that overruns", "Leave it out");
+    }
+    fault.cost_s = cost->number({1e-6, 10.0, "s"});
+  }
+  return fault;
+}
+
+void require_true(const YamlValue& value) {
+  if (value.text() != "true") {
+    value.refuse("must be true", "Leave the event out if it shall not happen");
+  }
+}
+
+DisturbBusFault read_disturbance(const YamlValue& value) {
+  constexpr std::array<std::string_view, 5> kKeys{"kind", "corruption", "omission", "duplicate",
+                                                  "duration_s"};
+  value.require_map(kKeys);
+  DisturbBusFault fault{.duration_s = value.at("duration_s").number(kDuration)};
+  const std::array<std::pair<std::string_view, double*>, 3> probabilities{
+      {{"corruption", &fault.corruption}, {"omission", &fault.omission}, {"duplicate", &fault.duplicate}}};
+  for (const auto& [key, target] : probabilities) {
+    if (const auto probability = value.find(key)) {
+      *target = probability->number({0.0, 1.0, ""});
+    }
+  }
+  return fault;
+}
+
+JamFault read_jam(const YamlValue& value) {
+  constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "stuck"};
+  value.require_map(kKeys);
+  JamFault fault{.duration_s = value.at("duration_s").number({1e-5, 10.0, "s"})};
+  if (const auto stuck = value.find("stuck")) {
+    require_true(*stuck);
+    fault.stuck = true;
+  }
+  return fault;
+}
+
+std::string read_node(const YamlValue& value, const urdf::RobotModel& robot, bool or_message_controller) {
+  std::vector<std::string> known;
+  std::ranges::transform(robot.joints, std::back_inserter(known),
+                         [](const urdf::Joint& joint) { return joint.name; });
+  if (or_message_controller) {
+    known.emplace_back("message_controller");
+  }
+  return read_name(value, robot, "node", known);
+}
+
+ForeignFrameFault read_foreign_frame(const YamlValue& value) {
+  constexpr std::array<std::string_view, 5> kKeys{"kind", "id", "data", "extended", "remote"};
+  value.require_map(kKeys);
+  can::Frame frame;
+  for (const auto& [key, target] :
+       {std::pair{"extended", &frame.extended}, std::pair{"remote", &frame.remote}}) {
+    if (const auto flag = value.find(key)) {
+      require_true(*flag);
+      *target = true;
+    }
+  }
+  frame.id = static_cast<std::uint32_t>(value.at("id").integer(
+      0, static_cast<int>(frame.extended ? can::kLargestExtendedId : can::kLargestId)));
+  if (const auto data = value.find("data")) {
+    const std::vector<YamlValue> bytes = data->items();
+    if (bytes.size() > frame.data.size()) {
+      data->refuse("a frame has at most 8 bytes", "Leave some out");
+    }
+    for (const YamlValue& byte : bytes) {
+      frame.data[frame.size++] = static_cast<std::uint8_t>(byte.integer(0, 255));
+    }
+  }
+  return {frame};
+}
+
+decltype(ScenarioEvent::action) read_fault(const YamlValue& value, const urdf::RobotModel& robot) {
+  constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "probability"};
+  const std::string kind = value.at("kind").text();
+  if (kind == "plugin_fails") {
+    return read_plugin_fault(value);
+  }
+  if (kind == "disturb_bus") {
+    return read_disturbance(value);
+  }
+  if (kind == "jam") {
+    return read_jam(value);
+  }
+  if (kind == "bus_off") {
+    value.require_map(std::array<std::string_view, 2>{"kind", "node"});
+    return BusOffFault{read_node(value.at("node"), robot, true)};
+  }
+  if (kind == "joint_restarts") {
+    value.require_map(std::array<std::string_view, 3>{"kind", "joint", "duration_s"});
+    return JointRestartsFault{read_node(value.at("joint"), robot, false),
+                              value.at("duration_s").number({0.001, 60.0, "s"})};
+  }
+  if (kind == "foreign_frame") {
+    return read_foreign_frame(value);
+  }
+  value.require_map(kKeys);
+  const auto duration = value.find("duration_s");
+  if (kind == "main_controller_silent") {
+    if (const auto probability = value.find("probability")) {
+      probability->refuse("does not belong to main_controller_silent", "Leave it out");
+    }
+    return MainControllerSilentFault{duration ? duration->number(kDuration) : 0.0};
+  }
+  if (kind == "lose_frames") {
+    return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}),
+                           value.at("duration_s").number(kDuration)};
+  }
+  value.at("kind").refuse(
+      "must be main_controller_silent, lose_frames, disturb_bus, jam, bus_off, joint_restarts, foreign_frame "
+      "or plugin_fails",
+      "Choose one of them.");
+}
+
+ManualJointEvent read_joint_move(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 3>{"joint", "position_rad", "duration_slots"});
+  constexpr int kLongest_slots = 255;
+  return {robot.joint_index(read_node(value.at("joint"), robot, false)),
+          value.at("position_rad").number({-7.0, 7.0, "rad"}),
+          value.at("duration_slots").integer(1, kLongest_slots)};
+}
+
+// Which motions there are, the trajectory plug-in knows, and refuses the others.
+MotionEvent read_motion_name(const YamlValue& value) {
+  constexpr std::size_t kMostBytes = sizeof(MotionRequest::name) - 1;
+  const std::string name = value.text();
+  if (name.empty() || name.size() > kMostBytes) {
+    value.refuse(fmt::format("the name of a motion has 1 to {} bytes", kMostBytes),
+                 "`gaitway motion list` lists them.");
+  }
+  return {name};
+}
+
+// As logs have it, which play again to the bit, or in degrees.
+double read_yaw(const YamlValue& value) {
+  const auto exact = value.find("yaw_rad");
+  const auto degrees = value.find("yaw_deg");
+  if (exact && degrees) exact->refuse("is there beside yaw_deg", "Leave one of them out");
+  constexpr double kMostTurn_rad = 100.0;
+  if (exact) return exact->number({-kMostTurn_rad, kMostTurn_rad, "rad"});
+  return degrees ? degrees->number({-360.0, 360.0, "degrees"}) * facts::kRadPerDegree : 0.0;
+}
+
+WalkToEvent read_walk_to(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 4>{"x_m", "y_m", "yaw_deg", "yaw_rad"});
+  constexpr double kFarthest_m = 1000.0;
+  const input::Range place{-kFarthest_m, kFarthest_m, "m"};
+  if (!value.find("yaw_deg") && !value.find("yaw_rad")) static_cast<void>(value.at("yaw_deg"));
+  return {std::array{value.at("x_m").number(place), value.at("y_m").number(place), read_yaw(value)}};
+}
+
+std::string read_solid_name(const YamlValue& value) {
+  constexpr std::size_t kMostBytes = 47;
+  const std::string name = value.text();
+  const bool printable = std::ranges::all_of(name, [](char c) { return c >= ' ' && c < '\x7f'; });
+  if (name.empty() || name.size() > kMostBytes || !printable) {
+    value.refuse(fmt::format("a name has 1 to {} printable characters", kMostBytes), "Choose another one");
+  }
+  return name;
+}
+
+Eigen::Vector3d read_place(const YamlValue& value) {
+  return three(value, {-world::kFarthest_m, world::kFarthest_m, "m"});
+}
+
+SpawnEvent read_spawn(const YamlValue& value) {
+  using Shape = world::Solid::Shape;
+  constexpr std::array<std::pair<std::string_view, Shape>, 3> kShapes{
+      {{"box", Shape::box}, {"cylinder", Shape::cylinder}, {"sphere", Shape::sphere}}};
+  value.require_map(std::array<std::string_view, 8>{"name", "shape", "size_m", "position_m", "yaw_deg",
+                                                    "yaw_rad", "mass_kg", "colour"});
+  SpawnEvent spawn;
+  spawn.name = read_solid_name(value.at("name"));
+  const YamlValue shape = value.at("shape");
+  const auto found =
+      std::ranges::find_if(kShapes, [&](const auto& entry) { return entry.first == shape.text(); });
+  if (found == kShapes.end()) shape.refuse("must be box, cylinder or sphere", "Choose one of them");
+  spawn.shape = found->second;
+  const YamlValue size = value.at("size_m");
+  spawn.size_m = three(size, {0.01, 5.0, "m"});
+  const bool round = spawn.size_m.x() == spawn.size_m.y();
+  if ((spawn.shape != Shape::box && !round) ||
+      (spawn.shape == Shape::sphere && spawn.size_m.x() != spawn.size_m.z())) {
+    size.refuse("a cylinder is as wide in x as in y, a sphere in z, too", "Give its diameter for each");
+  }
+  spawn.position_m = read_place(value.at("position_m"));
+  spawn.yaw_rad = read_yaw(value);
+  if (const auto mass = value.find("mass_kg")) spawn.mass_kg = mass->number({0.001, 1000.0, "kg"});
+  if (const auto colour = value.find("colour")) spawn.colour = colour->numbers<3>({0.0, 1.0, ""});
+  return spawn;
+}
+
+MoveEvent read_move(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 4>{"name", "position_m", "yaw_deg", "yaw_rad"});
+  return {read_solid_name(value.at("name")), read_place(value.at("position_m")), read_yaw(value)};
+}
+
+RemoveEvent read_remove(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 1>{"name"});
+  return {read_solid_name(value.at("name"))};
+}
+
+EmergencyStopEvent read_emergency_stop(const YamlValue& value) {
+  const std::string mode = value.text();
+  if (mode != "hold" && mode != "soft") {
+    value.refuse("must be hold or soft", "hold: the joints keep their places; soft: they let go.");
+  }
+  return {mode == "soft"};
+}
+
+using Action = decltype(ScenarioEvent::action);
+
+// Of an event that has nothing more to say.
+template <class Event>
+Action read_true(const YamlValue& value, const urdf::RobotModel&) {
+  require_true(value);
+  return Event{};
+}
+Action read_stand(const YamlValue& value, const urdf::RobotModel&) {
+  require_true(value);
+  return WalkEvent{.walk = false};
+}
+template <auto read>
+Action read_plain(const YamlValue& value, const urdf::RobotModel&) {
+  return read(value);
+}
+template <auto read>
+Action read_of_robot(const YamlValue& value, const urdf::RobotModel& robot) {
+  return read(value, robot);
+}
+
+struct ActionKey {
+  std::string_view key;
+  Action (*read)(const YamlValue& value, const urdf::RobotModel& robot);
+};
+constexpr std::array kActions{ActionKey{"walk", &read_plain<&read_walk>},
+                              ActionKey{"stand", &read_stand},
+                              ActionKey{"walk_to", &read_plain<&read_walk_to>},
+                              ActionKey{"leave_way", &read_true<WalkToEvent>},
+                              ActionKey{"motion", &read_plain<&read_motion_name>},
+                              ActionKey{"leave_motion", &read_true<MotionEvent>},
+                              ActionKey{"stop", &read_true<StopEvent>},
+                              ActionKey{"emergency_stop", &read_plain<&read_emergency_stop>},
+                              ActionKey{"release", &read_true<ReleaseEvent>},
+                              ActionKey{"move_joint", &read_of_robot<&read_joint_move>},
+                              ActionKey{"push", &read_of_robot<&read_push>},
+                              ActionKey{"fault", &read_of_robot<&read_fault>},
+                              ActionKey{"spawn", &read_plain<&read_spawn>},
+                              ActionKey{"move", &read_plain<&read_move>},
+                              ActionKey{"remove", &read_plain<&read_remove>}};
+
+Action read_action(const YamlValue& value, const urdf::RobotModel& robot) {
+  std::optional<Action> action;
+  for (const ActionKey& known : kActions) {
+    const auto found = value.find(known.key);
+    if (!found) continue;
+    if (action) {
+      value.refuse(fmt::format("has more than one action: '{}' is there beside another one", known.key),
+                   "Write one event for each action.");
+    }
+    action = known.read(*found, robot);
+  }
+  if (!action) {
+    std::string all;
+    for (const ActionKey& known : kActions) all += fmt::format("{}{}", all.empty() ? "" : ", ", known.key);
+    value.refuse("an event has at_s and exactly one of " + all, "Write one event for each action.");
+  }
+  return *action;
+}
+
+}  // namespace
+
+ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
+  std::vector<std::string_view> keys{"at_s", "asked"};
+  std::ranges::transform(kActions, std::back_inserter(keys), &ActionKey::key);
+  value.require_map(keys);
+  ScenarioEvent event{.at_s = value.at("at_s").number({0.0, kLongestRun_s, "s"}),
+                      .action = read_action(value, robot)};
+  if (const auto asked = value.find("asked")) {
+    require_true(*asked);
+    event.asked = true;
+  }
+  return event;
+}
+
+ScenarioEvent parse_action(const std::string& text, const std::filesystem::path& source,
+                           const urdf::RobotModel& robot) {
+  std::vector<std::string_view> keys;
+  std::ranges::transform(kActions, std::back_inserter(keys), &ActionKey::key);
+  const YamlValue value = YamlValue::parse(text, source);
+  value.require_map(keys);
+  return {.at_s = 0.0, .action = read_action(value, robot)};
+}
+
+}  // namespace gaitway::simulator

@@ -1,0 +1,190 @@
+// `gaitway simulator`: a simulated robot in a world, with a page to walk it, plan, push, break, pause and
+// rewind.
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gaitway/facts/facts.hpp"
+#include "gaitway/msgcontroller/network_profile.hpp"
+#include "gaitway/process/installation.hpp"
+#include "gaitway/process/private_folder.hpp"
+#include "gaitway/process/real_time.hpp"
+#include "gaitway/process/text_file.hpp"
+#include "gaitway/simulator/command_log.hpp"
+#include "gaitway/timeline/director.hpp"
+#include "gaitway/timeline/live_simulation.hpp"
+#include "gaitway/world/world_choice.hpp"
+#include "tools/command_line.hpp"
+#include "tools/run/navigation_option.hpp"
+#include "tools/run/run_report.hpp"
+#include "tools/serve/api_entry.hpp"
+#include "tools/serve/module_keeper.hpp"
+#include "tools/serve/module_options.hpp"
+#include "tools/simulator/way_preview.hpp"
+
+namespace gaitway::tools {
+namespace {
+
+struct SimulatorOptions {
+  std::filesystem::path robot = process::default_robot_directory();  // folder with robot.urdf and robot.yaml
+  std::filesystem::path config = process::default_config_file().parent_path() / "serve.yaml";
+  std::string profile;  // of the bus; empty: what the robot's network file says
+  bool accept_unproven = false;
+  ModuleOptions module;
+  std::string world = "boxes";
+  std::optional<std::uint64_t> world_seed;
+  bool localization = true;
+  std::uint64_t seed = 1;
+  double mismatch = 1.0;
+  double speed = 1.0;
+  bool paused = false;
+  std::optional<double> seconds;
+  std::filesystem::path out = "out/simulator";
+  bool quiet = false;
+};
+
+constexpr int kLook_ms = 20;
+
+// Where the processes of one simulator meet.
+struct Sockets {
+  explicit Sockets(const std::filesystem::path& folder)
+      : memory(folder / "memory.sock"), link(folder / "link.sock"), orders(folder / "simulation.sock") {}
+  std::filesystem::path memory, link, orders;
+};
+
+// All plug-ins but the robot's side of the API, which comes when the simulation goes live. None has a process
+// of its own: a simulation that is copied has no other processes.
+core::Configuration plugins_of(const SimulatorOptions& options, const world::World& world,
+                               core::PluginEntry& api) {
+  core::Configuration configuration = core::read_configuration(options.config);
+  add_navigation(configuration, world);
+  api = api_of(configuration);
+  std::erase_if(configuration.plugins,
+                [&api](const core::PluginEntry& entry) { return entry.name == api.name; });
+  for (core::PluginEntry& entry : configuration.plugins) {
+    if (entry.isolation == core::Isolation::none) continue;
+    fmt::print(
+        stderr,
+        "gaitway simulator: {}, line {}: plug-in '{}' runs in the simulation's own process here, since no "
+        "other can be rewound\n",
+        configuration.file.string(), entry.line, entry.name);
+    entry.isolation = core::Isolation::none;
+  }
+  return configuration;
+}
+
+simulator::CosimulationOptions settings_of(const SimulatorOptions& options, const world::World& world,
+                                           const Sockets& sockets, core::PluginEntry& api) {
+  simulator::CosimulationOptions settings;
+  settings.plant.seed = options.seed;
+  settings.plant.mismatch = options.mismatch;
+  settings.plant.world = world;
+  settings.localization.is_there = options.localization;
+  settings.main_controller.configuration = options.config;
+  settings.main_controller.plugins = plugins_of(options, world, api);
+  settings.main_controller.memory_socket = sockets.memory;
+  settings.main_controller.isolation.lock_step = false;  // the API's process may hang as it likes
+  return settings;
+}
+
+void write_commands(const SimulatorOptions& options, const world::World& world, const urdf::RobotModel& robot,
+                    const timeline::Director& director) {
+  std::vector<simulator::ScenarioEvent> events;
+  for (const timeline::TimedEvent& event : director.timeline().events()) {
+    events.push_back(timeline::scenario_event(event, robot));
+  }
+  const double seconds = static_cast<double>(director.timeline().recorded_ns()) * 1e-9;
+  if (seconds <= 0.0) return;
+  const std::filesystem::path file = options.out / "commands.yaml";
+  process::write_text_file(file, simulator::scenario_text(seconds, world, events, robot));
+  if (!options.quiet) {
+    fmt::print("gaitway simulator: {:.1f} s, {} events; once more: gaitway run --scenario {}\n", seconds,
+               events.size(), file.string());
+  }
+}
+
+int simulate(const SimulatorOptions& options) {
+  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
+  msgcontroller::require_proven_network(robot, options.accept_unproven);
+  const world::World world = world::load_world(
+      {.name = options.world, .random_seed = options.world_seed, .written_in = "--world", .line = 0});
+  prepare_output(options.out);
+  const process::PrivateFolder folder("gaitway_simulator");
+  const Sockets sockets(folder.path());
+  timeline::LiveOptions live{.memory_socket = sockets.memory,
+                             .api = {},
+                             .digest_every_ns = timeline::Timeline::kSpacing_ns,
+                             .quiet = options.quiet};
+  const simulator::CosimulationOptions settings = settings_of(options, world, sockets, live.api);
+  set_link(live.api, "unix:" + sockets.link.string());
+  // First: what comes after it has threads.
+  timeline::CopyHandle start = timeline::start_simulation(
+      [&] { return std::make_unique<timeline::ReplayedRun>(robot, settings); },
+      [&live](timeline::ReplayedRun& run, const timeline::CopyChannel& channel, const nlohmann::json& told) {
+        timeline::live(live, run, channel, told);
+      });
+  WayPreview preview(robot, world);
+  timeline::Director director(std::move(start), {.socket = sockets.orders,
+                                                 .playing = !options.paused,
+                                                 .speed = options.speed,
+                                                 .world = world.name,
+                                                 .plan_way = [&preview](const auto& goal, const auto& state) {
+                                                   return preview.plan(goal, state);
+                                                 }});
+  const ModuleKeeper module(module_arguments(options.module, {.robot = options.robot,
+                                                              .profile = options.profile,
+                                                              .link = "unix:" + sockets.link.string(),
+                                                              .simulation = "unix:" + sockets.orders.string(),
+                                                              .recordings = options.out / "recordings"}));
+  process::stop_on_signals();
+  const auto end_ns = options.seconds ? static_cast<std::int64_t>(*options.seconds * 1e9)
+                                      : std::numeric_limits<std::int64_t>::max();
+  while (!process::stop_requested() && director.now_ns() < end_ns) director.step(kLook_ms);
+  write_commands(options, world, robot, director);
+  return kExitFine;
+}
+
+}  // namespace
+
+void declare_program(const CommandLine& app) {
+  const CommandLine command = add_command(app, "simulator");
+  SimulatorOptions& options = command.runs(simulate);
+  command.option("--world", options.world, "A file, or the name of a shipped world (`gaitway world list`)");
+  command.option("--world-seed", options.world_seed, "Seed of its random courses, in place of their own")
+      .between(0.0, std::numeric_limits<int>::max());
+  command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
+  command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
+  add_module_options(command, options.module);
+  command.option("--speed", options.speed, "Times real time, at first")
+      .between(timeline::kSlowest, timeline::kFastest);
+  command.option("--paused", options.paused, "Begin paused");
+  command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop")
+      .between(0.001, 86400.0 * 365.0);
+  command.option("--profile", options.profile,
+                 "Messages of the bus: full or paper. Without it, what the robot's network file says");
+  command.option("--accept-unproven", options.accept_unproven,
+                 "Run even if some message of the bus may miss its deadline");
+  command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
+  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+      .between(0.0, 10.0);
+  command.option("!--no-localization", options.localization,
+                 "Nothing in the room tells the robot where it is: it walks by its own odometry");
+  command.option("--out", options.out, "Folder for what was asked (commands.yaml) and for recordings");
+  command.option("--quiet", options.quiet, "No events");
+  command.footer(
+      "Examples:\n"
+      "  gaitway simulator                           until Ctrl-C; its page is http://127.0.0.1:9090\n"
+      "  gaitway simulator --world stairs --speed 2\n"
+      "  gaitway simulator --world my_world.yaml --port 9191 --paused\n"
+      "  gaitway run --scenario out/simulator/commands.yaml     plays what was done once more, headless\n"
+      "On the page: click the floor to choose where to walk; docs/simulator.md tells the rest.\n"
+      "Exit code: 0 it was told to stop, 1 the input was bad and nothing moved.");
+}
+
+}  // namespace gaitway::tools
