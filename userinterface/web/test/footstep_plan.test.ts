@@ -1,7 +1,8 @@
 // A planned way: how it reads, what of it is still to come, where a drag puts the goal, and which steps are shown.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { goalOfDrag, length_m, passedSteps, planText, readPlan, type FootstepPlan, type Goal } from "../src/simulator/footstep_plan.ts";
+import { Refused, Unanswered } from "../src/rosbridge.ts";
+import { givenSteps, goalOfDrag, length_m, planText, progressOf, readPlan, type FootstepPlan, type Goal } from "../src/simulator/footstep_plan.ts";
 import { WayPlanner } from "../src/simulator/way_planner.ts";
 import { leftText, readWay } from "../src/simulator/way_state.ts";
 
@@ -24,8 +25,19 @@ test("its length is that of the way of the middle between the feet", () => {
   assert.equal(planText(plan), "3 steps, 0.2 m, about 4 s");
 });
 
-test("steps that are behind are those that the robot does not count any more", () => {
-  assert.deepEqual([3, 2, 0, 9].map((left) => passedSteps(plan, left)), [0, 1, 3, 0]);
+test("steps that are behind are those of a way that the robot has come", () => {
+  const at = (x: number, before = 0) => progressOf(plan, { x, y: 0.01 }, before);
+  assert.deepEqual([at(-0.1).passed, at(0.06).passed, at(0.16).passed, at(0.5).passed], [0, 1, 2, 3]);
+  assert.ok(Math.abs(at(0.06).left_m - 0.14) < 1e-9);
+  assert.equal(at(0, 2).passed, 2, "nobody goes back");
+  assert.deepEqual([3, 2, 0, 9].map((left) => givenSteps(plan, left)), [0, 1, 3, 0]);
+});
+
+test("a way that comes by where it began is gone in its order", () => {
+  const round = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((k) => ({ angle: (k * Math.PI) / 4 })).flatMap(({ angle }) => [0, 1].map((side) => ({ side, pose: [Math.sin(angle), 1 - Math.cos(angle), angle] })));
+  const circle = readPlan({ sides: round.map(({ side }) => side), steps: round.flatMap(({ pose }) => pose), feet: [0, 0, 0, 0, 0, 0], duration: 9 });
+  assert.ok(progressOf(circle, { x: 0, y: 0 }).passed <= 2, "it has only begun");
+  assert.equal(progressOf(circle, { x: 0, y: 0 }, 17).passed, 18);
 });
 
 test("a tap looks the way the robot comes, a drag where it goes, and near the robot it keeps its heading", () => {
@@ -36,8 +48,8 @@ test("a tap looks the way the robot comes, a drag where it goes, and near the ro
 });
 
 test("what is left is told in metres and steps", () => {
-  assert.equal(leftText(way()), "0.3 m, 2 steps");
-  assert.equal(leftText(way({ steps_left: 0, distance_left: NaN })), "");
+  assert.equal(leftText(2, 0.26), "0.3 m, 2 steps");
+  assert.equal(leftText(0, NaN), "");
   assert.equal(way({ state: "idle" }).goes, false);
   assert.equal(way({ goal: [] }).goal, undefined);
 });
@@ -62,11 +74,17 @@ test("of two goals the later one's plan is shown, whichever comes first", async 
 });
 
 test("a refusal keeps the planner's reason; to discard it shows nothing", async () => {
-  const { made } = planner(() => Promise.reject(new Error("the goal stands in box_1")));
+  const { made } = planner(() => Promise.reject(new Refused("the goal stands in box_1")));
   await made.choose(goal);
-  assert.equal(made.draft?.refusal, "the goal stands in box_1");
+  assert.equal(made.draft?.refusal, "No way leads there: the goal stands in box_1");
   made.discard();
   assert.equal(made.shown, undefined);
+});
+
+test("that nobody answered is not told as a refusal", async () => {
+  const { made } = planner(() => Promise.reject(new Unanswered("/simulation/plan was not answered")));
+  await made.choose(goal);
+  assert.equal(made.draft?.refusal, "No plan has come: /simulation/plan was not answered");
 });
 
 test("the plan that was chosen is the one that is walked, and is not asked for again", async () => {
@@ -77,7 +95,13 @@ test("the plan that was chosen is the one that is walked, and is not asked for a
   made.take(way());
   await settled();
   assert.equal(asked.length, 1);
-  assert.deepEqual([made.shown?.plan, made.shown?.passed], [plan, 1]);
+  made.at({ x: 0.06, y: 0 });
+  assert.deepEqual([made.shown?.plan, made.shown?.passed, made.left?.steps], [plan, 1, 2]);
+  made.at({ x: 0.2, y: 0 });
+  assert.equal(made.shown?.passed, 1, "two are not even given to the walk");
+  made.take(way({ steps_left: 0 }));
+  made.at({ x: 0.2, y: 0 });
+  assert.equal(made.left?.steps, 0);
   made.take(way({ state: "idle", result: "arrived" }));
   assert.equal(made.shown, undefined);
 });
@@ -92,7 +116,7 @@ test("somebody else's way, and one that was planned anew, is asked for once", as
   made.take(way({ replans: 1, steps_left: 1 }));
   await settled();
   assert.equal(asked.length, 2);
-  assert.equal(made.shown?.passed, 2);
+  assert.equal(made.shown?.plan, plan);
 });
 
 test("at another instant the feet are elsewhere: what is chosen is planned anew, what was walked is forgotten", async () => {

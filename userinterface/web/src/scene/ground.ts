@@ -99,6 +99,11 @@ export class Ground {
     this.grid.visible = false;
   }
 
+  forgetSteps(): void {
+    this.group.remove(...this.made);
+    for (const { geometry } of this.made.splice(0)) geometry.dispose();
+  }
+
   // `body`: posed as the frame has it.
   show(frame: ViewFrame, body: RobotBody): void {
     const [baseX = NaN, baseY = NaN] = frame.base_place;

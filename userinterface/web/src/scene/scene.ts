@@ -156,6 +156,11 @@ export class Scene {
     this.ground.hideGrid();
     this.ask();
   }
+  // Of the footsteps that were made.
+  forgetSteps(): void {
+    this.ground.forgetSteps();
+    this.ask();
+  }
   // While a tool takes what a single finger, or the left button, does on the floor: the right button and two fingers turn the camera.
   turnBySecond(on: boolean): void {
     this.controls.mouseButtons.RIGHT = on ? THREE.MOUSE.ROTATE : THREE.MOUSE.PAN;

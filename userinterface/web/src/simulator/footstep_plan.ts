@@ -44,22 +44,49 @@ export function middleOf([left, right]: FootstepPlan["feet"]): Goal {
   return { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2, yaw };
 }
 
-// Of the middle between the feet, along the steps.
-export function length_m({ steps, feet }: FootstepPlan): number {
+// Where the middle between the feet is before the first step and after each, and how far it has gone by then along the way.
+function middlesOf({ steps, feet }: FootstepPlan): { at: Goal; gone_m: number }[] {
   const now: [Goal, Goal] = [...feet];
-  let last = middleOf(now);
-  let sum_m = 0;
+  const middles = [{ at: middleOf(now), gone_m: 0 }];
   for (const step of steps) {
     now[step.side] = step;
-    const middle = middleOf(now);
-    sum_m += Math.hypot(middle.x - last.x, middle.y - last.y);
-    last = middle;
+    const [last, at] = [middles[middles.length - 1]!, middleOf(now)];
+    middles.push({ at, gone_m: last.gone_m + Math.hypot(at.x - last.at.x, at.y - last.at.y) });
   }
-  return sum_m;
+  return middles;
 }
 
-// How many of the steps are behind when the robot says that so many are left. Of a way that was planned anew it may be more than there were.
-export function passedSteps(plan: FootstepPlan, left: number): number {
+export function length_m(plan: FootstepPlan): number {
+  return middlesOf(plan).at(-1)?.gone_m ?? 0;
+}
+
+export interface Progress {
+  passed: number; // of the steps
+  left_m: number;
+}
+const near_m = 0.02;
+
+// How far somebody has come who stands there. `before`: nobody goes back, and a way that crosses itself is gone in its order.
+export function progressOf(plan: FootstepPlan, { x, y }: Pick<Goal, "x" | "y">, before = 0): Progress {
+  const middles = middlesOf(plan);
+  const ahead_m = 0.5; // a place farther on along the way is of another of its turns
+  const from = middles[before]!;
+  let best = { gone_m: from.gone_m, off_m: Infinity };
+  for (let k = before; k < middles.length && middles[k]!.gone_m < from.gone_m + ahead_m; ++k) {
+    const [a, b] = [middles[k]!, middles[k + 1] ?? middles[k]!];
+    const [dx, dy] = [b.at.x - a.at.x, b.at.y - a.at.y];
+    const square = dx * dx + dy * dy;
+    const share = square > 0 ? Math.min(Math.max(((x - a.at.x) * dx + (y - a.at.y) * dy) / square, 0), 1) : 0;
+    const off_m = Math.hypot(x - a.at.x - share * dx, y - a.at.y - share * dy);
+    if (off_m < best.off_m - 1e-9) best = { gone_m: a.gone_m + share * (b.gone_m - a.gone_m), off_m };
+  }
+  let passed = before;
+  while (passed + 1 < middles.length && middles[passed + 1]!.gone_m <= best.gone_m + near_m) passed += 1;
+  return { passed, left_m: Math.max(length_m(plan) - best.gone_m, 0) };
+}
+
+// How many of the steps are given away when the robot says that so many are left to be. Of a way that was planned anew it may be more than there were.
+export function givenSteps(plan: FootstepPlan, left: number): number {
   return Math.min(Math.max(plan.steps.length - left, 0), plan.steps.length);
 }
 

@@ -76,8 +76,15 @@ class Simulator {
     this.context.freshness.pace = paceOf(state);
     this.picture.show(state);
     this.bar.show(state);
-    if (jumped) this.way.jumped();
+    if (jumped) this.jumped();
     void this.world.take(state.geometry, now_ms);
+  }
+
+  // The robot was put to another instant: what was before is not what is.
+  private jumped(): void {
+    this.context.command.lost();
+    this.place.scene.forgetSteps();
+    this.way.jumped();
   }
 
   look(now_ms: number): void {

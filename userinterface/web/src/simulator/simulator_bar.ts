@@ -32,7 +32,7 @@ export class SimulatorBar {
     private readonly orders: SimulationOrders,
     menus: readonly HTMLButtonElement[],
   ) {
-    this.seeker = new Seeker((time_s) => orders.seek(time_s), (error) => context.news.say(`Going to an instant: ${error.message}`, "bad", "seek"));
+    this.seeker = new Seeker((time_s) => this.leaveNow(() => orders.seek(time_s)), (error) => context.news.say(`Going to an instant: ${error.message}`, "bad", "seek"));
     this.timeLine = new TimeLineBar((time_s) => void this.seeker.to(time_s), () => this.seeker.target_s);
     this.playButton = button("", () => this.playOrPause(), { id: "play", class: "play", "aria-keyshortcuts": "Space" });
     this.stepButtons = steps_ms.map((step_ms) => button(String(step_ms), () => this.step(step_ms), { id: `step-${step_ms}`, "aria-label": `One step of ${step_ms} ms` }));
@@ -123,7 +123,13 @@ export class SimulatorBar {
   }
 
   private async reset(): Promise<void> {
-    if (await askToReset(this.state?.recorded_s ?? 0)) await this.context.attempt("Reset", () => this.orders.reset());
+    if (await askToReset(this.state?.recorded_s ?? 0)) await this.context.attempt("Reset", () => this.leaveNow(() => this.orders.reset()));
+  }
+  // The robot of another instant is commanded by nobody: whoever goes there gives the command back before it is lost.
+  private async leaveNow(go: () => Promise<void>): Promise<void> {
+    const { command } = this.context;
+    if (command.mine) await command.giveBack().catch(() => {}); // then it ends with the instant
+    await go();
   }
 
   // What is done is seen: only what was refused is said.

@@ -52,11 +52,13 @@ export class WayCard {
   }
 
   private words(arrived: boolean): string {
-    const { draft, way } = this.planner;
-    if (draft?.refusal !== undefined) return `No way leads there: ${draft.refusal}`;
+    const { draft } = this.planner;
+    if (draft?.refusal !== undefined) return draft.refusal;
     if (draft?.plan) return draft.plan.steps.length === 0 ? "The robot stands there already." : planText(draft.plan);
     if (draft) return "Looking for a way…";
-    if (way?.goes) return `On its way${leftText(way) ? `: ${leftText(way)} left` : "…"}`;
+    const { left } = this.planner;
+    const text = left && leftText(left.steps, left.distance_m);
+    if (left) return `On its way${text ? `: ${text} left` : "…"}`;
     if (arrived) return "Arrived.";
     return this.toolOn ? "Click the floor: the robot walks there. Drag to choose where it looks." : "";
   }

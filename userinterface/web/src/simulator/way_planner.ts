@@ -1,18 +1,20 @@
 // A goal that a person has chosen and the robot does not walk to yet, and the way that it walks: which of their footsteps are to be shown.
 // Passive: whoever has it asks the planner by `plan`.
-import { passedSteps, type FootstepPlan, type Goal } from "./footstep_plan.ts";
+import { Refused } from "../rosbridge.ts";
+import { givenSteps, progressOf, type FootstepPlan, type Goal, type Progress } from "./footstep_plan.ts";
 import { sameGoal, type WayState } from "./way_state.ts";
 
 export interface Draft {
   goal: Goal;
   plan?: FootstepPlan;
-  refusal?: string; // the planner's reason why there is no way
+  refusal?: string; // why there is no plan: the planner's reason, or that it was not heard of
 }
 
 export class WayPlanner {
   draft: Draft | undefined;
   way: WayState | undefined;
-  private walked: { goal: Goal; plan: FootstepPlan } | undefined;
+  private walked: { goal: Goal; plan: FootstepPlan; progress: Progress } | undefined;
+  private place: Pick<Goal, "x" | "y"> | undefined; // of the robot
   private asked: { goal: Goal; replans: number } | undefined; // for which way that is walked a plan was asked for
   onChange: () => void = () => {};
 
@@ -26,7 +28,7 @@ export class WayPlanner {
     try {
       draft.plan = await this.plan(goal);
     } catch (error) {
-      draft.refusal = (error as Error).message;
+      draft.refusal = `${error instanceof Refused ? "No way leads there" : "No plan has come"}: ${(error as Error).message}`;
     }
     if (this.draft === draft) this.onChange();
   }
@@ -39,7 +41,7 @@ export class WayPlanner {
   begun(): void {
     const { draft } = this;
     if (draft?.plan) {
-      this.walked = { goal: draft.goal, plan: draft.plan };
+      this.walked = this.beginning(draft.goal, draft.plan);
       this.asked = { goal: draft.goal, replans: this.way?.replans ?? 0 };
     }
     this.draft = undefined;
@@ -60,11 +62,35 @@ export class WayPlanner {
     this.onChange();
   }
 
+  // The robot is there.
+  at(place: Pick<Goal, "x" | "y">): void {
+    this.place = place;
+    const { walked, way } = this;
+    if (!walked || !way?.goes) return;
+    const progress = progressOf(walked.plan, place, walked.progress.passed);
+    progress.passed = Math.max(Math.min(progress.passed, givenSteps(walked.plan, way.stepsLeft)), walked.progress.passed); // those that turn on the spot lie at one place
+    walked.progress = progress;
+    this.onChange();
+  }
+
   // What is to be drawn: of a draft all, of a way that is walked those that are still to come.
   get shown(): { goal: Goal; plan: FootstepPlan | undefined; passed: number } | undefined {
-    if (this.draft) return { goal: this.draft.goal, plan: this.draft.plan, passed: 0 };
-    if (this.way?.goes && this.way.goal) return { goal: this.walked?.goal ?? this.way.goal, plan: this.walked?.plan, passed: this.walked ? passedSteps(this.walked.plan, this.way.stepsLeft) : 0 };
-    return this.walked ? { ...this.walked, passed: 0 } : undefined;
+    const { draft, way, walked } = this;
+    if (draft) return { goal: draft.goal, plan: draft.plan, passed: 0 };
+    if (walked) return { goal: walked.goal, plan: walked.plan, passed: walked.progress.passed };
+    return way?.goes && way.goal ? { goal: way.goal, plan: undefined, passed: 0 } : undefined;
+  }
+
+  // Of the way that is walked.
+  get left(): { steps: number; distance_m: number } | undefined {
+    const { way, walked } = this;
+    if (!way?.goes) return undefined;
+    if (!walked) return { steps: way.stepsLeft, distance_m: way.distanceLeft_m };
+    return { steps: walked.plan.steps.length - walked.progress.passed, distance_m: walked.progress.left_m };
+  }
+
+  private beginning(goal: Goal, plan: FootstepPlan): { goal: Goal; plan: FootstepPlan; progress: Progress } {
+    return { goal, plan, progress: progressOf(plan, this.place ?? plan.feet[0]) };
   }
 
   // No topic tells the steps of the way that is walked. Where it is another's, or the robot has planned anew, the planner is asked for them.
@@ -79,7 +105,7 @@ export class WayPlanner {
     this.asked = mine;
     this.plan(goal).then((plan) => {
       if (this.asked !== mine) return;
-      this.walked = { goal, plan };
+      this.walked = this.beginning(goal, plan);
       this.onChange();
     }, () => {}); // then only the goal is drawn
   }

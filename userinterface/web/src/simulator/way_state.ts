@@ -8,7 +8,7 @@ export interface WayState {
   goes: boolean; // there is a way that it follows, or that it is planning
   result: string; // of the last one: none arrived cancelled refused failed
   text: string;
-  stepsLeft: number;
+  stepsLeft: number; // that the walk has not been given yet: some more are still to be made
   distanceLeft_m: number;
   replans: number;
   goal: Goal | undefined;
@@ -27,9 +27,9 @@ export function readWay(message: Message): WayState {
   };
 }
 
-export function leftText({ stepsLeft, distanceLeft_m }: WayState): string {
-  const distance = Number.isFinite(distanceLeft_m) ? `${distanceLeft_m.toFixed(1)} m` : "";
-  return [distance, stepsLeft > 0 ? `${stepsLeft} step${stepsLeft === 1 ? "" : "s"}` : ""].filter(Boolean).join(", ");
+export function leftText(steps: number, distance_m: number): string {
+  const distance = Number.isFinite(distance_m) ? `${distance_m.toFixed(1)} m` : "";
+  return [distance, steps > 0 ? `${steps} step${steps === 1 ? "" : "s"}` : ""].filter(Boolean).join(", ");
 }
 
 export const sameGoal = (a: Goal, b: Goal) => Math.hypot(a.x - b.x, a.y - b.y) < 0.005 && Math.abs(Math.sin((a.yaw - b.yaw) / 2)) < 0.005;

@@ -66,6 +66,7 @@ export class WayTool {
     this.show();
   }
   look(now_ms: number): void {
+    this.planner.at(this.picture.robotPlace());
     this.card.show(now_ms);
   }
 
