@@ -29,7 +29,7 @@ struct Plant::Implementation {
   Implementation(const urdf::RobotModel& robot, const PlantOptions& options);
 
   void draw_sensor_faults();
-  void set_home();
+  void set_home(const std::vector<double>& start_rad);
   void reset(mjData* state) const;
   void apply_motors(std::span<const double> command_Nm);
   void apply_pushes();

@@ -109,6 +109,7 @@ inline constexpr std::array kCommands{
             "Find joint zeros, trunk and force cells from standing poses, and how sure they are"},
     Command{"world", "Worlds for the simulated robot: list, check and draw them"},
     Command{"plan", "Plan footsteps through a world, past its obstacles and within the gait's limits"},
+    Command{"preflight", "Try something on many simulated robots before it is sent to a real one"},
     Command{"simulate", "Trajectories and ZMPs on the robot without dynamics: limits, collisions, margins"},
     Command{"wireless", "Run a robot and a client with a bad wireless link between them"}};
 

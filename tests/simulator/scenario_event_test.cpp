@@ -53,9 +53,11 @@ INSTANTIATE_TEST_SUITE_P(
         "fault: {kind: foreign_frame, id: 536870911, data: [], extended: true, remote: true}",
         "fault: {kind: plugin_fails, plugin: \"zmp\", how: throws}",
         "fault: {kind: plugin_fails, plugin: \"zmp\", how: overruns, duration_s: 1, cost_s: 0.007}",
-        "spawn: {name: \"a crate\", shape: box, size_m: [0.2, 0.1, 0.3], position_m: [1.1, 0, 0.15], yaw_rad: "
+        "spawn: {name: \"a crate\", shape: box, size_m: [0.2, 0.1, 0.3], position_m: [1.1, 0, 0.15], "
+        "yaw_rad: "
         "0.3, mass_kg: 0.7, colour: [0.1, 0.2, 1]}",
-        "spawn: {name: \"pillar\", shape: cylinder, size_m: [0.2, 0.2, 1], position_m: [1.1, 0, 0.5], yaw_rad: "
+        "spawn: {name: \"pillar\", shape: cylinder, size_m: [0.2, 0.2, 1], position_m: [1.1, 0, 0.5], "
+        "yaw_rad: "
         "0, colour: [0.1, 0.2, 1]}",
         "move: {name: \"a crate\", position_m: [1, 2, 0.1], yaw_rad: -1.5}", "remove: {name: \"a crate\"}"));
 

@@ -91,14 +91,18 @@ TEST_F(DirectorTest, PlaysAtTheSpeedThatIsAsked) {
 TEST_F(DirectorTest, TheTimeLineOfWhatWasDoneLiveReplaysToTheBit) {
   play_until(1.0);
   apply("{push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 0.9}}");
-  apply("{spawn: {name: ball, shape: sphere, size_m: [0.2, 0.2, 0.2], position_m: [0.7, 0, 0.5], mass_kg: 0.3}}");
+  apply(
+      "{spawn: {name: ball, shape: sphere, size_m: [0.2, 0.2, 0.2], position_m: [0.7, 0, 0.5], mass_kg: "
+      "0.3}}");
   play_until(10.2);
   apply("{fault: {kind: lose_frames, probability: 0.05, duration_s: 1}}");
   play_until(21.0);
   while (director_->timeline().copies() < 3) director_->step(20);
-  EXPECT_EQ(director_->timeline().differences(), 0U) << "copies at 10 and 20 s are compared with the live run";
+  EXPECT_EQ(director_->timeline().differences(), 0U)
+      << "copies at 10 and 20 s are compared with the live run";
   const std::int64_t end_ns = director_->now_ns();
-  const std::vector<TimedEvent> events(director_->timeline().events().begin(), director_->timeline().events().end());
+  const std::vector<TimedEvent> events(director_->timeline().events().begin(),
+                                       director_->timeline().events().end());
   EXPECT_EQ(events.size(), 3U);
   done({{"order", "seek"}, {"time_s", 4.321}});
   EXPECT_NEAR(state().at("time_s").get<double>(), 4.321, 1e-9);
@@ -136,7 +140,9 @@ TEST_F(DirectorTest, ResetBeginsAnew) {
 }
 
 TEST_F(DirectorTest, GeometryTellsWhatStandsThere) {
-  apply("{spawn: {name: block, shape: box, size_m: [0.2, 0.3, 0.4], position_m: [1, 0, 0.2], colour: [1, 0, 0]}}");
+  apply(
+      "{spawn: {name: block, shape: box, size_m: [0.2, 0.3, 0.4], position_m: [1, 0, 0.2], colour: [1, 0, "
+      "0]}}");
   const json geometry = done({{"order", "geometry"}});
   EXPECT_EQ(geometry.at("total"), 1);
   const json& block = geometry.at("solids").at(0);
@@ -158,15 +164,16 @@ TEST_F(DirectorTest, RefusalsNameFieldValueAndRule) {
   EXPECT_THAT(refused({{"order", "apply"}}), HasSubstr("event is missing"));
   EXPECT_THAT(refused({{"order", "apply"}, {"event", "{walk: [0.1, 0, 0]}"}}), HasSubstr("/walk_to"));
   EXPECT_THAT(refused({{"order", "apply"}, {"event", "{push: {}}"}}), HasSubstr("direction"));
-  EXPECT_THAT(refused({{"order", "apply"}, {"event", "{fault: {kind: plugin_fails, plugin: zmq, how: throws}}"}}),
-              HasSubstr("Did you mean 'zmp'?"));
+  EXPECT_THAT(
+      refused({{"order", "apply"}, {"event", "{fault: {kind: plugin_fails, plugin: zmq, how: throws}}"}}),
+      HasSubstr("Did you mean 'zmp'?"));
   EXPECT_THAT(refused({{"order", "plan"}, {"goal", {1, 2, 3}}}), HasSubstr("plans no ways"));
   EXPECT_EQ(director_->timeline().recorded_ns(), 0) << "nothing has happened";
 }
 
 TEST_F(DirectorTest, PushesOfTheOldKindAreAnsweredWhenTheyBegin) {
-  const std::uint32_t number =
-      client_->push({.link = "trunk", .force_N = {0.0, 90.0, 0.0}, .duration_s = 0.1}, process::monotonic_ns());
+  const std::uint32_t number = client_->push(
+      {.link = "trunk", .force_N = {0.0, 90.0, 0.0}, .duration_s = 0.1}, process::monotonic_ns());
   std::optional<simulation::Answer> answer;
   while (!answer) {
     director_->step(1);

@@ -49,9 +49,8 @@ class SimulationTest : public testing::Test {
     live_.api = core::read_configuration(source_tree() / "core/config/serve.yaml").plugins.back();
     live_.api.parameters = {{"link", "unix:" + (folder_.path() / "link.sock").string(), 0}};
     return start_simulation([this] { return run(); },
-                            [this](ReplayedRun& copy, const CopyChannel& channel, const nlohmann::json& told) {
-                              live(live_, copy, channel, told);
-                            });
+                            [this](ReplayedRun& copy, const CopyChannel& channel,
+                                   const nlohmann::json& told) { live(live_, copy, channel, told); });
   }
   // The same events played in this process.
   [[nodiscard]] std::uint64_t digest_of(std::span<const TimedEvent> events, std::int64_t at_ns) const {

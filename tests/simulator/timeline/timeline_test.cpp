@@ -28,9 +28,11 @@ class TimelineTest : public SimulationTest {
   }
   const std::vector<TimedEvent> events_{
       {1'000 * kMillisecond_ns, false, "walk: [0.15, 0, 0]"},
-      {3'017 * kMillisecond_ns, false, "push: {body: \"trunk\", direction: [0, 1, 0], impulse_Ns: 0.8, duration_s: 0.1}"},
+      {3'017 * kMillisecond_ns, false,
+       "push: {body: \"trunk\", direction: [0, 1, 0], impulse_Ns: 0.8, duration_s: 0.1}"},
       {5'000 * kMillisecond_ns, false,
-       "spawn: {name: \"crate\", shape: box, size_m: [0.1, 0.1, 0.1], position_m: [0.9, 0, 0.05], yaw_rad: 0, mass_kg: 0.2}"},
+       "spawn: {name: \"crate\", shape: box, size_m: [0.1, 0.1, 0.1], position_m: [0.9, 0, 0.05], yaw_rad: "
+       "0, mass_kg: 0.2}"},
       {8'500 * kMillisecond_ns, false, "fault: {kind: lose_frames, probability: 0.05, duration_s: 1}"},
       {11'111 * kMillisecond_ns, false, "stand: true"},
       {12'003 * kMillisecond_ns, true, "stop: true"}};
@@ -41,7 +43,8 @@ TEST_F(TimelineTest, AnyInstantIsAsARunFromTheStartHasIt) {
   line.extend(26 * kSecond_ns, events_);
   keep_up_until(line, 3);
   EXPECT_EQ(line.copies(), 3U) << "at 0, 10 and 20 s";
-  for (const std::int64_t at_ms : {0, 1, 999, 1'000, 1'001, 3'017, 5'000, 9'876, 10'000, 12'004, 20'001, 26'000}) {
+  for (const std::int64_t at_ms :
+       {0, 1, 999, 1'000, 1'001, 3'017, 5'000, 9'876, 10'000, 12'004, 20'001, 26'000}) {
     const std::int64_t at_ns = at_ms * kMillisecond_ns;
     EXPECT_EQ(digest(line.at(at_ns), at_ns), digest_of(events_, at_ns)) << at_ms << " ms";
   }
@@ -57,7 +60,8 @@ TEST_F(TimelineTest, FromThereItGoesOnAsItIsTold) {
   EXPECT_EQ(line.events().size(), 2U);
   const std::vector<TimedEvent> other{{5 * kSecond_ns, false, "walk: [0, 0, 0.5]"}};
   line.extend(end_ns, other);
-  EXPECT_EQ(digest(line.at(end_ns), end_ns), digest_of(std::vector{events_[0], events_[1], other[0]}, end_ns));
+  EXPECT_EQ(digest(line.at(end_ns), end_ns),
+            digest_of(std::vector{events_[0], events_[1], other[0]}, end_ns));
   EXPECT_NE(digest(line.at(end_ns), end_ns), digest_of(events_, end_ns));
 }
 

@@ -26,6 +26,9 @@ struct PlantOptions {
   // What it walks in; none: an endless floor. A world has its own ground: slopes, tiles and steps of the
   // conditions are refused then.
   std::optional<world::World> world = std::nullopt;
+  // Where the joints begin, in the order of RobotModel::joints, rad; empty: in the home posture. The robot
+  // stands on the sole that is lower when it is level.
+  std::vector<double> start_rad = {};
 };
 
 // What the sensors read, in SI units, sensor frames; noise included.
@@ -96,9 +99,10 @@ struct Replay {
 // Depends on nothing but its options and commands: the same give the same motion to the bit. Not thread-safe.
 class Plant {
  public:
-  // Stands in the home posture, soles on the ground, at the world's start. Throws std::runtime_error where
-  // MuJoCo refuses robot or world, input::InputError where the robot has no room at the start, and
-  // std::invalid_argument for a world with conditions of another ground.
+  // Stands in the posture of the start, soles on the ground, at the world's start. Throws std::runtime_error
+  // where MuJoCo refuses robot or world, input::InputError where the robot has no room at the start, and
+  // std::invalid_argument for a world with conditions of another ground, and for a start with another number
+  // of joints, or one that is not finite or beyond its limits.
   Plant(const urdf::RobotModel& robot, const PlantOptions& options);
   ~Plant();
   Plant(Plant&&) noexcept;

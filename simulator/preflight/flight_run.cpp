@@ -1,0 +1,85 @@
+// Plays the flight, and watches.
+#include "flight_run.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace gaitway::preflight {
+namespace {
+
+constexpr double kRounding_s = 1e-9;
+
+simulator::CosimulationOptions with_seed(simulator::CosimulationOptions options, std::uint64_t seed) {
+  options.plant.seed = seed;
+  return options;
+}
+
+template <std::size_t size>
+std::string text_of(const std::uint8_t (&bytes)[size]) {
+  const auto* const begin = reinterpret_cast<const char*>(bytes);
+  return {begin, std::find(begin, begin + size, '\0')};
+}
+
+}  // namespace
+
+FlightRun::FlightRun(const urdf::RobotModel& robot, const Flight& flight, simulator::CosimulationOptions options,
+                     std::uint64_t seed)
+    : flight_(flight),
+      run_(robot, with_seed(std::move(options), seed)),
+      motion_(run_.client().read<MotionState>("motion_state")),
+      way_(run_.client().read<NavigationState>("navigation_state")) {
+  trial_.seed = seed;
+}
+
+bool FlightRun::goes_on() const {
+  return !trial_.fell && static_cast<double>(run_.now_ns()) * 1e-9 < flight_.seconds - kRounding_s;
+}
+
+void FlightRun::advance_millisecond() {
+  const double now_s = static_cast<double>(run_.now_ns()) * 1e-9;
+  for (; next_event_ < flight_.events.size() && flight_.events[next_event_].at_s <= now_s + kRounding_s;
+       ++next_event_) {
+    run_.apply(flight_.events[next_event_]);
+  }
+  run_.advance_millisecond();
+  look();
+}
+
+void FlightRun::look() {
+  const simulator::Plant& plant = run_.plant();
+  trial_.fell = plant.fallen();
+  trial_.ended_s = static_cast<double>(run_.now_ns()) * 1e-9;
+  trial_.largest_tilt_rad = std::max(trial_.largest_tilt_rad, plant.truth().trunk_tilt_rad);
+  if (const auto contacts = plant.body_contacts(); !contacts.empty()) {
+    ++trial_.body_contacts;
+    if (trial_.first_contact.empty()) {
+      const simulator::BodyContact& first = contacts.front();
+      trial_.first_contact =
+          run_.robot().links[static_cast<std::size_t>(first.link)].name + " touches " +
+          (first.solid < 0 ? "the floor" : plant.solids()[static_cast<std::size_t>(first.solid)].name);
+    }
+  }
+  constexpr std::int64_t kLook_ns = 80'000'000;
+  if (run_.now_ns() % kLook_ns == 0) look_at_answers();
+}
+
+void FlightRun::look_at_answers() {
+  if (!trial_.refusal.empty()) return;
+  MotionState motion;
+  if (motion_.read(motion) && motion.refused != 0) trial_.refusal = text_of(motion.text);
+  NavigationState way;
+  if (way_.read(way) && (way.result == navigation_state::result::refused ||
+                         way.result == navigation_state::result::failed)) {
+    trial_.refusal = text_of(way.text);
+  }
+}
+
+Trial FlightRun::trial() const {
+  Trial trial = trial_;
+  const core::MainControllerStatistics statistics = run_.main_controller().statistics();
+  trial.refused_batches = statistics.refused_locally + run_.message_controller().state().refused;
+  return trial;
+}
+
+}  // namespace gaitway::preflight

@@ -1,0 +1,89 @@
+// Orders over the robot API, one after the other.
+#include "tools/preflight/flight_sender.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+namespace gaitway::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kRenew_s = 0.1;
+
+json call(ApiClient& client, const std::string& service, const json& arguments) {
+  json values;
+  const ApiClient::ServiceAnswer answer = client.call(service, arguments, values);
+  if (!answer.result || !values.value("success", false)) {
+    throw ApiError(fmt::format("{}: {}", service, answer.result ? values.value("message", "") : answer.problem));
+  }
+  return values;
+}
+
+class CommandLease {
+ public:
+  explicit CommandLease(ApiClient& client)
+      : client_(client),
+        lease_(call(client, "/command/acquire", {{"name", "gaitway preflight"}}).at("lease").get<std::string>()) {}
+  void renew() { call(client_, "/command/keep_alive", {{"lease", lease_}}); }
+  void give_back() { call(client_, "/command/release", {{"lease", lease_}}); }
+
+ private:
+  ApiClient& client_;
+  std::string lease_;
+};
+
+void walk(ApiClient& client, CommandLease& command, const RobotTask& task) {
+  const auto at = [&task](std::size_t i) { return i < task.walk->size() ? (*task.walk)[i] : 0.0; };
+  const json twist{{"linear", {{"x", at(0)}, {"y", at(1)}, {"z", 0.0}}},
+                   {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", at(2)}}}};
+  client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
+  client.repeat(
+      [&] {
+        client.publish("/cmd_vel", twist);
+        command.renew();
+        client.throw_reported_errors();
+      },
+      kRenew_s, task.walk_seconds);
+  call(client, "/stand", json::object());
+}
+
+// The robot walks a way by itself, but not without who gave it: so until it has ended.
+void walk_to(ApiClient& client, CommandLease& command, const std::array<double, 3>& goal) {
+  using Clock = std::chrono::steady_clock;
+  call(client, "/walk_to", {{"x", goal[0]}, {"y", goal[1]}, {"yaw", goal[2]}});
+  client.subscribe("/joint_states");  // comes often: the command is renewed beside it
+  client.subscribe("/walk_to/state");
+  Clock::time_point renewed = Clock::now();
+  while (const auto message = client.next_message()) {
+    if (Clock::now() - renewed > std::chrono::duration<double>(kRenew_s)) {
+      command.renew();
+      renewed = Clock::now();
+    }
+    if (message->value("topic", "") != "/walk_to/state") continue;
+    const json& state = message->at("msg");
+    if (state.at("state") != "idle") continue;
+    if (state.at("result") == "arrived") return;
+    throw ApiError(fmt::format("/walk_to: {}: {}", state.at("result").get<std::string>(),
+                               state.at("text").get<std::string>()));
+  }
+  throw NoAnswer("/walk_to: the robot tells nothing any more");
+}
+
+}  // namespace
+
+void send(ApiClient& client, const RobotTask& task) {
+  CommandLease command(client);
+  for (const ParameterSetting& one : task.settings) {
+    call(client, "/plugins/set_parameter",
+         {{"plugin", one.plugin}, {"parameter", one.parameter}, {"value", one.value}});
+  }
+  if (!task.motion.empty()) call(client, "/play_motion", {{"motion", task.motion}});
+  if (task.walk) walk(client, command, task);
+  if (task.goal) walk_to(client, command, *task.goal);
+  command.give_back();
+}
+
+}  // namespace gaitway::tools
