@@ -3,7 +3,9 @@
 // picture, growth of the JavaScript heap. The browser is headless Chromium that draws in software; all of it is pinned to one core.
 //
 //     ./dev bench --build; .deps/python/bin/node bench/userinterface/page/page_rate.mjs [--seconds 20] [--core 1] [--view Drive] [--dark]
+//         [--solids 2000]
 //
+// --solids: the page of a simulator (the one of tests/clients/page_simulator_test.mjs) whose world has so many, while the robot goes there and back.
 // A picture counts when the page has given it to WebGL; the browser asks for the next one only when it has taken the former, so pictures
 // that are given are shown.
 import { execFileSync, spawn } from "node:child_process";
@@ -24,6 +26,7 @@ const { values: options } = parseArgs({ options: {
   view: { type: "string", default: "Drive" },
   dark: { type: "boolean", default: false },
   pictures: { type: "string" },
+  solids: { type: "string" },
 } });
 const viewports = [{ width: 1280, height: 720 }, { width: 360, height: 740, hasTouch: true, isMobile: true }];
 
@@ -47,7 +50,28 @@ async function serveRobot(folder) {
     robot.once("exit", (code) => reject(new Error(`gaitway serve ended with ${code}: ${said}`)));
   });
   const ended = new Promise((resolve) => robot.once("exit", resolve));
-  return { url: `http://127.0.0.1:${port}/`, end: () => (robot.kill("SIGINT"), ended) };
+  return { url: `http://127.0.0.1:${port}/`, end: () => (robot.kill("SIGINT"), ended), walk: (page) => page.hold("w"), stand: (page) => page.letGo("w") };
+}
+
+// A simulator whose world has so many solids, a tenth of which move.
+async function serveWorld(folder, count) {
+  const real = await serveRobot(folder);
+  const description = await (await fetch(`${real.url}robot.json`)).json();
+  await real.end();
+  const { FakeSimulator, solid } = await import("../../../tests/clients/page_simulator_fake.mjs");
+  const side = Math.ceil(Math.sqrt(count)), shapes = ["box", "box", "box", "cylinder", "sphere"];
+  const solids = Array.from({ length: count }, (_none, index) => {
+    const [x, y] = [(index % side) - side / 2, Math.floor(index / side) - side / 2].map((at) => at * 0.45);
+    return solid(`solid_${index}`, "thing", shapes[index % 5], [0.15, 0.15, 0.15], [x, y + 0.2], index, [0.3 + 0.6 * ((index * 7) % 11) / 11, 0.6, 0.4], index < 64);
+  });
+  const fake = await FakeSimulator.serve(description, solids);
+  let way;
+  const moves = setInterval(() => solids.slice(0, 64).forEach((one, index) => (one.pose[0] += 0.004 * Math.sin(index + Date.now() / 300))), 50);
+  const walk = async () => {
+    fake.walk([2, 0.3, 0]);
+    way = setInterval(() => fake.walk([fake.robot[0] > 0 ? -2 : 2, 0.3, 0]), 9000);
+  };
+  return { url: fake.url, end: () => (clearInterval(moves), fake.end()), walk, stand: () => clearInterval(way) };
 }
 
 // What is started by `job` runs on one core.
@@ -79,18 +103,18 @@ async function heapBytes(page, session) {
   return (await page.metrics()).JSHeapUsedSize;
 }
 
-async function measure(browser, url, viewport) {
+async function measure(browser, served, viewport) {
   const robot = new RobotPage();
   robot.page = await browser.newPage();
   await robot.page.setViewport(viewport);
   if (options.dark) await robot.page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
   await robot.page.evaluateOnNewDocument(countPictures);
-  await robot.page.goto(url);
+  await robot.page.goto(served.url);
   await robot.until(() => performance.getEntriesByName("first-picture").length > 0, "a picture");
   const first_ms = await robot.page.evaluate(() => performance.getEntriesByName("first-picture")[0].startTime);
   await robot.live();
   await robot.tab(options.view);
-  await robot.hold("w");
+  await served.walk(robot);
   await robot.says("activity", "walks");
   await pause(4000); // the page finds its resolution
   const session = await robot.page.createCDPSession();
@@ -103,7 +127,7 @@ async function measure(browser, url, viewport) {
   const grown = (await heapBytes(robot.page, session)) - heap;
   const pixels = await robot.page.$eval("#scene", ({ width, height, clientWidth, clientHeight }) => `${width}x${height} in ${clientWidth}x${clientHeight}`);
   if (options.pictures) await robot.page.screenshot({ path: `${options.pictures}_${viewport.width}.png` });
-  await robot.letGo("w");
+  await served.stand(robot);
   await robot.close();
   const intervals_ms = times_ms.slice(1).map((time, index) => time - times_ms[index]).sort((a, b) => a - b);
   const span_s = (ended_ms - began_ms) / 1000;
@@ -113,12 +137,12 @@ async function measure(browser, url, viewport) {
 }
 
 const folder = mkdtempSync(path.join(tmpdir(), "gaitway_page_rate_"));
-const robot = await serveRobot(folder);
+const robot = options.solids ? await serveWorld(folder, Number(options.solids)) : await serveRobot(folder);
 try {
   for (const viewport of viewports) {
     const browser = await onOneCore(options.core, openBrowser);
     try {
-      await measure(browser, robot.url, viewport);
+      await measure(browser, robot, viewport);
     } finally {
       await browser.close();
     }

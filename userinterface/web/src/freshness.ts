@@ -18,6 +18,8 @@ export class Freshness {
   private came_ms = -Infinity;
   private connected = false;
   private outageSince_ms: number | undefined;
+  // How fast the robot's time passes, in times real time: a simulated one may be slow, or rest (0), and then nothing of it gets old.
+  pace = 1;
   readonly loss: Loss = { frames: 0, outages: 0, longest_ms: 0 };
 
   take(frame: ViewFrame, now_ms: number): void {
@@ -42,10 +44,15 @@ export class Freshness {
   // Of one part of the frame (row `age`), or of all that a picture needs: with the way from the robot to here.
   age_ms(part: number, now_ms: number): number {
     if (!this.frame) return Infinity;
+    if (this.rests) return this.sinceCame_ms(now_ms);
     const atRobot_ms = (this.frame.age[part] ?? NaN) * 1000;
     const way_ms = ((this.frame.round_trip[0] ?? NaN) * 1000) / 2;
     if (Number.isNaN(atRobot_ms)) return Infinity;
-    return atRobot_ms + (Number.isNaN(way_ms) ? 0 : way_ms) + this.sinceCame_ms(now_ms);
+    return atRobot_ms * Math.min(this.pace, 1) + (Number.isNaN(way_ms) ? 0 : way_ms) + this.sinceCame_ms(now_ms);
+  }
+
+  get rests(): boolean {
+    return this.pace === 0;
   }
 
   sinceCame_ms(now_ms: number): number {

@@ -9,6 +9,7 @@ export class LinkBanner {
   private readonly age = byId("trouble-age");
   private readonly button = byId<HTMLButtonElement>("trouble-button");
   private readonly known: Knowledge = { linkTold_ms: 0, certificate: "" };
+  rests = false; // a simulated robot is paused: that nothing comes from it is as it should be
   private hidden = ""; // the text that a person has seen enough of
 
   constructor(private readonly robot: Rosbridge) {
@@ -31,7 +32,8 @@ export class LinkBanner {
   look(now_ms: number): void {
     // Without a connection nobody tells how the link is.
     if (!this.robot.isOpen) delete this.known.link;
-    const trouble = troubleOf(this.known, now_ms);
+    const { link, ...others } = this.known;
+    const trouble = troubleOf(link && !this.rests ? this.known : others, now_ms);
     this.box.hidden = !trouble || (trouble.action === "hide" && trouble.text === this.hidden);
     if (!trouble) return;
     this.box.className = `trouble ${trouble.weight}`;

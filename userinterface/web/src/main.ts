@@ -1,6 +1,7 @@
 // The page: loads the description, connects, and puts the parts together.
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
+import "./simulator/simulator.css";
 import { fillCameraBar } from "./camera_bar.ts";
 import { Command } from "./command.ts";
 import type { Context, Tab } from "./context.ts";
@@ -11,9 +12,11 @@ import { Driver } from "./driver.ts";
 import { Freshness } from "./freshness.ts";
 import { LinkBanner } from "./link_banner.ts";
 import { News } from "./news.ts";
+import { PictureTools } from "./picture_tools.ts";
 import { PushTool } from "./push_tool.ts";
 import { isLate, isOvertakenByStop, Rosbridge, Unanswered } from "./rosbridge.ts";
 import { Scene } from "./scene/scene.ts";
+import { watchForSimulator } from "./simulator/simulator.ts";
 import { socketUrl } from "./socket_keeper.ts";
 import { StatusBar } from "./status_bar.ts";
 import { StopBar } from "./stop_bar.ts";
@@ -60,14 +63,16 @@ function makeAttempt(news: News): Context["attempt"] {
   };
 }
 
-function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar, tabs: readonly Tab[]): void {
-  const { freshness, robot, news } = context;
+function connect(context: Context, driver: Driver, scene: Scene, canvas: HTMLCanvasElement, tools: PictureTools, stops: StopBar, tabs: readonly Tab[]): void {
+  const { freshness, robot, news, description } = context;
   const view = new ViewLink(socketUrl("/view"), freshness, () => token);
   const status = new StatusBar(context);
   const bar = new TabBar(byId("tabs"), byId("panels"), tabs);
   context.frameTakers.push((frame) => scene.show(frame), (frame) => stops.show(frame));
   view.onFrame = (frame) => context.frameTakers.forEach((take) => take(frame));
   const banner = new LinkBanner(robot);
+  const simulated = description.bounds.push !== undefined;
+  const simulator = simulated ? watchForSimulator(context, { scene, canvas, tools, tabs: bar, stops, banner }) : undefined;
   view.onWrongVersion = (text) => {
     driver.retire();
     for (const part of ["top", "camera", "panel"]) byId(part).inert = true; // the stops stay
@@ -89,6 +94,7 @@ function connect(context: Context, driver: Driver, scene: Scene, stops: StopBar,
     status.look(now_ms);
     banner.look(now_ms);
     bar.look(now_ms);
+    simulator?.(now_ms);
     scene.setOld(freshness.state(now_ms) !== "live");
   };
   setInterval(look, look_ms);
@@ -121,9 +127,12 @@ async function start(): Promise<void> {
   const stops = new StopBar(context, () => driver.end());
   driver.pad.onStop = () => stops.stop();
   const { push } = robotDescription.bounds;
-  fillCameraBar(byId("camera"), scene, push && new PushTool(context, scene, canvas, push));
+  const tools = new PictureTools();
+  const pushTool = push && new PushTool(context, scene, canvas, push, tools);
+  if (pushTool) tools.add(pushTool);
+  fillCameraBar(byId("camera"), scene, pushTool);
   const tabs = [driveTab(context, driver), stateTab(context, scene), plotsTab(context), eventsTab(context), pluginsTab(context), recordingsTab(context)];
-  connect(context, driver, scene, stops, tabs);
+  connect(context, driver, scene, canvas, tools, stops, tabs);
   await scene.body.loadMeshes(token, () => scene.ask());
 }
 

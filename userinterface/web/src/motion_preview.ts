@@ -4,9 +4,9 @@ import * as THREE from "three";
 import type { Context } from "./context.ts";
 import { element, setText } from "./dom.ts";
 import { loadPostures, motionText, postureAt, rising, timeInMotion, type MotionEntry, type MotionPostures, type Posture } from "./motions.ts";
+import { tint } from "./scene/ghost.ts";
 import { RobotBody } from "./scene/robot_body.ts";
 
-const ghostColour = 0x7fb2ea;
 const between_ms = 50; // two pictures
 const lying: Record<string, [number, number]> = { // roll, pitch of the trunk
   "lies on its front": [0, Math.PI / 2], "lies on its back": [0, -Math.PI / 2], "lies on its left": [-Math.PI / 2, 0], "lies on its right": [Math.PI / 2, 0],
@@ -24,7 +24,7 @@ class GhostPicture {
     const { description } = context;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "low-power" });
     this.body = new RobotBody(description);
-    this.tint();
+    tint(this.body);
     const size_m = description.hip_height * 2;
     const floor = new THREE.GridHelper(size_m * 1.2, 8, 0x8a97a6, 0x8a97a6);
     floor.rotation.x = Math.PI / 2;
@@ -35,13 +35,6 @@ class GhostPicture {
     this.camera.position.set(2 * size_m, 1.35 * size_m, 0.9 * size_m);
     this.camera.lookAt(0, 0, size_m * 0.52);
     void this.body.loadMeshes(context.token(), () => {}).catch(() => undefined); // boxes will do
-  }
-
-  // So that nobody takes it for the robot.
-  private tint(): void {
-    this.body.base.traverse((part) => {
-      if (part instanceof THREE.Mesh) (part.material as THREE.MeshLambertMaterial).color.set(ghostColour);
-    });
   }
 
   draw(posture: Posture, start: string, risen: number): void {

@@ -2,6 +2,7 @@
 import type { Context } from "./context.ts";
 import { button, element, setText } from "./dom.ts";
 import { forceOfDrag, heading_rad, inHeading, push_s, pushRequest, sizeOf, type Flat, type PushBounds } from "./push.ts";
+import type { PictureTools } from "./picture_tools.ts";
 import type { Grip } from "./scene/push_arrow.ts";
 import type { Scene } from "./scene/scene.ts";
 
@@ -36,13 +37,14 @@ export class PushTool {
     private readonly scene: Scene,
     private readonly canvas: HTMLCanvasElement,
     private readonly bounds: PushBounds,
+    private readonly tools: PictureTools,
   ) {
     const { links } = context.description;
     this.link = element("select", { "aria-label": "Link that is pushed" }, ...links.map(({ name }) => element("option", {}, name)));
     this.newtons = element("input", {
       type: "number", "aria-label": "Force of a push in newtons", min: Math.ceil(bounds.least), max: bounds.most, step: 1, value: bounds.usual,
     });
-    this.toggle = button("Push", () => this.setOn(!this.on), { "aria-pressed": "false", id: "push", title: "Push the robot: click or drag on a part of it" });
+    this.toggle = button("Push", () => (this.on ? this.tools.done(this) : this.setOn(true)), { "aria-pressed": "false", id: "push", title: "Push the robot: click or drag on a part of it" });
     this.form = element("div", { class: "push-form", role: "group", "aria-label": "Push the robot", hidden: true }, this.link, this.newtons, "N",
       ...directions.map(({ text, name, force }) => button(text, () => this.pushBy(force), { "aria-label": `Push ${name}`, title: `Push ${name}` })));
     canvas.after(this.label);
@@ -57,11 +59,13 @@ export class PushTool {
     window.addEventListener("keydown", (event) => event.key === "Escape" && this.cancel(), { capture: true }); // a stop goes no further
   }
 
-  private get on(): boolean {
+  get on(): boolean {
     return this.toggle.getAttribute("aria-pressed") === "true";
   }
 
-  private setOn(on: boolean): void {
+  setOn(on: boolean): void {
+    if (on === this.on) return;
+    if (on) this.tools.choose(this);
     this.toggle.setAttribute("aria-pressed", String(on));
     this.form.hidden = !on;
     this.canvas.classList.toggle("pushes", on);

@@ -38,7 +38,7 @@ export class StatusBar {
   private linkText(now_ms: number): string {
     const { freshness } = this.context;
     const age = ageText(freshness.pictureAge_ms(now_ms));
-    if (freshness.state(now_ms) === "live") return `live, ${age}`;
+    if (freshness.state(now_ms) === "live") return freshness.rests ? "paused" : `live, ${age}`;
     return freshness.state(now_ms) === "old" ? `old, ${age}` : "no connection";
   }
 

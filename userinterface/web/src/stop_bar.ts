@@ -1,6 +1,6 @@
 // Stop and emergency stop: in the same place on every view, and on Escape and Space wherever the focus is.
 import type { Context } from "./context.ts";
-import { byId, isTyping } from "./dom.ts";
+import { byId, isTyping, setText } from "./dom.ts";
 import { modes, type ViewFrame } from "./view_decoder.ts";
 
 // As soon as the button is touched: a second finger, while the first one holds a stick, brings no click. Keys and assistive
@@ -14,6 +14,8 @@ export class StopBar {
   private readonly stopButton = byId<HTMLButtonElement>("stop");
   private readonly emergencyButton = byId<HTMLButtonElement>("emergency");
   private readonly releaseButton = byId<HTMLButtonElement>("release");
+  private readonly keys = this.stopButton.querySelector("small");
+  private spaceStops = true;
 
   // `ended`: whatever was being driven is ended before the stop is sent.
   constructor(
@@ -31,6 +33,14 @@ export class StopBar {
   stop(): void {
     this.ended();
     void this.context.attempt("Stop", () => this.context.robot.stop("/stop"));
+  }
+
+  // A simulator's page has another use for Space.
+  setSpaceStops(stops: boolean): void {
+    if (stops === this.spaceStops) return;
+    this.spaceStops = stops;
+    this.stopButton.setAttribute("aria-keyshortcuts", stops ? "Escape Space" : "Escape");
+    if (this.keys) setText(this.keys, stops ? "Esc, Space" : "Esc");
   }
 
   show(frame: ViewFrame): void {
@@ -53,7 +63,7 @@ export class StopBar {
   }
 
   private key(event: KeyboardEvent): void {
-    const stops = event.code === "Escape" || (event.code === "Space" && !isTyping(event.target));
+    const stops = event.code === "Escape" || (this.spaceStops && event.code === "Space" && !isTyping(event.target));
     if (!stops || event.repeat) {
       if (stops) event.preventDefault();
       return;

@@ -7,31 +7,35 @@ export class TabBar {
   private readonly buttons = new Map<Tab, HTMLButtonElement>();
 
   constructor(
-    bar: HTMLElement,
+    private readonly bar: HTMLElement,
     private readonly panels: HTMLElement,
     tabs: readonly Tab[],
   ) {
-    for (const [index, tab] of tabs.entries()) {
-      const id = `tab-${index}`;
-      const button = element("button", { type: "button", role: "tab", id, "aria-controls": `${id}-panel` }, tab.title);
+    this.add(...tabs);
+    bar.addEventListener("keydown", (event) => this.step(event, [...this.buttons.keys()]));
+    if (tabs[0]) this.open(tabs[0]);
+  }
+
+  add(...tabs: readonly Tab[]): void {
+    for (const tab of tabs) {
+      const id = `tab-${this.buttons.size}`;
+      const button = element("button", { type: "button", role: "tab", id, "aria-controls": `${id}-panel`, "aria-selected": "false", tabindex: -1 }, tab.title);
       tab.content.id = `${id}-panel`;
       tab.content.setAttribute("role", "tabpanel");
       tab.content.setAttribute("aria-labelledby", id);
       tab.content.hidden = true;
       button.addEventListener("click", () => this.open(tab));
       this.buttons.set(tab, button);
-      bar.append(button);
-      panels.append(tab.content);
+      this.bar.append(button);
+      this.panels.append(tab.content);
     }
-    bar.addEventListener("keydown", (event) => this.step(event, tabs));
-    if (tabs[0]) this.open(tabs[0]);
   }
 
   look(now_ms: number): void {
     this.current?.look?.(now_ms);
   }
 
-  private open(tab: Tab): void {
+  open(tab: Tab): void {
     if (tab === this.current) return;
     this.current?.hide?.();
     this.current = tab;

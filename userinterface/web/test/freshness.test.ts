@@ -59,3 +59,17 @@ test("a silence without an end of the socket is an outage, too", () => {
 test("ages in words", () => {
   assert.deepEqual([Infinity, 12.4, 999, 1234, 125_000].map(ageText), ["never", "12 ms", "999 ms", "1.2 s", "2 min"]);
 });
+
+test("a simulated robot gets old as fast as its time passes, and not at all while it rests", () => {
+  const freshness = new Freshness();
+  freshness.take(frame(1, [1.2, 1.2, 1.2, 1.2, 1.2]), 1000);
+  assert.equal(freshness.state(1010), "old");
+  freshness.pace = 0.1;
+  assert.equal(freshness.state(1010), "live");
+  freshness.pace = 40;
+  assert.equal(freshness.pictureAge_ms(1010), 1210, "no faster than ours");
+  freshness.pace = 0;
+  freshness.take(frame(2, [NaN, NaN, NaN, NaN, NaN]), 1033);
+  assert.equal(freshness.state(1043), "live");
+  assert.equal(freshness.state(2100), "lost", "nothing comes, whether it rests or not");
+});

@@ -5,6 +5,7 @@ import { convexHull, type Point } from "./polygon.ts";
 import type { RobotBody } from "./robot_body.ts";
 
 const madeAtMost = 24;
+const stepLeast_m = 0.005; // odometry's height is hardly better
 const heights_m = { made: 0.001, support: 0.002, planned: 0.003, marks: 0.004 };
 
 export interface GroundColours {
@@ -53,6 +54,7 @@ export class Ground {
   private readonly plannedZmp;
   private readonly com;
   private readonly comDrop: THREE.Line;
+  private gridShown = true;
   private readonly stood: [boolean, boolean] = [false, false];
 
   constructor(
@@ -91,6 +93,12 @@ export class Ground {
     for (const part of [this.com, this.comDrop]) paint(part, colours.com);
   }
 
+  // For good: there is another one.
+  hideGrid(): void {
+    this.gridShown = false;
+    this.grid.visible = false;
+  }
+
   // `body`: posed as the frame has it.
   show(frame: ViewFrame, body: RobotBody): void {
     const [baseX = NaN, baseY = NaN] = frame.base_place;
@@ -126,9 +134,10 @@ export class Ground {
     const bearing: Point[] = [];
     for (const side of [0, 1] as const) {
       const stands = frame.contact[side] === 1;
-      const corners = stands ? body.soleCorners(side).map(({ x, y }): Point => [x, y]) : [];
+      const sole = stands ? body.soleCorners(side) : [];
+      const corners = sole.map(({ x, y }): Point => [x, y]);
       bearing.push(...corners);
-      if (stands && !this.stood[side]) this.addMade(corners);
+      if (stands && !this.stood[side]) this.addMade(corners, Math.max(...sole.map(({ z }) => z)));
       this.stood[side] = stands;
     }
     const hull = convexHull(bearing);
@@ -140,12 +149,13 @@ export class Ground {
     this.support.position.z = heights_m.support;
   }
 
-  private addMade(corners: readonly Point[]): void {
+  // `height_m`: of the sole; it may have stepped onto something.
+  private addMade(corners: readonly Point[], height_m: number): void {
     const line = this.made.length < madeAtMost ? outline(4, this.colours.made) : this.made.shift();
     if (!line) return;
     this.made.push(line);
     this.group.add(line);
-    setOutline(line, corners, heights_m.made);
+    setOutline(line, corners, heights_m.made + (height_m > stepLeast_m ? height_m : 0));
   }
 
   private rectangle(x: number, y: number, yaw: number): Point[] {
@@ -159,6 +169,7 @@ export class Ground {
     const extent_m = 2 * Math.ceil(this.size_m * 5);
     const grid = new THREE.GridHelper(extent_m, extent_m * 4, this.colours.grid, this.colours.grid);
     grid.rotation.x = Math.PI / 2;
+    grid.visible = this.gridShown;
     return grid;
   }
 }

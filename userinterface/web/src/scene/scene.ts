@@ -7,15 +7,17 @@ import type { ViewFrame } from "../view_decoder.ts";
 import { Ground, type GroundColours } from "./ground.ts";
 import { FramePace } from "./frame_pace.ts";
 import { PushArrow, type Grip } from "./push_arrow.ts";
+import type { WayColours } from "./footstep_marks.ts";
 import { RobotBody } from "./robot_body.ts";
 
 interface Palette extends GroundColours {
   sky: number;
   push: number;
+  way: WayColours;
 }
 const palettes: Record<"light" | "dark", Palette> = {
-  light: { sky: 0xe8edf2, ground: 0xdde3e9, grid: 0xc3ccd6, made: 0x8a97a6, planned: 0x1766c2, support: 0x1b8a4b, zmp: 0xd12c2c, plannedZmp: 0x1766c2, com: 0xb06a00, push: 0x7a2bd6 },
-  dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d, push: 0xc39bff },
+  light: { sky: 0xe8edf2, ground: 0xdde3e9, grid: 0xc3ccd6, made: 0x8a97a6, planned: 0x1766c2, support: 0x1b8a4b, zmp: 0xd12c2c, plannedZmp: 0x1766c2, com: 0xb06a00, push: 0x7a2bd6, way: { left: 0x0d8f8f, right: 0xd4691a, goal: 0x1766c2 } },
+  dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d, push: 0xc39bff, way: { left: 0x2fc6c0, right: 0xff9a4d, goal: 0x63b0ff } },
 };
 
 // Then every pixel costs the processor's time.
@@ -43,13 +45,19 @@ export class Scene {
   private readonly controls: OrbitControls;
   private readonly ground: Ground;
   private readonly arrow: PushArrow;
-  private readonly size_m: number;
+  readonly size_m: number; // of the robot
   private followed = new THREE.Vector3();
   private pending = true;
   private old = false;
   private asked = false;
+  private dark = false;
+  // How far behind what is looked at the haze is closed, in sizes of the robot.
+  hazeAfter = 6.5;
   follows = true;
   onDrawn: () => void = () => {};
+  // Before each picture: what moves by itself is put where it belongs.
+  onBeforeDraw: (now_ms: number, camera: THREE.PerspectiveCamera, far_m: number) => void = () => {};
+  onPaint: (palette: Palette, dark: boolean) => void = () => {};
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -129,10 +137,32 @@ export class Scene {
 
   // What of the robot is seen at this place of the window.
   gripAt(x_px: number, y_px: number): Grip | undefined {
+    return this.body.gripAt(this.rayAt(x_px, y_px));
+  }
+  // From the eye through this place of the window.
+  rayAt(x_px: number, y_px: number): THREE.Raycaster {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     const ray = new THREE.Raycaster();
     ray.setFromCamera(new THREE.Vector2((2 * (x_px - left)) / width - 1, 1 - (2 * (y_px - top)) / height), this.camera);
-    return this.body.gripAt(ray);
+    return ray;
+  }
+  // Puts something into the picture for good.
+  add(part: THREE.Object3D): void {
+    this.scene.add(part);
+    this.ask();
+  }
+  // There is a floor with a grid of its own, and more to be seen of it.
+  showWorld(): void {
+    this.ground.hideGrid();
+    this.ask();
+  }
+  // While a tool takes what a single finger, or the left button, does on the floor: the right button and two fingers turn the camera.
+  turnBySecond(on: boolean): void {
+    this.controls.mouseButtons.RIGHT = on ? THREE.MOUSE.ROTATE : THREE.MOUSE.PAN;
+    this.controls.touches.TWO = on ? THREE.TOUCH.DOLLY_ROTATE : THREE.TOUCH.DOLLY_PAN;
+  }
+  repaint(): void {
+    this.paint(this.dark);
   }
   gripOn(link: number): Grip | undefined {
     return this.body.gripOn(link);
@@ -170,6 +200,7 @@ export class Scene {
     }
     this.pending = false;
     this.haze();
+    this.onBeforeDraw(now_ms, this.camera, this.fog.far);
     this.renderer.render(this.scene, this.camera);
     if (this.pace.drew(now_ms)) this.resize();
     this.onDrawn();
@@ -179,7 +210,7 @@ export class Scene {
   private haze(): void {
     const away_m = this.camera.position.distanceTo(this.controls.target);
     this.fog.near = away_m + this.size_m;
-    this.fog.far = away_m + Math.max(6.5 * this.size_m, away_m);
+    this.fog.far = away_m + Math.max(this.hazeAfter * this.size_m, away_m);
   }
 
   private follow(): void {
@@ -192,11 +223,13 @@ export class Scene {
   }
 
   private paint(dark: boolean): void {
+    this.dark = dark;
     const palette = palettes[dark ? "dark" : "light"];
     this.scene.background = new THREE.Color(palette.sky);
     this.fog.color.set(palette.sky);
     this.ground.setColours(palette);
     this.arrow.colour = palette.push;
+    this.onPaint(palette, dark);
     this.ask();
   }
 

@@ -28,7 +28,8 @@ const states = {
 } as const;
 
 // Of what the robot does, where it goes before whatever is held.
-function hintOf(state: DriveState, frame: ViewFrame | undefined, motions: readonly string[]): string {
+function hintOf(state: DriveState, frame: ViewFrame | undefined, motions: readonly string[], rests: boolean): string {
+  if (rests) return "The simulator is paused: the robot moves once it plays.";
   if (frame?.mode[0] === modes.emergencyStop) return "The emergency stop holds the robot: it walks once that is released.";
   if (frame?.activity[0] !== lies) return states[state];
   const rise = motions.filter((motion) => motion.startsWith("get_up")).map((motion) => `“${motion.replaceAll("_", " ")}”`);
@@ -65,7 +66,7 @@ export function driveTab(context: Context, driver: Driver): Tab {
     content,
     hide: motions.hide,
     look: () => {
-      setText(hint, hintOf(drive.state, freshness.newest, context.description.motions));
+      setText(hint, hintOf(drive.state, freshness.newest, context.description.motions, freshness.rests));
       const { forward, left, turn } = driver.sent;
       const is = freshness.newest?.velocity ?? [];
       const { bounds } = driver;
