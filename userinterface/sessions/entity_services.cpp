@@ -20,10 +20,8 @@ namespace {
 constexpr std::size_t kMostEntityNameBytes = 47;
 
 bool is_entity_name(std::string_view name) {
-  return !name.empty() && name.size() <= kMostEntityNameBytes && std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-           c == '_' || c == '-';
-  });
+  return !name.empty() && name.size() <= kMostEntityNameBytes &&
+         std::ranges::all_of(name, [](char c) { return c >= ' ' && c < '\x7f'; });
 }
 
 // Why nothing can be put there; empty: it can.
@@ -90,7 +88,7 @@ void EntityServices::with_entities(const SimulationCall& call, ThenEntities then
   orders_.ask_state(
       call,
       [this, call, then = std::move(then)](const StateAnswer& state) {
-        geometry_.want(call, state.geometry, [this, then](const std::vector<SolidAnswer>& solids) {
+        geometry_.want(call, state, [this, then](const std::vector<SolidAnswer>& solids) {
           then(entities_of(orders_.states(), solids));
         });
       },
@@ -157,8 +155,7 @@ void EntityServices::spawn(const SimulationCall& call, const SpawnEntity::Reques
   }
   if (asked.name.empty() ? !asked.allow_renaming : !is_entity_name(asked.name)) {
     return refuse(Codes::NAME_INVALID, "name is " + shown(asked.name) + ", but must have 1 to " +
-                                           std::to_string(kMostEntityNameBytes) +
-                                           " letters, digits, '_', '-' and '.'");
+                                           std::to_string(kMostEntityNameBytes) + " printable characters");
   }
   if (std::string why = objection_to_place(asked.initial_pose.header, asked.initial_pose.pose);
       !why.empty()) {

@@ -8,14 +8,15 @@
 
 namespace gaitway::api {
 
-void SimulationGeometry::want(const SimulationCall& call, std::uint32_t geometry, Then then) {
-  if (geometry_ == geometry) {
+void SimulationGeometry::want(const SimulationCall& call, const Version& version, Then then) {
+  if (version_ == version) {
     return then(solids_);
   }
-  waiting_.push_back({call, std::move(then)});
+  waiting_.push_back({call, version, std::move(then)});
   if (!is_reading_) {
     is_reading_ = true;
     beginnings_ = 0;
+    read_run_ = version.run;
     read_geometry_.reset();
     read_on();
   }
@@ -79,9 +80,13 @@ void SimulationGeometry::take_part(const GeometryAnswer& part) {
 
 void SimulationGeometry::finish() {
   is_reading_ = false;
-  geometry_ = read_geometry_;
+  version_ = {read_run_, *read_geometry_};
   solids_ = std::exchange(read_, {});
   for (const Waiting& one : std::exchange(waiting_, {})) {
+    if (one.version.run != version_->run) {  // it came while those of another run were being read
+      want(one.call, one.version, one.then);
+      continue;
+    }
     try {
       one.then(solids_);
     } catch (const std::exception& error) {

@@ -27,9 +27,9 @@ nlohmann::json answer_json(std::string_view text) {
   return answer;
 }
 
-void refuse_missing(std::string_view answer, std::string_view field) {
-  throw MessageError(std::string(answer) + " has no field \"" + std::string(field) +
-                     "\": run both from the same release");
+void refuse_missing(const FieldPath& path, std::string_view answer, std::string_view field) {
+  throw MessageError(path.text() + " has no field \"" + std::string(field) + "\", which " +
+                     std::string(answer) + " must have: run both from the same release");
 }
 
 ros::Pose pose_of(const PoseNumbers& pose) {

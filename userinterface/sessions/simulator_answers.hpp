@@ -91,22 +91,38 @@ struct TimeAnswer {
 // The JSON of an answer. A number that the simulator does not know (null) reads as 0, as `pace` is before it
 // has been measured. Throws MessageError when it is no JSON object.
 [[nodiscard]] nlohmann::json answer_json(std::string_view text);
-// Throws MessageError: `field` is missing in the answer.
-[[noreturn]] void refuse_missing(std::string_view answer, std::string_view field);
+// Throws MessageError: `field` is missing in what stands at `path`.
+[[noreturn]] void refuse_missing(const FieldPath& path, std::string_view answer, std::string_view field);
 
-// Every field must be there; fields of a newer simulator beside them are left alone. Throws MessageError.
+template <class T>
+void read_answer_part(const nlohmann::json& part, T& value, const FieldPath& path) {
+  if constexpr (Message<T>) {
+    if (!part.is_object()) {
+      refuse_value(path, part, "an object");
+    }
+    value.fields([&](std::string_view name, auto& member) {
+      const auto found = part.find(name);
+      if (found == part.end()) {
+        refuse_missing(path, T::kName, name);
+      }
+      read_answer_part(*found, member, FieldPath(path, name));
+    });
+  } else if constexpr (Vector<T>) {
+    check_array(part, path, kAnyLength);
+    value.resize(part.size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      read_answer_part(part[i], value[i], FieldPath(path, i));
+    }
+  } else {
+    read_value(part, value, path);
+  }
+}
+
+// Every field must be there; what a newer simulator tells beside them is left alone. Throws MessageError.
 template <Message Answer>
 [[nodiscard]] Answer read_answer(std::string_view text) {
-  const nlohmann::json fields = answer_json(text);
-  const FieldPath path;
   Answer answer;
-  answer.fields([&](std::string_view name, auto& value) {
-    const auto found = fields.find(name);
-    if (found == fields.end()) {
-      refuse_missing(Answer::kName, name);
-    }
-    read_value(*found, value, FieldPath(path, name));
-  });
+  read_answer_part(answer_json(text), answer, FieldPath());
   return answer;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "client_message.hpp"
 
@@ -63,10 +62,8 @@ std::array<double, 3> three_of(std::string_view part, std::string_view text, dou
 }
 
 bool fits(std::string_view shape, const std::array<double, 3>& size_m) {
-  constexpr double kAlike = 1e-6;
-  const bool round = std::abs(size_m[0] - size_m[1]) <= kAlike * size_m[0];
-  return shape == "box" ||
-         (round && (shape == "cylinder" || std::abs(size_m[0] - size_m[2]) <= kAlike * size_m[0]));
+  const bool round = size_m[0] == size_m[1];
+  return shape == "box" || (round && (shape == "cylinder" || size_m[0] == size_m[2]));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ struct SpawnableBody {
   std::array<double, 3> colour_rgb{};  // 0 to 1
 };
 
-inline constexpr double kLeastSize_m = 0.005, kLargestSize_m = 20.0, kLeastMass_kg = 0.001,
+inline constexpr double kLeastSize_m = 0.01, kLargestSize_m = 5.0, kLeastMass_kg = 0.001,
                         kLargestMass_kg = 1000.0;
 
 // Whether the URI is of this form at all, whatever follows.

@@ -28,7 +28,7 @@ class OrderPathTest : public ::testing::Test {
   void start(bool takes_orders) {
     server_.reset();
     server_ = std::make_unique<simulation::ControlServer>(
-        socket_, [](const simulation::Push&) {},
+        socket_, [](const simulation::Ticket&, const simulation::Push&) { return true; },
         takes_orders ? simulation::ControlServer::OnOrder(
                            [this](const simulation::Ticket& ticket, std::string_view order) {
                              return carry_out(ticket, json::parse(order));

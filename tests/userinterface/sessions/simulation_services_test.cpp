@@ -240,12 +240,17 @@ TEST_F(SimulationServicesTest, TheStateIsPublishedAsTheSimulatorTellsIt) {
 
 TEST_F(SimulationServicesTest, AnAnswerThatIsNoneIsToldByItsField) {
   simulation.state.erase("run");
-  EXPECT_THAT(failure("get_simulation_state"), HasSubstr("the simulator's state has no field \"run\""));
+  EXPECT_THAT(failure("get_simulation_state"),
+              HasSubstr("has no field \"run\", which the simulator's state must have"));
   simulation.state["run"] = "x";
   EXPECT_THAT(failure("get_simulation_state"), HasSubstr("run is \"x\", but must be a whole number"));
   simulation.state["run"] = 1;
+  simulation.state["marks"][0].erase("kind");
+  EXPECT_THAT(failure("get_simulation_state"), HasSubstr("marks[0] has no field \"kind\""));
+  simulation.state["marks"][0]["kind"] = "push";
   simulation.state["pace"] = nullptr;
   simulation.state["newer"] = "field";
+  simulation.state["marks"][0]["newer"] = 1;
   EXPECT_EQ(result("get_simulation_state").first, 1) << "not measured yet, and known to later releases alone";
   pass(2 * kSecond_ns);
   EXPECT_TRUE(hub.take_simulation_state());
