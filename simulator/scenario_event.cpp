@@ -17,6 +17,7 @@
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/msgcontroller/peoples_requests.hpp"
+#include "scenario_reading.hpp"
 
 namespace gaitway::simulator {
 namespace {
@@ -24,8 +25,6 @@ namespace {
 using input::YamlValue;
 using msgcontroller::kLargestTurnRate_rad_per_s;
 using msgcontroller::kLargestWalkSpeed_m_per_s;
-
-constexpr input::Range kDuration{0.001, kLongestRun_s, "s"};
 
 Eigen::Vector3d three(const YamlValue& value, const input::Range& range) {
   const std::array<double, 3> numbers = value.numbers<3>(range);
@@ -40,16 +39,6 @@ WalkEvent read_walk(const YamlValue& value) {
                  "Choose a lower speed.");
   }
   return {.velocity_m_per_s = command.head<2>(), .turn_rate_rad_per_s = command.z()};
-}
-
-// One of the robot's names.
-std::string read_name(const YamlValue& value, const urdf::RobotModel& robot, const char* what,
-                      const std::vector<std::string>& known) {
-  const std::string name = value.text();
-  if (std::ranges::find(known, name) == known.end()) {
-    value.refuse(fmt::format("the robot '{}' has no such {}", robot.name, what), input::suggest(name, known));
-  }
-  return name;
 }
 
 std::string read_body(const YamlValue& value, const urdf::RobotModel& robot) {
@@ -72,165 +61,9 @@ PushEvent read_push(const YamlValue& value, const urdf::RobotModel& robot) {
   }
   push.impulse_Ns = value.at("impulse_Ns").number({0.0, kLargestImpulse_Ns, "N*s"});
   if (const auto duration = value.find("duration_s")) {
-    push.duration_s = duration->number(kDuration);
+    push.duration_s = duration->number(kEventDuration);
   }
   return push;
-}
-
-PluginFault read_plugin_fault(const YamlValue& value) {
-  using Kind = core::PluginFaultKind;
-  constexpr std::array<std::string_view, 5> kKeys{"kind", "plugin", "how", "duration_s", "cost_s"};
-  value.require_map(kKeys);
-  PluginFault fault;
-  fault.plugin = value.at("plugin").text();
-  const YamlValue how = value.at("how");
-  const auto found = std::ranges::find_if(core::kPluginFaultNames,
-                                          [&](const auto& entry) { return entry.first == how.text(); });
-  if (found == core::kPluginFaultNames.end()) {
-    how.refuse("must be throws, not_a_number, jumps or overruns", "Choose one of them.");
-  }
-  fault.how = found->second;
-  if (const auto duration = value.find("duration_s")) {
-    fault.duration_s = duration->number(kDuration);
-  }
-  if (const auto cost = value.find("cost_s")) {
-    if (fault.how != Kind::overruns) {
-      cost->refuse("belongs to a step that overruns", "Leave it out");
-    }
-    fault.cost_s = cost->number({1e-6, 10.0, "s"});
-  }
-  return fault;
-}
-
-SensorFault read_sensor_fault(const YamlValue& value, const urdf::RobotModel& robot) {
-  value.require_map(std::array<std::string_view, 4>{"kind", "sensor", "how", "duration_s"});
-  std::vector<std::string> known{std::string(kImuSensor), std::string(kFootSensors[0]),
-                                 std::string(kFootSensors[1])};
-  std::ranges::transform(robot.joints, std::back_inserter(known), &urdf::Joint::name);
-  SensorFault fault;
-  fault.sensor = read_name(value.at("sensor"), robot, "sensor", known);
-  const YamlValue how = value.at("how");
-  const auto found =
-      std::ranges::find_if(kSensorFaultNames, [&](const auto& entry) { return entry.first == how.text(); });
-  if (found == kSensorFaultNames.end()) {
-    how.refuse("must be freezes, reads_zero or noisy", "Choose one of them.");
-  }
-  fault.how = found->second;
-  if (const auto duration = value.find("duration_s")) fault.duration_s = duration->number(kDuration);
-  return fault;
-}
-
-void require_true(const YamlValue& value) {
-  if (value.text() != "true") {
-    value.refuse("must be true", "Leave the event out if it shall not happen");
-  }
-}
-
-DisturbBusFault read_disturbance(const YamlValue& value) {
-  constexpr std::array<std::string_view, 5> kKeys{"kind", "corruption", "omission", "duplicate",
-                                                  "duration_s"};
-  value.require_map(kKeys);
-  DisturbBusFault fault{.duration_s = value.at("duration_s").number(kDuration)};
-  const std::array<std::pair<std::string_view, double*>, 3> probabilities{
-      {{"corruption", &fault.corruption}, {"omission", &fault.omission}, {"duplicate", &fault.duplicate}}};
-  for (const auto& [key, target] : probabilities) {
-    if (const auto probability = value.find(key)) {
-      *target = probability->number({0.0, 1.0, ""});
-    }
-  }
-  return fault;
-}
-
-JamFault read_jam(const YamlValue& value) {
-  constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "stuck"};
-  value.require_map(kKeys);
-  JamFault fault{.duration_s = value.at("duration_s").number({1e-5, 10.0, "s"})};
-  if (const auto stuck = value.find("stuck")) {
-    require_true(*stuck);
-    fault.stuck = true;
-  }
-  return fault;
-}
-
-std::string read_node(const YamlValue& value, const urdf::RobotModel& robot, bool or_message_controller) {
-  std::vector<std::string> known;
-  std::ranges::transform(robot.joints, std::back_inserter(known),
-                         [](const urdf::Joint& joint) { return joint.name; });
-  if (or_message_controller) {
-    known.emplace_back("message_controller");
-  }
-  return read_name(value, robot, "node", known);
-}
-
-ForeignFrameFault read_foreign_frame(const YamlValue& value) {
-  constexpr std::array<std::string_view, 5> kKeys{"kind", "id", "data", "extended", "remote"};
-  value.require_map(kKeys);
-  can::Frame frame;
-  for (const auto& [key, target] :
-       {std::pair{"extended", &frame.extended}, std::pair{"remote", &frame.remote}}) {
-    if (const auto flag = value.find(key)) {
-      require_true(*flag);
-      *target = true;
-    }
-  }
-  frame.id = static_cast<std::uint32_t>(value.at("id").integer(
-      0, static_cast<int>(frame.extended ? can::kLargestExtendedId : can::kLargestId)));
-  if (const auto data = value.find("data")) {
-    const std::vector<YamlValue> bytes = data->items();
-    if (bytes.size() > frame.data.size()) {
-      data->refuse("a frame has at most 8 bytes", "Leave some out");
-    }
-    for (const YamlValue& byte : bytes) {
-      frame.data[frame.size++] = static_cast<std::uint8_t>(byte.integer(0, 255));
-    }
-  }
-  return {frame};
-}
-
-decltype(ScenarioEvent::action) read_fault(const YamlValue& value, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "probability"};
-  const std::string kind = value.at("kind").text();
-  if (kind == "plugin_fails") {
-    return read_plugin_fault(value);
-  }
-  if (kind == "disturb_bus") {
-    return read_disturbance(value);
-  }
-  if (kind == "jam") {
-    return read_jam(value);
-  }
-  if (kind == "bus_off") {
-    value.require_map(std::array<std::string_view, 2>{"kind", "node"});
-    return BusOffFault{read_node(value.at("node"), robot, true)};
-  }
-  if (kind == "joint_restarts") {
-    value.require_map(std::array<std::string_view, 3>{"kind", "joint", "duration_s"});
-    return JointRestartsFault{read_node(value.at("joint"), robot, false),
-                              value.at("duration_s").number({0.001, 60.0, "s"})};
-  }
-  if (kind == "foreign_frame") {
-    return read_foreign_frame(value);
-  }
-  if (kind == "sensor_fails") {
-    return read_sensor_fault(value, robot);
-  }
-  value.require_map(kKeys);
-  const auto duration = value.find("duration_s");
-  if (kind == "main_controller_silent") {
-    if (const auto probability = value.find("probability")) {
-      probability->refuse("does not belong to main_controller_silent", "Leave it out");
-    }
-    return MainControllerSilentFault{duration ? duration->number(kDuration) : 0.0};
-  }
-  if (kind == "lose_frames") {
-    return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}),
-                           value.at("duration_s").number(kDuration)};
-  }
-  value.at("kind").refuse(
-      "must be main_controller_silent, lose_frames, disturb_bus, jam, bus_off, joint_restarts, "
-      "foreign_frame, "
-      "plugin_fails or sensor_fails",
-      "Choose one of them.");
 }
 
 ManualJointEvent read_joint_move(const YamlValue& value, const urdf::RobotModel& robot) {
@@ -328,8 +161,6 @@ EmergencyStopEvent read_emergency_stop(const YamlValue& value) {
   }
   return {mode == "soft"};
 }
-
-using Action = decltype(ScenarioEvent::action);
 
 // Of an event that has nothing more to say.
 template <class Event>

@@ -10,8 +10,8 @@
 namespace gaitway::simulator {
 namespace {
 
-constexpr double kNoiseTimes = 30.0;             // a noisy sensor has so much more of it
-constexpr double kNoisyEncoder_counts = 20.0;    // standard deviation
+constexpr double kNoiseTimes = 30.0;           // a noisy sensor has so much more of it
+constexpr double kNoisyEncoder_counts = 20.0;  // standard deviation
 
 }  // namespace
 
@@ -20,10 +20,10 @@ SensorFaults::SensorFaults(const urdf::RobotModel& robot, std::uint64_t seed)
 
 void SensorFaults::begin(const SensorFault& fault, const PlantSensors& now, std::int64_t now_ns) {
   std::erase_if(active_, [&fault](const Active& one) { return one.fault.sensor == fault.sensor; });
-  const std::int64_t until_ns =
-      fault.duration_s > 0.0
-          ? now_ns + static_cast<std::int64_t>(std::llround(fault.duration_s * static_cast<double>(facts::kSecond_ns)))
-          : std::numeric_limits<std::int64_t>::max();
+  const std::int64_t until_ns = fault.duration_s > 0.0
+                                    ? now_ns + static_cast<std::int64_t>(std::llround(
+                                                   fault.duration_s * static_cast<double>(facts::kSecond_ns)))
+                                    : std::numeric_limits<std::int64_t>::max();
   active_.push_back({fault, until_ns, now});
 }
 
@@ -95,7 +95,8 @@ void SensorFaults::distort_encoder(const Active& active, std::size_t joint) {
       told_.encoder_count[joint] = 0;
       break;
     case SensorFault::How::noisy:
-      told_.encoder_count[joint] += static_cast<std::int32_t>(std::lround(kNoisyEncoder_counts * normal_(random_)));
+      told_.encoder_count[joint] +=
+          static_cast<std::int32_t>(std::lround(kNoisyEncoder_counts * normal_(random_)));
       break;
   }
 }

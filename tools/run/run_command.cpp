@@ -21,12 +21,12 @@
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
-#include "gaitway/simulator/camera.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
+#include "tools/run/snapshots.hpp"
 #include "tools/run/world_option.hpp"
 
 namespace gaitway::tools {
@@ -60,9 +60,7 @@ constexpr double kStand_s = 1.0;         // before it
 constexpr double kAfterWay_s = 1.0;
 constexpr double kDefaultSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
 constexpr double kAfterFall_s = 1.0;            // shown after a fall, before the run ends
-constexpr int kPictures = 8;
 constexpr double kFirstPicture_s = 0.5;
-constexpr int kPictureWidth_px = 320, kPictureHeight_px = 360;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -112,60 +110,6 @@ void leave_walk_to(const std::string& plugin, const RunOptions& options, simulat
   }
   std::erase_if(scenario.events, walks);
 }
-
-// The poses for the film strip, taken during the run and drawn after it.
-class Snapshots {
- public:
-  // The first one at `from_s`. `open_end`: nobody knows how long the run is, and every second one is dropped
-  // when there are too many.
-  Snapshots(double from_s, double interval_s, bool open_end)
-      : interval_s_(interval_s), next_s_(from_s), open_end_(open_end) {}
-  void look(const simulator::Plant& plant) {
-    if (plant.time_s() < next_s_ || (!open_end_ && poses_.size() == kPictures)) return;
-    if (poses_.size() == kPictures) {
-      for (std::size_t i = 1; 2 * i < poses_.size(); ++i) poses_[i] = std::move(poses_[2 * i]);
-      poses_.resize(kPictures / 2);
-      interval_s_ *= 2.0;
-    }
-    next_s_ += interval_s_;
-    poses_.push_back({{plant.positions().begin(), plant.positions().end()}, {}});
-  }
-  // What has been taken so far; before the world changes, since a pose belongs to its world.
-  void draw_before_change(const simulator::Plant& plant) noexcept {
-    try {
-      draw(plant);
-    } catch (const std::exception& error) {
-      failure_ = error.what();
-    }
-  }
-  // Throws std::runtime_error where no pictures can be drawn or written.
-  void write(const simulator::Plant& plant, const std::filesystem::path& file) {
-    if (!failure_.empty()) throw std::runtime_error(failure_);
-    draw(plant);
-    std::vector<simulator::Image> images;
-    for (const Pose& pose : poses_) images.push_back(pose.image);
-    simulator::write_film_strip(file.string(), images, kPictures);
-  }
-
- private:
-  void draw(const simulator::Plant& plant) {
-    if (std::ranges::none_of(poses_, [](const Pose& pose) { return pose.image.rgb.empty(); })) return;
-    simulator::Camera camera(plant, kPictureWidth_px, kPictureHeight_px);
-    for (Pose& pose : poses_) {
-      if (pose.image.rgb.empty()) pose.image = camera.render(pose.positions);
-    }
-  }
-
-  double interval_s_;
-  double next_s_;
-  bool open_end_;
-  std::string failure_;
-  struct Pose {
-    std::vector<double> positions;
-    simulator::Image image;  // without pixels: not drawn yet
-  };
-  std::vector<Pose> poses_;
-};
 
 bool changes_world(const simulator::ScenarioEvent& event) {
   return std::holds_alternative<simulator::SpawnEvent>(event.action) ||
@@ -330,10 +274,10 @@ int run(const RunOptions& options) {
   RunRecorder recorder(cosimulation, options.out / "bus.log", true);
   cosimulation.observe(&recorder);
   Snapshots snapshots =
-      options.film
-          ? Snapshots((*options.film)[0], ((*options.film)[1] - (*options.film)[0]) / (kPictures - 1), false)
+      options.film ? Snapshots((*options.film)[0],
+                               ((*options.film)[1] - (*options.film)[0]) / (Snapshots::kPictures - 1), false)
       : options.to ? Snapshots(kFirstPicture_s, 1.0, true)
-                   : Snapshots(kFirstPicture_s, scenario.seconds / kPictures, false);
+                   : Snapshots(kFirstPicture_s, scenario.seconds / Snapshots::kPictures, false);
   RunTiming timing;
   timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
                            snapshots, ProgressLine(!options.quiet));

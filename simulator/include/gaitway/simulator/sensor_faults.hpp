@@ -1,4 +1,5 @@
-// Sensors that tell something else than what is: what the joints' controllers are given in place of the truth.
+// Sensors that tell something else than what is: what the joints' controllers are given in place of the
+// truth.
 #pragma once
 
 #include <cstdint>
