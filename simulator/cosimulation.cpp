@@ -48,6 +48,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       localization_client_(memory_block_.local_client("localization")),
       plant_(robot_, options.plant),
       joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
+      sensor_faults_(robot_, options.plant.seed),
       message_controller_(robot_, message_client_, adapter_.message()),
       message_transmitter_(bus_.attach()),
       fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {
@@ -95,7 +96,7 @@ void Cosimulation::advance_millisecond() {
   if (localization_) {
     localization_->step(now_ns_, plant_);
   }
-  joints_.step(now_ns_, plant_.sensors());
+  joints_.step(now_ns_, sensor_faults_.told(plant_.sensors(), now_ns_));
   message_controller_.step(now_ns_);
   memory_block_.beat(now_ns_);
   if (core::is_tick(now_ns_) && now_ns_ >= std::max(silent_until_ns_, busy_until_ns_)) {
@@ -231,7 +232,7 @@ void Cosimulation::finish_restarts() {
     if (restart.until_ns > now_ns_) {
       return false;
     }
-    joints_.power_on(restart.joint, plant_.sensors());
+    joints_.power_on(restart.joint, sensor_faults_.told(plant_.sensors(), now_ns_));
     bus_.power_on(joint_transmitters_[static_cast<std::size_t>(restart.joint)].station(), now_ns_);
     return true;
   };
@@ -317,6 +318,9 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     void operator()(const JointRestartsFault& fault) const { self.restart(fault); }
     void operator()(const ForeignFrameFault& fault) const { self.foreign_frames_.push_back(fault.frame); }
     void operator()(const PluginFault& fault) const { self.inject(fault); }
+    void operator()(const SensorFault& fault) const {
+      self.sensor_faults_.begin(fault, self.plant_.sensors(), self.now_ns_);
+    }
     void operator()(const SpawnEvent& spawn) const { self.change_world(spawn); }
     void operator()(const MoveEvent& move) const {
       self.plant_.move(move.name, pose_at(move.position_m, move.yaw_rad));

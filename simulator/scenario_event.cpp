@@ -102,6 +102,24 @@ PluginFault read_plugin_fault(const YamlValue& value) {
   return fault;
 }
 
+SensorFault read_sensor_fault(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 4>{"kind", "sensor", "how", "duration_s"});
+  std::vector<std::string> known{std::string(kImuSensor), std::string(kFootSensors[0]),
+                                 std::string(kFootSensors[1])};
+  std::ranges::transform(robot.joints, std::back_inserter(known), &urdf::Joint::name);
+  SensorFault fault;
+  fault.sensor = read_name(value.at("sensor"), robot, "sensor", known);
+  const YamlValue how = value.at("how");
+  const auto found =
+      std::ranges::find_if(kSensorFaultNames, [&](const auto& entry) { return entry.first == how.text(); });
+  if (found == kSensorFaultNames.end()) {
+    how.refuse("must be freezes, reads_zero or noisy", "Choose one of them.");
+  }
+  fault.how = found->second;
+  if (const auto duration = value.find("duration_s")) fault.duration_s = duration->number(kDuration);
+  return fault;
+}
+
 void require_true(const YamlValue& value) {
   if (value.text() != "true") {
     value.refuse("must be true", "Leave the event out if it shall not happen");
@@ -193,6 +211,9 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value, const urdf::R
   if (kind == "foreign_frame") {
     return read_foreign_frame(value);
   }
+  if (kind == "sensor_fails") {
+    return read_sensor_fault(value, robot);
+  }
   value.require_map(kKeys);
   const auto duration = value.find("duration_s");
   if (kind == "main_controller_silent") {
@@ -206,8 +227,9 @@ decltype(ScenarioEvent::action) read_fault(const YamlValue& value, const urdf::R
                            value.at("duration_s").number(kDuration)};
   }
   value.at("kind").refuse(
-      "must be main_controller_silent, lose_frames, disturb_bus, jam, bus_off, joint_restarts, foreign_frame "
-      "or plugin_fails",
+      "must be main_controller_silent, lose_frames, disturb_bus, jam, bus_off, joint_restarts, "
+      "foreign_frame, "
+      "plugin_fails or sensor_fails",
       "Choose one of them.");
 }
 

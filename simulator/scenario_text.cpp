@@ -94,6 +94,13 @@ struct ActionText {
         duration(fault.duration_s),
         fault.how == core::PluginFaultKind::overruns ? fmt::format(", cost_s: {}", fault.cost_s) : "");
   }
+  std::string operator()(const SensorFault& fault) const {
+    const std::string_view how = std::ranges::find(kSensorFaultNames, fault.how, [](const auto& entry) {
+                                   return entry.second;
+                                 })->first;
+    return fmt::format("fault: {{kind: sensor_fails, sensor: {}, how: {}{}}}", quoted(fault.sensor), how,
+                       duration(fault.duration_s));
+  }
   std::string operator()(const SpawnEvent& spawn) const {
     constexpr std::string_view kShapes[] = {"box", "cylinder", "sphere"};  // as Solid::Shape
     return fmt::format(

@@ -23,8 +23,8 @@ std::string text_of(const std::uint8_t (&bytes)[size]) {
 
 }  // namespace
 
-FlightRun::FlightRun(const urdf::RobotModel& robot, const Flight& flight, simulator::CosimulationOptions options,
-                     std::uint64_t seed)
+FlightRun::FlightRun(const urdf::RobotModel& robot, const Flight& flight,
+                     simulator::CosimulationOptions options, std::uint64_t seed)
     : flight_(flight),
       run_(robot, with_seed(std::move(options), seed)),
       motion_(run_.client().read<MotionState>("motion_state")),
@@ -69,8 +69,8 @@ void FlightRun::look_at_answers() {
   MotionState motion;
   if (motion_.read(motion) && motion.refused != 0) trial_.refusal = text_of(motion.text);
   NavigationState way;
-  if (way_.read(way) && (way.result == navigation_state::result::refused ||
-                         way.result == navigation_state::result::failed)) {
+  if (way_.read(way) &&
+      (way.result == navigation_state::result::refused || way.result == navigation_state::result::failed)) {
     trial_.refusal = text_of(way.text);
   }
 }

@@ -98,7 +98,8 @@ Verdict fly(const urdf::RobotModel& robot, const Flight& flight, const Preflight
     poll(wakes.data(), wakes.size(), -1);
     for (std::size_t i = 0; i < copies.size(); ++i) {
       if (wakes[i].revents == 0) continue;
-      for (const std::string& line : copies[i].listen()) verdict.trials.push_back(trial_from(json::parse(line)));
+      for (const std::string& line : copies[i].listen())
+        verdict.trials.push_back(trial_from(json::parse(line)));
       if (progress) progress(verdict.trials.size(), static_cast<std::size_t>(options.robots));
     }
   }
@@ -118,7 +119,8 @@ void draw_trial(const std::filesystem::path& file, const urdf::RobotModel& robot
   while (run.goes_on() && static_cast<int>(images.size()) < kPictures) {
     run.advance_millisecond();
     const double due_s = from_s + every_s * static_cast<double>(images.size());
-    if (run.run().plant().time_s() >= due_s - 1e-9) images.push_back(camera.render(run.run().plant().positions()));
+    if (run.run().plant().time_s() >= due_s - 1e-9)
+      images.push_back(camera.render(run.run().plant().positions()));
   }
   simulator::write_film_strip(file.string(), images, kPictures);
 }
@@ -149,7 +151,8 @@ std::string verdict_text(const Verdict& verdict) {
     text += fmt::format("  refused     robot {}: {}\n", trial.seed, trial.refusal);
     break;
   }
-  const auto touched = std::ranges::count_if(verdict.trials, [](const Trial& one) { return one.body_contacts > 0; });
+  const auto touched =
+      std::ranges::count_if(verdict.trials, [](const Trial& one) { return one.body_contacts > 0; });
   if (touched > 0) {
     const auto first =
         std::ranges::find_if(verdict.trials, [](const Trial& one) { return one.body_contacts > 0; });

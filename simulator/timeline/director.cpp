@@ -209,6 +209,18 @@ void Director::go_live(CopyHandle copy) {
   seen_ = first->message.at("state");
 }
 
+std::optional<std::uint64_t> Director::finish() {
+  playing_ = false;
+  set_pace();
+  hear_live();
+  live_.reset();
+  try {
+    return timeline_.digest_at(timeline_.recorded_ns());
+  } catch (const std::exception&) {
+    return std::nullopt;  // a bar, or a replay that failed: it has been told of
+  }
+}
+
 void Director::hear_live() {
   try {
     while (live_) {

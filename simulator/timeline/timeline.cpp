@@ -75,6 +75,14 @@ CopyHandle Timeline::at(std::int64_t at_ns) {
   return copy;
 }
 
+std::uint64_t Timeline::digest_at(std::int64_t at_ns) {
+  const CopyHandle copy = at(at_ns);
+  copy.channel().send({{"do", "advance"}, {"to_ns", at_ns}});
+  auto done = copy.receive(CopyChannel::kForEver);
+  while (!done) done = copy.receive(CopyChannel::kForEver);
+  return done->message.at("digest").get<std::uint64_t>();
+}
+
 void Timeline::keep_up() {
   if (on_the_way_) {
     const auto done = on_the_way_->handle.receive(0);

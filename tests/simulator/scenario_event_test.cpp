@@ -53,6 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
         "fault: {kind: foreign_frame, id: 536870911, data: [], extended: true, remote: true}",
         "fault: {kind: plugin_fails, plugin: \"zmp\", how: throws}",
         "fault: {kind: plugin_fails, plugin: \"zmp\", how: overruns, duration_s: 1, cost_s: 0.007}",
+        "fault: {kind: sensor_fails, sensor: \"imu\", how: freezes, duration_s: 0.5}",
+        "fault: {kind: sensor_fails, sensor: \"left_knee\", how: reads_zero}",
         "spawn: {name: \"a crate\", shape: box, size_m: [0.2, 0.1, 0.3], position_m: [1.1, 0, 0.15], "
         "yaw_rad: "
         "0.3, mass_kg: 0.7, colour: [0.1, 0.2, 1]}",
@@ -83,6 +85,9 @@ TEST(ScenarioAction, RefusalsNameFieldValueAndRule) {
               HasSubstr("beside yaw_deg"));
   EXPECT_THAT(refusal_of("{move: {name: a, position_m: [1000, 0, 0]}}"), HasSubstr("1000"));
   EXPECT_THAT(refusal_of("{remove: {name: \"\"}}"), HasSubstr("1 to 47"));
+  EXPECT_THAT(refusal_of("{fault: {kind: sensor_fails, sensor: left_fot, how: noisy}}"),
+              HasSubstr("Did you mean 'left_foot'?"));
+  EXPECT_THAT(refusal_of("{fault: {kind: sensor_fails, sensor: imu, how: dies}}"), HasSubstr("freezes"));
   EXPECT_THAT(refusal_of("[1, 2"), HasSubstr("malformed"));
 }
 

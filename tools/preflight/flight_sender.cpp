@@ -17,7 +17,8 @@ json call(ApiClient& client, const std::string& service, const json& arguments) 
   json values;
   const ApiClient::ServiceAnswer answer = client.call(service, arguments, values);
   if (!answer.result || !values.value("success", false)) {
-    throw ApiError(fmt::format("{}: {}", service, answer.result ? values.value("message", "") : answer.problem));
+    throw ApiError(
+        fmt::format("{}: {}", service, answer.result ? values.value("message", "") : answer.problem));
   }
   return values;
 }
@@ -26,7 +27,9 @@ class CommandLease {
  public:
   explicit CommandLease(ApiClient& client)
       : client_(client),
-        lease_(call(client, "/command/acquire", {{"name", "gaitway preflight"}}).at("lease").get<std::string>()) {}
+        lease_(call(client, "/command/acquire", {{"name", "gaitway preflight"}})
+                   .at("lease")
+                   .get<std::string>()) {}
   void renew() { call(client_, "/command/keep_alive", {{"lease", lease_}}); }
   void give_back() { call(client_, "/command/release", {{"lease", lease_}}); }
 

@@ -23,8 +23,8 @@ struct RobotTask {
   std::vector<ParameterSetting> settings;     // first
 };
 
-// Takes the command for as long as it lasts. Returns when the robot has done it, or, of a way, has begun it and
-// arrived. Throws ApiError with the robot's words when it refuses, NoAnswer.
+// Takes the command for as long as it lasts. Returns when the robot has done it, or, of a way, has begun it
+// and arrived. Throws ApiError with the robot's words when it refuses, NoAnswer.
 void send(ApiClient& client, const RobotTask& task);
 
 }  // namespace gaitway::tools

@@ -59,8 +59,8 @@ ParameterSetting setting_of(const std::string& text) {
   const std::size_t dot = text.find('.'), equals = text.find('=');
   if (dot == std::string::npos || equals == std::string::npos || dot == 0 || equals < dot + 2 ||
       equals + 1 == text.size()) {
-    throw std::invalid_argument(
-        fmt::format("--set {}: wants PLUGIN.PARAMETER=VALUE, for example trajectory.step_time='0.3 s'", text));
+    throw std::invalid_argument(fmt::format(
+        "--set {}: wants PLUGIN.PARAMETER=VALUE, for example trajectory.step_time='0.3 s'", text));
   }
   return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)};
 }
@@ -81,26 +81,33 @@ void check(const PreflightCommand& options) {
     throw std::invalid_argument("--send: to whom? Name the robot: --from ws://HOST:PORT");
   }
   if (options.send && options.scenario) {
-    throw std::invalid_argument("--scenario: faults and pushes cannot be sent. Send --walk, --motion, --to or --set");
+    throw std::invalid_argument(
+        "--scenario: faults and pushes cannot be sent. Send --walk, --motion, --to or --set");
   }
   if (!options.override_reason.empty() && !options.send) {
     throw std::invalid_argument("--override: there is nothing to send: add --send");
   }
   if (!options.override_reason.empty() && options.override_reason.size() < kShortestReason) {
-    throw std::invalid_argument(fmt::format("--override '{}': a reason has {} characters at least, and is recorded",
-                                            options.override_reason, kShortestReason));
+    throw std::invalid_argument(
+        fmt::format("--override '{}': a reason has {} characters at least, and is recorded",
+                    options.override_reason, kShortestReason));
   }
 }
 
 RobotTask task_of(const PreflightCommand& options) {
-  RobotTask task{.walk = options.walk, .walk_seconds = options.seconds - kBegins_s, .motion = options.motion,
-                 .goal = std::nullopt, .settings = {}};
-  if (options.to) task.goal = std::array{(*options.to)[0], (*options.to)[1], (*options.to)[2] * facts::kRadPerDegree};
+  RobotTask task{.walk = options.walk,
+                 .walk_seconds = options.seconds - kBegins_s,
+                 .motion = options.motion,
+                 .goal = std::nullopt,
+                 .settings = {}};
+  if (options.to)
+    task.goal = std::array{(*options.to)[0], (*options.to)[1], (*options.to)[2] * facts::kRadPerDegree};
   for (const std::string& text : options.set) task.settings.push_back(setting_of(text));
   return task;
 }
 
-preflight::Flight flight_of(const PreflightCommand& options, const RobotTask& task, const urdf::RobotModel& robot) {
+preflight::Flight flight_of(const PreflightCommand& options, const RobotTask& task,
+                            const urdf::RobotModel& robot) {
   if (options.scenario) {
     simulator::Scenario scenario = simulator::load_scenario(*options.scenario, robot);
     return {std::move(scenario.events), options.seconds};
@@ -123,8 +130,8 @@ core::Configuration plugins_of(const PreflightCommand& options, const RobotTask&
   for (const ParameterSetting& one : task.settings) {
     const auto entry = std::ranges::find(plugins.plugins, one.plugin, &core::PluginEntry::name);
     if (entry == plugins.plugins.end()) {
-      throw std::invalid_argument(fmt::format("--set {}.{}: {} has no plug-in '{}'", one.plugin, one.parameter,
-                                              plugins.file.string(), one.plugin));
+      throw std::invalid_argument(fmt::format("--set {}.{}: {} has no plug-in '{}'", one.plugin,
+                                              one.parameter, plugins.file.string(), one.plugin));
     }
     std::erase_if(entry->parameters, [&one](const auto& known) { return known.name == one.parameter; });
     entry->parameters.push_back({one.parameter, one.value, entry->line});
@@ -155,16 +162,17 @@ preflight::PreflightOptions settings_of(const PreflightCommand& options, const R
 // What was sent, to whom, and on whose word; a line each.
 void record(const PreflightCommand& options, const preflight::Verdict& verdict, const std::string& outcome) {
   const std::filesystem::path file = options.out / "sent.jsonl";
-  const json line{{"time", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
-                  {"robot", options.from},
-                  {"walk", options.walk ? json(*options.walk) : json()},
-                  {"motion", options.motion},
-                  {"to", options.to ? json(*options.to) : json()},
-                  {"set", options.set},
-                  {"passed", verdict.passed()},
-                  {"robots", verdict.trials.size()},
-                  {"override", options.override_reason},
-                  {"outcome", outcome}};
+  const json line{
+      {"time", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
+      {"robot", options.from},
+      {"walk", options.walk ? json(*options.walk) : json()},
+      {"motion", options.motion},
+      {"to", options.to ? json(*options.to) : json()},
+      {"set", options.set},
+      {"passed", verdict.passed()},
+      {"robots", verdict.trials.size()},
+      {"override", options.override_reason},
+      {"outcome", outcome}};
   std::ofstream(file, std::ios::app) << line.dump() << "\n";
 }
 
@@ -172,7 +180,9 @@ int send_or_refuse(const PreflightCommand& options, const RobotTask& task, const
                    ApiClient& client, const RobotNow& now) {
   if (!verdict.all_passed() && options.override_reason.empty()) {
     record(options, verdict, "not sent");
-    fmt::print(stderr, "gaitway preflight: not sent. Whoever sends it nevertheless gives a reason: --override REASON\n");
+    fmt::print(
+        stderr,
+        "gaitway preflight: not sent. Whoever sends it nevertheless gives a reason: --override REASON\n");
     return kExitNotPassed;
   }
   if (now.state != "stands") {
@@ -193,8 +203,8 @@ int send_or_refuse(const PreflightCommand& options, const RobotTask& task, const
 preflight::Verdict try_it(const PreflightCommand& options, const urdf::RobotModel& robot,
                           const preflight::Flight& flight, const preflight::PreflightOptions& settings) {
   const ProgressLine progress(!options.json);
-  const preflight::Verdict verdict = preflight::fly(
-      robot, flight, settings, [&progress](std::size_t done, std::size_t all) {
+  const preflight::Verdict verdict =
+      preflight::fly(robot, flight, settings, [&progress](std::size_t done, std::size_t all) {
         progress.show(fmt::format("  {} of {} simulated robots", done, all));
       });
   progress.show("");
@@ -243,20 +253,25 @@ void declare_program(const CommandLine& app) {
   constexpr int kNumbers = 3;
   command.option("--walk", options.walk, "VX[,VY[,WZ]] in m/s, m/s and rad/s: walk so until the end");
   command.option("--motion", options.motion, "Play this key-frame motion");
-  command.option("--to", options.to, "X,Y,YAW in m, m and degrees: walk to this place of the world").values(kNumbers);
-  command.option("--scenario", options.scenario, "Whatever happens in this scenario (YAML); it cannot be sent");
+  command.option("--to", options.to, "X,Y,YAW in m, m and degrees: walk to this place of the world")
+      .values(kNumbers);
+  command.option("--scenario", options.scenario,
+                 "Whatever happens in this scenario (YAML); it cannot be sent");
   command.option("--set", options.set, "PLUGIN.PARAMETER=VALUE: with this value; several may be given");
-  command.option("--from", options.from,
-                 "ws://HOST:PORT or wss://HOST:PORT, a robot's API: the simulated robots begin in its posture, and "
-                 "at its place");
+  command.option(
+      "--from", options.from,
+      "ws://HOST:PORT or wss://HOST:PORT, a robot's API: the simulated robots begin in its posture, and "
+      "at its place");
   command.option("--token-file", options.api.token_file, "File with the token that the robot wants");
-  command.option("--ca", options.api.ca_file, "Whom to trust (PEM), where the robot's certificate is its own");
+  command.option("--ca", options.api.ca_file,
+                 "Whom to trust (PEM), where the robot's certificate is its own");
   command.option("--send", options.send, "Then send it to that robot, if all of them stayed up");
   command.option("--override", options.override_reason,
                  "Send it even if one fell: the reason, which is recorded in OUT/sent.jsonl");
   command.option("--robots", options.robots, "How many simulated robots").between(1, 1000);
   command.option("--seconds", options.seconds, "How long each of them is watched").between(1.5, 600.0);
-  command.option("--mismatch", options.mismatch, "Scale of how they differ from their description").between(0.0, 10.0);
+  command.option("--mismatch", options.mismatch, "Scale of how they differ from their description")
+      .between(0.0, 10.0);
   add_world_options(command, options.world);
   command.option("--robot", options.robot, "Folder with robot.urdf, robot.yaml and calibration.yaml");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
@@ -270,7 +285,8 @@ void declare_program(const CommandLine& app) {
       "  gaitway preflight --motion wave --from ws://127.0.0.1:9090 --send\n"
       "  gaitway preflight --to 1,0.5,0 --world boxes --from wss://robot:9090 --token-file token --send\n"
       "  gaitway preflight --walk 0.15 --set trajectory.com_height='0.36 m'\n"
-      "Exit code: 0 all stayed up, and it was sent if that was asked; 2 not all stayed up; 3 the robot did not do "
+      "Exit code: 0 all stayed up, and it was sent if that was asked; 2 not all stayed up; 3 the robot did "
+      "not do "
       "it; 1 the\n"
       "input was bad, or the robot refused.");
 }

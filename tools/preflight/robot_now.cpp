@@ -20,15 +20,17 @@ std::vector<double> posture_from(const json& message, const urdf::RobotModel& ro
   const json& positions = message.at("position");
   std::map<std::string, double> told;
   for (std::size_t i = 0; i < std::min(names.size(), positions.size()); ++i) {
-    told.emplace(names[i].get<std::string>(), positions[i].is_number() ? positions[i].get<double>() : std::nan(""));
+    told.emplace(names[i].get<std::string>(),
+                 positions[i].is_number() ? positions[i].get<double>() : std::nan(""));
   }
   std::vector<double> posture;
   for (const urdf::Joint& joint : robot.joints) {
     const auto found = told.find(joint.name);
     if (found == told.end()) {
-      throw ApiError(fmt::format("/joint_states: the robot there has no joint '{}' of {}: give its own description "
-                                 "(--robot)",
-                                 joint.name, robot.name));
+      throw ApiError(
+          fmt::format("/joint_states: the robot there has no joint '{}' of {}: give its own description "
+                      "(--robot)",
+                      joint.name, robot.name));
     }
     if (!std::isfinite(found->second)) {
       throw ApiError(fmt::format("/joint_states: the position of '{}' is not known there", joint.name));
@@ -38,9 +40,10 @@ std::vector<double> posture_from(const json& message, const urdf::RobotModel& ro
     told.erase(found);
   }
   if (!told.empty()) {
-    throw ApiError(fmt::format("/joint_states: the robot there has a joint '{}', which {} has not: give its own "
-                               "description (--robot)",
-                               input::terminal_text(told.begin()->first), robot.name));
+    throw ApiError(
+        fmt::format("/joint_states: the robot there has a joint '{}', which {} has not: give its own "
+                    "description (--robot)",
+                    input::terminal_text(told.begin()->first), robot.name));
   }
   return posture;
 }
@@ -66,7 +69,8 @@ RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot) {
         now.place = told.at("pose").get<std::array<double, 3>>();
       }
     } catch (const json::exception& error) {
-      throw ApiError(fmt::format("the robot's message is not understood ({}): is it of another release?", error.what()));
+      throw ApiError(
+          fmt::format("the robot's message is not understood ({}): is it of another release?", error.what()));
     }
   }
   return now;

@@ -12,9 +12,9 @@
 namespace gaitway::tools {
 
 struct RobotNow {
-  std::vector<double> joint_rad;                   // in the order of RobotModel::joints
-  std::string state;                               // of /robot_state: "stands", "walks", ...
-  std::optional<std::array<double, 3>> place;      // x m, y m, yaw rad in its map; none: it does not say
+  std::vector<double> joint_rad;               // in the order of RobotModel::joints
+  std::string state;                           // of /robot_state: "stands", "walks", ...
+  std::optional<std::array<double, 3>> place;  // x m, y m, yaw rad in its map; none: it does not say
 };
 
 // Throws ApiError: not understood, or the robot there has other joints than `robot`; NoAnswer.

@@ -94,7 +94,8 @@ simulator::CosimulationOptions settings_of(const SimulatorOptions& options, cons
 }
 
 void write_commands(const SimulatorOptions& options, const world::World& world, const urdf::RobotModel& robot,
-                    const timeline::Director& director) {
+                    timeline::Director& director) {
+  const auto digest = director.finish();
   std::vector<simulator::ScenarioEvent> events;
   for (const timeline::TimedEvent& event : director.timeline().events()) {
     events.push_back(timeline::scenario_event(event, robot));
@@ -104,8 +105,10 @@ void write_commands(const SimulatorOptions& options, const world::World& world, 
   const std::filesystem::path file = options.out / "commands.yaml";
   process::write_text_file(file, simulator::scenario_text(seconds, world, events, robot));
   if (!options.quiet) {
-    fmt::print("gaitway simulator: {:.1f} s, {} events; once more: gaitway run --scenario {}\n", seconds,
-               events.size(), file.string());
+    fmt::print(
+        "gaitway simulator: {:.3f} s, {} events, digest {}; once more: gaitway run --seed {} --scenario {}\n",
+        seconds, events.size(), digest ? fmt::format("{:016x}", *digest) : "unknown", options.seed,
+        file.string());
   }
 }
 

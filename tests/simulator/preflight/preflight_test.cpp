@@ -32,7 +32,8 @@ PreflightOptions with(int robots) {
 }
 
 simulator::ScenarioEvent push(double at_s, double impulse_Ns) {
-  return {at_s, simulator::PushEvent{.body = "trunk", .direction = {0.0, 1.0, 0.0}, .impulse_Ns = impulse_Ns}};
+  return {at_s,
+          simulator::PushEvent{.body = "trunk", .direction = {0.0, 1.0, 0.0}, .impulse_Ns = impulse_Ns}};
 }
 
 const Flight kWalk{.events = {{1.0, simulator::WalkEvent{.velocity_m_per_s = {0.15, 0.0}}}}, .seconds = 4.0};
@@ -46,7 +47,8 @@ TEST(Preflight, AWalkThatRobotsBearPasses) {
     EXPECT_NEAR(verdict.trials[i].ended_s, 4.0, 1e-6);
     EXPECT_GT(verdict.trials[i].largest_tilt_rad, 0.0);
   }
-  EXPECT_NE(verdict.trials[0].largest_tilt_rad, verdict.trials[1].largest_tilt_rad) << "each is another robot";
+  EXPECT_NE(verdict.trials[0].largest_tilt_rad, verdict.trials[1].largest_tilt_rad)
+      << "each is another robot";
   EXPECT_THAT(verdict_text(verdict), HasSubstr("4 of 4"));
 }
 
@@ -59,7 +61,8 @@ TEST(Preflight, WhatFellsThemDoesNot) {
   EXPECT_GT(verdict.worst().ended_s, 2.0);
   EXPECT_LT(verdict.worst().ended_s, 4.0);
   for (const Trial& trial : verdict.trials) EXPECT_LE(verdict.worst().ended_s, trial.ended_s);
-  EXPECT_THAT(verdict_text(verdict), AllOf(HasSubstr("NOT passed"), HasSubstr("0 of 3"), HasSubstr("fell after")));
+  EXPECT_THAT(verdict_text(verdict),
+              AllOf(HasSubstr("NOT passed"), HasSubstr("0 of 3"), HasSubstr("fell after")));
   EXPECT_EQ(verdict_json(verdict).at("passed"), 0);
 }
 
@@ -81,7 +84,8 @@ TEST(Preflight, TheVerdictDoesNotDependOnTheProcessors) {
   PreflightOptions alone = with(4), together = with(4);
   alone.processes = 1;
   together.processes = 3;
-  auto a = verdict_json(fly(humanoid22(), flight, alone)), b = verdict_json(fly(humanoid22(), flight, together));
+  auto a = verdict_json(fly(humanoid22(), flight, alone)),
+       b = verdict_json(fly(humanoid22(), flight, together));
   a.erase("wall_s");
   b.erase("wall_s");
   EXPECT_EQ(a, b);
@@ -112,7 +116,9 @@ TEST(Preflight, ContactsAreTold) {
 TEST(Preflight, BeginsInThePostureOfTheRobot) {
   PreflightOptions options = with(2);
   for (const urdf::Joint& joint : humanoid22().joints) {
-    const double bend_rad = joint.name.ends_with("knee") ? 0.5 : joint.name.ends_with("ankle_pitch") ? -0.5 : 0.0;
+    const double bend_rad = joint.name.ends_with("knee")          ? 0.5
+                            : joint.name.ends_with("ankle_pitch") ? -0.5
+                                                                  : 0.0;
     options.robot.plant.start_rad.push_back(joint.home_rad + bend_rad);
   }
   const Verdict leaning = fly(humanoid22(), kWalk, options), upright = fly(humanoid22(), kWalk, with(2));

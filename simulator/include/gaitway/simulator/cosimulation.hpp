@@ -21,6 +21,7 @@
 #include "gaitway/simulator/localization.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/simulator/scenario.hpp"
+#include "gaitway/simulator/sensor_faults.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
@@ -132,6 +133,7 @@ class Cosimulation {
   msgclient::Client message_client_, behavior_client_, observer_client_, main_client_, localization_client_;
   Plant plant_;
   JointNetwork joints_;
+  SensorFaults sensor_faults_;
   can::SimulatedBus bus_;
   msgcontroller::MessageController message_controller_;
   core::PluginFaultTable plugin_faults_;

@@ -25,6 +25,8 @@
 //     - {at_s: 16.4, fault: {kind: foreign_frame, id: 0x7AB, data: [1, 2, 3]}}    # or also: extended: true,
 //     remote: true
 //     - {at_s: 17.0, fault: {kind: plugin_fails, plugin: zmp, how: throws, duration_s: 1.0}}
+//     - {at_s: 17.5, fault: {kind: sensor_fails, sensor: imu, how: freezes, duration_s: 0.5}}
+//                                  # or left_foot, right_foot, a joint; reads_zero, noisy
 //     - {at_s: 18.0, spawn: {name: crate, shape: box, size_m: [0.2, 0.2, 0.1], position_m: [1, 0, 0.05]}}
 //                                  # or cylinder, sphere; with mass_kg it can be pushed; yaw_deg, colour
 //     - {at_s: 19.0, move: {name: crate, position_m: [1, 0.5, 0.05], yaw_deg: 30}}

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 
 #include "gaitway/can/frame.hpp"
@@ -95,6 +97,19 @@ struct PluginFault {
   double cost_s = 0.006;  // of a step that overruns
 };
 
+// A sensor tells something else than what is; 0: for ever.
+struct SensorFault {
+  enum class How { freezes, reads_zero, noisy };  // noisy: thirty times its noise; an encoder by 20 counts
+  std::string sensor;                             // kImuSensor, one of kFootSensors, or a joint: its encoder
+  How how = How::freezes;
+  double duration_s = 0.0;
+};
+inline constexpr std::string_view kImuSensor = "imu";
+inline constexpr std::array<std::string_view, 2> kFootSensors{"left_foot", "right_foot"};
+inline constexpr std::array<std::pair<std::string_view, SensorFault::How>, 3> kSensorFaultNames{
+    {{"freezes", SensorFault::How::freezes},
+     {"reads_zero", SensorFault::How::reads_zero},
+     {"noisy", SensorFault::How::noisy}}};
 // Put something into the world: a thing that can be pushed, or what stands fast.
 struct SpawnEvent {
   std::string name;
@@ -120,8 +135,8 @@ struct ScenarioEvent {
   double at_s = 0.0;
   std::variant<WalkEvent, MotionEvent, WalkToEvent, StopEvent, ReleaseEvent, EmergencyStopEvent,
                ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault,
-               JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault, SpawnEvent,
-               MoveEvent, RemoveEvent>
+               JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault, SensorFault,
+               SpawnEvent, MoveEvent, RemoveEvent>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };

@@ -14,7 +14,7 @@ export interface ChoiceField {
   kind: "choice";
   key: string;
   name: string;
-  of: "joints" | "nodes" | "plugins" | readonly { value: string; text: string }[];
+  of: "joints" | "nodes" | "plugins" | "sensors" | readonly { value: string; text: string }[];
 }
 export type FaultField = NumberField | ChoiceField;
 export interface FaultForm {
@@ -40,6 +40,10 @@ export const faultForms: readonly FaultForm[] = [
     fields: [{ kind: "choice", key: "plugin", name: "plug-in", of: "plugins" },
       { kind: "choice", key: "how", name: "it", of: [{ value: "throws", text: "throws" }, { value: "not_a_number", text: "gives no numbers" }, { value: "jumps", text: "gives nonsense" }, { value: "overruns", text: "takes too long" }] },
       duration(1)] },
+  { fault: "sensor_fails", title: "A sensor fails", text: "It tells something else than what is; of a joint, its encoder.",
+    fields: [{ kind: "choice", key: "sensor", name: "sensor", of: "sensors" },
+      { kind: "choice", key: "how", name: "it", of: [{ value: "freezes", text: "freezes" }, { value: "reads_zero", text: "reads zero" }, { value: "noisy", text: "is noisy" }] },
+      duration(0.5)] },
 ];
 
 // `values`: of the fields, by their keys, as a person wrote them. Throws with the field and its bounds where one is no such number.

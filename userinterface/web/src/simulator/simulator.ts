@@ -73,7 +73,7 @@ class Simulator {
 
   take(state: SimulationState, now_ms: number): void {
     const jumped = this.state !== undefined && this.state.run !== state.run;
-    if (now_ms - this.came_ms > silentAfter_ms || this.state?.world !== state.world) this.world.forget();
+    if (jumped || now_ms - this.came_ms > silentAfter_ms || this.state?.world !== state.world) this.world.forget(); // another instant may count to the same number
     this.state = state;
     this.came_ms = now_ms;
     this.context.freshness.pace = paceOf(state);

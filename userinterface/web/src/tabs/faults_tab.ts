@@ -4,7 +4,7 @@ import { element, setText } from "../dom.ts";
 import { faultEvent, faultForms, type ChoiceField, type FaultField, type FaultForm } from "../simulator/fault_events.ts";
 import type { SimulationOrders } from "../simulator/simulation_orders.ts";
 
-type Names = Record<"joints" | "nodes" | "plugins", readonly string[]>;
+type Names = Record<"joints" | "nodes" | "plugins" | "sensors", readonly string[]>;
 
 function options(field: ChoiceField, names: Names): HTMLOptionElement[] {
   const choices = typeof field.of === "string" ? names[field.of].map((name) => ({ value: name, text: name.replaceAll("_", " ") })) : field.of;
@@ -23,7 +23,7 @@ function fieldOf(form: FaultForm, field: FaultField, names: Names): { label: HTM
 
 export function faultsTab({ attempt, description, robot }: Context, orders: SimulationOrders): Tab {
   const joints = description.joints.map(({ name }) => name);
-  const names: Names = { joints, nodes: ["message_controller", ...joints], plugins: [] };
+  const names: Names = { joints, nodes: ["message_controller", ...joints], plugins: [], sensors: ["imu", "left_foot", "right_foot", ...joints] };
   let plugins: HTMLSelectElement | undefined;
   const cards = faultForms.map((form) => {
     const fields = form.fields.map((field) => ({ field, ...fieldOf(form, field, names) }));

@@ -35,8 +35,8 @@ struct Trial {
   std::uint64_t body_contacts = 0;  // milliseconds in which something but a sole touched something
   std::string first_contact;        // link and solid; empty: none
   std::uint64_t refused_batches = 0;
-  // Why the robot did not do what it was asked, in its own words: a motion that was refused, a way that there is
-  // not; or what the simulation threw. Empty: it did.
+  // Why the robot did not do what it was asked, in its own words: a motion that was refused, a way that there
+  // is not; or what the simulation threw. Empty: it did.
   std::string refusal;
 
   [[nodiscard]] bool passed() const noexcept { return !fell && refusal.empty(); }
@@ -56,13 +56,13 @@ struct Verdict {
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 // In copies of this process, which has a single thread. The same flight has the same verdict, on however many
-// processors. Throws std::invalid_argument for no robots or a flight of no length; what cannot be simulated at
-// all (a world without room, a plug-in that cannot be loaded) is thrown as std::runtime_error.
-[[nodiscard]] Verdict fly(const urdf::RobotModel& robot, const Flight& flight, const PreflightOptions& options,
-                          const Progress& progress = {});
+// processors. Throws std::invalid_argument for no robots or a flight of no length; what cannot be simulated
+// at all (a world without room, a plug-in that cannot be loaded) is thrown as std::runtime_error.
+[[nodiscard]] Verdict fly(const urdf::RobotModel& robot, const Flight& flight,
+                          const PreflightOptions& options, const Progress& progress = {});
 
-// Eight pictures of that trial, in a row, its end in the last one. Throws std::runtime_error where no pictures can
-// be drawn or written.
+// Eight pictures of that trial, in a row, its end in the last one. Throws std::runtime_error where no
+// pictures can be drawn or written.
 void draw_trial(const std::filesystem::path& file, const urdf::RobotModel& robot, const Flight& flight,
                 const PreflightOptions& options, const Trial& trial);
 

@@ -43,6 +43,9 @@ class Director {
   void step(int patience_ms);
 
   [[nodiscard]] const Timeline& timeline() const noexcept { return timeline_; }
+  // Ends the simulation that runs; its last reports count. Returns the digest of the whole, nothing where it
+  // cannot be replayed to its end.
+  [[nodiscard]] std::optional<std::uint64_t> finish();
   // Where the simulation is.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   // Empty while there is a simulation.

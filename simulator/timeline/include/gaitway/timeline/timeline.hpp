@@ -41,6 +41,9 @@ class Timeline {
   // failed.
   [[nodiscard]] CopyHandle at(std::int64_t at_ns);
 
+  // Of all that was done up to there; throws as at() does.
+  [[nodiscard]] std::uint64_t digest_at(std::int64_t at_ns);
+
   // Makes copies while the simulation goes on. Throws as at() does.
   void keep_up();
   // Readable when keep_up() has something to do; -1: nothing is awaited.
