@@ -163,6 +163,7 @@ test("while it is paused Walk plays, and Escape only breaks off; a refusal says 
   await cardSays(robot, "steps");
   await robot.page.keyboard.press("Enter");
   await answered("it walks", () => fake.of("/walk_to").length === 1 && fake.playing);
+  await robot.until(() => document.getElementById("play").classList.contains("plays"), "it knows that it plays");
   await clickOn(robot, { x: 150, y: 600 }); // floor, wherever the camera has followed the robot to
   await cardSays(robot, "steps,");
   await robot.page.keyboard.press("Escape");
