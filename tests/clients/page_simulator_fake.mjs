@@ -25,7 +25,8 @@ const vector = ([x, y, z]) => ({ x, y, z });
 
 export class FakeSimulator {
   asked = []; // {service, args}
-  odometry = [0.3, -0.2, 0, 0.4]; // pose of the robot's odometry in the world
+  odometry = [0.3, -0.2, 0, 0.4]; // pose of the view's frame in the world
+  estimate = [0.3, -0.2, 0, 0.4]; // of the frame of the robot's own estimate
   robot = [0, 0, 0]; // x, y, yaw of the middle between the feet, in the world
   refusal = ""; // of the next plan
   #time_s = 0;
@@ -150,7 +151,7 @@ export class FakeSimulator {
     const [x, y, yaw] = this.robot;
     this.publish("/simulation/state", {
       time: this.#time_s, recorded: this.#recorded_s, state: this.#text ? "busy" : this.#playing ? "playing" : "paused", text: this.#text, speed: this.#speed, pace: 0.98 * this.#speed,
-      world: "boxes", geometry: this.#geometry, run: this.#run, fallen: false, odometry: this.odometry, base: [x, y, this.description.hip_height, ...turned(yaw)],
+      world: "boxes", geometry: this.#geometry, run: this.#run, fallen: false, odometry: this.estimate, base: [x, y, this.description.hip_height, ...turned(yaw)],
       thing_names: things.map(({ name }) => name), thing_poses: things.map(ros), mark_times: this.#events.map(({ at_s }) => at_s), mark_kinds: this.#events.map(({ kind }) => kind),
       event_times: this.#events.map(({ at_s }) => at_s), event_texts: this.#events.map(({ text }) => text),
     });

@@ -19,7 +19,8 @@ test("each fault's sensible values make its event", () => {
     { kind: "bus_off", node: "left_knee" },
     { kind: "joint_restarts", joint: "left_knee", duration_s: 0.02 },
     { kind: "main_controller_silent", duration_s: 1 },
-    { kind: "plugin_fails", plugin: "left_knee", how: "throws", duration_s: 1 }]);
+    { kind: "plugin_fails", plugin: "left_knee", how: "throws", duration_s: 1 },
+    { kind: "sensor_fails", sensor: "left_knee", how: "freezes", duration_s: 0.5 }]);
   assert.deepEqual(defaults("jam", { stuck: "true" })["fault"], { kind: "jam", duration_s: 0.002, stuck: true });
 });
 

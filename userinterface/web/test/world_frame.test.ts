@@ -31,7 +31,8 @@ test("drift is followed within a second, without a jump", () => {
 test("another run, or more than drift, is a jump", () => {
   const frame = new WorldFrame();
   frame.take({ x: 0, y: 0, z: 0, yaw: 0 }, 1);
-  frame.take({ x: 0.05, y: 0, z: 0, yaw: 0 }, 2);
+  assert.equal(frame.take({ x: 0.01, y: 0, z: 0, yaw: 0 }, 1), false);
+  assert.equal(frame.take({ x: 0.05, y: 0, z: 0, yaw: 0 }, 2), true);
   near(frame.after(0)!, { x: 0.05 });
   frame.take({ x: 2, y: 0, z: 0, yaw: 0 }, 2);
   near(frame.after(0)!, { x: 2 });

@@ -55,8 +55,10 @@ export class SimulatorPicture {
     this.scene.ask();
   }
 
-  show(state: SimulationState): void {
-    this.frame.take(state.odometry, state.run);
+  // `origin`: of the picture's frame in the world; undefined: it is where it was, or at first where the robot's own odometry begins.
+  show(state: SimulationState, origin: Odometry | undefined): void {
+    const jumped = this.frame.take(origin ?? (this.frame.isKnown ? undefined : state.odometry), state.run);
+    if (jumped) this.scene.forgetSteps(); // they were made in another frame
     this.world.things.move(state.things, state.run !== this.run);
     this.run = state.run;
     this.scene.ask();

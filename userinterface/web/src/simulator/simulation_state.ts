@@ -10,7 +10,7 @@ export interface Mark {
   at_s: number;
   kind: MarkKind;
 }
-// Pose of the view's frame, which is the robot's odometry, in the simulator's world.
+// Pose of a frame in another one, both upright.
 export interface Odometry {
   x: number;
   y: number;
@@ -28,7 +28,7 @@ export interface SimulationState {
   geometry: number; // another one: the world's solids are others
   run: number; // another one: the robot has been put to another instant
   fallen: boolean;
-  odometry: Odometry | undefined; // undefined: not known
+  odometry: Odometry | undefined; // of the frame of the robot's own estimate, in the simulator's world; undefined: not known
   base: Placed | undefined; // true, in the simulator's world
   things: ReadonlyMap<string, Placed>;
   marks: readonly Mark[];

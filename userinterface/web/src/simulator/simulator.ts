@@ -11,6 +11,7 @@ import { faultsTab } from "../tabs/faults_tab.ts";
 import { thingsTab } from "../tabs/things_tab.ts";
 import { SimulationOrders } from "./simulation_orders.ts";
 import { paceOf, readState, silentAfter_ms, stateTopic, type SimulationState } from "./simulation_state.ts";
+import { ViewTrail } from "./view_trail.ts";
 import { SimulatorBar } from "./simulator_bar.ts";
 import { WayTool } from "./way_tool.ts";
 import { WorldKeeper } from "./world_keeper.ts";
@@ -32,6 +33,7 @@ class Simulator {
   private readonly way: WayTool;
   private readonly world: WorldKeeper;
   private readonly worldChanged: () => void;
+  private readonly trail = new ViewTrail();
   private state: SimulationState | undefined;
   private came_ms = 0;
 
@@ -56,9 +58,10 @@ class Simulator {
     };
     this.world = new WorldKeeper((first) => orders.geometry(first), (solids, floorColour) => {
       this.picture.setSolids(solids, floorColour);
-      if (this.state) this.picture.show(this.state);
+      if (this.state) this.picture.show(this.state, this.trail.originFor(this.state));
       this.worldChanged();
     }, (error) => context.news.say(`The world is not known: ${error.message}`, "bad", "world"));
+    context.frameTakers.push((frame) => this.trail.take(frame));
     document.body.classList.add("simulated");
     byId("panel").before(this.bar.box);
     byId("camera").prepend(this.way.tool.toggle);
@@ -74,15 +77,16 @@ class Simulator {
     this.state = state;
     this.came_ms = now_ms;
     this.context.freshness.pace = paceOf(state);
-    this.picture.show(state);
-    this.bar.show(state);
     if (jumped) this.jumped();
+    this.picture.show(state, this.trail.originFor(state));
+    this.bar.show(state);
     void this.world.take(state.geometry, now_ms);
   }
 
   // The robot was put to another instant: what was before is not what is.
   private jumped(): void {
     this.context.command.lost();
+    this.trail.forget();
     this.place.scene.forgetSteps();
     this.way.jumped();
   }

@@ -29,15 +29,20 @@ export class WorldFrame {
   private shown: Odometry | undefined;
   private run: number | undefined;
 
-  // `run`: another one: the robot was put elsewhere, and with it the frame.
-  take(odometry: Odometry | undefined, run: number): void {
-    if (!odometry) return;
+  get isKnown(): boolean {
+    return this.shown !== undefined;
+  }
+
+  // `run`: another one: the robot was put elsewhere, and with it the frame. Gives whether it lies elsewhere at once.
+  take(odometry: Odometry | undefined, run: number): boolean {
+    if (!odometry) return false;
     const { shown } = this;
     const jumps = !shown || run !== this.run || Math.hypot(odometry.x - shown.x, odometry.y - shown.y, odometry.z - shown.z) > jump_m ||
       Math.abs(wrap_rad(odometry.yaw - shown.yaw)) > jump_rad;
     this.wanted = odometry;
     this.run = run;
     if (jumps) this.shown = { ...odometry };
+    return jumps;
   }
 
   // Gives the pose of odometry in the world that is to be drawn; undefined: nothing has been told yet.
