@@ -48,6 +48,7 @@ void CommandIntake::take_queue(CommandTaker& taker, std::int64_t now_ns) noexcep
                                        .duration_slots = command.duration_slots},
                                       now_ns);
     if (kind == Kind::release && problem == Reason::none) {
+      ++releases_taken_;
       answer_release(Reason::emergency_stopped, now_ns);  // a stop has ended the one before
       release_command_ = command;
     } else {

@@ -30,7 +30,8 @@ std::string world_lines(const std::optional<world::World>& world) {
 CommandLog::CommandLog(Cosimulation& run)
     : run_(run),
       answers_(run.client().read_stream<UserCommandAnswer>("user_command_answer")),
-      stops_(run.client().read<StopRequest>("stop_answer")) {
+      stops_(run.client().read<StopRequest>("stop_answer")),
+      releases_logged_(run.message_controller().releases_taken()) {
   UserCommandAnswer before;
   while (answers_.read(before)) {
   }
@@ -63,9 +64,15 @@ void CommandLog::on_end(std::int64_t now_ns) {
 }
 
 void CommandLog::on_millisecond(std::int64_t began_ns) {
+  // In the millisecond in which it begins: its answer comes slots later, when every joint has confirmed it.
+  const std::uint64_t releases = run_.message_controller().releases_taken();
+  for (; releases_logged_ < releases; ++releases_logged_) {
+    events_.push_back({.at_s = seconds_of(began_ns), .action = ReleaseEvent{}, .asked = true});
+  }
   UserCommandAnswer answer;
   while (answers_.read(answer)) {
-    if (static_cast<msgclient::Reason>(answer.reason) != msgclient::Reason::none) {
+    if (static_cast<msgclient::Reason>(answer.reason) != msgclient::Reason::none ||
+        static_cast<Kind>(answer.command) == Kind::release) {
       continue;
     }
     ScenarioEvent event{.at_s = seconds_of(began_ns), .action = {}, .asked = true};
@@ -82,7 +89,6 @@ void CommandLog::on_millisecond(std::int64_t began_ns) {
                                         static_cast<int>(answer.duration_slots)};
         break;
       case Kind::release:
-        event.action = ReleaseEvent{};
         break;
     }
     events_.push_back(event);
@@ -111,7 +117,7 @@ std::string scenario_text(double seconds, const std::optional<world::World>& wor
   std::string text = fmt::format(
       "# What was asked of the robot. With the same robot, seed and plug-ins, `gaitway run --scenario` of "
       "this file "
-      "gives the same digest.\nseconds: {}\n{}events:{}\n",
+      "gives the same digest.\nseconds: {}\nto_the_end: true\n{}events:{}\n",
       seconds, world_lines(world), events.empty() ? " []" : "");
   for (const ScenarioEvent& event : events) {
     text += fmt::format("  - {{at_s: {}, {}{}}}\n", event.at_s, event.asked ? "asked: true, " : "",

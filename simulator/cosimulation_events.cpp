@@ -57,9 +57,9 @@ void Cosimulation::inject(const PluginFault& fault) {
                                        fault.plugin, input::suggest(fault.plugin, known)));
   }
   const bool overruns = fault.how == core::PluginFaultKind::overruns;
-  plugin_faults_.inject(
-      fault.plugin, {fault.how, overruns ? duration_ns(fault.cost_s) : 0},
-      fault.duration_s > 0.0 ? now_ns_ + duration_ns(fault.duration_s) : std::numeric_limits<std::int64_t>::max());
+  plugin_faults_.inject(fault.plugin, {fault.how, overruns ? duration_ns(fault.cost_s) : 0},
+                        fault.duration_s > 0.0 ? now_ns_ + duration_ns(fault.duration_s)
+                                               : std::numeric_limits<std::int64_t>::max());
 }
 
 void Cosimulation::apply(const ScenarioEvent& event) {

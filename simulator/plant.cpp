@@ -85,6 +85,7 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
     zero_error_rad.push_back(options.mismatch * kZeroDeviation_rad * mismatch_random.normal());
   }
   thing_body = bodies_of_things(*model, world);
+  own_surfaces = world ? world->surfaces.size() : 0;
   set_home(options.start_rad);
   draw_sensor_faults();
   tiles.follow(*model, Eigen::Map<const Eigen::Vector3d>(home.data()));

@@ -65,6 +65,7 @@ struct Plant::Implementation {
   ContactReader contacts;
   std::vector<int> thing_body;
   std::vector<std::string> put_names;  // of solids that came later
+  std::size_t own_surfaces = 0;        // of the world as it was given
   std::uint32_t geometry = 1;
   std::array<Eigen::Vector3d, 3> last_velocity_m_per_s{};  // of IMU, left sole, right sole
   std::vector<ActivePush> pushes;

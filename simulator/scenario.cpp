@@ -42,11 +42,16 @@ std::optional<world::WorldChoice> read_world_choice(const YamlValue& root) {
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& file, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 5> kKeys{"seconds", "world", "world_seed", "conditions", "events"};
+  constexpr std::array<std::string_view, 6> kKeys{"seconds",    "to_the_end", "world",
+                                                  "world_seed", "conditions", "events"};
   const YamlValue root = YamlValue::read(file);
   root.require_map(kKeys);
   Scenario scenario;
   scenario.seconds = root.at("seconds").number({0.001, kLongestRun_s, "s"});
+  if (const auto to_the_end = root.find("to_the_end")) {
+    if (to_the_end->text() != "true") to_the_end->refuse("must be true", "Leave it out to end after a fall");
+    scenario.to_the_end = true;
+  }
   if (const auto conditions = root.find("conditions")) scenario.conditions = read_conditions(*conditions);
   scenario.world = read_world_choice(root);
   if (const auto events = root.find("events")) {

@@ -1,5 +1,5 @@
-// How the body stands where it begins: in the posture that is asked, on the sole that is lower, or in the home posture
-// on both.
+// How the body stands where it begins: in the posture that is asked, on the sole that is lower, or in the
+// home posture on both.
 #include <algorithm>
 #include <array>
 #include <stdexcept>

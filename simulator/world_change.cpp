@@ -72,6 +72,20 @@ std::size_t surface_of(world::World& world, const world::Colour& colour) {
   return index;
 }
 
+// Those that only something had that is gone.
+void drop_unused_surfaces(world::World& world, std::size_t first) {
+  for (std::size_t i = world.surfaces.size(); i-- > first;) {
+    const auto uses = [i](const world::Solid& solid) { return solid.surface == i; };
+    const bool used = world.floor_surface == i || std::ranges::any_of(world.solids, uses) ||
+                      std::ranges::any_of(world.things, uses, &world::Thing::solid);
+    if (used) continue;
+    world.surfaces.erase(world.surfaces.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto renumber = [i](world::Solid& solid) { solid.surface -= solid.surface > i ? 1 : 0; };
+    std::ranges::for_each(world.solids, renumber);
+    std::ranges::for_each(world.things, renumber, &world::Thing::solid);
+  }
+}
+
 void require_room_for_one(std::size_t there, std::size_t most, const char* what) {
   if (there >= most) {
     throw std::invalid_argument("the world has " + std::to_string(there) + " " + what +
@@ -192,6 +206,7 @@ void Plant::remove(std::string_view name) {
   }
   std::erase_if(next.solids, [name](const world::Solid& solid) { return solid.name == name; });
   std::erase_if(next.things, [name](const world::Thing& thing) { return thing.solid.name == name; });
+  drop_unused_surfaces(next, self.own_surfaces);
   self.change_world(std::move(next), {});
   std::erase(self.put_names, name);
 }

@@ -102,7 +102,8 @@ std::string objection(const Push& push) {
   }
   const auto& [x, y, z] = push.force_N;
   const double force_N = std::hypot(x, y, z);
-  if (!(force_N >= kLeastForce_N && force_N <= kLargestForce_N)) {
+  constexpr double kRounding = 1.0 + 1e-9;  // of the largest one, turned into any direction
+  if (!(force_N >= kLeastForce_N && force_N <= kRounding * kLargestForce_N)) {
     return "force is [" + text_of(x) + ", " + text_of(y) + ", " + text_of(z) + "] N, but must be from " +
            text_of(kLeastForce_N) + " to " + text_of(kLargestForce_N) + " N together";
   }

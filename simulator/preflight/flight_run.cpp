@@ -1,6 +1,8 @@
 // Plays the flight, and watches.
 #include "flight_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -67,16 +69,44 @@ void FlightRun::look() {
 void FlightRun::look_at_answers() {
   if (!trial_.refusal.empty()) return;
   MotionState motion;
-  if (motion_.read(motion) && motion.refused != 0) trial_.refusal = text_of(motion.text);
-  NavigationState way;
-  if (way_.read(way) &&
-      (way.result == navigation_state::result::refused || way.result == navigation_state::result::failed)) {
-    trial_.refusal = text_of(way.text);
+  if (motion_.read(motion)) {
+    if (motion.refused != 0) trial_.refusal = text_of(motion.text);
+    motions_ended_ = motion.ended;
   }
+  NavigationState way;
+  if (way_.read(way)) {
+    const bool failed =
+        way.result == navigation_state::result::refused || way.result == navigation_state::result::failed;
+    if (failed) trial_.refusal = text_of(way.text);
+    arrived_ = way.state == navigation_state::state::idle && way.result == navigation_state::result::arrived;
+    distance_left_m_ = way.distance_left;
+  }
+}
+
+// What was asked for has an end, and the flight was long enough for it only if that was reached.
+std::string FlightRun::left_undone() const {
+  std::size_t motions = 0;
+  bool walks_to = false;
+  for (const simulator::ScenarioEvent& event : flight_.events) {
+    const auto* const motion = std::get_if<simulator::MotionEvent>(&event.action);
+    if (motion != nullptr && !motion->name.empty()) ++motions;
+    if (const auto* const way = std::get_if<simulator::WalkToEvent>(&event.action)) {
+      walks_to = way->goal.has_value();
+    }
+  }
+  if (motions > motions_ended_) {
+    return fmt::format("the motion has not ended within {:g} s: watch it longer (--seconds)", flight_.seconds);
+  }
+  if (walks_to && !arrived_) {
+    return fmt::format("it has not arrived within {:g} s, {:.2f} m are left: watch it longer (--seconds)",
+                       flight_.seconds, distance_left_m_);
+  }
+  return {};
 }
 
 Trial FlightRun::trial() const {
   Trial trial = trial_;
+  if (!trial.fell && trial.refusal.empty()) trial.refusal = left_undone();
   const core::MainControllerStatistics statistics = run_.main_controller().statistics();
   trial.refused_batches = statistics.refused_locally + run_.message_controller().state().refused;
   return trial;

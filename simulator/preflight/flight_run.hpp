@@ -20,6 +20,7 @@ class FlightRun {
  private:
   void look();
   void look_at_answers();
+  [[nodiscard]] std::string left_undone() const;
 
   const Flight& flight_;
   simulator::Cosimulation run_;
@@ -27,6 +28,9 @@ class FlightRun {
   msgclient::Reader<NavigationState> way_;
   std::size_t next_event_ = 0;
   Trial trial_;
+  std::size_t motions_ended_ = 0;
+  bool arrived_ = false;
+  double distance_left_m_ = 0.0;
 };
 
 }  // namespace gaitway::preflight

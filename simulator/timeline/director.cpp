@@ -78,7 +78,6 @@ Director::Director(CopyHandle start, DirectorOptions options)
           options_.socket,
           [this](const Ticket& ticket, const simulation::Push& push) {
             require_simulation();
-            go_on_from_here();
             pass_on(ticket, {{"order", "push"},
                              {"link", push.link},
                              {"force_N", push.force_N},
@@ -96,11 +95,7 @@ void Director::step(int patience_ms) {
                               pollfd{timeline_.wake_fd(), POLLIN, 0}};
   process::wait_until(process::monotonic_ns() + std::int64_t{patience_ms} * facts::kMillisecond_ns, wakes);
   hear_live();
-  try {
-    timeline_.keep_up();
-  } catch (const std::exception& error) {
-    timeline_.bar(timeline_.recorded_ns(), fmt::format("the replay failed ({})", error.what()));
-  }
+  timeline_.keep_up();
   server_.step();
 }
 
@@ -121,8 +116,8 @@ std::optional<std::string> Director::obey(const Ticket& ticket, std::string_view
   }
   if (what == "reset") {
     const bool played = playing_;
-    go_to(0);
-    timeline_.forget_after(0);
+    playing_ = false;
+    go_live(timeline_.begin_anew());
     falls_.clear();
     playing_ = played;
     set_pace();
@@ -140,7 +135,6 @@ std::optional<std::string> Director::obey(const Ticket& ticket, std::string_view
   }
   if (what == "play" || what == "pause") {
     playing_ = what == "play";
-    if (playing_) go_on_from_here();
     set_pace();
     return "{}";
   }
@@ -150,7 +144,6 @@ std::optional<std::string> Director::obey(const Ticket& ticket, std::string_view
     return "{}";
   }
   check_passed_on(order, what);
-  if (what != "geometry") go_on_from_here();
   if (what == "step") {
     playing_ = false;
     set_pace();
@@ -170,13 +163,6 @@ void Director::require_simulation() const {
   }
 }
 
-// What comes after the present instant has not happened.
-void Director::go_on_from_here() {
-  if (now_ns_ >= timeline_.recorded_ns()) return;
-  timeline_.forget_after(now_ns_);
-  falls_.erase(falls_.upper_bound(now_ns_), falls_.end());
-}
-
 void Director::set_pace() {
   if (live_) live_->channel().send({{"do", "pace"}, {"playing", playing_}, {"speed", speed_}});
   paced_wall_ns_ = 0;
@@ -184,35 +170,46 @@ void Director::set_pace() {
 }
 
 void Director::go_to(std::int64_t at_ns) {
-  if (live_) {
+  if (live_) live_->channel().send({{"do", "pace"}, {"playing", false}, {"speed", speed_}});
+  try {
+    CopyHandle copy = timeline_.at(std::min(at_ns, timeline_.recorded_ns()));
     hear_live();  // what it has done to the last
-    live_->channel().send({{"do", "pace"}, {"playing", false}, {"speed", speed_}});
+    playing_ = false;
+    go_live(std::move(copy));
+  } catch (const std::exception&) {
+    set_pace();  // where there still is one, it goes on as it did
+    throw;
   }
-  CopyHandle copy = timeline_.at(std::min(at_ns, timeline_.recorded_ns()));
-  playing_ = false;
-  go_live(std::move(copy));
 }
 
+// What goes wrong leaves no simulation, and says so.
 void Director::go_live(CopyHandle copy) {
   for (const auto& [number, ticket] : std::exchange(passed_on_, {})) {
     server_.answer(ticket, false, "the simulation went to another instant before it was done");
   }
-  live_.reset();  // two of them would listen at one socket
-  copy.channel().send({{"do", "live"}, {"playing", playing_}, {"speed", speed_}});
-  auto first = copy.receive(kLivePatience_ms);
-  if (!first) throw std::runtime_error("the simulation has not started within 30 s");
-  live_.emplace(std::move(copy));
-  failure_.clear();
-  ++run_;
-  paced_wall_ns_ = 0;
-  now_ns_ = first->message.at("at_ns").get<std::int64_t>();
-  seen_ = first->message.at("state");
+  if (live_) live_->end_with_children();  // two of them would listen at one socket
+  live_.reset();
+  try {
+    copy.channel().send({{"do", "live"}, {"playing", playing_}, {"speed", speed_}});
+    const auto first = copy.receive(kLivePatience_ms);
+    if (!first) throw std::runtime_error("it has not started within 30 s");
+    live_.emplace(std::move(copy));
+    failure_.clear();
+    ++run_;
+    paced_wall_ns_ = 0;
+    now_ns_ = first->message.at("at_ns").get<std::int64_t>();
+    seen_ = first->message.at("state");
+  } catch (const std::exception& error) {
+    fail(error.what());
+    throw;
+  }
 }
 
 std::optional<std::uint64_t> Director::finish() {
   playing_ = false;
   set_pace();
   hear_live();
+  if (live_) live_->end_with_children();
   live_.reset();
   try {
     return timeline_.digest_at(timeline_.recorded_ns());
@@ -241,6 +238,12 @@ void Director::take_report(const json& report) {
   const std::int64_t before_ns = now_ns_;
   now_ns_ = report.at("at_ns").get<std::int64_t>();
   const std::vector<TimedEvent> events = events_from(report.at("events"));
+  // Whoever goes on from an earlier instant has what came after it forgotten: now, when something has
+  // happened.
+  if (before_ns < timeline_.recorded_ns() && (now_ns_ > before_ns || !events.empty())) {
+    timeline_.forget_after(before_ns);
+    falls_.erase(falls_.upper_bound(before_ns), falls_.end());
+  }
   timeline_.extend(now_ns_, events);
   for (const json& one : report.at("digests")) {
     timeline_.note_digest(one.at(0).get<std::int64_t>(), one.at(1).get<std::uint64_t>());
@@ -261,7 +264,8 @@ void Director::take_answer(const json& answer) {
   server_.answer(ticket.mapped(), ok, ok ? answer.at("result").dump() : answer.at("text").get<std::string>());
 }
 
-void Director::fail(std::string why) {
+void Director::fail(const std::string& why) {
+  if (live_) live_->end_with_children();
   live_.reset();
   playing_ = false;
   failure_ = fmt::format("the simulation has ended at {:.3f} s: {}", seconds_of(now_ns_), why);

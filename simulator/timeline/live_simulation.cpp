@@ -30,6 +30,7 @@ using nlohmann::json;
 constexpr std::int64_t kReport_ns = 20 * kMillisecond_ns;  // by the wall clock
 constexpr std::int64_t kPrint_ns = 100 * kMillisecond_ns;  // of the robot's time
 constexpr int kPausedLook_ms = 20;
+constexpr std::size_t kEventsAReport = 10;  // of 4,000 bytes each at most
 
 // The robot's side of the robot API comes into a robot that has been without so far, and people's orders
 // count from then on.
@@ -39,18 +40,18 @@ class PeoplesAccess {
       : simulation_(run.run()),
         block_thread_(shared(run.memory_block()), options.memory_socket),
         requests_client_(run.memory_block().local_client("plugin_requests")),
-        requests_((start(options.api), requests_client_), simulation_.plugins()),
+        api_(options.api),
+        requests_((start(), requests_client_), simulation_.plugins()),
         workshop_(requests_) {
     simulation_.hand_to_people();
   }
 
   // After each tick.
   void step(std::int64_t now_ns) {
-    if (coming_) {
-      coming_ = !simulation_.plugins().changes().take_result().has_value();
-    } else {
-      requests_.step(now_ns);
-    }
+    if (!coming_) return requests_.step(now_ns);
+    const auto result = simulation_.plugins().changes().take_result();
+    if (result && result->done) coming_ = false;
+    if (result && !result->done) start();  // it was too slow in its first step, on a busy computer
   }
   [[nodiscard]] bool take_change() noexcept { return requests_.take_change(); }
 
@@ -59,15 +60,16 @@ class PeoplesAccess {
     block.share_anew();
     return block;
   }
-  void start(const core::PluginEntry& api) {
+  void start() {
     core::ChangeControl& changes = simulation_.plugins().changes();
-    changes.schedule(changes.prepare_addition(api));
+    changes.schedule(changes.prepare_addition(api_));
   }
 
   simulator::Cosimulation& simulation_;
   msgclient::MemoryBlockThread block_thread_;
   msgclient::Client requests_client_;
-  bool coming_ = true;  // `api` is not in place yet: it comes with the next batch
+  const core::PluginEntry& api_;
+  bool coming_ = true;  // it is not in place yet: it comes with the next batch
   core::PluginRequests requests_;
   core::PluginWorkshop workshop_;
 };
@@ -155,7 +157,14 @@ class LiveSimulation final : public simulator::CosimulationObserver {
 
   std::optional<json> carry_out(const json& order, std::uint64_t id) {
     const auto what = order.at("order").get<std::string>();
-    if (what == "geometry") return state_.geometry(order.value("from", std::size_t{0}));
+    if (what == "geometry") {
+      const auto from = order.find("from");
+      if (from != order.end() && !from->is_number_unsigned()) {
+        throw std::invalid_argument("from is " + from->dump() +
+                                    ", but must be the number of a solid, from 0");
+      }
+      return state_.geometry(from == order.end() ? 0 : from->get<std::size_t>());
+    }
     if (what == "push") {
       log_.on_applied(pushes_.take(push_from(order)));
       return json::object();
@@ -165,6 +174,7 @@ class LiveSimulation final : public simulator::CosimulationObserver {
           simulator::parse_action(order.at("event").get<std::string>(), "event", run_.robot());
       event.at_s = static_cast<double>(run_.now_ns()) * 1e-9;
       require_done_to_robot(event);
+      require_replayable(event);
       run_.apply(event);
       log_.on_applied(event);
       return json::object();
@@ -184,6 +194,17 @@ class LiveSimulation final : public simulator::CosimulationObserver {
           "event is an order to the robot, but must be push, fault, spawn, move or remove: the robot API "
           "takes "
           "orders (/walk_to, /stand, /play_motion, ...)");
+    }
+  }
+
+  // The plug-in through which people come is none of those that a replay has.
+  void require_replayable(const simulator::ScenarioEvent& event) const {
+    const auto* const fault = std::get_if<simulator::PluginFault>(&event.action);
+    if (fault != nullptr && fault->plugin == options_.api.name) {
+      throw std::invalid_argument(
+          fault->plugin +
+          " keeps the link to this page and is not part of what is simulated: choose another "
+          "plug-in, or end its process");
     }
   }
 
@@ -207,8 +228,8 @@ class LiveSimulation final : public simulator::CosimulationObserver {
     if (!must_arrive && wall_ns - reported_ns_ < kReport_ns) return;
     std::vector<TimedEvent> events;
     const auto& logged = log_.events();
-    for (std::size_t i = events_told_; i < logged.size(); ++i)
-      events.push_back(timed(logged[i], run_.robot()));
+    const std::size_t told = std::min(logged.size(), events_told_ + kEventsAReport);
+    for (std::size_t i = events_told_; i < told; ++i) events.push_back(timed(logged[i], run_.robot()));
     json message{{"at_ns", run_.now_ns()}, {"playing", playing_}, {"events", to_json(events)},
                  {"digests", digests_},    {"bar", bar_},         {"state", state_.describe()}};
     if (must_arrive) {
@@ -217,8 +238,9 @@ class LiveSimulation final : public simulator::CosimulationObserver {
       return;
     }
     reported_ns_ = wall_ns;
-    events_told_ = logged.size();
+    events_told_ = told;
     digests_.clear();
+    if (must_arrive && told < logged.size()) report(true);
   }
 
   const LiveOptions& options_;

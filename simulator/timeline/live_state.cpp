@@ -14,6 +14,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kMostNames = 200;  // of what was put there; the geometry has all
+
 double yaw_of(const Eigen::Isometry3d& pose) {
   return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
 }
@@ -74,7 +76,7 @@ json LiveState::describe() {
     things.push_back({{"name", solids[i].name}, {"pose", pose_json(solids[i].pose)}});
   }
   const std::vector<world::Solid> put_solids = plant.put_solids();
-  for (const world::Solid& solid : put_solids) put.push_back(solid.name);
+  for (std::size_t i = 0; i < std::min(put_solids.size(), kMostNames); ++i) put.push_back(put_solids[i].name);
   const Obstacles boxes = simulator::boxes_around(put_solids);
   for (std::uint32_t i = 0; i < boxes.count; ++i) {
     obstacles.push_back({{"place", boxes.place[i]}, {"size", boxes.size[i]}});

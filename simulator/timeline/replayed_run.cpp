@@ -23,11 +23,15 @@ void ReplayedRun::expect(std::span<const TimedEvent> events) {
   expected_.insert(expected_.end(), events.begin(), events.end());
 }
 
+void ReplayedRun::apply_due() {
+  for (; !expected_.empty() && expected_.front().at_ns <= run_->now_ns(); expected_.pop_front()) {
+    run_->apply(scenario_event(expected_.front(), run_->robot()));
+  }
+}
+
 void ReplayedRun::advance_to(std::int64_t to_ns) {
   while (run_->now_ns() < to_ns) {
-    for (; !expected_.empty() && expected_.front().at_ns <= run_->now_ns(); expected_.pop_front()) {
-      run_->apply(scenario_event(expected_.front(), run_->robot()));
-    }
+    apply_due();
     run_->advance_millisecond();
   }
 }

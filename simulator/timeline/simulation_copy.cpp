@@ -10,11 +10,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace gaitway::timeline {
 namespace {
@@ -44,6 +47,7 @@ class SimulationCopy {
         run_->expect(events_from(told.at("events")));
       } else if (what == "advance") {
         run_->advance_to(told.at("to_ns").get<std::int64_t>());
+        if (told.value("what_is_due", false)) run_->apply_due();
         channel_.send({{"at_ns", run_->run().now_ns()}, {"digest", run_->digest()}});
       } else if (what == "live") {
         live_(*run_, channel_, told);
@@ -118,12 +122,49 @@ CopyHandle::~CopyHandle() {
   end();
 }
 
-void CopyHandle::end() noexcept {
-  if (!process_) return;
-  syscall(SYS_pidfd_send_signal, process_.get(), SIGKILL, nullptr, 0);
-  pollfd ended{process_.get(), POLLIN, 0};
+namespace {
+
+process::FileDescriptor hold(pid_t process) {
+  return process::FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, process, 0)));
+}
+
+void kill_and_wait(const process::FileDescriptor& process) noexcept {
+  syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0);
+  pollfd ended{process.get(), POLLIN, 0};
   while (poll(&ended, 1, CopyChannel::kForEver) < 0 && errno == EINTR) {
   }
+}
+
+// Held before it ends, so that each number means the process that it means now.
+std::vector<process::FileDescriptor> children_of(pid_t process) {
+  std::vector<process::FileDescriptor> children;
+  std::error_code none;
+  const std::filesystem::path tasks = fmt::format("/proc/{}/task", process);
+  for (const auto& task : std::filesystem::directory_iterator(tasks, none)) {
+    std::ifstream list(task.path() / "children");
+    for (pid_t child = 0; list >> child;) {
+      if (auto held = hold(child)) children.push_back(std::move(held));
+    }
+  }
+  return children;
+}
+
+}  // namespace
+
+void CopyHandle::end_with_children() noexcept {
+  if (!process_) return;
+  try {
+    const auto children = children_of(id_);
+    end();
+    for (const process::FileDescriptor& child : children) kill_and_wait(child);
+  } catch (const std::exception&) {
+    end();  // no memory, or no descriptors: the children end a little later, with their parent
+  }
+}
+
+void CopyHandle::end() noexcept {
+  if (!process_) return;
+  kill_and_wait(process_);
   waitid(P_PIDFD, static_cast<id_t>(process_.get()), nullptr,
          WEXITED);  // where it is a child of this process
   process_ = {};

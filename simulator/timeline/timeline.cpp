@@ -11,7 +11,14 @@
 namespace gaitway::timeline {
 namespace {
 
-constexpr std::size_t kEventsAPacket = 200;
+constexpr std::size_t kEventsAPacket = 20;  // of 4,000 bytes each at most
+
+// What it answers to "advance".
+std::uint64_t digest_told_by(const CopyHandle& copy) {
+  auto done = copy.receive(CopyChannel::kForEver);
+  while (!done) done = copy.receive(CopyChannel::kForEver);
+  return done->message.at("digest").get<std::uint64_t>();
+}
 
 }  // namespace
 
@@ -35,8 +42,8 @@ void Timeline::note_digest(std::int64_t at_ns, std::uint64_t digest) {
 }
 
 void Timeline::forget_after(std::int64_t at_ns) {
-  std::erase_if(events_, [at_ns](const TimedEvent& event) { return event.at_ns >= at_ns; });
-  std::erase_if(copies_, [at_ns](const auto& copy) { return copy.first > at_ns; });
+  std::erase_if(events_, [at_ns](const TimedEvent& event) { return event.at_ns > at_ns; });
+  std::erase_if(copies_, [at_ns](const auto& copy) { return copy.first > std::max<std::int64_t>(at_ns, 0); });
   std::erase_if(digests_, [at_ns](const auto& digest) { return digest.first > at_ns; });
   if (on_the_way_ && on_the_way_->to_ns > at_ns) on_the_way_.reset();
   if (bar_ && bar_->first >= at_ns) bar_.reset();
@@ -64,39 +71,80 @@ CopyHandle Timeline::at(std::int64_t at_ns) {
         "Choose an instant before that",
         static_cast<double>(at_ns) * 1e-9, bar_->second, static_cast<double>(bar_->first) * 1e-9));
   }
-  const auto before = std::prev(copies_.upper_bound(at_ns));
-  CopyHandle copy = before->second.copy();
-  if (before->first == at_ns) return copy;
-  send_events(copy.channel(), before->first, at_ns);
-  copy.channel().send({{"do", "advance"}, {"to_ns", at_ns}});
-  auto done = copy.receive(CopyChannel::kForEver);
-  while (!done) done = copy.receive(CopyChannel::kForEver);
-  compare(at_ns, done->message.at("digest").get<std::uint64_t>());
+  while (true) {
+    const auto before = std::prev(copies_.upper_bound(at_ns));
+    try {
+      return replay(before->second.copy(), before->first, at_ns);
+    } catch (const ChannelEnded&) {
+      lose(before);
+    }
+  }
+}
+
+// Up to that instant, and what was done at it.
+CopyHandle Timeline::replay(CopyHandle copy, std::int64_t from_ns, std::int64_t at_ns) {
+  send_events(copy.channel(), from_ns, at_ns + 1);
+  copy.channel().send({{"do", "advance"}, {"to_ns", at_ns}, {"what_is_due", true}});
+  compare(at_ns, digest_told_by(copy));
   return copy;
+}
+
+// Its process has been ended by somebody: the one before it serves, too.
+void Timeline::lose(std::map<std::int64_t, CopyHandle>::iterator copy) {
+  if (copy == copies_.begin()) {
+    throw std::runtime_error(
+        "the time line is lost: the process at its start has been ended. Start the simulator anew");
+  }
+  copies_.erase(copy);
+}
+
+CopyHandle Timeline::begin_anew() {
+  CopyHandle start = copies_.begin()->second.copy();
+  forget_after(-1);
+  recorded_ns_ = 0;
+  differences_ = 0;
+  return start;
 }
 
 std::uint64_t Timeline::digest_at(std::int64_t at_ns) {
   const CopyHandle copy = at(at_ns);
   copy.channel().send({{"do", "advance"}, {"to_ns", at_ns}});
-  auto done = copy.receive(CopyChannel::kForEver);
-  while (!done) done = copy.receive(CopyChannel::kForEver);
-  return done->message.at("digest").get<std::uint64_t>();
+  return digest_told_by(copy);
 }
 
 void Timeline::keep_up() {
-  if (on_the_way_) {
-    const auto done = on_the_way_->handle.receive(0);
-    if (!done) return;
-    compare(on_the_way_->to_ns, done->message.at("digest").get<std::uint64_t>());
-    copies_.insert_or_assign(on_the_way_->to_ns, std::move(on_the_way_->handle));
+  try {
+    if (on_the_way_ && !finish_one()) return;
+    begin_next();
+  } catch (const ChannelEnded&) {
+    on_the_way_.reset();  // somebody has ended its process: the next call begins it again
+  } catch (const std::exception& error) {
     on_the_way_.reset();
-    thin_out();
+    bar(copies_.rbegin()->first, fmt::format("a replay failed ({})", error.what()));
   }
-  const auto& [last_ns, last] = *copies_.rbegin();
-  const std::int64_t next_ns = last_ns + kSpacing_ns;
+}
+
+// False: it is still on its way.
+bool Timeline::finish_one() {
+  const auto done = on_the_way_->handle.receive(0);
+  if (!done) return false;
+  compare(on_the_way_->to_ns, done->message.at("digest").get<std::uint64_t>());
+  copies_.insert_or_assign(on_the_way_->to_ns, std::move(on_the_way_->handle));
+  on_the_way_.reset();
+  thin_out();
+  return true;
+}
+
+void Timeline::begin_next() {
+  const auto last = std::prev(copies_.end());
+  const std::int64_t next_ns = last->first + kSpacing_ns;
   if (next_ns > recorded_ns_ || (bar_ && next_ns > bar_->first)) return;
-  on_the_way_.emplace(last.copy(), next_ns);
-  send_events(on_the_way_->handle.channel(), last_ns, next_ns);
+  try {
+    on_the_way_.emplace(last->second.copy(), next_ns);
+  } catch (const ChannelEnded&) {
+    return lose(last);
+  }
+  send_events(on_the_way_->handle.channel(), last->first, next_ns);
   on_the_way_->handle.channel().send({{"do", "advance"}, {"to_ns", next_ns}});
 }
 

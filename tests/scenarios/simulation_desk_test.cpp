@@ -184,5 +184,28 @@ TEST(SimulationDesk, ItsRecordNamesTheWorld) {
   EXPECT_EQ(again.solids.at(0).name, "crate");
 }
 
+// A release is answered slots after it began, and its replay begins when it did.
+TEST(CommandLog, WhatPeopleAskedIsLoggedWhenItBegan) {
+  const std::vector<simulator::ScenarioEvent> asked{
+      {.at_s = 1.207, .action = simulator::EmergencyStopEvent{}, .asked = true},
+      {.at_s = 2.114, .action = simulator::ReleaseEvent{}, .asked = true},
+      {.at_s = 3.5, .action = simulator::StopEvent{}, .asked = true}};
+  const auto run = new_run();
+  simulator::CommandLog log(*run);
+  auto next = asked.begin();
+  while (run->now_ns() < 4'000'000'000) {
+    for (; next != asked.end() && std::llround(next->at_s * 1e9) <= run->now_ns(); ++next) run->apply(*next);
+    const std::int64_t began_ns = run->now_ns();
+    run->advance_millisecond();
+    log.on_millisecond(began_ns);
+  }
+  ASSERT_EQ(log.events().size(), asked.size());
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    EXPECT_NEAR(log.events()[i].at_s, asked[i].at_s, 1e-9);
+    EXPECT_EQ(log.events()[i].action.index(), asked[i].action.index());
+    EXPECT_TRUE(log.events()[i].asked);
+  }
+}
+
 }  // namespace
 }  // namespace gaitway::scenarios

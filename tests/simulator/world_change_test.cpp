@@ -155,6 +155,21 @@ TEST_F(WorldChangeTest, WhatWasPutGoesAgain) {
   EXPECT_FALSE(robot.fallen());
 }
 
+TEST_F(WorldChangeTest, ColoursOfWhatIsGoneAreFree) {
+  Plant robot = plant(kOneThing);
+  const std::size_t own = robot.world()->surfaces.size();
+  for (int i = 0; i < 100; ++i) {
+    robot.put(solid("first", 3.0, 1.0, 0.1), {0.001 * i, 0.2, 0.3}, std::nullopt);
+    robot.put(solid("second", 3.0, 2.0, 0.1), {0.001 * i, 0.7, 0.3}, 1.0);
+    robot.remove("first");
+    const world::World& world = *robot.world();
+    EXPECT_EQ(world.surfaces[world.things.back().solid.surface].colours[0],
+              (world::Colour{0.001 * i, 0.7, 0.3}));
+    robot.remove("second");
+  }
+  EXPECT_EQ(robot.world()->surfaces.size(), own);
+}
+
 TEST_F(WorldChangeTest, RefusalsNameTheRuleAndChangeNothing) {
   Plant robot = plant(kOneThing);
   hold(robot, 100);

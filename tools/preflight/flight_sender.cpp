@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace gaitway::tools {
@@ -23,6 +24,7 @@ json call(ApiClient& client, const std::string& service, const json& arguments) 
   return values;
 }
 
+// Given back with the connection.
 class CommandLease {
  public:
   explicit CommandLease(ApiClient& client)
@@ -31,7 +33,6 @@ class CommandLease {
                    .at("lease")
                    .get<std::string>()) {}
   void renew() { call(client_, "/command/keep_alive", {{"lease", lease_}}); }
-  void give_back() { call(client_, "/command/release", {{"lease", lease_}}); }
 
  private:
   ApiClient& client_;
@@ -53,26 +54,42 @@ void walk(ApiClient& client, CommandLease& command, const RobotTask& task) {
   call(client, "/stand", json::object());
 }
 
-// The robot walks a way by itself, but not without who gave it: so until it has ended.
-void walk_to(ApiClient& client, CommandLease& command, const std::array<double, 3>& goal) {
+// Keeps the command until a message of the topic says the end by `ended`, which throws if it was a bad one.
+void follow(ApiClient& client, CommandLease& command, const std::string& topic,
+            const std::function<bool(const json& message)>& ended) {
   using Clock = std::chrono::steady_clock;
-  call(client, "/walk_to", {{"x", goal[0]}, {"y", goal[1]}, {"yaw", goal[2]}});
   client.subscribe("/joint_states");  // comes often: the command is renewed beside it
-  client.subscribe("/walk_to/state");
+  client.subscribe(topic);
   Clock::time_point renewed = Clock::now();
   while (const auto message = client.next_message()) {
     if (Clock::now() - renewed > std::chrono::duration<double>(kRenew_s)) {
       command.renew();
       renewed = Clock::now();
     }
-    if (message->value("topic", "") != "/walk_to/state") continue;
-    const json& state = message->at("msg");
-    if (state.at("state") != "idle") continue;
-    if (state.at("result") == "arrived") return;
+    if (message->value("topic", "") == topic && ended(message->at("msg"))) return;
+  }
+  throw NoAnswer(topic + ": the robot tells nothing any more");
+}
+
+// The robot walks a way by itself, but not without who gave it: so until it has ended.
+void walk_to(ApiClient& client, CommandLease& command, const std::array<double, 3>& goal) {
+  call(client, "/walk_to", {{"x", goal[0]}, {"y", goal[1]}, {"yaw", goal[2]}});
+  follow(client, command, "/walk_to/state", [](const json& state) {
+    if (state.at("state") != "idle") return false;
+    if (state.at("result") == "arrived") return true;
     throw ApiError(fmt::format("/walk_to: {}: {}", state.at("result").get<std::string>(),
                                state.at("text").get<std::string>()));
-  }
-  throw NoAnswer("/walk_to: the robot tells nothing any more");
+  });
+}
+
+void play(ApiClient& client, CommandLease& command, const std::string& motion) {
+  call(client, "/play_motion", {{"motion", motion}});
+  follow(client, command, "/motion_state", [began = false](const json& state) mutable {
+    began = began || state.at("state") != "none";
+    if (!began || state.at("state") != "none") return false;
+    if (state.at("result") == "finished") return true;
+    throw ApiError("/play_motion: it was " + state.at("result").get<std::string>());
+  });
 }
 
 }  // namespace
@@ -83,10 +100,9 @@ void send(ApiClient& client, const RobotTask& task) {
     call(client, "/plugins/set_parameter",
          {{"plugin", one.plugin}, {"parameter", one.parameter}, {"value", one.value}});
   }
-  if (!task.motion.empty()) call(client, "/play_motion", {{"motion", task.motion}});
+  if (!task.motion.empty()) play(client, command, task.motion);
   if (task.walk) walk(client, command, task);
   if (task.goal) walk_to(client, command, *task.goal);
-  command.give_back();
 }
 
 }  // namespace gaitway::tools

@@ -39,8 +39,8 @@ struct PreflightCommand {
   std::string motion;
   std::optional<std::vector<double>> to;  // m, m, deg
   std::optional<std::filesystem::path> scenario;
-  std::vector<std::string> set;  // PLUGIN.PARAMETER=VALUE
-  double seconds = 20.0;
+  std::vector<std::string> set;   // PLUGIN.PARAMETER=VALUE
+  std::optional<double> seconds;  // none: kUsual_s, or the scenario's
   int robots = 20;
   double mismatch = 1.0;
   ApiAddress api;
@@ -51,6 +51,7 @@ struct PreflightCommand {
   bool json = false;
 };
 
+constexpr double kUsual_s = 20.0;
 constexpr double kBegins_s = 1.0;  // what is asked for, in the flight: the robot has come to its stand
 constexpr std::size_t kShortestReason = 10;
 constexpr int kExitNotPassed = 2;
@@ -96,7 +97,7 @@ void check(const PreflightCommand& options) {
 
 RobotTask task_of(const PreflightCommand& options) {
   RobotTask task{.walk = options.walk,
-                 .walk_seconds = options.seconds - kBegins_s,
+                 .walk_seconds = options.seconds.value_or(kUsual_s) - kBegins_s,
                  .motion = options.motion,
                  .goal = std::nullopt,
                  .settings = {}};
@@ -110,13 +111,19 @@ preflight::Flight flight_of(const PreflightCommand& options, const RobotTask& ta
                             const urdf::RobotModel& robot) {
   if (options.scenario) {
     simulator::Scenario scenario = simulator::load_scenario(*options.scenario, robot);
-    return {std::move(scenario.events), options.seconds};
+    const double seconds = options.seconds.value_or(scenario.seconds);
+    if (!scenario.events.empty() && scenario.events.back().at_s >= seconds) {
+      throw std::invalid_argument(
+          fmt::format("--seconds {:g}: {} has an event at {:g} s, which nobody would see", seconds,
+                      options.scenario->string(), scenario.events.back().at_s));
+    }
+    return {std::move(scenario.events), seconds};
   }
-  preflight::Flight flight{.events = {}, .seconds = options.seconds};
+  preflight::Flight flight{.events = {}, .seconds = options.seconds.value_or(kUsual_s)};
   if (task.walk) {
     std::vector<double> walk = *task.walk;
     walk.resize(3, 0.0);
-    flight.events = simulator::walk_scenario(walk[0], walk[1], walk[2], options.seconds).events;
+    flight.events = simulator::walk_scenario(walk[0], walk[1], walk[2], flight.seconds).events;
   }
   if (!task.motion.empty()) flight.events.push_back({kBegins_s, simulator::MotionEvent{task.motion}});
   if (task.goal) flight.events.push_back({kBegins_s, simulator::WalkToEvent{task.goal}});
@@ -269,7 +276,10 @@ void declare_program(const CommandLine& app) {
   command.option("--override", options.override_reason,
                  "Send it even if one fell: the reason, which is recorded in OUT/sent.jsonl");
   command.option("--robots", options.robots, "How many simulated robots").between(1, 1000);
-  command.option("--seconds", options.seconds, "How long each of them is watched").between(1.5, 600.0);
+  command
+      .option("--seconds", options.seconds,
+              "How long each of them is watched: 20 without it, or as long as the scenario")
+      .between(1.5, 600.0);
   command.option("--mismatch", options.mismatch, "Scale of how they differ from their description")
       .between(0.0, 10.0);
   add_world_options(command, options.world);

@@ -8,12 +8,12 @@
 namespace gaitway::tools {
 
 void add_navigation(core::Configuration& configuration, const std::optional<world::World>& world) {
-  constexpr const char* kName = "navigation";
-  if (std::ranges::any_of(configuration.plugins, [](const auto& entry) { return entry.name == kName; })) {
+  if (std::ranges::any_of(configuration.plugins,
+                          [](const auto& entry) { return entry.name == kNavigationName; })) {
     return;
   }
   core::PluginEntry entry;
-  entry.name = kName;
+  entry.name = kNavigationName;
   entry.library = "libgaitway_plugin_navigation.so";
   entry.parameters.push_back({"plans_in_step", "true", 0});
   if (world) {

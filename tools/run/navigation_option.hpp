@@ -8,6 +8,8 @@
 
 namespace gaitway::tools {
 
+inline constexpr const char* kNavigationName = "navigation";
+
 // Puts it in, if the configuration has none of that name. It plans in its steps: the same in each run.
 void add_navigation(core::Configuration& configuration, const std::optional<world::World>& world);
 

@@ -141,8 +141,9 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
     }
     cosimulation.advance_millisecond();
     snapshots.look(cosimulation.plant());
-    if (const RunMetrics& metrics = recorder.metrics();
-        metrics.fell && last_ns == end_ns && !gets_up_after(scenario, metrics.fell_at_s)) {
+    if (const RunMetrics& metrics = recorder.metrics(); metrics.fell && !scenario.to_the_end &&
+                                                        last_ns == end_ns &&
+                                                        !gets_up_after(scenario, metrics.fell_at_s)) {
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
     }
     if (ends_with_way && last_ns == end_ns && recorder.way().ended()) {
@@ -170,9 +171,12 @@ void check(const RunOptions& options) {
   }
 }
 
+// Whether something needs the plug-in that walks ways.
 bool walks_ways(const simulator::Scenario& scenario) {
   return std::ranges::any_of(scenario.events, [](const auto& event) {
-    return std::holds_alternative<simulator::WalkToEvent>(event.action);
+    const auto* const fault = std::get_if<simulator::PluginFault>(&event.action);
+    return std::holds_alternative<simulator::WalkToEvent>(event.action) ||
+           (fault != nullptr && fault->plugin == kNavigationName);
   });
 }
 

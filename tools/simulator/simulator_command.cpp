@@ -50,6 +50,7 @@ struct SimulatorOptions {
 };
 
 constexpr int kLook_ms = 20;
+constexpr std::int64_t kApiBudget_ns = 500'000'000;  // nobody waits for it, and the computer has more to do
 
 // Where the processes of one simulator meet.
 struct Sockets {
@@ -65,6 +66,7 @@ core::Configuration plugins_of(const SimulatorOptions& options, const world::Wor
   core::Configuration configuration = core::read_configuration(options.config);
   add_navigation(configuration, world);
   api = api_of(configuration);
+  api.containment.budget_ns = kApiBudget_ns;
   std::erase_if(configuration.plugins,
                 [&api](const core::PluginEntry& entry) { return entry.name == api.name; });
   for (core::PluginEntry& entry : configuration.plugins) {
@@ -93,22 +95,39 @@ simulator::CosimulationOptions settings_of(const SimulatorOptions& options, cons
   return settings;
 }
 
+// What else a run of the commands must be told to be the same.
+std::string replay_options(const SimulatorOptions& options) {
+  const SimulatorOptions usual;
+  std::string text;
+  const auto add = [&text](const char* name, const std::string& value, bool needed) {
+    if (needed) text += fmt::format(" {} {}", name, value);
+  };
+  add("--robot", options.robot.string(), options.robot != usual.robot);
+  add("--config", options.config.string(), options.config != usual.config);
+  add("--profile", options.profile, !options.profile.empty());
+  add("--seed", std::to_string(options.seed), options.seed != usual.seed);
+  add("--mismatch", fmt::format("{}", options.mismatch), options.mismatch != usual.mismatch);
+  if (!options.localization) text += " --no-localization";
+  return text;
+}
+
 void write_commands(const SimulatorOptions& options, const world::World& world, const urdf::RobotModel& robot,
                     timeline::Director& director) {
   const auto digest = director.finish();
   std::vector<simulator::ScenarioEvent> events;
-  for (const timeline::TimedEvent& event : director.timeline().events()) {
-    events.push_back(timeline::scenario_event(event, robot));
-  }
   const double seconds = static_cast<double>(director.timeline().recorded_ns()) * 1e-9;
+  for (const timeline::TimedEvent& event : director.timeline().events()) {
+    // What was done at the very end has had no time to happen.
+    if (event.at_ns < director.timeline().recorded_ns())
+      events.push_back(timeline::scenario_event(event, robot));
+  }
   if (seconds <= 0.0) return;
   const std::filesystem::path file = options.out / "commands.yaml";
   process::write_text_file(file, simulator::scenario_text(seconds, world, events, robot));
   if (!options.quiet) {
-    fmt::print(
-        "gaitway simulator: {:.3f} s, {} events, digest {}; once more: gaitway run --seed {} --scenario {}\n",
-        seconds, events.size(), digest ? fmt::format("{:016x}", *digest) : "unknown", options.seed,
-        file.string());
+    fmt::print("gaitway simulator: {:.3f} s, {} events, digest {}; once more: gaitway run{} --scenario {}\n",
+               seconds, events.size(), digest ? fmt::format("{:016x}", *digest) : "unknown",
+               replay_options(options), file.string());
   }
 }
 

@@ -99,6 +99,33 @@ TEST(Preflight, WhatTheRobotRefusesDoesNotPass) {
   EXPECT_THAT(verdict.worst().refusal, HasSubstr("somersault"));
 }
 
+TEST(Preflight, WhatHasNotBeenDoneInItsTimeDoesNotPass) {
+  const Flight wave{.events = {{1.0, simulator::MotionEvent{"wave"}}}, .seconds = 2.0};
+  const Verdict verdict = fly(humanoid22(), wave, with(1));
+  EXPECT_FALSE(verdict.all_passed());
+  EXPECT_THAT(verdict.worst().refusal, HasSubstr("has not ended within 2 s"));
+  Flight longer = wave;
+  longer.seconds = 12.0;
+  EXPECT_TRUE(fly(humanoid22(), longer, with(1)).all_passed());
+}
+
+TEST(Preflight, AWayMustArrive) {
+  PreflightOptions options = with(1);
+  options.robot.main_controller.plugins = core::read_configuration(source_tree() / "core/config/walk.yaml");
+  core::PluginEntry& navigation = options.robot.main_controller.plugins->plugins.emplace_back();
+  navigation.name = "navigation";
+  navigation.library = "libgaitway_plugin_navigation.so";
+  navigation.parameters = {{"plans_in_step", "true", 0},
+                           {"world", (source_tree() / "tools/worlds/empty.yaml").string(), 0}};
+  options.robot.localization.is_there = true;
+  options.robot.plant.world = world::read_world(source_tree() / "tools/worlds/empty.yaml");
+  Flight flight{.events = {{1.0, simulator::WalkToEvent{std::array{0.5, 0.0, 0.0}}}}, .seconds = 3.0};
+  EXPECT_THAT(fly(humanoid22(), flight, options).worst().refusal, HasSubstr("has not arrived within 3 s"));
+  flight.seconds = 15.0;
+  const Verdict verdict = fly(humanoid22(), flight, options);
+  EXPECT_TRUE(verdict.all_passed()) << verdict_text(verdict);
+}
+
 TEST(Preflight, ContactsAreTold) {
   PreflightOptions options = with(1);
   options.robot.plant.world = world::read_world(source_tree() / "tools/worlds/doorway.yaml");

@@ -58,6 +58,16 @@ class DirectorTest : public SimulationTest {
     while (state().at("state") != "paused") director_->step(5);
     settle();
   }
+  void settle_answers(int count) {
+    while (count > 0) {
+      director_->step(1);
+      client_->step(process::monotonic_ns());
+      for (auto answer = client_->take_answer(); answer; answer = client_->take_answer()) {
+        EXPECT_TRUE(answer->accepted) << answer->text;
+        --count;
+      }
+    }
+  }
   // All that the simulation did before it paused has been told.
   void settle() { done({{"order", "geometry"}}); }
 
@@ -117,7 +127,7 @@ TEST_F(DirectorTest, FromAnEarlierInstantItGoesOnDifferently) {
   apply("{push: {body: trunk, direction: [0, 1, 0], impulse_Ns: 9}}");
   step(3000);
   EXPECT_TRUE(state().at("fallen"));
-  done({{"order", "seek"}, {"time_s", 3.0}});
+  done({{"order", "seek"}, {"time_s", 2.999}});
   EXPECT_FALSE(state().at("fallen"));
   EXPECT_EQ(state().at("recorded_s"), 6.0) << "nothing is forgotten while one looks";
   EXPECT_EQ(state().at("marks").size(), 3U) << "two pushes and a fall";
@@ -125,6 +135,63 @@ TEST_F(DirectorTest, FromAnEarlierInstantItGoesOnDifferently) {
   EXPECT_FALSE(state().at("fallen"));
   EXPECT_EQ(state().at("marks").size(), 1U);
   EXPECT_EQ(director_->timeline().events().size(), 1U);
+}
+
+TEST_F(DirectorTest, WhatIsRefusedForgetsNothing) {
+  step(2000);
+  done({{"order", "seek"}, {"time_s", 1.0}});
+  refused({{"order", "apply"}, {"event", "{fault: {kind: jan}}"}});
+  refused({{"order", "apply"},
+           {"event", "{spawn: {name: in, shape: box, size_m: [0.2, 0.2, 0.2], position_m: [0, 0, 0.1]}}"}});
+  EXPECT_EQ(state().at("recorded_s"), 2.0);
+  apply("{fault: {kind: jam, duration_s: 0.001}}");
+  EXPECT_EQ(state().at("recorded_s"), 1.0) << "this was done, and what came after it was not";
+}
+
+TEST_F(DirectorTest, AnInstantIsFoundAsItWasLeft) {
+  step(1000);
+  apply("{spawn: {name: block, shape: box, size_m: [0.2, 0.2, 0.2], position_m: [1, 0, 0.1]}}");
+  done({{"order", "seek"}, {"time_s", 1.0}});
+  EXPECT_EQ(state().at("spawned"), json({"block"}));
+  step(100);
+  EXPECT_EQ(state().at("spawned"), json({"block"}));
+  EXPECT_EQ(director_->timeline().events().size(), 1U);
+}
+
+TEST_F(DirectorTest, ASeekThatIsRefusedLeavesItPlaying) {
+  step(100);
+  done({{"order", "speed"}, {"times", 1.0}});
+  done({{"order", "play"}});
+  refused({{"order", "seek"}, {"time_s", 1e6}});
+  const std::int64_t before_ns = director_->now_ns();
+  while (director_->now_ns() < before_ns + 50'000'000) director_->step(5);
+  EXPECT_EQ(state().at("state"), "playing");
+}
+
+// As a time line is dragged. What one that lived has held is free for the next one.
+TEST_F(DirectorTest, ManySeeksInARowAllArrive) {
+  step(2000);
+  for (int i = 0; i < 25; ++i) {
+    const double time_s = 0.1 * (1 + i % 17);
+    EXPECT_NEAR(done({{"order", "seek"}, {"time_s", time_s}}).at("time_s").get<double>(), time_s, 1e-9);
+  }
+}
+
+TEST_F(DirectorTest, ThePluginThatKeepsTheLinkIsNotFailed) {
+  EXPECT_THAT(
+      refused({{"order", "apply"}, {"event", "{fault: {kind: plugin_fails, plugin: api, how: throws}}"}}),
+      HasSubstr("choose another plug-in"));
+}
+
+// Flood: a report has room for so much, and nothing is lost.
+TEST_F(DirectorTest, ManyEventsAtOnceAllArrive) {
+  for (int i = 0; i < 200; ++i) {
+    client_->order(
+        json{{"order", "apply"}, {"event", "{push: {direction: [0, 0, 1], impulse_Ns: 0.001}}"}}.dump(),
+        process::monotonic_ns(), 60 * kSecond_ns);
+    if (i % 50 == 49) settle_answers(50);
+  }
+  EXPECT_EQ(director_->timeline().events().size(), 200U);
 }
 
 TEST_F(DirectorTest, ResetBeginsAnew) {

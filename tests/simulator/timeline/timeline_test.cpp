@@ -2,6 +2,9 @@
 #include "gaitway/timeline/timeline.hpp"
 
 #include <poll.h>
+#include <signal.h>
+
+#include <fstream>
 
 #include "simulation_fixture.hpp"
 
@@ -17,6 +20,16 @@ class TimelineTest : public SimulationTest {
   static std::uint64_t digest(const CopyHandle& copy, std::int64_t to_ns) {
     copy.channel().send({{"do", "advance"}, {"to_ns", to_ns}});
     return copy.receive(CopyChannel::kForEver)->message.at("digest").get<std::uint64_t>();
+  }
+  // Of all that has come from it.
+  static std::vector<pid_t> copies_of(pid_t process) {
+    std::vector<pid_t> copies;
+    std::ifstream list("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
+    for (pid_t child = 0; list >> child;) {
+      copies.push_back(child);
+      for (const pid_t further : copies_of(child)) copies.push_back(further);
+    }
+    return copies;
   }
   static void keep_up_until(Timeline& line, std::size_t copies) {
     while (line.copies() < copies) {
@@ -65,12 +78,49 @@ TEST_F(TimelineTest, FromThereItGoesOnAsItIsTold) {
   EXPECT_NE(digest(line.at(end_ns), end_ns), digest_of(events_, end_ns));
 }
 
-TEST_F(TimelineTest, WhatHappensAtAnInstantHappensAfterIt) {
+// Whoever paused there, did something to the world and looked at it finds it so again.
+TEST_F(TimelineTest, WhatWasDoneAtAnInstantIsDoneThere) {
   Timeline line(start());
-  line.extend(2 * kSecond_ns, events_);
-  static_cast<void>(line.at(1 * kSecond_ns));
-  line.forget_after(1 * kSecond_ns);
-  EXPECT_TRUE(line.events().empty()) << "it was asked for at 1 s, and has not happened there yet";
+  line.extend(6 * kSecond_ns, events_);
+  const CopyHandle copy = line.at(5 * kSecond_ns);
+  line.forget_after(5 * kSecond_ns);
+  EXPECT_EQ(line.events().size(), 3U) << "the crate came at 5 s, and stays";
+  EXPECT_EQ(digest(copy, 6 * kSecond_ns), digest_of(events_, 6 * kSecond_ns));
+}
+
+TEST_F(TimelineTest, BegunAnewNothingHasHappened) {
+  Timeline line(start());
+  std::vector<TimedEvent> events = events_;
+  events.front().at_ns = 0;
+  line.extend(3 * kSecond_ns, events);
+  const CopyHandle copy = line.begin_anew();
+  EXPECT_EQ(line.recorded_ns(), 0);
+  EXPECT_TRUE(line.events().empty());
+  EXPECT_EQ(digest(copy, 2 * kSecond_ns), digest_of({}, 2 * kSecond_ns));
+  EXPECT_EQ(digest(line.at(0), 2 * kSecond_ns), digest_of({}, 2 * kSecond_ns));
+}
+
+// Somebody ends processes: those that are left serve, as long as the first one is there.
+TEST_F(TimelineTest, CopiesThatHaveBeenEndedAreDoneWithout) {
+  CopyHandle first = start();
+  const pid_t first_process = first.process();
+  Timeline line(std::move(first));
+  line.extend(26 * kSecond_ns, events_);
+  keep_up_until(line, 3);
+  ASSERT_EQ(line.copies(), 3U);
+  for (const pid_t copy : copies_of(first_process)) kill(copy, SIGKILL);
+  EXPECT_EQ(digest(line.at(21 * kSecond_ns), 21 * kSecond_ns), digest_of(events_, 21 * kSecond_ns));
+  keep_up_until(line, 3);
+  EXPECT_EQ(line.copies(), 3U) << "they are made anew";
+  kill(first_process, SIGKILL);
+  for (const pid_t copy : copies_of(first_process)) kill(copy, SIGKILL);
+  try {
+    for (int i = 0; i < 3; ++i) static_cast<void>(line.at(kSecond_ns));
+    ADD_FAILURE() << "reached";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the time line is lost"));
+  }
+  line.keep_up();
 }
 
 TEST_F(TimelineTest, AReplayThatEndsElsewhereIsTold) {
@@ -125,7 +175,7 @@ TEST_F(TimelineTest, AReplayThatFailsSaysWhy) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("'nothing' is nothing that was put"));
   }
-  static_cast<void>(line.at(kSecond_ns));
+  static_cast<void>(line.at(kSecond_ns - kMillisecond_ns));
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ class CommandIntake {
   // What lies in the topics: once a millisecond and never between two, so that a command's millisecond is all
   // that one has to know to give it again. Stops come last, so that they have the last word.
   void take_topics(CommandTaker& taker, std::int64_t now_ns) noexcept;
+  // Releases out of the queue that have begun, whatever becomes of them.
+  [[nodiscard]] std::uint64_t releases_taken() const noexcept { return releases_taken_; }
   void answer_release(msgclient::Reason problem, std::int64_t now_ns) noexcept;
 
  private:
@@ -47,6 +49,7 @@ class CommandIntake {
   StopRequest stops_obeyed_{};
   std::optional<UserCommand> release_command_;  // that has no answer yet
   std::optional<std::uint32_t> release_mail_;   // likewise: its sequence
+  std::uint64_t releases_taken_ = 0;
 };
 
 }  // namespace gaitway::msgcontroller

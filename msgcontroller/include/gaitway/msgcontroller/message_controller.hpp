@@ -66,6 +66,9 @@ class MessageController final : private CommandTaker {
     return playback_.expected_count(joint, playback_.slot());
   }
 
+  // Releases that people asked for and that have begun: their answers come later.
+  [[nodiscard]] std::uint64_t releases_taken() const noexcept { return commands_.releases_taken(); }
+
  private:
   void enter_slot(std::int64_t now_ns) noexcept;
   void begin_cycle() noexcept;

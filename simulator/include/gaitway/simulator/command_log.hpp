@@ -1,6 +1,7 @@
 // What people asked of a served robot, as a scenario that `gaitway run` plays again.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,7 @@ class CommandLog {
   msgclient::StreamReader<UserCommandAnswer> answers_;
   msgclient::Reader<StopRequest> stops_;
   StopRequest stops_logged_{};
+  std::uint64_t releases_logged_;
   std::vector<ScenarioEvent> events_;
 };
 

@@ -1,9 +1,10 @@
 // A scenario: what is asked of the robot, and what is done to it, at which time. Read from YAML:
 //
 //   seconds: 20
-//   world: boxes                               # a file beside this one, or a shipped one; world_choice.hpp
-//   world_seed: 7                              # of its random courses; without it the world's own
-//   conditions: {slope_deg: [5, 0]}              # of the ground and the body; see conditions.hpp
+//   to_the_end: true                           # without it a run ends a second after a fall that no motion
+//   follows world: boxes                               # a file beside this one, or a shipped one;
+//   world_choice.hpp world_seed: 7                              # of its random courses; without it the
+//   world's own conditions: {slope_deg: [5, 0]}              # of the ground and the body; see conditions.hpp
 //   events:
 //     - {at_s: 1.0, walk: [0.15, 0.0, 0.0]}        # forward m/s, left m/s, turn rad/s
 //     - {at_s: 8.0, stand: true}                   # stop walking: finish the step and stand
@@ -49,6 +50,7 @@ struct Scenario {
   Conditions conditions = {};
   std::optional<world::WorldChoice> world = std::nullopt;  // none: an endless floor
   std::vector<ScenarioEvent> events;                       // in order of time
+  bool to_the_end = false;                                 // goes on after a fall
 };
 
 // Throws input::InputError with file, line, field, value and rule. Pushes must name a link of `robot`, and

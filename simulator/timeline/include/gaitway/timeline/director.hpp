@@ -57,14 +57,13 @@ class Director {
   [[nodiscard]] std::optional<std::string> obey(const Ticket& ticket, std::string_view text);
   void pass_on(const Ticket& ticket, nlohmann::json order);
   void require_simulation() const;
-  void go_on_from_here();
   void set_pace();
   void go_to(std::int64_t at_ns);
   void go_live(CopyHandle copy);
   void hear_live();
   void take_report(const nlohmann::json& report);
   void take_answer(const nlohmann::json& answer);
-  void fail(std::string why);
+  void fail(const std::string& why);
   void measure_pace();
   [[nodiscard]] nlohmann::json state() const;
 

@@ -1,13 +1,10 @@
 // The copy of the simulation that people see: it keeps the pace of the clock, lets them command the robot
 // through the robot API, and does to it what it is told.
 //
-// | told | what it does | answer |
-// |---|---|---|
-// | {"do": "pace", "playing", "speed"} | plays or pauses, so many times as fast as real time | none |
-// | {"do": "order", "id", "order": {...}} | step, apply, push or geometry (see README.md) | {"answer": id,
-// "ok", "text" or "result"} |
-//
-// It reports some fifty times a second: {"at_ns", "events", "digests", "bar", "state"}.
+// Told {"do": "pace", "playing", "speed"} it plays or pauses; {"do": "order", "id", "order"} is a step, an
+// event to apply, a push, or the question of the geometry (README.md), and is answered with {"answer": id,
+// "ok", "text" or "result"}. It reports some fifty times a second: {"at_ns", "events", "digests", "bar",
+// "state"}.
 #pragma once
 
 #include <filesystem>

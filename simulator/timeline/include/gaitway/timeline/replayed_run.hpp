@@ -23,6 +23,9 @@ class ReplayedRun final : public simulator::CosimulationObserver {
 
   // Further events, in order of time and not before now.
   void expect(std::span<const TimedEvent> events);
+  // What is expected now, before the millisecond that comes next. Throws what an event throws that cannot be
+  // applied.
+  void apply_due();
   // With all that is expected before `to_ns`. Throws what an event throws that cannot be applied.
   void advance_to(std::int64_t to_ns);
 

@@ -1,14 +1,12 @@
 // A process that is a copy of the simulation at one instant of its time line. It waits there for what it is
 // told: to be copied once more, to replay up to a later instant, or to become the one that people see.
 //
-// | told ("do") | what it does | answer |
-// |---|---|---|
-// | copy | makes a copy of itself, which waits at the same instant | copied: its process; its channel comes
-// along | | events | keeps further events for the replay | none | | advance | replays to `to_ns` | at_ns,
-// digest | | live | becomes the simulation that runs (live_simulation.hpp) | that one's |
-//
-// What throws is told as {"failed": why}, and the process ends. It ends, too, when the other end of its
-// channel is closed.
+// Told {"do": ...}: "copy" makes a copy of itself, which waits at the same instant, and answers with its
+// process
+// ("copied") and its channel. "events" keeps further events for the replay. "advance" replays to `to_ns`,
+// with `what_is_due` also applies what is to happen then, and answers `at_ns` and `digest`. "live" becomes
+// the simulation that runs (live_simulation.hpp). What throws is told as {"failed": why}, and the process
+// ends. It ends, too, when the other end of its channel is closed.
 #pragma once
 
 #include <sys/types.h>
@@ -38,6 +36,9 @@ class CopyHandle {
   [[nodiscard]] CopyHandle copy() const;
   [[nodiscard]] const CopyChannel& channel() const noexcept { return channel_; }
   [[nodiscard]] pid_t process() const noexcept { return id_; }
+  // Of one that lives: ends it and the processes that it has made, and waits until all have ended: what they
+  // hold (sockets) is free then.
+  void end_with_children() noexcept;
   // The next packet. Throws std::runtime_error when it says that the copy failed, ChannelEnded.
   [[nodiscard]] std::optional<CopyChannel::Packet> receive(int patience_ms) const;
 

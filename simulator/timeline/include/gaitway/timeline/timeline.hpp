@@ -31,20 +31,22 @@ class Timeline {
   // own, at instants of kSpacing_ns.
   void extend(std::int64_t until_ns, std::span<const TimedEvent> events);
   void note_digest(std::int64_t at_ns, std::uint64_t digest);
-  // What happened from there on is forgotten.
+  // What happened behind that instant is forgotten.
   void forget_after(std::int64_t at_ns);
+  // Everything; a copy of the start, where nothing has happened.
+  [[nodiscard]] CopyHandle begin_anew();
   // From there on nothing can be replayed, for this reason.
   void bar(std::int64_t at_ns, std::string why);
 
-  // A copy of the simulation as it was at that instant, 0 to recorded_ns(). Takes as long as the replay from
-  // the copy before it. Throws std::invalid_argument: beyond a bar; ChannelEnded, std::runtime_error: it
-  // failed.
+  // A copy of the simulation as it was at that instant, 0 to recorded_ns(): with all that was done to it
+  // before the millisecond that begins then. Takes as long as the replay from the copy before it. Throws
+  // std::invalid_argument: beyond a bar; ChannelEnded, std::runtime_error: it failed.
   [[nodiscard]] CopyHandle at(std::int64_t at_ns);
 
   // Of all that was done up to there; throws as at() does.
   [[nodiscard]] std::uint64_t digest_at(std::int64_t at_ns);
 
-  // Makes copies while the simulation goes on. Throws as at() does.
+  // Makes copies while the simulation goes on. What fails bars the line.
   void keep_up();
   // Readable when keep_up() has something to do; -1: nothing is awaited.
   [[nodiscard]] int wake_fd() const noexcept {
@@ -63,6 +65,10 @@ class Timeline {
     std::int64_t to_ns = 0;
   };
   void send_events(const CopyChannel& channel, std::int64_t from_ns, std::int64_t to_ns) const;
+  [[nodiscard]] CopyHandle replay(CopyHandle copy, std::int64_t from_ns, std::int64_t at_ns);
+  void lose(std::map<std::int64_t, CopyHandle>::iterator copy);
+  [[nodiscard]] bool finish_one();
+  void begin_next();
   void compare(std::int64_t at_ns, std::uint64_t digest);
   void thin_out();
 
