@@ -201,22 +201,21 @@ constexpr std::array kActions{ActionKey{"walk", &read_plain<&read_walk>},
                               ActionKey{"move", &read_plain<&read_move>},
                               ActionKey{"remove", &read_plain<&read_remove>}};
 
+[[noreturn]] void refuse_number_of_actions(const YamlValue& value) {
+  std::string all;
+  for (const ActionKey& known : kActions) all += fmt::format("{}{}", all.empty() ? "" : ", ", known.key);
+  value.refuse("an event has at_s and exactly one of " + all, "Write one event for each action.");
+}
+
 Action read_action(const YamlValue& value, const urdf::RobotModel& robot) {
   std::optional<Action> action;
   for (const ActionKey& known : kActions) {
     const auto found = value.find(known.key);
     if (!found) continue;
-    if (action) {
-      value.refuse(fmt::format("has more than one action: '{}' is there beside another one", known.key),
-                   "Write one event for each action.");
-    }
+    if (action) refuse_number_of_actions(value);
     action = known.read(*found, robot);
   }
-  if (!action) {
-    std::string all;
-    for (const ActionKey& known : kActions) all += fmt::format("{}{}", all.empty() ? "" : ", ", known.key);
-    value.refuse("an event has at_s and exactly one of " + all, "Write one event for each action.");
-  }
+  if (!action) refuse_number_of_actions(value);
   return *action;
 }
 

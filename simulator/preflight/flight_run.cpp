@@ -95,7 +95,8 @@ std::string FlightRun::left_undone() const {
     }
   }
   if (motions > motions_ended_) {
-    return fmt::format("the motion has not ended within {:g} s: watch it longer (--seconds)", flight_.seconds);
+    return fmt::format("the motion has not ended within {:g} s: watch it longer (--seconds)",
+                       flight_.seconds);
   }
   if (walks_to && !arrived_) {
     return fmt::format("it has not arrived within {:g} s, {:.2f} m are left: watch it longer (--seconds)",

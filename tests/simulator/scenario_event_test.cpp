@@ -73,7 +73,7 @@ TEST(ScenarioAction, TakesDegreesAndJson) {
 
 TEST(ScenarioAction, RefusalsNameFieldValueAndRule) {
   EXPECT_THAT(refusal_of("{}"), HasSubstr("exactly one of walk"));
-  EXPECT_THAT(refusal_of("{stop: true, stand: true}"), HasSubstr("more than one action"));
+  EXPECT_THAT(refusal_of("{stop: true, stand: true}"), HasSubstr("exactly one of walk"));
   EXPECT_THAT(refusal_of("{at_s: 1, stop: true}"), HasSubstr("at_s"));
   EXPECT_THAT(refusal_of("{spwan: {}}"), HasSubstr("Did you mean 'spawn'?"));
   const std::string spawn = "name: a, size_m: [0.1, 0.2, 0.1], position_m: [1, 0, 0.1]";
