@@ -202,7 +202,7 @@ void declare_program(const CommandLine& app) {
   command.footer(
       "Examples:\n"
       "  gaitway simulator                           until Ctrl-C; its page is http://127.0.0.1:9090\n"
-      "  gaitway simulator --world stairs --speed 2\n"
+      "  gaitway simulator --world doorway --speed 2\n"
       "  gaitway simulator --world my_world.yaml --port 9191 --paused\n"
       "  gaitway run --scenario out/simulator/commands.yaml     plays what was done once more, headless\n"
       "On the page: click the floor to choose where to walk; docs/simulator.md tells the rest.\n"
