@@ -58,13 +58,14 @@ json parsed(std::string_view text) {
   return order;
 }
 
-// Never more than so many: of marks that come thicker, each n-th.
-template <class Mark>
-std::vector<Mark> thinned(std::vector<Mark> marks) {
-  const std::size_t every = marks.size() / kMostMarks + 1;
-  std::vector<Mark> kept;
-  for (std::size_t i = 0; i < marks.size(); i += every) kept.push_back(std::move(marks[i]));
-  return kept;
+// Never more than so many: of events that come thicker, each n-th.
+json marks_of(std::span<const TimedEvent> events) {
+  const std::size_t every = events.size() / kMostMarks + 1;
+  json marks = json::array();
+  for (std::size_t i = 0; i < events.size(); i += every) {
+    marks.push_back({{"at_s", seconds_of(events[i].at_ns)}, {"kind", mark_of(events[i])}});
+  }
+  return marks;
 }
 
 }  // namespace
@@ -286,11 +287,7 @@ void Director::measure_pace() {
 
 json Director::state() const {
   json result = seen_;
-  std::vector<json> marks;
-  for (const TimedEvent& event : timeline_.events()) {
-    marks.push_back({{"at_s", seconds_of(event.at_ns)}, {"kind", mark_of(event)}});
-  }
-  marks = thinned(std::move(marks));
+  json marks = marks_of(timeline_.events());
   for (const auto& [at_ns, kind] : falls_) marks.push_back({{"at_s", seconds_of(at_ns)}, {"kind", kind}});
   json events = json::array();
   const auto all = timeline_.events();

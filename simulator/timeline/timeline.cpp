@@ -22,7 +22,7 @@ std::uint64_t digest_told_by(const CopyHandle& copy) {
 
 }  // namespace
 
-Timeline::Timeline(CopyHandle start) {
+Timeline::Timeline(CopyHandle start, std::size_t most_copies) : most_copies_(most_copies) {
   copies_.emplace(0, std::move(start));
 }
 
@@ -155,7 +155,7 @@ void Timeline::compare(std::int64_t at_ns, std::uint64_t digest) {
 
 // Of the older ones, that whose neighbours are closest to each other goes.
 void Timeline::thin_out() {
-  if (copies_.size() <= kMostCopies) return;
+  if (copies_.size() <= most_copies_) return;
   auto closest = copies_.end();
   std::int64_t gap_ns = 0;
   const auto end = std::prev(copies_.end(), kNewestKept);

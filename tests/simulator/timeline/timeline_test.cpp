@@ -151,17 +151,18 @@ TEST_F(TimelineTest, BehindABarNothingIsReached) {
 }
 
 TEST_F(TimelineTest, ManyCopiesAreThinnedOutFromTheOldOnes) {
-  Timeline line(start());
-  const auto most = static_cast<std::int64_t>(Timeline::kMostCopies);
-  line.extend((most + 8) * Timeline::kSpacing_ns, {});
-  for (int round = 0; round < most + 8; ++round) {
+  constexpr std::size_t kMost = Timeline::kNewestKept + 3;
+  constexpr std::int64_t kAll = static_cast<std::int64_t>(kMost) + 5;
+  Timeline line(start(), kMost);
+  line.extend(kAll * Timeline::kSpacing_ns, {});
+  for (int round = 0; round < kAll; ++round) {
     line.keep_up();
     pollfd wake{line.wake_fd(), POLLIN, 0};
-    if (wake.fd >= 0) poll(&wake, 1, 5000);
+    if (wake.fd >= 0) poll(&wake, 1, 20'000);
   }
   line.keep_up();
-  EXPECT_EQ(line.copies(), Timeline::kMostCopies);
-  const std::int64_t late_ns = (most + 7) * Timeline::kSpacing_ns - 60 * kSecond_ns;
+  EXPECT_EQ(line.copies(), kMost);
+  const std::int64_t late_ns = (kAll - 1) * Timeline::kSpacing_ns - 60 * kSecond_ns;
   EXPECT_EQ(digest(line.at(late_ns), late_ns), digest_of({}, late_ns));
 }
 

@@ -36,7 +36,7 @@ export const faultForms: readonly FaultForm[] = [
   { fault: "bus_off", title: "A station is bus-off", text: "Its frames are destroyed until it leaves the bus; it comes back as the standard has it.", fields: [{ kind: "choice", key: "node", name: "station", of: "nodes" }] },
   { fault: "joint_restarts", title: "A joint restarts", text: "Its controller is without power for a while, its motor without torque.", fields: [{ kind: "choice", key: "joint", name: "joint", of: "joints" }, duration(0.02, 60)] },
   { fault: "main_controller_silent", title: "Main controller silent", text: "It makes no tick for so long: the message controller plays the safe tail.", fields: [duration(1)] },
-  { fault: "plugin_fails", title: "A plug-in fails", text: "Its steps fail for so long; the manager falls back on what it has.",
+  { fault: "plugin_fails", title: "A plug-in fails", text: "Its steps fail for so long; the manager falls back on what it has. One that fails too often is out of service until it is reloaded (view Plug-ins).",
     fields: [{ kind: "choice", key: "plugin", name: "plug-in", of: "plugins" },
       { kind: "choice", key: "how", name: "it", of: [{ value: "throws", text: "throws" }, { value: "not_a_number", text: "gives no numbers" }, { value: "jumps", text: "gives nonsense" }, { value: "overruns", text: "takes too long" }] },
       duration(1)] },

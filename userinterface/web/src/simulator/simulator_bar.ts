@@ -11,6 +11,9 @@ import { TimeLineBar } from "./time_line_bar.ts";
 const speeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 40];
 const steps_ms = [1, 10, 80]; // the servo's, a time slot, a cycle
 
+// What the simulator has to say while nothing else is to be said.
+const sentence = (text: string) => (text === "" ? "" : `${text[0]!.toUpperCase()}${text.slice(1)}.`);
+
 export class SimulatorBar {
   readonly box: HTMLElement;
   private readonly playButton: HTMLButtonElement;
@@ -81,7 +84,7 @@ export class SimulatorBar {
     const forgotten = state.state === "playing" ? "" : forgottenText(time_s, state.recorded_s);
     const words = this.silent ? "The simulator does not answer." : state.state === "failed" ? `The simulator has failed: ${state.text || "it does not say why"}` :
       state.state === "busy" ? `Busy: ${state.text || "…"}` : this.seeker.isGoing && this.seeker.target_s !== undefined ? `Going to ${timeText(this.seeker.target_s)}…` :
-      state.fallen ? `The robot has fallen. ${forgotten || "Drag the time line back to before, or reset."}` : forgotten;
+      state.fallen ? `The robot has fallen. ${forgotten || "Drag the time line back to before, or reset."}` : forgotten || sentence(state.text);
     setText(this.note, words);
     this.note.className = `simulator-note${this.silent || state.state === "failed" ? " bad" : state.state === "busy" ? " busy" : state.fallen ? " caution" : ""}`;
   }

@@ -60,6 +60,6 @@ export class WayCard {
     const text = left && leftText(left.steps, left.distance_m);
     if (left) return `On its way${text ? `: ${text} left` : "…"}`;
     if (arrived) return "Arrived.";
-    return this.toolOn ? "Click the floor: the robot walks there. Drag to choose where it looks." : "";
+    return this.toolOn ? "Click the floor, then press Walk: the robot walks there. Drag to choose where it looks." : "";
   }
 }

@@ -41,7 +41,8 @@ export function faultsTab({ attempt, description, robot }: Context, orders: Simu
   const listPlugins = async () => {
     const { plugins: list } = (await robot.order("/plugins/list")) as unknown as { plugins: { name: string }[] };
     const chosen = plugins?.value;
-    plugins?.replaceChildren(...list.map(({ name }) => element("option", { value: name, selected: name === chosen }, name)));
+    // The one that keeps the link to this page is not part of what is simulated.
+    plugins?.replaceChildren(...list.filter(({ name }) => name !== "api").map(({ name }) => element("option", { value: name, selected: name === chosen }, name)));
   };
   return {
     title: "Faults",

@@ -21,8 +21,8 @@ class Timeline {
   static constexpr std::size_t kMostCopies = 40;               // then older ones are thinned out
   static constexpr std::size_t kNewestKept = 12;
 
-  // `start`: the simulation at 0.
-  explicit Timeline(CopyHandle start);
+  // `start`: the simulation at 0. `most_copies`: more than kNewestKept.
+  explicit Timeline(CopyHandle start, std::size_t most_copies = kMostCopies);
   ~Timeline();
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
@@ -72,6 +72,7 @@ class Timeline {
   void compare(std::int64_t at_ns, std::uint64_t digest);
   void thin_out();
 
+  std::size_t most_copies_;
   std::map<std::int64_t, CopyHandle> copies_;  // by their instant; 0 is always there
   std::optional<OnTheWay> on_the_way_;
   std::vector<TimedEvent> events_;  // in order of time
