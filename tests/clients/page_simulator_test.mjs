@@ -208,6 +208,8 @@ test("keys and buttons play, pause, step, set the speed, and reset when it is co
   await answered("it is paused", () => !fake.playing);
   assert.deepEqual(fake.of("/stop"), [], "Space stops no simulated robot");
   assert.equal(await robot.page.$eval("#step-10", ({ title }) => title), "One step of 10 ms (.)");
+  await robot.press("stop");
+  await robot.newsOf("The simulation is paused: the robot stops as soon as it plays on.");
   await robot.page.keyboard.press(".");
   await robot.press("step-80");
   await answered("two steps", () => fake.of("/simulation/step_simulation").length === 2);

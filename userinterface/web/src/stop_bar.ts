@@ -32,6 +32,7 @@ export class StopBar {
 
   stop(): void {
     this.ended();
+    this.tellIfPaused();
     void this.context.attempt("Stop", () => this.context.robot.stop("/stop"));
   }
 
@@ -49,8 +50,14 @@ export class StopBar {
     this.emergencyButton.setAttribute("aria-pressed", String(stopped));
   }
 
+  // A simulated robot whose time rests obeys when it goes on.
+  private tellIfPaused(): void {
+    if (this.context.freshness.pace === 0) this.context.news.say("The simulation is paused: the robot stops as soon as it plays on.", "plain", "stop while paused");
+  }
+
   private emergencyStop(): void {
     this.ended();
+    this.tellIfPaused();
     void this.context.attempt("Emergency stop", () => this.context.robot.stop("/emergency_stop", { data: false }));
   }
 
