@@ -2,16 +2,10 @@
 // them what a scenario asks.
 #include "gaitway/simulator/cosimulation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
-#include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
-#include "gaitway/input/complaint.hpp"
 
 namespace gaitway::simulator {
 namespace {

@@ -5,7 +5,9 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -119,7 +121,7 @@ std::optional<std::string> Director::obey(const Ticket& ticket, std::string_view
     const bool played = playing_;
     playing_ = false;
     go_live(timeline_.begin_anew());
-    falls_.clear();
+    falls_ns_.clear();
     playing_ = played;
     set_pace();
     return "{}";
@@ -243,7 +245,7 @@ void Director::take_report(const json& report) {
   // happened.
   if (before_ns < timeline_.recorded_ns() && (now_ns_ > before_ns || !events.empty())) {
     timeline_.forget_after(before_ns);
-    falls_.erase(falls_.upper_bound(before_ns), falls_.end());
+    falls_ns_.erase(falls_ns_.upper_bound(before_ns), falls_ns_.end());
   }
   timeline_.extend(now_ns_, events);
   for (const json& one : report.at("digests")) {
@@ -254,7 +256,7 @@ void Director::take_report(const json& report) {
   }
   const bool fell_before = seen_.value("fallen", false);
   seen_ = report.at("state");
-  if (seen_.at("fallen").get<bool>() && !fell_before && now_ns_ > before_ns) falls_.emplace(now_ns_, "fall");
+  if (seen_.at("fallen").get<bool>() && !fell_before && now_ns_ > before_ns) falls_ns_.insert(now_ns_);
   measure_pace();
 }
 
@@ -288,7 +290,7 @@ void Director::measure_pace() {
 json Director::state() const {
   json result = seen_;
   json marks = marks_of(timeline_.events());
-  for (const auto& [at_ns, kind] : falls_) marks.push_back({{"at_s", seconds_of(at_ns)}, {"kind", kind}});
+  for (const std::int64_t at_ns : falls_ns_) marks.push_back({{"at_s", seconds_of(at_ns)}, {"kind", "fall"}});
   json events = json::array();
   const auto all = timeline_.events();
   for (const TimedEvent& event : all.last(std::min(all.size(), kMostEventsTold))) {

@@ -9,7 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -78,7 +78,7 @@ class Director {
   std::string failure_;
   std::map<std::uint64_t, Ticket> passed_on_;  // orders that the live simulation answers
   std::uint64_t last_order_ = 0;
-  std::map<std::int64_t, std::string> falls_;  // instants
+  std::set<std::int64_t> falls_ns_;
   std::int64_t paced_ns_ = 0, paced_wall_ns_ = 0;
   double pace_ = 0.0;
   simulation::ControlServer server_;
