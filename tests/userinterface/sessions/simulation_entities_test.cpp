@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "test_client.hpp"
+#include "simulation_client.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -19,22 +19,8 @@ using testing::SizeIs;
 
 using Outcome = std::pair<int, std::string>;
 
-class SimulationEntitiesTest : public HubTest {
+class SimulationEntitiesTest : public SimulationClientTest {
  protected:
-  json response_of(const std::string& service, const json& arguments) {
-    client->send({{"op", "call_service"}, {"service", "/simulation/" + service}, {"args", arguments}});
-    std::vector<json> messages = client->receive();
-    for (int i = 0; i < 20 && messages.empty(); ++i, messages = client->receive()) {
-      step();
-    }
-    EXPECT_THAT(messages, SizeIs(1)) << service;
-    return messages.empty() ? json() : messages.front();
-  }
-  json call(const std::string& service, const json& arguments = json::object()) {
-    const json response = response_of(service, arguments);
-    EXPECT_EQ(response["result"], true) << response.dump();
-    return response["values"];
-  }
   static Outcome outcome(const json& values) {
     return {values["result"]["result"], values["result"]["error_message"]};
   }
@@ -69,8 +55,6 @@ class SimulationEntitiesTest : public HubTest {
         base_x_m, 0.0, 0.3, 0.0, 0.0, std::sin(yaw_rad / 2.0), std::cos(yaw_rad / 2.0)};
   }
   json robot_state() { return call("get_entity_state", {{"entity", "robot"}})["state"]; }
-
-  std::unique_ptr<TestClient> client = connect("anna");
 };
 
 TEST_F(SimulationEntitiesTest, AreTheRobotAndEverySolidUnderUniqueNames) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "gaitway/api/service_table.hpp"
-#include "test_client.hpp"
+#include "simulation_client.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -19,23 +19,8 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
-class SimulationServicesTest : public HubTest {
+class SimulationServicesTest : public SimulationClientTest {
  protected:
-  // Of a call that the simulator has a part in: the whole response.
-  json response_of(const std::string& service, const json& arguments = json::object()) {
-    client->send({{"op", "call_service"}, {"service", "/simulation/" + service}, {"args", arguments}});
-    std::vector<json> messages = client->receive();
-    for (int i = 0; i < 10 && messages.empty(); ++i, messages = client->receive()) {
-      step();
-    }
-    EXPECT_THAT(messages, SizeIs(1)) << service;
-    return messages.empty() ? json() : messages.front();
-  }
-  json call(const std::string& service, const json& arguments = json::object()) {
-    const json response = response_of(service, arguments);
-    EXPECT_EQ(response["result"], true) << response.dump();
-    return response["values"];
-  }
   std::string failure(const std::string& service, const json& arguments = json::object()) {
     const json response = response_of(service, arguments);
     EXPECT_EQ(response["result"], false) << response.dump();
@@ -49,8 +34,6 @@ class SimulationServicesTest : public HubTest {
   std::pair<int, std::string> set_state(int target) {
     return result("set_simulation_state", {{"state", {{"state", target}}}});
   }
-
-  std::unique_ptr<TestClient> client = connect("anna");
 };
 
 TEST_F(SimulationServicesTest, SpeedIsSetWithinItsBounds) {
@@ -310,6 +293,7 @@ TEST_F(SimulationServicesTest, RosapiTellsTypesFieldsAndConstants) {
 class NoSimulationServicesTest : public HubTest {
  protected:
   NoSimulationServicesTest() : HubTest({}, false) {}
+
   std::unique_ptr<TestClient> client = connect("anna");
 };
 
