@@ -2,6 +2,7 @@
 // home posture on both.
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,16 +18,27 @@ namespace {
 struct Stand {
   Eigen::Quaterniond base_tilt = Eigen::Quaterniond::Identity();
   std::array<Eigen::Isometry3d, 2> soles{};  // in the frame of the base without its tilt
-  double height_m = 0.0;                     // of the base above the lowest sole
+  double height_m = 0.0;                     // of the base above the lowest corner of a sole
 };
 
-// With the one sole level; the other one must not be below.
-Stand stand_on(const std::array<Eigen::Isometry3d, 2>& soles_in_base, std::size_t side) {
+double lowest_corner_m(const urdf::RobotModel& robot, const std::array<Eigen::Isometry3d, 2>& soles) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const Eigen::Vector2d& corner : robot.feet[side].corners_m()) {
+      lowest_m = std::min(lowest_m, (soles[side] * Eigen::Vector3d(corner.x(), corner.y(), 0.0)).z());
+    }
+  }
+  return lowest_m;
+}
+
+// With the one sole level. The other one may be a little askew: joints are measured with errors.
+Stand stand_on(const urdf::RobotModel& robot, const std::array<Eigen::Isometry3d, 2>& soles_in_base,
+               std::size_t side) {
   Stand stand;
   const Eigen::Vector3d up = soles_in_base[side].linear().col(2);  // of the sole, in the base
   stand.base_tilt = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ());
   for (std::size_t i = 0; i < 2; ++i) stand.soles[i] = stand.base_tilt * soles_in_base[i];
-  stand.height_m = -std::min(stand.soles[0].translation().z(), stand.soles[1].translation().z());
+  stand.height_m = -lowest_corner_m(robot, stand.soles);
   return stand;
 }
 
@@ -50,7 +62,7 @@ Stand stand_in(const urdf::RobotModel& robot, const std::vector<double>& joint_r
                                                kinematics.sole_pose(urdf::Side::right)};
   if (is_home)
     return {.soles = soles, .height_m = -std::min(soles[0].translation().z(), soles[1].translation().z())};
-  const Stand left = stand_on(soles, 0), right = stand_on(soles, 1);
+  const Stand left = stand_on(robot, soles, 0), right = stand_on(robot, soles, 1);
   return left.soles[0].translation().z() <= left.soles[1].translation().z() ? left : right;
 }
 

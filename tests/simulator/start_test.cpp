@@ -48,6 +48,23 @@ TEST_F(WorldTest, BeginsOnTheSoleThatIsLower) {
   EXPECT_NEAR(robot.truth().trunk_tilt_rad, 0.1, 0.02);
 }
 
+// Joints that are measured with errors put one sole askew: its lower edge bears, and nothing is in the floor.
+TEST_F(WorldTest, ASoleThatIsAskewBeginsOnItsEdge) {
+  PlantOptions options = this->options("floor: {friction: 0.8}\n");
+  for (const urdf::Joint& joint : model_.joints) {
+    options.start_rad.push_back(joint.home_rad + (joint.name == "right_ankle_roll" ? 0.05 : 0.0));
+  }
+  const Plant robot(model_, options);
+  double lowest_m = 1.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const Eigen::Vector2d& corner : model_.feet[side].corners_m()) {
+      const Eigen::Vector3d point(corner.x(), corner.y(), 0.0);
+      lowest_m = std::min(lowest_m, (robot.ground_contact().sole[side] * point).z());
+    }
+  }
+  EXPECT_NEAR(lowest_m, 0.0, 1e-6);
+}
+
 TEST_F(WorldTest, AStartThatNoRobotCanHaveIsRefused) {
   const auto refusal = [this](const std::vector<double>& start_rad) {
     PlantOptions options;

@@ -12,10 +12,22 @@
 
 namespace gaitway::tools {
 
+using json = nlohmann::json;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Clock::time_point after(double time_s) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
+}
+
+}  // namespace
+
 class ApiClient::Link : public ApiLink {
  public:
   using ApiLink::ApiLink;
-  std::deque<nlohmann::json> waiting;  // messages of topics that came while an answer was awaited
+  std::deque<json> waiting;  // messages of topics that came while an answer was awaited
   std::deque<std::string> problems;
 };
 
@@ -23,8 +35,8 @@ ApiClient::ApiClient(const ApiAddress& address)
     : link_(std::make_unique<Link>(address)), timeout_s_(address.timeout_s) {}
 ApiClient::~ApiClient() = default;
 
-ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const nlohmann::json& arguments,
-                                         nlohmann::json& values) {
+ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const json& arguments,
+                                         json& values) {
   const std::string id = fmt::format("call_{}", ++last_id_);
   constexpr double kForTheRobot = 0.9;  // of the time: then it says itself why it has not been done
   const ApiLink::Time deadline = link_->deadline();
@@ -37,15 +49,11 @@ ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const nlohm
   while (const auto message = link_->read(deadline)) {
     const std::string op = message->value("op", "");
     if (op == "service_response" && message->value("id", "") == id) {
-      values = message->value("values", nlohmann::json());
+      values = message->value("values", json());
       const bool result = message->value("result", false);
       return {result, result ? "" : (values.is_string() ? values.get<std::string>() : values.dump())};
     }
-    if (op == "publish") {
-      link_->waiting.push_back(*message);
-    } else if (op == "status" && message->value("level", "") == "error") {
-      link_->problems.push_back(message->value("msg", ""));
-    }
+    keep(*message);
   }
   if (link_->interrupted()) {
     return {false, "interrupted"};
@@ -54,33 +62,43 @@ ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const nlohm
   throw NoAnswer(fmt::format("{}: no answer within {:g} s", service, timeout_s_));
 }
 
+void ApiClient::keep(json message) {
+  const std::string op = message.value("op", "");
+  if (op == "publish") {
+    link_->waiting.push_back(std::move(message));
+  } else if (op == "status" && message.value("level", "") == "error") {
+    link_->problems.push_back(message.value("msg", ""));
+  }
+}
+
 void ApiClient::advertise(const std::string& topic, const std::string& type) {
   link_->write({{"op", "advertise"}, {"topic", topic}, {"type", type}}, link_->deadline());
 }
 
-void ApiClient::publish(const std::string& topic, const nlohmann::json& message) {
+void ApiClient::publish(const std::string& topic, const json& message) {
   link_->write({{"op", "publish"}, {"topic", topic}, {"msg", message}}, link_->deadline());
 }
 
-void ApiClient::subscribe(const std::string& topic) {
-  link_->write({{"op", "subscribe"}, {"topic", topic}, {"queue_length", 1}}, link_->deadline());
+void ApiClient::subscribe(const std::string& topic, int period_ms) {
+  link_->write({{"op", "subscribe"}, {"topic", topic}, {"queue_length", 1}, {"throttle_rate", period_ms}},
+               link_->deadline());
 }
 
-std::optional<nlohmann::json> ApiClient::next_message() {
+const std::string& ApiClient::server() const noexcept {
+  return link_->server();
+}
+
+std::optional<json> ApiClient::next_message() {
   const ApiLink::Time deadline = link_->deadline();
   while (link_->waiting.empty()) {
     auto message = link_->read(deadline);
     if (!message) {
       return std::nullopt;
     }
-    const std::string op = message->value("op", "");
-    if (op == "publish") {
-      link_->waiting.push_back(std::move(*message));
-    } else if (op == "status" && message->value("level", "") == "error") {
-      throw ApiError(message->value("msg", ""));
-    }
+    keep(std::move(*message));
+    throw_reported_errors();
   }
-  nlohmann::json message = std::move(link_->waiting.front());
+  json message = std::move(link_->waiting.front());
   link_->waiting.pop_front();
   return message;
 }
@@ -93,11 +111,14 @@ void ApiClient::throw_reported_errors() {
   }
 }
 
+void ApiClient::rest(double seconds) {
+  link_->wait(after(seconds));
+  while (auto message = link_->read(Clock::now())) {
+    keep(std::move(*message));
+  }
+}
+
 void ApiClient::repeat(const std::function<void()>& work, double period_s, double seconds) {
-  using Clock = std::chrono::steady_clock;
-  const auto after = [](double time_s) {
-    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
-  };
   const ApiLink::Time end = after(seconds);
   link_->heed_signals(true);
   while (!link_->interrupted() && Clock::now() < end) {

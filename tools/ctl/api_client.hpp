@@ -19,6 +19,11 @@ class ApiError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The server does not let us in: another token, another origin.
+class NotLetIn : public ApiError {
+  using ApiError::ApiError;
+};
+
 // The time-out has passed.
 class NoAnswer : public NotDone {
   using NotDone::NotDone;
@@ -47,18 +52,25 @@ class ApiClient {
   ServiceAnswer call(const std::string& service, const nlohmann::json& arguments, nlohmann::json& values);
   void advertise(const std::string& topic, const std::string& type);
   void publish(const std::string& topic, const nlohmann::json& message);
-  void subscribe(const std::string& topic);
+  // `period_ms`: between two messages at least; 0: all of them.
+  void subscribe(const std::string& topic, int period_ms = 0);
+  // As the other side names itself, "gaitway/0.1.0"; empty: it does not.
+  [[nodiscard]] const std::string& server() const noexcept;
   // The next message of a topic that is subscribed to; nothing when none comes within the time-out. A status
   // of the server's that tells of an error is thrown.
   std::optional<nlohmann::json> next_message();
   // Errors that the server has told of since the last call.
   void throw_reported_errors();
+  // Waits so long, and takes what comes meanwhile. Throws ApiError when the connection has ended.
+  void rest(double seconds);
   // Calls `work` so often and so long, or until SIGINT or SIGTERM, which also interrupts the call() that it
   // waits in. A second signal ends the program.
   void repeat(const std::function<void()>& work, double period_s, double seconds);
 
  private:
   class Link;
+  // What comes and nobody has asked for: kept for who asks for it.
+  void keep(nlohmann::json message);
   std::unique_ptr<Link> link_;
   double timeout_s_;
   unsigned last_id_ = 0;

@@ -199,11 +199,18 @@ void ApiLink::shake_hands(Socket& socket, const std::string& host, Time deadline
   beast::websocket::response_type response;
   try {
     complete([&](auto ended) { socket.async_handshake(response, host, "/", ended); }, deadline);
+    const auto server = response[beast::http::field::server];
+    server_.assign(server.data(), server.size());
   } catch (const boost::system::system_error& error) {
     if (error.code() != beast::websocket::error::upgrade_declined) {
       throw;
     }
-    throw ApiError(fmt::format("{}: refused: {} {}", address_.url, response.result_int(), response.body()));
+    const std::string why =
+        fmt::format("{}: refused: {} {}", address_.url, response.result_int(), response.body());
+    const bool is_right = response.result() == beast::http::status::unauthorized ||
+                          response.result() == beast::http::status::forbidden;
+    if (is_right) throw NotLetIn(why);
+    throw ApiError(why);
   }
 }
 

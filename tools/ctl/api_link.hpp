@@ -41,6 +41,8 @@ class ApiLink {
   // While it heeds signals, the first SIGINT or SIGTERM interrupts; a second one ends the program.
   void heed_signals(bool heed);
   [[nodiscard]] bool interrupted() const noexcept { return heeds_signals_ && signalled_; }
+  // As the other side names itself, "gaitway/0.1.0"; empty: it does not.
+  [[nodiscard]] const std::string& server() const noexcept { return server_; }
   // The other side is not waited for any more, nor told of the end.
   void give_up() noexcept;
 
@@ -61,6 +63,7 @@ class ApiLink {
   void run_until(Time deadline, const Done& done);
 
   ApiAddress address_;
+  std::string server_;
   boost::asio::io_context io_;
   boost::asio::signal_set signals_{io_};
   boost::asio::ssl::context tls_{boost::asio::ssl::context::tls_client};

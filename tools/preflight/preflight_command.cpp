@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -133,6 +134,8 @@ preflight::Flight flight_of(const PreflightCommand& options, const RobotTask& ta
 core::Configuration plugins_of(const PreflightCommand& options, const RobotTask& task,
                                const std::optional<world::World>& world) {
   core::Configuration plugins = core::read_configuration(options.config);
+  // Of a served robot's configuration: nobody comes by a socket here.
+  std::erase_if(plugins.plugins, [](const core::PluginEntry& entry) { return entry.child.local_sockets; });
   if (task.goal) add_navigation(plugins, world);
   for (const ParameterSetting& one : task.settings) {
     const auto entry = std::ranges::find(plugins.plugins, one.plugin, &core::PluginEntry::name);
@@ -195,6 +198,12 @@ int send_or_refuse(const PreflightCommand& options, const RobotTask& task, const
   if (now.state != "stands") {
     record(options, verdict, "not sent: the robot " + now.state);
     throw NotDone(fmt::format("not sent: the robot {} and must stand", input::terminal_text(now.state)));
+  }
+  // Before it: whatever becomes of this process, it is on record that the robot was told.
+  record(options, verdict, "begun");
+  if (!options.json) {
+    fmt::print("  sending     {}\n", options.from);
+    std::fflush(stdout);
   }
   try {
     send(client, task);

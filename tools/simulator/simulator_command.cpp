@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/facts/facts.hpp"
+#include "gaitway/input/text.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/private_folder.hpp"
@@ -26,22 +26,25 @@
 #include "tools/serve/api_entry.hpp"
 #include "tools/serve/module_keeper.hpp"
 #include "tools/serve/module_options.hpp"
+#include "tools/simulator/twin_choice.hpp"
 #include "tools/simulator/way_preview.hpp"
+#include "tools/twin/twin.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 struct SimulatorOptions {
-  std::filesystem::path robot = process::default_robot_directory();  // folder with robot.urdf and robot.yaml
+  std::vector<std::string> robots;  // a folder with robot.urdf and robot.yaml, a real robot's address, or both
+  std::filesystem::path robot_token_file, robot_ca_file;
   std::filesystem::path config = process::default_config_file().parent_path() / "serve.yaml";
   std::string profile;  // of the bus; empty: what the robot's network file says
   bool accept_unproven = false;
   ModuleOptions module;
-  std::string world = "boxes";
+  std::optional<std::string> world;
   std::optional<std::uint64_t> world_seed;
   bool localization = true;
   std::uint64_t seed = 1;
-  double mismatch = 1.0;
+  std::optional<double> mismatch;
   double speed = 1.0;
   bool paused = false;
   std::optional<double> seconds;
@@ -58,6 +61,14 @@ struct Sockets {
       : memory(folder / "memory.sock"), link(folder / "link.sock"), orders(folder / "simulation.sock") {}
   std::filesystem::path memory, link, orders;
 };
+
+// A twin is as its robot is described, in a room that nobody has described.
+double mismatch_of(const SimulatorOptions& options, bool is_twin) {
+  return options.mismatch.value_or(is_twin ? 0.0 : 1.0);
+}
+std::string world_of(const SimulatorOptions& options, bool is_twin) {
+  return options.world.value_or(is_twin ? "empty" : "boxes");
+}
 
 // All plug-ins but the robot's side of the API, which comes when the simulation goes live. None has a process
 // of its own: a simulation that is copied has no other processes.
@@ -82,11 +93,13 @@ core::Configuration plugins_of(const SimulatorOptions& options, const world::Wor
 }
 
 simulator::CosimulationOptions settings_of(const SimulatorOptions& options, const world::World& world,
-                                           const Sockets& sockets, core::PluginEntry& api) {
+                                           const std::optional<RobotNow>& now, const Sockets& sockets,
+                                           core::PluginEntry& api) {
   simulator::CosimulationOptions settings;
   settings.plant.seed = options.seed;
-  settings.plant.mismatch = options.mismatch;
+  settings.plant.mismatch = mismatch_of(options, now.has_value());
   settings.plant.world = world;
+  if (now && now->state == "stands") settings.plant.start_rad = now->joint_rad;
   settings.localization.is_there = options.localization;
   settings.main_controller.configuration = options.config;
   settings.main_controller.plugins = plugins_of(options, world, api);
@@ -96,23 +109,23 @@ simulator::CosimulationOptions settings_of(const SimulatorOptions& options, cons
 }
 
 // What else a run of the commands must be told to be the same.
-std::string replay_options(const SimulatorOptions& options) {
+std::string replay_options(const SimulatorOptions& options, const std::filesystem::path& robot) {
   const SimulatorOptions usual;
   std::string text;
   const auto add = [&text](const char* name, const std::string& value, bool needed) {
     if (needed) text += fmt::format(" {} {}", name, value);
   };
-  add("--robot", options.robot.string(), options.robot != usual.robot);
+  add("--robot", robot.string(), robot != process::default_robot_directory());
   add("--config", options.config.string(), options.config != usual.config);
   add("--profile", options.profile, !options.profile.empty());
   add("--seed", std::to_string(options.seed), options.seed != usual.seed);
-  add("--mismatch", fmt::format("{}", options.mismatch), options.mismatch != usual.mismatch);
+  add("--mismatch", fmt::format("{}", options.mismatch.value_or(1.0)), options.mismatch.value_or(1.0) != 1.0);
   if (!options.localization) text += " --no-localization";
   return text;
 }
 
 void write_commands(const SimulatorOptions& options, const world::World& world, const urdf::RobotModel& robot,
-                    timeline::Director& director) {
+                    bool is_twin, timeline::Director& director) {
   const auto digest = director.finish();
   std::vector<simulator::ScenarioEvent> events;
   const double seconds = static_cast<double>(director.timeline().recorded_ns()) * 1e-9;
@@ -124,18 +137,45 @@ void write_commands(const SimulatorOptions& options, const world::World& world, 
   if (seconds <= 0.0) return;
   const std::filesystem::path file = options.out / "commands.yaml";
   process::write_text_file(file, simulator::scenario_text(seconds, world, events, robot));
-  if (!options.quiet) {
-    fmt::print("gaitway simulator: {:.3f} s, {} events, digest {}; once more: gaitway run{} --scenario {}\n",
-               seconds, events.size(), digest ? fmt::format("{:016x}", *digest) : "unknown",
-               replay_options(options), file.string());
+  if (options.quiet) return;
+  fmt::print("gaitway simulator: {:.3f} s, {} events, digest {}; ", seconds, events.size(),
+             digest ? fmt::format("{:016x}", *digest) : "unknown");
+  if (is_twin) {
+    fmt::print("what was asked is in {}, but for the posture in which the robot was at the start\n", file.string());
+  } else {
+    fmt::print("once more: gaitway run{} --scenario {}\n", replay_options(options, robot.directory), file.string());
+  }
+}
+
+// Until it is told to stop, or its time is over.
+void serve(const SimulatorOptions& options, timeline::Director& director, Twin* twin) {
+  process::stop_on_signals();
+  const auto end_ns = options.seconds ? static_cast<std::int64_t>(*options.seconds * 1e9)
+                                      : std::numeric_limits<std::int64_t>::max();
+  while (!process::stop_requested() && director.now_ns() < end_ns) {
+    director.step(kLook_ms);
+    if (twin == nullptr) continue;
+    twin->look({.plays = director.playing(), .speed = director.speed(), .run = director.run()});
+    for (const std::string& line : twin->take_lines()) {
+      if (!options.quiet) fmt::print(stderr, "gaitway simulator: {}\n", input::terminal_text(line));
+    }
   }
 }
 
 int simulate(const SimulatorOptions& options) {
-  const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
+  const TwinChoice choice = twin_choice(options.robots, options.robot_token_file, options.robot_ca_file);
+  const bool is_twin = choice.there.has_value();
+  const urdf::RobotModel robot = msgcontroller::load_robot(choice.folder, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
-  const world::World world = world::load_world(
-      {.name = options.world, .random_seed = options.world_seed, .written_in = "--world", .line = 0});
+  world::World world = world::load_world({.name = world_of(options, is_twin),
+                                          .random_seed = options.world_seed,
+                                          .written_in = "--world",
+                                          .line = 0});
+  std::optional<RobotNow> now;
+  if (is_twin) {
+    now = ask_real_robot(*choice.there, robot);
+    if (now->place) world.start = {{(*now->place)[0], (*now->place)[1]}, (*now->place)[2], 0};
+  }
   prepare_output(options.out);
   const process::PrivateFolder folder("gaitway_simulator");
   const Sockets sockets(folder.path());
@@ -143,7 +183,7 @@ int simulate(const SimulatorOptions& options) {
                              .api = {},
                              .digest_every_ns = timeline::Timeline::kSpacing_ns,
                              .quiet = options.quiet};
-  const simulator::CosimulationOptions settings = settings_of(options, world, sockets, live.api);
+  const simulator::CosimulationOptions settings = settings_of(options, world, now, sockets, live.api);
   set_link(live.api, "unix:" + sockets.link.string());
   // First: what comes after it has threads.
   timeline::CopyHandle start = timeline::start_simulation(
@@ -152,23 +192,33 @@ int simulate(const SimulatorOptions& options) {
         timeline::live(live, run, channel, told);
       });
   WayPreview preview(robot, world);
+  std::unique_ptr<Twin> twin;
   timeline::Director director(std::move(start), {.socket = sockets.orders,
                                                  .playing = !options.paused,
                                                  .speed = options.speed,
                                                  .world = world.name,
                                                  .plan_way = [&preview](const auto& goal, const auto& state) {
                                                    return preview.plan(goal, state);
+                                                 },
+                                                 .other_orders = [&twin](const nlohmann::json& order) {
+                                                   return twin ? twin->obey(order) : std::nullopt;
                                                  }});
-  const ModuleKeeper module(module_arguments(options.module, {.robot = options.robot,
+  const ModuleKeeper module(module_arguments(options.module, {.robot = choice.folder,
                                                               .profile = options.profile,
                                                               .link = "unix:" + sockets.link.string(),
                                                               .simulation = "unix:" + sockets.orders.string(),
                                                               .recordings = options.out / "recordings"}));
-  process::stop_on_signals();
-  const auto end_ns = options.seconds ? static_cast<std::int64_t>(*options.seconds * 1e9)
-                                      : std::numeric_limits<std::int64_t>::max();
-  while (!process::stop_requested() && director.now_ns() < end_ns) director.step(kLook_ms);
-  write_commands(options, world, robot, director);
+  if (is_twin) {
+    twin = std::make_unique<Twin>(
+        TwinOptions{.there = *choice.there,
+                    .here = own_api(options.module),
+                    .flight_arguments = flight_arguments(*choice.there, robot.directory, options.config, world),
+                    .out = options.out / "preflight"},
+        robot);
+  }
+  serve(options, director, twin.get());
+  twin.reset();
+  write_commands(options, world, robot, is_twin, director);
   return kExitFine;
 }
 
@@ -177,10 +227,16 @@ int simulate(const SimulatorOptions& options) {
 void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "simulator");
   SimulatorOptions& options = command.runs(simulate);
-  command.option("--world", options.world, "A file, or the name of a shipped world (`gaitway world list`)");
+  command.option("--world", options.world, "A file, or the name of a shipped world (`gaitway world list`); without it boxes, and empty for a twin");
   command.option("--world-seed", options.world_seed, "Seed of its random courses, in place of their own")
       .between(0.0, std::numeric_limits<int>::max());
-  command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
+  command.repeated(
+      "--robot", options.robots,
+      "Folder with robot.urdf and robot.yaml; or ws://HOST:PORT or wss://HOST:PORT, a real robot's API, whose twin it is "
+      "then; or both, one after the other");
+  command.option("--robot-token-file", options.robot_token_file, "File with the token that the real robot wants");
+  command.option("--robot-ca", options.robot_ca_file,
+                 "Whom to trust (PEM), where the real robot's certificate is its own");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
   add_module_options(command, options.module);
   command.option("--speed", options.speed, "Times real time, at first")
@@ -193,7 +249,7 @@ void declare_program(const CommandLine& app) {
   command.option("--accept-unproven", options.accept_unproven,
                  "Run even if some message of the bus may miss its deadline");
   command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
-  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
+  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot: 1 without it, and 0 for a twin")
       .between(0.0, 10.0);
   command.option("!--no-localization", options.localization,
                  "Nothing in the room tells the robot where it is: it walks by its own odometry");
@@ -204,6 +260,7 @@ void declare_program(const CommandLine& app) {
       "  gaitway simulator                           until Ctrl-C; its page is http://127.0.0.1:9090\n"
       "  gaitway simulator --world doorway --speed 2\n"
       "  gaitway simulator --world my_world.yaml --port 9191 --paused\n"
+      "  gaitway simulator --robot ws://robot:9090 --robot-token-file token      the twin of a real robot\n"
       "  gaitway run --scenario out/simulator/commands.yaml     plays what was done once more, headless\n"
       "On the page: click the floor to choose where to walk; docs/simulator.md tells the rest.\n"
       "Exit code: 0 it was told to stop, 1 the input was bad and nothing moved.");

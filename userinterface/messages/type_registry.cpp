@@ -94,8 +94,8 @@ void add_services(TypeRegistry& registry) {
 void add_all_messages(TypeRegistry& registry) {
   using namespace ros;
   add_messages<BusSlot, Clock, DiagnosticArray, Imu, JointState, LinkState, Log, MotionState, Odometry,
-               WayState, PointStamped, PoseArray, RobotState, SimulationState, String, TFMessage, Twist,
-               WrenchStamped>(registry);
+               WayState, PointStamped, PoseArray, RobotState, SimulationState, String, TFMessage, TwinState,
+               Twist, TwistStamped, WrenchStamped>(registry);
 }
 
 void add_all_services(TypeRegistry& registry) {
@@ -110,7 +110,8 @@ void add_all_services(TypeRegistry& registry) {
 
 void add_simulation_services(TypeRegistry& registry) {
   using namespace ros;
-  add_services<PushLink, SetSpeed, SeekTime, ApplyEvent, PlanFootsteps, GetGeometry>(registry);
+  add_services<PushLink, SetSpeed, SeekTime, ApplyEvent, PlanFootsteps, GetGeometry, SendToRobot, GetPicture>(
+      registry);
   using namespace ros::simulation;
   add_services<GetSimulatorFeatures, GetSimulationState, SetSimulationState, StepSimulation, ResetSimulation,
                SpawnEntity, DeleteEntity, GetEntities, GetEntityState, SetEntityState, GetEntitiesStates,

@@ -200,9 +200,8 @@ class Door::Impl {
           }
         });
     feed_.poll(now_ns, sink);
-    if (const auto state = hub_.take_simulation_state()) {
-      sink.publish(Topic::simulation_state, *state, feed_.robot_ns());
-    }
+    tell_simulation(sink);
+    tell_walk_command(sink);
     tell_commander(sink);
     tell_link_state(now_ns, sink);
     tell_certificate(sink);
@@ -230,6 +229,27 @@ class Door::Impl {
       address_told_ = true;
       tell_("serves " + url_ + ", and the page at http" + url_.substr(2));
     }
+  }
+  void tell_simulation(PublicationSink& sink) {
+    if (const auto state = hub_.take_simulation_state()) {
+      sink.publish(Topic::simulation_state, *state, feed_.robot_ns());
+    }
+    if (const auto twin = hub_.take_twin_state()) {
+      sink.publish(Topic::twin_state, *twin, feed_.robot_ns());
+    }
+  }
+  void tell_walk_command(PublicationSink& sink) {
+    const auto velocity = hub_.take_walk_command();
+    if (!velocity && walk_command_told_) {
+      return;
+    }
+    walk_command_told_ = true;
+    const Velocity told = velocity.value_or(Velocity{});
+    ros::TwistStamped message;
+    message.header.stamp = ros_time(feed_.robot_ns());
+    message.twist.linear = {told.forward_m_per_s, told.left_m_per_s, 0.0};
+    message.twist.angular.z = told.turn_rad_per_s;
+    sink.publish(Topic::walk_command, message, feed_.robot_ns());
   }
   void tell_commander(PublicationSink& sink) {
     if (commander_ && commander_->data == hub_.commander()) {
@@ -306,6 +326,7 @@ class Door::Impl {
   std::unique_ptr<SimulatorPort> simulation_;  // nullptr: the robot is no simulation
   page::AssetTable assets_;
   Hub hub_;
+  bool walk_command_told_ = false;
   std::optional<ros::String> commander_;  // as told last
   std::uint32_t session_ = 0;             // of the link, as last seen
   std::optional<LinkReport> link_told_;

@@ -105,7 +105,7 @@ bool is_authorised(const HandshakeRequest& request, const std::optional<AccessTo
 
 HttpAnswer answer(const HandshakeRefusal& refusal) {
   HttpAnswer response(refusal.status, 11);
-  response.set(http::field::server, "gaitway");
+  response.set(http::field::server, kServerName);
   response.set(http::field::content_type, "text/plain; charset=utf-8");
   response.set(http::field::connection, "close");
   if (refusal.status == http::status::upgrade_required) {

@@ -13,6 +13,9 @@
 
 namespace gaitway::api {
 
+// What every answer says of this server: by its number clients see whether they fit.
+inline constexpr const char* kServerName = "gaitway/" GAITWAY_VERSION;
+
 namespace http = boost::beast::http;
 using HandshakeRequest = http::request<http::empty_body>;
 using HttpAnswer = http::response<http::string_body>;

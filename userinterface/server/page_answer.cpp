@@ -54,7 +54,7 @@ std::variant<PageAnswer, HandshakeRefusal> answer_page(const HandshakeRequest& r
       !asset->gzip.empty() && http::token_list(request[http::field::accept_encoding]).exists("gzip");
   const std::string& body = gzip ? asset->gzip : asset->body;
   PageAnswer response(http::status::ok, 11);
-  response.set(http::field::server, "gaitway");
+  response.set(http::field::server, kServerName);
   response.set(http::field::content_type, asset->type);
   response.set("Content-Security-Policy", kPolicy);
   response.set(http::field::x_frame_options, "DENY");

@@ -212,7 +212,7 @@ template <class Stream>
 void WebSocketConnection<Stream>::accept(bool authorised) {
   socket_.read_message_max(core().options.limits.message_bytes);
   socket_.set_option(websocket::stream_base::decorator(
-      [](websocket::response_type& response) { response.set(http::field::server, "gaitway"); }));
+      [](websocket::response_type& response) { response.set(http::field::server, kServerName); }));
   socket_.async_accept(request_.get(), [self = self(), authorised](ErrorCode error) {
     if (!self->in_handshake()) {
       return;

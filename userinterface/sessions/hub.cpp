@@ -82,6 +82,14 @@ std::optional<ros::SimulationState> Hub::take_simulation_state() {
   return state_->desk.take_simulation_state();
 }
 
+std::optional<ros::TwinState> Hub::take_twin_state() {
+  return state_->desk.take_twin_state();
+}
+
+std::optional<Velocity> Hub::take_walk_command() {
+  return state_->commands.take_told_velocity();
+}
+
 bool Hub::wanted(Topic topic) const noexcept {
   return state_->publications.wanted(topic);
 }

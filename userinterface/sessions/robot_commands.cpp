@@ -66,6 +66,8 @@ std::optional<std::uint32_t> RobotCommands::walk(Claimant& claimant, const ros::
   walks_ = true;
   way_of_.reset();
   moved_ns_ = robot_.now_ns();
+  velocity_ = velocity;
+  velocity_until_ns_ = now_ns + limits_.velocity_ns;
   return robot_.walk(velocity, limits_.velocity_ns, claimant.age_ns);
 }
 
@@ -217,6 +219,17 @@ void RobotCommands::step(std::int64_t now_ns) {
   if (authority_.lapse(now_ns)) {
     end_walk();
   }
+  if (!walks_ || now_ns >= velocity_until_ns_) {
+    velocity_ = {};
+  }
+}
+
+std::optional<Velocity> RobotCommands::take_told_velocity() noexcept {
+  if (velocity_ == told_velocity_) {
+    return std::nullopt;
+  }
+  told_velocity_ = velocity_;
+  return velocity_;
 }
 
 void RobotCommands::end_way(const Claimant& claimant) {

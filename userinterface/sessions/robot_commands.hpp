@@ -57,6 +57,9 @@ class RobotCommands {
   // What the gait walks now; nothing: it is not known, and the limits alone count.
   void keep_to(const std::optional<GaitBounds>& gait) noexcept { gait_ = gait; }
 
+  // The velocity that the robot has been told to walk with, where it is another one than at the last call.
+  [[nodiscard]] std::optional<Velocity> take_told_velocity() noexcept;
+
   // When the robot was told to move last, by its own clock; long ago, if never.
   [[nodiscard]] std::int64_t moved_ns() const noexcept { return moved_ns_; }
 
@@ -81,6 +84,8 @@ class RobotCommands {
   std::optional<std::uint64_t> way_of_;  // number of the claimant whose way it walks, as far as is known here
   std::int64_t moved_ns_ = kNever_ns;
   std::optional<GaitBounds> gait_;
+  Velocity velocity_{}, told_velocity_{};
+  std::int64_t velocity_until_ns_ = kNever_ns;  // then it holds no more, unless it is said again
 };
 
 }  // namespace gaitway::api

@@ -63,6 +63,9 @@ class ServiceDesk {
   [[nodiscard]] std::optional<ros::SimulationState> take_simulation_state() {
     return simulation_ ? simulation_->take_state() : std::nullopt;
   }
+  [[nodiscard]] std::optional<ros::TwinState> take_twin_state() {
+    return simulation_ ? simulation_->take_twin() : std::nullopt;
+  }
   // The connection has ended: its orders are answered to nobody.
   void leave(const Claimant& claimant);
 

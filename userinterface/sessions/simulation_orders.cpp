@@ -17,29 +17,34 @@ SimulationOrders::SimulationOrders(SimulationPort& port, const Limits& limits, S
 void SimulationOrders::step(std::int64_t now_ns) {
   now_ns_ = now_ns;
   orders_.step(now_ns);
-  if (!state_asked_ && now_ns >= ask_state_ns_) {
-    watch_state(now_ns);
-  }
+  for (Watch& watch : watches_) look(watch);
 }
 
-void SimulationOrders::watch_state(std::int64_t now_ns) {
-  state_asked_ = true;
-  ask_state_ns_ = now_ns + kStatePeriod_ns;
-  ask_for_nobody({{"order", "state"}}, [this](const OrderResult* result) { take_watched(result); });
+void SimulationOrders::look(Watch& watch) {
+  if (watch.asked || now_ns_ < watch.ask_ns) return;
+  watch.asked = true;
+  watch.ask_ns = now_ns_ + kStatePeriod_ns;
+  ask_for_nobody({{"order", watch.order}},
+                 [this, &watch](const OrderResult* result) { take_watched(watch, result); });
 }
 
-void SimulationOrders::take_watched(const OrderResult* result) {
-  state_asked_ = false;
+void SimulationOrders::take_watched(Watch& watch, const OrderResult* result) {
+  watch.asked = false;
   try {
-    if (result != nullptr && result->done) {
-      states_.take(read_answer<StateAnswer>(result->text));
-      news_ = message_of(*states_.newest());
-      return;
-    }
+    if (result != nullptr && result->done) return (this->*watch.take)(result->text);
   } catch (const std::exception&) {
-    // No state that this release understands; whoever calls a service is told so.
+    // Nothing that this release understands; whoever calls a service is told so.
   }
-  ask_state_ns_ = now_ns_ + kAfterRefusal_ns;
+  watch.ask_ns = now_ns_ + kAfterRefusal_ns;
+}
+
+void SimulationOrders::take_state_answer(const std::string& answer) {
+  states_.take(read_answer<StateAnswer>(answer));
+  news_ = message_of(*states_.newest());
+}
+
+void SimulationOrders::take_twin_answer(const std::string& answer) {
+  twin_news_ = twin_state_of(answer);
 }
 
 void SimulationOrders::ask_for_nobody(const json& order, Orders::Finish finish) {
@@ -95,6 +100,10 @@ void SimulationOrders::ask_state(const SimulationCall& call, ThenState then, The
 
 std::optional<ros::SimulationState> SimulationOrders::take_state() {
   return std::exchange(news_, std::nullopt);
+}
+
+std::optional<ros::TwinState> SimulationOrders::take_twin() {
+  return std::exchange(twin_news_, std::nullopt);
 }
 
 }  // namespace gaitway::api

@@ -2,6 +2,7 @@
 // a second for the state that is published.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ struct SimulationCall {
 class SimulationOrders {
  public:
   static constexpr std::int64_t kStatePeriod_ns = 100 * facts::kMillisecond_ns;
-  // A simulator that has refused to tell its state is asked again after this.
+  // A simulator that has refused to tell its state, or has no twin, is asked again after this.
   static constexpr std::int64_t kAfterRefusal_ns = facts::kSecond_ns;
   // For answers that come at once, and for what has to be simulated first.
   static constexpr std::int64_t kPatience_ns = 2 * facts::kSecond_ns,
@@ -73,21 +74,34 @@ class SimulationOrders {
 
   // What was asked for by the clock and has come since the last call; nothing: none has.
   [[nodiscard]] std::optional<ros::SimulationState> take_state();
+  [[nodiscard]] std::optional<ros::TwinState> take_twin();
   [[nodiscard]] SimulationStates& states() noexcept { return states_; }
 
  private:
+  // An order that the clock gives, for what is published.
+  struct Watch {
+    const char* order;
+    void (SimulationOrders::*take)(const std::string& answer);
+    std::int64_t ask_ns = 0;
+    bool asked = false;  // and not answered yet
+  };
+
   void wait(const SimulationCall& call, std::uint32_t number, Then then);
-  void watch_state(std::int64_t now_ns);
-  void take_watched(const OrderResult* result);
+  void look(Watch& watch);
+  void take_watched(Watch& watch, const OrderResult* result);
+  void take_state_answer(const std::string& answer);
+  void take_twin_answer(const std::string& answer);
 
   SimulationPort& port_;
   Limits limits_;
   Send send_;
   Orders orders_;
   SimulationStates states_;
-  std::int64_t now_ns_ = 0, ask_state_ns_ = 0;
-  bool state_asked_ = false;  // by the clock, and not answered yet
+  std::int64_t now_ns_ = 0;
+  std::array<Watch, 2> watches_{Watch{"state", &SimulationOrders::take_state_answer},
+                                Watch{"twin", &SimulationOrders::take_twin_answer}};
   std::optional<ros::SimulationState> news_;
+  std::optional<ros::TwinState> twin_news_;
 };
 
 }  // namespace gaitway::api

@@ -14,6 +14,7 @@
 #include "gaitway/api/service_table.hpp"
 #include "gaitway/api/simulation_port.hpp"
 #include "simulation_orders.hpp"
+#include "twin_services.hpp"
 
 namespace gaitway::api {
 
@@ -21,7 +22,7 @@ class SimulationServices {
  public:
   // `port` outlives it.
   SimulationServices(SimulationPort& port, const Limits& limits, SimulationOrders::Send send)
-      : orders_(port, limits, std::move(send)), entities_(orders_) {}
+      : orders_(port, limits, std::move(send)), entities_(orders_), twin_(orders_) {}
   SimulationServices(const SimulationServices&) = delete;
   SimulationServices& operator=(const SimulationServices&) = delete;
 
@@ -40,6 +41,7 @@ class SimulationServices {
   }
   // What was last heard, since it was last taken.
   [[nodiscard]] std::optional<ros::SimulationState> take_state() { return orders_.take_state(); }
+  [[nodiscard]] std::optional<ros::TwinState> take_twin() { return orders_.take_twin(); }
 
  private:
   using Arguments = nlohmann::json;
@@ -58,6 +60,11 @@ class SimulationServices {
   void reset(const SimulationCall& call, const Arguments& arguments);
   void tell_spawnables(const SimulationCall& call, const Arguments& arguments);
   void tell_world(const SimulationCall& call, const Arguments& arguments);
+  // One of TwinServices' members.
+  template <class S, void (TwinServices::*member)(const SimulationCall&, const typename S::Request&)>
+  void of_twin(const SimulationCall& call, const Arguments& arguments) {
+    (twin_.*member)(call, request_of<typename S::Request>(arguments));
+  }
   // One of EntityServices' members.
   template <class S, void (EntityServices::*member)(const SimulationCall&, const typename S::Request&)>
   void of_entities(const SimulationCall& call, const Arguments& arguments) {
@@ -80,6 +87,7 @@ class SimulationServices {
 
   SimulationOrders orders_;
   EntityServices entities_;
+  TwinServices twin_;
 };
 
 }  // namespace gaitway::api

@@ -11,14 +11,19 @@ std::vector<double> list_of(const Numbers& numbers) {
   return {numbers.begin(), numbers.end()};
 }
 
-}  // namespace
-
-nlohmann::json answer_json(std::string_view text) {
+nlohmann::json answer_object(std::string_view text) {
   nlohmann::json answer = nlohmann::json::parse(text, nullptr, false);
   if (!answer.is_object()) {
     throw MessageError("the simulator's answer of " + std::to_string(text.size()) +
                        " bytes is no JSON object: run both from the same release");
   }
+  return answer;
+}
+
+}  // namespace
+
+nlohmann::json answer_json(std::string_view text) {
+  nlohmann::json answer = answer_object(text);
   for (auto& value : answer) {
     if (value.is_null()) {
       value = 0;
@@ -30,6 +35,12 @@ nlohmann::json answer_json(std::string_view text) {
 void refuse_missing(const FieldPath& path, std::string_view answer, std::string_view field) {
   throw MessageError(path.text() + " has no field \"" + std::string(field) + "\", which " +
                      std::string(answer) + " must have: run both from the same release");
+}
+
+ros::TwinState twin_state_of(std::string_view text) {
+  ros::TwinState state;
+  read_answer_part(answer_object(text), state, FieldPath());
+  return state;
 }
 
 ros::Pose pose_of(const PoseNumbers& pose) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -83,6 +85,12 @@ struct PlanAnswer {
   GAITWAY_ROS_MESSAGE("the simulator's plan", steps, feet, seconds);
 };
 
+struct PictureAnswer {
+  std::uint32_t total = 0;
+  std::string data;
+  GAITWAY_ROS_MESSAGE("the simulator's picture", total, data);
+};
+
 struct TimeAnswer {
   double time_s = 0.0;
   GAITWAY_ROS_MESSAGE("the simulator's answer", time_s);
@@ -114,6 +122,12 @@ void read_answer_part(const nlohmann::json& part, T& value, const FieldPath& pat
       read_answer_part(part[i], value[i], FieldPath(path, i));
     }
   } else {
+    if constexpr (std::floating_point<T>) {
+      if (part.is_null()) {
+        value = std::numeric_limits<T>::quiet_NaN();
+        return;
+      }
+    }
     read_value(part, value, path);
   }
 }
@@ -125,6 +139,9 @@ template <Message Answer>
   read_answer_part(answer_json(text), answer, FieldPath());
   return answer;
 }
+
+// Of the order `twin`, whose answer has the message's own fields; NaN for null.
+[[nodiscard]] ros::TwinState twin_state_of(std::string_view text);
 
 [[nodiscard]] ros::Pose pose_of(const PoseNumbers& pose);
 [[nodiscard]] ros::SimulationState message_of(const StateAnswer& state);

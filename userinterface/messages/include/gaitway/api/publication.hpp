@@ -24,6 +24,7 @@ enum class Topic : std::uint8_t {
   motion_state,
   way_state,
   robot_state,
+  walk_command,
   commander,
   link_state,
   certificate_state,
@@ -33,7 +34,8 @@ enum class Topic : std::uint8_t {
   bus_slot,
   events,
   rosout,
-  simulation_state
+  simulation_state,
+  twin_state
 };
 
 struct TopicRow {
@@ -79,6 +81,10 @@ inline constexpr std::array kTopics{
     TopicRow{Topic::robot_state, "/robot_state", ros::RobotState::kName, 0.0, true, "",
              "What the robot does: \"stands\", \"walks\", \"plays\" a motion, \"stops\" by its safe tail, is "
              "\"stopped\" by an emergency stop, \"falls\", has \"fallen\", or is \"gone\""},
+    TopicRow{Topic::walk_command, "/walk/command", ros::TwistStamped::kName, 0.0, true, "",
+             "Velocity that the robot was told to walk with over this API (/cmd_vel), at each change, and 0 "
+             "when it holds no more: 0.5 s without a word, a stop, another order. What the robot makes of it "
+             "is on /odom"},
     TopicRow{Topic::commander, "/commander", ros::String::kName, 0.0, true, "",
              "Name of who has the command; empty: nobody"},
     TopicRow{Topic::link_state, "/link_state", ros::LinkState::kName, 0.0, true, "",
@@ -112,6 +118,12 @@ inline constexpr std::array kTopics{
         "its world. By the computer's clock, so it comes while the simulation is paused, too; of a "
         "simulator that takes orders (`gaitway simulator`) alone",
         true},
+    TopicRow{Topic::twin_state, "/simulation/twin", ros::TwinState::kName, 10.0, false,
+             "the simulator's world",
+             "The real robot whose twin this simulation is (`gaitway simulator --robot ws://...`): what it "
+             "measures, how the simulated one differs from it, and what is being sent to it. By the "
+             "computer's clock",
+             true},
 };
 inline constexpr std::size_t kTopicCount = kTopics.size();
 

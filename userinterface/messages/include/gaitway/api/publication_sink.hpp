@@ -15,7 +15,7 @@ using AnyMessage =
                  const ros::Odometry*, const ros::TFMessage*, const ros::PoseArray*, const ros::MotionState*,
                  const ros::WayState*, const ros::BusSlot*, const ros::RobotState*, const ros::LinkState*,
                  const ros::String*, const ros::Clock*, const ros::DiagnosticArray*, const ros::Log*,
-                 const ros::SimulationState*>;
+                 const ros::SimulationState*, const ros::TwinState*, const ros::TwistStamped*>;
 
 // Called from within Feed::poll(); must not throw.
 class PublicationSink {

@@ -78,6 +78,31 @@ struct WorldPart {
   std::vector<WorldSolid> solids;
   GAITWAY_FIELDS(success, message, geometry, world, total, floor_colour, solids)
 };
+// What a real robot is to do after it was tried: of `walk` (m/s ahead, m/s to the left, rad/s; for `duration` s,
+// 0: 10), `motion` and `goal` (x m, y m, yaw rad) one at most, `settings` (PLUGIN.PARAMETER=VALUE) first.
+// `reason`: send it even if a simulated robot fell.
+struct RobotOrder {
+  std::vector<double> walk;
+  double duration = 0.0;
+  std::string motion;
+  std::vector<double> goal;
+  std::vector<std::string> settings;
+  std::string reason;
+  GAITWAY_FIELDS(walk, duration, motion, goal, settings, reason)
+};
+using SendToRobot = RosService<"gaitway_msgs/srv/SendToRobot", RobotOrder, Outcome>;
+
+GAITWAY_ONE_FIELD(FirstByte, std::uint32_t, first);
+// `total`: bytes of the whole file; `data`: some of them, from the first that was asked for, in base64.
+struct PicturePart {
+  bool success = false;
+  std::string message;
+  std::uint32_t total = 0;
+  std::string data;
+  GAITWAY_FIELDS(success, message, total, data)
+};
+using GetPicture = RosService<"gaitway_msgs/srv/GetPicture", FirstByte, PicturePart>;
+
 using GetGeometry = RosService<"gaitway_msgs/srv/GetGeometry", FirstSolid, WorldPart>;
 
 }  // namespace gaitway::api::ros

@@ -69,6 +69,9 @@ class Hub final : public SessionHub {
   // What the simulator has told of its state since the last call, for who publishes it; nothing, too, where
   // there is no simulator, or one that tells none.
   [[nodiscard]] std::optional<ros::SimulationState> take_simulation_state();
+  [[nodiscard]] std::optional<ros::TwinState> take_twin_state();
+  // The velocity that clients have the robot walk with, where it is another one than at the last call.
+  [[nodiscard]] std::optional<Velocity> take_walk_command();
 
   // A message for all who subscribe to `topic`: encoded at most once per encoding, and not at all for nobody,
   // unless the topic is latched. Throws std::logic_error when M is not the topic's type.

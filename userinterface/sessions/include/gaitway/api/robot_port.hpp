@@ -19,6 +19,7 @@ struct Velocity {
   double forward_m_per_s = 0.0;
   double left_m_per_s = 0.0;
   double turn_rad_per_s = 0.0;
+  bool operator==(const Velocity&) const = default;
 };
 
 // Of the world, of the middle between the feet.

@@ -1,0 +1,150 @@
+// Differences between two looks, and a connection on which they are carried out.
+#include "tools/twin/follower.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace gaitway::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kObeyed_s = 10.0;  // a stand takes a walk's last steps
+constexpr double kRenew_s = 0.05;  // of a velocity, which holds for half a second; and of looks
+constexpr std::chrono::milliseconds kIdle{20};
+
+bool is_zero(const std::array<double, 3>& velocity) {
+  return std::ranges::all_of(velocity, [](double one) { return one == 0.0 || !std::isfinite(one); });
+}
+
+bool is_under_way(const std::string& motion_state) {
+  return motion_state == "approaching" || motion_state == "playing";
+}
+
+FollowOrder service(const char* name, const json& arguments = json::object()) {
+  return {.service = name, .argument = arguments.dump(), .velocity = {}};
+}
+
+}  // namespace
+
+std::vector<FollowOrder> FollowRules::look(const RobotNews& news) {
+  std::vector<FollowOrder> orders;
+  if (news.activity != seen_.activity) {
+    if (news.activity == "stopped") orders.push_back(service("/emergency_stop", {{"data", false}}));
+    if (seen_.activity == "stopped") orders.push_back(service("/release"));
+    if (news.activity == "stops") orders.push_back(service("/stop"));
+  }
+  if (news.walk != seen_.walk) {
+    const bool stands = is_zero(news.walk);
+    orders.push_back(stands ? service("/stand") : FollowOrder{{}, {}, news.walk});
+  }
+  look_at_motion(news, orders);
+  look_at_way(news, orders);
+  seen_ = news;
+  return orders;
+}
+
+void FollowRules::look_at_motion(const RobotNews& news, std::vector<FollowOrder>& orders) {
+  const bool begins = is_under_way(news.motion_state) &&
+                      (!is_under_way(seen_.motion_state) || news.motion != seen_.motion);
+  if (begins) orders.push_back(service("/play_motion", {{"motion", news.motion}}));
+  const bool ended = news.motions_ended != seen_.motions_ended && seen_.motions_ended != 0;
+  if (ended && news.motion_result == "left") orders.push_back(service("/play_motion", {{"motion", ""}}));
+}
+
+void FollowRules::look_at_way(const RobotNews& news, std::vector<FollowOrder>& orders) {
+  const bool is_idle = news.way_state.empty() || news.way_state == "idle";
+  const bool was_idle = seen_.way_state.empty() || seen_.way_state == "idle";
+  if (!is_idle && news.goal && (was_idle || news.goal != seen_.goal)) {
+    const auto& [x_m, y_m, yaw_rad] = *news.goal;
+    orders.push_back(service("/walk_to", {{"x", x_m}, {"y", y_m}, {"yaw", yaw_rad}}));
+  }
+  if (is_idle && !was_idle && news.way_result == "cancelled") orders.push_back(service("/walk_to/cancel"));
+}
+
+Follower::Follower(const ApiAddress& address)
+    : address_{address.url, address.token_file, address.ca_file, kObeyed_s}, thread_([this] { run(); }) {}
+
+Follower::~Follower() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  thread_.join();
+}
+
+void Follower::set(bool follows) {
+  const std::lock_guard lock(mutex_);
+  status_ = {.follows = follows, .text = {}};
+}
+
+void Follower::hear(const RobotNews& news) {
+  const std::lock_guard lock(mutex_);
+  news_ = news;
+}
+
+Follower::Status Follower::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+bool Follower::goes_on() const {
+  const std::lock_guard lock(mutex_);
+  return status_.follows && !ending_;
+}
+
+void Follower::run() {
+  while (true) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (ending_) return;
+    }
+    if (!goes_on()) {
+      std::this_thread::sleep_for(kIdle);
+      continue;
+    }
+    try {
+      follow();
+    } catch (const std::exception& error) {
+      const std::lock_guard lock(mutex_);
+      status_ = {.follows = false, .text = error.what()};
+    }
+  }
+}
+
+// Until it is to end. The connection's end is the command's.
+void Follower::follow() {
+  ApiClient client(address_);
+  client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
+  FollowRules rules;
+  std::array<double, 3> velocity{};
+  while (goes_on()) {
+    for (const FollowOrder& order : rules.look(heard())) {
+      velocity = order.velocity;  // every other order ends the walk
+      if (!order.service.empty()) carry_out(client, order);
+    }
+    if (!is_zero(velocity)) {
+      client.publish("/cmd_vel", {{"linear", {{"x", velocity[0]}, {"y", velocity[1]}, {"z", 0.0}}},
+                                  {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", velocity[2]}}}});
+    }
+    client.rest(kRenew_s);
+    client.throw_reported_errors();
+  }
+}
+
+RobotNews Follower::heard() const {
+  const std::lock_guard lock(mutex_);
+  return news_;
+}
+
+void Follower::carry_out(ApiClient& client, const FollowOrder& order) {
+  json values;
+  const ApiClient::ServiceAnswer answer = client.call(order.service, json::parse(order.argument), values);
+  if (answer.result && values.value("success", false)) return;
+  throw ApiError(order.service + ": " + (answer.result ? values.value("message", "") : answer.problem));
+}
+
+}  // namespace gaitway::tools

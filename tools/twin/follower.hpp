@@ -1,0 +1,71 @@
+// Has the simulated robot do what a real one is told: as a client of its API, as anybody could be.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tools/ctl/api_client.hpp"
+#include "tools/twin/robot_news.hpp"
+
+namespace gaitway::tools {
+
+// What the simulated robot is to be told, in order.
+struct FollowOrder {
+  std::string service;     // empty: a velocity
+  std::string argument;    // JSON
+  std::array<double, 3> velocity{};  // m/s ahead, m/s to the left, rad/s; all 0: stand
+};
+
+// From what is told of the real robot to orders: what it began, left or was stopped in since the last look. What it did
+// already at the first look counts as begun then.
+class FollowRules {
+ public:
+  [[nodiscard]] std::vector<FollowOrder> look(const RobotNews& news);
+
+ private:
+  void look_at_motion(const RobotNews& news, std::vector<FollowOrder>& orders);
+  void look_at_way(const RobotNews& news, std::vector<FollowOrder>& orders);
+
+  RobotNews seen_;
+};
+
+class Follower {
+ public:
+  // `address`: of the simulated robot's API.
+  explicit Follower(const ApiAddress& address);
+  // Waits for the answer of an order that has been given, 10 s at most.
+  ~Follower();
+  Follower(const Follower&) = delete;
+  Follower& operator=(const Follower&) = delete;
+
+  // `follows`: false gives the command back. Whoever begins to follow forgets why it ended before.
+  void set(bool follows);
+  void hear(const RobotNews& news);
+
+  struct Status {
+    bool follows = false;
+    std::string text;  // why it ended by itself
+  };
+  [[nodiscard]] Status status() const;
+
+ private:
+  void run();
+  void follow();
+  [[nodiscard]] bool goes_on() const;
+  [[nodiscard]] RobotNews heard() const;
+  void carry_out(ApiClient& client, const FollowOrder& order);
+
+  ApiAddress address_;
+  mutable std::mutex mutex_;
+  RobotNews news_;
+  Status status_;
+  bool ending_ = false;
+  std::thread thread_;  // the last: it uses the others
+};
+
+}  // namespace gaitway::tools

@@ -1,0 +1,221 @@
+// Two watches, a comparison, a follower and a gate, put together.
+#include "tools/twin/twin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+namespace gaitway::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostTold = 20;
+constexpr std::size_t kPictureBytes = 48'000;  // at once
+
+json known(double value) {
+  return std::isfinite(value) ? json(value) : json();
+}
+
+const char* name(RobotWatch::State state) {
+  constexpr std::array kNames{"connecting", "connected", "lost", "refused"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      word = word << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kLetters[word >> (18U - 6U * k) & 63U] : '=';
+  }
+  return text;
+}
+
+}  // namespace
+
+Twin::Twin(TwinOptions options, const urdf::RobotModel& robot)
+    : address_(options.there.url),
+      comparison_(robot),
+      pose_(robot),
+      flight_(std::move(options.flight_arguments), std::move(options.out)),
+      there_(options.there, robot),
+      here_(options.here, robot),
+      follower_(options.here) {
+  follower_.set(true);
+}
+
+void Twin::look(const SimulationPace& pace) {
+  there_status_ = there_.status();
+  hear(Comparison::Robot::real, there_);
+  hear(Comparison::Robot::simulated, here_);
+  keep_pace(pace);
+  comparison_.look(monotonic_s());
+  if (std::string text = comparison_.take_news(); !text.empty()) tell(std::move(text), there_status_.robot_s);
+  if (there_status_.state == RobotWatch::State::connected) {
+    follower_.hear(there_status_.news);
+  } else {
+    RobotNews nothing_more = there_status_.news;  // of a robot that is not heard the simulated one walks on no further
+    nothing_more.walk = {};
+    follower_.hear(nothing_more);
+  }
+  look_at_link(there_status_);
+  look_at_flight();
+}
+
+void Twin::hear(Comparison::Robot robot, RobotWatch& watch) {
+  for (const ArrivedPoint& point : watch.take_points()) {
+    comparison_.take(robot, point);
+    if (robot != Comparison::Robot::real) continue;
+    pose_.take(point.point);
+    measured_s_ = point.arrived_s;
+  }
+}
+
+// At another pace, or after a jump, the two do not do the same at the same time.
+void Twin::keep_pace(const SimulationPace& pace) {
+  pace_text_ = !pace.plays          ? "the simulation is paused"
+               : pace.speed != 1.0 ? fmt::format("the simulation runs at {:g} times real time", pace.speed)
+                                   : "";
+  if (pace.run != pace_.run || !pace_text_.empty()) comparison_.forget(Comparison::Robot::simulated);
+  pace_ = pace;
+}
+
+void Twin::tell(std::string text, double robot_s) {
+  lines_.push_back("the robot there: " + text);
+  told_.emplace_back(robot_s, std::move(text));
+  if (told_.size() > kMostTold) told_.pop_front();
+}
+
+void Twin::look_at_link(const RobotWatch::Status& status) {
+  if (status.state != link_told_) {
+    link_told_ = status.state;
+    if (status.state == RobotWatch::State::connected) tell("connected", status.robot_s);
+    if (status.state == RobotWatch::State::lost) tell("lost: " + status.text, status.robot_s);
+    if (status.state == RobotWatch::State::refused) tell("refused: " + status.text, status.robot_s);
+  }
+  if (status.stops_answered != stops_told_) {
+    stops_told_ = status.stops_answered;
+    tell(status.stop_answer.empty() ? "it was told to stop, and does" : status.stop_answer, status.robot_s);
+  }
+  const Follower::Status follow = follower_.status();
+  if (follow.text != follow_told_) {
+    follow_told_ = follow.text;
+    if (!follow.text.empty()) tell("the simulated robot follows no more: " + follow.text, status.robot_s);
+  }
+}
+
+void Twin::look_at_flight() {
+  flight_.look();
+  if (flight_.state() == flight_seen_) return;
+  flight_seen_ = flight_.state();
+  const std::string text = flight_.text().empty() ? "" : ": " + flight_.text();
+  tell(fmt::format("{}: {}{}", flight_.what(), tools::name(flight_.state()), text), there_status_.robot_s);
+}
+
+std::vector<std::string> Twin::take_lines() {
+  return std::exchange(lines_, {});
+}
+
+std::optional<json> Twin::obey(const json& order) {
+  const auto what = order.at("order").get<std::string>();
+  if (what == "twin") return state();
+  if (what == "twin_picture") return picture(order);
+  if (what == "twin_follow") {
+    follower_.set(order.at("follow").get<bool>());
+  } else if (what == "twin_send") {
+    begin_flight(order);
+  } else if (what == "twin_stop") {
+    flight_.stop();
+    there_.stop();
+  } else if (what == "twin_reconnect") {
+    there_.reconnect();
+  } else {
+    return std::nullopt;
+  }
+  return json::object();
+}
+
+void Twin::begin_flight(const json& order) {
+  if (there_status_.state != RobotWatch::State::connected) {
+    throw std::runtime_error(fmt::format("the robot there is {}: {}", name(there_status_.state), there_status_.text));
+  }
+  constexpr double kUsual_s = 10.0;
+  FlightTask task{.walk = order.at("walk").get<std::vector<double>>(),
+                  .walk_s = order.at("duration_s").get<double>(),
+                  .motion = order.at("motion").get<std::string>(),
+                  .goal = order.at("goal").get<std::vector<double>>(),
+                  .settings = order.at("settings").get<std::vector<std::string>>(),
+                  .reason = order.at("reason").get<std::string>()};
+  if (task.walk_s == 0.0) task.walk_s = kUsual_s;
+  if (task.walk.size() % 3 != 0 || task.goal.size() % 3 != 0 || task.walk.size() > 3 || task.goal.size() > 3) {
+    throw std::invalid_argument("walk and goal must be empty or have three numbers");
+  }
+  flight_.start(task);
+}
+
+json Twin::state() const {
+  const Follower::Status follow = follower_.status();
+  json message{{"robot", address_},
+               {"state", name(there_status_.state)},
+               {"text", there_status_.text},
+               {"age", measured_s_ == 0.0 ? json() : json(monotonic_s() - measured_s_)},
+               {"activity", there_status_.news.activity},
+               {"commander", there_status_.news.commander},
+               {"follows", follow.follows && pace_text_.empty()},
+               {"follows_text", follow.text.empty() ? pace_text_ : follow.text},
+               {"base", json::array()},
+               {"joints", pose_.joints()},
+               {"lag", comparison_.lag_s() ? json(*comparison_.lag_s()) : json()}};
+  if (const auto base = pose_.base()) {
+    const Eigen::Vector3d at = base->translation();
+    const Eigen::Quaterniond turn(base->linear());
+    message["base"] = {at.x(), at.y(), at.z(), turn.x(), turn.y(), turn.z(), turn.w()};
+  }
+  for (const char* const list : {"channels", "units", "measured", "simulated", "difference", "limits", "told_times",
+                                 "told_texts"}) {
+    message[list] = json::array();
+  }
+  for (std::size_t i = 0; i < comparison_.channels().size(); ++i) {
+    const Channel& channel = comparison_.channels()[i];
+    const ChannelValues& values = comparison_.values()[i];
+    message["channels"].push_back(channel.name);
+    message["units"].push_back(channel.unit);
+    message["measured"].push_back(known(values.measured));
+    message["simulated"].push_back(known(values.simulated));
+    message["difference"].push_back(known(values.difference));
+    message["limits"].push_back(channel.limit);
+  }
+  for (const auto& [robot_s, text] : told_) {
+    message["told_times"].push_back(robot_s);
+    message["told_texts"].push_back(text);
+  }
+  message.update({{"sending", tools::name(flight_.state())},
+                  {"sending_what", flight_.what()},
+                  {"sending_text", flight_.text()},
+                  {"passed", flight_.passed()},
+                  {"tried", flight_.tried()},
+                  {"picture", flight_.pictures()}});
+  return message;
+}
+
+json Twin::picture(const json& order) const {
+  if (flight_.pictures() == 0) throw std::runtime_error("there is no picture yet: nothing has been tried");
+  std::ifstream file(flight_.picture(), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file && bytes.empty()) {
+    throw std::runtime_error(fmt::format("the picture '{}' cannot be read", flight_.picture().string()));
+  }
+  const std::size_t from = std::min<std::size_t>(order.at("from").get<std::uint32_t>(), bytes.size());
+  return {{"total", bytes.size()}, {"data", base64(std::string_view(bytes).substr(from, kPictureBytes))}};
+}
+
+}  // namespace gaitway::tools

@@ -1,0 +1,80 @@
+// The twin of a real robot: what that one measures beside the simulated one, which is told the same; how the two differ;
+// and what was tried here on its way there, through the pre-flight gate.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gaitway/urdf/robot_model.hpp"
+#include "tools/ctl/api_client.hpp"
+#include "tools/twin/comparison.hpp"
+#include "tools/twin/flight_process.hpp"
+#include "tools/twin/follower.hpp"
+#include "tools/twin/measured_pose.hpp"
+#include "tools/twin/robot_watch.hpp"
+
+namespace gaitway::tools {
+
+struct TwinOptions {
+  ApiAddress there;  // of the real robot
+  ApiAddress here;   // of the simulated one
+  std::vector<std::string> flight_arguments;  // of every pre-flight: robot, plug-ins, world
+  std::filesystem::path out;                  // folder for verdicts and for what was sent
+};
+
+// How the simulation runs: only at the pace of the real robot's time can the two be compared.
+struct SimulationPace {
+  bool plays = true;
+  double speed = 1.0;
+  std::uint32_t run = 0;  // rises when the simulated robot has been put to another instant
+};
+
+class Twin {
+ public:
+  // Has threads from here on.
+  Twin(TwinOptions options, const urdf::RobotModel& robot);
+
+  // Hears, compares, has the simulated robot follow.
+  void look(const SimulationPace& pace);
+  // What there is to say for people since the last call.
+  [[nodiscard]] std::vector<std::string> take_lines();
+
+  // The orders `twin` (its state), `twin_follow`, `twin_send`, `twin_stop`, `twin_reconnect` and `twin_picture`; nothing for
+  // any other. Throws std::invalid_argument or std::runtime_error: why not.
+  [[nodiscard]] std::optional<nlohmann::json> obey(const nlohmann::json& order);
+
+ private:
+  void hear(Comparison::Robot robot, RobotWatch& watch);
+  void keep_pace(const SimulationPace& pace);
+  void tell(std::string text, double robot_s);
+  void look_at_link(const RobotWatch::Status& status);
+  void look_at_flight();
+  void begin_flight(const nlohmann::json& order);
+  [[nodiscard]] nlohmann::json state() const;
+  [[nodiscard]] nlohmann::json picture(const nlohmann::json& order) const;
+
+  std::string address_;
+  Comparison comparison_;
+  MeasuredPose pose_;
+  FlightProcess flight_;
+  FlightProcess::State flight_seen_ = FlightProcess::State::idle;
+  RobotWatch there_, here_;
+  Follower follower_;
+  RobotWatch::Status there_status_;
+  RobotWatch::State link_told_ = RobotWatch::State::connecting;
+  std::string follow_told_, pace_text_;
+  std::uint32_t stops_told_ = 0;
+  SimulationPace pace_;
+  double measured_s_ = 0.0;  // when its newest measurement came; 0: never
+  std::deque<std::pair<double, std::string>> told_;  // s of the real robot's clock
+  std::vector<std::string> lines_;
+};
+
+}  // namespace gaitway::tools
