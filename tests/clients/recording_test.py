@@ -21,8 +21,8 @@ FULL_RATE = [
     "/joint_states", "/imu/data", "/foot/left/wrench", "/foot/right/wrench", "/zmp", "/com", "/odom", "/tf", "/clock",
 ]
 LATCHED = ["/footsteps", "/motion_state", "/robot_state", "/commander", "/robot_description", "/diagnostics",
-           "/walk_to/state", "/link_state", "/certificate_state"]
-OF_THE_MODULE = {"/link_state", "/certificate_state", "/simulation/state"}  # told by the process that faces the network, of itself, or of a simulator
+           "/walk_to/state", "/walk/command", "/link_state", "/certificate_state"]
+OF_THE_MODULE = {"/walk/command", "/link_state", "/certificate_state", "/simulation/state", "/simulation/twin"}  # told by the process that faces the network, of itself, or of a simulator
 OF_NOBODY = {"/walk_to/state"}  # this robot has no plug-in that walks to places
 SECONDS = 5.0
 

@@ -12,7 +12,7 @@ from served_robot import ServedRobot, until
 # Topics that speak all the time; `/events` does when there is something to say.
 STEADY = ["/joint_states", "/imu/data", "/foot/left/wrench", "/foot/right/wrench", "/zmp", "/zmp/reference", "/com", "/odom", "/tf",
           "/clock", "/diagnostics"]
-LATCHED = ["/robot_description", "/footsteps", "/motion_state", "/walk_to/state", "/robot_state", "/commander"]
+LATCHED = ["/robot_description", "/footsteps", "/motion_state", "/walk_to/state", "/robot_state", "/walk/command", "/commander"]
 
 
 class Listener:
@@ -50,7 +50,7 @@ class Roslibpy(unittest.TestCase):
 
     def test_1_lists_what_there_is(self):
         topics = self.ros.get_topics()
-        for topic in STEADY + LATCHED + ["/events", "/rosout", "/cmd_vel", "/simulation/state"]:
+        for topic in STEADY + LATCHED + ["/events", "/rosout", "/cmd_vel", "/simulation/state", "/simulation/twin"]:
             self.assertIn(topic, topics)
             self.assertTrue(self.ros.get_topic_type(topic), topic)
         services = self.ros.get_services()

@@ -35,8 +35,7 @@ ApiClient::ApiClient(const ApiAddress& address)
     : link_(std::make_unique<Link>(address)), timeout_s_(address.timeout_s) {}
 ApiClient::~ApiClient() = default;
 
-ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const json& arguments,
-                                         json& values) {
+ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const json& arguments, json& values) {
   const std::string id = fmt::format("call_{}", ++last_id_);
   constexpr double kForTheRobot = 0.9;  // of the time: then it says itself why it has not been done
   const ApiLink::Time deadline = link_->deadline();

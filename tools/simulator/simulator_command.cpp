@@ -34,7 +34,8 @@ namespace gaitway::tools {
 namespace {
 
 struct SimulatorOptions {
-  std::vector<std::string> robots;  // a folder with robot.urdf and robot.yaml, a real robot's address, or both
+  std::vector<std::string>
+      robots;  // a folder with robot.urdf and robot.yaml, a real robot's address, or both
   std::filesystem::path robot_token_file, robot_ca_file;
   std::filesystem::path config = process::default_config_file().parent_path() / "serve.yaml";
   std::string profile;  // of the bus; empty: what the robot's network file says
@@ -141,9 +142,11 @@ void write_commands(const SimulatorOptions& options, const world::World& world, 
   fmt::print("gaitway simulator: {:.3f} s, {} events, digest {}; ", seconds, events.size(),
              digest ? fmt::format("{:016x}", *digest) : "unknown");
   if (is_twin) {
-    fmt::print("what was asked is in {}, but for the posture in which the robot was at the start\n", file.string());
+    fmt::print("what was asked is in {}, but for the posture in which the robot was at the start\n",
+               file.string());
   } else {
-    fmt::print("once more: gaitway run{} --scenario {}\n", replay_options(options, robot.directory), file.string());
+    fmt::print("once more: gaitway run{} --scenario {}\n", replay_options(options, robot.directory),
+               file.string());
   }
 }
 
@@ -193,28 +196,27 @@ int simulate(const SimulatorOptions& options) {
       });
   WayPreview preview(robot, world);
   std::unique_ptr<Twin> twin;
-  timeline::Director director(std::move(start), {.socket = sockets.orders,
-                                                 .playing = !options.paused,
-                                                 .speed = options.speed,
-                                                 .world = world.name,
-                                                 .plan_way = [&preview](const auto& goal, const auto& state) {
-                                                   return preview.plan(goal, state);
-                                                 },
-                                                 .other_orders = [&twin](const nlohmann::json& order) {
-                                                   return twin ? twin->obey(order) : std::nullopt;
-                                                 }});
+  timeline::Director director(
+      std::move(start),
+      {.socket = sockets.orders,
+       .playing = !options.paused,
+       .speed = options.speed,
+       .world = world.name,
+       .plan_way = [&preview](const auto& goal, const auto& state) { return preview.plan(goal, state); },
+       .other_orders =
+           [&twin](const nlohmann::json& order) { return twin ? twin->obey(order) : std::nullopt; }});
   const ModuleKeeper module(module_arguments(options.module, {.robot = choice.folder,
                                                               .profile = options.profile,
                                                               .link = "unix:" + sockets.link.string(),
                                                               .simulation = "unix:" + sockets.orders.string(),
                                                               .recordings = options.out / "recordings"}));
   if (is_twin) {
-    twin = std::make_unique<Twin>(
-        TwinOptions{.there = *choice.there,
-                    .here = own_api(options.module),
-                    .flight_arguments = flight_arguments(*choice.there, robot.directory, options.config, world),
-                    .out = options.out / "preflight"},
-        robot);
+    twin = std::make_unique<Twin>(TwinOptions{.there = *choice.there,
+                                              .here = own_api(options.module),
+                                              .flight_arguments = flight_arguments(
+                                                  *choice.there, robot.directory, options.config, world),
+                                              .out = options.out / "preflight"},
+                                  robot);
   }
   serve(options, director, twin.get());
   twin.reset();
@@ -227,14 +229,17 @@ int simulate(const SimulatorOptions& options) {
 void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "simulator");
   SimulatorOptions& options = command.runs(simulate);
-  command.option("--world", options.world, "A file, or the name of a shipped world (`gaitway world list`); without it boxes, and empty for a twin");
+  command.option("--world", options.world,
+                 "A file, or the name of a shipped world (`gaitway world list`); without it boxes, and empty "
+                 "for a twin");
   command.option("--world-seed", options.world_seed, "Seed of its random courses, in place of their own")
       .between(0.0, std::numeric_limits<int>::max());
-  command.repeated(
-      "--robot", options.robots,
-      "Folder with robot.urdf and robot.yaml; or ws://HOST:PORT or wss://HOST:PORT, a real robot's API, whose twin it is "
-      "then; or both, one after the other");
-  command.option("--robot-token-file", options.robot_token_file, "File with the token that the real robot wants");
+  command.repeated("--robot", options.robots,
+                   "Folder with robot.urdf and robot.yaml; or ws://HOST:PORT or wss://HOST:PORT, a real "
+                   "robot's API, whose twin it is "
+                   "then; or both, one after the other");
+  command.option("--robot-token-file", options.robot_token_file,
+                 "File with the token that the real robot wants");
   command.option("--robot-ca", options.robot_ca_file,
                  "Whom to trust (PEM), where the real robot's certificate is its own");
   command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
@@ -249,7 +254,9 @@ void declare_program(const CommandLine& app) {
   command.option("--accept-unproven", options.accept_unproven,
                  "Run even if some message of the bus may miss its deadline");
   command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
-  command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot: 1 without it, and 0 for a twin")
+  command
+      .option("--mismatch", options.mismatch,
+              "Scale of what the planner does not know of the robot: 1 without it, and 0 for a twin")
       .between(0.0, 10.0);
   command.option("!--no-localization", options.localization,
                  "Nothing in the room tells the robot where it is: it walks by its own odometry");

@@ -23,7 +23,8 @@ TwinChoice twin_choice(const std::vector<std::string>& robots, const std::filesy
   for (const std::string& one : robots) {
     const bool again = is_address(one) ? choice.there.has_value() : !choice.folder.empty();
     if (again) {
-      throw std::invalid_argument(fmt::format("--robot {}: there is one already: give one folder and one address at most", one));
+      throw std::invalid_argument(
+          fmt::format("--robot {}: there is one already: give one folder and one address at most", one));
     }
     if (is_address(one)) {
       choice.there = ApiAddress{.url = one, .token_file = token_file, .ca_file = ca_file};
@@ -32,7 +33,8 @@ TwinChoice twin_choice(const std::vector<std::string>& robots, const std::filesy
     }
   }
   if (!choice.there && !(token_file.empty() && ca_file.empty())) {
-    throw std::invalid_argument("--robot-token-file and --robot-ca are of a real robot: give its address, --robot ws://HOST:PORT");
+    throw std::invalid_argument(
+        "--robot-token-file and --robot-ca are of a real robot: give its address, --robot ws://HOST:PORT");
   }
   if (choice.folder.empty()) choice.folder = process::default_robot_directory();
   return choice;
@@ -61,8 +63,8 @@ ApiAddress own_api(const ModuleOptions& module) {
 
 std::vector<std::string> flight_arguments(const ApiAddress& there, const std::filesystem::path& robot,
                                           const std::filesystem::path& config, const world::World& world) {
-  std::vector<std::string> words{"--from=" + there.url, "--robot=" + robot.string(), "--config=" + config.string(),
-                                 "--world=" + world.file.string()};
+  std::vector<std::string> words{"--from=" + there.url, "--robot=" + robot.string(),
+                                 "--config=" + config.string(), "--world=" + world.file.string()};
   if (world.random_seed) words.push_back(fmt::format("--world-seed={}", *world.random_seed));
   if (!there.token_file.empty()) words.push_back("--token-file=" + there.token_file.string());
   if (!there.ca_file.empty()) words.push_back("--ca=" + there.ca_file.string());

@@ -1,4 +1,5 @@
-// Whether a simulation is the twin of a real robot: which one, where that is, and how a pre-flight for it is started.
+// Whether a simulation is the twin of a real robot: which one, where that is, and how a pre-flight for it is
+// started.
 #pragma once
 
 #include <filesystem>
@@ -19,9 +20,10 @@ struct TwinChoice {
   std::optional<ApiAddress> there;  // nothing: no real robot
 };
 
-// `robots`: what --robot was given: a folder, an address, or both. Throws std::invalid_argument for two of a kind, and for
-// what belongs to a real robot where there is none.
-[[nodiscard]] TwinChoice twin_choice(const std::vector<std::string>& robots, const std::filesystem::path& token_file,
+// `robots`: what --robot was given: a folder, an address, or both. Throws std::invalid_argument for two of a
+// kind, and for what belongs to a real robot where there is none.
+[[nodiscard]] TwinChoice twin_choice(const std::vector<std::string>& robots,
+                                     const std::filesystem::path& token_file,
                                      const std::filesystem::path& ca_file);
 
 // Throws ApiError for another release or another robot, NoAnswer.
@@ -31,7 +33,9 @@ struct TwinChoice {
 [[nodiscard]] ApiAddress own_api(const ModuleOptions& module);
 
 // Of every `gaitway preflight` of this twin.
-[[nodiscard]] std::vector<std::string> flight_arguments(const ApiAddress& there, const std::filesystem::path& robot,
-                                                        const std::filesystem::path& config, const world::World& world);
+[[nodiscard]] std::vector<std::string> flight_arguments(const ApiAddress& there,
+                                                        const std::filesystem::path& robot,
+                                                        const std::filesystem::path& config,
+                                                        const world::World& world);
 
 }  // namespace gaitway::tools

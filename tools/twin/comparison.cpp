@@ -15,14 +15,14 @@
 namespace gaitway::tools {
 namespace {
 
-constexpr double kKept_s = 4.0;         // window, longest lag, and some
-constexpr double kPeriod_s = 0.2;       // of comparisons
-constexpr double kOld_s = 0.5;          // what comes no more is not known
-constexpr double kClockSet_s = 0.5;     // a clock that is off by more was set, or its pace is another one
-constexpr double kClockDrift = 1e-3;    // the shortest way is forgotten so fast, for clocks that drift
+constexpr double kKept_s = 4.0;       // window, longest lag, and some
+constexpr double kPeriod_s = 0.2;     // of comparisons
+constexpr double kOld_s = 0.5;        // what comes no more is not known
+constexpr double kClockSet_s = 0.5;   // a clock that is off by more was set, or its pace is another one
+constexpr double kClockDrift = 1e-3;  // the shortest way is forgotten so fast, for clocks that drift
 constexpr double kLagStep_s = 0.01;
-constexpr double kMoves_rad = 0.01;     // RMS of a joint about its mean: less is a stand, which fits everywhere
-constexpr double kToldAgainBelow = 0.7; // of the limit
+constexpr double kMoves_rad = 0.01;  // RMS of a joint about its mean: less is a stand, which fits everywhere
+constexpr double kToldAgainBelow = 0.7;    // of the limit
 constexpr std::size_t kOtherChannels = 7;  // but the joints
 constexpr std::size_t kMostNamed = 3;      // in a sentence
 
@@ -46,8 +46,9 @@ std::string shown(const Channel& channel, double value) {
 
 std::optional<double> Comparison::ClockFit::here(double stamp_s, double arrived_s) {
   const double offset_s = arrived_s - stamp_s;
-  const bool is_set = offset_s_ && (stamp_s < last_stamp_s_ - kClockSet_s || offset_s < *offset_s_ - kClockSet_s ||
-                                    offset_s > *offset_s_ + 4.0 * kClockSet_s);
+  const bool is_set =
+      offset_s_ && (stamp_s < last_stamp_s_ - kClockSet_s || offset_s < *offset_s_ - kClockSet_s ||
+                    offset_s > *offset_s_ + 4.0 * kClockSet_s);
   if (is_set) {
     offset_s_.reset();
     return std::nullopt;
@@ -81,7 +82,8 @@ void Comparison::take(Robot robot, const ArrivedPoint& arrived) {
   Half& half = halves_[static_cast<std::size_t>(robot)];
   // A place is told when it changes, and to who comes later once more, with its old stamp.
   if (arrived.point.what == Measurement::place) {
-    half.tracks[static_cast<std::size_t>(Measurement::place)].add(arrived.arrived_s, arrived.point.values, kKept_s);
+    half.tracks[static_cast<std::size_t>(Measurement::place)].add(arrived.arrived_s, arrived.point.values,
+                                                                  kKept_s);
     return;
   }
   const auto here_s = half.clock.here(arrived.point.stamp_s, arrived.arrived_s);
@@ -122,7 +124,8 @@ bool Comparison::is_known(double now_s, const Track& track) {
   return !track.points().empty() && now_s - track.points().back().time_s < kOld_s;
 }
 
-// The mean over the joints' points of the real robot in that time; nothing: it stands, or there is too little.
+// The mean over the joints' points of the real robot in that time; nothing: it stands, or there is too
+// little.
 std::optional<double> Comparison::squared_difference(double lag_s, double from_s, double until_s) const {
   const Track& simulated = track(Robot::simulated, Measurement::joints);
   double sum = 0.0;
@@ -232,7 +235,8 @@ void Comparison::tell(double now_s) {
                         shown(channels_[i], values_[i].difference), shown(channels_[i], channels_[i].limit));
   }
   if (new_ones.size() > kMostNamed) text += fmt::format(" and {} others", new_ones.size() - kMostNamed);
-  if (!text.empty()) news_ = fmt::format("differs from the simulated one, RMS of {:g} s: {}", kWindow_s, text);
+  if (!text.empty())
+    news_ = fmt::format("differs from the simulated one, RMS of {:g} s: {}", kWindow_s, text);
 }
 
 std::string Comparison::take_news() {

@@ -1,5 +1,5 @@
-// A real robot and a simulated one that is told the same, compared: how far behind the simulated one is, how far apart
-// the two are in every joint, in attitude, load and place, and what of it is worth telling.
+// A real robot and a simulated one that is told the same, compared: how far behind the simulated one is, how
+// far apart the two are in every joint, in attitude, load and place, and what of it is worth telling.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ class Comparison {
  public:
   enum class Robot : std::uint8_t { real, simulated };
   static constexpr double kWindow_s = 2.0;
-  // Looked for from -kLongestLag_s. The simulated robot hears of an order when the real one has begun to obey it, and
-  // obeys with a batch of its own; of a way, when it has planned it.
+  // Looked for from -kLongestLag_s. The simulated robot hears of an order when the real one has begun to obey
+  // it, and obeys with a batch of its own; of a way, when it has planned it.
   static constexpr double kLongestLag_s = 0.6;
   // So long a difference lasts before it is told: the one at a beginning or an end is of the lag.
   static constexpr double kLasts_s = kWindow_s + 0.6;

@@ -26,7 +26,8 @@ std::string_view trimmed(std::string_view line) {
 }
 
 std::string shown(std::string_view line) {
-  return line.empty() ? "nothing" : "'" + input::terminal_text(std::string(trimmed(line).substr(0, kShownBytes))) + "'";
+  return line.empty() ? "nothing"
+                      : "'" + input::terminal_text(std::string(trimmed(line).substr(0, kShownBytes))) + "'";
 }
 
 // The next line, which is taken from `text`.

@@ -22,7 +22,7 @@ namespace gaitway::tools {
 namespace {
 
 constexpr int kTrials = 20;
-constexpr double kAfterwards_s = 1.0;   // a flight begins with so long a stand
+constexpr double kAfterwards_s = 1.0;  // a flight begins with so long a stand
 constexpr std::size_t kLongestLine = 4000;
 constexpr const char* kSends = "  sending     ";
 constexpr const char* kVerdict = "verdict.json";
@@ -34,8 +34,8 @@ std::string list_of(const std::vector<double>& numbers) {
 
 // "17 of 20 simulated robots stayed up and did it; robot 4 fell after 3.20 s".
 std::string verdict_of(const nlohmann::json& verdict) {
-  std::string text = fmt::format("{} of {} simulated robots stayed up and did it", verdict.value("passed", 0U),
-                                 verdict.value("robots", 0U));
+  std::string text = fmt::format("{} of {} simulated robots stayed up and did it",
+                                 verdict.value("passed", 0U), verdict.value("robots", 0U));
   const auto worst = verdict.value("worst_seed", 0U);
   for (const auto& trial : verdict.value("trials", nlohmann::json::array())) {
     const std::string refusal = trial.value("refusal", "");
@@ -67,7 +67,8 @@ std::string FlightTask::text() const {
   }
   if (!motion.empty()) add("motion " + motion);
   if (!goal.empty()) {
-    add(fmt::format("way to {:.2f} m, {:.2f} m, {:.0f} deg", goal[0], goal[1], goal[2] / facts::kRadPerDegree));
+    add(fmt::format("way to {:.2f} m, {:.2f} m, {:.0f} deg", goal[0], goal[1],
+                    goal[2] / facts::kRadPerDegree));
   }
   return text;
 }
@@ -112,7 +113,8 @@ void FlightProcess::start(const FlightTask& task) {
 void FlightProcess::spawn(const std::vector<std::string>& words) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw std::runtime_error(fmt::format("the pre-flight cannot be started: no pipe: {}", std::strerror(errno)));
+    throw std::runtime_error(
+        fmt::format("the pre-flight cannot be started: no pipe: {}", std::strerror(errno)));
   }
   says_ = process::FileDescriptor(ends[0]);
   const process::FileDescriptor writes(ends[1]);

@@ -1,5 +1,5 @@
-// A pre-flight (`gaitway preflight`) in a process of its own: it makes copies of itself, which a process with threads
-// must not. What is sent to a robot is sent by that process alone, after its own verdict.
+// A pre-flight (`gaitway preflight`) in a process of its own: it makes copies of itself, which a process with
+// threads must not. What is sent to a robot is sent by that process alone, after its own verdict.
 #pragma once
 
 #include <sys/types.h>

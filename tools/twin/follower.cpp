@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double kObeyed_s = 10.0;  // a stand takes a walk's last steps
-constexpr double kRenew_s = 0.05;  // of a velocity, which holds for half a second; and of looks
+constexpr double kRenew_s = 0.05;   // of a velocity, which holds for half a second; and of looks
 constexpr std::chrono::milliseconds kIdle{20};
 
 bool is_zero(const std::array<double, 3>& velocity) {
@@ -48,8 +48,8 @@ std::vector<FollowOrder> FollowRules::look(const RobotNews& news) {
 }
 
 void FollowRules::look_at_motion(const RobotNews& news, std::vector<FollowOrder>& orders) {
-  const bool begins = is_under_way(news.motion_state) &&
-                      (!is_under_way(seen_.motion_state) || news.motion != seen_.motion);
+  const bool begins =
+      is_under_way(news.motion_state) && (!is_under_way(seen_.motion_state) || news.motion != seen_.motion);
   if (begins) orders.push_back(service("/play_motion", {{"motion", news.motion}}));
   const bool ended = news.motions_ended != seen_.motions_ended && seen_.motions_ended != 0;
   if (ended && news.motion_result == "left") orders.push_back(service("/play_motion", {{"motion", ""}}));

@@ -16,13 +16,13 @@ namespace gaitway::tools {
 
 // What the simulated robot is to be told, in order.
 struct FollowOrder {
-  std::string service;     // empty: a velocity
-  std::string argument;    // JSON
+  std::string service;               // empty: a velocity
+  std::string argument;              // JSON
   std::array<double, 3> velocity{};  // m/s ahead, m/s to the left, rad/s; all 0: stand
 };
 
-// From what is told of the real robot to orders: what it began, left or was stopped in since the last look. What it did
-// already at the first look counts as begun then.
+// From what is told of the real robot to orders: what it began, left or was stopped in since the last look.
+// What it did already at the first look counts as begun then.
 class FollowRules {
  public:
   [[nodiscard]] std::vector<FollowOrder> look(const RobotNews& news);

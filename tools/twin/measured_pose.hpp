@@ -1,4 +1,5 @@
-// Where a robot that is watched stands in its map: its own dead reckoning, put where its navigation says that it is.
+// Where a robot that is watched stands in its map: its own dead reckoning, put where its navigation says that
+// it is.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -57,10 +57,10 @@ RobotReader::RobotReader(const urdf::RobotModel& robot) {
 }
 
 std::vector<RobotReader::Topic> RobotReader::topics() {
-  return {{"/joint_states", kFast_ms},     {"/imu/data", kFast_ms},  {"/foot/left/wrench", kFast_ms},
+  return {{"/joint_states", kFast_ms},      {"/imu/data", kFast_ms},  {"/foot/left/wrench", kFast_ms},
           {"/foot/right/wrench", kFast_ms}, {"/odom", kFast_ms},      {"/walk_to/state", kSlow_ms},
-          {"/robot_state", kSlow_ms},      {"/commander", kSlow_ms}, {"/walk/command", kSlow_ms},
-          {"/motion_state", kSlow_ms},     {"/link_state", kSlow_ms}};
+          {"/robot_state", kSlow_ms},       {"/commander", kSlow_ms}, {"/walk/command", kSlow_ms},
+          {"/motion_state", kSlow_ms},      {"/link_state", kSlow_ms}};
 }
 
 MeasuredPoint RobotReader::joints_of(const json& message) const {

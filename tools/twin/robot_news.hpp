@@ -34,13 +34,13 @@ struct MeasuredPoint {
 
 // What the robot does, and what it was told.
 struct RobotNews {
-  std::string activity, commander;                   // as /robot_state and /commander have them
-  std::array<double, 3> walk{};                      // m/s ahead, m/s to the left, rad/s
-  std::string motion, motion_state, motion_result;   // as /motion_state has them
+  std::string activity, commander;                  // as /robot_state and /commander have them
+  std::array<double, 3> walk{};                     // m/s ahead, m/s to the left, rad/s
+  std::string motion, motion_state, motion_result;  // as /motion_state has them
   std::uint32_t motions_ended = 0;
-  std::string way_state, way_result;                 // as /walk_to/state has them
-  std::optional<std::array<double, 3>> goal;         // x m, y m, yaw rad
-  std::string link;                                  // as /link_state has it: "up", or why not
+  std::string way_state, way_result;          // as /walk_to/state has them
+  std::optional<std::array<double, 3>> goal;  // x m, y m, yaw rad
+  std::string link;                           // as /link_state has it: "up", or why not
 };
 
 class RobotReader {

@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kAnswer_s = 2.0;               // to connect, and of each answer
-constexpr double kSilent_s = 3.0;               // without a word: the connection is no good
+constexpr double kAnswer_s = 2.0;  // to connect, and of each answer
+constexpr double kSilent_s = 3.0;  // without a word: the connection is no good
 constexpr std::chrono::milliseconds kAgain{500};
 constexpr std::size_t kMostPoints = 2000;
 

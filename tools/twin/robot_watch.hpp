@@ -34,8 +34,8 @@ class RobotWatch {
   };
   struct Status {
     State state = State::connecting;
-    std::string text;  // why it is lost or refused
-    RobotNews news;    // as last heard
+    std::string text;         // why it is lost or refused
+    RobotNews news;           // as last heard
     std::string stop_answer;  // of the newest stop() that the robot has answered or that failed
     std::uint32_t stops_answered = 0;
     double robot_s = 0.0;  // its clock, as last heard

@@ -63,7 +63,8 @@ void Twin::look(const SimulationPace& pace) {
   if (there_status_.state == RobotWatch::State::connected) {
     follower_.hear(there_status_.news);
   } else {
-    RobotNews nothing_more = there_status_.news;  // of a robot that is not heard the simulated one walks on no further
+    RobotNews nothing_more =
+        there_status_.news;  // of a robot that is not heard the simulated one walks on no further
     nothing_more.walk = {};
     follower_.hear(nothing_more);
   }
@@ -82,7 +83,7 @@ void Twin::hear(Comparison::Robot robot, RobotWatch& watch) {
 
 // At another pace, or after a jump, the two do not do the same at the same time.
 void Twin::keep_pace(const SimulationPace& pace) {
-  pace_text_ = !pace.plays          ? "the simulation is paused"
+  pace_text_ = !pace.plays         ? "the simulation is paused"
                : pace.speed != 1.0 ? fmt::format("the simulation runs at {:g} times real time", pace.speed)
                                    : "";
   if (pace.run != pace_.run || !pace_text_.empty()) comparison_.forget(Comparison::Robot::simulated);
@@ -146,7 +147,8 @@ std::optional<json> Twin::obey(const json& order) {
 
 void Twin::begin_flight(const json& order) {
   if (there_status_.state != RobotWatch::State::connected) {
-    throw std::runtime_error(fmt::format("the robot there is {}: {}", name(there_status_.state), there_status_.text));
+    throw std::runtime_error(
+        fmt::format("the robot there is {}: {}", name(there_status_.state), there_status_.text));
   }
   constexpr double kUsual_s = 10.0;
   FlightTask task{.walk = order.at("walk").get<std::vector<double>>(),
@@ -156,7 +158,8 @@ void Twin::begin_flight(const json& order) {
                   .settings = order.at("settings").get<std::vector<std::string>>(),
                   .reason = order.at("reason").get<std::string>()};
   if (task.walk_s == 0.0) task.walk_s = kUsual_s;
-  if (task.walk.size() % 3 != 0 || task.goal.size() % 3 != 0 || task.walk.size() > 3 || task.goal.size() > 3) {
+  if (task.walk.size() % 3 != 0 || task.goal.size() % 3 != 0 || task.walk.size() > 3 ||
+      task.goal.size() > 3) {
     throw std::invalid_argument("walk and goal must be empty or have three numbers");
   }
   flight_.start(task);
@@ -180,8 +183,8 @@ json Twin::state() const {
     const Eigen::Quaterniond turn(base->linear());
     message["base"] = {at.x(), at.y(), at.z(), turn.x(), turn.y(), turn.z(), turn.w()};
   }
-  for (const char* const list : {"channels", "units", "measured", "simulated", "difference", "limits", "told_times",
-                                 "told_texts"}) {
+  for (const char* const list :
+       {"channels", "units", "measured", "simulated", "difference", "limits", "told_times", "told_texts"}) {
     message[list] = json::array();
   }
   for (std::size_t i = 0; i < comparison_.channels().size(); ++i) {

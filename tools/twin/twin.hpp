@@ -1,5 +1,5 @@
-// The twin of a real robot: what that one measures beside the simulated one, which is told the same; how the two differ;
-// and what was tried here on its way there, through the pre-flight gate.
+// The twin of a real robot: what that one measures beside the simulated one, which is told the same; how the
+// two differ; and what was tried here on its way there, through the pre-flight gate.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@
 namespace gaitway::tools {
 
 struct TwinOptions {
-  ApiAddress there;  // of the real robot
-  ApiAddress here;   // of the simulated one
+  ApiAddress there;                           // of the real robot
+  ApiAddress here;                            // of the simulated one
   std::vector<std::string> flight_arguments;  // of every pre-flight: robot, plug-ins, world
   std::filesystem::path out;                  // folder for verdicts and for what was sent
 };
@@ -46,8 +46,8 @@ class Twin {
   // What there is to say for people since the last call.
   [[nodiscard]] std::vector<std::string> take_lines();
 
-  // The orders `twin` (its state), `twin_follow`, `twin_send`, `twin_stop`, `twin_reconnect` and `twin_picture`; nothing for
-  // any other. Throws std::invalid_argument or std::runtime_error: why not.
+  // The orders `twin` (its state), `twin_follow`, `twin_send`, `twin_stop`, `twin_reconnect` and
+  // `twin_picture`; nothing for any other. Throws std::invalid_argument or std::runtime_error: why not.
   [[nodiscard]] std::optional<nlohmann::json> obey(const nlohmann::json& order);
 
  private:
@@ -72,7 +72,7 @@ class Twin {
   std::string follow_told_, pace_text_;
   std::uint32_t stops_told_ = 0;
   SimulationPace pace_;
-  double measured_s_ = 0.0;  // when its newest measurement came; 0: never
+  double measured_s_ = 0.0;                          // when its newest measurement came; 0: never
   std::deque<std::pair<double, std::string>> told_;  // s of the real robot's clock
   std::vector<std::string> lines_;
 };

@@ -14,9 +14,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t kNumbers = 3;           // of a walk, and of a goal
-constexpr double kLongest_s = 600.0;          // of a walk
-constexpr std::size_t kMostBytes = 3000;      // of an order's texts together
+constexpr std::size_t kNumbers = 3;       // of a walk, and of a goal
+constexpr double kLongest_s = 600.0;      // of a walk
+constexpr std::size_t kMostBytes = 3000;  // of an order's texts together
 constexpr std::size_t kMostSettings = 32;
 
 void require_three(const char* field, const std::vector<double>& numbers, const char* meaning) {
@@ -29,7 +29,8 @@ void require_three(const char* field, const std::vector<double>& numbers, const 
 void require_sendable(const ros::SendToRobot::Request& asked) {
   require_three("walk", asked.walk, "m/s ahead, m/s to the left, rad/s");
   require_three("goal", asked.goal, "x [m], y [m], yaw [rad]");
-  const int tasks = (asked.walk.empty() ? 0 : 1) + (asked.motion.empty() ? 0 : 1) + (asked.goal.empty() ? 0 : 1);
+  const int tasks =
+      (asked.walk.empty() ? 0 : 1) + (asked.motion.empty() ? 0 : 1) + (asked.goal.empty() ? 0 : 1);
   if (tasks > 1) throw Refused("walk, motion and goal: one of them is sent at a time");
   if (tasks == 0 && asked.settings.empty()) {
     throw Refused("there is nothing to send: give walk, motion, goal or settings");

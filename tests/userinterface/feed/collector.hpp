@@ -61,7 +61,8 @@ class Collector {
   std::array<std::size_t, kTopicCount> counts_{};
   Lists<ros::JointState, ros::Imu, ros::WrenchStamped, ros::PointStamped, ros::Odometry, ros::TFMessage,
         ros::PoseArray, ros::MotionState, ros::WayState, ros::RobotState, ros::String, ros::Clock,
-        ros::DiagnosticArray, ros::BusSlot, ros::LinkState, ros::SimulationState, ros::Log>
+        ros::DiagnosticArray, ros::BusSlot, ros::LinkState, ros::SimulationState, ros::TwinState,
+        ros::TwistStamped, ros::Log>
       kept_;
 };
 

@@ -22,9 +22,10 @@ class RecordedSimulation final : public SimulationPort {
   std::deque<OrderResult> results;
   std::string refusal;  // of the next pushes, as of wrong arguments
 
-  std::vector<nlohmann::json> orders;  // but for those of the state, which come by the clock, too
+  std::vector<nlohmann::json> orders;  // but for those of the states, which come by the clock, too
   std::vector<std::int64_t> patiences_ns;
-  int state_orders = 0;
+  int state_orders = 0, twin_orders = 0;
+  std::optional<nlohmann::json> twin;           // the answer to the order `twin`; nothing: there is none
   bool takes_orders = true;                     // false: as `gaitway serve`
   bool is_silent = false;                       // answers no order
   std::map<std::string, std::string> refusals;  // of orders by their names: why
@@ -73,6 +74,8 @@ class RecordedSimulation final : public SimulationPort {
     const std::string name = order.at("order");
     if (name == "state") {
       ++state_orders;
+    } else if (name == "twin") {
+      ++twin_orders;
     } else {
       orders.push_back(order);
       patiences_ns.push_back(patience_ns);
@@ -80,6 +83,8 @@ class RecordedSimulation final : public SimulationPort {
     ++last_number_;
     if (!takes_orders) {
       results.push_back({last_number_, false, "this simulator takes pushes alone"});
+    } else if (name == "twin" && !twin) {
+      results.push_back({last_number_, false, "order is 'twin'"});
     } else if (refusals.contains(name)) {
       results.push_back({last_number_, false, refusals.at(name)});
     } else if (!is_silent) {
@@ -102,6 +107,12 @@ class RecordedSimulation final : public SimulationPort {
   [[nodiscard]] nlohmann::json answer_to(const std::string& name, const nlohmann::json& order) const {
     if (name == "state") {
       return state;
+    }
+    if (name == "twin") {
+      return *twin;
+    }
+    if (name == "twin_picture") {
+      return {{"total", 5}, {"data", "aGVsbG8="}};
     }
     if (name == "geometry") {
       return geometry_from(order.at("from"));

@@ -22,7 +22,8 @@ namespace gaitway::timeline {
 // simulation (live_state.hpp). Throws std::exception: why there is no way.
 using PlanWay = std::function<nlohmann::json(const std::array<double, 3>& goal, const nlohmann::json& state)>;
 
-// Carries out an order that the director does not know. Nothing: neither does it. Throws std::exception: why not.
+// Carries out an order that the director does not know. Nothing: neither does it. Throws std::exception: why
+// not.
 using OtherOrders = std::function<std::optional<nlohmann::json>(const nlohmann::json& order)>;
 
 struct DirectorOptions {

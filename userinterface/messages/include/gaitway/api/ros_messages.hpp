@@ -266,27 +266,27 @@ struct SimulationState {
 // A real robot beside the simulated one: what it measures, how the two differ, and what is sent to it. Lists
 // are empty, and numbers NaN, where nothing is known.
 struct TwinState {
-  std::string robot;         // its address
-  std::string state;         // "connecting", "connected", "lost" or "refused"
-  std::string text;          // why it is lost or refused
-  double age = 0.0;          // s since its newest measurement has come
-  std::string activity;      // as /robot_state has it
-  std::string commander;     // who has the command there
-  bool follows = false;      // the simulated robot does what that one is told
-  std::string follows_text;  // why it does not, where nobody asked for that
-  std::vector<double> base;  // measured pose of the base in the simulator's world: x, y, z m, x, y, z, w
-  std::vector<double> joints;                   // measured, rad, in the order of the description
-  double lag = 0.0;                             // s that the simulated robot is behind
-  std::vector<std::string> channels, units;     // what is compared, in "rad", "N" or "m"
-  std::vector<double> measured, simulated;      // of each channel, at the same instant of the motion
-  std::vector<double> difference;               // of each channel, RMS over the last 2 s
-  std::vector<double> limits;                   // of each channel: more is told; 0: never
-  std::vector<double> told_times;               // s of that robot's clock
-  std::vector<std::string> told_texts;          // the last things that were told
-  std::string sending;                          // "idle", "trying", "sending", "done", "not passed", ...
-  std::string sending_what, sending_text;       // what is sent, and what came of it, for people
-  std::uint32_t passed = 0, tried = 0;          // simulated robots of the newest pre-flight
-  std::uint32_t picture = 0;                    // rises with each picture of the worst of them
+  std::string robot;           // its address
+  std::string state;           // "connecting", "connected", "lost" or "refused"
+  std::string text;            // why it is lost or refused
+  double age = 0.0;            // s since its newest measurement has come
+  std::string activity;        // as /robot_state has it
+  std::string commander;       // who has the command there
+  bool follows = false;        // the simulated robot does what that one is told
+  std::string follows_text;    // why it does not, where nobody asked for that
+  std::vector<double> base;    // measured pose of the base in the simulator's world: x, y, z m, x, y, z, w
+  std::vector<double> joints;  // measured, rad, in the order of the description
+  double lag = 0.0;            // s that the simulated robot is behind
+  std::vector<std::string> channels, units;  // what is compared, in "rad", "N" or "m"
+  std::vector<double> measured, simulated;   // of each channel, at the same instant of the motion
+  std::vector<double> difference;            // of each channel, RMS over the last 2 s
+  std::vector<double> limits;                // of each channel: more is told; 0: never
+  std::vector<double> told_times;            // s of that robot's clock
+  std::vector<std::string> told_texts;       // the last things that were told
+  std::string sending;                       // "idle", "trying", "sending", "done", "not passed", ...
+  std::string sending_what, sending_text;    // what is sent, and what came of it, for people
+  std::uint32_t passed = 0, tried = 0;       // simulated robots of the newest pre-flight
+  std::uint32_t picture = 0;                 // rises with each picture of the worst of them
   GAITWAY_ROS_MESSAGE("gaitway_msgs/msg/TwinState", robot, state, text, age, activity, commander, follows,
                       follows_text, base, joints, lag, channels, units, measured, simulated, difference,
                       limits, told_times, told_texts, sending, sending_what, sending_text, passed, tried,

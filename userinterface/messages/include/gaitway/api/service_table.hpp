@@ -152,8 +152,10 @@ inline constexpr std::array kServices{
     ServiceRow{
         "/simulation/twin/send", ros::SendToRobot::kName, false,
         "Send the real robot what was tried: a `walk` [m/s, m/s, rad/s] for `duration` [s], a `motion` or a "
-        "`goal` [m, m, rad], and `settings` of plug-ins (PLUGIN.PARAMETER=VALUE) before it. It is tried first "
-        "on 20 simulated robots that begin where that one is, and sent when all of them stay up and do it; or "
+        "`goal` [m, m, rad], and `settings` of plug-ins (PLUGIN.PARAMETER=VALUE) before it. It is tried "
+        "first "
+        "on 20 simulated robots that begin where that one is, and sent when all of them stay up and do it; "
+        "or "
         "with a `reason` of 10 characters or more, which is recorded. Answered when the trial begins: "
         "/simulation/twin tells the rest",
         R"({"walk": [0.1, 0.0, 0.0], "duration": 5.0})", true},
@@ -161,10 +163,11 @@ inline constexpr std::array kServices{
                "End what is tried or sent, and stop the real robot", "{}", true},
     ServiceRow{"/simulation/twin/reconnect", ros::Trigger::kName, false,
                "Connect to the real robot again after it was refused", "{}", true},
-    ServiceRow{"/simulation/twin/picture", ros::GetPicture::kName, false,
-               "The picture (PNG) of the worst robot of the newest trial, from the byte `first` on: `data` in "
-               "base64, of `total` bytes",
-               R"({"first": 0})", true},
+    ServiceRow{
+        "/simulation/twin/picture", ros::GetPicture::kName, false,
+        "The picture (PNG) of the worst robot of the newest trial, from the byte `first` on: `data` in "
+        "base64, of `total` bytes",
+        R"({"first": 0})", true},
     ServiceRow{
         "/simulation/get_simulator_features", ros::simulation::GetSimulatorFeatures::kName, false,
         "What this simulator can do of what the package simulation_interfaces has. `custom_info`: what "

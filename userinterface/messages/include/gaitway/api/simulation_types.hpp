@@ -78,8 +78,8 @@ struct WorldPart {
   std::vector<WorldSolid> solids;
   GAITWAY_FIELDS(success, message, geometry, world, total, floor_colour, solids)
 };
-// What a real robot is to do after it was tried: of `walk` (m/s ahead, m/s to the left, rad/s; for `duration` s,
-// 0: 10), `motion` and `goal` (x m, y m, yaw rad) one at most, `settings` (PLUGIN.PARAMETER=VALUE) first.
+// What a real robot is to do after it was tried: of `walk` (m/s ahead, m/s to the left, rad/s; for `duration`
+// s, 0: 10), `motion` and `goal` (x m, y m, yaw rad) one at most, `settings` (PLUGIN.PARAMETER=VALUE) first.
 // `reason`: send it even if a simulated robot fell.
 struct RobotOrder {
   std::vector<double> walk;
