@@ -1,50 +1,14 @@
 """roslibpy, as it comes from the registry, has the time and the world of `gaitway simulator`: state, pause, step, seek, reset,
 a plan, a fault, and what is spawned, moved and removed by services of simulation_interfaces."""
-import os
-import re
-import signal
-import subprocess
-import tempfile
-import threading
 import unittest
 
 import roslibpy
 
-from served_robot import free_port, until
+from served_robot import until
+from simulator import Simulator
 
-COMMAND = os.environ["GAITWAY_COMMAND"]
 OK, NOT_FOUND, FAILED = 1, 2, 4  # codes of simulation_interfaces/msg/Result
 STOPPED, PLAYING, PAUSED = 0, 1, 2  # of simulation_interfaces/msg/SimulationState
-
-
-class Simulator:
-    """`gaitway simulator` on a port of its own, until it is left."""
-
-    def __init__(self, *arguments):
-        self._folder = tempfile.TemporaryDirectory(prefix="gaitway_simulator_")
-        self._command = [COMMAND, "simulator", "--port", str(free_port()), "--out", self._folder.name, "--quiet", *arguments]
-        self.lines = []
-        self.port = None
-
-    def __enter__(self):
-        self.process = subprocess.Popen(self._command, stderr=subprocess.STDOUT, stdout=subprocess.PIPE, text=True)
-        self._reader = threading.Thread(target=self._follow, daemon=True)
-        self._reader.start()
-        until(lambda: self.port is not None, "the simulator's address")
-        return self
-
-    def _follow(self):
-        for line in self.process.stdout:
-            self.lines.append(line.rstrip())
-            if found := re.search(r"serves wss?://[^ ]*:(\d+)", line):
-                self.port = int(found.group(1))
-
-    def __exit__(self, *_):
-        self.process.send_signal(signal.SIGINT)
-        self.process.wait(60)
-        self._reader.join(10)
-        self.process.stdout.close()
-        self._folder.cleanup()
 
 
 class SimulationServices(unittest.TestCase):

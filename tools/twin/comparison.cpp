@@ -36,6 +36,23 @@ double turned_into_half(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * std::numbers::pi);
 }
 
+// A walk fits itself once a stride: of the shifts that fit about as well as the best, the least is meant.
+// `candidates`: squared difference and lag [s], by lag.
+std::optional<double> best_lag_s(const std::vector<std::pair<double, double>>& candidates) {
+  constexpr double kAboutAsWell = 1.5;
+  if (candidates.empty()) return std::nullopt;
+  const double least = std::ranges::min_element(candidates)->first;
+  std::optional<double> best_s;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto& [square, lag_s] = candidates[i];
+    const bool is_minimum = (i == 0 || square <= candidates[i - 1].first) &&
+                            (i + 1 == candidates.size() || square <= candidates[i + 1].first);
+    if (!is_minimum || square > kAboutAsWell * least) continue;
+    if (!best_s || std::abs(lag_s) < std::abs(*best_s)) best_s = lag_s;
+  }
+  return best_s;
+}
+
 std::string shown(const Channel& channel, double value) {
   if (std::string_view(channel.unit) == "rad") return fmt::format("{:.1f} deg", value / facts::kRadPerDegree);
   if (std::string_view(channel.unit) == "m") return fmt::format("{:.0f} mm", value * 1e3);
@@ -164,16 +181,14 @@ void Comparison::find_lag(double until_s) {
     largest_square = std::max(largest_square, squares[i] / static_cast<double>(count) - mean * mean);
   }
   if (largest_square < kMoves_rad * kMoves_rad) return;
-  std::optional<double> least;
+  std::vector<std::pair<double, double>> candidates;  // square, lag
   constexpr int kSteps = static_cast<int>(kLongestLag_s / kLagStep_s + 0.5);
   for (int step = -kSteps; step <= kSteps; ++step) {
     const double lag_s = kLagStep_s * step;
-    const auto square = squared_difference(lag_s, from_s, until_s);
-    if (square && (!least || *square < *least)) {
-      least = square;
-      lag_s_ = lag_s;
-    }
+    if (const auto square = squared_difference(lag_s, from_s, until_s))
+      candidates.emplace_back(*square, lag_s);
   }
+  lag_s_ = best_lag_s(candidates);
 }
 
 void Comparison::compare(Measurement what, std::size_t first_channel, double until_s) {

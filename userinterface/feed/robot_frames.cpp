@@ -1,6 +1,7 @@
 // odom <- level frame of the support foot <- base.
 #include "gaitway/api/robot_frames.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gaitway::api {
@@ -25,7 +26,16 @@ Eigen::Isometry3d pose(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& p
   return result;
 }
 
-// The support foot's place when nothing has been planned: the middle of the feet is the origin.
+// Where the robot's own odometry has the foot; nothing: it has none, and both feet at one place.
+std::optional<Eigen::Isometry3d> told_place(const Estimate& estimate, std::size_t side) noexcept {
+  const auto& feet = estimate.odometry_foot;
+  if (std::ranges::equal(feet[0], feet[1])) {
+    return std::nullopt;
+  }
+  return pose(about_z(feet[side][2]), Eigen::Vector3d(feet[side][0], feet[side][1], 0.0));
+}
+
+// The support foot's place when nobody knows it: the middle of the feet is the origin.
 Eigen::Isometry3d standing(const Eigen::Isometry3d& support_from_other) noexcept {
   const Eigen::Vector3d middle_m = 0.5 * support_from_other.translation();
   const Eigen::Matrix3d turn = about_z(-0.5 * heading(support_from_other.linear()));
@@ -57,7 +67,7 @@ void RobotFrames::update(std::int64_t instant_ns, std::span<const double> positi
   const std::size_t side = estimate.support == 0 ? 0 : 1;
   kinematics_.compute(position_rad);
   update_levels(estimate);
-  place_support(side, estimate.attitude[2]);
+  place_support(side, estimate);
   odom_from_base_ = odom_from_support_ * level_from_base_[side];
   if (planned != nullptr && planned->on_ground[side] != 0) {
     const Eigen::Vector3d place_m(planned->foot_position[side]);
@@ -84,13 +94,15 @@ void RobotFrames::update_levels(const Estimate& estimate) noexcept {
   }
 }
 
-void RobotFrames::place_support(std::size_t side, double gyro_yaw_rad) noexcept {
+void RobotFrames::place_support(std::size_t side, const Estimate& estimate) noexcept {
   if (!support_) {
-    odom_from_support_ = standing(level_from_base_[side] * level_from_base_[1 - side].inverse());
+    odom_from_support_ =
+        told_place(estimate, side)
+            .value_or(standing(level_from_base_[side] * level_from_base_[1 - side].inverse()));
     trunk_heading_rad_ = heading(odom_from_support_.linear()) - sole_heading_rad_[side];
     return;
   }
-  const double turned_rad = gyro_yaw_rad - gyro_yaw_rad_;
+  const double turned_rad = estimate.attitude[2] - gyro_yaw_rad_;
   if (std::abs(turned_rad) < kYawJump_rad) {
     trunk_heading_rad_ += turned_rad;
   } else {

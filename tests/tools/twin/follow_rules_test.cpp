@@ -110,7 +110,8 @@ TEST_F(FollowRulesTest, WhatIsUnderWayAtTheFirstLookIsBegun) {
   news_.motion_state = "playing";
   news_.motions_ended = 7;
   news_.motion_result = "left";
-  EXPECT_THAT(look(), ElementsAre(R"(/play_motion {"motion":"wave"})")) << "and what ended long ago is not left";
+  EXPECT_THAT(look(), ElementsAre(R"(/play_motion {"motion":"wave"})"))
+      << "and what ended long ago is not left";
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Messages of the robot API as a twin reads them, and whether a robot's API and description are the right ones.
+// Messages of the robot API as a twin reads them, and whether a robot's API and description are the right
+// ones.
 #include "tools/twin/robot_news.hpp"
 
 #include <gmock/gmock.h>
@@ -19,8 +20,10 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 json stamped(double stamp_s, json fields) {
-  fields["header"] = {{"frame_id", ""},
-                      {"stamp", {{"sec", std::floor(stamp_s)}, {"nanosec", std::round((stamp_s - std::floor(stamp_s)) * 1e9)}}}};
+  fields["header"] = {
+      {"frame_id", ""},
+      {"stamp",
+       {{"sec", std::floor(stamp_s)}, {"nanosec", std::round((stamp_s - std::floor(stamp_s)) * 1e9)}}}};
   return fields;
 }
 
@@ -53,8 +56,9 @@ TEST(RobotReader, AttitudeIsRollAndPitchWhereItIsKnown) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitZ()) *
                                 Eigen::AngleAxisd(-0.2, Eigen::Vector3d::UnitY()) *
                                 Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));
-  json message = stamped(1.0, {{"orientation", {{"x", turn.x()}, {"y", turn.y()}, {"z", turn.z()}, {"w", turn.w()}}},
-                               {"orientation_covariance", {0.0}}});
+  json message =
+      stamped(1.0, {{"orientation", {{"x", turn.x()}, {"y", turn.y()}, {"z", turn.z()}, {"w", turn.w()}}},
+                    {"orientation_covariance", {0.0}}});
   const auto point = reader.take("/imu/data", message, news);
   EXPECT_NEAR(point->values[0], 0.3, 1e-12);
   EXPECT_NEAR(point->values[1], -0.2, 1e-12);
@@ -68,12 +72,14 @@ TEST(RobotReader, NewsAreKeptAndStrangersRefused) {
   EXPECT_FALSE(reader.take("/robot_state", {{"state", "walks"}}, news));
   EXPECT_FALSE(reader.take("/commander", {{"data", "anna"}}, news));
   EXPECT_FALSE(reader.take("/walk/command",
-                           {{"twist", {{"linear", {{"x", 0.1}, {"y", -0.2}}}, {"angular", {{"z", 0.3}}}}}}, news));
+                           {{"twist", {{"linear", {{"x", 0.1}, {"y", -0.2}}}, {"angular", {{"z", 0.3}}}}}},
+                           news));
   EXPECT_EQ(news.activity, "walks");
   EXPECT_EQ(news.commander, "anna");
   EXPECT_EQ(news.walk, (std::array{0.1, -0.2, 0.3}));
   EXPECT_FALSE(reader.take("/of/a/newer/release", {{"data", 1}}, news));
-  EXPECT_THROW(static_cast<void>(reader.take("/robot_state", {{"condition", "walks"}}, news)), json::exception);
+  EXPECT_THROW(static_cast<void>(reader.take("/robot_state", {{"condition", "walks"}}, news)),
+               json::exception);
   EXPECT_THROW(static_cast<void>(reader.take("/joint_states", {{"name", 3}}, news)), json::exception);
 }
 
@@ -104,17 +110,21 @@ TEST(MeasuredPose, StandsWhereItsNavigationSays) {
 
 TEST(Compatibility, ReleasesOfOneMinorNumberFit) {
   EXPECT_EQ(release_difference("gaitway/0.1.0", "0.1.7"), "");
-  EXPECT_THAT(release_difference("gaitway/0.2.0", "0.1.0"), AllOf(HasSubstr("release 0.2.0"), HasSubstr("this is 0.1.0")));
+  EXPECT_THAT(release_difference("gaitway/0.2.0", "0.1.0"),
+              AllOf(HasSubstr("release 0.2.0"), HasSubstr("this is 0.1.0")));
   EXPECT_THAT(release_difference("gaitway/1.1.0", "0.1.0"), HasSubstr("release 1.1.0"));
   EXPECT_THAT(release_difference("gaitway", "0.1.0"), HasSubstr("a release before 0.1.0"));
-  EXPECT_THAT(release_difference("nginx\x1b[2J", "0.1.0"), AllOf(HasSubstr("no robot API"), HasSubstr("\\x1B")));
+  EXPECT_THAT(release_difference("nginx\x1b[2J", "0.1.0"),
+              AllOf(HasSubstr("no robot API"), HasSubstr("\\x1B")));
   EXPECT_THAT(release_difference("", "0.1.0"), HasSubstr("no robot API"));
 }
 
 TEST(Compatibility, DescriptionsDifferByALine) {
   EXPECT_EQ(description_difference("<robot>\n <link/>\n</robot>\n", "<robot>\n\t<link/>\r\n</robot>\n"), "");
-  const std::string why = description_difference("<robot>\n<limit upper='1'/>\n</robot>", "<robot>\n<limit upper='2'/>\n</robot>");
-  EXPECT_THAT(why, AllOf(HasSubstr("line 2"), HasSubstr("upper='1'"), HasSubstr("upper='2'"), HasSubstr("--robot FOLDER")));
+  const std::string why = description_difference("<robot>\n<limit upper='1'/>\n</robot>",
+                                                 "<robot>\n<limit upper='2'/>\n</robot>");
+  EXPECT_THAT(why, AllOf(HasSubstr("line 2"), HasSubstr("upper='1'"), HasSubstr("upper='2'"),
+                         HasSubstr("--robot FOLDER")));
   EXPECT_THAT(description_difference("<robot>\n", ""), HasSubstr("here it is nothing"));
   EXPECT_THAT(description_difference("", "<robot>"), HasSubstr("is nothing"));
 }

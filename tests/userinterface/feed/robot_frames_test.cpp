@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 #include <vector>
 
@@ -51,6 +52,24 @@ TEST_F(RobotFramesTest, StandsOverTheOriginBeforeThereIsAPlan) {
   EXPECT_TRUE(frames.odom_from_base().translation().isApprox(Eigen::Vector3d(0.0, 0.0, 0.36), 1e-6));
   EXPECT_TRUE(frames.odom_from_base().linear().isIdentity(1e-9));
   EXPECT_NEAR(frames.odom_from_support().translation().y(), 0.05, 0.02) << "the left foot";
+}
+
+// Whoever begins to look on, or does so anew, sees the robot where it was.
+TEST_F(RobotFramesTest, BeginsWhereTheRobotsOwnOdometryIs) {
+  std::ranges::copy(std::array{2.0, 1.05, 0.3}, estimate.odometry_foot[0]);
+  std::ranges::copy(std::array{2.0, 0.95, 0.3}, estimate.odometry_foot[1]);
+  estimate.attitude[2] = 17.0;  // the gyro's own, which has nothing to do with it
+  update();
+  EXPECT_TRUE(frames.odom_from_support().translation().isApprox(Eigen::Vector3d(2.0, 1.05, 0.0), 1e-9));
+  const Eigen::Matrix3d& turn = frames.odom_from_base().linear();
+  EXPECT_NEAR(std::atan2(turn(1, 0), turn(0, 0)), 0.3, 1e-9);
+  std::ranges::copy(std::array{5.0, 5.05, 0.3}, estimate.odometry_foot[0]);
+  update();
+  EXPECT_NEAR(frames.odom_from_support().translation().x(), 2.0, 1e-9)
+      << "it has a reckoning of its own from then on";
+  frames.reset();
+  update();
+  EXPECT_NEAR(frames.odom_from_support().translation().x(), 5.0, 1e-9);
 }
 
 TEST_F(RobotFramesTest, LaysThePlanSoThatTheSupportFootIsWhereItWasPlanned) {

@@ -92,7 +92,10 @@ TEST_F(TwinServicesTest, AFieldThatIsMissingIsNoState) {
 TEST_F(TwinServicesTest, WhatIsSentIsPassedOnWithAllOfIt) {
   EXPECT_EQ(call("twin/send", {{"walk", {0.1, 0.0, 0.2}}, {"duration", 5.0}}),
             (json{{"success", true}, {"message", ""}}));
-  EXPECT_EQ(call("twin/send", {{"motion", "kick"}, {"settings", {"trajectory.com_height=0.3 m"}}, {"reason", "held by its crane"}})["success"], true);
+  EXPECT_EQ(call("twin/send", {{"motion", "kick"},
+                               {"settings", {"trajectory.com_height=0.3 m"}},
+                               {"reason", "held by its crane"}})["success"],
+            true);
   EXPECT_THAT(simulation.orders, ElementsAre(json{{"order", "twin_send"},
                                                   {"walk", {0.1, 0.0, 0.2}},
                                                   {"duration_s", 5.0},
@@ -125,8 +128,9 @@ TEST_F(TwinServicesTest, FollowingStoppingAndConnectingAreOrders) {
   EXPECT_EQ(call("twin/follow", {{"data", false}})["success"], true);
   EXPECT_EQ(call("twin/stop")["success"], true);
   EXPECT_EQ(call("twin/reconnect")["success"], true);
-  EXPECT_THAT(simulation.orders, ElementsAre(json{{"order", "twin_follow"}, {"follow", false}},
-                                             json{{"order", "twin_stop"}}, json{{"order", "twin_reconnect"}}));
+  EXPECT_THAT(simulation.orders,
+              ElementsAre(json{{"order", "twin_follow"}, {"follow", false}}, json{{"order", "twin_stop"}},
+                          json{{"order", "twin_reconnect"}}));
   simulation.refusals["twin_send"] = "the robot there is lost: no route";
   EXPECT_EQ(call("twin/send", {{"motion", "kick"}}),
             (json{{"success", false}, {"message", "the robot there is lost: no route"}}));

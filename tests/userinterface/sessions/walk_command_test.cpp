@@ -1,5 +1,5 @@
-// The velocity that clients have the robot walk with, for those who look on: it is told when it changes, and as 0 when it
-// holds no more.
+// The velocity that clients have the robot walk with, for those who look on: it is told when it changes, and
+// as 0 when it holds no more.
 #include <gtest/gtest.h>
 
 #include "test_client.hpp"

@@ -6,8 +6,9 @@
 // sole's, x along the sole, z up. Roll and pitch of the base are the estimate's (trunk against gravity, over
 // the waist's joints); its yaw is what the trunk has turned since the start, so that a foot that turns on the
 // ground is seen. (Walking in curves, the planner's own heading is soon wrong by tens of degrees: it takes
-// the feet not to turn.) At the start, the middle between the feet is the origin, and x points ahead. The
-// pose has no jumps; it drifts by what feet slide.
+// the feet not to turn.) It begins where the robot's own odometry is: whoever looks on from later on, or
+// anew, sees the robot where it was. (Without one, the middle between the feet is the origin, and x points
+// ahead.) The pose has no jumps; it drifts by what feet slide.
 //
 // The planner's frame `plan` is laid over it so that the support foot is where it was planned to stand:
 // footsteps and reference ZMP then lie at the feet in the picture.
@@ -52,7 +53,7 @@ class RobotFrames {
 
  private:
   void update_levels(const Estimate& estimate) noexcept;
-  void place_support(std::size_t side, double gyro_yaw_rad) noexcept;
+  void place_support(std::size_t side, const Estimate& estimate) noexcept;
   void update_velocity(std::int64_t instant_ns, std::size_t side,
                        const std::array<Eigen::Isometry3d, 2>& last) noexcept;
   void update_turn(std::span<const double> velocity_rad_per_s, const Estimate& estimate) noexcept;

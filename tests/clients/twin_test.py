@@ -1,0 +1,290 @@
+"""`gaitway simulator --robot ADDRESS`: a robot that is served is the real one here, behind a link that can be cut. The simulated one does what
+that one is told, the difference is told, and what is sent goes through the pre-flight gate."""
+import os
+import re
+import shutil
+import socket
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import roslibpy
+
+from served_robot import COMMAND, ServedRobot, free_port, until
+from simulator import Simulator
+
+SEND = "gaitway_msgs/srv/SendToRobot"
+
+
+class Relay:
+    """A TCP relay in front of a server: `cut` ends what is connected and lets nobody in, `rewrite` changes what the server says first."""
+
+    def __init__(self, port, rewrite=None):
+        self.port = free_port()
+        self._target, self._rewrite, self._pairs, self._open = port, rewrite, [], True
+        self._server = socket.create_server(("127.0.0.1", self.port))
+        threading.Thread(target=self._accept, daemon=True).start()
+
+    def _accept(self):
+        while True:
+            try:
+                client, _ = self._server.accept()
+            except OSError:
+                return
+            if not self._open:
+                client.close()
+                continue
+            server = socket.create_connection(("127.0.0.1", self._target))
+            self._pairs.append((client, server))
+            threading.Thread(target=self._pass, args=(client, server, None), daemon=True).start()
+            threading.Thread(target=self._pass, args=(server, client, self._rewrite), daemon=True).start()
+
+    @staticmethod
+    def _pass(source, sink, rewrite):
+        try:
+            while data := source.recv(65536):
+                if rewrite:
+                    data, rewrite = data.replace(*rewrite), None
+                sink.sendall(data)
+        except OSError:
+            pass
+        for one in (source, sink):
+            try:
+                one.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+
+    def cut(self):
+        self._open = False
+        for pair in self._pairs:
+            for one in pair:
+                try:
+                    one.shutdown(socket.SHUT_RDWR)
+                except OSError:
+                    pass
+        self._pairs.clear()
+
+    def mend(self):
+        self._open = True
+
+    def close(self):
+        self.cut()
+        self._server.close()
+
+
+class Client:
+    """A client of a robot's API, with the newest message of some topics."""
+
+    def __init__(self, port, topics):
+        self.ros = roslibpy.Ros("127.0.0.1", port)
+        self.ros.run(timeout=20)
+        self.newest = {}
+        self._topics = []  # kept: they end with their object
+        for topic, kind in topics.items():
+            one = roslibpy.Topic(self.ros, topic, kind)
+            one.subscribe(lambda message, topic=topic: self.newest.__setitem__(topic, message))
+            self._topics.append(one)
+
+    def call(self, service, kind, **arguments):
+        return dict(roslibpy.Service(self.ros, service, kind).call(roslibpy.ServiceRequest(arguments), timeout=20))
+
+    def close(self):
+        self.ros.close()
+
+
+class Twin(unittest.TestCase):
+    """One robot there, one simulator here, for all tests of this class."""
+
+    mismatch = "1"
+
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = ServedRobot("--world", "empty", "--seed", "7", "--mismatch", cls.mismatch).__enter__()
+        cls.addClassCleanup(cls.robot.__exit__, None, None, None)
+        cls.relay = Relay(cls.robot.port)
+        cls.addClassCleanup(cls.relay.close)
+        cls.simulator = Simulator("--robot", f"ws://127.0.0.1:{cls.relay.port}").__enter__()
+        cls.addClassCleanup(cls.simulator.__exit__, None, None, None)
+        cls.there = Client(cls.robot.port, {"/odom": "nav_msgs/msg/Odometry", "/robot_state": "gaitway_msgs/msg/RobotState"})
+        cls.addClassCleanup(cls.there.close)
+        cls.here = Client(cls.simulator.port, {"/simulation/twin": "gaitway_msgs/msg/TwinState", "/simulation/state": "gaitway_msgs/msg/SimulationState",
+                                               "/robot_state": "gaitway_msgs/msg/RobotState", "/odom": "nav_msgs/msg/Odometry"})
+        cls.addClassCleanup(cls.here.close)
+        until(lambda: cls.here.newest.get("/simulation/twin", {}).get("state") == "connected", "the robot there", 30)
+
+    def setUp(self):
+        self.order("follow", "std_srvs/srv/SetBool", data=True)
+        for client in (self.there, self.here):
+            until(lambda: client.newest["/robot_state"]["state"] == "stands", "a stand", 30)
+
+    @property
+    def twin(self):
+        return self.here.newest["/simulation/twin"]
+
+    def order(self, name, kind, **arguments):
+        return self.here.call("/simulation/twin/" + name, kind, **arguments)
+
+    def drive(self, seconds, forward):
+        velocity = roslibpy.Topic(self.there.ros, "/cmd_vel", "geometry_msgs/msg/Twist")
+        velocity.advertise()
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            velocity.publish({"linear": {"x": forward, "y": 0.0, "z": 0.0}, "angular": {"x": 0.0, "y": 0.0, "z": 0.0}})
+            time.sleep(0.1)
+        velocity.unadvertise()
+
+    @staticmethod
+    def x_of(client):
+        return client.newest["/odom"]["pose"]["pose"]["position"]["x"]
+
+    def send_and_wait(self, timeout_s=90, **task):
+        self.assertEqual(self.order("send", SEND, **task), {"success": True, "message": ""})
+        until(lambda: self.twin["sending"] in ("trying", "sending"), "the trial", 10)
+        until(lambda: self.twin["sending"] not in ("trying", "sending"), lambda: f"its end: {self.twin}", timeout_s)
+        return self.twin["sending"]
+
+
+class AsDescribed(Twin):
+    def test_the_simulated_robot_does_what_the_one_there_is_told(self):
+        before = self.x_of(self.there), self.x_of(self.here)
+        self.drive(5.0, 0.15)
+        until(lambda: self.twin["lag"] is not None, "the lag")
+        self.assertLess(abs(self.twin["lag"]), 0.5)
+        until(lambda: self.here.newest["/robot_state"]["state"] == "stands" and self.there.newest["/robot_state"]["state"] == "stands", "the stand")
+        walked = self.x_of(self.there) - before[0], self.x_of(self.here) - before[1]
+        self.assertGreater(walked[0], 0.3)
+        self.assertAlmostEqual(walked[1], walked[0], delta=0.1)
+        self.assertEqual([text for text in self.twin["told_texts"] if "differs" in text], [], "it is as it is described")
+        twin = self.twin
+        self.assertEqual(len(twin["channels"]), 22 + 7)
+        self.assertEqual(twin["channels"][22:24], ["roll", "pitch"])
+        for name, difference, limit in zip(twin["channels"], twin["difference"], twin["limits"]):
+            if limit > 0:
+                self.assertLess(difference, limit, name)
+        self.assertEqual(len(twin["joints"]), 22)
+        self.assertAlmostEqual(twin["base"][2], self.here.newest["/simulation/state"]["base"][2], delta=0.01)
+        self.assertTrue(twin["follows"], twin["follows_text"])
+
+    def test_what_is_sent_was_tried_before(self):
+        before = self.x_of(self.there)
+        self.assertEqual(self.send_and_wait(walk=[0.12, 0.0, 0.0], duration=4.0), "done")
+        self.assertEqual((self.twin["passed"], self.twin["tried"]), (20, 20))
+        self.assertIn("20 of 20", self.twin["sending_text"])
+        self.assertGreater(self.x_of(self.there), before + 0.2)
+        until(lambda: self.twin["picture"] > 0, "the picture")
+        picture = self.order("picture", "gaitway_msgs/srv/GetPicture", first=0)
+        self.assertTrue(picture["success"], picture["message"])
+        self.assertTrue(picture["data"].startswith("iVBORw0KGgo"), "a PNG")
+        self.assertGreater(picture["total"], 10_000)
+        record = (self.simulator.out / "preflight" / "sent.jsonl").read_text()
+        self.assertIn('"outcome":"begun"', record)
+        self.assertIn('"outcome":"done"', record)
+
+    def test_what_does_not_pass_is_not_sent_without_a_reason(self):
+        self.assertEqual(self.send_and_wait(motion="no_such_motion"), "not passed")
+        self.assertIn("0 of 20", self.twin["sending_text"])
+        self.assertEqual(self.send_and_wait(motion="no_such_motion", reason="to see what it says"), "failed")
+        self.assertIn("no_such_motion", self.twin["sending_text"])
+        self.assertIn("to see what it says", (self.simulator.out / "preflight" / "sent.jsonl").read_text())
+
+    def test_a_stop_ends_what_is_sent(self):
+        self.order("send", SEND, walk=[0.12, 0.0, 0.0], duration=30.0)
+        until(lambda: self.there.newest["/robot_state"]["state"] == "walks", "the walk", 60)
+        again = self.order("send", SEND, motion="kick")
+        self.assertFalse(again["success"])
+        self.assertIn("under way", again["message"])
+        self.assertTrue(self.order("stop", "std_srvs/srv/Trigger")["success"])
+        until(lambda: self.there.newest["/robot_state"]["state"] in ("stands", "stops"), "the stop", 3)
+        until(lambda: self.twin["sending"] == "stopped", "the word", 5)
+        until(lambda: any("told to stop" in text for text in self.twin["told_texts"]), "the answer", 5)
+
+    def test_a_link_that_is_lost_in_mid_mission_leaves_both_standing(self):
+        self.assertTrue(self.order("send", SEND, goal=[self.x_of(self.there) + 1.0, 0.0, 0.0])["success"])
+        until(lambda: self.there.newest["/robot_state"]["state"] == "walks" and self.twin["sending"] == "sending", lambda: f"the way: {self.twin}", 90)
+        time.sleep(1.5)  # some steps
+        self.relay.cut()
+        cut = time.monotonic()
+        until(lambda: self.there.newest["/robot_state"]["state"] == "stands", "the stand there", 5)
+        self.assertLess(time.monotonic() - cut, 4.0)
+        until(lambda: self.twin["state"] == "lost", "that it is told", 10)
+        self.assertTrue(self.twin["text"])
+        until(lambda: self.twin["sending"] == "failed", lambda: f"the mission's end: {self.twin}", 15)
+        until(lambda: self.here.newest["/robot_state"]["state"] == "stands", "the stand here", 20)
+        refused = self.order("send", SEND, motion="kick")
+        self.assertFalse(refused["success"])
+        self.assertIn("lost", refused["message"])
+        self.relay.mend()
+        until(lambda: self.twin["state"] == "connected", "the link", 10)
+
+    def test_a_paused_simulation_follows_nobody(self):
+        pause = {"state": {"state": 2}}
+        self.here.call("/simulation/set_simulation_state", "simulation_interfaces/srv/SetSimulationState", **pause)
+        until(lambda: not self.twin["follows"], "that it is told", 5)
+        self.assertIn("paused", self.twin["follows_text"])
+        self.here.call("/simulation/set_simulation_state", "simulation_interfaces/srv/SetSimulationState", state={"state": 1})
+        until(lambda: self.twin["follows"], "that it follows again", 5)
+
+
+class AnotherThanDescribed(Twin):
+    mismatch = "6"  # joint zeros are off by degrees
+
+    def test_what_differs_is_told(self):
+        until(lambda: any("differs from the simulated one" in text for text in self.twin["told_texts"]), lambda: f"the difference: {self.twin}", 30)
+        over = [name for name, difference, limit in zip(self.twin["channels"], self.twin["difference"], self.twin["limits"])
+                if limit > 0 and difference is not None and difference > limit]
+        self.assertTrue(over)
+
+
+class Refusals(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = ServedRobot("--world", "empty").__enter__()
+        cls.addClassCleanup(cls.robot.__exit__, None, None, None)
+
+    def simulator(self, *arguments):
+        with tempfile.TemporaryDirectory() as out:
+            result = subprocess.run([COMMAND, "simulator", "--port", str(free_port()), "--out", out, "--seconds", "1", *arguments], capture_output=True, text=True, timeout=60)
+        return result.returncode, result.stdout + result.stderr
+
+    def test_another_release_is_refused_by_both_numbers(self):
+        relay = Relay(self.robot.port, (b"Server: gaitway/", b"Server: gaitway/7."))
+        self.addCleanup(relay.close)
+        code, said = self.simulator("--robot", f"ws://127.0.0.1:{relay.port}")
+        self.assertEqual(code, 1)
+        self.assertIn("runs release 7.", said)
+        self.assertIn("install the same on both", said)
+
+    def test_nobody_there_is_said(self):
+        code, said = self.simulator("--robot", f"ws://127.0.0.1:{free_port()}")
+        self.assertEqual(code, 1)
+        self.assertIn("Connection refused", said)
+
+    def test_two_robots_are_one_too_many(self):
+        address = f"ws://127.0.0.1:{self.robot.port}"
+        self.assertIn("one already", self.simulator("--robot", address, "--robot", address)[1])
+        self.assertIn("give its address", self.simulator("--robot-token-file", "x")[1])
+
+    def test_another_description_is_refused_by_its_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(Path(os.environ["GAITWAY_ROBOT"]), folder, dirs_exist_ok=True)
+            file = Path(folder) / "robot.urdf"
+            file.write_text(re.sub(r'(<mass value="[0-9.]+)', r"\g<1>1", file.read_text(), count=1))  # some grams more
+            with Simulator("--robot", folder, "--robot", f"ws://127.0.0.1:{self.robot.port}") as simulator:
+                here = Client(simulator.port, {"/simulation/twin": "gaitway_msgs/msg/TwinState"})
+                try:
+                    until(lambda: here.newest.get("/simulation/twin", {}).get("state") == "refused", lambda: f"the refusal: {here.newest}", 20)
+                    said = here.newest["/simulation/twin"]["text"]
+                    self.assertIn("another description: line", said)
+                    self.assertIn("<mass value=", said)
+                    self.assertFalse(here.call("/simulation/twin/send", SEND, motion="kick")["success"])
+                finally:
+                    here.close()
+
+
+del Twin  # it is no test of its own
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
