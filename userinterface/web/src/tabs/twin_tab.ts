@@ -39,6 +39,7 @@ export class TwinTab implements Tab {
   private picture = 0; // that is shown, or being fetched
   private pictureFailed_ms = -Infinity;
   private toldKey = "";
+  private wantsToBeSeen = false; // what has just been sent
 
   constructor(
     private readonly context: Context,
@@ -59,9 +60,11 @@ export class TwinTab implements Tab {
 
   show(): void {
     this.shown = true;
+    document.body.classList.add("views-twin");
   }
   hide(): void {
     this.shown = false;
+    document.body.classList.remove("views-twin");
   }
 
   // Each state, also while the view is not shown.
@@ -72,6 +75,7 @@ export class TwinTab implements Tab {
   look(now_ms: number): void {
     const { state, agreement, age_s, silent } = this.now();
     this.status.show(state, agreement, age_s, silent);
+    for (const box of [this.table.box, this.plot.box]) box.classList.toggle("was", agreement.verdict === "lost");
     this.table.show(state.channels, now_ms);
     this.chosen ??= worstFirst(state.channels)[0]?.name;
     const index = state.channels.findIndex(({ name }) => name === this.chosen);
@@ -83,6 +87,10 @@ export class TwinTab implements Tab {
     }
     this.form.look(this.hindrance(state, silent));
     this.sending.show(state, this.sent.requestOf(state.sendingWhat) !== undefined);
+    if (this.wantsToBeSeen && isBusy(state)) {
+      this.wantsToBeSeen = false;
+      this.sending.box.scrollIntoView({ block: "start" });
+    }
     this.showTold(state);
     this.keepPicture(state, now_ms);
   }
@@ -105,8 +113,7 @@ export class TwinTab implements Tab {
     const begun = await this.context.attempt("Send to the robot there", () => this.orders.send(request), "it is tried on simulated robots first");
     if (!begun) return;
     this.sent.begun(request);
-    this.sending.box.hidden = false;
-    this.sending.box.scrollIntoView({ block: "nearest" });
+    this.wantsToBeSeen = true;
   }
 
   private sendNevertheless(reason: string): void {

@@ -53,7 +53,7 @@ export function agreementOf({ link, channels, follows }: TwinState, age_s: numbe
     return { verdict: "unknown", text: `Nothing is compared: ${why}.`, short: "Not compared" };
   }
   const above = judged.filter(isAbove).length;
-  const what = `${spoken(worst.name)}, ${valueText(worst.difference, worst.unit)} of ${valueText(worst.limit, worst.unit)}`;
+  const what = `${spoken(worst.name)}, ${valueText(worst.difference, worst.unit)} (limit ${valueText(worst.limit, worst.unit)})`;
   if (above === 0) return { verdict: "agree", text: `Real and simulated agree. The largest difference: ${what}.`, short: "Real and simulated agree" };
   return { verdict: "differ", text: `${above} of ${judged.length} differ. Most of all: ${what}.`, short: `${spoken(worst.name)} differs by ${valueText(worst.difference, worst.unit)}` };
 }

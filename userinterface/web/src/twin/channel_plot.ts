@@ -6,7 +6,10 @@ import { kept_s, type TwinHistory } from "./twin_history.ts";
 import type { Channel } from "./twin_state.ts";
 
 const redraw_ms = 200;
-const heights_px = { values: 150, difference: 100 };
+const heights_px = { values: 150, difference: 110 };
+const least_s = 10; // of the time that is shown
+
+const minus = (value: number) => String(value).replace("-", "−");
 
 interface Line {
   label: string;
@@ -35,6 +38,7 @@ export class ChannelPlot {
   // Another channel: at once.
   makeAnew(): void {
     for (const plot of this.plots) plot.destroy();
+    this.panes.replaceChildren();
     this.plots = [];
     this.drawn_ms = -Infinity;
   }
@@ -62,11 +66,12 @@ export class ChannelPlot {
     const limit: Line = { label: "limit", colour: "--bad", dash: [4, 4] };
     this.plots = [
       this.pane(heights_px.values, [{ label: "simulated", colour: "--accent" }, { label: "measured", colour: "--twin" }]),
-      this.pane(heights_px.difference, [{ label: "difference", colour: "--text" }, limit, limit], "measured less simulated"),
+      this.pane(heights_px.difference, [{ label: "difference", colour: "--text" }, limit, limit]),
     ];
+    this.panes.children[1]?.before(element("p", { class: "note" }, "Measured less simulated; dashed: the limit"));
   }
 
-  private pane(height: number, lines: readonly Line[], label?: string): uPlot {
+  private pane(height: number, lines: readonly Line[]): uPlot {
     const style = getComputedStyle(this.box);
     const colour = (name: string) => style.getPropertyValue(name);
     const axis = { stroke: style.color, grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line"), width: 1 } };
@@ -75,8 +80,8 @@ export class ChannelPlot {
       height,
       legend: { show: false },
       cursor: { show: false },
-      scales: { x: { time: false, range: [-kept_s, 0] } },
-      axes: [{ ...axis, size: 30, values: (_plot, ticks) => ticks.map((tick) => `${tick} s`) }, { ...axis, size: 52, ...(label ? { label, labelSize: 16, labelFont: "11px system-ui, sans-serif" } : {}) }],
+      scales: { x: { time: false, range: (_plot, first) => [Math.min(Math.max(first ?? 0, -kept_s), -least_s), 0] } },
+      axes: [{ ...axis, size: 30, values: (_plot, ticks) => ticks.map((tick) => `${minus(tick)} s`) }, { ...axis, size: 44, values: (_plot, ticks) => ticks.map(minus) }],
       series: [{}, ...lines.map((line) => ({ stroke: colour(line.colour), width: line.dash ? 1 : 1.75, ...(line.dash ? { dash: line.dash } : {}), points: { show: false } }))],
     }, [[], ...lines.map(() => [])] as uPlot.AlignedData, this.panes);
   }

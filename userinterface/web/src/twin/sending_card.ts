@@ -43,7 +43,7 @@ export class SendingCard {
   // `mine`: this page has sent it.
   show({ sending, sendingWhat, sendingText, passed, tried }: TwinState, mine: boolean): void {
     this.box.hidden = sending === "idle";
-    this.box.className = `sending ${sending.replace(" ", "-")}`;
+    this.box.dataset["sending"] = sending;
     setText(this.heading, headings[sending]);
     setText(this.what, sendingWhat);
     setText(this.text, sendingText);

@@ -47,9 +47,9 @@ export class StatusCard {
     setText(this.verdict, agreement.text);
     const known = state.link === "connected" && !silent; // what was is not what is
     this.facts.set("does", known && state.activity ? state.activity : "not known", known && ["falls", "fallen", "gone"].includes(state.activity));
-    this.facts.set("commands there", !known ? "not known" : state.commander || "nobody");
+    this.facts.set("commander", !known ? "not known" : state.commander || "nobody");
     this.facts.set("age", Number.isFinite(age_s) ? ageText(1000 * age_s) : "nothing yet", !(age_s <= oldAfter_s));
-    this.facts.set("simulated is behind", known && Number.isFinite(state.lag_s) ? ageText(1000 * state.lag_s) : "not known");
+    this.facts.set("lag", known && Number.isFinite(state.lag_s) ? ageText(1000 * state.lag_s) : "not known");
     this.follows = state.follows;
     this.followButton.setAttribute("aria-checked", String(state.follows));
     this.followButton.disabled = silent;

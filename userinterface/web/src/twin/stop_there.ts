@@ -22,7 +22,7 @@ export class StopThere {
   show(state: TwinState, viewed: boolean): void {
     const busy = isBusy(state);
     this.button.hidden = !busy && !viewed;
-    setText(this.what, busy ? `${state.sending === "trying" ? "being tried" : "it does"}: ${state.sendingWhat}` : state.commander ? `${state.commander} commands it` : "");
+    setText(this.what, busy ? `${state.sending === "trying" ? "being tried" : "it does"}: ${state.sendingWhat}` : state.link === "connected" && state.commander ? `${state.commander} commands it` : "");
     this.what.hidden = this.what.textContent === "";
   }
 }

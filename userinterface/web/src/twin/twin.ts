@@ -47,8 +47,7 @@ class Twin {
     this.toggle = button("Twin", () => this.setShown(this.toggle.getAttribute("aria-pressed") !== "true"), {
       id: "twin-show", class: "twin-show", "aria-pressed": "true", title: "Show the robot there, as measured" });
     this.chip = button("", () => tabs.open(this.tab), { id: "twin-chip", class: "twin-chip", title: "Open the view of the twin" });
-    byId("camera").append(this.toggle);
-    byId("picture").append(this.chip);
+    byId("picture").append(element("div", { class: "twin-glance", role: "group", "aria-label": "The robot there" }, this.toggle, this.chip));
     document.body.classList.add("has-twin");
     document.querySelector(".legend")?.append(element("li", { class: "there" }, "robot there, measured"));
     this.tell({ ...state, link: "connecting" }, state); // what is wrong from the beginning is told, too

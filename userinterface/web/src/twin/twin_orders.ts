@@ -41,24 +41,28 @@ export class TwinOrders {
   }
 }
 
+type Part = (first: number) => Promise<PicturePart>;
+
 // `part`: the bytes from this one on. Throws where they make no picture.
-export async function wholePicture(part: (first: number) => Promise<PicturePart>): Promise<Uint8Array<ArrayBuffer>> {
+export async function wholePicture(part: Part): Promise<Uint8Array<ArrayBuffer>> {
   for (let attempt = 0; attempt < attempts; ++attempt) {
-    let { total, bytes } = await part(0);
-    if (!(total > 0 && total <= mostPicture_bytes)) throw new Error(`the picture has ${total} bytes, of 1 … ${mostPicture_bytes}`);
-    const whole = new Uint8Array(total);
-    let filled = 0;
-    let changed = false;
-    for (;;) {
-      if (bytes.length === 0 || filled + bytes.length > total) throw new Error(`the picture has ${total} bytes, but its part from ${filled} on has ${bytes.length}`);
-      whole.set(bytes, filled);
-      filled += bytes.length;
-      if (filled === total) return whole;
-      const next = await part(filled);
-      changed = next.total !== total;
-      if (changed) break;
-      bytes = next.bytes;
-    }
+    const whole = await readOnce(part);
+    if (whole) return whole;
   }
   throw new Error(`the picture became another one ${attempts} times while it was read`);
+}
+
+// undefined: it became another one meanwhile.
+async function readOnce(part: Part): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  let { total, bytes } = await part(0);
+  if (!(total > 0 && total <= mostPicture_bytes)) throw new Error(`the picture has ${total} bytes, and must have 1 … ${mostPicture_bytes}`);
+  const whole = new Uint8Array(total);
+  for (let filled = 0; ; ) {
+    if (total !== whole.length) return undefined;
+    if (bytes.length === 0 || filled + bytes.length > total) throw new Error(`the picture has ${total} bytes, but its part from ${filled} on has ${bytes.length}`);
+    whole.set(bytes, filled);
+    filled += bytes.length;
+    if (filled === total) return whole;
+    ({ total, bytes } = await part(filled));
+  }
 }
