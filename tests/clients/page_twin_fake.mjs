@@ -22,7 +22,7 @@ export function makePng(width, height) {
   let noise = 1;
   for (let y = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x) {
-      noise = (noise * 1103515245 + 12345) & 0x7fffffff;
+      noise = (Math.imul(noise, 1103515245) + 12345) & 0x7fffffff;
       const inside = Math.abs(x - width / 2) < width / 8 && Math.abs(y - height / 2) < height / 8;
       rows.set(inside ? [220, 30, 30] : [noise >> 16 & 63, 100 + (noise >> 16 & 63), 120], y * (1 + 3 * width) + 1 + 3 * x);
     }
@@ -38,6 +38,8 @@ export class FakeTwin {
   state = "connected";
   text = "";
   hears = true; // measured states come
+  knows = true; // where its base and its joints are
+  refusal = ""; // of the next that is sent
   follows = true;
   followsText = "";
   offset = [0, 0.45, 0]; // of its place from the simulated robot's, m and rad
@@ -47,7 +49,7 @@ export class FakeTwin {
   told = []; // [s, text]
   #came_s = 0;
   #picture = 0;
-  #png = makePng(320, 240);
+  #png = makePng(480, 360);
   #channels;
 
   constructor(description) {
@@ -77,7 +79,7 @@ export class FakeTwin {
     return {
       robot: "ws://10.0.0.7:9090", state: this.state, text: this.text, age: known ? time_s - this.#came_s + 0.03 : null, activity: known ? "walks" : "", commander: known ? "page 07ab" : "",
       follows: this.follows, follows_text: this.followsText,
-      base: known ? [x, y, hip_height, 0, 0, Math.sin(yaw / 2), Math.cos(yaw / 2)] : [], joints: known ? measured.slice(0, joints.length) : [], lag: compares ? 0.14 : null,
+      base: known && this.knows ? [x, y, hip_height, 0, 0, Math.sin(yaw / 2), Math.cos(yaw / 2)] : [], joints: known && this.knows ? measured.slice(0, joints.length) : [], lag: compares ? 0.14 : null,
       channels: this.#channels.map(({ name }) => name), units: this.#channels.map(({ unit }) => unit), measured: known ? measured : measured.map(() => null), simulated,
       difference: this.#channels.map(({ name, limit }) => (compares ? Math.abs(this.off[name] ?? 0.12 * limit) : null)), limits: this.#channels.map(({ limit }) => limit),
       told_times: this.told.map(([at_s]) => at_s), told_texts: this.told.map(([, text]) => text),
@@ -127,6 +129,7 @@ export class FakeTwin {
   }
 
   #send({ walk, duration, motion, goal, settings, reason }) {
+    if (this.refusal) return { success: false, message: this.refusal };
     if (this.state !== "connected") return { success: false, message: `the robot there is ${this.state}` };
     const what = walk.length ? `walk ${walk[0].toFixed(2)} m/s, ${duration} s` : motion ? `motion ${motion}` : goal.length ? `way to ${goal.map((value) => value.toFixed(2)).join(", ")}` : settings.join(", ");
     this.sending = { state: "trying", what, text: "", passed: 0, tried: 0, reason };
