@@ -86,8 +86,9 @@ export class TwinTab implements Tab {
       this.plot.draw(channel, index, this.history, now_ms);
     }
     this.form.look(this.hindrance(state, silent));
-    this.sending.show(state, this.sent.requestOf(state.sendingWhat) !== undefined);
-    if (this.wantsToBeSeen && isBusy(state)) {
+    const mine = this.sent.requestOf(state.sendingWhat) !== undefined;
+    this.sending.show(state, mine);
+    if (this.wantsToBeSeen && mine && !this.sending.box.hidden) {
       this.wantsToBeSeen = false;
       this.sending.box.scrollIntoView({ block: "start" });
     }
