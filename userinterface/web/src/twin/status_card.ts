@@ -16,7 +16,7 @@ export class StatusCard {
   private readonly address = element("span", { class: "path" });
   private readonly why = element("p", { class: "twin-why", id: "twin-why", role: "status" });
   private readonly again: HTMLButtonElement;
-  private readonly verdict = element("p", { class: "twin-verdict", id: "twin-verdict", role: "status" });
+  private readonly verdict = element("p", { class: "twin-verdict", id: "twin-verdict" });
   private readonly facts = new Facts();
   private readonly followButton: HTMLButtonElement;
   private readonly followsWhy = element("small", { id: "twin-follows-why", role: "status" });

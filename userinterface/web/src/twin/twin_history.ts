@@ -31,10 +31,6 @@ export class TwinHistory {
     this.forget(now_s - kept_s);
   }
 
-  get length(): number {
-    return this.times_s.length;
-  }
-
   of(channel: number, now_s: number): ChannelCurves {
     const { measured = [], simulated = [], unit = "" } = this.values[channel] ?? {};
     const { times } = unitOf(unit);
