@@ -189,6 +189,7 @@ test("keys and buttons play, pause, step, set the speed, and reset when it is co
   await robot.page.keyboard.press("Space");
   await answered("it is paused", () => !fake.playing);
   assert.deepEqual(fake.of("/stop"), [], "Space stops no simulated robot");
+  await robot.says("link-text", "paused");
   assert.equal(await robot.page.$eval("#step-10", ({ title }) => title), "One step of 10 ms (.)");
   await robot.press("stop");
   await robot.newsOf("The simulation is paused: the robot stops as soon as it plays on.");

@@ -115,6 +115,7 @@ async function measure(browser, served, viewport) {
   await robot.until(() => performance.getEntriesByName("first-picture").length > 0, "a picture");
   const first_ms = await robot.page.evaluate(() => performance.getEntriesByName("first-picture")[0].startTime);
   await robot.live();
+  await robot.until((title) => [...document.querySelectorAll("[role=tab]")].some(({ textContent }) => textContent === title), `the view ${options.view}`, undefined, options.view);
   await robot.tab(options.view);
   await served.walk(robot);
   await robot.says("activity", "walks");

@@ -47,11 +47,9 @@ export class DifferenceTable {
   }
 
   setChosen(name: string): void {
+    if (name === this.chosen) return;
     this.chosen = name;
-    for (const [other, { row, name: press }] of this.rows) {
-      row.classList.toggle("chosen", other === name);
-      press.setAttribute("aria-pressed", String(other === name));
-    }
+    for (const [other, { name: press }] of this.rows) press.setAttribute("aria-pressed", String(other === name));
     this.fold();
   }
 
@@ -75,6 +73,7 @@ export class DifferenceTable {
     const share = shareOf(channel);
     const above = isAbove(channel);
     row.row.classList.toggle("above", above);
+    row.row.classList.toggle("chosen", channel.name === this.chosen);
     row.row.classList.toggle("unknown", !Number.isFinite(channel.difference));
     row.bar.style.setProperty("--share", String(Math.min(Math.max(share || 0, 0), barEnds) / barEnds));
     row.bar.classList.toggle("near", share > 0.7 && !above);
