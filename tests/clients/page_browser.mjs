@@ -37,6 +37,27 @@ function readFileOr(file, otherwise) {
   }
 }
 
+// How many pixels of a page's window satisfy `condition` of r, g and b, and the middle of them. `eye`: another page, which looks at the picture: the
+// page's own policy lets no script read one.
+export async function pixelsOf(page, eye, condition) {
+  const shot = await page.screenshot({ encoding: "base64" });
+  return eye.evaluate(async (png, text) => {
+    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    canvas.drawImage(bitmap, 0, 0);
+    const { data, width } = canvas.getImageData(0, 0, bitmap.width, bitmap.height);
+    const holds = new Function("r", "g", "b", `return ${text}`);
+    let [count, x, y] = [0, 0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      if (!holds(data[i], data[i + 1], data[i + 2])) continue;
+      count += 1;
+      x += (i / 4) % width;
+      y += Math.floor(i / 4 / width);
+    }
+    return { count, x: x / count + 0.5, y: y / count + 0.5 };
+  }, shot, condition);
+}
+
 export class RobotPage {
   errors = [];
 

@@ -6,6 +6,7 @@ import http from "node:http";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { viewRows, viewVersion } from "../../userinterface/web/src/view_layout.ts";
+import { FakeTwin } from "./page_twin_fake.mjs";
 
 const bundle = path.join(path.dirname(fileURLToPath(import.meta.url)), "../../userinterface/web/bundle");
 const { WebSocketServer } = createRequire(path.join(process.env.GAITWAY_PAGE_PACKAGES, "package.json"))("ws");
@@ -29,6 +30,7 @@ export class FakeSimulator {
   estimate = [0.3, -0.2, 0, 0.4]; // of the frame of the robot's own estimate
   robot = [0, 0, 0]; // x, y, yaw of the middle between the feet, in the world
   refusal = ""; // of the next plan
+  tellsTwin = true; // where there is one
   #time_s = 0;
   #recorded_s = 0;
   #playing = true;
@@ -43,8 +45,9 @@ export class FakeSimulator {
   #commander = "";
   #sockets = new Set();
 
-  // `silent`: it tells no state of the simulation.
-  constructor(description, solids, { silent = false } = {}) {
+  // `silent`: it tells no state of the simulation. `twin`: it has one of a real robot.
+  constructor(description, solids, { silent = false, twin = false } = {}) {
+    if (twin) this.twin = new FakeTwin(description);
     this.description = { ...description, bounds: { ...description.bounds, push: { least: 0.1, most: 200, usual: 20, shortest: 0.01, longest: 2 } } };
     this.solids = solids;
     this.server = http.createServer((request, answer) => void this.#serve(request, answer));
@@ -147,6 +150,7 @@ export class FakeSimulator {
     for (const { socket, topics } of this.#sockets) if (topics.has(topic)) socket.send(text);
   }
   #tellState() {
+    if (this.twin && this.tellsTwin) this.publish("/simulation/twin", this.twin.message(this.robot));
     const things = this.solids.filter(({ movable }) => movable);
     const [x, y, yaw] = this.robot;
     this.publish("/simulation/state", {
@@ -177,6 +181,7 @@ export class FakeSimulator {
 
   #answer(service, args) {
     const done = { result: { result: 1, error_message: "" } };
+    if (this.twin && service.startsWith("/simulation/twin/")) return this.twin.answer(service, args);
     switch (service) {
       case "/command/acquire":
         this.#commander = args.name;

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import test, { after, before } from "node:test";
-import { openBrowser, RobotPage } from "./page_browser.mjs";
+import { openBrowser, pixelsOf, RobotPage } from "./page_browser.mjs";
 import { FakeSimulator, room, solid } from "./page_simulator_fake.mjs";
 
 const near_m = 0.02;
@@ -45,25 +45,7 @@ async function picture(robot, name) {
   if (process.env.GAITWAY_SCREENSHOTS) await robot.page.screenshot({ path: path.join(process.env.GAITWAY_SCREENSHOTS, name) });
 }
 
-// How many pixels of the window satisfy `condition` of r, g and b, and the middle of them.
-async function pixels(robot, condition) {
-  const shot = await robot.page.screenshot({ encoding: "base64" });
-  return eye.evaluate(async (png, text) => {
-    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
-    canvas.drawImage(bitmap, 0, 0);
-    const { data, width } = canvas.getImageData(0, 0, bitmap.width, bitmap.height);
-    const holds = new Function("r", "g", "b", `return ${text}`);
-    let [count, x, y] = [0, 0, 0];
-    for (let i = 0; i < data.length; i += 4) {
-      if (!holds(data[i], data[i + 1], data[i + 2])) continue;
-      count += 1;
-      x += (i / 4) % width;
-      y += Math.floor(i / 4 / width);
-    }
-    return { count, x: x / count + 0.5, y: y / count + 0.5 };
-  }, shot, condition);
-}
+const pixels = (robot, condition) => pixelsOf(robot.page, eye, condition);
 // Where in the window a mark on the floor is seen.
 async function seen(robot, colour) {
   const found = await pixels(robot, isColour[colour]);
@@ -207,6 +189,7 @@ test("keys and buttons play, pause, step, set the speed, and reset when it is co
   await robot.page.keyboard.press("Space");
   await answered("it is paused", () => !fake.playing);
   assert.deepEqual(fake.of("/stop"), [], "Space stops no simulated robot");
+  await robot.says("link-text", "paused");
   assert.equal(await robot.page.$eval("#step-10", ({ title }) => title), "One step of 10 ms (.)");
   await robot.press("stop");
   await robot.newsOf("The simulation is paused: the robot stops as soon as it plays on.");

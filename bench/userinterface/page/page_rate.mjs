@@ -3,9 +3,10 @@
 // picture, growth of the JavaScript heap. The browser is headless Chromium that draws in software; all of it is pinned to one core.
 //
 //     ./dev bench --build; .deps/python/bin/node bench/userinterface/page/page_rate.mjs [--seconds 20] [--core 1] [--view Drive] [--dark]
-//         [--solids 2000]
+//         [--solids 2000] [--twin]
 //
 // --solids: the page of a simulator (the one of tests/clients/page_simulator_test.mjs) whose world has so many, while the robot goes there and back.
+// --twin: that simulator has a twin: a second robot in the picture, and the view Twin.
 // A picture counts when the page has given it to WebGL; the browser asks for the next one only when it has taken the former, so pictures
 // that are given are shown.
 import { execFileSync, spawn } from "node:child_process";
@@ -27,6 +28,7 @@ const { values: options } = parseArgs({ options: {
   dark: { type: "boolean", default: false },
   pictures: { type: "string" },
   solids: { type: "string" },
+  twin: { type: "boolean", default: false },
 } });
 const viewports = [{ width: 1280, height: 720 }, { width: 360, height: 740, hasTouch: true, isMobile: true }];
 
@@ -64,7 +66,7 @@ async function serveWorld(folder, count) {
     const [x, y] = [(index % side) - side / 2, Math.floor(index / side) - side / 2].map((at) => at * 0.45);
     return solid(`solid_${index}`, "thing", shapes[index % 5], [0.15, 0.15, 0.15], [x, y + 0.2], index, [0.3 + 0.6 * ((index * 7) % 11) / 11, 0.6, 0.4], index < 64);
   });
-  const fake = await FakeSimulator.serve(description, solids);
+  const fake = await FakeSimulator.serve(description, solids, { twin: options.twin });
   let way;
   const moves = setInterval(() => solids.slice(0, 64).forEach((one, index) => (one.pose[0] += 0.004 * Math.sin(index + Date.now() / 300))), 50);
   const walk = async () => {
@@ -113,6 +115,7 @@ async function measure(browser, served, viewport) {
   await robot.until(() => performance.getEntriesByName("first-picture").length > 0, "a picture");
   const first_ms = await robot.page.evaluate(() => performance.getEntriesByName("first-picture")[0].startTime);
   await robot.live();
+  await robot.until((title) => [...document.querySelectorAll("[role=tab]")].some(({ textContent }) => textContent === title), `the view ${options.view}`, undefined, options.view);
   await robot.tab(options.view);
   await served.walk(robot);
   await robot.says("activity", "walks");

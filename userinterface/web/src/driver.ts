@@ -4,6 +4,7 @@ import { readBounds, apiBounds } from "./bounds.ts";
 import { Refused } from "./rosbridge.ts";
 import { velocityOf, standstill, isStandstill, type Bounds, type Velocity } from "./drive.ts";
 import { GamePad, Keys, ScreenStick, strongest } from "./sticks.ts";
+import { LastWalk } from "./twin/last_walk.ts";
 import { commanderOf } from "./view_decoder.ts";
 
 const look_ms = 20;
@@ -14,6 +15,7 @@ export class Driver {
   readonly walk = new ScreenStick("round", "Walk: up and down ahead and back, sideways turns. Keys W, A, S, D or arrows.", () => this.look());
   readonly side = new ScreenStick("wide", "Sidestep to the left and right. Keys Q and E.", () => this.look());
   readonly pad = new GamePad();
+  readonly lastWalk = new LastWalk();
   private readonly keys = new Keys();
   private foreignSince_ms: number | undefined;
   private boundsRead_ms = -Infinity;
@@ -50,6 +52,7 @@ export class Driver {
     drive.end();
     command.lost();
     this.sent = standstill;
+    this.lastWalk.take(standstill, performance.now());
   }
 
   // A velocity was too old when it came to the robot.
@@ -109,6 +112,7 @@ export class Driver {
 
   private publish({ forward, left, turn }: Velocity): void {
     this.sent = { forward, left, turn };
+    this.lastWalk.take(this.sent, performance.now());
     this.context.robot.publish("/cmd_vel", { linear: { x: forward, y: left }, angular: { z: turn } });
   }
 

@@ -2,6 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import "./simulator/simulator.css";
+import "./twin/twin.css";
 import { fillCameraBar } from "./camera_bar.ts";
 import { Command } from "./command.ts";
 import type { Context, Tab } from "./context.ts";
@@ -72,7 +73,7 @@ function connect(context: Context, driver: Driver, scene: Scene, canvas: HTMLCan
   view.onFrame = (frame) => context.frameTakers.forEach((take) => take(frame));
   const banner = new LinkBanner(robot);
   const simulated = description.bounds.push !== undefined;
-  const simulator = simulated ? watchForSimulator(context, { scene, canvas, tools, tabs: bar, stops, banner }) : undefined;
+  const simulator = simulated ? watchForSimulator(context, { scene, canvas, tools, driver, tabs: bar, stops, banner }) : undefined;
   view.onWrongVersion = (text) => {
     driver.retire();
     for (const part of ["top", "camera", "panel"]) byId(part).inert = true; // the stops stay

@@ -13,11 +13,12 @@ import { RobotBody } from "./robot_body.ts";
 interface Palette extends GroundColours {
   sky: number;
   push: number;
+  twin: number; // of the robot there
   way: WayColours;
 }
 const palettes: Record<"light" | "dark", Palette> = {
-  light: { sky: 0xe8edf2, ground: 0xdde3e9, grid: 0xc3ccd6, made: 0x8a97a6, planned: 0x1766c2, support: 0x1b8a4b, zmp: 0xd12c2c, plannedZmp: 0x1766c2, com: 0xb06a00, push: 0x7a2bd6, way: { left: 0x0d8f8f, right: 0xd4691a, goal: 0x1766c2 } },
-  dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d, push: 0xc39bff, way: { left: 0x2fc6c0, right: 0xff9a4d, goal: 0x63b0ff } },
+  light: { sky: 0xe8edf2, ground: 0xdde3e9, grid: 0xc3ccd6, made: 0x8a97a6, planned: 0x1766c2, support: 0x1b8a4b, zmp: 0xd12c2c, plannedZmp: 0x1766c2, com: 0xb06a00, push: 0x7a2bd6, twin: 0xd4237f, way: { left: 0x0d8f8f, right: 0xd4691a, goal: 0x1766c2 } },
+  dark: { sky: 0x12171d, ground: 0x171d24, grid: 0x2a333d, made: 0x5d6b7a, planned: 0x63b0ff, support: 0x35c27a, zmp: 0xff6b5e, plannedZmp: 0x63b0ff, com: 0xffb74d, push: 0xc39bff, twin: 0xff6fb5, way: { left: 0x2fc6c0, right: 0xff9a4d, goal: 0x63b0ff } },
 };
 
 // Then every pixel costs the processor's time.

@@ -8,6 +8,7 @@ import { outOf, WorldFrame } from "../simulator/world_frame.ts";
 import { FootstepMarks } from "./footstep_marks.ts";
 import { GoalGhost } from "./ghost.ts";
 import type { Scene } from "./scene.ts";
+import type { TwinRobot } from "./twin_robot.ts";
 import { WorldView } from "./world_view.ts";
 
 const manySolids = 300; // more than that: less of them is seen at once, so that a computer that draws in software keeps up
@@ -20,6 +21,7 @@ export class SimulatorPicture {
   private readonly ghost: GoalGhost;
   private odometry: Odometry = { x: 0, y: 0, z: 0, yaw: 0 }; // as it is drawn
   private run: number | undefined;
+  private twin: TwinRobot | undefined;
   private drawn_ms = 0;
 
   constructor(
@@ -35,8 +37,9 @@ export class SimulatorPicture {
       this.settle(now_ms);
       this.world.see(camera, far_m);
     };
-    scene.onPaint = ({ way }, dark) => {
+    scene.onPaint = ({ way, twin }, dark) => {
       this.marks.setColours(way);
+      this.twin?.setColour(twin);
       this.world.setDark(dark);
     };
     scene.add(this.world.group);
@@ -48,6 +51,12 @@ export class SimulatorPicture {
   // A picture is wanted.
   ask(): void {
     this.scene.ask();
+  }
+  // The robot there, which has its place in the world.
+  addTwin(twin: TwinRobot): void {
+    this.twin = twin;
+    this.world.group.add(twin.group);
+    this.scene.repaint();
   }
   setSolids(solids: readonly Solid[], floorColour: Triple): void {
     this.world.setSolids(solids, floorColour);
@@ -119,5 +128,6 @@ export class SimulatorPicture {
     this.world.put(this.odometry, passed_s);
     const { x, y } = outOf(this.odometry, this.scene.body.base.position);
     this.world.centreOn(x, y);
+    if (this.twin?.settle(now_ms)) this.scene.ask();
   }
 }

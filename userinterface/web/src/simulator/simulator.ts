@@ -1,6 +1,7 @@
 // The simulator's part of the page: there from the first /simulation/state on, so a real robot's page has nothing of it.
 import type { Context } from "../context.ts";
 import { button, byId, element } from "../dom.ts";
+import type { Driver } from "../driver.ts";
 import type { LinkBanner } from "../link_banner.ts";
 import type { PictureTools } from "../picture_tools.ts";
 import type { Scene } from "../scene/scene.ts";
@@ -15,6 +16,7 @@ import { ViewTrail } from "./view_trail.ts";
 import { SimulatorBar } from "./simulator_bar.ts";
 import { WayTool } from "./way_tool.ts";
 import { WorldKeeper } from "./world_keeper.ts";
+import { watchForTwin } from "../twin/twin.ts";
 
 const firstZoom = 1.3; // so that there is floor to be clicked
 
@@ -22,6 +24,7 @@ export interface SimulatorPlace {
   scene: Scene;
   canvas: HTMLCanvasElement;
   tools: PictureTools;
+  driver: Driver;
   tabs: TabBar;
   stops: StopBar;
   banner: LinkBanner;
@@ -33,6 +36,7 @@ class Simulator {
   private readonly way: WayTool;
   private readonly world: WorldKeeper;
   private readonly worldChanged: () => void;
+  private readonly lookAtTwin: (now_ms: number) => void;
   private readonly trail = new ViewTrail();
   private state: SimulationState | undefined;
   private came_ms = 0;
@@ -68,6 +72,7 @@ class Simulator {
     byId("picture").append(this.way.card.box);
     document.querySelector(".legend")?.append(element("li", { class: "left-step" }, "left step"), element("li", { class: "right-step" }, "right step"));
     scene.zoom(firstZoom);
+    this.lookAtTwin = watchForTwin(context, { picture: this.picture, tabs, goal: () => this.way.goal, walk: () => place.driver.lastWalk.walk });
     this.way.tool.setOn(true); // the first that somebody wants to do
   }
 
@@ -99,6 +104,7 @@ class Simulator {
     banner.rests = !silent && this.state?.state !== "playing";
     this.bar.setSilent(silent);
     this.way.look(now_ms);
+    this.lookAtTwin(now_ms);
   }
 }
 

@@ -15,6 +15,7 @@ export class WayPlanner {
   way: WayState | undefined;
   private walked: { goal: Goal; plan: FootstepPlan; progress: Progress } | undefined;
   private place: Pick<Goal, "x" | "y"> | undefined; // of the robot
+  private walkedTo: Goal | undefined; // the last goal that it was told to walk to here
   private asked: { goal: Goal; replans: number } | undefined; // for which way that is walked a plan was asked for
   onChange: () => void = () => {};
 
@@ -40,6 +41,7 @@ export class WayPlanner {
   // The robot was told to walk there.
   begun(): void {
     const { draft } = this;
+    this.walkedTo = draft?.goal ?? this.walkedTo;
     if (draft?.plan) {
       this.walked = this.beginning(draft.goal, draft.plan);
       this.asked = { goal: draft.goal, replans: this.way?.replans ?? 0 };
@@ -71,6 +73,11 @@ export class WayPlanner {
     progress.passed = Math.max(Math.min(progress.passed, givenSteps(walked.plan, way.stepsLeft)), walked.progress.passed); // those that turn on the spot lie at one place
     walked.progress = progress;
     this.onChange();
+  }
+
+  // The goal that is chosen, or was walked to last; undefined: there was none.
+  get goal(): Goal | undefined {
+    return this.draft?.goal ?? this.walkedTo;
   }
 
   // What is to be drawn: of a draft all, of a way that is walked those that are still to come.

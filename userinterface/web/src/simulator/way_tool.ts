@@ -55,6 +55,11 @@ export class WayTool {
     }, { capture: true });
   }
 
+  // The goal that is chosen, or was walked to last.
+  get goal(): Goal | undefined {
+    return this.planner.goal;
+  }
+
   // The robot was put to another instant.
   jumped(): void {
     this.card.forget();

@@ -1,0 +1,287 @@
+// The twin's part of the simulator's page in a real browser, against a simulator of the test's own. Argument: the port of a module, whose robot it
+// is. GAITWAY_SCREENSHOTS: a folder for pictures of it.
+import assert from "node:assert/strict";
+import path from "node:path";
+import test, { after, before } from "node:test";
+import { openBrowser, pixelsOf, RobotPage } from "./page_browser.mjs";
+import { FakeSimulator, room } from "./page_simulator_fake.mjs";
+
+const phone = { width: 360, height: 740, hasTouch: true, isMobile: true };
+const clearColour = "r > 150 && g < 150 && b > 105 && r > g * 1.4 && b > g * 1.1"; // of the robot there
+const description = await (await fetch(`http://127.0.0.1:${process.argv[2]}/robot.json`)).json();
+let browser, eye;
+before(async () => {
+  browser = await openBrowser();
+  eye = await browser.newPage();
+});
+after(() => browser.close());
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+// `use`: with a page of a simulator that has a twin, and that simulator.
+async function withPage(use, { viewport, prepare = () => {}, twin = true } = {}) {
+  const fake = await FakeSimulator.serve(description, room(), { twin });
+  prepare(fake);
+  const robot = await RobotPage.open(browser, fake.url, viewport);
+  try {
+    await robot.live();
+    await robot.until(() => document.getElementById("simulator"), "the simulator's bar");
+    if (twin) await robot.until(() => document.getElementById("twin-chip"), "the twin");
+    await pause(500); // the world has come, and the robot there stands in it
+    await use(robot, fake);
+    assert.deepEqual(robot.errors, []);
+  } finally {
+    await robot.close();
+    fake.end();
+  }
+}
+
+async function picture(robot, name) {
+  if (process.env.GAITWAY_SCREENSHOTS) await robot.page.screenshot({ path: path.join(process.env.GAITWAY_SCREENSHOTS, name) });
+}
+async function answered(what, look) {
+  for (const end_ms = performance.now() + 5000; performance.now() < end_ms; await pause(20)) if (look()) return;
+  assert.fail(`not within 5 s: ${what}`);
+}
+const there = (robot) => pixelsOf(robot.page, eye, clearColour);
+const hidden = (robot, id) => robot.page.$eval(`#${id}`, (found) => found.hidden);
+const set = (robot, id, value) => robot.page.$eval(`#${id}`, (field, text) => (field.value = text), value);
+// By the keyboard.
+async function enter(robot, id) {
+  await robot.until((name) => document.getElementById(name).checkVisibility() && !document.getElementById(name).disabled, `${id} can be pressed`, undefined, id);
+  await robot.page.focus(`#${id}`);
+  await robot.page.keyboard.press("Enter");
+}
+const verdict = (robot, wanted) => robot.until((name) => document.getElementById("twin-chip").dataset.verdict === name, `the verdict is '${wanted}'`, undefined, wanted);
+const channels = (robot) => robot.page.$$eval(".differences tbody tr", (rows) => rows.filter((row) => !row.hidden).map(({ dataset }) => dataset.channel));
+const sends = (fake) => fake.of("/simulation/twin/send");
+
+test("the robot there is drawn as a second one, goes where it is measured, and can be hidden", () => withPage(async (robot, fake) => {
+  await robot.says("twin-chip", "Real and simulated agree");
+  const shown = await there(robot);
+  assert.ok(shown.count > 2500, `the robot there has ${shown.count} pixels`);
+  await picture(robot, "twin_world.png");
+  assert.ok((await robot.page.$$eval(".legend li", (all) => all.map(({ textContent }) => textContent))).includes("robot there, measured"));
+  fake.twin.offset = [0, -0.45, 0];
+  await pause(600);
+  const moved = await there(robot);
+  assert.ok(moved.count > 2500 && moved.x - shown.x > 80, `it stands at ${moved.x}, and stood at ${shown.x}`);
+  await enter(robot, "twin-show");
+  await pause(300);
+  assert.ok((await there(robot)).count < shown.count / 10, "it is hidden");
+  await enter(robot, "twin-show");
+  await pause(300);
+  assert.ok((await there(robot)).count > 2500, "it is shown again");
+}));
+
+test("what is measured is faded when it is old, and gone when nothing is known", () => withPage(async (robot, fake) => {
+  const fresh = await there(robot);
+  fake.twin.hears = false;
+  await verdict(robot, "lost");
+  await pause(300);
+  const old = await there(robot);
+  assert.ok(old.count < fresh.count / 4, `${old.count} of ${fresh.count} pixels are as clear as before`);
+  const faint = await pixelsOf(robot.page, eye, "r > g * 1.06 && b > g * 1.02 && g > 120");
+  assert.ok(faint.count > 1500, `it is still to be seen: ${faint.count} pixels`);
+  fake.twin.hears = true;
+  await verdict(robot, "agree");
+  fake.twin.knows = false;
+  await pause(500);
+  assert.ok((await pixelsOf(robot.page, eye, "r > g * 1.06 && b > g * 1.02 && g > 120")).count < faint.count / 5, "nothing of it is drawn");
+}));
+
+test("a difference above its limit is on top, and any channel is plotted with measured and simulated", () => withPage(async (robot, fake) => {
+  await robot.tab("Twin");
+  await robot.says("twin-verdict", "agree");
+  fake.twin.differ("right_knee", 0.07);
+  await verdict(robot, "differ");
+  await robot.until(() => document.querySelector(".differences tbody tr")?.dataset.channel === "right_knee", "the right knee is on top");
+  await robot.says("twin-verdict", "1 of 27 differ. Most of all: right knee, 4.0° (limit 2.0°).");
+  await robot.says("twin-chip", "right knee differs by 4.0°");
+  await robot.says("twin-told", "right_knee is 4.0 deg from the simulated one");
+  assert.ok(await robot.page.$eval('[data-channel="right_knee"]', (row) => row.classList.contains("above")));
+  fake.twin.differ("left foot", 40);
+  await robot.until(() => document.querySelector(".differences tbody tr")?.dataset.channel === "left foot", "the left foot is worse");
+  await picture(robot, "twin_differs.png");
+  assert.match(await robot.text("twin-told"), /^[\d.]+ s left foot is 40\.0 N.*right_knee/, "the newest first");
+  await robot.page.focus('[data-channel="right_knee"] button');
+  await robot.page.keyboard.press("Enter");
+  await robot.says("twin-plot-title", "right knee, °");
+  await pause(1500);
+  const drawn = await robot.page.$$eval(".twin-plot canvas", (all) => all.map((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const count = (holds) => Array.from({ length: data.length / 4 }, (_none, i) => data.subarray(4 * i, 4 * i + 4)).filter(([r, g, b, a]) => a > 100 && holds(r, g, b)).length;
+    return { measured: count((r, g, b) => r > 150 && g < 90 && b > 80), simulated: count((r, g, b) => r < 90 && b > 150), limits: count((r, g, b) => r > 140 && g < 80 && b < 80) };
+  }));
+  assert.ok(drawn[0].measured > 50 && drawn[0].simulated > 50, `measured and simulated are drawn: ${JSON.stringify(drawn)}`);
+  assert.ok(drawn[1].limits > 20, `the limits are drawn: ${JSON.stringify(drawn)}`);
+  assert.equal((await channels(robot)).length, 8);
+  await enter(robot, "twin-all");
+  assert.equal((await channels(robot)).length, 28);
+  assert.equal((await channels(robot)).at(-1), "heading", "what is never told comes last");
+}));
+
+test("what was driven is tried, does not pass, and is sent with a reason", () => withPage(async (robot, fake) => {
+  await robot.hold("w");
+  await robot.hints("Driving");
+  await pause(1500);
+  await robot.letGo("w");
+  await robot.tab("Twin");
+  await robot.says("twin-walk-from", "As it was driven here last.");
+  assert.ok(await robot.page.$eval(".sending", (card) => card.hidden), "nothing has been sent yet");
+  await set(robot, "twin-settings", "trajectory.step_time = 0.3\nzmp.gain=1");
+  await enter(robot, "twin-send");
+  await answered("it is sent to be tried", () => sends(fake).length === 1);
+  const [first] = sends(fake);
+  assert.ok(first.walk[0] > 0.1 && first.walk[1] === 0 && first.walk[2] === 0 && first.duration >= 1 && first.duration < 4, JSON.stringify(first));
+  assert.deepEqual([first.motion, first.goal, first.settings, first.reason], ["", [], ["trajectory.step_time=0.3", "zmp.gain=1"], ""]);
+  await robot.says("twin-sending", "Being tried");
+  assert.ok(await robot.page.$eval("#twin-send", (press) => press.disabled), "one at a time");
+  await picture(robot, "twin_trying.png");
+  fake.twin.falls = 3;
+  fake.twin.judge();
+  await robot.says("twin-sending", "Not sent");
+  await robot.says("twin-sending-text", "17 of 20 stayed up: seed 4 fell after 3.2 s, ahead");
+  assert.deepEqual(await robot.page.$eval(".robots", (row) => ["up", "fell"].map((kind) => row.querySelectorAll(`.${kind}`).length)), [17, 3]);
+  await robot.newsOf("Not sent: walk");
+  await robot.until(() => document.getElementById("twin-worst").width === 480 && !document.querySelector(".worst").hidden, "the picture of the worst one");
+  assert.deepEqual(await robot.page.$eval("#twin-worst", (canvas) => [...canvas.getContext("2d").getImageData(240, 180, 1, 1).data]), [220, 30, 30, 255]);
+  assert.deepEqual(fake.of("/simulation/twin/picture").map((args) => args.first), Array.from({ length: Math.ceil(fake.twin.picture_bytes / 48_000) }, (_none, part) => 48_000 * part));
+  assert.ok(fake.twin.picture_bytes > 48_000, "it comes in several parts");
+  await robot.page.focus("#twin-reason");
+  await picture(robot, "twin_not_passed.png");
+  await robot.page.keyboard.type("because w");
+  await enter(robot, "twin-nevertheless");
+  await robot.newsOf("The reason has 9 characters, and must have 10 at least: it is recorded");
+  assert.equal(sends(fake).length, 1);
+  await set(robot, "twin-forward", "0.01"); // what is typed meanwhile was not tried
+  await robot.page.focus("#twin-reason");
+  await robot.page.keyboard.press("End");
+  await robot.page.keyboard.type("e hold it");
+  await enter(robot, "twin-nevertheless");
+  await answered("it is sent with the reason", () => sends(fake).length === 2);
+  assert.deepEqual(sends(fake)[1], { ...first, reason: "because we hold it" });
+  fake.twin.judge();
+  await robot.says("twin-sending", "The robot there does it");
+  fake.twin.finish();
+  await robot.says("twin-sending", "Done");
+  await robot.newsOf("The robot there has done it: walk");
+}));
+
+test("motions and the goal of the map are sent; what is wrong or refused is said", () => withPage(async (robot, fake) => {
+  await robot.tab("Twin");
+  await enter(robot, "twin-kind-motion");
+  await enter(robot, "twin-send");
+  await robot.newsOf("No motion is chosen");
+  await robot.page.select("#twin-motion", "kick");
+  await enter(robot, "twin-send");
+  await answered("the motion is tried", () => sends(fake).length === 1);
+  assert.deepEqual([sends(fake)[0].motion, sends(fake)[0].walk], ["kick", []]);
+  fake.twin.judge();
+  fake.twin.finish();
+  await robot.says("twin-sending", "Done");
+  await enter(robot, "twin-kind-goal");
+  await robot.says("twin-goal", "No goal is chosen");
+  await robot.page.mouse.click(60, 540); // floor, beside the card
+  await robot.says("way-text", "steps");
+  await robot.says("twin-goal", "of the map");
+  await enter(robot, "twin-send");
+  await answered("the way is tried", () => sends(fake).length === 2);
+  const { x, y, yaw } = fake.of("/simulation/plan")[0];
+  assert.deepEqual(sends(fake)[1].goal, [x, y, yaw]);
+  fake.twin.judge();
+  fake.twin.finish();
+  await robot.says("twin-sending", "Done");
+  await robot.until(() => !document.getElementById("twin-send").disabled, "it may be sent");
+  await enter(robot, "twin-kind-settings");
+  await set(robot, "twin-settings", "step_time=0.3");
+  await enter(robot, "twin-send");
+  await robot.newsOf("Line 1 of the settings is 'step_time=0.3', and must be PLUGIN.PARAMETER=VALUE");
+  await set(robot, "twin-settings", "trajectory.step_time=0.3");
+  fake.twin.refusal = "trajectory has no parameter 'step_time' that can be changed while it walks";
+  await enter(robot, "twin-send");
+  await robot.newsOf("Send to the robot there: trajectory has no parameter 'step_time'");
+  assert.deepEqual(fake.of("/command/acquire"), [], "none of it wants the command of the simulated robot");
+}));
+
+test("the stop of the robot there is in its view always, and elsewhere while something is sent", () => withPage(async (robot, fake) => {
+  assert.ok(await hidden(robot, "twin-stop"), "nothing is sent");
+  await robot.tab("Twin");
+  assert.ok(!(await hidden(robot, "twin-stop")));
+  await enter(robot, "twin-send");
+  await robot.says("twin-sending", "Being tried");
+  await robot.tab("Drive");
+  await robot.says("twin-stop", "being tried: walk 0.10 m/s, 10 s");
+  await picture(robot, "twin_sending_elsewhere.png");
+  fake.twin.judge();
+  await robot.says("twin-stop", "it does: walk 0.10 m/s, 10 s");
+  await robot.press("twin-stop");
+  await answered("it is stopped", () => fake.of("/simulation/twin/stop").length > 0);
+  await robot.newsOf("Stopped: walk 0.10 m/s, 10 s");
+  await robot.until(() => document.getElementById("twin-stop").hidden, "nothing is sent any more");
+  assert.equal(fake.of("/simulation/twin/stop").length, 1, "a press is one stop");
+  assert.deepEqual(fake.of("/stop"), [], "the simulated robot is not stopped by it");
+  await robot.tab("Twin");
+  await enter(robot, "twin-stop");
+  await answered("by the keyboard, too", () => fake.of("/simulation/twin/stop").length === 2);
+}));
+
+test("a lost link is told, a refused one can be tried again, and the robot is followed or not", () => withPage(async (robot, fake) => {
+  await robot.tab("Twin");
+  Object.assign(fake.twin, { state: "lost", hears: false, text: "nothing has come for 1.0 s" });
+  await robot.newsOf("The robot there is lost: nothing has come for 1.0 s. It is tried again by itself.");
+  await robot.says("twin-link", "lost");
+  await robot.says("twin-why", "nothing has come for 1.0 s");
+  await robot.says("twin-send-why", "The robot there is not connected");
+  assert.ok(await robot.page.$eval("#twin-send", (press) => press.disabled));
+  assert.ok(await hidden(robot, "twin-again"), "it tries by itself");
+  await pause(300);
+  await picture(robot, "twin_lost.png");
+  Object.assign(fake.twin, { state: "refused", text: "it is another robot: humanoid12" });
+  await robot.newsOf("The robot there has been refused: it is another robot: humanoid12");
+  await enter(robot, "twin-again");
+  await answered("it is tried again", () => fake.of("/simulation/twin/reconnect").length === 1);
+  Object.assign(fake.twin, { state: "connected", hears: true, text: "" });
+  await robot.newsOf("The robot there is connected: ws://10.0.0.7:9090");
+  Object.assign(fake.twin, { follows: false, followsText: "the simulation is paused" });
+  await robot.newsOf("The simulated robot does not follow any more: the simulation is paused");
+  await robot.says("twin-follows-why", "It does not: the simulation is paused.");
+  await robot.says("twin-verdict", "the simulated robot does not do what the robot there does");
+  await enter(robot, "twin-follow");
+  await answered("it follows", () => fake.of("/simulation/twin/follow").at(-1)?.data === true);
+  await robot.until(() => document.getElementById("twin-follow").getAttribute("aria-checked") === "true", "it is said that it does");
+  fake.tellsTwin = false;
+  await robot.says("twin-link", "not heard of");
+  await robot.says("twin-chip", "not heard of");
+}));
+
+test("on a phone it fits, and all of it can be reached", () => withPage(async (robot, fake) => {
+  const fits = () => robot.page.evaluate(() => document.documentElement.scrollWidth <= 360 && document.getElementById("panels").scrollWidth <= document.getElementById("panels").clientWidth);
+  await picture(robot, "twin_phone_world.png");
+  assert.ok((await there(robot)).count > 300, "the robot there is drawn");
+  await robot.page.tap("#twin-chip");
+  await robot.says("twin-verdict", "agree");
+  fake.twin.differ("left_ankle_roll", 0.05);
+  await verdict(robot, "differ");
+  await pause(1200);
+  assert.ok(await fits(), "nothing is wider than a phone");
+  await picture(robot, "twin_phone.png");
+  await robot.page.tap("#twin-send");
+  await answered("it is tried", () => sends(fake).length === 1);
+  fake.twin.falls = 1;
+  fake.twin.judge();
+  await robot.until(() => !document.querySelector(".worst").hidden, "the picture of the worst one");
+  assert.ok(await fits());
+  await picture(robot, "twin_phone_not_passed.png");
+  await robot.page.tap("#twin-reason");
+  await robot.page.keyboard.type("it hangs in its crane");
+  await robot.page.tap("#twin-nevertheless");
+  await answered("it is sent", () => sends(fake).length === 2);
+  await robot.page.tap("#twin-stop");
+  await answered("it is stopped", () => fake.of("/simulation/twin/stop").length === 1);
+}, { viewport: phone }));
+
+test("a simulator without a twin has the page that it had", () => withPage(async (robot) => {
+  assert.deepEqual(await robot.page.$$("#twin-chip, #twin-stop, #twin-show"), []);
+  assert.ok(!(await robot.page.$$eval("[role=tab]", (tabs) => tabs.some(({ textContent }) => textContent === "Twin"))));
+}, { twin: false }));

@@ -1,0 +1,87 @@
+// What is sent to the robot there: fields as a request, reasons, whose it was; and the picture that comes in parts.
+import assert from "node:assert/strict";
+import test from "node:test";
+import type { Message } from "../src/rosbridge.ts";
+import { readRequest, readSettings, SentHere, withReason, type SendFields } from "../src/twin/send_request.ts";
+import { TwinOrders, wholePicture } from "../src/twin/twin_orders.ts";
+
+const bounds = { forward: 0.5, turn: 1.5 };
+const fields = (more: Partial<SendFields>): SendFields => ({ kind: "walk", forward: "0.2", left: "0", turn: "-0.1", seconds: "4", motion: "", goal: undefined, settings: "", ...more });
+const nothing = { walk: [], duration: 0, motion: "", goal: [], settings: [], reason: "" };
+
+test("fields make the one request that is chosen, with settings before it", () => {
+  assert.deepEqual(readRequest(fields({ settings: "trajectory.step_time = 0.3\n\n  zmp.gain=1 " }), bounds), { ...nothing, walk: [0.2, 0, -0.1], duration: 4, settings: ["trajectory.step_time=0.3", "zmp.gain=1"] });
+  assert.deepEqual(readRequest(fields({ kind: "motion", motion: "kick" }), bounds), { ...nothing, motion: "kick" });
+  assert.deepEqual(readRequest(fields({ kind: "goal", goal: { x: 1, y: 2, yaw: 3 } }), bounds), { ...nothing, goal: [1, 2, 3] });
+  assert.deepEqual(readRequest(fields({ kind: "settings", settings: "a.b=c" }), bounds), { ...nothing, settings: ["a.b=c"] });
+});
+
+test("what cannot be sent says which field, what it is and what it must be", () => {
+  const refused = (more: Partial<SendFields>, text: RegExp) => assert.throws(() => readRequest(fields(more), bounds), text);
+  refused({ forward: "0.6" }, /“forward” is '0\.6', and must be -0\.5 … 0\.5 m\/s/);
+  refused({ turn: "" }, /“turn” is ''/);
+  refused({ seconds: "0" }, /“for” is '0'/);
+  refused({ left: "0,1" }, /“left” is '0,1'/);
+  refused({ forward: "0", turn: "0" }, /no speed/);
+  refused({ kind: "motion" }, /No motion/);
+  refused({ kind: "goal" }, /Walk to/);
+  refused({ kind: "settings" }, /no settings/);
+  assert.throws(() => readSettings("a.b=1\nstep_time=0.3"), /Line 2 .*'step_time=0\.3'.*PLUGIN\.PARAMETER=VALUE/);
+});
+
+test("a reason has ten characters", () => {
+  const request = readRequest(fields({}), bounds);
+  assert.throws(() => withReason(request, "  because   "), /7 characters/);
+  assert.equal(withReason(request, " it is held by a crane ").reason, "it is held by a crane");
+});
+
+test("only what this page has sent is sent nevertheless", () => {
+  const sent = new SentHere();
+  const request = readRequest(fields({}), bounds);
+  sent.told({ sending: "not passed", sendingWhat: "motion kick" });
+  assert.equal(sent.requestOf("motion kick"), undefined, "it was another's");
+  sent.begun(withReason(request, "it is held by a crane"));
+  sent.told({ sending: "trying", sendingWhat: "walk 0.20 m/s, 4 s" });
+  sent.told({ sending: "trying", sendingWhat: "motion wave" });
+  assert.deepEqual(sent.requestOf("walk 0.20 m/s, 4 s"), request, "without the former reason");
+  assert.equal(sent.requestOf("motion wave"), undefined);
+});
+
+// Of the picture that there is at the first, second, … call; the last one stays.
+function parts(pictures: number[][], part = 3) {
+  let calls = 0;
+  return async (first: number) => {
+    const whole = pictures[Math.min(calls++, pictures.length - 1)]!;
+    return { total: whole.length, bytes: Uint8Array.from(whole.slice(first, first + part)) };
+  };
+}
+
+test("a picture comes in parts, and from its beginning when it becomes another one", async () => {
+  assert.deepEqual([...await wholePicture(parts([[1, 2, 3, 4, 5, 6, 7]]))], [1, 2, 3, 4, 5, 6, 7]);
+  assert.deepEqual([...await wholePicture(parts([[1, 2, 3]]))], [1, 2, 3]);
+  assert.deepEqual([...await wholePicture(parts([[1, 2, 3, 4, 5], [8, 7, 6, 5]]))], [8, 7, 6, 5]);
+});
+
+test("a picture that does not fit its size is none", async () => {
+  await assert.rejects(wholePicture(async () => ({ total: 4, bytes: new Uint8Array(0) })), /4 bytes/);
+  await assert.rejects(wholePicture(async () => ({ total: 2, bytes: new Uint8Array(3) })), /has 3/);
+  for (const total of [0, NaN, 1e9]) await assert.rejects(wholePicture(async () => ({ total, bytes: new Uint8Array(1) })), /bytes, and must/);
+  let total = 10;
+  await assert.rejects(wholePicture(async () => ({ total: ++total, bytes: new Uint8Array(1) })), /3 times/);
+});
+
+test("orders are what the services want", async () => {
+  const asked: [string, Message | undefined][] = [];
+  const orders = new TwinOrders({ order: async (service, args) => {
+    asked.push([service, args]);
+    return { success: true, message: "", total: 3, data: btoa("abc") };
+  } });
+  await orders.follow(true);
+  await orders.send(readRequest(fields({}), bounds));
+  await orders.stop();
+  await orders.reconnect();
+  assert.deepEqual([...await orders.picture()], [97, 98, 99]);
+  assert.deepEqual(asked, [
+    ["/simulation/twin/follow", { data: true }], ["/simulation/twin/send", { ...nothing, walk: [0.2, 0, -0.1], duration: 4 }], ["/simulation/twin/stop", {}], ["/simulation/twin/reconnect", {}],
+    ["/simulation/twin/picture", { first: 0 }]]);
+});
