@@ -158,6 +158,7 @@ class AsDescribed(Twin):
         self.assertGreater(walked[0], 0.3)
         self.assertAlmostEqual(walked[1], walked[0], delta=0.1)
         self.assertEqual([text for text in self.twin["told_texts"] if "differs" in text], [], "it is as it is described")
+        until(lambda: all(one is not None for one in self.twin["difference"]), lambda: f"all of it: {self.twin}")
         twin = self.twin
         self.assertEqual(len(twin["channels"]), 22 + 7)
         self.assertEqual(twin["channels"][22:24], ["roll", "pitch"])

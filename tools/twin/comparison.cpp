@@ -18,8 +18,8 @@ namespace {
 constexpr double kKept_s = 4.0;       // window, longest lag, and some
 constexpr double kPeriod_s = 0.2;     // of comparisons
 constexpr double kOld_s = 0.5;        // what comes no more is not known
-constexpr double kClockSet_s = 0.5;   // a clock that is off by more was set, or its pace is another one
-constexpr double kClockDrift = 1e-3;  // the shortest way is forgotten so fast, for clocks that drift
+constexpr double kClockSet_s = 2.0;   // a clock that is off by more was set
+constexpr double kClockSpan_s = 2.0;  // in which the message that was under way the shortest is looked for
 constexpr double kLagStep_s = 0.01;
 constexpr double kMoves_rad = 0.01;  // RMS of a joint about its mean: less is a stand, which fits everywhere
 constexpr double kToldAgainBelow = 0.7;    // of the limit
@@ -64,16 +64,19 @@ std::string shown(const Channel& channel, double value) {
 std::optional<double> Comparison::ClockFit::here(double stamp_s, double arrived_s) {
   const double offset_s = arrived_s - stamp_s;
   const bool is_set =
-      offset_s_ && (stamp_s < last_stamp_s_ - kClockSet_s || offset_s < *offset_s_ - kClockSet_s ||
-                    offset_s > *offset_s_ + 4.0 * kClockSet_s);
+      offset_s_ && (stamp_s < last_stamp_s_ - kClockSet_s || std::abs(offset_s - *offset_s_) > kClockSet_s);
   if (is_set) {
-    offset_s_.reset();
+    forget();
     return std::nullopt;
   }
-  const double passed_s = offset_s_ ? std::max(stamp_s - last_stamp_s_, 0.0) : 0.0;
-  offset_s_ = offset_s_ ? std::min(*offset_s_ + kClockDrift * passed_s, offset_s) : offset_s;
-  last_stamp_s_ = std::max(last_stamp_s_, stamp_s);
-  return stamp_s + *offset_s_;
+  if (!offset_s_ || arrived_s - began_s_ > kClockSpan_s) {
+    offset_before_s_ = offset_s_;
+    offset_s_ = offset_s;
+    began_s_ = arrived_s;
+  }
+  offset_s_ = std::min(*offset_s_, offset_s);
+  last_stamp_s_ = stamp_s;
+  return stamp_s + std::min(*offset_s_, offset_before_s_.value_or(*offset_s_));
 }
 
 Comparison::Comparison(const urdf::RobotModel& robot) {

@@ -55,16 +55,17 @@ class Comparison {
   [[nodiscard]] std::string take_news();
 
  private:
-  // From a robot's clock to this computer's, by the messages that were under way the shortest.
+  // From a robot's clock to this computer's, by the messages of the last seconds that were under way the
+  // shortest. A simulated robot's clock falls behind where the computer is too slow.
   class ClockFit {
    public:
     // The instant [s] here; nothing: that clock was set anew.
     [[nodiscard]] std::optional<double> here(double stamp_s, double arrived_s);
-    void forget() noexcept { offset_s_.reset(); }
+    void forget() noexcept { *this = {}; }
 
    private:
-    std::optional<double> offset_s_;
-    double last_stamp_s_ = 0.0;
+    std::optional<double> offset_s_, offset_before_s_;  // of this span of time, and of the one before
+    double began_s_ = 0.0, last_stamp_s_ = 0.0;
   };
   struct Half {
     ClockFit clock;
