@@ -15,9 +15,7 @@ import roslibpy
 
 from served_robot import COMMAND, ServedRobot, free_port, until
 from simulator import Simulator
-
-SEND = "gaitway_msgs/srv/SendToRobot"
-
+from twin_client import SEND, Client
 
 class Relay:
     """A TCP relay in front of a server: `cut` ends what is connected and lets nobody in, `rewrite` changes what the server says first."""
@@ -73,26 +71,6 @@ class Relay:
     def close(self):
         self.cut()
         self._server.close()
-
-
-class Client:
-    """A client of a robot's API, with the newest message of some topics."""
-
-    def __init__(self, port, topics):
-        self.ros = roslibpy.Ros("127.0.0.1", port)
-        self.ros.run(timeout=20)
-        self.newest = {}
-        self._topics = []  # kept: they end with their object
-        for topic, kind in topics.items():
-            one = roslibpy.Topic(self.ros, topic, kind)
-            one.subscribe(lambda message, topic=topic: self.newest.__setitem__(topic, message))
-            self._topics.append(one)
-
-    def call(self, service, kind, **arguments):
-        return dict(roslibpy.Service(self.ros, service, kind).call(roslibpy.ServiceRequest(arguments), timeout=20))
-
-    def close(self):
-        self.ros.close()
 
 
 class Twin(unittest.TestCase):

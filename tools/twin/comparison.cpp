@@ -121,6 +121,8 @@ void Comparison::look(double now_s) {
   if (now_s - looked_s_ < kPeriod_s) return;
   looked_s_ = now_s;
   std::ranges::fill(values_, ChannelValues{});
+  const std::size_t channel = channels_.size() - kOtherChannels;
+  compare_places(channel + 4);
   const bool both = is_known(now_s, track(Robot::real, Measurement::joints)) &&
                     is_known(now_s, track(Robot::simulated, Measurement::joints));
   if (!both) {
@@ -131,12 +133,10 @@ void Comparison::look(double now_s) {
                                   track(Robot::simulated, Measurement::joints).points().back().time_s) -
                          kLongestLag_s;
   find_lag(until_s);
-  const std::size_t channel = channels_.size() - kOtherChannels;
   compare(Measurement::joints, 0, until_s);
   compare(Measurement::attitude, channel, until_s);
   compare(Measurement::left_foot, channel + 2, until_s);
   compare(Measurement::right_foot, channel + 3, until_s);
-  compare_places(channel + 4);
   tell(now_s);
 }
 
