@@ -109,9 +109,6 @@ std::optional<std::string> Director::obey(const Ticket& ticket, std::string_view
   const auto what = order.at("order").get<std::string>();
   if (what == "state") return state().dump();
   if (std::ranges::find(kOrders, what) == kOrders.end()) {
-    if (options_.other_orders) {
-      if (const auto answer = options_.other_orders(order)) return answer->dump();
-    }
     throw std::invalid_argument(fmt::format("order is '{}'. {}", what, input::suggest(what, kOrders)));
   }
   if (what == "seek") {

@@ -251,16 +251,14 @@ class Refusals(unittest.TestCase):
             shutil.copytree(Path(os.environ["GAITWAY_ROBOT"]), folder, dirs_exist_ok=True)
             file = Path(folder) / "robot.urdf"
             file.write_text(re.sub(r'(<mass value="[0-9.]+)', r"\g<1>1", file.read_text(), count=1))  # some grams more
-            with Simulator("--robot", folder, "--robot", f"ws://127.0.0.1:{self.robot.port}") as simulator:
-                here = Client(simulator.port, {"/simulation/twin": "gaitway_msgs/msg/TwinState"})
-                try:
-                    until(lambda: here.newest.get("/simulation/twin", {}).get("state") == "refused", lambda: f"the refusal: {here.newest}", 20)
-                    said = here.newest["/simulation/twin"]["text"]
-                    self.assertIn("another description: line", said)
-                    self.assertIn("<mass value=", said)
-                    self.assertFalse(here.call("/simulation/twin/send", SEND, motion="kick")["success"])
-                finally:
-                    here.close()
+            code, said = self.simulator("--robot", folder, "--robot", f"ws://127.0.0.1:{self.robot.port}")
+            self.assertEqual(code, 1)
+            self.assertIn("another description: line", said)
+            self.assertIn("<mass value=", said)
+
+    def test_what_is_no_address_is_said(self):
+        for wrong in (f"http://127.0.0.1:{self.robot.port}", f"127.0.0.1:{self.robot.port}"):
+            self.assertIn("begins with ws://", self.simulator("--robot", wrong)[1])
 
 
 del Twin  # it is no test of its own

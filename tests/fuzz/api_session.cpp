@@ -156,7 +156,7 @@ class Trial {
  private:
   HubOptions options() {
     HubOptions options;
-    options.simulation = &simulation_;
+    options.simulation = {&simulation_, &twin_};
     options.limits = tight();
     if (wants_token_) {
       options.is_token = [](std::string_view offered) { return offered == "secret"; };
@@ -302,7 +302,7 @@ class Trial {
   Input& input_;
   bool wants_token_;
   RecordedRobot robot_;
-  RecordedSimulation simulation_;
+  RecordedSimulation simulation_, twin_;
   Hub hub_;
   std::array<Peer, kClients> peers_;
   std::int64_t now_ns_ = 1'000'000'000;

@@ -24,6 +24,10 @@ Clock::time_point after(double time_s) {
 
 }  // namespace
 
+bool tells_of_lateness(std::string_view error) noexcept {
+  return error.find("late: it may have been sent") != std::string_view::npos;
+}
+
 class ApiClient::Link : public ApiLink {
  public:
   using ApiLink::ApiLink;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "tools/command_line.hpp"
 
@@ -18,6 +19,9 @@ namespace gaitway::tools {
 class ApiError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// Whether an error of the robot's is that an order came too late to be carried out.
+[[nodiscard]] bool tells_of_lateness(std::string_view error) noexcept;
 
 // The server does not let us in: another token, another origin.
 class NotLetIn : public ApiError {
@@ -34,6 +38,13 @@ struct ApiAddress {
   std::filesystem::path token_file;         // empty: no token
   std::filesystem::path ca_file;            // of wss, PEM: whom to trust; empty: the system's
   double timeout_s = 10.0;                  // to connect, and of each answer
+  bool any_name = false;                    // of wss: whom `ca_file` vouches for may have another name
+
+  [[nodiscard]] ApiAddress with_timeout(double seconds) const {
+    ApiAddress address = *this;
+    address.timeout_s = seconds;
+    return address;
+  }
 };
 
 // Blocks; for one thread. All calls throw ApiError and NoAnswer.

@@ -1,6 +1,7 @@
 // One asynchronous operation after the other, each run until it has ended or its deadline has come.
 #include "tools/ctl/api_link.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 
@@ -10,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "gaitway/input/text.hpp"
+
 namespace gaitway::tools {
 namespace {
 
@@ -17,6 +20,7 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 
 constexpr std::chrono::seconds kLongestClose{1};  // of a server that has answered
+constexpr std::size_t kShownBody = 300;
 
 struct Url {
   bool tls = false;
@@ -49,6 +53,22 @@ Url parse_url(const std::string& url) {
   return result;
 }
 
+std::string remedy_for(const boost::system::error_code& error, const ApiAddress& address) {
+  const std::string text = error.message();
+  const bool is_secure = address.url.starts_with("wss://");
+  if (text.find("certificate verify failed") != std::string::npos) {
+    return "Who vouches for its certificate is not known here: give that file (PEM), --ca (of a twin: "
+           "--robot-ca)";
+  }
+  if (is_secure && text.find("wrong version number") != std::string::npos) {
+    return "It does not speak TLS: ws:// instead of wss://?";
+  }
+  if (!is_secure && (error == asio::error::eof || error == beast::http::error::end_of_stream)) {
+    return "Does it speak TLS: wss:// instead of ws://?";
+  }
+  return "Is the robot API running there (gaitway serve)?";
+}
+
 std::string read_token(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string token;
@@ -64,8 +84,8 @@ ApiLink::ApiLink(const ApiAddress& address) : address_(address) {
   try {
     open();
   } catch (const boost::system::system_error& error) {
-    throw ApiError(fmt::format("{}: {}. Is the robot API running there (gaitway serve)?", address.url,
-                               error.code().message()));
+    throw ApiError(
+        fmt::format("{}: {}. {}", address.url, error.code().message(), remedy_for(error.code(), address)));
   }
   start_reading();
 }
@@ -169,6 +189,10 @@ void ApiLink::open() {
             socket_);
       },
       end);
+  // Programs that are started meanwhile do not get it.
+  std::visit(
+      [](auto& socket) { fcntl(beast::get_lowest_layer(*socket).native_handle(), F_SETFD, FD_CLOEXEC); },
+      socket_);
   if (auto* const secure = std::get_if<std::unique_ptr<Secure>>(&socket_)) {
     auto& tls = (*secure)->next_layer();
     complete([&](auto ended) { tls.async_handshake(asio::ssl::stream_base::client, ended); }, end);
@@ -184,7 +208,9 @@ std::unique_ptr<ApiLink::Secure> ApiLink::secure_socket(const std::string& host)
   }
   tls_.set_verify_mode(asio::ssl::verify_peer);
   auto socket = std::make_unique<Secure>(io_, tls_);
-  socket->next_layer().set_verify_callback(asio::ssl::host_name_verification(host));
+  if (!address_.any_name) {
+    socket->next_layer().set_verify_callback(asio::ssl::host_name_verification(host));
+  }
   SSL_set_tlsext_host_name(socket->next_layer().native_handle(), host.c_str());
   return socket;
 }
@@ -205,8 +231,8 @@ void ApiLink::shake_hands(Socket& socket, const std::string& host, Time deadline
     if (error.code() != beast::websocket::error::upgrade_declined) {
       throw;
     }
-    const std::string why =
-        fmt::format("{}: refused: {} {}", address_.url, response.result_int(), response.body());
+    const std::string why = fmt::format("{}: refused: {} {}", address_.url, response.result_int(),
+                                        input::terminal_text(response.body().substr(0, kShownBody)));
     const bool is_right = response.result() == beast::http::status::unauthorized ||
                           response.result() == beast::http::status::forbidden;
     if (is_right) throw NotLetIn(why);

@@ -13,6 +13,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double kRenew_s = 0.1;
+constexpr int kMostLate = 5;  // a velocity holds for half a second
 
 json call(ApiClient& client, const std::string& service, const json& arguments) {
   json values;
@@ -39,16 +40,30 @@ class CommandLease {
   std::string lease_;
 };
 
+// Whether the last velocity came too late to be walked: the next one may be in time, and until then the one
+// before holds. Throws what else the robot had to say.
+bool is_late(ApiClient& client) {
+  try {
+    client.throw_reported_errors();
+    return false;
+  } catch (const ApiError& error) {
+    if (!tells_of_lateness(error.what())) throw;
+    return true;
+  }
+}
+
 void walk(ApiClient& client, CommandLease& command, const RobotTask& task) {
   const auto at = [&task](std::size_t i) { return i < task.walk->size() ? (*task.walk)[i] : 0.0; };
   const json twist{{"linear", {{"x", at(0)}, {"y", at(1)}, {"z", 0.0}}},
                    {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", at(2)}}}};
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
+  int late = 0;  // one after the other
   client.repeat(
       [&] {
         client.publish("/cmd_vel", twist);
         command.renew();
-        client.throw_reported_errors();
+        late = is_late(client) ? late + 1 : 0;
+        if (late > kMostLate) throw ApiError("/cmd_vel: the connection is too slow: the robot stands");
       },
       kRenew_s, task.walk_seconds);
   call(client, "/stand", json::object());

@@ -53,7 +53,8 @@ struct PreflightCommand {
 };
 
 constexpr double kUsual_s = 20.0;
-constexpr double kBegins_s = 1.0;  // what is asked for, in the flight: the robot has come to its stand
+constexpr double kStandsFor_s = 4.0;  // after a walk
+constexpr double kBegins_s = 1.0;     // what is asked for, in the flight: the robot has come to its stand
 constexpr std::size_t kShortestReason = 10;
 constexpr int kExitNotPassed = 2;
 
@@ -125,26 +126,38 @@ preflight::Flight flight_of(const PreflightCommand& options, const RobotTask& ta
     std::vector<double> walk = *task.walk;
     walk.resize(3, 0.0);
     flight.events = simulator::walk_scenario(walk[0], walk[1], walk[2], flight.seconds).events;
+    // Whoever sends it has the robot stand afterwards, which is where a bad walk falls.
+    flight.events.push_back({flight.seconds, simulator::WalkEvent{.walk = false}});
+    flight.seconds += kStandsFor_s;
   }
   if (!task.motion.empty()) flight.events.push_back({kBegins_s, simulator::MotionEvent{task.motion}});
   if (task.goal) flight.events.push_back({kBegins_s, simulator::WalkToEvent{task.goal}});
   return flight;
 }
 
+void set_parameter(core::PluginEntry& entry, const ParameterSetting& setting) {
+  std::erase_if(entry.parameters, [&setting](const auto& known) { return known.name == setting.parameter; });
+  entry.parameters.push_back({setting.parameter, setting.value, entry.line});
+}
+
 core::Configuration plugins_of(const PreflightCommand& options, const RobotTask& task,
-                               const std::optional<world::World>& world) {
+                               const std::optional<RobotNow>& now, const std::optional<world::World>& world) {
   core::Configuration plugins = core::read_configuration(options.config);
   // Of a served robot's configuration: nobody comes by a socket here.
   std::erase_if(plugins.plugins, [](const core::PluginEntry& entry) { return entry.child.local_sockets; });
   if (task.goal) add_navigation(plugins, world);
+  // As the robot has them now: what somebody has changed there counts.
+  for (const RobotParameter& one : now ? now->parameters : std::vector<RobotParameter>{}) {
+    const auto entry = std::ranges::find(plugins.plugins, one.plugin, &core::PluginEntry::name);
+    if (entry != plugins.plugins.end()) set_parameter(*entry, {one.plugin, one.name, one.value});
+  }
   for (const ParameterSetting& one : task.settings) {
     const auto entry = std::ranges::find(plugins.plugins, one.plugin, &core::PluginEntry::name);
     if (entry == plugins.plugins.end()) {
       throw std::invalid_argument(fmt::format("--set {}.{}: {} has no plug-in '{}'", one.plugin,
                                               one.parameter, plugins.file.string(), one.plugin));
     }
-    std::erase_if(entry->parameters, [&one](const auto& known) { return known.name == one.parameter; });
-    entry->parameters.push_back({one.parameter, one.value, entry->line});
+    set_parameter(*entry, one);
   }
   return plugins;
 }
@@ -163,7 +176,7 @@ preflight::PreflightOptions settings_of(const PreflightCommand& options, const R
   settings.robot.plant.mismatch = options.mismatch;
   settings.robot.localization.is_there = task.goal.has_value();
   settings.robot.main_controller.configuration = options.config;
-  settings.robot.main_controller.plugins = plugins_of(options, task, world);
+  settings.robot.main_controller.plugins = plugins_of(options, task, now, world);
   settings.robot.plant.world = std::move(world);
   if (now) settings.robot.plant.start_rad = now->joint_rad;
   return settings;
@@ -187,7 +200,7 @@ void record(const PreflightCommand& options, const preflight::Verdict& verdict, 
 }
 
 int send_or_refuse(const PreflightCommand& options, const RobotTask& task, const preflight::Verdict& verdict,
-                   ApiClient& client, const RobotNow& now) {
+                   ApiClient& client, const std::string& change) {
   if (!verdict.all_passed() && options.override_reason.empty()) {
     record(options, verdict, "not sent");
     fmt::print(
@@ -195,9 +208,9 @@ int send_or_refuse(const PreflightCommand& options, const RobotTask& task, const
         "gaitway preflight: not sent. Whoever sends it nevertheless gives a reason: --override REASON\n");
     return kExitNotPassed;
   }
-  if (now.state != "stands") {
-    record(options, verdict, "not sent: the robot " + now.state);
-    throw NotDone(fmt::format("not sent: the robot {} and must stand", input::terminal_text(now.state)));
+  if (!change.empty()) {
+    record(options, verdict, "not sent: " + change);
+    throw NotDone("not sent: " + change);
   }
   // Before it: whatever becomes of this process, it is on record that the robot was told.
   record(options, verdict, "begun");
@@ -252,13 +265,17 @@ int preflight_command(const PreflightCommand& options) {
     address.url = options.from;
     ApiClient client(address);
     now = ask_where(client, robot);
+    if (options.send && now->state != "stands") {
+      throw NotDone(fmt::format("not tried: the robot {} and must stand", input::terminal_text(now->state)));
+    }
   }
   const preflight::Verdict verdict = try_it(options, robot, flight, settings_of(options, task, now));
   if (!options.send) return verdict.all_passed() ? kExitFine : kExitNotPassed;
   ApiAddress address = options.api;
   address.url = options.from;
   ApiClient client(address);
-  return send_or_refuse(options, task, verdict, client, ask_where(client, robot));
+  return send_or_refuse(options, task, verdict, client,
+                        change_between(*now, ask_where(client, robot), robot));
 }
 
 }  // namespace

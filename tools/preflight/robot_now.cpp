@@ -7,8 +7,12 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/text.hpp"
+#include "gaitway/urdf/description_text.hpp"
+#include "tools/twin/compatibility.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -48,19 +52,58 @@ std::vector<double> posture_from(const json& message, const urdf::RobotModel& ro
   return posture;
 }
 
+json call(ApiClient& client, const char* service, const json& arguments) {
+  json values;
+  const ApiClient::ServiceAnswer answer = client.call(service, arguments, values);
+  if (answer.result && values.value("success", false)) return values;
+  throw ApiError(
+      fmt::format("{}: {}", service, answer.result ? values.value("message", "") : answer.problem));
+}
+
+std::vector<RobotParameter> parameters_of(ApiClient& client) {
+  std::vector<RobotParameter> parameters;
+  for (const json& plugin : call(client, "/plugins/list", json::object()).at("plugins")) {
+    const auto name = plugin.at("name").get<std::string>();
+    const json told = call(client, "/plugins/get_parameters", {{"plugin", name}});
+    for (std::size_t i = 0; i < told.at("names").size(); ++i) {
+      // Those that cannot change are the configuration's.
+      if (!told.at("live").at(i).get<bool>()) continue;
+      parameters.push_back(
+          {name, told.at("names").at(i).get<std::string>(), told.at("values").at(i).get<std::string>()});
+    }
+  }
+  return parameters;
+}
+
+void require_same_robot(ApiClient& client, const json& description, const urdf::RobotModel& robot) {
+  std::string why = release_difference(client.server(), GAITWAY_VERSION);
+  if (why.empty()) {
+    why = description_difference(description.at("data").get<std::string>(),
+                                 urdf::description_text(robot.directory / "robot.urdf"));
+  }
+  if (!why.empty()) throw ApiError(why);
+}
+
 }  // namespace
 
 RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot) {
-  for (const char* topic : {"/joint_states", "/robot_state", "/walk_to/state"}) client.subscribe(topic);
+  for (const char* topic : {"/robot_description", "/joint_states", "/robot_state", "/walk_to/state"}) {
+    client.subscribe(topic);
+  }
   RobotNow now;
+  bool is_described = false;
   // The way's state comes once the robot has a map; nobody waits for it once the others are there twice.
-  for (int joint_states = 0; joint_states < 20 && !(joint_states > 0 && !now.state.empty() && now.place);) {
+  for (int joint_states = 0;
+       joint_states < 20 && !(is_described && joint_states > 0 && !now.state.empty() && now.place);) {
     const auto message = client.next_message();
     if (!message) throw NoAnswer("the robot has not told where its joints are");
     try {
       const auto topic = message->at("topic").get<std::string>();
       const json& told = message->at("msg");
-      if (topic == "/joint_states") {
+      if (topic == "/robot_description") {
+        require_same_robot(client, told, robot);
+        is_described = true;
+      } else if (topic == "/joint_states") {
         now.joint_rad = posture_from(told, robot);
         ++joint_states;
       } else if (topic == "/robot_state") {
@@ -73,7 +116,43 @@ RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot) {
           fmt::format("the robot's message is not understood ({}): is it of another release?", error.what()));
     }
   }
+  if (!is_described) throw NoAnswer("the robot has not told what it is (/robot_description)");
+  try {
+    now.parameters = parameters_of(client);
+  } catch (const json::exception& error) {
+    throw ApiError(fmt::format("the robot's parameters are not understood ({}): is it of another release?",
+                               error.what()));
+  }
   return now;
+}
+
+std::string change_between(const RobotNow& then, const RobotNow& now, const urdf::RobotModel& robot) {
+  constexpr double kMoved_m = 0.03, kTurned_rad = 0.05, kBent_rad = 0.05;
+  if (now.state != "stands") {
+    return fmt::format("the robot {} and must stand", input::terminal_text(now.state));
+  }
+  if (then.place && now.place) {
+    const double moved_m = std::hypot((*now.place)[0] - (*then.place)[0], (*now.place)[1] - (*then.place)[1]);
+    const double turned_rad =
+        std::abs(std::remainder((*now.place)[2] - (*then.place)[2], 2.0 * std::numbers::pi));
+    if (moved_m > kMoved_m || turned_rad > kTurned_rad) {
+      return fmt::format("the robot has moved by {:.0f} mm and {:.0f} deg since it was tried", moved_m * 1e3,
+                         turned_rad / facts::kRadPerDegree);
+    }
+  }
+  for (std::size_t i = 0; i < now.joint_rad.size(); ++i) {
+    const double bent_rad = std::abs(now.joint_rad[i] - then.joint_rad[i]);
+    if (bent_rad > kBent_rad) {
+      return fmt::format("{} has moved by {:.1f} deg since it was tried", robot.joints[i].name,
+                         bent_rad / facts::kRadPerDegree);
+    }
+  }
+  for (const RobotParameter& one : now.parameters) {
+    if (std::ranges::find(then.parameters, one) != then.parameters.end()) continue;
+    return fmt::format("{}.{} is {} now, and was another when it was tried", input::terminal_text(one.plugin),
+                       input::terminal_text(one.name), input::terminal_text(one.value));
+  }
+  return {};
 }
 
 }  // namespace gaitway::tools

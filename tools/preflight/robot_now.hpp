@@ -11,13 +11,24 @@
 
 namespace gaitway::tools {
 
+struct RobotParameter {
+  std::string plugin, name, value;  // the value as a configuration has it
+  bool operator==(const RobotParameter&) const = default;
+};
+
 struct RobotNow {
   std::vector<double> joint_rad;               // in the order of RobotModel::joints
   std::string state;                           // of /robot_state: "stands", "walks", ...
   std::optional<std::array<double, 3>> place;  // x m, y m, yaw rad in its map; none: it does not say
+  std::vector<RobotParameter> parameters;      // of its plug-ins, as they are now
 };
 
-// Throws ApiError: not understood, or the robot there has other joints than `robot`; NoAnswer.
+// Why what was tried from `then` cannot be sent to the robot as it is `now`: it does not stand, or not where
+// it stood, or its plug-ins have other parameters. Empty: it can.
+[[nodiscard]] std::string change_between(const RobotNow& then, const RobotNow& now,
+                                         const urdf::RobotModel& robot);
+
+// Throws ApiError: it is not understood, is of another release, or another robot than `robot`; NoAnswer.
 [[nodiscard]] RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot);
 
 }  // namespace gaitway::tools

@@ -37,6 +37,7 @@ std::vector<std::string> module_arguments(const ModuleOptions& options,
   const auto add = [&words](const char* name, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {name, value});
   };
+  add("--twin", surroundings.twin);
   add("--profile", surroundings.profile);
   add("--origins", options.origins);
   add("--token-file", options.token_file.string());

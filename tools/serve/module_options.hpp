@@ -26,6 +26,7 @@ struct ModuleSurroundings {
   std::string link;             // unix:PATH
   std::string simulation;       // likewise
   std::filesystem::path recordings;
+  std::string twin = {};  // likewise; empty: it is no twin
 };
 [[nodiscard]] std::vector<std::string> module_arguments(const ModuleOptions& options,
                                                         const ModuleSurroundings& surroundings);

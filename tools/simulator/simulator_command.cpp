@@ -28,7 +28,7 @@
 #include "tools/serve/module_options.hpp"
 #include "tools/simulator/twin_choice.hpp"
 #include "tools/simulator/way_preview.hpp"
-#include "tools/twin/twin.hpp"
+#include "tools/twin/twin_server.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -59,8 +59,11 @@ constexpr std::int64_t kApiBudget_ns = 500'000'000;  // nobody waits for it, and
 // Where the processes of one simulator meet.
 struct Sockets {
   explicit Sockets(const std::filesystem::path& folder)
-      : memory(folder / "memory.sock"), link(folder / "link.sock"), orders(folder / "simulation.sock") {}
-  std::filesystem::path memory, link, orders;
+      : memory(folder / "memory.sock"),
+        link(folder / "link.sock"),
+        orders(folder / "simulation.sock"),
+        twin(folder / "twin.sock") {}
+  std::filesystem::path memory, link, orders, twin;
 };
 
 // A twin is as its robot is described, in a room that nobody has described.
@@ -151,14 +154,14 @@ void write_commands(const SimulatorOptions& options, const world::World& world, 
 }
 
 // Until it is told to stop, or its time is over.
-void serve(const SimulatorOptions& options, timeline::Director& director, Twin* twin) {
+void serve(const SimulatorOptions& options, timeline::Director& director, TwinServer* twin) {
   process::stop_on_signals();
   const auto end_ns = options.seconds ? static_cast<std::int64_t>(*options.seconds * 1e9)
                                       : std::numeric_limits<std::int64_t>::max();
   while (!process::stop_requested() && director.now_ns() < end_ns) {
     director.step(kLook_ms);
     if (twin == nullptr) continue;
-    twin->look({.plays = director.playing(), .speed = director.speed(), .run = director.run()});
+    twin->set_pace({.plays = director.playing(), .speed = director.speed(), .run = director.run()});
     for (const std::string& line : twin->take_lines()) {
       if (!options.quiet) fmt::print(stderr, "gaitway simulator: {}\n", input::terminal_text(line));
     }
@@ -195,29 +198,30 @@ int simulate(const SimulatorOptions& options) {
         timeline::live(live, run, channel, told);
       });
   WayPreview preview(robot, world);
-  std::unique_ptr<Twin> twin;
-  timeline::Director director(
-      std::move(start),
-      {.socket = sockets.orders,
-       .playing = !options.paused,
-       .speed = options.speed,
-       .world = world.name,
-       .plan_way = [&preview](const auto& goal, const auto& state) { return preview.plan(goal, state); },
-       .other_orders =
-           [&twin](const nlohmann::json& order) { return twin ? twin->obey(order) : std::nullopt; }});
-  const ModuleKeeper module(module_arguments(options.module, {.robot = choice.folder,
-                                                              .profile = options.profile,
-                                                              .link = "unix:" + sockets.link.string(),
-                                                              .simulation = "unix:" + sockets.orders.string(),
-                                                              .recordings = options.out / "recordings"}));
+  timeline::Director director(std::move(start), {.socket = sockets.orders,
+                                                 .playing = !options.paused,
+                                                 .speed = options.speed,
+                                                 .world = world.name,
+                                                 .plan_way = [&preview](const auto& goal, const auto& state) {
+                                                   return preview.plan(goal, state);
+                                                 }});
+  std::unique_ptr<TwinServer> twin;
   if (is_twin) {
-    twin = std::make_unique<Twin>(TwinOptions{.there = *choice.there,
-                                              .here = own_api(options.module),
-                                              .flight_arguments = flight_arguments(
-                                                  *choice.there, robot.directory, options.config, world),
-                                              .out = options.out / "preflight"},
-                                  robot);
+    twin = std::make_unique<TwinServer>(
+        TwinOptions{
+            .there = *choice.there,
+            .here = own_api(options.module),
+            .flight_arguments = flight_arguments(*choice.there, robot.directory, options.config, world),
+            .out = options.out / "preflight"},
+        robot, sockets.twin);
   }
+  const ModuleKeeper module(
+      module_arguments(options.module, {.robot = choice.folder,
+                                        .profile = options.profile,
+                                        .link = "unix:" + sockets.link.string(),
+                                        .simulation = "unix:" + sockets.orders.string(),
+                                        .recordings = options.out / "recordings",
+                                        .twin = is_twin ? "unix:" + sockets.twin.string() : ""}));
   serve(options, director, twin.get());
   twin.reset();
   write_commands(options, world, robot, is_twin, director);
@@ -237,7 +241,7 @@ void declare_program(const CommandLine& app) {
   command.repeated("--robot", options.robots,
                    "Folder with robot.urdf and robot.yaml; or ws://HOST:PORT or wss://HOST:PORT, a real "
                    "robot's API, whose twin it is "
-                   "then; or both, one after the other");
+                   "then; given twice, both");
   command.option("--robot-token-file", options.robot_token_file,
                  "File with the token that the real robot wants");
   command.option("--robot-ca", options.robot_ca_file,

@@ -6,13 +6,20 @@
 #include <stdexcept>
 
 #include "gaitway/process/installation.hpp"
-#include "tools/twin/compatibility.hpp"
 
 namespace gaitway::tools {
 namespace {
 
 bool is_address(const std::string& text) {
   return text.starts_with("ws://") || text.starts_with("wss://");
+}
+
+// "http://robot:9090" or "robot:9090".
+bool looks_like_address(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  const bool has_port = colon != std::string::npos && colon + 1 < text.size() &&
+                        text.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+  return (text.find("://") != std::string::npos || has_port) && !std::filesystem::exists(text);
 }
 
 }  // namespace
@@ -22,6 +29,11 @@ TwinChoice twin_choice(const std::vector<std::string>& robots, const std::filesy
   TwinChoice choice;
   for (const std::string& one : robots) {
     const bool again = is_address(one) ? choice.there.has_value() : !choice.folder.empty();
+    if (!is_address(one) && looks_like_address(one)) {
+      throw std::invalid_argument(fmt::format(
+          "--robot {}: the address of a robot's API begins with ws:// or wss://, for example ws://robot:9090",
+          one));
+    }
     if (again) {
       throw std::invalid_argument(
           fmt::format("--robot {}: there is one already: give one folder and one address at most", one));
@@ -42,9 +54,6 @@ TwinChoice twin_choice(const std::vector<std::string>& robots, const std::filesy
 
 RobotNow ask_real_robot(const ApiAddress& there, const urdf::RobotModel& robot) {
   ApiClient client(there);
-  if (const std::string why = release_difference(client.server(), GAITWAY_VERSION); !why.empty()) {
-    throw ApiError(fmt::format("--robot {}: {}", there.url, why));
-  }
   return ask_where(client, robot);
 }
 
@@ -58,7 +67,8 @@ ApiAddress own_api(const ModuleOptions& module) {
   return {.url = fmt::format("{}://{}:{}", module.certificate_file.empty() ? "ws" : "wss",
                              is_six ? "[" + host + "]" : host, module.port),
           .token_file = module.token_file,
-          .ca_file = module.certificate_file};
+          .ca_file = module.certificate_file,
+          .any_name = true};  // the certificate is for those who come from elsewhere
 }
 
 std::vector<std::string> flight_arguments(const ApiAddress& there, const std::filesystem::path& robot,

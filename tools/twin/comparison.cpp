@@ -30,7 +30,9 @@ constexpr std::size_t kMostNamed = 3;      // in a sentence
 // stays below while it walks; measured with simulated ones (docs/simulator.md).
 constexpr double kJointLimit_rad = 3.0 * facts::kRadPerDegree;
 constexpr double kAttitudeLimit_rad = 2.0 * facts::kRadPerDegree;
-constexpr double kLoadLimit = 0.25;  // of the robot's weight
+constexpr double kPlaceLimit_m = 0.25,
+                 kHeadingLimit_rad = 20.0 * facts::kRadPerDegree;  // then they are no picture of each other
+constexpr double kLoadLimit = 0.25;                                // of the robot's weight
 
 double turned_into_half(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * std::numbers::pi);
@@ -86,9 +88,9 @@ Comparison::Comparison(const urdf::RobotModel& robot) {
                                      {"pitch", "rad", kAttitudeLimit_rad},
                                      {"left foot", "N", load_limit_N},
                                      {"right foot", "N", load_limit_N},
-                                     {"place x", "m", 0.0},
-                                     {"place y", "m", 0.0},
-                                     {"heading", "rad", 0.0}});
+                                     {"place x", "m", kPlaceLimit_m},
+                                     {"place y", "m", kPlaceLimit_m},
+                                     {"heading", "rad", kHeadingLimit_rad}});
   values_.resize(channels_.size());
   is_told_.resize(channels_.size());
   above_since_s_.resize(channels_.size());
@@ -98,17 +100,21 @@ const Track& Comparison::track(Robot robot, Measurement what) const {
   return halves_[static_cast<std::size_t>(robot)].tracks[static_cast<std::size_t>(what)];
 }
 
-void Comparison::take(Robot robot, const ArrivedPoint& arrived) {
+bool Comparison::take(Robot robot, const ArrivedPoint& arrived) {
   Half& half = halves_[static_cast<std::size_t>(robot)];
   // A place is told when it changes, and to who comes later once more, with its old stamp.
   if (arrived.point.what == Measurement::place) {
     half.tracks[static_cast<std::size_t>(Measurement::place)].add(arrived.arrived_s, arrived.point.values,
                                                                   kKept_s);
-    return;
+    return true;
   }
   const auto here_s = half.clock.here(arrived.point.stamp_s, arrived.arrived_s);
-  if (!here_s) return forget(robot);
+  if (!here_s) {
+    forget(robot);
+    return false;
+  }
   half.tracks[static_cast<std::size_t>(arrived.point.what)].add(*here_s, arrived.point.values, kKept_s);
+  return true;
 }
 
 void Comparison::forget(Robot robot) {
@@ -185,7 +191,7 @@ void Comparison::find_lag(double until_s) {
   }
   if (largest_square < kMoves_rad * kMoves_rad) return;
   std::vector<std::pair<double, double>> candidates;  // square, lag
-  constexpr int kSteps = static_cast<int>(kLongestLag_s / kLagStep_s + 0.5);
+  constexpr int kSteps = 60;
   for (int step = -kSteps; step <= kSteps; ++step) {
     const double lag_s = kLagStep_s * step;
     if (const auto square = squared_difference(lag_s, from_s, until_s))

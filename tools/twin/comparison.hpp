@@ -41,7 +41,8 @@ class Comparison {
 
   explicit Comparison(const urdf::RobotModel& robot);
 
-  void take(Robot robot, const ArrivedPoint& point);
+  // False: the robot's clock was set anew, and what was measured before is forgotten.
+  bool take(Robot robot, const ArrivedPoint& point);
   // What was measured before belongs to another life of that robot.
   void forget(Robot robot);
   // Compares, five times a second. `now_s`: this computer's monotonic clock.

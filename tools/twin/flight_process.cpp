@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,6 +23,7 @@ namespace gaitway::tools {
 namespace {
 
 constexpr int kTrials = 20;
+constexpr int kLowPriority = 5;        // nice
 constexpr double kAfterwards_s = 1.0;  // a flight begins with so long a stand
 constexpr std::size_t kLongestLine = 4000;
 constexpr const char* kSends = "  sending     ";
@@ -74,13 +76,13 @@ std::string FlightTask::text() const {
 }
 
 FlightProcess::~FlightProcess() {
-  if (!is_running()) return;
+  if (!is_under_way()) return;
   kill(process_, SIGKILL);
   waitpid(process_, nullptr, 0);
 }
 
 void FlightProcess::start(const FlightTask& task) {
-  if (is_running()) throw std::invalid_argument(what_ + " is under way: wait for its end, or stop it");
+  if (is_under_way()) throw std::invalid_argument(what_ + " is under way: wait for its end, or stop it");
   std::vector<std::string> words{(process::installation_root() / "bin" / "gaitway-preflight").string(),
                                  "preflight"};
   words.insert(words.end(), arguments_.begin(), arguments_.end());
@@ -100,6 +102,7 @@ void FlightProcess::start(const FlightTask& task) {
   if (!task.reason.empty()) add("--override", task.reason);
   std::error_code none_yet;
   std::filesystem::remove(out_ / kVerdict, none_yet);  // what is there afterwards is of this flight
+  std::filesystem::remove(picture(), none_yet);
   spawn(words);
   what_ = task.text();
   state_ = State::trying;
@@ -121,6 +124,7 @@ void FlightProcess::spawn(const std::vector<std::string>& words) {
   fcntl(says_.get(), F_SETFL, O_NONBLOCK);
   std::vector<std::string> copy = words;
   std::vector<char*> argv;
+  argv.reserve(copy.size() + 1);
   for (std::string& word : copy) argv.push_back(word.data());
   argv.push_back(nullptr);
   const pid_t parent = getpid();
@@ -130,6 +134,7 @@ void FlightProcess::spawn(const std::vector<std::string>& words) {
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+    setpriority(PRIO_PROCESS, 0, kLowPriority);  // the twin goes on beside it
     dup2(writes.get(), STDOUT_FILENO);
     dup2(writes.get(), STDERR_FILENO);
     if (getppid() == parent) execv(argv[0], argv.data());
@@ -142,7 +147,7 @@ void FlightProcess::spawn(const std::vector<std::string>& words) {
 }
 
 void FlightProcess::look() {
-  if (!is_running()) return;
+  if (!is_under_way()) return;
   hear();
   int status = 0;
   if (waitpid(process_, &status, WNOHANG) != process_) return;
@@ -151,10 +156,11 @@ void FlightProcess::look() {
   take_end(status);
 }
 
-void FlightProcess::stop() {
-  if (!is_running()) return;
+void FlightProcess::stop(const std::string& why) {
+  if (!is_under_way()) return;
   is_stopped_ = true;
-  kill(process_, SIGKILL);  // its connection ends with it, and the robot stands
+  stopped_text_ = why;
+  kill(process_, SIGKILL);  // its connection ends with it: no walk and no way goes on
 }
 
 void FlightProcess::hear() {
@@ -192,7 +198,7 @@ void FlightProcess::take_end(int status) {
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (is_stopped_) {
     state_ = State::stopped;
-    text_ = "stopped by you";
+    text_ = stopped_text_;
   } else if (code == 0) {
     state_ = State::done;
   } else if (code == kNotPassed) {
@@ -202,7 +208,9 @@ void FlightProcess::take_end(int status) {
     state_ = State::failed;
     const std::string prefix = "gaitway preflight: ";
     const std::string said = last_line_.starts_with(prefix) ? last_line_.substr(prefix.size()) : last_line_;
-    text_ = said.empty() ? fmt::format("the pre-flight has ended with status {}", status) : said;
+    text_ = WIFSIGNALED(status) ? fmt::format("the pre-flight was ended by signal {}", WTERMSIG(status))
+            : said.empty()      ? fmt::format("the pre-flight has ended with code {}", code)
+                                : said;
   }
 }
 

@@ -41,8 +41,10 @@ class FlightProcess {
   void start(const FlightTask& task);
   // Hears what it says, and whether it has ended.
   void look();
-  // What it sends ends with its connection: the robot stands.
-  void stop();
+  // What it sends ends with its connection: a walk and a way, but not a motion, which only a stop of the
+  // robot ends.
+  void stop(const std::string& why);
+  [[nodiscard]] bool is_under_way() const noexcept { return process_ != 0; }
 
   [[nodiscard]] State state() const noexcept { return state_; }
   [[nodiscard]] const std::string& what() const noexcept { return what_; }
@@ -54,7 +56,6 @@ class FlightProcess {
   [[nodiscard]] std::filesystem::path picture() const { return out_ / "worst.png"; }
 
  private:
-  [[nodiscard]] bool is_running() const noexcept { return process_ != 0; }
   void spawn(const std::vector<std::string>& words);
   void hear();
   void take_line(const std::string& line);
@@ -64,7 +65,7 @@ class FlightProcess {
   std::vector<std::string> arguments_;
   std::filesystem::path out_;
   State state_ = State::idle;
-  std::string what_, text_, last_line_, heard_;
+  std::string what_, text_, last_line_, heard_, stopped_text_;
   std::uint32_t passed_ = 0, tried_ = 0, pictures_ = 0;
   pid_t process_ = 0;
   bool is_stopped_ = false;

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace gaitway::tools {
@@ -12,9 +14,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kObeyed_s = 10.0;  // a stand takes a walk's last steps
-constexpr double kRenew_s = 0.05;   // of a velocity, which holds for half a second; and of looks
-constexpr std::chrono::milliseconds kIdle{20};
+constexpr double kObeyed_s = 3.0;  // a stand takes a walk's last steps
+constexpr double kRenew_s = 0.05;  // of a velocity, which holds for half a second; and of looks
+constexpr std::chrono::milliseconds kIdle{20}, kFollowAgain{500};
 
 bool is_zero(const std::array<double, 3>& velocity) {
   return std::ranges::all_of(velocity, [](double one) { return one == 0.0 || !std::isfinite(one); });
@@ -65,8 +67,13 @@ void FollowRules::look_at_way(const RobotNews& news, std::vector<FollowOrder>& o
   if (is_idle && !was_idle && news.way_result == "cancelled") orders.push_back(service("/walk_to/cancel"));
 }
 
+// Somebody else has the command, or the robot will not: trying again changes nothing.
+class Follower::Refused : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 Follower::Follower(const ApiAddress& address)
-    : address_{address.url, address.token_file, address.ca_file, kObeyed_s}, thread_([this] { run(); }) {}
+    : address_(address.with_timeout(kObeyed_s)), thread_([this] { run(); }) {}
 
 Follower::~Follower() {
   {
@@ -81,9 +88,10 @@ void Follower::set(bool follows) {
   status_ = {.follows = follows, .text = {}};
 }
 
-void Follower::hear(const RobotNews& news) {
+void Follower::hear(const RobotNews& news, bool keeps_pace) {
   const std::lock_guard lock(mutex_);
   news_ = news;
+  keeps_pace_ = keeps_pace;
 }
 
 Follower::Status Follower::status() const {
@@ -93,7 +101,13 @@ Follower::Status Follower::status() const {
 
 bool Follower::goes_on() const {
   const std::lock_guard lock(mutex_);
-  return status_.follows && !ending_;
+  return status_.follows && keeps_pace_ && !ending_;
+}
+
+void Follower::note(bool follows, std::string text) {
+  const std::lock_guard lock(mutex_);
+  if (!status_.follows) return;  // somebody has ended it meanwhile
+  status_ = {.follows = follows, .text = shortened(std::move(text))};
 }
 
 void Follower::run() {
@@ -108,21 +122,27 @@ void Follower::run() {
     }
     try {
       follow();
-    } catch (const std::exception& error) {
-      const std::lock_guard lock(mutex_);
-      status_ = {.follows = false, .text = error.what()};
+      continue;
+    } catch (const Refused& refused) {
+      note(false, refused.what());
+    } catch (const std::exception& error) {  // a link that was lost, an answer that has not come: once more
+      note(true, error.what());
     }
+    std::this_thread::sleep_for(kFollowAgain);
   }
 }
 
-// Until it is to end. The connection's end is the command's.
+// Until it is to end. The connection's end is the command's: the simulated robot stands.
 void Follower::follow() {
   ApiClient client(address_);
+  note(true, "");
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
   FollowRules rules;
   std::array<double, 3> velocity{};
   while (goes_on()) {
-    for (const FollowOrder& order : rules.look(heard())) {
+    const std::vector<FollowOrder> orders = rules.look(heard());
+    if (!orders.empty()) carry_out(client, service("/command/acquire", {{"name", kName}}));
+    for (const FollowOrder& order : orders) {
       velocity = order.velocity;  // every other order ends the walk
       if (!order.service.empty()) carry_out(client, order);
     }
@@ -131,7 +151,17 @@ void Follower::follow() {
                                   {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", velocity[2]}}}});
     }
     client.rest(kRenew_s);
+    require_obeyed(client);
+  }
+}
+
+// What the robot says of a velocity that it does not walk.
+void Follower::require_obeyed(ApiClient& client) {
+  try {
     client.throw_reported_errors();
+  } catch (const ApiError& error) {
+    if (tells_of_lateness(error.what())) return;  // the next one may be in time
+    throw Refused(error.what());
   }
 }
 
@@ -144,7 +174,10 @@ void Follower::carry_out(ApiClient& client, const FollowOrder& order) {
   json values;
   const ApiClient::ServiceAnswer answer = client.call(order.service, json::parse(order.argument), values);
   if (answer.result && values.value("success", false)) return;
-  throw ApiError(order.service + ": " + (answer.result ? values.value("message", "") : answer.problem));
+  const std::string why =
+      order.service + ": " + (answer.result ? values.value("message", "") : answer.problem);
+  if (tells_of_lateness(why) || !answer.result) throw ApiError(why);
+  throw Refused(why);
 }
 
 }  // namespace gaitway::tools

@@ -36,35 +36,44 @@ class FollowRules {
 
 class Follower {
  public:
+  // Under which it has the command of the simulated robot.
+  static constexpr const char* kName = "the robot there";
+
   // `address`: of the simulated robot's API.
   explicit Follower(const ApiAddress& address);
-  // Waits for the answer of an order that has been given, 10 s at most.
+  // Waits for the answer of an order that has been given, 3 s at most.
   ~Follower();
   Follower(const Follower&) = delete;
   Follower& operator=(const Follower&) = delete;
 
   // `follows`: false gives the command back. Whoever begins to follow forgets why it ended before.
   void set(bool follows);
-  void hear(const RobotNews& news);
+  // `keeps_pace`: the simulation runs as fast as real time; otherwise the simulated robot is told nothing,
+  // and gives up what it was told.
+  void hear(const RobotNews& news, bool keeps_pace);
 
   struct Status {
     bool follows = false;
-    std::string text;  // why it ended by itself
+    std::string text;  // why it ended by itself, or does not come about
   };
   [[nodiscard]] Status status() const;
 
  private:
+  class Refused;
+
   void run();
   void follow();
+  void note(bool follows, std::string text);
   [[nodiscard]] bool goes_on() const;
   [[nodiscard]] RobotNews heard() const;
   void carry_out(ApiClient& client, const FollowOrder& order);
+  static void require_obeyed(ApiClient& client);
 
   ApiAddress address_;
   mutable std::mutex mutex_;
   RobotNews news_;
   Status status_;
-  bool ending_ = false;
+  bool keeps_pace_ = true, ending_ = false;
   std::thread thread_;  // the last: it uses the others
 };
 

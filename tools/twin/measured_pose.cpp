@@ -25,8 +25,12 @@ Eigen::Isometry3d level_pose(double x_m, double y_m, double yaw_rad) {
 }  // namespace
 
 void MeasuredPose::take(const MeasuredPoint& point) {
-  if (!known(point.values)) return;
   const std::vector<double>& v = point.values;
+  if (!known(v)) {
+    if (point.what == Measurement::joints) joints_rad_.clear();
+    if (point.what == Measurement::odometry) base_in_odometry_.reset();
+    return;
+  }
   if (point.what == Measurement::joints) {
     joints_rad_ = v;
   } else if (point.what == Measurement::odometry) {

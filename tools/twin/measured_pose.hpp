@@ -17,7 +17,7 @@ class MeasuredPose {
   explicit MeasuredPose(const urdf::RobotModel& robot) : kinematics_(robot) {}
 
   void take(const MeasuredPoint& point);
-  // Of another life of that robot.
+  // The robot is not heard of, or has another life.
   void forget();
 
   // Of its base in the map, whose ground is z = 0; nothing: not known yet.

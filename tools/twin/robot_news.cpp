@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "gaitway/input/text.hpp"
+
 namespace gaitway::tools {
 namespace {
 
@@ -47,10 +49,20 @@ MeasuredPoint odometry_of(const json& message) {
 
 std::optional<std::array<double, 3>> three_of(const json& list) {
   if (!list.is_array() || list.size() != 3) return std::nullopt;
-  return std::array{number(list.at(0)), number(list.at(1)), number(list.at(2))};
+  const std::array three{number(list.at(0)), number(list.at(1)), number(list.at(2))};
+  const bool is_known = std::ranges::all_of(three, [](double one) { return std::isfinite(one); });
+  return is_known ? std::optional(three) : std::nullopt;
 }
 
 }  // namespace
+
+std::string shortened(std::string text) {
+  constexpr std::size_t kMostCharacters = 300;
+  text.resize(std::min(text.size(), 4 * kMostCharacters));
+  text = input::terminal_text(text);
+  if (text.size() > kMostCharacters) text = input::terminal_text(text.substr(0, kMostCharacters)) + "...";
+  return text;
+}
 
 RobotReader::RobotReader(const urdf::RobotModel& robot) {
   for (const urdf::Joint& joint : robot.joints) index_.emplace(joint.name, index_.size());
@@ -84,27 +96,29 @@ std::optional<MeasuredPoint> RobotReader::take(std::string_view topic, const jso
                          {number(message.at("wrench").at("force").at("z"))}};
   }
   if (topic == "/walk_to/state") {
-    news.way_state = message.at("state").get<std::string>();
-    news.way_result = message.at("result").get<std::string>();
+    news.way_state = shortened(message.at("state").get<std::string>());
+    news.way_result = shortened(message.at("result").get<std::string>());
     news.goal = three_of(message.at("goal"));
     const auto pose = three_of(message.at("pose"));
     if (pose) return MeasuredPoint{Measurement::place, stamp_of(message), {pose->begin(), pose->end()}};
   } else if (topic == "/robot_state") {
-    news.activity = message.at("state").get<std::string>();
+    news.activity = shortened(message.at("state").get<std::string>());
   } else if (topic == "/commander") {
-    news.commander = message.at("data").get<std::string>();
+    news.commander = shortened(message.at("data").get<std::string>());
   } else if (topic == "/walk/command") {
     const json& twist = message.at("twist");
     news.walk = {number(twist.at("linear").at("x")), number(twist.at("linear").at("y")),
                  number(twist.at("angular").at("z"))};
+    const bool is_known = std::ranges::all_of(news.walk, [](double one) { return std::isfinite(one); });
+    if (!is_known) news.walk = {};
   } else if (topic == "/motion_state") {
-    news.motion = message.at("motion").get<std::string>();
-    news.motion_state = message.at("state").get<std::string>();
-    news.motion_result = message.at("result").get<std::string>();
+    news.motion = shortened(message.at("motion").get<std::string>());
+    news.motion_state = shortened(message.at("state").get<std::string>());
+    news.motion_result = shortened(message.at("result").get<std::string>());
     news.motions_ended = message.at("ended").get<std::uint32_t>();
   } else if (topic == "/link_state") {
     const auto state = message.at("state").get<std::string>();
-    news.link = state == "up" ? state : message.at("text").get<std::string>();
+    news.link = state == "up" ? state : shortened(message.at("text").get<std::string>());
   }
   return std::nullopt;
 }

@@ -43,6 +43,9 @@ struct RobotNews {
   std::string link;                           // as /link_state has it: "up", or why not
 };
 
+// Of what somebody else says: in a line, without what a terminal obeys, and no longer than people read.
+[[nodiscard]] std::string shortened(std::string text);
+
 class RobotReader {
  public:
   explicit RobotReader(const urdf::RobotModel& robot);

@@ -33,7 +33,7 @@ class RobotWatch::Refused : public std::runtime_error {
 };
 
 RobotWatch::RobotWatch(const ApiAddress& address, const urdf::RobotModel& robot)
-    : address_{address.url, address.token_file, address.ca_file, kAnswer_s},
+    : address_(address.with_timeout(kAnswer_s)),
       reader_(robot),
       description_(urdf::description_text(robot.directory / "robot.urdf")),
       thread_([this] { run(); }) {}
@@ -65,11 +65,6 @@ void RobotWatch::reconnect() {
   changed_.notify_all();
 }
 
-void RobotWatch::stop() {
-  const std::lock_guard lock(mutex_);
-  stop_ = true;
-}
-
 bool RobotWatch::ending() const {
   const std::lock_guard lock(mutex_);
   return ending_;
@@ -78,15 +73,11 @@ bool RobotWatch::ending() const {
 void RobotWatch::set(State state, std::string text) {
   const std::lock_guard lock(mutex_);
   status_.state = state;
-  status_.text = std::move(text);
+  status_.text = shortened(std::move(text));
 }
 
 bool RobotWatch::pause(State state) {
   std::unique_lock lock(mutex_);
-  if (stop_ && std::exchange(stop_, false)) {
-    status_.stop_answer = "the robot could not be told to stop: " + status_.text;
-    ++status_.stops_answered;
-  }
   if (state == State::refused) {
     changed_.wait(lock, [this] { return ending_ || reconnect_; });
   } else {
@@ -117,6 +108,7 @@ void RobotWatch::run() {
 
 // Returns when it is to end.
 void RobotWatch::watch() {
+  is_described_ = false;
   ApiClient client(address_);
   if (const std::string why = release_difference(client.server(), GAITWAY_VERSION); !why.empty()) {
     throw Refused(why);
@@ -125,7 +117,6 @@ void RobotWatch::watch() {
   for (const RobotReader::Topic& topic : RobotReader::topics()) client.subscribe(topic.name, topic.period_ms);
   double heard_s = monotonic_s();
   while (!ending()) {
-    obey_stop(client);
     const auto message = client.next_message();
     if (!message) {
       if (monotonic_s() - heard_s > kSilent_s) {
@@ -138,41 +129,21 @@ void RobotWatch::watch() {
   }
 }
 
-void RobotWatch::obey_stop(ApiClient& client) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!std::exchange(stop_, false)) return;
-  }
-  std::string answer;
-  try {
-    json values;
-    const ApiClient::ServiceAnswer told = client.call("/stop", json::object(), values);
-    answer = told.result && values.value("success", false)
-                 ? ""
-                 : "the robot was told to stop, and said: " +
-                       (told.result ? values.value("message", "") : told.problem);
-  } catch (const std::exception& error) {
-    answer = std::string("the robot was told to stop, and has not answered: ") + error.what();
-  }
-  const std::lock_guard lock(mutex_);
-  status_.stop_answer = std::move(answer);
-  ++status_.stops_answered;
-}
-
 void RobotWatch::take(const json& message) {
   const std::string topic = message.value("topic", "");
   if (topic == "/robot_description") {
     const std::string why =
         description_difference(message.at("msg").at("data").get<std::string>(), description_);
     if (!why.empty()) throw Refused(why);
+    is_described_ = true;
     return;
   }
   const std::lock_guard lock(mutex_);
   try {
     if (auto point = reader_.take(topic, message.at("msg"), status_.news)) {
-      if (point->what == Measurement::joints) status_.robot_s = point->stamp_s;
       points_.push_back({std::move(*point), monotonic_s()});
       if (points_.size() > kMostPoints) points_.pop_front();
+      if (!is_described_) return;  // it may be another robot
       status_.state = State::connected;
       status_.text.clear();
     }

@@ -34,11 +34,8 @@ class RobotWatch {
   };
   struct Status {
     State state = State::connecting;
-    std::string text;         // why it is lost or refused
-    RobotNews news;           // as last heard
-    std::string stop_answer;  // of the newest stop() that the robot has answered or that failed
-    std::uint32_t stops_answered = 0;
-    double robot_s = 0.0;  // its clock, as last heard
+    std::string text;  // why it is lost or refused
+    RobotNews news;    // as last heard
   };
 
   RobotWatch(const ApiAddress& address, const urdf::RobotModel& robot);
@@ -52,15 +49,12 @@ class RobotWatch {
   [[nodiscard]] std::deque<ArrivedPoint> take_points();
   // After it was refused.
   void reconnect();
-  // The robot there is to stop, as soon as it is heard of next.
-  void stop();
 
  private:
   class Refused;
 
   void run();
   void watch();
-  void obey_stop(ApiClient& client);
   void take(const nlohmann::json& message);
   void set(State state, std::string text);
   // False: it is to end.
@@ -74,8 +68,9 @@ class RobotWatch {
   std::condition_variable changed_;
   Status status_;
   std::deque<ArrivedPoint> points_;
-  bool ending_ = false, reconnect_ = false, stop_ = false;
-  std::thread thread_;  // the last: it uses the others
+  bool ending_ = false, reconnect_ = false;
+  bool is_described_ = false;  // on this connection, as here; of the thread alone
+  std::thread thread_;         // the last: it uses the others
 };
 
 }  // namespace gaitway::tools

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <utility>
+
+#include "gaitway/process/real_time.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -17,7 +20,7 @@ using nlohmann::json;
 constexpr std::size_t kMostTold = 20;
 constexpr std::size_t kPictureBytes = 48'000;  // at once
 
-json known(double value) {
+json known_or_null(double value) {
   return std::isfinite(value) ? json(value) : json();
 }
 
@@ -42,15 +45,20 @@ std::string base64(std::string_view bytes) {
 
 }  // namespace
 
-Twin::Twin(TwinOptions options, const urdf::RobotModel& robot)
+Twin::Twin(const TwinOptions& options, const urdf::RobotModel& robot)
     : address_(options.there.url),
       comparison_(robot),
       pose_(robot),
-      flight_(std::move(options.flight_arguments), std::move(options.out)),
+      stop_(options.there),
+      flight_(options.flight_arguments, options.out),
       there_(options.there, robot),
       here_(options.here, robot),
       follower_(options.here) {
   follower_.set(true);
+}
+
+Twin::~Twin() {
+  if (flight_.is_under_way()) stop("the simulator has ended");
 }
 
 void Twin::look(const SimulationPace& pace) {
@@ -59,67 +67,92 @@ void Twin::look(const SimulationPace& pace) {
   hear(Comparison::Robot::simulated, here_);
   keep_pace(pace);
   comparison_.look(monotonic_s());
-  if (std::string text = comparison_.take_news(); !text.empty()) tell(std::move(text), there_status_.robot_s);
-  if (there_status_.state == RobotWatch::State::connected) {
-    follower_.hear(there_status_.news);
-  } else {
-    RobotNews nothing_more =
-        there_status_.news;  // of a robot that is not heard the simulated one walks on no further
-    nothing_more.walk = {};
-    follower_.hear(nothing_more);
-  }
+  if (std::string text = comparison_.take_news(); !text.empty()) tell(std::move(text));
+  RobotNews news = there_status_.news;
+  // With a robot that is not heard of the simulated one walks no further.
+  if (there_status_.state != RobotWatch::State::connected) news.walk = {};
+  follower_.hear(news, pace_text_.empty());
   look_at_link(there_status_);
+  look_at_stop();
+  look_at_following();
   look_at_flight();
 }
 
 void Twin::hear(Comparison::Robot robot, RobotWatch& watch) {
-  for (const ArrivedPoint& point : watch.take_points()) {
-    comparison_.take(robot, point);
+  for (const ArrivedPoint& arrived : watch.take_points()) {
+    const bool goes_on = comparison_.take(robot, arrived);
     if (robot != Comparison::Robot::real) continue;
-    pose_.take(point.point);
-    measured_s_ = point.arrived_s;
+    if (!goes_on) pose_.forget();
+    pose_.take(arrived.point);
+    const bool is_known =
+        arrived.point.what == Measurement::joints &&
+        std::ranges::all_of(arrived.point.values, [](double one) { return std::isfinite(one); });
+    if (is_known) measured_s_ = arrived.arrived_s;
   }
 }
 
-// At another pace, or after a jump, the two do not do the same at the same time.
+// At another pace, after a jump, or when somebody else commands the simulated robot, the two do not do the
+// same at the same time.
 void Twin::keep_pace(const SimulationPace& pace) {
   pace_text_ = !pace.plays         ? "the simulation is paused"
                : pace.speed != 1.0 ? fmt::format("the simulation runs at {:g} times real time", pace.speed)
                                    : "";
-  if (pace.run != pace_.run || !pace_text_.empty()) comparison_.forget(Comparison::Robot::simulated);
+  const std::string commander = here_.status().news.commander;
+  const bool is_others = !commander.empty() && commander != Follower::kName;
+  if (pace_text_.empty() && is_others) pace_text_ = commander + " commands the simulated robot";
+  if (pace.run != pace_.run || !pace_text_.empty() || !follower_.status().follows) {
+    comparison_.forget(Comparison::Robot::simulated);
+  }
   pace_ = pace;
 }
 
-void Twin::tell(std::string text, double robot_s) {
+void Twin::tell(std::string text) {
   lines_.push_back("the robot there: " + text);
-  told_.emplace_back(robot_s, std::move(text));
+  told_.emplace_back(monotonic_s() - began_s_, std::move(text));
   if (told_.size() > kMostTold) told_.pop_front();
 }
 
 void Twin::look_at_link(const RobotWatch::Status& status) {
-  if (status.state != link_told_) {
-    link_told_ = status.state;
-    if (status.state == RobotWatch::State::connected) tell("connected", status.robot_s);
-    if (status.state == RobotWatch::State::lost) tell("lost: " + status.text, status.robot_s);
-    if (status.state == RobotWatch::State::refused) tell("refused: " + status.text, status.robot_s);
-  }
-  if (status.stops_answered != stops_told_) {
-    stops_told_ = status.stops_answered;
-    tell(status.stop_answer.empty() ? "it was told to stop, and does" : status.stop_answer, status.robot_s);
-  }
+  if (status.state == link_told_) return;
+  link_told_ = status.state;
+  const std::string why = status.text.empty() ? "" : ": " + status.text;
+  tell(name(status.state) + why);
+  // What is under way was meant for another robot.
+  if (status.state == RobotWatch::State::refused && flight_.is_under_way())
+    stop("the robot there is another one now");
+}
+
+void Twin::look_at_stop() {
+  const RobotStop::Answer answer = stop_.answer();
+  if (answer.number == stops_told_) return;
+  stops_told_ = answer.number;
+  tell(answer.text.empty() ? "it was told to stop, and does"
+                           : "it was told to stop in vain: " + shortened(answer.text));
+}
+
+void Twin::look_at_following() {
   const Follower::Status follow = follower_.status();
-  if (follow.text != follow_told_) {
-    follow_told_ = follow.text;
-    if (!follow.text.empty()) tell("the simulated robot follows no more: " + follow.text, status.robot_s);
-  }
+  if (follow.text == follow_told_) return;
+  follow_told_ = follow.text;
+  if (follow.text.empty()) return;
+  tell(
+      fmt::format("the simulated robot follows {}: {}", follow.follows ? "in vain" : "no more", follow.text));
 }
 
 void Twin::look_at_flight() {
   flight_.look();
+  // What it sent last may have been under way when the robot was told to stop.
+  if (!flight_.is_under_way() && std::exchange(is_stopped_again_, false)) stop_.stop();
   if (flight_.state() == flight_seen_) return;
   flight_seen_ = flight_.state();
-  const std::string text = flight_.text().empty() ? "" : ": " + flight_.text();
-  tell(fmt::format("{}: {}{}", flight_.what(), tools::name(flight_.state()), text), there_status_.robot_s);
+  const std::string text = flight_.text().empty() ? "" : ": " + shortened(flight_.text());
+  tell(fmt::format("{}: {}{}", flight_.what(), tools::name(flight_.state()), text));
+}
+
+void Twin::stop(const std::string& why) {
+  is_stopped_again_ = flight_.is_under_way();
+  flight_.stop(why);
+  stop_.stop();
 }
 
 std::vector<std::string> Twin::take_lines() {
@@ -135,8 +168,7 @@ std::optional<json> Twin::obey(const json& order) {
   } else if (what == "twin_send") {
     begin_flight(order);
   } else if (what == "twin_stop") {
-    flight_.stop();
-    there_.stop();
+    stop("stopped by you");
   } else if (what == "twin_reconnect") {
     there_.reconnect();
   } else {
@@ -146,6 +178,9 @@ std::optional<json> Twin::obey(const json& order) {
 }
 
 void Twin::begin_flight(const json& order) {
+  if (process::monotonic_ns() > order.at("until_ns").get<std::int64_t>()) {
+    throw std::runtime_error("late: it was to begin before now, and whoever asked was told that it has not");
+  }
   if (there_status_.state != RobotWatch::State::connected) {
     throw std::runtime_error(
         fmt::format("the robot there is {}: {}", name(there_status_.state), there_status_.text));
@@ -174,7 +209,7 @@ json Twin::state() const {
                {"activity", there_status_.news.activity},
                {"commander", there_status_.news.commander},
                {"follows", follow.follows && pace_text_.empty()},
-               {"follows_text", follow.text.empty() ? pace_text_ : follow.text},
+               {"follows_text", pace_text_.empty() ? follow.text : pace_text_},
                {"base", json::array()},
                {"joints", pose_.joints()},
                {"lag", comparison_.lag_s() ? json(*comparison_.lag_s()) : json()}};
@@ -192,18 +227,18 @@ json Twin::state() const {
     const ChannelValues& values = comparison_.values()[i];
     message["channels"].push_back(channel.name);
     message["units"].push_back(channel.unit);
-    message["measured"].push_back(known(values.measured));
-    message["simulated"].push_back(known(values.simulated));
-    message["difference"].push_back(known(values.difference));
+    message["measured"].push_back(known_or_null(values.measured));
+    message["simulated"].push_back(known_or_null(values.simulated));
+    message["difference"].push_back(known_or_null(values.difference));
     message["limits"].push_back(channel.limit);
   }
-  for (const auto& [robot_s, text] : told_) {
-    message["told_times"].push_back(robot_s);
+  for (const auto& [since_begin_s, text] : told_) {
+    message["told_times"].push_back(since_begin_s);
     message["told_texts"].push_back(text);
   }
   message.update({{"sending", tools::name(flight_.state())},
                   {"sending_what", flight_.what()},
-                  {"sending_text", flight_.text()},
+                  {"sending_text", shortened(flight_.text())},
                   {"passed", flight_.passed()},
                   {"tried", flight_.tried()},
                   {"picture", flight_.pictures()}});

@@ -18,6 +18,7 @@
 #include "tools/twin/flight_process.hpp"
 #include "tools/twin/follower.hpp"
 #include "tools/twin/measured_pose.hpp"
+#include "tools/twin/robot_stop.hpp"
 #include "tools/twin/robot_watch.hpp"
 
 namespace gaitway::tools {
@@ -29,7 +30,7 @@ struct TwinOptions {
   std::filesystem::path out;                  // folder for verdicts and for what was sent
 };
 
-// How the simulation runs: only at the pace of the real robot's time can the two be compared.
+// How the simulation runs. Only at the pace of the real robot's time can the two be compared.
 struct SimulationPace {
   bool plays = true;
   double speed = 1.0;
@@ -39,7 +40,11 @@ struct SimulationPace {
 class Twin {
  public:
   // Has threads from here on.
-  Twin(TwinOptions options, const urdf::RobotModel& robot);
+  Twin(const TwinOptions& options, const urdf::RobotModel& robot);
+  // First of all what is sent ends, and the robot there is stopped if it was being sent something.
+  ~Twin();
+  Twin(const Twin&) = delete;
+  Twin& operator=(const Twin&) = delete;
 
   // Hears, compares, has the simulated robot follow.
   void look(const SimulationPace& pace);
@@ -53,9 +58,12 @@ class Twin {
  private:
   void hear(Comparison::Robot robot, RobotWatch& watch);
   void keep_pace(const SimulationPace& pace);
-  void tell(std::string text, double robot_s);
+  void tell(std::string text);
   void look_at_link(const RobotWatch::Status& status);
+  void look_at_stop();
+  void look_at_following();
   void look_at_flight();
+  void stop(const std::string& why);
   void begin_flight(const nlohmann::json& order);
   [[nodiscard]] nlohmann::json state() const;
   [[nodiscard]] nlohmann::json picture(const nlohmann::json& order) const;
@@ -63,6 +71,7 @@ class Twin {
   std::string address_;
   Comparison comparison_;
   MeasuredPose pose_;
+  RobotStop stop_;
   FlightProcess flight_;
   FlightProcess::State flight_seen_ = FlightProcess::State::idle;
   RobotWatch there_, here_;
@@ -71,9 +80,11 @@ class Twin {
   RobotWatch::State link_told_ = RobotWatch::State::connecting;
   std::string follow_told_, pace_text_;
   std::uint32_t stops_told_ = 0;
+  bool is_stopped_again_ = false;  // after the flight that was to end has ended
   SimulationPace pace_;
+  double began_s_ = monotonic_s();
   double measured_s_ = 0.0;                          // when its newest measurement came; 0: never
-  std::deque<std::pair<double, std::string>> told_;  // s of the real robot's clock
+  std::deque<std::pair<double, std::string>> told_;  // s since the beginning
   std::vector<std::string> lines_;
 };
 

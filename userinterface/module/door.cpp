@@ -62,7 +62,12 @@ std::function<bool(std::string_view)> token_check(const ServerSetup& setup) {
   return [token = *setup.token()](std::string_view offered) { return token.matches(offered); };
 }
 
-HubOptions hub_options(const DoorOptions& options, const ServerSetup& setup, SimulationPort* simulation) {
+std::unique_ptr<SimulatorPort> port_at(const std::filesystem::path& socket) {
+  return socket.empty() ? nullptr : std::make_unique<SimulatorPort>(socket);
+}
+
+HubOptions hub_options(const DoorOptions& options, const ServerSetup& setup,
+                       const SimulationPorts& simulation) {
   HubOptions result;
   result.simulation = simulation;
   result.limits = options.server.limits;
@@ -146,10 +151,10 @@ class Door::Impl {
         port_(link_, robot_, recorder_.get()),
         feed_(topics_, robot_),
         view_source_(topics_, robot_),
-        simulation_(options.simulation.empty() ? nullptr
-                                               : std::make_unique<SimulatorPort>(options.simulation)),
+        simulation_(port_at(options.simulation)),
+        twin_(port_at(options.twin)),
         assets_(assets_of(robot_, options.server.limits, simulation_ != nullptr)),
-        hub_(port_, hub_options(options, setup_, simulation_.get())),
+        hub_(port_, hub_options(options, setup_, {simulation_.get(), twin_.get()})),
         view_hub_(
             {.is_token = token_check(setup_), .authentication_ns = options.server.limits.authentication_ns}),
         certificate_(certificate_watch(setup_)),
@@ -183,8 +188,8 @@ class Door::Impl {
       link_.see_stops(stops->count);
       hub_.stopped_by_datagram();
     }
-    if (simulation_) {
-      simulation_->step(now_ns);
+    for (SimulatorPort* const port : {simulation_.get(), twin_.get()}) {
+      if (port != nullptr) port->step(now_ns);
     }
     hub_.answer(now_ns);
     tell_address(now_ns);
@@ -324,6 +329,7 @@ class Door::Impl {
   Feed feed_;
   ViewSource view_source_;
   std::unique_ptr<SimulatorPort> simulation_;  // nullptr: the robot is no simulation
+  std::unique_ptr<SimulatorPort> twin_;        // nullptr: the simulation is the twin of no robot
   page::AssetTable assets_;
   Hub hub_;
   bool walk_command_told_ = false;

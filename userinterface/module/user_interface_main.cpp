@@ -31,6 +31,7 @@ struct Options {
   std::string profile;
   std::string link = "unix:/run/gaitway/link.sock";
   std::string simulation;  // empty: the robot is none
+  std::string twin;        // empty: it is the twin of no robot
   std::string address = "127.0.0.1";
   std::uint16_t port = 9090;
   std::optional<std::uint16_t> stop_port;
@@ -59,6 +60,9 @@ api::DoorOptions door_options(const Options& options) {
   door.link = link::parse_link_address(options.link);
   if (!options.simulation.empty()) {
     door.simulation = api::simulator_socket(options.simulation);
+  }
+  if (!options.twin.empty()) {
+    door.twin = api::simulator_socket(options.twin);
   }
   door.server.address = options.address;
   door.server.port = options.port;
@@ -139,6 +143,11 @@ int main(int argc, char** argv) {
       "The robot is a simulation whose simulator listens there: unix:PATH, as `gaitway simulator` and "
       "`gaitway "
       "serve` give it. Then clients may push the robot, and, with the former, have its time and its world");
+  app.add_option(
+         "--twin", options.twin,
+         "And is the twin of a real robot, about which one may ask there: unix:PATH, as `gaitway simulator "
+         "--robot ws://HOST:PORT` gives it")
+      ->needs("--simulation");
   app.add_option("--port", options.port, "TCP port of the robot API; 0: any free one");
   app.add_option(
       "--stop-port", options.stop_port,

@@ -9,7 +9,7 @@
 
 namespace gaitway::api {
 
-ServiceDesk::ServiceDesk(RobotPort& robot, SimulationPort* simulation, RobotCommands& commands,
+ServiceDesk::ServiceDesk(RobotPort& robot, const SimulationPorts& simulation, RobotCommands& commands,
                          const Limits& limits, ParameterValues parameters, const ClientOffers& offers,
                          Send send)
     : robot_(robot),
@@ -17,15 +17,15 @@ ServiceDesk::ServiceDesk(RobotPort& robot, SimulationPort* simulation, RobotComm
       limits_(limits),
       parameters_(std::move(parameters)),
       send_(std::move(send)),
-      rosapi_(robot_, simulation != nullptr, parameters_, offers),
+      rosapi_(robot_, simulation.simulation != nullptr, parameters_, offers),
       orders_([&robot] { return robot.take_result(); }),
       stands_(robot_, commands_,
               [this](const ServiceCall& call, StandWaits::Outcome outcome, const std::string& text) {
                 answer_stand(call, outcome, text);
               }),
       gait_(robot_, orders_) {
-  if (simulation != nullptr) {
-    simulation_.emplace(*simulation, limits_, send_);
+  if (simulation.simulation != nullptr) {
+    simulation_.emplace(*simulation.simulation, simulation.twin, limits_, send_);
   }
 }
 

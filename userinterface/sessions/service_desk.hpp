@@ -31,9 +31,8 @@ class ServiceDesk {
   // Takes an answer to its client, if that is still there.
   using Send = std::function<void(const ServiceCall& call, Frame frame)>;
 
-  // `simulation`: nullptr: there is none.
-  ServiceDesk(RobotPort& robot, SimulationPort* simulation, RobotCommands& commands, const Limits& limits,
-              ParameterValues parameters, const ClientOffers& offers, Send send);
+  ServiceDesk(RobotPort& robot, const SimulationPorts& simulation, RobotCommands& commands,
+              const Limits& limits, ParameterValues parameters, const ClientOffers& offers, Send send);
   ServiceDesk(const ServiceDesk&) = delete;
   ServiceDesk& operator=(const ServiceDesk&) = delete;
 

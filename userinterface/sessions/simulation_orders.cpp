@@ -11,40 +11,33 @@ namespace gaitway::api {
 
 using nlohmann::json;
 
-SimulationOrders::SimulationOrders(SimulationPort& port, const Limits& limits, Send send)
-    : port_(port), limits_(limits), send_(std::move(send)), orders_([&port] { return port.take_result(); }) {}
+SimulationOrders::SimulationOrders(SimulationPort& port, const Limits& limits, Send send, Watched watched)
+    : port_(port),
+      limits_(limits),
+      send_(std::move(send)),
+      orders_([&port] { return port.take_result(); }),
+      watched_(std::move(watched)) {}
 
 void SimulationOrders::step(std::int64_t now_ns) {
   now_ns_ = now_ns;
   orders_.step(now_ns);
-  for (Watch& watch : watches_) look(watch);
+  if (!is_asked_ && now_ns >= ask_ns_) watch(now_ns);
 }
 
-void SimulationOrders::look(Watch& watch) {
-  if (watch.asked || now_ns_ < watch.ask_ns) return;
-  watch.asked = true;
-  watch.ask_ns = now_ns_ + kStatePeriod_ns;
-  ask_for_nobody({{"order", watch.order}},
-                 [this, &watch](const OrderResult* result) { take_watched(watch, result); });
+void SimulationOrders::watch(std::int64_t now_ns) {
+  is_asked_ = true;
+  ask_ns_ = now_ns + kStatePeriod_ns;
+  ask_for_nobody({{"order", watched_.order}}, [this](const OrderResult* result) { take_watched(result); });
 }
 
-void SimulationOrders::take_watched(Watch& watch, const OrderResult* result) {
-  watch.asked = false;
+void SimulationOrders::take_watched(const OrderResult* result) {
+  is_asked_ = false;
   try {
-    if (result != nullptr && result->done) return (this->*watch.take)(result->text);
+    if (result != nullptr && result->done) return watched_.take(result->text);
   } catch (const std::exception&) {
     // Nothing that this release understands; whoever calls a service is told so.
   }
-  watch.ask_ns = now_ns_ + kAfterRefusal_ns;
-}
-
-void SimulationOrders::take_state_answer(const std::string& answer) {
-  states_.take(read_answer<StateAnswer>(answer));
-  news_ = message_of(*states_.newest());
-}
-
-void SimulationOrders::take_twin_answer(const std::string& answer) {
-  twin_news_ = twin_state_of(answer);
+  ask_ns_ = now_ns_ + kAfterRefusal_ns;
 }
 
 void SimulationOrders::ask_for_nobody(const json& order, Orders::Finish finish) {
@@ -60,7 +53,7 @@ std::string SimulationOrders::patience_of(const SimulationCall& call) const {
 
 SimulationCall SimulationOrders::begin(const ServiceCall& call, std::int64_t now_ns) const {
   orders_.require_room(call.client);
-  return {call, now_ns + std::min(call.timeout_ns, limits_.answer_ns)};
+  return {call, now_ns, now_ns + std::min(call.timeout_ns, limits_.answer_ns)};
 }
 
 void SimulationOrders::ask(const SimulationCall& call, const json& order, std::int64_t patience_ns,
@@ -96,14 +89,6 @@ void SimulationOrders::ask_state(const SimulationCall& call, ThenState then, The
         states_.take(read_answer<StateAnswer>(result.text));
         then(*states_.newest());
       });
-}
-
-std::optional<ros::SimulationState> SimulationOrders::take_state() {
-  return std::exchange(news_, std::nullopt);
-}
-
-std::optional<ros::TwinState> SimulationOrders::take_twin() {
-  return std::exchange(twin_news_, std::nullopt);
 }
 
 }  // namespace gaitway::api

@@ -1,8 +1,7 @@
-// Orders to the simulator: given for clients, one after the other where one call takes several, and ten times
-// a second for the state that is published.
+// Orders to a simulator: given for clients, one after the other where one call takes several, and ten times a
+// second for what is published.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -20,9 +19,10 @@
 
 namespace gaitway::api {
 
-// A call and until when it waits; kept while the simulator has not answered.
+// A call, since when and until when it waits; kept while the simulator has not answered.
 struct SimulationCall {
   ServiceCall call;
+  std::int64_t began_ns = 0;
   std::int64_t ends_ns = 0;
 };
 
@@ -42,10 +42,17 @@ class SimulationOrders {
   using Then = std::function<void(const OrderResult& result)>;
   using ThenState = std::function<void(const StateAnswer& state)>;
 
-  // `port` outlives it.
-  SimulationOrders(SimulationPort& port, const Limits& limits, Send send);
+  // An order that the clock gives, ten times a second, for what is published; `take` has its answers, and
+  // throws for one that it does not understand.
+  struct Watched {
+    const char* order;
+    std::function<void(const std::string& answer)> take;
+  };
 
-  // Takes what the simulator says, ends what has waited for too long, and asks for the state.
+  // `port` outlives it.
+  SimulationOrders(SimulationPort& port, const Limits& limits, Send send, Watched watched);
+
+  // Takes what the simulator says, ends what has waited for too long, and gives the order that is watched.
   void step(std::int64_t now_ns);
   // The client is gone: its orders are answered to nobody.
   void forget(std::uint64_t client) { orders_.forget(client); }
@@ -72,36 +79,21 @@ class SimulationOrders {
   // For how long the call was to wait, for people: "10 s".
   [[nodiscard]] std::string patience_of(const SimulationCall& call) const;
 
-  // What was asked for by the clock and has come since the last call; nothing: none has.
-  [[nodiscard]] std::optional<ros::SimulationState> take_state();
-  [[nodiscard]] std::optional<ros::TwinState> take_twin();
   [[nodiscard]] SimulationStates& states() noexcept { return states_; }
 
  private:
-  // An order that the clock gives, for what is published.
-  struct Watch {
-    const char* order;
-    void (SimulationOrders::*take)(const std::string& answer);
-    std::int64_t ask_ns = 0;
-    bool asked = false;  // and not answered yet
-  };
-
   void wait(const SimulationCall& call, std::uint32_t number, Then then);
-  void look(Watch& watch);
-  void take_watched(Watch& watch, const OrderResult* result);
-  void take_state_answer(const std::string& answer);
-  void take_twin_answer(const std::string& answer);
+  void watch(std::int64_t now_ns);
+  void take_watched(const OrderResult* result);
 
   SimulationPort& port_;
   Limits limits_;
   Send send_;
   Orders orders_;
   SimulationStates states_;
-  std::int64_t now_ns_ = 0;
-  std::array<Watch, 2> watches_{Watch{"state", &SimulationOrders::take_state_answer},
-                                Watch{"twin", &SimulationOrders::take_twin_answer}};
-  std::optional<ros::SimulationState> news_;
-  std::optional<ros::TwinState> twin_news_;
+  Watched watched_;
+  std::int64_t now_ns_ = 0, ask_ns_ = 0;
+  bool is_asked_ = false;  // by the clock, and not answered yet
 };
 
 }  // namespace gaitway::api

@@ -87,6 +87,20 @@ void SimulationServices::call(const ServiceRow& row, const ServiceCall& call, co
   (this->*found->answer)(orders_.begin(call, now_ns), arguments);
 }
 
+void SimulationServices::require_twin() const {
+  if (!twin_) {
+    throw Refused(
+        "this simulation is the twin of no robot: start it with the robot's address, `gaitway simulator "
+        "--robot "
+        "ws://HOST:PORT`");
+  }
+}
+
+void SimulationServices::take_state(const std::string& answer) {
+  orders_.states().take(read_answer<StateAnswer>(answer));
+  news_ = message_of(*orders_.states().newest());
+}
+
 template <class S>
 void SimulationServices::ask(const SimulationCall& call, const json& order, std::int64_t patience_ns,
                              std::function<typename S::Response(const std::string&)> response_of_answer) {

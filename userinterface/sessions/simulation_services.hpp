@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "entity_services.hpp"
@@ -20,9 +21,13 @@ namespace gaitway::api {
 
 class SimulationServices {
  public:
-  // `port` outlives it.
-  SimulationServices(SimulationPort& port, const Limits& limits, SimulationOrders::Send send)
-      : orders_(port, limits, std::move(send)), entities_(orders_), twin_(orders_) {}
+  // The ports outlive it. `twin`: nullptr: the simulation is no twin.
+  SimulationServices(SimulationPort& port, SimulationPort* twin, const Limits& limits,
+                     const SimulationOrders::Send& send)
+      : orders_(port, limits, send, {"state", [this](const std::string& answer) { take_state(answer); }}),
+        entities_(orders_) {
+    if (twin != nullptr) twin_.emplace(*twin, limits, send);
+  }
   SimulationServices(const SimulationServices&) = delete;
   SimulationServices& operator=(const SimulationServices&) = delete;
 
@@ -33,15 +38,21 @@ class SimulationServices {
   void step(std::int64_t now_ns) {
     orders_.step(now_ns);
     entities_.step(now_ns);
+    if (twin_) twin_->step(now_ns);
   }
   // The connection has ended: its calls are answered to nobody.
   void leave(std::uint64_t client) {
     orders_.forget(client);
     entities_.forget(client);
+    if (twin_) twin_->leave(client);
   }
   // What was last heard, since it was last taken.
-  [[nodiscard]] std::optional<ros::SimulationState> take_state() { return orders_.take_state(); }
-  [[nodiscard]] std::optional<ros::TwinState> take_twin() { return orders_.take_twin(); }
+  [[nodiscard]] std::optional<ros::SimulationState> take_state() {
+    return std::exchange(news_, std::nullopt);
+  }
+  [[nodiscard]] std::optional<ros::TwinState> take_twin() {
+    return twin_ ? twin_->take_state() : std::nullopt;
+  }
 
  private:
   using Arguments = nlohmann::json;
@@ -63,8 +74,12 @@ class SimulationServices {
   // One of TwinServices' members.
   template <class S, void (TwinServices::*member)(const SimulationCall&, const typename S::Request&)>
   void of_twin(const SimulationCall& call, const Arguments& arguments) {
-    (twin_.*member)(call, request_of<typename S::Request>(arguments));
+    require_twin();
+    (*twin_.*member)(call, request_of<typename S::Request>(arguments));
   }
+  // Throws Refused where there is none.
+  void require_twin() const;
+  void take_state(const std::string& answer);
   // One of EntityServices' members.
   template <class S, void (EntityServices::*member)(const SimulationCall&, const typename S::Request&)>
   void of_entities(const SimulationCall& call, const Arguments& arguments) {
@@ -87,7 +102,8 @@ class SimulationServices {
 
   SimulationOrders orders_;
   EntityServices entities_;
-  TwinServices twin_;
+  std::optional<TwinServices> twin_;
+  std::optional<ros::SimulationState> news_;
 };
 
 }  // namespace gaitway::api

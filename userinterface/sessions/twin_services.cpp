@@ -14,9 +14,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t kNumbers = 3;       // of a walk, and of a goal
-constexpr double kLongest_s = 600.0;      // of a walk
-constexpr std::size_t kMostBytes = 3000;  // of an order's texts together
+constexpr std::size_t kNumbers = 3;                      // of a walk, and of a goal
+constexpr double kShortest_s = 0.5, kLongest_s = 599.0;  // of a walk
+constexpr std::size_t kMostBytes = 3000;                 // of an order's texts together
 constexpr std::size_t kMostSettings = 32;
 
 void require_three(const char* field, const std::vector<double>& numbers, const char* meaning) {
@@ -35,8 +35,9 @@ void require_sendable(const ros::SendToRobot::Request& asked) {
   if (tasks == 0 && asked.settings.empty()) {
     throw Refused("there is nothing to send: give walk, motion, goal or settings");
   }
-  if (!(asked.duration >= 0.0 && asked.duration <= kLongest_s)) {
-    throw Refused("duration is " + shown_json(json(asked.duration)) + ", but must be from 0 to 600 s");
+  if (!(asked.duration == 0.0 || (asked.duration >= kShortest_s && asked.duration <= kLongest_s))) {
+    throw Refused("duration is " + shown_json(json(asked.duration)) +
+                  ", but must be from 0.5 to 599 s, or 0: 10");
   }
   std::size_t bytes = asked.motion.size() + asked.reason.size();
   for (const std::string& setting : asked.settings) bytes += setting.size();
@@ -47,6 +48,10 @@ void require_sendable(const ros::SendToRobot::Request& asked) {
 }
 
 }  // namespace
+
+void TwinServices::take(const std::string& answer) {
+  news_ = twin_state_of(answer);
+}
 
 void TwinServices::give(const SimulationCall& call, const json& order) {
   orders_.ask(call, order, SimulationOrders::kPatience_ns, [this, call](const OrderResult& result) {
@@ -60,7 +65,9 @@ void TwinServices::follow(const SimulationCall& call, const ros::SetBool::Reques
 
 void TwinServices::send(const SimulationCall& call, const ros::SendToRobot::Request& asked) {
   require_sendable(asked);
+  // Whoever is told that it was not done in time must be able to rely on that.
   give(call, {{"order", "twin_send"},
+              {"until_ns", call.began_ns + SimulationOrders::kPatience_ns},
               {"walk", asked.walk},
               {"duration_s", asked.duration},
               {"motion", asked.motion},

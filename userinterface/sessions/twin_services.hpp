@@ -1,7 +1,11 @@
 // The services under /simulation/twin/: of a simulation that is the twin of a real robot.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "gaitway/api/ros_messages.hpp"
 #include "gaitway/api/service_types.hpp"
@@ -12,8 +16,17 @@ namespace gaitway::api {
 
 class TwinServices {
  public:
-  // `orders` outlives it.
-  explicit TwinServices(SimulationOrders& orders) : orders_(orders) {}
+  // `port` outlives it: the twin's own, on which no order waits for the simulation.
+  TwinServices(SimulationPort& port, const Limits& limits, const SimulationOrders::Send& send)
+      : orders_(port, limits, send, {"twin", [this](const std::string& answer) { take(answer); }}) {}
+  TwinServices(const TwinServices&) = delete;
+  TwinServices& operator=(const TwinServices&) = delete;
+
+  void step(std::int64_t now_ns) { orders_.step(now_ns); }
+  // The connection has ended: its calls are answered to nobody.
+  void leave(std::uint64_t client) { orders_.forget(client); }
+  // What was last heard, since it was last taken.
+  [[nodiscard]] std::optional<ros::TwinState> take_state() { return std::exchange(news_, std::nullopt); }
 
   void follow(const SimulationCall& call, const ros::SetBool::Request& asked);
   // Throws Refused for what no robot could be sent.
@@ -26,7 +39,10 @@ class TwinServices {
   // An order whose answer is that it is done, or why not.
   void give(const SimulationCall& call, const nlohmann::json& order);
 
-  SimulationOrders& orders_;
+  void take(const std::string& answer);
+
+  SimulationOrders orders_;
+  std::optional<ros::TwinState> news_;
 };
 
 }  // namespace gaitway::api

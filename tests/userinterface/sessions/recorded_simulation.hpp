@@ -25,7 +25,7 @@ class RecordedSimulation final : public SimulationPort {
   std::vector<nlohmann::json> orders;  // but for those of the states, which come by the clock, too
   std::vector<std::int64_t> patiences_ns;
   int state_orders = 0, twin_orders = 0;
-  std::optional<nlohmann::json> twin;           // the answer to the order `twin`; nothing: there is none
+  std::optional<nlohmann::json> twin_state;     // the answer to the order `twin`; nothing: there is none
   bool takes_orders = true;                     // false: as `gaitway serve`
   bool is_silent = false;                       // answers no order
   std::map<std::string, std::string> refusals;  // of orders by their names: why
@@ -83,7 +83,7 @@ class RecordedSimulation final : public SimulationPort {
     ++last_number_;
     if (!takes_orders) {
       results.push_back({last_number_, false, "this simulator takes pushes alone"});
-    } else if (name == "twin" && !twin) {
+    } else if (name == "twin" && !twin_state) {
       results.push_back({last_number_, false, "order is 'twin'"});
     } else if (refusals.contains(name)) {
       results.push_back({last_number_, false, refusals.at(name)});
@@ -109,7 +109,7 @@ class RecordedSimulation final : public SimulationPort {
       return state;
     }
     if (name == "twin") {
-      return *twin;
+      return *twin_state;
     }
     if (name == "twin_picture") {
       return {{"total", 5}, {"data", "aGVsbG8="}};

@@ -109,7 +109,8 @@ class TestClient final : public Connection {
 class HubTest : public testing::Test {
  protected:
   explicit HubTest(HubOptions options = {}, bool simulated = true)
-      : hub(robot, with(std::move(options), simulated ? &simulation : nullptr)) {}
+      : hub(robot,
+            with(std::move(options), simulated ? SimulationPorts{&simulation, &twin} : SimulationPorts{})) {}
 
   std::unique_ptr<TestClient> connect(std::string peer, bool authorised = true) {
     return std::make_unique<TestClient>(hub, now_ns, std::move(peer), authorised);
@@ -125,12 +126,12 @@ class HubTest : public testing::Test {
 
   std::int64_t now_ns = 1000 * kSecond_ns;
   RecordedRobot robot;
-  RecordedSimulation simulation;
+  RecordedSimulation simulation, twin;
   Hub hub;
 
  private:
-  static HubOptions with(HubOptions options, SimulationPort* port) {
-    options.simulation = port;
+  static HubOptions with(HubOptions options, const SimulationPorts& ports) {
+    options.simulation = ports;
     return options;
   }
 };

@@ -20,7 +20,7 @@ class TwinServicesTest : public SimulationClientTest {
     EXPECT_EQ(response["result"], false) << response.dump();
     return response["values"].is_string() ? response["values"].get<std::string>() : "";
   }
-  static json twin() {
+  static json told() {
     return {{"robot", "ws://10.0.0.7:9090"},
             {"state", "lost"},
             {"text", "nothing has come for 3 s"},
@@ -50,7 +50,7 @@ class TwinServicesTest : public SimulationClientTest {
 };
 
 TEST_F(TwinServicesTest, WhatIsNotKnownIsNoNumber) {
-  simulation.twin = twin();
+  twin.twin_state = told();
   pass(200 * kMillisecond_ns);
   const auto state = hub.take_twin_state();
   ASSERT_TRUE(state);
@@ -62,17 +62,16 @@ TEST_F(TwinServicesTest, WhatIsNotKnownIsNoNumber) {
   client->subscribe("/simulation/twin");
   hub.publish(Topic::twin_state, *state);
   const json message = client->receive_one()["msg"];
-  json told = twin();
-  EXPECT_EQ(message, told);
+  EXPECT_EQ(message, told());
 }
 
 TEST_F(TwinServicesTest, ComesTenTimesASecondAndIsAskedForOnceASecondWhereThereIsNone) {
   step();
-  simulation.twin_orders = 0;
+  twin.twin_orders = 0;
   pass(5 * kSecond_ns);
-  EXPECT_LE(simulation.twin_orders, 6);
+  EXPECT_LE(twin.twin_orders, 6);
   EXPECT_FALSE(hub.take_twin_state());
-  simulation.twin = twin();
+  twin.twin_state = told();
   pass(kSecond_ns + 100 * kMillisecond_ns);
   int states = 0;
   for (int i = 0; i < 100; ++i) {
@@ -83,8 +82,8 @@ TEST_F(TwinServicesTest, ComesTenTimesASecondAndIsAskedForOnceASecondWhereThereI
 }
 
 TEST_F(TwinServicesTest, AFieldThatIsMissingIsNoState) {
-  simulation.twin = twin();
-  simulation.twin->erase("lag");
+  twin.twin_state = told();
+  twin.twin_state->erase("lag");
   pass(kSecond_ns);
   EXPECT_FALSE(hub.take_twin_state());
 }
@@ -96,20 +95,25 @@ TEST_F(TwinServicesTest, WhatIsSentIsPassedOnWithAllOfIt) {
                                {"settings", {"trajectory.com_height=0.3 m"}},
                                {"reason", "held by its crane"}})["success"],
             true);
-  EXPECT_THAT(simulation.orders, ElementsAre(json{{"order", "twin_send"},
-                                                  {"walk", {0.1, 0.0, 0.2}},
-                                                  {"duration_s", 5.0},
-                                                  {"motion", ""},
-                                                  {"goal", json::array()},
-                                                  {"settings", json::array()},
-                                                  {"reason", ""}},
-                                             json{{"order", "twin_send"},
-                                                  {"walk", json::array()},
-                                                  {"duration_s", 0.0},
-                                                  {"motion", "kick"},
-                                                  {"goal", json::array()},
-                                                  {"settings", {"trajectory.com_height=0.3 m"}},
-                                                  {"reason", "held by its crane"}}));
+  for (json& order : twin.orders) {
+    // Whoever is told after this that it was not done can rely on it.
+    EXPECT_NEAR(order.at("until_ns").get<double>(), static_cast<double>(now_ns + 2 * kSecond_ns), 1e8);
+    order.erase("until_ns");
+  }
+  EXPECT_THAT(twin.orders, ElementsAre(json{{"order", "twin_send"},
+                                            {"walk", {0.1, 0.0, 0.2}},
+                                            {"duration_s", 5.0},
+                                            {"motion", ""},
+                                            {"goal", json::array()},
+                                            {"settings", json::array()},
+                                            {"reason", ""}},
+                                       json{{"order", "twin_send"},
+                                            {"walk", json::array()},
+                                            {"duration_s", 0.0},
+                                            {"motion", "kick"},
+                                            {"goal", json::array()},
+                                            {"settings", {"trajectory.com_height=0.3 m"}},
+                                            {"reason", "held by its crane"}}));
   EXPECT_EQ(hub.statistics().commander, "") << "it is not the simulated robot's command";
 }
 
@@ -119,27 +123,43 @@ TEST_F(TwinServicesTest, WhatNoRobotCouldDoIsRefusedByName) {
   EXPECT_THAT(failure("twin/send", {{"goal", {0.1, 0.2}}}), HasSubstr("goal has 2 numbers"));
   EXPECT_THAT(failure("twin/send", {{"motion", "kick"}, {"goal", {1, 0, 0}}}), HasSubstr("one of them"));
   EXPECT_THAT(failure("twin/send", {{"walk", {0.1, 0, 0}}, {"duration", -1}}), HasSubstr("duration is -1"));
-  EXPECT_THAT(failure("twin/send", {{"motion", "kick"}, {"duration", 601}}), HasSubstr("from 0 to 600 s"));
+  EXPECT_THAT(failure("twin/send", {{"motion", "kick"}, {"duration", 601}}), HasSubstr("from 0.5 to 599 s"));
   EXPECT_THAT(failure("twin/send", {{"settings", {std::string(3001, 'x')}}}), HasSubstr("too long"));
-  EXPECT_THAT(simulation.orders, IsEmpty());
+  EXPECT_THAT(twin.orders, IsEmpty());
 }
 
 TEST_F(TwinServicesTest, FollowingStoppingAndConnectingAreOrders) {
   EXPECT_EQ(call("twin/follow", {{"data", false}})["success"], true);
   EXPECT_EQ(call("twin/stop")["success"], true);
   EXPECT_EQ(call("twin/reconnect")["success"], true);
-  EXPECT_THAT(simulation.orders,
-              ElementsAre(json{{"order", "twin_follow"}, {"follow", false}}, json{{"order", "twin_stop"}},
-                          json{{"order", "twin_reconnect"}}));
-  simulation.refusals["twin_send"] = "the robot there is lost: no route";
+  EXPECT_THAT(twin.orders, ElementsAre(json{{"order", "twin_follow"}, {"follow", false}},
+                                       json{{"order", "twin_stop"}}, json{{"order", "twin_reconnect"}}));
+  twin.refusals["twin_send"] = "the robot there is lost: no route";
   EXPECT_EQ(call("twin/send", {{"motion", "kick"}}),
             (json{{"success", false}, {"message", "the robot there is lost: no route"}}));
+}
+
+class NoTwinTest : public HubTest {
+ protected:
+  NoTwinTest()
+      : plain(robot, {.limits = {}, .is_token = {}, .parameters = {}, .simulation = {&simulation, nullptr}}) {
+  }
+  Hub plain;
+};
+
+TEST_F(NoTwinTest, ASimulationOfNoRobotSaysHowToHaveOne) {
+  TestClient anna(plain, now_ns, "anna");
+  const json response = anna.call("/simulation/twin/stop");
+  EXPECT_EQ(response["result"], false);
+  EXPECT_THAT(response["values"].get<std::string>(), HasSubstr("--robot ws://HOST:PORT"));
+  plain.step(now_ns);
+  EXPECT_FALSE(plain.take_twin_state());
 }
 
 TEST_F(TwinServicesTest, APictureComesInParts) {
   EXPECT_EQ(call("twin/picture", {{"first", 48000}}),
             (json{{"success", true}, {"message", ""}, {"total", 5}, {"data", "aGVsbG8="}}));
-  EXPECT_THAT(simulation.orders, ElementsAre(json{{"order", "twin_picture"}, {"from", 48000}}));
+  EXPECT_THAT(twin.orders, ElementsAre(json{{"order", "twin_picture"}, {"from", 48000}}));
 }
 
 }  // namespace

@@ -37,13 +37,13 @@ TEST_F(WalkCommandTest, IsZeroWhenNobodySaysItAgain) {
 TEST_F(WalkCommandTest, IsZeroAfterAStopByAnybodyAndAfterAnotherOrder) {
   anna->drive(0.1);
   EXPECT_TRUE(hub.take_walk_command());
-  bert->call("/stop");
+  bert->send({{"op", "call_service"}, {"service", "/stop"}});
   step();
   EXPECT_EQ(hub.take_walk_command(), Velocity{});
   pass(2 * kSecond_ns);
   anna->drive(0.1);
   EXPECT_TRUE(hub.take_walk_command());
-  anna->call("/stand");
+  anna->send({{"op", "call_service"}, {"service", "/stand"}});  // answered when it stands
   step();
   EXPECT_EQ(hub.take_walk_command(), Velocity{});
   pass(2 * kSecond_ns);

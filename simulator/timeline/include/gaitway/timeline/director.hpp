@@ -22,17 +22,12 @@ namespace gaitway::timeline {
 // simulation (live_state.hpp). Throws std::exception: why there is no way.
 using PlanWay = std::function<nlohmann::json(const std::array<double, 3>& goal, const nlohmann::json& state)>;
 
-// Carries out an order that the director does not know. Nothing: neither does it. Throws std::exception: why
-// not.
-using OtherOrders = std::function<std::optional<nlohmann::json>(const nlohmann::json& order)>;
-
 struct DirectorOptions {
   std::filesystem::path socket;  // where orders come
   bool playing = true;
   double speed = 1.0;
   std::string world;
   PlanWay plan_way;  // empty: the order `plan` is refused
-  OtherOrders other_orders = {};
 };
 
 inline constexpr double kSlowest = 0.1, kFastest = 40.0;  // times real time

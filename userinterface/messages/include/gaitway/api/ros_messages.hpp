@@ -281,7 +281,7 @@ struct TwinState {
   std::vector<double> measured, simulated;   // of each channel, at the same instant of the motion
   std::vector<double> difference;            // of each channel, RMS over the last 2 s
   std::vector<double> limits;                // of each channel: more is told; 0: never
-  std::vector<double> told_times;            // s of that robot's clock
+  std::vector<double> told_times;            // s since the simulator's start
   std::vector<std::string> told_texts;       // the last things that were told
   std::string sending;                       // "idle", "trying", "sending", "done", "not passed", ...
   std::string sending_what, sending_text;    // what is sent, and what came of it, for people

@@ -23,6 +23,8 @@ struct DoorOptions {
   std::optional<std::uint16_t> stop_port;
   // Socket of the simulator's control channel; empty: the robot is no simulation.
   std::filesystem::path simulation;
+  // Likewise of the twin of a real robot that the simulation is; empty: of none.
+  std::filesystem::path twin;
   std::filesystem::path recordings;   // folder; empty: nothing is recorded
   std::uint64_t recording_bytes = 0;  // a recording's size, at most
 };

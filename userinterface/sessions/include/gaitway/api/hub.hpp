@@ -31,8 +31,7 @@ struct HubOptions {
   // For rosapi: name ("plug-in:parameter") -> value, as in a configuration. Kept up to date by what clients
   // set and read.
   std::map<std::string, std::string, std::less<>> parameters;
-  // Outlives the hub; nullptr: the robot is no simulation.
-  SimulationPort* simulation = nullptr;
+  SimulationPorts simulation;  // outlive the hub
 };
 
 // What clients cost, for diagnostics; counts are since the start.

@@ -33,4 +33,10 @@ class SimulationPort {
   virtual std::optional<OrderResult> take_result() = 0;
 };
 
+// nullptr: there is none.
+struct SimulationPorts {
+  SimulationPort* simulation = nullptr;
+  SimulationPort* twin = nullptr;  // of a real robot, beside the simulation
+};
+
 }  // namespace gaitway::api
