@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/text.hpp"
@@ -62,7 +61,8 @@ json call(ApiClient& client, const char* service, const json& arguments) {
 
 std::vector<RobotParameter> parameters_of(ApiClient& client) {
   std::vector<RobotParameter> parameters;
-  for (const json& plugin : call(client, "/plugins/list", json::object()).at("plugins")) {
+  const json list = call(client, "/plugins/list", json::object());
+  for (const json& plugin : list.at("plugins")) {
     const auto name = plugin.at("name").get<std::string>();
     const json told = call(client, "/plugins/get_parameters", {{"plugin", name}});
     for (std::size_t i = 0; i < told.at("names").size(); ++i) {
@@ -87,14 +87,15 @@ void require_same_robot(ApiClient& client, const json& description, const urdf::
 }  // namespace
 
 RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot) {
-  for (const char* topic : {"/robot_description", "/joint_states", "/robot_state", "/walk_to/state"}) {
+  for (const char* topic :
+       {"/robot_description", "/joint_states", "/robot_state", "/odom", "/walk_to/state"}) {
     client.subscribe(topic);
   }
   RobotNow now;
   bool is_described = false;
   // The way's state comes once the robot has a map; nobody waits for it once the others are there twice.
-  for (int joint_states = 0;
-       joint_states < 20 && !(is_described && joint_states > 0 && !now.state.empty() && now.place);) {
+  for (int joint_states = 0; joint_states < 20 && !(is_described && joint_states > 0 && !now.state.empty() &&
+                                                    now.base_m && now.place);) {
     const auto message = client.next_message();
     if (!message) throw NoAnswer("the robot has not told where its joints are");
     try {
@@ -108,6 +109,9 @@ RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot) {
         ++joint_states;
       } else if (topic == "/robot_state") {
         now.state = told.at("state").get<std::string>();
+      } else if (topic == "/odom") {
+        const json& position = told.at("pose").at("pose").at("position");
+        now.base_m = std::array{position.at("x").get<double>(), position.at("y").get<double>()};
       } else if (topic == "/walk_to/state") {
         now.place = told.at("pose").get<std::array<double, 3>>();
       }
@@ -127,17 +131,17 @@ RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot) {
 }
 
 std::string change_between(const RobotNow& then, const RobotNow& now, const urdf::RobotModel& robot) {
-  constexpr double kMoved_m = 0.03, kTurned_rad = 0.05, kBent_rad = 0.05;
+  constexpr double kMoved_m = 0.03, kBent_rad = 0.05;
   if (now.state != "stands") {
     return fmt::format("the robot {} and must stand", input::terminal_text(now.state));
   }
-  if (then.place && now.place) {
-    const double moved_m = std::hypot((*now.place)[0] - (*then.place)[0], (*now.place)[1] - (*then.place)[1]);
-    const double turned_rad =
-        std::abs(std::remainder((*now.place)[2] - (*then.place)[2], 2.0 * std::numbers::pi));
-    if (moved_m > kMoved_m || turned_rad > kTurned_rad) {
-      return fmt::format("the robot has moved by {:.0f} mm and {:.0f} deg since it was tried", moved_m * 1e3,
-                         turned_rad / facts::kRadPerDegree);
+  // By its odometry, which goes on all the time: its place in the map is told when its navigation has a new
+  // one.
+  if (then.base_m && now.base_m) {
+    const double moved_m =
+        std::hypot((*now.base_m)[0] - (*then.base_m)[0], (*now.base_m)[1] - (*then.base_m)[1]);
+    if (moved_m > kMoved_m) {
+      return fmt::format("the robot has moved by {:.0f} mm since it was tried", moved_m * 1e3);
     }
   }
   for (std::size_t i = 0; i < now.joint_rad.size(); ++i) {

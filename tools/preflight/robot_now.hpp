@@ -17,10 +17,11 @@ struct RobotParameter {
 };
 
 struct RobotNow {
-  std::vector<double> joint_rad;               // in the order of RobotModel::joints
-  std::string state;                           // of /robot_state: "stands", "walks", ...
-  std::optional<std::array<double, 3>> place;  // x m, y m, yaw rad in its map; none: it does not say
-  std::vector<RobotParameter> parameters;      // of its plug-ins, as they are now
+  std::vector<double> joint_rad;                // in the order of RobotModel::joints
+  std::string state;                            // of /robot_state: "stands", "walks", ...
+  std::optional<std::array<double, 3>> place;   // x m, y m, yaw rad in its map; none: it does not say
+  std::optional<std::array<double, 2>> base_m;  // of its odometry: x, y; none: it does not say
+  std::vector<RobotParameter> parameters;       // of its plug-ins, as they are now
 };
 
 // Why what was tried from `then` cannot be sent to the robot as it is `now`: it does not stand, or not where

@@ -123,6 +123,13 @@ void Comparison::forget(Robot robot) {
   for (Track& one : half.tracks) one.clear();
 }
 
+void Comparison::pause(Robot robot) {
+  Half& half = halves_[static_cast<std::size_t>(robot)];
+  const Track place = half.tracks[static_cast<std::size_t>(Measurement::place)];
+  forget(robot);
+  half.tracks[static_cast<std::size_t>(Measurement::place)] = place;
+}
+
 void Comparison::look(double now_s) {
   if (now_s - looked_s_ < kPeriod_s) return;
   looked_s_ = now_s;

@@ -45,6 +45,8 @@ class Comparison {
   bool take(Robot robot, const ArrivedPoint& point);
   // What was measured before belongs to another life of that robot.
   void forget(Robot robot);
+  // That robot does not do the same as the other one. Where it stands is still known.
+  void pause(Robot robot);
   // Compares, five times a second. `now_s`: this computer's monotonic clock.
   void look(double now_s);
 

@@ -178,7 +178,7 @@ void FlightProcess::take_line(const std::string& line) {
   if (line.starts_with(kSends)) {
     state_ = State::sending;
     take_verdict();
-  } else if (!line.empty()) {
+  } else if (!line.empty() && !line.starts_with(' ')) {  // what is indented is the verdict's
     last_line_ = line;
   }
 }
@@ -206,7 +206,7 @@ void FlightProcess::take_end(int status) {
     state_ = State::not_passed;
   } else {
     state_ = State::failed;
-    const std::string prefix = "gaitway preflight: ";
+    const std::string prefix = "gaitway: ";
     const std::string said = last_line_.starts_with(prefix) ? last_line_.substr(prefix.size()) : last_line_;
     text_ = WIFSIGNALED(status) ? fmt::format("the pre-flight was ended by signal {}", WTERMSIG(status))
             : said.empty()      ? fmt::format("the pre-flight has ended with code {}", code)

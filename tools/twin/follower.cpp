@@ -83,8 +83,9 @@ Follower::~Follower() {
   thread_.join();
 }
 
-void Follower::set(bool follows) {
+void Follower::set(bool follows, const std::optional<std::array<double, 3>>& first_to) {
   const std::lock_guard lock(mutex_);
+  first_to_ = first_to;
   status_ = {.follows = follows, .text = {}};
 }
 
@@ -137,6 +138,7 @@ void Follower::follow() {
   ApiClient client(address_);
   note(true, "");
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
+  join(client);
   FollowRules rules;
   std::array<double, 3> velocity{};
   while (goes_on()) {
@@ -163,6 +165,19 @@ void Follower::require_obeyed(ApiClient& client) {
     if (tells_of_lateness(error.what())) return;  // the next one may be in time
     throw Refused(error.what());
   }
+}
+
+// To where the robot there is, once.
+void Follower::join(ApiClient& client) {
+  std::optional<std::array<double, 3>> place;
+  {
+    const std::lock_guard lock(mutex_);
+    place = std::exchange(first_to_, std::nullopt);
+  }
+  if (!place) return;
+  const auto& [x_m, y_m, yaw_rad] = *place;
+  carry_out(client, service("/command/acquire", {{"name", kName}}));
+  carry_out(client, service("/walk_to", {{"x", x_m}, {"y", y_m}, {"yaw", yaw_rad}}));
 }
 
 RobotNews Follower::heard() const {

@@ -47,7 +47,8 @@ class Follower {
   Follower& operator=(const Follower&) = delete;
 
   // `follows`: false gives the command back. Whoever begins to follow forgets why it ended before.
-  void set(bool follows);
+  // `first_to`: x m, y m, yaw rad: it walks there first.
+  void set(bool follows, const std::optional<std::array<double, 3>>& first_to = std::nullopt);
   // `keeps_pace`: the simulation runs as fast as real time; otherwise the simulated robot is told nothing,
   // and gives up what it was told.
   void hear(const RobotNews& news, bool keeps_pace);
@@ -66,6 +67,7 @@ class Follower {
   void note(bool follows, std::string text);
   [[nodiscard]] bool goes_on() const;
   [[nodiscard]] RobotNews heard() const;
+  void join(ApiClient& client);
   void carry_out(ApiClient& client, const FollowOrder& order);
   static void require_obeyed(ApiClient& client);
 
@@ -73,6 +75,7 @@ class Follower {
   mutable std::mutex mutex_;
   RobotNews news_;
   Status status_;
+  std::optional<std::array<double, 3>> first_to_;
   bool keeps_pace_ = true, ending_ = false;
   std::thread thread_;  // the last: it uses the others
 };

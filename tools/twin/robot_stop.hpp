@@ -1,5 +1,5 @@
-// Stops a robot over its API, by a connection of its own that nothing else is waited for on: whatever becomes of the one
-// that is watched.
+// Stops a robot over its API, by a connection of its own that nothing else is waited for on: whatever becomes
+// of the one that is watched.
 #pragma once
 
 #include <condition_variable>
@@ -20,7 +20,8 @@ class RobotStop {
   RobotStop(const RobotStop&) = delete;
   RobotStop& operator=(const RobotStop&) = delete;
 
-  // At once, whether or not that robot has been let in or is heard of. It is tried for 3 s and not kept for later.
+  // At once, whether or not that robot has been let in or is heard of. It is tried for 3 s and not kept for
+  // later.
   void stop();
 
   struct Answer {

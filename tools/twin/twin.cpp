@@ -101,7 +101,7 @@ void Twin::keep_pace(const SimulationPace& pace) {
   const bool is_others = !commander.empty() && commander != Follower::kName;
   if (pace_text_.empty() && is_others) pace_text_ = commander + " commands the simulated robot";
   if (pace.run != pace_.run || !pace_text_.empty() || !follower_.status().follows) {
-    comparison_.forget(Comparison::Robot::simulated);
+    comparison_.pause(Comparison::Robot::simulated);
   }
   pace_ = pace;
 }
@@ -164,7 +164,8 @@ std::optional<json> Twin::obey(const json& order) {
   if (what == "twin") return state();
   if (what == "twin_picture") return picture(order);
   if (what == "twin_follow") {
-    follower_.set(order.at("follow").get<bool>());
+    const bool follows = order.at("follow").get<bool>();
+    follower_.set(follows, follows ? place_to_join() : std::nullopt);
   } else if (what == "twin_send") {
     begin_flight(order);
   } else if (what == "twin_stop") {
@@ -175,6 +176,21 @@ std::optional<json> Twin::obey(const json& order) {
     return std::nullopt;
   }
   return json::object();
+}
+
+std::optional<std::array<double, 3>> Twin::place_to_join() const {
+  constexpr double kNear_m = 0.05, kAlong_rad = 0.1;
+  const auto& values = comparison_.values();
+  std::array<double, 3> place{};
+  double apart_m = 0.0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const ChannelValues& one = values[values.size() - place.size() + i];
+    place[i] = one.measured;
+    if (!std::isfinite(one.difference)) return std::nullopt;
+    if (i < 2) apart_m = std::hypot(apart_m, one.difference);
+    if (i == 2 && apart_m < kNear_m && one.difference < kAlong_rad) return std::nullopt;
+  }
+  return there_status_.news.activity == "stands" ? std::optional(place) : std::nullopt;
 }
 
 void Twin::begin_flight(const json& order) {

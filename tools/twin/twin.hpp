@@ -2,6 +2,7 @@
 // two differ; and what was tried here on its way there, through the pre-flight gate.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -65,6 +66,8 @@ class Twin {
   void look_at_flight();
   void stop(const std::string& why);
   void begin_flight(const nlohmann::json& order);
+  // Where the robot there stands, where the simulated one does not; nothing: it does, or that is not known.
+  [[nodiscard]] std::optional<std::array<double, 3>> place_to_join() const;
   [[nodiscard]] nlohmann::json state() const;
   [[nodiscard]] nlohmann::json picture(const nlohmann::json& order) const;
 

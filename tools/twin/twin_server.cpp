@@ -29,14 +29,17 @@ std::string obeyed(Twin& twin, std::string_view text) {
 
 }  // namespace
 
-TwinServer::TwinServer(const TwinOptions& options, const urdf::RobotModel& robot, const std::filesystem::path& socket)
+TwinServer::TwinServer(const TwinOptions& options, const urdf::RobotModel& robot,
+                       const std::filesystem::path& socket)
     : twin_(options, robot),
       server_(
           socket,
           [](const simulation::Ticket&, const simulation::Push&) -> bool {
             throw std::invalid_argument("a real robot is not pushed");
           },
-          [this](const simulation::Ticket&, std::string_view text) { return std::optional(obeyed(twin_, text)); }),
+          [this](const simulation::Ticket&, std::string_view text) {
+            return std::optional(obeyed(twin_, text));
+          }),
       thread_([this] { run(); }) {}
 
 TwinServer::~TwinServer() {

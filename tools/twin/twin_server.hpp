@@ -1,5 +1,5 @@
-// A twin in a thread of its own, with a control channel of its own: a stop of the robot there waits for nothing that the
-// simulation does.
+// A twin in a thread of its own, with a control channel of its own: a stop of the robot there waits for
+// nothing that the simulation does.
 #pragma once
 
 #include <atomic>
