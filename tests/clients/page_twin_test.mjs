@@ -226,6 +226,61 @@ test("the stop of the robot there is in its view always, and elsewhere while som
   await answered("by the keyboard, too", () => fake.of("/simulation/twin/stop").length === 2);
 }));
 
+test("while something is tried or sent, each stop of the page is for the robot there, too, and first", () => withPage(async (robot, fake) => {
+  const stops = () => fake.asked.map(({ service }) => service).filter((service) => ["/simulation/twin/stop", "/stop", "/emergency_stop"].includes(service));
+  await robot.tab("Twin");
+  const waysToStop = [
+    ["Stop", "/stop", () => robot.press("stop")], ["Emergency stop", "/emergency_stop", () => robot.press("emergency")], ["Escape", "/stop", () => robot.page.keyboard.press("Escape")],
+    ["Escape in a field", "/stop", async () => { await robot.page.focus("#twin-settings"); await robot.page.keyboard.press("Escape"); }],
+  ];
+  for (const [name, service, stop] of waysToStop) {
+    fake.asked.length = 0;
+    await enter(robot, "twin-send");
+    await robot.says("twin-sending", "Being tried");
+    if (name !== "Stop") fake.twin.judge();
+    await stop();
+    await answered(`${name}: both are stopped`, () => stops().includes(service));
+    assert.equal(stops()[0], "/simulation/twin/stop", `${name}: the robot there first: ${stops()}`);
+    await robot.newsOf("Stop the robot there, too: it is told");
+    await robot.says("twin-sending", "Stopped");
+  }
+  fake.asked.length = 0;
+  await robot.page.keyboard.press("Escape");
+  await answered("Escape", () => stops().includes("/stop"));
+  assert.deepEqual(stops().filter((service) => service !== "/stop"), [], "where nothing is tried or sent the robot there goes on");
+  await enter(robot, "play");
+  await robot.says("link-text", "paused");
+  await robot.page.mouse.click(60, 540); // a goal that Escape would only forget
+  await robot.says("way-text", "steps");
+  await enter(robot, "twin-send");
+  await robot.says("twin-sending", "Being tried");
+  fake.asked.length = 0;
+  await robot.page.keyboard.press("Escape");
+  await answered("in a simulation that is paused, too", () => stops().includes("/simulation/twin/stop"));
+  await robot.says("twin-sending", "Stopped");
+  await enter(robot, "twin-send");
+  await robot.says("twin-sending", "Being tried");
+  await robot.page.evaluate(() => document.activeElement.blur());
+  fake.asked.length = 0;
+  fake.silence(); // Space is for the simulator only while it is heard of
+  await robot.until(() => document.getElementById("stop").textContent.includes("Space"), "Space stops");
+  await robot.page.keyboard.press("Space");
+  await answered("Space", () => stops().includes("/stop"));
+  assert.equal(stops()[0], "/simulation/twin/stop");
+}));
+
+test("what was sent before its connection was lost is still of this page once it is back", () => withPage(async (robot, fake) => {
+  await robot.tab("Twin");
+  fake.losesAnswerOf = "/simulation/twin/send";
+  await enter(robot, "twin-send");
+  await robot.newsOf("Look whether it was carried out");
+  await robot.says("twin-sending", "Being tried");
+  fake.twin.falls = 1;
+  fake.twin.judge();
+  await robot.until(() => document.getElementById("twin-reason").checkVisibility(), "it is this page's");
+  assert.equal(sends(fake).length, 1, "it is not sent again by itself");
+}));
+
 test("a lost link is told, a refused one can be tried again, and the robot is followed or not", () => withPage(async (robot, fake) => {
   await robot.tab("Twin");
   Object.assign(fake.twin, { state: "lost", hears: false, text: "nothing has come for 1.0 s" });

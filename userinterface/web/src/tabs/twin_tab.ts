@@ -2,6 +2,7 @@
 import type { Context, Tab } from "../context.ts";
 import { element } from "../dom.ts";
 import type { Goal } from "../simulator/footstep_plan.ts";
+import { Refused } from "../rosbridge.ts";
 import { worstFirst, type Agreement } from "../twin/agreement.ts";
 import { ChannelPlot } from "../twin/channel_plot.ts";
 import { DifferenceTable } from "../twin/difference_table.ts";
@@ -71,6 +72,10 @@ export class TwinTab implements Tab {
   take(state: TwinState): void {
     this.sent.told(state);
   }
+  // Something was asked for that may have begun without having been told of yet.
+  isAsking(now_ms: number): boolean {
+    return this.sent.isAsking(now_ms);
+  }
 
   look(now_ms: number): void {
     const { state, agreement, age_s, silent } = this.now();
@@ -111,10 +116,21 @@ export class TwinTab implements Tab {
   }
 
   private async send(request: SendRequest): Promise<void> {
-    const begun = await this.context.attempt("Send to the robot there", () => this.orders.send(request), "it is tried on simulated robots first");
+    this.sent.asks(request, this.now().state, performance.now());
+    const begun = await this.context.attempt("Send to the robot there", () => this.ask(request), "it is tried on simulated robots first");
     if (!begun) return;
-    this.sent.begun(request);
     this.wantsToBeSeen = true;
+  }
+
+  // What was not answered may have begun all the same.
+  private async ask(request: SendRequest): Promise<void> {
+    try {
+      await this.orders.send(request);
+      this.sent.begun();
+    } catch (error) {
+      if (error instanceof Refused) this.sent.refused();
+      throw error;
+    }
   }
 
   private sendNevertheless(reason: string): void {
