@@ -49,7 +49,7 @@ class Simulator {
     const orders = new SimulationOrders(context.robot);
     this.picture = new SimulatorPicture(scene, context.description, context.token());
     const plays = () => this.state?.state === "playing";
-    this.way = new WayTool(context, orders, this.picture, scene, canvas, tools, plays, () => plays() || place.stops.stopsOther);
+    this.way = new WayTool(context, orders, this.picture, scene, canvas, tools, plays, () => plays() || place.stops.stopsOther || document.querySelector("dialog[open]") !== null);
     const faults = faultsTab(context, orders);
     const things = thingsTab(context, orders, this.picture, canvas, tools);
     tabs.add(things, faults);
