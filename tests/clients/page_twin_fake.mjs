@@ -46,7 +46,7 @@ export class FakeTwin {
   off = { left_knee: 0.01 }; // rad or N, of channels that are not where they are simulated
   falls = 0; // of the next pre-flights' robots
   sending = { state: "idle", what: "", text: "", passed: 0, tried: 0 };
-  told = []; // [s, text]
+  told = []; // [s, text], the newest last
   #came_s = 0;
   #picture = 0;
   #png = makePng(480, 360);
@@ -59,7 +59,8 @@ export class FakeTwin {
       ...description.joints.map(({ name, home }, index) => channel(name, "rad", 0.035, (time_s) => home + 0.15 * Math.sin(2 * time_s + index))),
       channel("roll", "rad", 0.05, (time_s) => 0.02 * Math.sin(3 * time_s)), channel("pitch", "rad", 0.05, (time_s) => 0.03 * Math.cos(3 * time_s)),
       channel("left foot", "N", 15, (time_s) => 34 + 30 * Math.sin(3 * time_s)), channel("right foot", "N", 15, (time_s) => 34 - 30 * Math.sin(3 * time_s)),
-      channel("place", "m", 0.05, () => 0), channel("heading", "rad", 0, () => 0)];
+      channel("place x", "m", 0.25, () => 0),
+      channel("place y", "m", 0.25, () => 0), channel("heading", "rad", 0.349, () => 0)];
   }
 
   get picture_bytes() {
@@ -104,7 +105,7 @@ export class FakeTwin {
         this.state = "connecting";
         return ok;
       case "stop":
-        this.sending = { ...this.sending, state: "stopped", text: "" };
+        if (this.sending.state === "trying" || this.sending.state === "sending") this.sending = { ...this.sending, state: "stopped", text: "stopped by you" };
         return ok;
       case "send":
         return this.#send(args);

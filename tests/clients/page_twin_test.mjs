@@ -96,7 +96,7 @@ test("a difference above its limit is on top, and any channel is plotted with me
   fake.twin.differ("right_knee", 0.07);
   await verdict(robot, "differ");
   await robot.until(() => document.querySelector(".differences tbody tr")?.dataset.channel === "right_knee", "the right knee is on top");
-  await robot.says("twin-verdict", "1 of 27 differ. Most of all: right knee, 4.0° (limit 2.0°).");
+  await robot.says("twin-verdict", "1 of 29 differ. Most of all: right knee, 4.0° (limit 2.0°).");
   await robot.says("twin-chip", "right knee differs by 4.0°");
   await robot.says("twin-told", "right_knee is 4.0 deg from the simulated one");
   assert.ok(await robot.page.$eval('[data-channel="right_knee"]', (row) => row.classList.contains("above")));
@@ -104,6 +104,9 @@ test("a difference above its limit is on top, and any channel is plotted with me
   await robot.until(() => document.querySelector(".differences tbody tr")?.dataset.channel === "left foot", "the left foot is worse");
   await picture(robot, "twin_differs.png");
   assert.match(await robot.text("twin-told"), /^[\d.]+ s left foot is 40\.0 N.*right_knee/, "the newest first");
+  fake.twin.told.push([1.5, "connected"], [0.5, "motion kick: done"]);
+  await robot.says("twin-told", "0.5 s motion kick: done1.5 s connected");
+  assert.deepEqual(await robot.page.$$eval("#twin-told li", (all) => all.map((line) => line.classList.contains("warning"))), [false, false, true, true]);
   await robot.page.focus('[data-channel="right_knee"] button');
   await robot.page.keyboard.press("Enter");
   await robot.says("twin-plot-title", "right knee, °");
@@ -117,8 +120,14 @@ test("a difference above its limit is on top, and any channel is plotted with me
   assert.ok(drawn[1].limits > 20, `the limits are drawn: ${JSON.stringify(drawn)}`);
   assert.equal((await channels(robot)).length, 8);
   await enter(robot, "twin-all");
-  assert.equal((await channels(robot)).length, 28);
-  assert.equal((await channels(robot)).at(-1), "heading", "what is never told comes last");
+  assert.equal((await channels(robot)).length, 29);
+  fake.twin.differ("place x", 0.36);
+  fake.twin.differ("place y", 0.48);
+  fake.twin.off["left foot"] = fake.twin.off.right_knee = 0;
+  await robot.says("twin-chip", "stands 0.6 m beside");
+  await robot.says("twin-verdict", "Most of all: place y, 0.48 m (limit 0.25 m).");
+  await pause(1200);
+  await picture(robot, "twin_beside.png");
 }));
 
 test("what was driven is tried, does not pass, and is sent with a reason", () => withPage(async (robot, fake) => {
@@ -288,6 +297,10 @@ test("a lost link is told, a refused one can be tried again, and the robot is fo
   await robot.says("twin-link", "lost");
   await robot.says("twin-why", "nothing has come for 1.0 s");
   await robot.says("twin-send-why", "The robot there is not connected");
+  await robot.says("twin-stop", "it is not heard of");
+  await robot.press("twin-stop");
+  await answered("it can be told to stop all the same", () => fake.of("/simulation/twin/stop").length === 1);
+  await robot.newsOf("Stop the robot there: it is tried, but the robot there is not heard of");
   assert.ok(await robot.page.$eval("#twin-send", (press) => press.disabled));
   assert.ok(await hidden(robot, "twin-again"), "it tries by itself");
   await pause(300);
@@ -301,7 +314,10 @@ test("a lost link is told, a refused one can be tried again, and the robot is fo
   Object.assign(fake.twin, { follows: false, followsText: "the simulation is paused" });
   await robot.newsOf("The simulated robot does not follow any more: the simulation is paused");
   await robot.says("twin-follows-why", "It does not: the simulation is paused.");
-  await robot.says("twin-verdict", "the simulated robot does not do what the robot there does");
+  await robot.says("twin-verdict", "Not compared: the simulation is paused.");
+  await robot.says("twin-chip", "Not compared: the simulation is paused");
+  await pause(300);
+  await picture(robot, "twin_not_compared.png");
   await enter(robot, "twin-follow");
   await answered("it follows", () => fake.of("/simulation/twin/follow").at(-1)?.data === true);
   await robot.until(() => document.getElementById("twin-follow").getAttribute("aria-checked") === "true", "it is said that it does");

@@ -11,6 +11,7 @@ import { SendForm } from "../twin/send_form.ts";
 import { SendingCard } from "../twin/sending_card.ts";
 import { SentHere, withReason, type SendRequest } from "../twin/send_request.ts";
 import { StatusCard } from "../twin/status_card.ts";
+import { isWarning } from "../twin/tidings.ts";
 import type { TwinHistory } from "../twin/twin_history.ts";
 import type { TwinOrders } from "../twin/twin_orders.ts";
 import { isBusy, type TwinState } from "../twin/twin_state.ts";
@@ -80,7 +81,7 @@ export class TwinTab implements Tab {
   look(now_ms: number): void {
     const { state, agreement, age_s, silent } = this.now();
     this.status.show(state, agreement, age_s, silent);
-    for (const box of [this.table.box, this.plot.box]) box.classList.toggle("was", agreement.verdict === "lost");
+    for (const box of [this.table.box, this.plot.box]) box.classList.toggle("was", agreement.verdict === "lost" || agreement.verdict === "unknown");
     this.table.show(state.channels, now_ms);
     this.chosen ??= worstFirst(state.channels)[0]?.name;
     const index = state.channels.findIndex(({ name }) => name === this.chosen);
@@ -148,7 +149,7 @@ export class TwinTab implements Tab {
     if (key === this.toldKey) return;
     this.toldKey = key;
     this.noneTold.hidden = told.length > 0;
-    this.told.replaceChildren(...told.map(({ at_s, text }) => element("li", { class: "warning" }, element("span", { class: "number" }, `${at_s.toFixed(1)} s `), text)));
+    this.told.replaceChildren(...told.map(({ at_s, text }) => element("li", { class: isWarning(text) ? "warning" : "" }, element("span", { class: "number" }, Number.isFinite(at_s) ? `${at_s.toFixed(1)} s ` : "– "), text)));
   }
 
   private keepPicture({ picture, sending }: TwinState, now_ms: number): void {
