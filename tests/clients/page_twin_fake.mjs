@@ -45,6 +45,7 @@ export class FakeTwin {
   offset = [0, 0.45, 0]; // of its place from the simulated robot's, m and rad
   off = { left_knee: 0.01 }; // rad or N, of channels that are not where they are simulated
   falls = 0; // of the next pre-flights' robots
+  worstEnds; // what is told of the worst of them, where it did not fall
   sending = { state: "idle", what: "", text: "", passed: 0, tried: 0 };
   told = []; // [s, text], the newest last
   #came_s = 0;
@@ -120,9 +121,14 @@ export class FakeTwin {
   judge() {
     const passed = robots - this.falls;
     const good = this.falls === 0;
-    const text = `${passed} of ${robots} stayed up${good ? "" : ": seed 4 fell after 3.2 s, ahead"}`;
+    const end = this.worstEnds ?? "; robot 4 fell after 3.20 s";
+    const text = `${passed} of ${robots} simulated robots stayed up and did it${good ? "" : end}`;
     this.#picture += 1;
     this.sending = { ...this.sending, state: good || this.sending.reason ? "sending" : "not passed", text, passed, tried: robots };
+  }
+  // Nothing has come of it.
+  fail(text) {
+    this.sending = { ...this.sending, state: "failed", text };
   }
   // The robot there has done it.
   finish() {

@@ -150,8 +150,9 @@ test("what was driven is tried, does not pass, and is sent with a reason", () =>
   fake.twin.falls = 3;
   fake.twin.judge();
   await robot.says("twin-sending", "Not sent");
-  await robot.says("twin-sending-text", "17 of 20 stayed up: seed 4 fell after 3.2 s, ahead");
-  assert.deepEqual(await robot.page.$eval(".robots", (row) => ["up", "fell"].map((kind) => row.querySelectorAll(`.${kind}`).length)), [17, 3]);
+  await robot.says("twin-sending-text", "17 of 20 simulated robots stayed up and did it; robot 4 fell after 3.20 s");
+  assert.deepEqual(await robot.page.$eval(".robots", (row) => ["up", "fell", "failed"].map((kind) => row.querySelectorAll(`.${kind}`).length)), [17, 1, 2]);
+  await robot.says("twin-robots", "17 stayed up and did it, 1 fell, 2 fell or did not do it");
   await robot.newsOf("Not sent: walk");
   await robot.until(() => document.getElementById("twin-worst").width === 480 && !document.querySelector(".worst").hidden, "the picture of the worst one");
   assert.deepEqual(await robot.page.$eval("#twin-worst", (canvas) => [...canvas.getContext("2d").getImageData(240, 180, 1, 1).data]), [220, 30, 30, 255]);
@@ -160,13 +161,14 @@ test("what was driven is tried, does not pass, and is sent with a reason", () =>
   await robot.page.focus("#twin-reason");
   await picture(robot, "twin_not_passed.png");
   await robot.page.keyboard.type("because w");
-  await enter(robot, "twin-nevertheless");
-  await robot.newsOf("The reason has 9 characters, and must have 10 at least: it is recorded");
+  await robot.says("twin-reason-note", "9 of 10 characters.");
+  assert.ok(await robot.page.$eval("#twin-nevertheless", (press) => press.disabled), "9 are too few");
   assert.equal(sends(fake).length, 1);
   await set(robot, "twin-forward", "0.01"); // what is typed meanwhile was not tried
   await robot.page.focus("#twin-reason");
   await robot.page.keyboard.press("End");
   await robot.page.keyboard.type("e hold it");
+  await robot.says("twin-reason-note", "18 characters. The reason is recorded with what is sent. It is tried again on simulated robots first");
   await enter(robot, "twin-nevertheless");
   await answered("it is sent with the reason", () => sends(fake).length === 2);
   assert.deepEqual(sends(fake)[1], { ...first, reason: "because we hold it" });
@@ -288,7 +290,68 @@ test("what was sent before its connection was lost is still of this page once it
   fake.twin.judge();
   await robot.until(() => document.getElementById("twin-reason").checkVisibility(), "it is this page's");
   assert.equal(sends(fake).length, 1, "it is not sent again by itself");
+  await robot.page.focus("#twin-reason");
+  await robot.page.keyboard.type("it hangs in its crane");
+  await enter(robot, "twin-nevertheless");
+  await answered("it is sent with the reason", () => sends(fake).length === 2);
+  assert.deepEqual(sends(fake)[1], { ...sends(fake)[0], reason: "it hangs in its crane" });
 }));
+
+test("who did not do it is not marked as fallen, and what fails before it was sent fails at the trial", () => withPage(async (robot, fake) => {
+  const stages = () => robot.page.$$eval(".stages li", (all) => all.map(({ className }) => className));
+  await robot.tab("Twin");
+  assert.equal(await robot.page.$eval("#twin-settings", ({ placeholder }) => placeholder), "stability.ankle_pitch=0.3");
+  assert.deepEqual(await robot.page.$eval("#twin-seconds", ({ min, max }) => [min, max]), ["0.5", "599"]);
+  await set(robot, "twin-seconds", "600");
+  await enter(robot, "twin-send");
+  await robot.newsOf("“for” is '600', and must be 0.5 … 599 s");
+  await set(robot, "twin-seconds", "599");
+  await enter(robot, "twin-send");
+  await answered("it is sent", () => sends(fake).length === 1);
+  Object.assign(fake.twin, { falls: 4, worstEnds: "; robot 2: the gait has no such step" });
+  fake.twin.judge();
+  await robot.says("twin-robots", "16 stayed up and did it, 4 did not do it");
+  assert.equal(await robot.page.$$eval(".robots .refused", (all) => all.length), 4);
+  assert.deepEqual(await stages(), ["good", "bad", ""]);
+  await robot.until(() => !document.querySelector(".worst").hidden, "the picture of the worst one");
+  await pause(300);
+  await picture(robot, "twin_refused_by_some.png");
+  await enter(robot, "twin-send");
+  await robot.says("twin-sending", "Being tried");
+  fake.twin.fail("not tried: the robot walks and must stand");
+  await robot.says("twin-sending", "Failed");
+  assert.deepEqual(await stages(), ["bad", "", ""]);
+}));
+
+for (const [name, viewport] of [["a desktop", undefined], ["a phone", phone]]) {
+  test(`the picture of the worst robot opens large, and the stops act above it, on ${name}`, () => withPage(async (robot, fake) => {
+    await robot.tab("Twin");
+    await enter(robot, "twin-send");
+    await answered("it is sent", () => sends(fake).length === 1);
+    fake.twin.falls = 1;
+    fake.twin.judge();
+    await robot.until(() => !document.querySelector(".worst").hidden, "the picture of the worst one");
+    const small = await robot.page.$eval("#twin-worst", (canvas) => canvas.getBoundingClientRect().width);
+    await robot.press("twin-worst-open");
+    await robot.until(() => document.getElementById("twin-worst-dialog")?.open, "it is open");
+    await pause(300);
+    await picture(robot, `twin_worst_large${viewport ? "_phone" : ""}.png`);
+    const large = await robot.page.$eval("#twin-worst-large", (canvas) => ({ width: Math.min(canvas.getBoundingClientRect().width, (canvas.getBoundingClientRect().height * 4) / 3), pixel: [...canvas.getContext("2d").getImageData(240, 180, 1, 1).data] }));
+    assert.ok(large.width > (viewport ? small : 1.5 * small), `${large.width} px wide, and was ${small}`);
+    assert.deepEqual(large.pixel, [220, 30, 30, 255]);
+    for (const [id, service] of [["twin-stop", "/simulation/twin/stop"], ["stop", "/stop"], ["emergency", "/emergency_stop"]]) {
+      await robot.press(id); // by the pointer: whatever lies above it would take that
+      await answered(`${id} acts`, () => fake.of(service).length > 0);
+    }
+    fake.asked.length = 0;
+    await robot.page.keyboard.press("Escape");
+    await answered("Escape stops", () => fake.of("/stop").length > 0);
+    await robot.until(() => !document.getElementById("twin-worst-dialog"), "and closes it");
+    await robot.press("twin-worst-open");
+    await robot.press("twin-worst-close");
+    await robot.until(() => !document.getElementById("twin-worst-dialog"), "and so does its button");
+  }, { viewport }));
+}
 
 test("a lost link is told, a refused one can be tried again, and the robot is followed or not", () => withPage(async (robot, fake) => {
   await robot.tab("Twin");

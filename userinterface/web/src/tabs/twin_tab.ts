@@ -156,10 +156,10 @@ export class TwinTab implements Tab {
     if (picture === this.picture || now_ms - this.pictureFailed_ms < again_ms || sending === "trying") return;
     this.picture = picture;
     if (picture === 0) {
-      this.sending.hidePicture();
+      this.sending.worst.hide();
       return;
     }
-    this.orders.picture().then((png) => this.sending.showPicture(png)).catch((error: Error) => {
+    this.orders.picture().then((png) => this.sending.worst.show(png)).catch((error: Error) => {
       this.picture = 0;
       this.pictureFailed_ms = performance.now();
       this.context.news.say(`The picture of the worst simulated robot does not come: ${error.message}`, "bad", "twin picture");
