@@ -33,7 +33,7 @@ export class TwinTab implements Tab {
   private readonly plot = new ChannelPlot();
   private readonly table: DifferenceTable;
   private readonly told = element("ol", { class: "events told", id: "twin-told" });
-  private readonly noneTold = element("p", { class: "note" }, "No difference has been told yet.");
+  private readonly noneTold = element("p", { class: "note" }, "Nothing has been told yet.");
   private readonly form: SendForm;
   private readonly sending: SendingCard;
   private readonly sent = new SentHere();

@@ -35,7 +35,7 @@ export class WorstPicture {
     if (this.large) return;
     const canvas = element("canvas", { id: "twin-worst-large", role: "img", "aria-label": caption });
     const dialog = element("dialog", { class: "large-picture", id: "twin-worst-dialog", "aria-label": caption });
-    dialog.append(button("Close", () => dialog.close(), { class: "plain", id: "twin-worst-close" }), canvas);
+    dialog.append(canvas, button("Close", () => dialog.close(), { class: "plain", id: "twin-worst-close" }));
     canvas.addEventListener("click", () => dialog.close());
     this.copyTo(canvas);
     this.large = { dialog, canvas };
