@@ -1,60 +1,8 @@
-// The twin's part of the simulator's page in a real browser, against a simulator of the test's own. Argument: the port of a module, whose robot it
-// is. GAITWAY_SCREENSHOTS: a folder for pictures of it.
+// The twin's part of the simulator's page in a real browser, against a simulator of the test's own: what is drawn, compared, told and sent.
+// Arguments: see page_twin_page.mjs.
 import assert from "node:assert/strict";
-import path from "node:path";
-import test, { after, before } from "node:test";
-import { openBrowser, pixelsOf, RobotPage } from "./page_browser.mjs";
-import { FakeSimulator, room } from "./page_simulator_fake.mjs";
-
-const phone = { width: 360, height: 740, hasTouch: true, isMobile: true };
-const clearColour = "r > 150 && g < 150 && b > 105 && r > g * 1.4 && b > g * 1.1"; // of the robot there
-const description = await (await fetch(`http://127.0.0.1:${process.argv[2]}/robot.json`)).json();
-let browser, eye;
-before(async () => {
-  browser = await openBrowser();
-  eye = await browser.newPage();
-});
-after(() => browser.close());
-
-const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-
-// `use`: with a page of a simulator that has a twin, and that simulator.
-async function withPage(use, { viewport, prepare = () => {}, twin = true } = {}) {
-  const fake = await FakeSimulator.serve(description, room(), { twin });
-  prepare(fake);
-  const robot = await RobotPage.open(browser, fake.url, viewport);
-  try {
-    await robot.live();
-    await robot.until(() => document.getElementById("simulator"), "the simulator's bar");
-    if (twin) await robot.until(() => document.getElementById("twin-chip"), "the twin");
-    await pause(500); // the world has come, and the robot there stands in it
-    await use(robot, fake);
-    assert.deepEqual(robot.errors, []);
-  } finally {
-    await robot.close();
-    fake.end();
-  }
-}
-
-async function picture(robot, name) {
-  if (process.env.GAITWAY_SCREENSHOTS) await robot.page.screenshot({ path: path.join(process.env.GAITWAY_SCREENSHOTS, name) });
-}
-async function answered(what, look) {
-  for (const end_ms = performance.now() + 5000; performance.now() < end_ms; await pause(20)) if (look()) return;
-  assert.fail(`not within 5 s: ${what}`);
-}
-const there = (robot) => pixelsOf(robot.page, eye, clearColour);
-const hidden = (robot, id) => robot.page.$eval(`#${id}`, (found) => found.hidden);
-const set = (robot, id, value) => robot.page.$eval(`#${id}`, (field, text) => (field.value = text), value);
-// By the keyboard.
-async function enter(robot, id) {
-  await robot.until((name) => document.getElementById(name).checkVisibility() && !document.getElementById(name).disabled, `${id} can be pressed`, undefined, id);
-  await robot.page.focus(`#${id}`);
-  await robot.page.keyboard.press("Enter");
-}
-const verdict = (robot, wanted) => robot.until((name) => document.getElementById("twin-chip").dataset.verdict === name, `the verdict is '${wanted}'`, undefined, wanted);
-const channels = (robot) => robot.page.$$eval(".differences tbody tr", (rows) => rows.filter((row) => !row.hidden).map(({ dataset }) => dataset.channel));
-const sends = (fake) => fake.of("/simulation/twin/send");
+import test from "node:test";
+import { answered, channels, enter, hidden, pause, phone, picture, pixels, sends, set, there, verdict, withPage } from "./page_twin_page.mjs";
 
 test("the robot there is drawn as a second one, goes where it is measured, and can be hidden", () => withPage(async (robot, fake) => {
   await robot.says("twin-chip", "Real and simulated agree");
@@ -81,13 +29,13 @@ test("what is measured is faded when it is old, and gone when nothing is known",
   await pause(300);
   const old = await there(robot);
   assert.ok(old.count < fresh.count / 4, `${old.count} of ${fresh.count} pixels are as clear as before`);
-  const faint = await pixelsOf(robot.page, eye, "r > g * 1.06 && b > g * 1.02 && g > 120");
+  const faint = await pixels(robot, "r > g * 1.06 && b > g * 1.02 && g > 120");
   assert.ok(faint.count > 1500, `it is still to be seen: ${faint.count} pixels`);
   fake.twin.hears = true;
   await verdict(robot, "agree");
   fake.twin.knows = false;
   await pause(500);
-  assert.ok((await pixelsOf(robot.page, eye, "r > g * 1.06 && b > g * 1.02 && g > 120")).count < faint.count / 5, "nothing of it is drawn");
+  assert.ok((await pixels(robot, "r > g * 1.06 && b > g * 1.02 && g > 120")).count < faint.count / 5, "nothing of it is drawn");
 }));
 
 test("a difference above its limit is on top, and any channel is plotted with measured and simulated", () => withPage(async (robot, fake) => {
@@ -215,71 +163,6 @@ test("motions and the goal of the map are sent; what is wrong or refused is said
   assert.deepEqual(fake.of("/command/acquire"), [], "none of it wants the command of the simulated robot");
 }));
 
-test("the stop of the robot there is in its view always, and elsewhere while something is sent", () => withPage(async (robot, fake) => {
-  assert.ok(await hidden(robot, "twin-stop"), "nothing is sent");
-  await robot.tab("Twin");
-  assert.ok(!(await hidden(robot, "twin-stop")));
-  await enter(robot, "twin-send");
-  await robot.says("twin-sending", "Being tried");
-  await robot.tab("Drive");
-  await robot.says("twin-stop", "being tried: walk 0.10 m/s, 10 s");
-  await picture(robot, "twin_sending_elsewhere.png");
-  fake.twin.judge();
-  await robot.says("twin-stop", "it does: walk 0.10 m/s, 10 s");
-  await robot.press("twin-stop");
-  await answered("it is stopped", () => fake.of("/simulation/twin/stop").length > 0);
-  await robot.newsOf("Stopped: walk 0.10 m/s, 10 s");
-  await robot.until(() => document.getElementById("twin-stop").hidden, "nothing is sent any more");
-  assert.equal(fake.of("/simulation/twin/stop").length, 1, "a press is one stop");
-  assert.deepEqual(fake.of("/stop"), [], "the simulated robot is not stopped by it");
-  await robot.tab("Twin");
-  await enter(robot, "twin-stop");
-  await answered("by the keyboard, too", () => fake.of("/simulation/twin/stop").length === 2);
-}));
-
-test("while something is tried or sent, each stop of the page is for the robot there, too, and first", () => withPage(async (robot, fake) => {
-  const stops = () => fake.asked.map(({ service }) => service).filter((service) => ["/simulation/twin/stop", "/stop", "/emergency_stop"].includes(service));
-  await robot.tab("Twin");
-  const waysToStop = [
-    ["Stop", "/stop", () => robot.press("stop")], ["Emergency stop", "/emergency_stop", () => robot.press("emergency")], ["Escape", "/stop", () => robot.page.keyboard.press("Escape")],
-    ["Escape in a field", "/stop", async () => { await robot.page.focus("#twin-settings"); await robot.page.keyboard.press("Escape"); }],
-  ];
-  for (const [name, service, stop] of waysToStop) {
-    fake.asked.length = 0;
-    await enter(robot, "twin-send");
-    await robot.says("twin-sending", "Being tried");
-    if (name !== "Stop") fake.twin.judge();
-    await stop();
-    await answered(`${name}: both are stopped`, () => stops().includes(service));
-    assert.equal(stops()[0], "/simulation/twin/stop", `${name}: the robot there first: ${stops()}`);
-    await robot.newsOf("Stop the robot there, too: it is told");
-    await robot.says("twin-sending", "Stopped");
-  }
-  fake.asked.length = 0;
-  await robot.page.keyboard.press("Escape");
-  await answered("Escape", () => stops().includes("/stop"));
-  assert.deepEqual(stops().filter((service) => service !== "/stop"), [], "where nothing is tried or sent the robot there goes on");
-  await enter(robot, "play");
-  await robot.says("link-text", "paused");
-  await robot.page.mouse.click(60, 540); // a goal that Escape would only forget
-  await robot.says("way-text", "steps");
-  await enter(robot, "twin-send");
-  await robot.says("twin-sending", "Being tried");
-  fake.asked.length = 0;
-  await robot.page.keyboard.press("Escape");
-  await answered("in a simulation that is paused, too", () => stops().includes("/simulation/twin/stop"));
-  await robot.says("twin-sending", "Stopped");
-  await enter(robot, "twin-send");
-  await robot.says("twin-sending", "Being tried");
-  await robot.page.evaluate(() => document.activeElement.blur());
-  fake.asked.length = 0;
-  fake.silence(); // Space is for the simulator only while it is heard of
-  await robot.until(() => document.getElementById("stop").textContent.includes("Space"), "Space stops");
-  await robot.page.keyboard.press("Space");
-  await answered("Space", () => stops().includes("/stop"));
-  assert.equal(stops()[0], "/simulation/twin/stop");
-}));
-
 test("what was sent before its connection was lost is still of this page once it is back", () => withPage(async (robot, fake) => {
   await robot.tab("Twin");
   fake.losesAnswerOf = "/simulation/twin/send";
@@ -322,36 +205,6 @@ test("who did not do it is not marked as fallen, and what fails before it was se
   await robot.says("twin-sending", "Failed");
   assert.deepEqual(await stages(), ["bad", "", ""]);
 }));
-
-for (const [name, viewport] of [["a desktop", undefined], ["a phone", phone]]) {
-  test(`the picture of the worst robot opens large, and the stops act above it, on ${name}`, () => withPage(async (robot, fake) => {
-    await robot.tab("Twin");
-    await enter(robot, "twin-send");
-    await answered("it is sent", () => sends(fake).length === 1);
-    fake.twin.falls = 1;
-    fake.twin.judge();
-    await robot.until(() => !document.querySelector(".worst").hidden, "the picture of the worst one");
-    const small = await robot.page.$eval("#twin-worst", (canvas) => canvas.getBoundingClientRect().width);
-    await robot.press("twin-worst-open");
-    await robot.until(() => document.getElementById("twin-worst-dialog")?.open, "it is open");
-    await pause(300);
-    await picture(robot, `twin_worst_large${viewport ? "_phone" : ""}.png`);
-    const large = await robot.page.$eval("#twin-worst-large", (canvas) => ({ width: Math.min(canvas.getBoundingClientRect().width, (canvas.getBoundingClientRect().height * 4) / 3), pixel: [...canvas.getContext("2d").getImageData(240, 180, 1, 1).data] }));
-    assert.ok(large.width > (viewport ? small : 1.5 * small), `${large.width} px wide, and was ${small}`);
-    assert.deepEqual(large.pixel, [220, 30, 30, 255]);
-    for (const [id, service] of [["twin-stop", "/simulation/twin/stop"], ["stop", "/stop"], ["emergency", "/emergency_stop"]]) {
-      await robot.press(id); // by the pointer: whatever lies above it would take that
-      await answered(`${id} acts`, () => fake.of(service).length > 0);
-    }
-    fake.asked.length = 0;
-    await robot.page.keyboard.press("Escape");
-    await answered("Escape stops", () => fake.of("/stop").length > 0);
-    await robot.until(() => !document.getElementById("twin-worst-dialog"), "and closes it");
-    await robot.press("twin-worst-open");
-    await robot.press("twin-worst-close");
-    await robot.until(() => !document.getElementById("twin-worst-dialog"), "and so does its button");
-  }, { viewport }));
-}
 
 test("a lost link is told, a refused one can be tried again, and the robot is followed or not", () => withPage(async (robot, fake) => {
   await robot.tab("Twin");
