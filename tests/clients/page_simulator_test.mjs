@@ -215,6 +215,18 @@ test("keys and buttons play, pause, step, set the speed, and reset when it is co
   await answered("it is reset", () => fake.of("/simulation/reset_simulation").length === 1 && fake.time_s < 0.5);
 }));
 
+test("Escape stops while it is asked whether to reset, even where it would only forget a goal", () => withPage(async (robot, fake) => {
+  await robot.press("play");
+  await robot.says("link-text", "paused");
+  await clickOn(robot, await seen(robot, "pink"));
+  await cardSays(robot, "steps");
+  await robot.press("reset");
+  await robot.page.keyboard.press("Escape");
+  await answered("it stops", () => fake.of("/stop").length > 0);
+  await robot.until(() => !document.getElementById("reset-dialog"), "and nothing is asked any more");
+  assert.deepEqual(fake.of("/simulation/reset_simulation"), []);
+}));
+
 for (const [name, viewport] of [["a desktop", undefined], ["a phone", { width: 360, height: 740, hasTouch: true, isMobile: true }]]) {
   test(`all three stops act while it is asked whether to reset, on ${name}`, () => withPage(async (robot, fake) => {
     await robot.press("reset");
