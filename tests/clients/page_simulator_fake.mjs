@@ -31,6 +31,7 @@ export class FakeSimulator {
   robot = [0, 0, 0]; // x, y, yaw of the middle between the feet, in the world
   refusal = ""; // of the next plan
   tellsTwin = true; // where there is one
+  losesAnswerOf = ""; // the next call of this service is carried out, and the connection lost before its answer
   #time_s = 0;
   #recorded_s = 0;
   #playing = true;
@@ -84,6 +85,10 @@ export class FakeSimulator {
   }
   get time_s() {
     return this.#time_s;
+  }
+  // Nothing is told any more, but what is asked is answered.
+  silence() {
+    clearInterval(this.teller);
   }
   // Until so much has been simulated, at once.
   run(seconds) {
@@ -175,7 +180,13 @@ export class FakeSimulator {
       if (message.op === "subscribe") client.topics.add(message.topic);
       if (message.op !== "call_service") return;
       if (!message.service.startsWith("/rosapi/") && message.service !== "/command/keep_alive") this.asked.push({ service: message.service, args: message.args });
-      socket.send(JSON.stringify({ op: "service_response", id: message.id, result: true, values: this.#answer(message.service, message.args) }));
+      const values = this.#answer(message.service, message.args);
+      if (this.losesAnswerOf === message.service) {
+        this.losesAnswerOf = "";
+        socket.terminate();
+        return;
+      }
+      socket.send(JSON.stringify({ op: "service_response", id: message.id, result: true, values }));
     });
   }
 

@@ -215,6 +215,43 @@ test("keys and buttons play, pause, step, set the speed, and reset when it is co
   await answered("it is reset", () => fake.of("/simulation/reset_simulation").length === 1 && fake.time_s < 0.5);
 }));
 
+test("Escape stops while it is asked whether to reset, even where it would only forget a goal", () => withPage(async (robot, fake) => {
+  await robot.press("play");
+  await robot.says("link-text", "paused");
+  await clickOn(robot, await seen(robot, "pink"));
+  await cardSays(robot, "steps");
+  await robot.press("reset");
+  await robot.page.keyboard.press("Escape");
+  await answered("it stops", () => fake.of("/stop").length > 0);
+  await robot.until(() => !document.getElementById("reset-dialog"), "and nothing is asked any more");
+  assert.deepEqual(fake.of("/simulation/reset_simulation"), []);
+}));
+
+for (const [name, viewport] of [["a desktop", undefined], ["a phone", { width: 360, height: 740, hasTouch: true, isMobile: true }]]) {
+  test(`all three stops act while it is asked whether to reset, on ${name}`, () => withPage(async (robot, fake) => {
+    await robot.press("reset");
+    await robot.until(() => document.getElementById("reset-dialog")?.open, "it is asked");
+    await pause(300);
+    await picture(robot, `simulator_reset${viewport ? "_phone" : ""}.png`);
+    await robot.press("stop"); // by the pointer: whatever lies above it would take that
+    await answered("Stop", () => fake.of("/stop").length > 0);
+    await robot.press("emergency");
+    await answered("Emergency stop", () => fake.of("/emergency_stop").length > 0);
+    assert.ok(await robot.page.$("#reset-dialog[open]"), "it is still asked");
+    fake.asked.length = 0;
+    await robot.page.keyboard.press("Escape");
+    await answered("Escape stops", () => fake.of("/stop").length > 0);
+    await robot.until(() => !document.getElementById("reset-dialog"), "and closes it");
+    await robot.press("reset");
+    await robot.page.evaluate(() => document.getElementById("reset").click());
+    assert.equal((await robot.page.$$("#reset-dialog")).length, 1, "it is asked once");
+    assert.equal(await robot.page.evaluate(() => document.activeElement.id), "reset-keep");
+    await robot.page.keyboard.press("Enter");
+    await robot.until(() => !document.getElementById("reset-dialog"), "it has been answered");
+    assert.deepEqual(fake.of("/simulation/reset_simulation"), []);
+  }, { viewport }));
+}
+
 test("a fault is applied with its fields, and one that is out of bounds is not", () => withPage(async (robot, fake) => {
   await robot.press("open-faults");
   await robot.until(() => document.querySelectorAll("#fault-plugin_fails-plugin option").length === 5, "the plug-ins are listed");

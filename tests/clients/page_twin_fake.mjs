@@ -45,8 +45,9 @@ export class FakeTwin {
   offset = [0, 0.45, 0]; // of its place from the simulated robot's, m and rad
   off = { left_knee: 0.01 }; // rad or N, of channels that are not where they are simulated
   falls = 0; // of the next pre-flights' robots
+  worstEnds; // what is told of the worst of them, where it did not fall
   sending = { state: "idle", what: "", text: "", passed: 0, tried: 0 };
-  told = []; // [s, text]
+  told = []; // [s, text], the newest last
   #came_s = 0;
   #picture = 0;
   #png = makePng(480, 360);
@@ -59,7 +60,8 @@ export class FakeTwin {
       ...description.joints.map(({ name, home }, index) => channel(name, "rad", 0.035, (time_s) => home + 0.15 * Math.sin(2 * time_s + index))),
       channel("roll", "rad", 0.05, (time_s) => 0.02 * Math.sin(3 * time_s)), channel("pitch", "rad", 0.05, (time_s) => 0.03 * Math.cos(3 * time_s)),
       channel("left foot", "N", 15, (time_s) => 34 + 30 * Math.sin(3 * time_s)), channel("right foot", "N", 15, (time_s) => 34 - 30 * Math.sin(3 * time_s)),
-      channel("place", "m", 0.05, () => 0), channel("heading", "rad", 0, () => 0)];
+      channel("place x", "m", 0.25, () => 0),
+      channel("place y", "m", 0.25, () => 0), channel("heading", "rad", 0.349, () => 0)];
   }
 
   get picture_bytes() {
@@ -104,7 +106,7 @@ export class FakeTwin {
         this.state = "connecting";
         return ok;
       case "stop":
-        this.sending = { ...this.sending, state: "stopped", text: "" };
+        if (this.sending.state === "trying" || this.sending.state === "sending") this.sending = { ...this.sending, state: "stopped", text: "stopped by you" };
         return ok;
       case "send":
         return this.#send(args);
@@ -119,9 +121,14 @@ export class FakeTwin {
   judge() {
     const passed = robots - this.falls;
     const good = this.falls === 0;
-    const text = `${passed} of ${robots} stayed up${good ? "" : ": seed 4 fell after 3.2 s, ahead"}`;
+    const end = this.worstEnds ?? "; robot 4 fell after 3.20 s";
+    const text = `${passed} of ${robots} simulated robots stayed up and did it${good ? "" : end}`;
     this.#picture += 1;
     this.sending = { ...this.sending, state: good || this.sending.reason ? "sending" : "not passed", text, passed, tried: robots };
+  }
+  // Nothing has come of it.
+  fail(text) {
+    this.sending = { ...this.sending, state: "failed", text };
   }
   // The robot there has done it.
   finish() {

@@ -1,60 +1,8 @@
-// The twin's part of the simulator's page in a real browser, against a simulator of the test's own. Argument: the port of a module, whose robot it
-// is. GAITWAY_SCREENSHOTS: a folder for pictures of it.
+// The twin's part of the simulator's page in a real browser, against a simulator of the test's own: what is drawn, compared, told and sent.
+// Arguments: see page_twin_page.mjs.
 import assert from "node:assert/strict";
-import path from "node:path";
-import test, { after, before } from "node:test";
-import { openBrowser, pixelsOf, RobotPage } from "./page_browser.mjs";
-import { FakeSimulator, room } from "./page_simulator_fake.mjs";
-
-const phone = { width: 360, height: 740, hasTouch: true, isMobile: true };
-const clearColour = "r > 150 && g < 150 && b > 105 && r > g * 1.4 && b > g * 1.1"; // of the robot there
-const description = await (await fetch(`http://127.0.0.1:${process.argv[2]}/robot.json`)).json();
-let browser, eye;
-before(async () => {
-  browser = await openBrowser();
-  eye = await browser.newPage();
-});
-after(() => browser.close());
-
-const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-
-// `use`: with a page of a simulator that has a twin, and that simulator.
-async function withPage(use, { viewport, prepare = () => {}, twin = true } = {}) {
-  const fake = await FakeSimulator.serve(description, room(), { twin });
-  prepare(fake);
-  const robot = await RobotPage.open(browser, fake.url, viewport);
-  try {
-    await robot.live();
-    await robot.until(() => document.getElementById("simulator"), "the simulator's bar");
-    if (twin) await robot.until(() => document.getElementById("twin-chip"), "the twin");
-    await pause(500); // the world has come, and the robot there stands in it
-    await use(robot, fake);
-    assert.deepEqual(robot.errors, []);
-  } finally {
-    await robot.close();
-    fake.end();
-  }
-}
-
-async function picture(robot, name) {
-  if (process.env.GAITWAY_SCREENSHOTS) await robot.page.screenshot({ path: path.join(process.env.GAITWAY_SCREENSHOTS, name) });
-}
-async function answered(what, look) {
-  for (const end_ms = performance.now() + 5000; performance.now() < end_ms; await pause(20)) if (look()) return;
-  assert.fail(`not within 5 s: ${what}`);
-}
-const there = (robot) => pixelsOf(robot.page, eye, clearColour);
-const hidden = (robot, id) => robot.page.$eval(`#${id}`, (found) => found.hidden);
-const set = (robot, id, value) => robot.page.$eval(`#${id}`, (field, text) => (field.value = text), value);
-// By the keyboard.
-async function enter(robot, id) {
-  await robot.until((name) => document.getElementById(name).checkVisibility() && !document.getElementById(name).disabled, `${id} can be pressed`, undefined, id);
-  await robot.page.focus(`#${id}`);
-  await robot.page.keyboard.press("Enter");
-}
-const verdict = (robot, wanted) => robot.until((name) => document.getElementById("twin-chip").dataset.verdict === name, `the verdict is '${wanted}'`, undefined, wanted);
-const channels = (robot) => robot.page.$$eval(".differences tbody tr", (rows) => rows.filter((row) => !row.hidden).map(({ dataset }) => dataset.channel));
-const sends = (fake) => fake.of("/simulation/twin/send");
+import test from "node:test";
+import { answered, channels, enter, hidden, pause, phone, picture, pixels, sends, set, there, verdict, withPage } from "./page_twin_page.mjs";
 
 test("the robot there is drawn as a second one, goes where it is measured, and can be hidden", () => withPage(async (robot, fake) => {
   await robot.says("twin-chip", "Real and simulated agree");
@@ -81,13 +29,13 @@ test("what is measured is faded when it is old, and gone when nothing is known",
   await pause(300);
   const old = await there(robot);
   assert.ok(old.count < fresh.count / 4, `${old.count} of ${fresh.count} pixels are as clear as before`);
-  const faint = await pixelsOf(robot.page, eye, "r > g * 1.06 && b > g * 1.02 && g > 120");
+  const faint = await pixels(robot, "r > g * 1.06 && b > g * 1.02 && g > 120");
   assert.ok(faint.count > 1500, `it is still to be seen: ${faint.count} pixels`);
   fake.twin.hears = true;
   await verdict(robot, "agree");
   fake.twin.knows = false;
   await pause(500);
-  assert.ok((await pixelsOf(robot.page, eye, "r > g * 1.06 && b > g * 1.02 && g > 120")).count < faint.count / 5, "nothing of it is drawn");
+  assert.ok((await pixels(robot, "r > g * 1.06 && b > g * 1.02 && g > 120")).count < faint.count / 5, "nothing of it is drawn");
 }));
 
 test("a difference above its limit is on top, and any channel is plotted with measured and simulated", () => withPage(async (robot, fake) => {
@@ -96,7 +44,7 @@ test("a difference above its limit is on top, and any channel is plotted with me
   fake.twin.differ("right_knee", 0.07);
   await verdict(robot, "differ");
   await robot.until(() => document.querySelector(".differences tbody tr")?.dataset.channel === "right_knee", "the right knee is on top");
-  await robot.says("twin-verdict", "1 of 27 differ. Most of all: right knee, 4.0° (limit 2.0°).");
+  await robot.says("twin-verdict", "1 of 29 differ. Most of all: right knee, 4.0° (limit 2.0°).");
   await robot.says("twin-chip", "right knee differs by 4.0°");
   await robot.says("twin-told", "right_knee is 4.0 deg from the simulated one");
   assert.ok(await robot.page.$eval('[data-channel="right_knee"]', (row) => row.classList.contains("above")));
@@ -104,6 +52,9 @@ test("a difference above its limit is on top, and any channel is plotted with me
   await robot.until(() => document.querySelector(".differences tbody tr")?.dataset.channel === "left foot", "the left foot is worse");
   await picture(robot, "twin_differs.png");
   assert.match(await robot.text("twin-told"), /^[\d.]+ s left foot is 40\.0 N.*right_knee/, "the newest first");
+  fake.twin.told.push([1.5, "connected"], [0.5, "motion kick: done"]);
+  await robot.says("twin-told", "0.5 s motion kick: done1.5 s connected");
+  assert.deepEqual(await robot.page.$$eval("#twin-told li", (all) => all.map((line) => line.classList.contains("warning"))), [false, false, true, true]);
   await robot.page.focus('[data-channel="right_knee"] button');
   await robot.page.keyboard.press("Enter");
   await robot.says("twin-plot-title", "right knee, °");
@@ -117,8 +68,14 @@ test("a difference above its limit is on top, and any channel is plotted with me
   assert.ok(drawn[1].limits > 20, `the limits are drawn: ${JSON.stringify(drawn)}`);
   assert.equal((await channels(robot)).length, 8);
   await enter(robot, "twin-all");
-  assert.equal((await channels(robot)).length, 28);
-  assert.equal((await channels(robot)).at(-1), "heading", "what is never told comes last");
+  assert.equal((await channels(robot)).length, 29);
+  fake.twin.differ("place x", 0.36);
+  fake.twin.differ("place y", 0.48);
+  fake.twin.off["left foot"] = fake.twin.off.right_knee = 0;
+  await robot.says("twin-chip", "stands 0.6 m beside");
+  await robot.says("twin-verdict", "Most of all: place y, 0.48 m (limit 0.25 m).");
+  await pause(1200);
+  await picture(robot, "twin_beside.png");
 }));
 
 test("what was driven is tried, does not pass, and is sent with a reason", () => withPage(async (robot, fake) => {
@@ -141,8 +98,9 @@ test("what was driven is tried, does not pass, and is sent with a reason", () =>
   fake.twin.falls = 3;
   fake.twin.judge();
   await robot.says("twin-sending", "Not sent");
-  await robot.says("twin-sending-text", "17 of 20 stayed up: seed 4 fell after 3.2 s, ahead");
-  assert.deepEqual(await robot.page.$eval(".robots", (row) => ["up", "fell"].map((kind) => row.querySelectorAll(`.${kind}`).length)), [17, 3]);
+  await robot.says("twin-sending-text", "17 of 20 simulated robots stayed up and did it; robot 4 fell after 3.20 s");
+  assert.deepEqual(await robot.page.$eval(".robots", (row) => ["up", "fell", "failed"].map((kind) => row.querySelectorAll(`.${kind}`).length)), [17, 1, 2]);
+  await robot.says("twin-robots", "17 stayed up and did it, 1 fell, 2 fell or did not do it");
   await robot.newsOf("Not sent: walk");
   await robot.until(() => document.getElementById("twin-worst").width === 480 && !document.querySelector(".worst").hidden, "the picture of the worst one");
   assert.deepEqual(await robot.page.$eval("#twin-worst", (canvas) => [...canvas.getContext("2d").getImageData(240, 180, 1, 1).data]), [220, 30, 30, 255]);
@@ -151,13 +109,14 @@ test("what was driven is tried, does not pass, and is sent with a reason", () =>
   await robot.page.focus("#twin-reason");
   await picture(robot, "twin_not_passed.png");
   await robot.page.keyboard.type("because w");
-  await enter(robot, "twin-nevertheless");
-  await robot.newsOf("The reason has 9 characters, and must have 10 at least: it is recorded");
+  await robot.says("twin-reason-note", "9 of 10 characters.");
+  assert.ok(await robot.page.$eval("#twin-nevertheless", (press) => press.disabled), "9 are too few");
   assert.equal(sends(fake).length, 1);
   await set(robot, "twin-forward", "0.01"); // what is typed meanwhile was not tried
   await robot.page.focus("#twin-reason");
   await robot.page.keyboard.press("End");
   await robot.page.keyboard.type("e hold it");
+  await robot.says("twin-reason-note", "18 characters. The reason is recorded with what is sent. It is tried again on simulated robots first");
   await enter(robot, "twin-nevertheless");
   await answered("it is sent with the reason", () => sends(fake).length === 2);
   assert.deepEqual(sends(fake)[1], { ...first, reason: "because we hold it" });
@@ -204,26 +163,47 @@ test("motions and the goal of the map are sent; what is wrong or refused is said
   assert.deepEqual(fake.of("/command/acquire"), [], "none of it wants the command of the simulated robot");
 }));
 
-test("the stop of the robot there is in its view always, and elsewhere while something is sent", () => withPage(async (robot, fake) => {
-  assert.ok(await hidden(robot, "twin-stop"), "nothing is sent");
+test("what was sent before its connection was lost is still of this page once it is back", () => withPage(async (robot, fake) => {
   await robot.tab("Twin");
-  assert.ok(!(await hidden(robot, "twin-stop")));
+  fake.losesAnswerOf = "/simulation/twin/send";
+  await enter(robot, "twin-send");
+  await robot.newsOf("Look whether it was carried out");
+  await robot.says("twin-sending", "Being tried");
+  fake.twin.falls = 1;
+  fake.twin.judge();
+  await robot.until(() => document.getElementById("twin-reason").checkVisibility(), "it is this page's");
+  assert.equal(sends(fake).length, 1, "it is not sent again by itself");
+  await robot.page.focus("#twin-reason");
+  await robot.page.keyboard.type("it hangs in its crane");
+  await enter(robot, "twin-nevertheless");
+  await answered("it is sent with the reason", () => sends(fake).length === 2);
+  assert.deepEqual(sends(fake)[1], { ...sends(fake)[0], reason: "it hangs in its crane" });
+}));
+
+test("who did not do it is not marked as fallen, and what fails before it was sent fails at the trial", () => withPage(async (robot, fake) => {
+  const stages = () => robot.page.$$eval(".stages li", (all) => all.map(({ className }) => className));
+  await robot.tab("Twin");
+  assert.equal(await robot.page.$eval("#twin-settings", ({ placeholder }) => placeholder), "stability.ankle_pitch=0.3");
+  assert.deepEqual(await robot.page.$eval("#twin-seconds", ({ min, max }) => [min, max]), ["0.5", "599"]);
+  await set(robot, "twin-seconds", "600");
+  await enter(robot, "twin-send");
+  await robot.newsOf("“for” is '600', and must be 0.5 … 599 s");
+  await set(robot, "twin-seconds", "599");
+  await enter(robot, "twin-send");
+  await answered("it is sent", () => sends(fake).length === 1);
+  Object.assign(fake.twin, { falls: 4, worstEnds: "; robot 2: the gait has no such step" });
+  fake.twin.judge();
+  await robot.says("twin-robots", "16 stayed up and did it, 4 did not do it");
+  assert.equal(await robot.page.$$eval(".robots .refused", (all) => all.length), 4);
+  assert.deepEqual(await stages(), ["good", "bad", ""]);
+  await robot.until(() => !document.querySelector(".worst").hidden, "the picture of the worst one");
+  await pause(300);
+  await picture(robot, "twin_refused_by_some.png");
   await enter(robot, "twin-send");
   await robot.says("twin-sending", "Being tried");
-  await robot.tab("Drive");
-  await robot.says("twin-stop", "being tried: walk 0.10 m/s, 10 s");
-  await picture(robot, "twin_sending_elsewhere.png");
-  fake.twin.judge();
-  await robot.says("twin-stop", "it does: walk 0.10 m/s, 10 s");
-  await robot.press("twin-stop");
-  await answered("it is stopped", () => fake.of("/simulation/twin/stop").length > 0);
-  await robot.newsOf("Stopped: walk 0.10 m/s, 10 s");
-  await robot.until(() => document.getElementById("twin-stop").hidden, "nothing is sent any more");
-  assert.equal(fake.of("/simulation/twin/stop").length, 1, "a press is one stop");
-  assert.deepEqual(fake.of("/stop"), [], "the simulated robot is not stopped by it");
-  await robot.tab("Twin");
-  await enter(robot, "twin-stop");
-  await answered("by the keyboard, too", () => fake.of("/simulation/twin/stop").length === 2);
+  fake.twin.fail("not tried: the robot walks and must stand");
+  await robot.says("twin-sending", "Failed");
+  assert.deepEqual(await stages(), ["bad", "", ""]);
 }));
 
 test("a lost link is told, a refused one can be tried again, and the robot is followed or not", () => withPage(async (robot, fake) => {
@@ -233,6 +213,10 @@ test("a lost link is told, a refused one can be tried again, and the robot is fo
   await robot.says("twin-link", "lost");
   await robot.says("twin-why", "nothing has come for 1.0 s");
   await robot.says("twin-send-why", "The robot there is not connected");
+  await robot.says("twin-stop", "it is not heard of");
+  await robot.press("twin-stop");
+  await answered("it can be told to stop all the same", () => fake.of("/simulation/twin/stop").length === 1);
+  await robot.newsOf("Stop the robot there: it is tried, but the robot there is not heard of");
   assert.ok(await robot.page.$eval("#twin-send", (press) => press.disabled));
   assert.ok(await hidden(robot, "twin-again"), "it tries by itself");
   await pause(300);
@@ -246,7 +230,10 @@ test("a lost link is told, a refused one can be tried again, and the robot is fo
   Object.assign(fake.twin, { follows: false, followsText: "the simulation is paused" });
   await robot.newsOf("The simulated robot does not follow any more: the simulation is paused");
   await robot.says("twin-follows-why", "It does not: the simulation is paused.");
-  await robot.says("twin-verdict", "the simulated robot does not do what the robot there does");
+  await robot.says("twin-verdict", "Not compared: the simulation is paused.");
+  await robot.says("twin-chip", "Not compared: the simulation is paused");
+  await pause(300);
+  await picture(robot, "twin_not_compared.png");
   await enter(robot, "twin-follow");
   await answered("it follows", () => fake.of("/simulation/twin/follow").at(-1)?.data === true);
   await robot.until(() => document.getElementById("twin-follow").getAttribute("aria-checked") === "true", "it is said that it does");

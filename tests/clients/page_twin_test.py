@@ -1,5 +1,5 @@
-"""Runs the test of the twin's part of the simulator's page in a browser (page_twin_test.mjs): the page against a simulator of the test's own,
-which has a twin, and the description that the real module serves."""
+"""Runs the tests of the twin's part of the simulator's page in a browser (page_twin_test.mjs, page_twin_stop_test.mjs): the page against a
+simulator of the test's own, which has a twin, and the description that the real module serves."""
 import os
 import subprocess
 import tempfile
@@ -14,7 +14,8 @@ with tempfile.TemporaryDirectory(prefix="gaitway_page_twin_") as folder:
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as module:
         try:
             assert any("serves ws" in line for line in module.stderr), "the module does not serve"
-            script = Path(__file__).with_name("page_twin_test.mjs")
-            subprocess.run([os.environ["GAITWAY_NODE"], "--test-reporter=spec", str(script), port], check=True, timeout=240)
+            for name in ("page_twin_test.mjs", "page_twin_stop_test.mjs"):
+                script = Path(__file__).with_name(name)
+                subprocess.run([os.environ["GAITWAY_NODE"], "--test-reporter=spec", str(script), port], check=True, timeout=140)
         finally:
             module.terminate()

@@ -10,7 +10,14 @@ function whenTouched(button: HTMLButtonElement, press: () => void): void {
   button.addEventListener("click", press);
 }
 
+// A robot that the stops of this one are for, too, while it is wanted.
+export interface OtherRobot {
+  readonly isToStop: () => boolean;
+  readonly stop: () => void;
+}
+
 export class StopBar {
+  other: OtherRobot | undefined;
   private readonly stopButton = byId<HTMLButtonElement>("stop");
   private readonly emergencyButton = byId<HTMLButtonElement>("emergency");
   private readonly releaseButton = byId<HTMLButtonElement>("release");
@@ -31,6 +38,7 @@ export class StopBar {
   }
 
   stop(): void {
+    this.stopOther();
     this.ended();
     this.tellIfPaused();
     void this.context.attempt("Stop", () => this.context.robot.stop("/stop"));
@@ -50,12 +58,21 @@ export class StopBar {
     this.emergencyButton.setAttribute("aria-pressed", String(stopped));
   }
 
+  // Whether a stop now is for another robot, too.
+  get stopsOther(): boolean {
+    return this.other?.isToStop() ?? false;
+  }
+  private stopOther(): void {
+    if (this.stopsOther) this.other?.stop();
+  }
+
   // A simulated robot whose time rests obeys when it goes on.
   private tellIfPaused(): void {
     if (this.context.freshness.pace === 0) this.context.news.say("The simulation is paused: the robot stops as soon as it plays on.", "plain", "stop while paused");
   }
 
   private emergencyStop(): void {
+    this.stopOther();
     this.ended();
     this.tellIfPaused();
     void this.context.attempt("Emergency stop", () => this.context.robot.stop("/emergency_stop", { data: false }));

@@ -21,7 +21,7 @@ test("the history has a minute, in the units that are shown", () => {
   near(simulated.at(-1), (0.1 * 180) / Math.PI);
   near(difference.at(-1), (0.8 * 180) / Math.PI);
   const place = history.of(1, 90);
-  near(place.measured[0], 10);
+  near(place.measured[0], 0.01);
   assert.deepEqual([place.simulated[0], place.difference[0]], [null, null], "what is not known is not 0");
 });
 

@@ -2,11 +2,13 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import type { Message } from "../src/rosbridge.ts";
-import { readRequest, readSettings, SentHere, withReason, type SendFields } from "../src/twin/send_request.ts";
+import { readRequest, readSettings, SentHere, whatOf, withReason, type SendFields } from "../src/twin/send_request.ts";
+import type { Sending } from "../src/twin/twin_state.ts";
 import { TwinOrders, wholePicture } from "../src/twin/twin_orders.ts";
 
 const bounds = { forward: 0.5, turn: 1.5 };
 const fields = (more: Partial<SendFields>): SendFields => ({ kind: "walk", forward: "0.2", left: "0", turn: "-0.1", seconds: "4", motion: "", goal: undefined, settings: "", ...more });
+const told = (sending: Sending, sendingWhat: string, picture = 0) => ({ sending, sendingWhat, sendingText: "", picture });
 const nothing = { walk: [], duration: 0, motion: "", goal: [], settings: [], reason: "" };
 
 test("fields make the one request that is chosen, with settings before it", () => {
@@ -20,7 +22,8 @@ test("what cannot be sent says which field, what it is and what it must be", () 
   const refused = (more: Partial<SendFields>, text: RegExp) => assert.throws(() => readRequest(fields(more), bounds), text);
   refused({ forward: "0.6" }, /“forward” is '0\.6', and must be -0\.5 … 0\.5 m\/s/);
   refused({ turn: "" }, /“turn” is ''/);
-  refused({ seconds: "0" }, /“for” is '0'/);
+  refused({ seconds: "0.4" }, /“for” is '0\.4', and must be 0\.5 … 599 s/);
+  refused({ seconds: "600" }, /“for” is '600'/);
   refused({ left: "0,1" }, /“left” is '0,1'/);
   refused({ forward: "0", turn: "0" }, /no speed/);
   refused({ kind: "motion" }, /No motion/);
@@ -38,13 +41,46 @@ test("a reason has ten characters", () => {
 test("only what this page has sent is sent nevertheless", () => {
   const sent = new SentHere();
   const request = readRequest(fields({}), bounds);
-  sent.told({ sending: "not passed", sendingWhat: "motion kick" });
+  const before = told("not passed", "motion kick");
+  sent.told(before);
   assert.equal(sent.requestOf("motion kick"), undefined, "it was another's");
-  sent.begun(withReason(request, "it is held by a crane"));
-  sent.told({ sending: "trying", sendingWhat: "walk 0.20 m/s, 4 s" });
-  sent.told({ sending: "trying", sendingWhat: "motion wave" });
-  assert.deepEqual(sent.requestOf("walk 0.20 m/s, 4 s"), request, "without the former reason");
+  sent.asks(withReason(request, "it is held by a crane"), before, 0);
+  sent.begun();
+  sent.told(before); // it was under way
+  assert.equal(sent.requestOf("motion kick"), undefined, "what was told before is not what was sent");
+  assert.ok(sent.isAsking(100), "it may have begun");
+  sent.told(told("trying", "walk 0.20 m/s ahead, …"));
+  assert.ok(!sent.isAsking(200), "it is told of");
+  sent.told(told("trying", "motion wave"));
+  assert.deepEqual(sent.requestOf("walk 0.20 m/s ahead, …"), request, "without the former reason");
   assert.equal(sent.requestOf("motion wave"), undefined);
+  sent.asks(readRequest(fields({ kind: "motion", motion: "wave" }), bounds), told("not passed", "walk 0.20 m/s ahead, …"), 300);
+  sent.refused();
+  assert.ok(!sent.isAsking(310));
+  assert.deepEqual(sent.requestOf("walk 0.20 m/s ahead, …"), request, "what was refused is not in its place");
+});
+
+test("what was sent is known by its name when its answer was lost with the connection", () => {
+  const request = readRequest(fields({ left: "0", turn: "0" }), bounds);
+  const [before, name] = [told("done", "walk 0.20 m/s, 4 s"), "walk 0.20 m/s, 4 s"];
+  const sent = new SentHere();
+  sent.asks(request, before, 0);
+  sent.told(before);
+  assert.equal(sent.requestOf(name), undefined, "it is what was done before");
+  sent.told(told("trying", "motion wave"));
+  assert.equal(sent.requestOf("motion wave"), undefined, "it is another's");
+  assert.ok(sent.isAsking(5900) && !sent.isAsking(6100), "what begins does so within that time");
+  sent.told(told("not passed", name, 3));
+  assert.deepEqual(sent.requestOf(name), request);
+});
+
+test("what is sent has the name that the twin gives it", () => {
+  const name = (more: Partial<SendFields>) => whatOf(readRequest(fields(more), bounds));
+  assert.equal(name({ left: "0", turn: "0", seconds: "10.5" }), "walk 0.20 m/s, 10.5 s");
+  assert.equal(name({ settings: "a.b=1\nc.d=2" }), "a.b=1, c.d=2, then walk 0.20 m/s ahead, 0.00 to the left, -0.10 rad/s, 4 s");
+  assert.equal(name({ kind: "motion", motion: "kick" }), "motion kick");
+  assert.equal(name({ kind: "goal", goal: { x: 1.2, y: 0.5, yaw: Math.PI / 2 } }), "way to 1.20 m, 0.50 m, 90 deg");
+  assert.equal(name({ kind: "settings", settings: "a.b=1" }), "a.b=1");
 });
 
 // Of the picture that there is at the first, second, … call; the last one stays.

@@ -2,14 +2,14 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { agreementOf, valueText, worstFirst } from "../src/twin/agreement.ts";
-import { tidingsOf } from "../src/twin/tidings.ts";
+import { isWarning, tidingsOf } from "../src/twin/tidings.ts";
 import { isBusy, readTwin } from "../src/twin/twin_state.ts";
 import type { Message } from "../src/rosbridge.ts";
 
 const message = (more: Message = {}): Message => ({
   robot: "ws://10.0.0.7:9090", state: "connected", text: "", age: 0.04, activity: "walks", commander: "page 07ab", follows: true, follows_text: "", base: [1, 2, 0.4, 0, 0, 0, 1], joints: [0.1, null],
   lag: 0.14, channels: ["left_knee", "pitch", "left foot", "place", "heading"], units: ["rad", "rad", "N", "m", "rad"], measured: [0.5, 0.01, 30, 0.002, null], simulated: [0.44, 0.02, 35, 0, 1],
-  difference: [0.06, 0.01, 5, null, 0.2], limits: [0.035, 0.05, 4, 0.05, 0], told_times: [3, 9], told_texts: ["earlier", "later"],
+  difference: [0.06, 0.01, 5, null, 0.2], limits: [0.035, 0.05, 4, 0.05, 0], told_times: [9, 3], told_texts: ["earlier", "later"],
   sending: "idle", sending_what: "", sending_text: "", passed: 0, tried: 0, picture: 0, ...more,
 });
 const state = (more: Message = {}) => readTwin(message(more));
@@ -20,7 +20,7 @@ test("the state reads as it was told, what was told last comes first", () => {
   assert.deepEqual(read.base, { place: [1, 2, 0.4], turn: [0, 0, 0, 1] });
   assert.deepEqual(read.joints, [0.1, NaN], "a joint that is not known is not at 0");
   assert.deepEqual(read.channels[0], { name: "left_knee", unit: "rad", measured: 0.5, simulated: 0.44, difference: 0.06, limit: 0.035 });
-  assert.deepEqual(read.told, [{ at_s: 9, text: "later" }, { at_s: 3, text: "earlier" }]);
+  assert.deepEqual(read.told, [{ at_s: 3, text: "later" }, { at_s: 9, text: "earlier" }], "in the order of the message, whatever the times");
 });
 
 test("null is not known, and never 0", () => {
@@ -45,7 +45,7 @@ test("the worst share of its limit comes first; what is not known or never told 
 
 test("values have the units that people read", () => {
   assert.deepEqual([valueText(0.06, "rad"), valueText(-0.06, "rad"), valueText(0.0123, "m"), valueText(34.4, "N"), valueText(0.5, "A"), valueText(NaN, "rad"), valueText(-0.0001, "rad")],
-    ["3.4°", "−3.4°", "12 mm", "34 N", "0.50 A", "–", "0.0°"]);
+    ["3.4°", "−3.4°", "0.01 m", "34 N", "0.50 A", "–", "0.0°"]);
 });
 
 test("the verdict is of what is known now, and only of that", () => {
@@ -55,12 +55,32 @@ test("the verdict is of what is known now, and only of that", () => {
   assert.equal(differ.short, "left knee differs by 3.4°");
   const agree = agreementOf(state({ difference: [0.007, 0.01, 1, 0, 3] }), 0.04);
   assert.deepEqual([agree.verdict, agree.short], ["agree", "Real and simulated agree"]);
-  const none = agreementOf(state({ difference: [], follows: false }), 0.04);
-  assert.equal(none.verdict, "unknown");
-  assert.match(none.text, /does not do what the robot there does/);
+  for (const difference of [[], [0.06, 0.01, 5, null, 0.2]]) {
+    const none = agreementOf(state({ difference, follows: false }), 0.04);
+    assert.deepEqual([none.verdict, none.short], ["unknown", "Not compared"]);
+    assert.match(none.text, /^Not compared: the simulated robot does not do what the robot there does/);
+    const why = agreementOf(state({ difference, follows: false, follows_text: "the simulation is paused" }), 0.04);
+    assert.deepEqual([why.verdict, why.short, why.text], ["unknown", "Not compared: the simulation is paused", "Not compared: the simulation is paused."]);
+  }
   assert.equal(agreementOf(state({ difference: [] }), 0.04).verdict, "unknown");
   for (const age_s of [0.51, NaN]) assert.equal(agreementOf(state(), age_s).verdict, "lost", "it is old");
   assert.deepEqual(["connecting", "lost", "refused"].map((link) => agreementOf(state({ state: link }), 0.04).verdict), ["lost", "lost", "lost"]);
+});
+
+test("a place and a heading that differ are told as people say it", () => {
+  const more = { channels: ["left_knee", "place x", "place y", "heading"], units: ["rad", "m", "m", "rad"], limits: [0.035, 0.25, 0.25, 0.349] };
+  const agreement = (difference: (number | null)[]) => agreementOf(state({ ...more, difference }), 0.04);
+  assert.equal(agreement([0.01, 0.36, 0.48, 0.1]).short, "stands 0.6 m beside");
+  assert.equal(agreement([0.01, 0.36, 0.48, 0.1]).text, "2 of 4 differ. Most of all: place y, 0.48 m (limit 0.25 m).");
+  assert.equal(agreement([0.01, null, 0.3, 0.1]).short, "stands 0.3 m beside");
+  assert.equal(agreement([0.01, 0, 0, 0.5]).short, "looks 29° aside");
+  assert.equal(agreement([0.01, 0.1, 0.1, 0.1]).verdict, "agree");
+});
+
+test("a link that is there and what was done are no warnings", () => {
+  assert.deepEqual(["connected", "connected: release 1", "motion kick: done", "motion kick: done: 20 of 20 simulated robots stayed up and did it"].filter(isWarning), []);
+  const warnings = ["lost: nothing has come for 1.0 s", "left_knee by 3.4 deg", "motion kick: failed: it is not done yet", "motion kick: not passed: 17 of 20", "disconnected"];
+  assert.deepEqual(warnings.filter(isWarning), warnings);
 });
 
 test("people are told what changes, once", () => {

@@ -48,7 +48,8 @@ class Simulator {
     const { scene, canvas, tools, tabs } = place;
     const orders = new SimulationOrders(context.robot);
     this.picture = new SimulatorPicture(scene, context.description, context.token());
-    this.way = new WayTool(context, orders, this.picture, scene, canvas, tools, () => this.state?.state === "playing");
+    const plays = () => this.state?.state === "playing";
+    this.way = new WayTool(context, orders, this.picture, scene, canvas, tools, plays, () => plays() || place.stops.stopsOther || document.querySelector("dialog[open]") !== null);
     const faults = faultsTab(context, orders);
     const things = thingsTab(context, orders, this.picture, canvas, tools);
     tabs.add(things, faults);
@@ -72,7 +73,7 @@ class Simulator {
     byId("picture").append(this.way.card.box);
     document.querySelector(".legend")?.append(element("li", { class: "left-step" }, "left step"), element("li", { class: "right-step" }, "right step"));
     scene.zoom(firstZoom);
-    this.lookAtTwin = watchForTwin(context, { picture: this.picture, tabs, goal: () => this.way.goal, walk: () => place.driver.lastWalk.walk });
+    this.lookAtTwin = watchForTwin(context, { picture: this.picture, tabs, stops: place.stops, goal: () => this.way.goal, walk: () => place.driver.lastWalk.walk });
     this.way.tool.setOn(true); // the first that somebody wants to do
   }
 

@@ -20,7 +20,7 @@ export class WayTool {
   private drawn: FootstepPlan | undefined;
   private drawnGoal: Goal | undefined;
 
-  // `plays`: the simulator plays, or is made to.
+  // `plays`: the simulator plays, or is made to. `escapeStops`: Escape is a stop, whatever else it breaks off.
   constructor(
     private readonly context: Context,
     private readonly orders: SimulationOrders,
@@ -29,6 +29,7 @@ export class WayTool {
     canvas: HTMLCanvasElement,
     tools: PictureTools,
     private readonly plays: () => boolean,
+    private readonly escapeStops: () => boolean,
   ) {
     this.planner = new WayPlanner((goal) => orders.plan(goal));
     this.card = new WayCard(this.planner, { walk: () => this.walk(), cancel: () => this.planner.discard(), leave: () => this.leave() });
@@ -47,9 +48,9 @@ export class WayTool {
     };
     this.planner.onChange = () => this.show();
     context.robot.subscribe(wayTopic.name, wayTopic.type, 0, (message) => this.planner.take(readWay(message)));
-    // A stop goes further, unless nothing moves.
+    // A stop goes further, unless nothing is there to be stopped.
     window.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || !this.breakOff() || this.plays()) return;
+      if (event.key !== "Escape" || !this.breakOff() || this.escapeStops()) return;
       event.preventDefault();
       event.stopImmediatePropagation();
     }, { capture: true });

@@ -2,6 +2,7 @@
 import type { Context, Tab } from "../context.ts";
 import { element } from "../dom.ts";
 import type { Goal } from "../simulator/footstep_plan.ts";
+import { Refused } from "../rosbridge.ts";
 import { worstFirst, type Agreement } from "../twin/agreement.ts";
 import { ChannelPlot } from "../twin/channel_plot.ts";
 import { DifferenceTable } from "../twin/difference_table.ts";
@@ -10,6 +11,7 @@ import { SendForm } from "../twin/send_form.ts";
 import { SendingCard } from "../twin/sending_card.ts";
 import { SentHere, withReason, type SendRequest } from "../twin/send_request.ts";
 import { StatusCard } from "../twin/status_card.ts";
+import { isWarning } from "../twin/tidings.ts";
 import type { TwinHistory } from "../twin/twin_history.ts";
 import type { TwinOrders } from "../twin/twin_orders.ts";
 import { isBusy, type TwinState } from "../twin/twin_state.ts";
@@ -31,7 +33,7 @@ export class TwinTab implements Tab {
   private readonly plot = new ChannelPlot();
   private readonly table: DifferenceTable;
   private readonly told = element("ol", { class: "events told", id: "twin-told" });
-  private readonly noneTold = element("p", { class: "note" }, "No difference has been told yet.");
+  private readonly noneTold = element("p", { class: "note" }, "Nothing has been told yet.");
   private readonly form: SendForm;
   private readonly sending: SendingCard;
   private readonly sent = new SentHere();
@@ -71,11 +73,15 @@ export class TwinTab implements Tab {
   take(state: TwinState): void {
     this.sent.told(state);
   }
+  // Something was asked for that may have begun without having been told of yet.
+  isAsking(now_ms: number): boolean {
+    return this.sent.isAsking(now_ms);
+  }
 
   look(now_ms: number): void {
     const { state, agreement, age_s, silent } = this.now();
     this.status.show(state, agreement, age_s, silent);
-    for (const box of [this.table.box, this.plot.box]) box.classList.toggle("was", agreement.verdict === "lost");
+    for (const box of [this.table.box, this.plot.box]) box.classList.toggle("was", agreement.verdict === "lost" || agreement.verdict === "unknown");
     this.table.show(state.channels, now_ms);
     this.chosen ??= worstFirst(state.channels)[0]?.name;
     const index = state.channels.findIndex(({ name }) => name === this.chosen);
@@ -111,10 +117,21 @@ export class TwinTab implements Tab {
   }
 
   private async send(request: SendRequest): Promise<void> {
-    const begun = await this.context.attempt("Send to the robot there", () => this.orders.send(request), "it is tried on simulated robots first");
+    this.sent.asks(request, this.now().state, performance.now());
+    const begun = await this.context.attempt("Send to the robot there", () => this.ask(request), "it is tried on simulated robots first");
     if (!begun) return;
-    this.sent.begun(request);
     this.wantsToBeSeen = true;
+  }
+
+  // What was not answered may have begun all the same.
+  private async ask(request: SendRequest): Promise<void> {
+    try {
+      await this.orders.send(request);
+      this.sent.begun();
+    } catch (error) {
+      if (error instanceof Refused) this.sent.refused();
+      throw error;
+    }
   }
 
   private sendNevertheless(reason: string): void {
@@ -132,17 +149,17 @@ export class TwinTab implements Tab {
     if (key === this.toldKey) return;
     this.toldKey = key;
     this.noneTold.hidden = told.length > 0;
-    this.told.replaceChildren(...told.map(({ at_s, text }) => element("li", { class: "warning" }, element("span", { class: "number" }, `${at_s.toFixed(1)} s `), text)));
+    this.told.replaceChildren(...told.map(({ at_s, text }) => element("li", { class: isWarning(text) ? "warning" : "" }, element("span", { class: "number" }, Number.isFinite(at_s) ? `${at_s.toFixed(1)} s ` : "– "), text)));
   }
 
   private keepPicture({ picture, sending }: TwinState, now_ms: number): void {
     if (picture === this.picture || now_ms - this.pictureFailed_ms < again_ms || sending === "trying") return;
     this.picture = picture;
     if (picture === 0) {
-      this.sending.hidePicture();
+      this.sending.worst.hide();
       return;
     }
-    this.orders.picture().then((png) => this.sending.showPicture(png)).catch((error: Error) => {
+    this.orders.picture().then((png) => this.sending.worst.show(png)).catch((error: Error) => {
       this.picture = 0;
       this.pictureFailed_ms = performance.now();
       this.context.news.say(`The picture of the worst simulated robot does not come: ${error.message}`, "bad", "twin picture");

@@ -4,14 +4,14 @@ import { oldAfter_s } from "./twin_state.ts";
 
 const shownUnits: Record<string, { unit: string; times: number; decimals: number }> = {
   rad: { unit: "°", times: 180 / Math.PI, decimals: 1 },
-  m: { unit: "mm", times: 1000, decimals: 0 },
+  m: { unit: "m", times: 1, decimals: 2 },
   N: { unit: "N", times: 1, decimals: 0 },
 };
 
 export const spoken = (name: string) => name.replaceAll("_", " ");
 export const unitOf = (unit: string) => shownUnits[unit] ?? { unit, times: 1, decimals: 2 };
 
-// "3.4°", "12 mm"; a dash where it is not known.
+// "3.4°", "0.12 m"; a dash where it is not known.
 export function valueText(value: number, unit: string): string {
   if (!Number.isFinite(value)) return "–";
   const shown = unitOf(unit);
@@ -40,20 +40,27 @@ export interface Agreement {
   short: string; // a few words
 }
 
+// Of a difference of place or heading, in a few words; undefined: it is of something else.
+function placedWords({ name, difference }: Channel, channels: readonly Channel[]): string | undefined {
+  if (name === "heading") return `looks ${((difference * 180) / Math.PI).toFixed(0)}° aside`;
+  if (!name.startsWith("place")) return undefined;
+  const apart_m = Math.hypot(...channels.filter((one) => one.name.startsWith("place") && Number.isFinite(one.difference)).map((one) => one.difference));
+  return `stands ${apart_m.toFixed(1)} m beside`;
+}
+
 const words = { connecting: "is being connected", lost: "is lost", refused: "has been refused" } as const;
 
 // `age_s`: of what was measured, by now.
-export function agreementOf({ link, channels, follows }: TwinState, age_s: number): Agreement {
+export function agreementOf({ link, channels, follows, followsText }: TwinState, age_s: number): Agreement {
   if (link !== "connected") return { verdict: "lost", text: `Nothing is compared: the robot there ${words[link]}.`, short: `Robot there: ${link}` };
   if (!(age_s <= oldAfter_s)) return { verdict: "lost", text: "Nothing is compared: the robot there tells nothing new.", short: "Robot there: old" };
+  if (!follows) return { verdict: "unknown", text: `Not compared: ${followsText || "the simulated robot does not do what the robot there does"}.`, short: followsText ? `Not compared: ${followsText}` : "Not compared" };
   const judged = worstFirst(channels).filter((channel) => Number.isFinite(shareOf(channel)));
   const [worst] = judged;
-  if (!worst) {
-    const why = follows ? "nothing is known of the last 2 s yet" : "the simulated robot does not do what the robot there does";
-    return { verdict: "unknown", text: `Nothing is compared: ${why}.`, short: "Not compared" };
-  }
+  if (!worst) return { verdict: "unknown", text: "Not compared: nothing is known of the last 2 s yet.", short: "Not compared yet" };
+  const [name, by] = [spoken(worst.name), valueText(worst.difference, worst.unit)];
   const above = judged.filter(isAbove).length;
-  const what = `${spoken(worst.name)}, ${valueText(worst.difference, worst.unit)} (limit ${valueText(worst.limit, worst.unit)})`;
+  const what = `${name}, ${by} (limit ${valueText(worst.limit, worst.unit)})`;
   if (above === 0) return { verdict: "agree", text: `Real and simulated agree. The largest difference: ${what}.`, short: "Real and simulated agree" };
-  return { verdict: "differ", text: `${above} of ${judged.length} differ. Most of all: ${what}.`, short: `${spoken(worst.name)} differs by ${valueText(worst.difference, worst.unit)}` };
+  return { verdict: "differ", text: `${above} of ${judged.length} differ. Most of all: ${what}.`, short: placedWords(worst, channels) ?? `${name} differs by ${by}` };
 }

@@ -4,12 +4,12 @@ import { button, element, setText } from "../dom.ts";
 import { goalText, type Goal } from "../simulator/footstep_plan.ts";
 import { spoken } from "./agreement.ts";
 import type { Walk } from "./last_walk.ts";
-import { readRequest, type SendKind, type SendRequest } from "./send_request.ts";
+import { exampleSetting, longest_s, readRequest, shortest_s, type SendKind, type SendRequest } from "./send_request.ts";
 
 const kinds: readonly (readonly [SendKind, string])[] = [["walk", "Walk"], ["motion", "Motion"], ["goal", "Goal on the map"], ["settings", "Settings only"]];
 
-function numberField(id: string, name: string, unit: string, value: number, step: number): { label: HTMLElement; input: HTMLInputElement } {
-  const input = element("input", { id: `twin-${id}`, type: "number", step, value, inputmode: "text" });
+function numberField(id: string, name: string, unit: string, value: number, step: number, bounds: { min?: number; max?: number } = {}): { label: HTMLElement; input: HTMLInputElement } {
+  const input = element("input", { id: `twin-${id}`, type: "number", step, value, ...bounds, inputmode: "text" });
   return { label: element("label", { for: `twin-${id}` }, name, input, unit), input };
 }
 
@@ -18,11 +18,11 @@ export class SendForm {
   private readonly forward = numberField("forward", "forward", "m/s", 0.1, 0.01);
   private readonly left = numberField("left", "left", "m/s", 0, 0.01);
   private readonly turn = numberField("turn", "turn", "rad/s", 0, 0.01);
-  private readonly seconds = numberField("seconds", "for", "s", 10, 0.1);
+  private readonly seconds = numberField("seconds", "for", `s (${shortest_s} to ${longest_s})`, 10, 0.1, { min: shortest_s, max: longest_s });
   private readonly walkFrom = element("p", { class: "note", id: "twin-walk-from" });
   private readonly motion: HTMLSelectElement;
   private readonly goalShown = element("p", { id: "twin-goal" });
-  private readonly settings = element("textarea", { id: "twin-settings", rows: 2, spellcheck: false, autocomplete: "off", autocapitalize: "off", placeholder: "trajectory.step_time=0.3" });
+  private readonly settings = element("textarea", { id: "twin-settings", rows: 2, spellcheck: false, autocomplete: "off", autocapitalize: "off", placeholder: exampleSetting });
   private readonly submit = element("button", { type: "submit", class: "primary send", id: "twin-send" }, "Try on 20 and send");
   private readonly why = element("p", { class: "note", id: "twin-send-why", role: "status" });
   private readonly parts: Record<SendKind, HTMLElement>;
@@ -83,7 +83,7 @@ export class SendForm {
     this.forward.input.value = String(walk.forward);
     this.left.input.value = String(walk.left);
     this.turn.input.value = String(walk.turn);
-    this.seconds.input.value = String(walk.duration_s);
+    this.seconds.input.value = String(Math.min(walk.duration_s, longest_s));
     setText(this.walkFrom, "As it was driven here last.");
   }
 

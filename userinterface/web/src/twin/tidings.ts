@@ -8,6 +8,9 @@ export interface Tiding {
   weight: Weight;
 }
 
+// Of what the twin told: all but a link that is there, and something that the robot there has done.
+export const isWarning = (told: string) => !/^connected\b|\bdone$|: done: /.test(told);
+
 const because = (text: string) => (text ? `: ${text}` : "");
 
 function ofLink(before: TwinState, { link, text, robot }: TwinState): Tiding[] {

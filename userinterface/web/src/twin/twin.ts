@@ -5,6 +5,7 @@ import { button, byId, element, setText } from "../dom.ts";
 import type { SimulatorPicture } from "../scene/simulator_picture.ts";
 import { TwinRobot } from "../scene/twin_robot.ts";
 import type { Goal } from "../simulator/footstep_plan.ts";
+import type { StopBar } from "../stop_bar.ts";
 import type { TabBar } from "../tab_bar.ts";
 import { TwinTab, type TwinNow } from "../tabs/twin_tab.ts";
 import { agreementOf } from "./agreement.ts";
@@ -13,11 +14,12 @@ import { StopThere } from "./stop_there.ts";
 import { tidingsOf } from "./tidings.ts";
 import { TwinHistory } from "./twin_history.ts";
 import { TwinOrders } from "./twin_orders.ts";
-import { oldAfter_s, readTwin, silentAfter_ms, twinTopic, type TwinState } from "./twin_state.ts";
+import { isBusy, oldAfter_s, readTwin, silentAfter_ms, twinTopic, type TwinState } from "./twin_state.ts";
 
 export interface TwinPlace {
   picture: SimulatorPicture;
   tabs: TabBar;
+  stops: StopBar;
   goal: () => Goal | undefined; // that is chosen on the map
   walk: () => Walk | undefined; // that was driven here last
 }
@@ -44,6 +46,7 @@ class Twin {
     this.tab = new TwinTab(context, orders, this.history, () => this.now(performance.now()), place);
     tabs.add(this.tab);
     this.stop = new StopThere(context, orders);
+    place.stops.other = { isToStop: () => isBusy(this.state) || this.tab.isAsking(performance.now()), stop: () => this.stop.too() };
     this.toggle = button("Twin", () => this.setShown(this.toggle.getAttribute("aria-pressed") !== "true"), {
       id: "twin-show", class: "twin-show", "aria-pressed": "true", title: "Show the robot there, as measured" });
     this.chip = button("", () => tabs.open(this.tab), { id: "twin-chip", class: "twin-chip", title: "Open the view of the twin" });

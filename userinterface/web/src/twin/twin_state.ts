@@ -33,7 +33,7 @@ export interface TwinState {
   joints: readonly number[] | undefined; // rad, measured
   lag_s: number; // that the simulated robot is behind
   channels: readonly Channel[];
-  told: readonly { at_s: number; text: string }[]; // by the clock of the robot there, the newest first
+  told: readonly { at_s: number; text: string }[]; // s since the simulator's start; the newest first: as they were told, backwards
   sending: Sending;
   sendingWhat: string;
   sendingText: string;
@@ -82,7 +82,7 @@ export function readTwin(message: Message): TwinState {
     joints: joints.length > 0 ? joints : undefined,
     lag_s: known(message["lag"]),
     channels: readChannels(message),
-    told: numbers(message["told_times"]).map((at_s, index) => ({ at_s, text: text(toldTexts[index]) })).sort((a, b) => b.at_s - a.at_s),
+    told: numbers(message["told_times"]).map((at_s, index) => ({ at_s, text: text(toldTexts[index]) })).reverse(),
     sending: sendings.find((one) => one === sending) ?? "idle",
     sendingWhat: text(message["sending_what"]),
     sendingText: text(message["sending_text"]),
