@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "gaitway/input/number.hpp"
+
 namespace gaitway::behaviour {
 namespace {
 
