@@ -223,7 +223,7 @@ class NodeReader {
     } else if (spec.direction != PortDirection::input) {
       complain(line, spec.name, value, "is an output: must name an entry of the blackboard",
                value.empty() ? "Write {key}" : fmt::format("Write {{{}}}", value));
-    } else if (spec.type.kind == ValueKind::any) {
+    } else if (node.type == NodeType::set_blackboard || node.type == NodeType::switch_cases) {
       port = {PortText::Kind::untyped, line, value};
     } else {
       read_constant(spec, value, line, port);

@@ -117,6 +117,22 @@ TEST_F(Blackboards, CopiesGiveEntriesOneType) {
   EXPECT_DOUBLE_EQ(number(run, "d"), 0.7);
 }
 
+// Succeeds where its port holds the text "7" or the number 7.
+class Seven final : public Condition {
+ public:
+  bool holds(Call& call) noexcept override {
+    return call.value(0) == Value(Text("7")) || call.value(0) == Value(7.0);
+  }
+};
+
+TEST_F(Blackboards, APortOfAnyTypeHasWhatItsEntryHolds) {
+  script_.registry().add_condition({.id = "Seven", .ports = {{.name = "x"}}},
+                                   [] { return std::make_unique<Seven>(); });
+  Tree run = tree(
+      R"(<BehaviorTree ID="M"><Sequence><Seven x="7"/><Put what="7 m" to="{x}"/><Seven x="{x}"/></Sequence></BehaviorTree>)");
+  EXPECT_EQ(run.tick(0), NodeStatus::success);
+}
+
 TEST_F(Blackboards, CountsAndTimesComeFromEntriesToo) {
   Tree run = tree(
       R"(<BehaviorTree ID="M"><Sequence><SetBlackboard value="2" output_key="n"/><Repeat num_cycles="{n}"><A/></Repeat>
