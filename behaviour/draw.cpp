@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMargin = 20.0, kGap = 10.0, kColumnGap = 44.0, kHeading = 34.0, kLegend = 40.0;
 constexpr double kStripe = 7.0, kPadding = 9.0, kNameLine = 18.0, kPortLine = 15.0, kNarrowest = 84.0;
-constexpr double kNameLetter = 8.3, kPortLetter = 6.7;  // mean widths at 13 px bold and 11 px
+constexpr double kNameLetter = 9.2, kPortLetter = 6.7;  // mean widths at 13 px bold and 11 px
 constexpr std::size_t kLongestLine = 36, kMostPorts = 6;
 constexpr std::array<std::string_view, 5> kKindColours{"#3f6fb5", "#8a5bb0", "#6b7280", "#c08a1e", "#2a8f83"};
 struct Look {
@@ -56,13 +56,13 @@ struct Box {
   std::string title;               // what it is
   std::vector<std::string> lines;  // its name, if it has one of its own, and its ports
   double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
-  double span = 0.0;  // with all that is below it
 };
 
 Box box_of(const DescribedNode& node) {
   Box box;
   box.title = one_line(node.kind == NodeKind::sub_tree ? "SubTree " + node.id : node.id);
-  if (node.segment != node.id) box.lines.push_back(one_line("\u201C" + node.segment + "\u201D"));
+  if (node.segment != node.id && !node.segment.starts_with(node.id + "#"))
+    box.lines.push_back(one_line("\u201C" + node.segment + "\u201D"));
   for (const auto& [port, value] : node.written) {
     if (box.lines.size() > kMostPorts) {
       box.lines.emplace_back("\u2026");
@@ -120,28 +120,52 @@ class Picture {
     width_ = std::max(kNarrowestPicture, left.back() - kColumnGap + kMargin);
   }
 
-  // Children lie below each other, their parent beside their middle. In pre-order a pass from behind meets
-  // children before their parents, and one from the front the other way round.
+  // Children lie below each other, their parent beside their middle, all as high as the columns allow
+  // (Wetherell and Shannon 1979): what is shallow lies beside what is deep.
   void place_rows() {
-    std::vector<double> children(boxes_.size(), 0.0);
-    for (std::size_t i = boxes_.size(); i-- > 0;) {
-      boxes_[i].span = std::max(boxes_[i].height + kGap, children[i]);
-      const NodeIndex parent = description_.nodes[i].parent;
-      if (parent != kNoNode) children[static_cast<std::size_t>(parent)] += boxes_[i].span;
-    }
-    std::vector<double> next(boxes_.size());  // where the next child's span begins
     const double top = kMargin + kHeading;
+    free_.assign(boxes_.size() + 1, top);
+    lowered_.assign(boxes_.size(), 0.0);
+    deepest_.assign(boxes_.size(), 0);
+    std::vector<std::size_t> open;  // a node is placed when all below it are
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      const NodeIndex parent = description_.nodes[i].parent;
-      double begin = top;
-      if (parent != kNoNode) {
-        begin = next[static_cast<std::size_t>(parent)];
-        next[static_cast<std::size_t>(parent)] += boxes_[i].span;
+      while (!open.empty() && static_cast<NodeIndex>(i) >= description_.nodes[open.back()].end) {
+        place(open.back());
+        open.pop_back();
       }
-      next[i] = begin + (boxes_[i].span - children[i]) / 2.0;
-      boxes_[i].y = begin + (boxes_[i].span - boxes_[i].height) / 2.0;
+      open.push_back(i);
     }
-    height_ = top + boxes_[0].span + kLegend + kMargin;
+    for (; !open.empty(); open.pop_back()) place(open.back());
+    for (std::size_t i = 1; i < boxes_.size(); ++i) {  // what was lowered takes along what is below it
+      const auto parent = static_cast<std::size_t>(description_.nodes[i].parent);
+      boxes_[i].y += lowered_[parent];
+      lowered_[i] += lowered_[parent];
+    }
+    double bottom = top;
+    for (const Box& box : boxes_) bottom = std::max(bottom, box.y + box.height);
+    height_ = bottom + kLegend + kMargin;
+  }
+
+  void place(std::size_t node) {
+    const DescribedNode& described = description_.nodes[node];
+    const auto column = static_cast<std::size_t>(described.depth);
+    Box& box = boxes_[node];
+    box.y = free_[column];
+    deepest_[node] = column;
+    if (described.children > 0) {
+      const Box& first = boxes_[node + 1];
+      std::size_t last = node + 1;
+      for (NodeIndex i = static_cast<NodeIndex>(last); i != kNoNode;
+           i = description_.nodes[last].next_sibling) {
+        last = static_cast<std::size_t>(i);
+        deepest_[node] = std::max(deepest_[node], deepest_[last]);
+      }
+      const double middle = (first.y + first.height / 2.0 + boxes_[last].y + boxes_[last].height / 2.0) / 2.0;
+      lowered_[node] = std::max(0.0, box.y - (middle - box.height / 2.0));
+      box.y = middle - box.height / 2.0 + lowered_[node];
+      for (std::size_t i = column + 1; i <= deepest_[node]; ++i) free_[i] += lowered_[node];
+    }
+    free_[column] = box.y + box.height + kGap;
   }
 
   void draw_line(std::size_t i) {
@@ -188,32 +212,37 @@ class Picture {
   }
 
   void draw_legend() {
-    double x = kMargin;
-    const double y = height_ - kMargin;
-    auto out = std::back_inserter(text_);
-    const auto sample = [&](std::string_view fill, std::string_view edge, std::string_view what) {
-      fmt::format_to(
-          out,
-          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"14\" rx=\"3\" fill=\"{}\" stroke=\"{}\"/>"
-          "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" fill=\"#475061\">{}</text>\n",
-          x, y - 12.0, fill, edge, x + 20.0, y, what);
-      x += 38.0 + 7.4 * static_cast<double>(what.size());
-    };
+    legend_x_ = kMargin;
     if (statuses_.empty()) {
       for (std::size_t kind = 0; kind < kKindColours.size(); ++kind) {
-        sample(kKindColours[kind], kKindColours[kind], name(static_cast<NodeKind>(kind)));
+        draw_sample({kKindColours[kind], kKindColours[kind], ""}, name(static_cast<NodeKind>(kind)));
       }
     } else {
       for (std::size_t status = 0; status < kLooks.size(); ++status) {
-        sample(kLooks[status].fill, kLooks[status].edge, name(static_cast<NodeStatus>(status)));
+        draw_sample(kLooks[status], name(static_cast<NodeStatus>(status)));
       }
     }
+  }
+
+  void draw_sample(const Look& look, std::string_view what) {
+    const double y = height_ - kMargin;
+    fmt::format_to(
+        std::back_inserter(text_),
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"16\" height=\"16\" rx=\"3\" fill=\"{}\" stroke=\"{}\"/>"
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"11\" text-anchor=\"middle\" fill=\"{}\">{}</text>"
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" fill=\"#475061\">{}</text>\n",
+        legend_x_, y - 12.0, look.fill, look.edge, legend_x_ + 8.0, y, look.edge, look.mark, legend_x_ + 22.0,
+        y, what);
+    legend_x_ += 40.0 + 7.4 * static_cast<double>(what.size());
   }
 
   const Description& description_;
   std::span<const NodeStatus> statuses_;
   std::vector<Box> boxes_;
-  double width_ = 0.0, height_ = 0.0;
+  std::vector<double> free_;          // of each column, where the next box may begin
+  std::vector<double> lowered_;       // of each node, how far those below it still have to be
+  std::vector<std::size_t> deepest_;  // of each node, the last column that it reaches with those below it
+  double width_ = 0.0, height_ = 0.0, legend_x_ = 0.0;
   std::string text_;
 };
 
