@@ -84,6 +84,18 @@ void BlackboardLayout::write_later(std::size_t binding, std::int64_t typed_by, c
   waiting_.push_back({binding, typed_by, text.text, std::string(field), text.line, node});
 }
 
+// No value leaves the range that all ports take which are connected with an entry.
+void BlackboardLayout::narrow(ValueType& type, const Use& use, int first_line) {
+  const bool possible = type.lowest <= type.highest;
+  type.lowest = std::max(type.lowest, use.spec->type.lowest);
+  type.highest = std::min(type.highest, use.spec->type.highest);
+  if (type.lowest <= type.highest || !possible || complaints_.full()) return;
+  complaints_.add({use.line, description_.path(use.node)}, use.spec->name,
+                  fmt::format("{{{}}}", description_.entries[use.entry].key),
+                  fmt::format("takes no value that the other ports of this entry take (line {})", first_line),
+                  "Use two entries");
+}
+
 void BlackboardLayout::type_entries() {
   std::vector<const Use*> first(description_.entries.size(), nullptr);
   std::set<std::pair<int, std::string_view>> told;  // a sub-tree used many times has its mistakes once
@@ -102,8 +114,7 @@ void BlackboardLayout::type_entries() {
                                   first[root]->line, describe(type)),
                       "Use two entries, or ports of one type");
     } else {
-      type.lowest = std::max(type.lowest, use.spec->type.lowest);
-      type.highest = std::min(type.highest, use.spec->type.highest);
+      narrow(type, use, first[root]->line);
     }
   }
   for (std::uint32_t i = 0; i < description_.entries.size(); ++i) {

@@ -72,6 +72,7 @@ class BlackboardLayout {
 
   std::uint32_t make_entry(ScopeIndex scope, std::string_view key);
   std::uint32_t united(std::uint32_t entry);
+  void narrow(ValueType& type, const Use& use, int first_line);
   void type_entries();
   void read_waiting();
   void read_initials();

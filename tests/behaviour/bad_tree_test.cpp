@@ -40,6 +40,10 @@ const Registry& registry() {
                     .type = {.kind = ValueKind::number, .unit = "m"},
                     .direction = PortDirection::output}}},
         [] { return std::make_unique<NeverCalled>(); });
+    script.registry().add_action(
+        {.id = "Far",
+         .ports = {{.name = "x", .type = {.kind = ValueKind::number, .unit = "m", .lowest = 6.0}}}},
+        [] { return std::make_unique<NeverCalled>(); });
     return true;
   }();
   (void)kAdded;
@@ -194,6 +198,12 @@ INSTANTIATE_TEST_SUITE_P(
             file_of("<Sequence>\n<GoTo x=\"1 m\" gone=\"{d}\"/>\n<GoTo x=\"1 m\" turn=\"{d}\"/></Sequence>"),
             "t.xml:3: T/Sequence/GoTo#2 turn = {d}: takes number in rad, but line 2 has this entry as number "
             "in m. Use two entries, or ports of one type."},
+        Bad{"RangesWithoutACommonValue",
+            file_of("<Sequence><GoTo x=\"{d}\"/>\n<GoTo x=\"1 m\" turn=\"0 rad\" gone=\"{d}\"/>\n<Far "
+                    "x=\"{d}\"/></Sequence>"),
+            "t.xml:3: T/Sequence/Far x = {d}: takes no value that the other ports of this entry take (line "
+            "1). "
+            "Use two entries."},
         Bad{"ConstantForTypedEntry",
             file_of(
                 "<Sequence><SetBlackboard value=\"half\" output_key=\"d\"/>\n<GoTo x=\"{d}\"/></Sequence>"),
