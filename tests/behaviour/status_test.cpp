@@ -82,9 +82,13 @@ TEST(Transitions, AreNoneWhereNothingIsNew) {
 
 TEST(Time, DoesNotGoBack) {
   Script script;
-  Tree tree(described("<Timeout msec=\"20\"><A does=\"R\"/></Timeout>", script), script.registry());
+  Tree tree(described("<Sequence><A does=\"RS\"/><Timeout msec=\"20\"><B does=\"R\"/></Timeout></Sequence>",
+                      script),
+            script.registry());
   EXPECT_EQ(tree.tick(5 * kTick_ns), NodeStatus::running);
   EXPECT_EQ(tree.tick(-kTick_ns), NodeStatus::running);
+  EXPECT_EQ(transitions(tree), "1R>S@5 3->R@5 2->R@5 ");
+  EXPECT_EQ(tree.tick(6 * kTick_ns), NodeStatus::running) << "the timeout began at 5, not before";
   EXPECT_EQ(tree.tick(7 * kTick_ns), NodeStatus::failure);
 }
 
