@@ -4,14 +4,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "hot_change.hpp"
+
 namespace gaitway::behaviour {
+namespace {
+
+// Relaxed: only that ids differ matters.
+std::uint64_t next_id() noexcept {
+  static std::atomic<std::uint64_t> last{0};
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
+}  // namespace
 
 NodeArray::NodeArray(Description description)
-    : description_(std::move(description)), now_ns_(std::numeric_limits<std::int64_t>::min()) {
+    : id_(next_id()),
+      description_(std::move(description)),
+      now_ns_(std::numeric_limits<std::int64_t>::min()) {
   const std::size_t count = description_.nodes.size();
   if (count == 0) throw std::invalid_argument("a behaviour tree without nodes");
   nodes_.reserve(count);
@@ -209,24 +223,19 @@ void NodeArray::recount(NodeIndex node) noexcept {
   }
 }
 
-void NodeArray::take_over(NodeArray& other, std::span<const NodeIndex> counterparts,
-                          std::span<const std::int64_t> entries) {
+void NodeArray::take_over(NodeArray& other, const Counterparts& counterparts) noexcept {
   now_ns_ = other.now_ns_;
   pass_ = other.pass_;
-  std::vector<NodeIndex> here(other.nodes_.size(), kNoNode);  // the other way round
-  for (std::size_t i = 0; i < counterparts.size(); ++i) {
-    if (counterparts[i] != kNoNode)
-      here[static_cast<std::size_t>(counterparts[i])] = static_cast<NodeIndex>(i);
-  }
-  for (std::size_t i = 0; i < counterparts.size(); ++i) {
-    if (counterparts[i] == kNoNode) continue;
-    const auto from = static_cast<std::size_t>(counterparts[i]);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (counterparts.nodes[i] == kNoNode) continue;
+    const auto from = static_cast<std::size_t>(counterparts.nodes[i]);
     const Node& old = other.nodes_[from];
     Node& self = nodes_[i];
     self.pending = old.pending;
     self.remembered = old.remembered;
     self.counted = old.counted;
-    self.current = old.current == kNoNode ? kNoNode : here[static_cast<std::size_t>(old.current)];
+    self.current =
+        old.current == kNoNode ? kNoNode : counterparts.kept[static_cast<std::size_t>(old.current)];
     self.skipped = old.skipped;
     self.count = old.count;
     self.failures = old.failures;
@@ -238,10 +247,13 @@ void NodeArray::take_over(NodeArray& other, std::span<const NodeIndex> counterpa
           std::move(other.leaves_[static_cast<std::size_t>(old.leaf)]);
     }
   }
-  for (std::size_t i = 0; i < counterparts.size(); ++i) recount(static_cast<NodeIndex>(i));
-  for (const NodeIndex leaf : other.halting_) begin_halting(here[static_cast<std::size_t>(leaf)]);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (entries[i] >= 0) values_[i] = other.values_[static_cast<std::size_t>(entries[i])];
+  for (std::size_t i = 0; i < nodes_.size(); ++i) recount(static_cast<NodeIndex>(i));
+  for (const NodeIndex leaf : other.halting_)
+    begin_halting(counterparts.kept[static_cast<std::size_t>(leaf)]);
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (counterparts.entries[i] < 0) continue;
+    const auto from = static_cast<std::size_t>(counterparts.entries[i]);
+    if (other.values_[from] != other.description_.entries[from].initial) values_[i] = other.values_[from];
   }
 }
 

@@ -97,10 +97,12 @@ class NodeArray {
   [[nodiscard]] std::span<const Value> values() const noexcept { return values_; }
   bool set_value(std::size_t entry, const Value& value) noexcept;
 
-  // Takes over the time; state, status and leaf of each node's counterpart in the other array (kNoNode: it
-  // has none); and the value of each entry's (-1). The other array is left without those leaves.
-  void take_over(NodeArray& other, std::span<const NodeIndex> counterparts,
-                 std::span<const std::int64_t> entries);
+  // Differs from that of every other array of this process.
+  [[nodiscard]] std::uint64_t id() const noexcept { return id_; }
+  // Takes over the time; state, status and leaf of each node's counterpart in the other array
+  // (hot_change.hpp); and the value of each entry's, where it is another than the first. The other array is
+  // left without those leaves.
+  void take_over(NodeArray& other, const Counterparts& counterparts) noexcept;
 
  private:
   void recount(NodeIndex node) noexcept;
@@ -108,6 +110,7 @@ class NodeArray {
   void advance_halting() noexcept;
   void halt_action(NodeIndex node) noexcept;
 
+  std::uint64_t id_;
   Description description_;
   std::vector<Node> nodes_;
   std::vector<NodeStatus> statuses_;

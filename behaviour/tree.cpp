@@ -82,10 +82,40 @@ bool Tree::set_value(std::size_t entry, const Value& value) noexcept {
   return nodes_->set_value(entry, value);
 }
 
+PreparedChange::PreparedChange(std::unique_ptr<NodeArray> nodes,
+                               std::unique_ptr<Counterparts> counterparts) noexcept
+    : nodes_(std::move(nodes)), counterparts_(std::move(counterparts)) {}
+PreparedChange::~PreparedChange() = default;
+PreparedChange::PreparedChange(PreparedChange&&) noexcept = default;
+PreparedChange& PreparedChange::operator=(PreparedChange&&) noexcept = default;
+
+PreparedChange Tree::prepare(Description next, const Registry& registry) const {
+  auto nodes = std::make_unique<NodeArray>(std::move(next));
+  auto counterparts = std::make_unique<Counterparts>(compare(*nodes_, *nodes));
+  nodes->make_leaves(registry, counterparts->nodes);
+  return {std::move(nodes), std::move(counterparts)};
+}
+
+bool Tree::adopt(PreparedChange& change) noexcept {
+  if (!can_carry_over(*nodes_, *change.nodes_, *change.counterparts_, nullptr)) return false;
+  change.nodes_->take_over(*nodes_, *change.counterparts_);
+  std::swap(nodes_, change.nodes_);
+  return true;
+}
+
+std::vector<std::string> Tree::refusals(const PreparedChange& change) const {
+  std::vector<std::string> reasons;
+  (void)can_carry_over(*nodes_, *change.nodes_, *change.counterparts_, &reasons);
+  return reasons;
+}
+
 Change Tree::change(Description next, const Registry& registry) {
-  auto changed = std::make_unique<NodeArray>(std::move(next));
-  Change report = carry_over(*nodes_, *changed, registry);
-  if (report.done()) nodes_ = std::move(changed);
+  PreparedChange prepared = prepare(std::move(next), registry);
+  Change report{.refused = refusals(prepared)};
+  for (const NodeIndex node : prepared.counterparts_->nodes) report.kept += node != kNoNode ? 1 : 0;
+  report.added = prepared.counterparts_->nodes.size() - report.kept;
+  report.removed = prepared.counterparts_->kept.size() - report.kept;
+  if (report.done()) (void)adopt(prepared);
   return report;
 }
 

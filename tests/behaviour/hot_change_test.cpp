@@ -149,6 +149,24 @@ TEST_F(HotChange, ConstantsOfSubTreesAreThoseOfTheNewFile) {
   EXPECT_EQ(next(run, 1), "A+F =F");
 }
 
+TEST_F(HotChange, IsPreparedBesideTheTicksAndAdoptedBetweenThem) {
+  Tree run = tree("<Sequence><A does=\"RRS\"/><B/></Sequence>");
+  EXPECT_EQ(next(run, 1), "A+R =R");
+  PreparedChange other = run.prepare(described("<Sequence><C/><B/></Sequence>", script_), script_.registry());
+  EXPECT_EQ(next(run, 1), "A.R =R");
+  EXPECT_FALSE(run.adopt(other));
+  EXPECT_THAT(run.refusals(other), ElementsAre(HasSubstr("'T/Sequence/A' (A) is running")));
+  EXPECT_EQ(next(run, 1), "A.S B+S =S");
+  PreparedChange late = run.prepare(described("<Sequence><D/></Sequence>", script_), script_.registry());
+  EXPECT_TRUE(run.refusals(other).empty());
+  EXPECT_TRUE(run.adopt(other));
+  EXPECT_EQ(next(run, 1), "C+S B+S =S");
+  EXPECT_FALSE(run.adopt(late)) << "the tree is another by now";
+  EXPECT_FALSE(run.adopt(other)) << "it holds what the tree was before";
+  EXPECT_THAT(run.refusals(late), ElementsAre(HasSubstr("prepare it anew")));
+  EXPECT_EQ(next(run, 1), "C+S B+S =S");
+}
+
 // Changed into the same, random trees do what they do unchanged.
 TEST(HotChangeOfRandomTrees, IntoTheSameChangesNothing) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {

@@ -32,8 +32,24 @@ struct Change {
 };
 
 class NodeArray;
+struct Counterparts;
 
-// One thread's object. Constructor and change() ask for memory; nothing else does.
+// Another description made ready to take a tree's place: everything that needs memory is done. Once it has
+// been adopted, it holds what the tree was before, to be destroyed where that does no harm.
+class PreparedChange {
+ public:
+  PreparedChange(std::unique_ptr<NodeArray> nodes, std::unique_ptr<Counterparts> counterparts) noexcept;
+  ~PreparedChange();
+  PreparedChange(PreparedChange&&) noexcept;
+  PreparedChange& operator=(PreparedChange&&) noexcept;
+
+ private:
+  friend class Tree;
+  std::unique_ptr<NodeArray> nodes_;
+  std::unique_ptr<Counterparts> counterparts_;
+};
+
+// One thread's object. After the constructor nothing asks for memory but what says so.
 class Tree {
  public:
   // Makes the leaves. `registry` must be the one that the description was checked against; otherwise throws
@@ -66,11 +82,22 @@ class Tree {
   // False: there is no such entry, or the value is not of its type.
   bool set_value(std::size_t entry, const Value& value) noexcept;
 
-  // Goes over to another description between two ticks. Nodes with the same path and type keep state and
-  // leaf, entries with the same place and type their value. Refused, with every reason and nothing changed:
-  // an active action, or a node that goes on at a child, has no counterpart; an entry that is set would
-  // change its type.
+  // Going over to another description between two ticks, in one step. Nodes with the same path and type keep
+  // state and leaf, entries with the same place and type their value. Refused, with every reason and nothing
+  // changed: an active action, or a node that goes on at a child, has no counterpart; an entry that is set
+  // would hold what its type does not take. Asks for memory.
   Change change(Description next, const Registry& registry);
+
+  // The same in two steps. The first asks for memory, makes the leaves that are new, and may be done by
+  // another thread while this tree is ticked: it looks at the description alone. Throws std::invalid_argument
+  // as the constructor.
+  [[nodiscard]] PreparedChange prepare(Description next, const Registry& registry) const;
+  // The second asks for no memory and goes between two ticks. False: refused, and nothing is changed; to be
+  // tried again at a later tick, or explained. Also refused once the tree is no longer the one it was made
+  // for.
+  bool adopt(PreparedChange& change) noexcept;
+  // Why it would be refused now; empty: it would not. Asks for memory.
+  [[nodiscard]] std::vector<std::string> refusals(const PreparedChange& change) const;
 
  private:
   std::unique_ptr<NodeArray> nodes_;
