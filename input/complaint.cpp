@@ -27,7 +27,7 @@ std::string as_sentence(const std::string& text) {
 
 }  // namespace
 
-void refuse(const Complaint& complaint) {
+std::string in_words(const Complaint& complaint) {
   std::string text = complaint.file.string();
   if (complaint.line > 0) {
     text += fmt::format(":{}", complaint.line);
@@ -42,7 +42,11 @@ void refuse(const Complaint& complaint) {
     text += ' ';
     text += as_sentence(complaint.remedy);
   }
-  throw InputError(terminal_text(text));
+  return terminal_text(text);
+}
+
+void refuse(const Complaint& complaint) {
+  throw InputError(in_words(complaint));
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

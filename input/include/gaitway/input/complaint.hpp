@@ -26,7 +26,10 @@ struct Complaint {
   std::string remedy;  // what to do about it
 };
 
-// Throws InputError with the text "file:line: field = value: rule. remedy".
+// "file:line: field = value: rule. remedy", as a terminal may show it.
+[[nodiscard]] std::string in_words(const Complaint& complaint);
+
+// Throws InputError with that text.
 [[noreturn]] void refuse(const Complaint& complaint);
 
 // Edits (insert, remove, replace one character, swap two neighbours) between two names.
