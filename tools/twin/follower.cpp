@@ -136,7 +136,6 @@ void Follower::run() {
 // Until it is to end. The connection's end is the command's: the simulated robot stands.
 void Follower::follow() {
   ApiClient client(address_);
-  note(true, "");
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
   join(client);
   FollowRules rules;
@@ -154,6 +153,7 @@ void Follower::follow() {
     }
     client.rest(kRenew_s);
     require_obeyed(client);
+    note(true, "");  // it is well again; not before: what goes wrong each time is told once
   }
 }
 

@@ -1,6 +1,9 @@
 // What is new is read once, converted once, and given away.
 #include "gaitway/api/feed.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -16,6 +19,12 @@
 
 namespace gaitway::api {
 namespace {
+
+// Further than a robot that stands is told to be by its noise.
+bool is_elsewhere(const double (&pose)[3], const std::array<double, 3>& told) {
+  constexpr double kFar_m = 0.02, kFar_rad = 0.03;
+  return std::hypot(pose[0] - told[0], pose[1] - told[1]) > kFar_m || std::abs(pose[2] - told[2]) > kFar_rad;
+}
 
 constexpr std::int64_t kDiagnosticsPeriod_ns = 1'000'000'000;
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min();
@@ -111,6 +120,7 @@ struct Feed::State {
   bool any_motion_told = false;
   std::uint32_t way_told = 0, way_answered = 0;  // NavigationState::state and answered, of the last message
   bool any_way_told = false;
+  std::array<double, 3> place_told{};  // x m, y m, yaw rad, of the last message
 };
 
 Feed::Feed(msgclient::Client& client, const urdf::RobotModel& model)
@@ -330,8 +340,11 @@ void Feed::publish_way(PublicationSink& sink) {
   if (!topics_->navigation.update()) return;
   const NavigationState& navigation = topics_->navigation.value();
   State& state = *state_;
-  const bool news = navigation.state != 0 || state.way_told != 0 || navigation.answered != state.way_answered;
+  const bool news = navigation.state != 0 || state.way_told != 0 ||
+                    navigation.answered != state.way_answered ||
+                    is_elsewhere(navigation.pose, state.place_told);
   if (!news && state.any_way_told) return;
+  std::ranges::copy(navigation.pose, state.place_told.begin());
   state.way_told = navigation.state;
   state.way_answered = navigation.answered;
   state.any_way_told = true;

@@ -87,13 +87,11 @@ void SimulationServices::call(const ServiceRow& row, const ServiceCall& call, co
   (this->*found->answer)(orders_.begin(call, now_ns), arguments);
 }
 
-void SimulationServices::require_twin() const {
-  if (!twin_) {
-    throw Refused(
-        "this simulation is the twin of no robot: start it with the robot's address, `gaitway simulator "
-        "--robot "
-        "ws://HOST:PORT`");
-  }
+void SimulationServices::refuse_twin(const SimulationCall& call) const {
+  orders_.reply(call, ros::Trigger::Response{
+                          false,
+                          "this simulation is the twin of no robot: start it with the robot's address, "
+                          "`gaitway simulator --robot ws://HOST:PORT`"});
 }
 
 void SimulationServices::take_state(const std::string& answer) {

@@ -74,11 +74,12 @@ class SimulationServices {
   // One of TwinServices' members.
   template <class S, void (TwinServices::*member)(const SimulationCall&, const typename S::Request&)>
   void of_twin(const SimulationCall& call, const Arguments& arguments) {
-    require_twin();
-    (*twin_.*member)(call, request_of<typename S::Request>(arguments));
+    const auto asked = request_of<typename S::Request>(arguments);
+    if (twin_) return (*twin_.*member)(call, asked);
+    refuse_twin(call);
   }
-  // Throws Refused where there is none.
-  void require_twin() const;
+  // There is none.
+  void refuse_twin(const SimulationCall& call) const;
   void take_state(const std::string& answer);
   // One of EntityServices' members.
   template <class S, void (EntityServices::*member)(const SimulationCall&, const typename S::Request&)>

@@ -328,6 +328,26 @@ TEST_F(FeedTest, NoticesARestartFromTheStampsAlone) {
   EXPECT_EQ(collector.count(Topic::imu), 1U);
 }
 
+// Without a way, too, whoever looks on knows where the robot is: after a walk by velocities.
+TEST_F(FeedTest, APlaceIsToldWhenItIsAnother) {
+  msgclient::Writer<NavigationState> navigation = robot.write<NavigationState>("navigation_state");
+  NavigationState there{};
+  const auto told_after = [&](double x_m, double yaw_rad) {
+    there.pose[0] = x_m;
+    there.pose[2] = yaw_rad;
+    beat(now_ns + 8 * kSlot_ns);
+    navigation.publish(there, now_ns);
+    const std::size_t before = collector.count(Topic::way_state);
+    poll();
+    return collector.count(Topic::way_state) - before;
+  };
+  EXPECT_EQ(told_after(1.0, 0.0), 1U) << "the first";
+  EXPECT_EQ(told_after(1.015, 0.02), 0U) << "noise of a stand";
+  EXPECT_EQ(told_after(1.03, 0.02), 1U);
+  EXPECT_EQ(told_after(1.03, 0.06), 1U);
+  EXPECT_EQ(collector.of<ros::WayState>(Topic::way_state).back().pose.at(0), 1.03);
+}
+
 TEST_F(FeedTest, WithoutARobotItSaysSoAndNothingElse) {
   poll();
   poll();

@@ -149,9 +149,9 @@ class NoTwinTest : public HubTest {
 
 TEST_F(NoTwinTest, ASimulationOfNoRobotSaysHowToHaveOne) {
   TestClient anna(plain, now_ns, "anna");
-  const json response = anna.call("/simulation/twin/stop");
-  EXPECT_EQ(response["result"], false);
-  EXPECT_THAT(response["values"].get<std::string>(), HasSubstr("--robot ws://HOST:PORT"));
+  const json answer = anna.call("/simulation/twin/stop")["values"];
+  EXPECT_EQ(answer["success"], false);
+  EXPECT_THAT(answer["message"].get<std::string>(), HasSubstr("--robot ws://HOST:PORT"));
   plain.step(now_ns);
   EXPECT_FALSE(plain.take_twin_state());
 }

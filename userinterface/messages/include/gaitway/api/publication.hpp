@@ -77,7 +77,7 @@ inline constexpr std::array kTopics{
     TopicRow{
         Topic::way_state, "/walk_to/state", ros::WayState::kName, 0.0, true, "",
         "How far the robot is on its way to a place, where it thinks that it is in the world, and how the "
-        "last way ended; with each batch while there is one, else as it changes"},
+        "last way ended; with each batch while there is one, else as that or its place changes"},
     TopicRow{Topic::robot_state, "/robot_state", ros::RobotState::kName, 0.0, true, "",
              "What the robot does: \"stands\", \"walks\", \"plays\" a motion, \"stops\" by its safe tail, is "
              "\"stopped\" by an emergency stop, \"falls\", has \"fallen\", or is \"gone\""},
