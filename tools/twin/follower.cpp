@@ -137,10 +137,10 @@ void Follower::run() {
 void Follower::follow() {
   ApiClient client(address_);
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
-  join(client);
   FollowRules rules;
   std::array<double, 3> velocity{};
   while (goes_on()) {
+    join(client);
     const std::vector<FollowOrder> orders = rules.look(heard());
     if (!orders.empty()) carry_out(client, service("/command/acquire", {{"name", kName}}));
     for (const FollowOrder& order : orders) {
@@ -167,17 +167,19 @@ void Follower::require_obeyed(ApiClient& client) {
   }
 }
 
-// To where the robot there is, once.
+// To where the robot there is, until it has begun to walk there.
 void Follower::join(ApiClient& client) {
   std::optional<std::array<double, 3>> place;
   {
     const std::lock_guard lock(mutex_);
-    place = std::exchange(first_to_, std::nullopt);
+    place = first_to_;
   }
   if (!place) return;
   const auto& [x_m, y_m, yaw_rad] = *place;
   carry_out(client, service("/command/acquire", {{"name", kName}}));
   carry_out(client, service("/walk_to", {{"x", x_m}, {"y", y_m}, {"yaw", yaw_rad}}));
+  const std::lock_guard lock(mutex_);
+  if (first_to_ == place) first_to_.reset();  // not before: what is not answered is tried again
 }
 
 RobotNews Follower::heard() const {

@@ -70,7 +70,11 @@ void Twin::look(const SimulationPace& pace) {
   if (std::string text = comparison_.take_news(); !text.empty()) tell(std::move(text));
   RobotNews news = there_status_.news;
   // With a robot that is not heard of the simulated one walks no further.
-  if (there_status_.state != RobotWatch::State::connected) news.walk = {};
+  if (there_status_.state != RobotWatch::State::connected) {
+    news.walk = {};
+    news.way_state = "idle";
+    news.way_result = "cancelled";
+  }
   follower_.hear(news, pace_text_.empty());
   look_at_link(there_status_);
   look_at_stop();
