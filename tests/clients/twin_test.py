@@ -100,9 +100,17 @@ class Twin(unittest.TestCase):
         until(lambda: cls.here.newest.get("/simulation/twin", {}).get("state") == "connected", "the robot there", 30)
 
     def setUp(self):
-        self.order("follow", "std_srvs/srv/SetBool", data=True)
-        until(lambda: all(client.newest["/robot_state"]["state"] == "stands" for client in (self.there, self.here)) and (self.place_apart() or 0.0) < 0.1,
-              lambda: f"a stand side by side: {self.twin}", 60)
+        for last in (False, False, True):  # what the test before has left may not be known yet
+            self.order("follow", "std_srvs/srv/SetBool", data=True)
+            try:
+                until(self.side_by_side, lambda: f"a stand side by side: {self.twin}", 15)
+                return
+            except AssertionError:
+                if last:
+                    raise
+
+    def side_by_side(self):
+        return all(client.newest["/robot_state"]["state"] == "stands" for client in (self.there, self.here)) and (self.place_apart() or 0.0) < 0.1
 
     @property
     def twin(self):
@@ -136,13 +144,13 @@ class Twin(unittest.TestCase):
         return self.twin["sending"]
 
 
-class AsDescribed(Twin):
+class InStep(Twin):
     def test_the_simulated_robot_does_what_the_one_there_is_told(self):
         before = self.x_of(self.there), self.x_of(self.here)
         heard = max(self.twin["told_times"], default=0.0)
         self.drive(5.0, 0.15)
         until(lambda: self.twin["lag"] is not None, "the lag")
-        self.assertLess(abs(self.twin["lag"]), 0.5)
+        self.assertLess(abs(self.twin["lag"]), 0.6)
         until(lambda: self.here.newest["/robot_state"]["state"] == "stands" and self.there.newest["/robot_state"]["state"] == "stands", "the stand")
         walked = self.x_of(self.there) - before[0], self.x_of(self.here) - before[1]
         self.assertGreater(walked[0], 0.3)
@@ -159,6 +167,8 @@ class AsDescribed(Twin):
         self.assertAlmostEqual(twin["base"][2], self.here.newest["/simulation/state"]["base"][2], delta=0.01)
         self.assertTrue(twin["follows"], twin["follows_text"])
 
+
+class AsDescribed(Twin):
     def test_what_is_sent_was_tried_before(self):
         before = self.x_of(self.there)
         self.assertEqual(self.send_and_wait(walk=[0.12, 0.0, 0.0], duration=4.0), "done")

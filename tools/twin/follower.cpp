@@ -83,10 +83,15 @@ Follower::~Follower() {
   thread_.join();
 }
 
-void Follower::set(bool follows, const std::optional<std::array<double, 3>>& first_to) {
+void Follower::set(bool follows) {
   const std::lock_guard lock(mutex_);
-  first_to_ = first_to;
+  first_to_.reset();
   status_ = {.follows = follows, .text = {}};
+}
+
+void Follower::join(const std::array<double, 3>& place) {
+  const std::lock_guard lock(mutex_);
+  first_to_ = place;
 }
 
 void Follower::hear(const RobotNews& news, bool keeps_pace) {
@@ -140,7 +145,7 @@ void Follower::follow() {
   FollowRules rules;
   std::array<double, 3> velocity{};
   while (goes_on()) {
-    join(client);
+    walk_there(client);
     const std::vector<FollowOrder> orders = rules.look(heard());
     if (!orders.empty()) carry_out(client, service("/command/acquire", {{"name", kName}}));
     for (const FollowOrder& order : orders) {
@@ -168,7 +173,7 @@ void Follower::require_obeyed(ApiClient& client) {
 }
 
 // To where the robot there is, until it has begun to walk there.
-void Follower::join(ApiClient& client) {
+void Follower::walk_there(ApiClient& client) {
   std::optional<std::array<double, 3>> place;
   {
     const std::lock_guard lock(mutex_);

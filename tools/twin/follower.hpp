@@ -47,8 +47,9 @@ class Follower {
   Follower& operator=(const Follower&) = delete;
 
   // `follows`: false gives the command back. Whoever begins to follow forgets why it ended before.
-  // `first_to`: x m, y m, yaw rad: it walks there first.
-  void set(bool follows, const std::optional<std::array<double, 3>>& first_to = std::nullopt);
+  void set(bool follows);
+  // The simulated robot is to walk there (x m, y m, yaw rad) while it follows.
+  void join(const std::array<double, 3>& place);
   // `keeps_pace`: the simulation runs as fast as real time; otherwise the simulated robot is told nothing,
   // and gives up what it was told.
   void hear(const RobotNews& news, bool keeps_pace);
@@ -67,7 +68,7 @@ class Follower {
   void note(bool follows, std::string text);
   [[nodiscard]] bool goes_on() const;
   [[nodiscard]] RobotNews heard() const;
-  void join(ApiClient& client);
+  void walk_there(ApiClient& client);
   void carry_out(ApiClient& client, const FollowOrder& order);
   static void require_obeyed(ApiClient& client);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "gaitway/process/real_time.hpp"
@@ -76,6 +77,7 @@ void Twin::look(const SimulationPace& pace) {
     news.way_result = "cancelled";
   }
   follower_.hear(news, pace_text_.empty());
+  join();
   look_at_link(there_status_);
   look_at_stop();
   look_at_following();
@@ -168,8 +170,8 @@ std::optional<json> Twin::obey(const json& order) {
   if (what == "twin") return state();
   if (what == "twin_picture") return picture(order);
   if (what == "twin_follow") {
-    const bool follows = order.at("follow").get<bool>();
-    follower_.set(follows, follows ? place_to_join() : std::nullopt);
+    joins_ = order.at("follow").get<bool>();
+    follower_.set(joins_);
   } else if (what == "twin_send") {
     begin_flight(order);
   } else if (what == "twin_stop") {
@@ -182,19 +184,18 @@ std::optional<json> Twin::obey(const json& order) {
   return json::object();
 }
 
-std::optional<std::array<double, 3>> Twin::place_to_join() const {
+// Once both stand, and where is known.
+void Twin::join() {
   constexpr double kNear_m = 0.05, kAlong_rad = 0.1;
-  const auto& values = comparison_.values();
-  std::array<double, 3> place{};
-  double apart_m = 0.0;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const ChannelValues& one = values[values.size() - place.size() + i];
-    place[i] = one.measured;
-    if (!std::isfinite(one.difference)) return std::nullopt;
-    if (i < 2) apart_m = std::hypot(apart_m, one.difference);
-    if (i == 2 && apart_m < kNear_m && one.difference < kAlong_rad) return std::nullopt;
-  }
-  return there_status_.news.activity == "stands" ? std::optional(place) : std::nullopt;
+  const bool both_stand = there_status_.news.activity == "stands" && here_.status().news.activity == "stands";
+  if (!joins_ || !both_stand || !pace_text_.empty()) return;
+  const std::span<const ChannelValues> place = std::span(comparison_.values()).last<3>();
+  if (!std::ranges::all_of(place, [](const ChannelValues& one) { return std::isfinite(one.difference); }))
+    return;
+  joins_ = false;
+  const bool is_near =
+      std::hypot(place[0].difference, place[1].difference) < kNear_m && place[2].difference < kAlong_rad;
+  if (!is_near) follower_.join({place[0].measured, place[1].measured, place[2].measured});
 }
 
 void Twin::begin_flight(const json& order) {

@@ -66,8 +66,7 @@ class Twin {
   void look_at_flight();
   void stop(const std::string& why);
   void begin_flight(const nlohmann::json& order);
-  // Where the robot there stands, where the simulated one does not; nothing: it does, or that is not known.
-  [[nodiscard]] std::optional<std::array<double, 3>> place_to_join() const;
+  void join();
   [[nodiscard]] nlohmann::json state() const;
   [[nodiscard]] nlohmann::json picture(const nlohmann::json& order) const;
 
@@ -83,6 +82,7 @@ class Twin {
   RobotWatch::State link_told_ = RobotWatch::State::connecting;
   std::string follow_told_, pace_text_;
   std::uint32_t stops_told_ = 0;
+  bool joins_ = false;             // the simulated robot is to go to where the one there stands
   bool is_stopped_again_ = false;  // after the flight that was to end has ended
   SimulationPace pace_;
   double began_s_ = monotonic_s();
