@@ -6,7 +6,7 @@ import { answered, enter, hidden, pause, phone, picture, sends, withPage } from 
 test("the stop of the robot there is in its view always, and elsewhere while something is sent", () => withPage(async (robot, fake) => {
   assert.ok(await hidden(robot, "twin-stop"), "nothing is sent");
   await robot.tab("Twin");
-  assert.ok(!(await hidden(robot, "twin-stop")));
+  await robot.until(() => !document.getElementById("twin-stop").hidden, "it is there");
   await enter(robot, "twin-send");
   await robot.says("twin-sending", "Being tried");
   await robot.tab("Drive");
