@@ -6,7 +6,6 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/eventfd.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,7 +16,9 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
+#include "gaitway/process/bound_program.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/real_time.hpp"
 
@@ -105,24 +106,8 @@ bool ModuleKeeper::start() {
   const process::FileDescriptor says(ends[1]);
   std::vector<std::string> words = arguments_;
   words.insert(words.end(), {"--ready-descriptor", std::to_string(says.get())});
-  std::vector<char*> argv;
-  for (std::string& word : words) {
-    argv.push_back(word.data());
-  }
-  argv.push_back(nullptr);
-  const pid_t parent = getpid();
-  const pid_t child = fork();
-  if (child == 0) {  // async-signal-safe calls alone
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
-    prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
-    fcntl(says.get(), F_SETFD, 0);
-    if (getppid() == parent) {
-      execv(argv[0], argv.data());
-    }
-    _exit(127);
-  }
+  const pid_t child =
+      process::start({.words = std::move(words), .kept = says.get(), .output = -1, .niceness = 0});
   if (child < 0) {
     return fail("no process");
   }

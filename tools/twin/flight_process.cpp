@@ -1,11 +1,9 @@
-// fork, exec, and what comes through the pipe.
+// A program, and what comes through its pipe.
 #include "tools/twin/flight_process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +15,7 @@
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/process/bound_program.hpp"
 #include "gaitway/process/installation.hpp"
 
 namespace gaitway::tools {
@@ -122,24 +121,9 @@ void FlightProcess::spawn(const std::vector<std::string>& words) {
   says_ = process::FileDescriptor(ends[0]);
   const process::FileDescriptor writes(ends[1]);
   fcntl(says_.get(), F_SETFL, O_NONBLOCK);
-  std::vector<std::string> copy = words;
-  std::vector<char*> argv;
-  argv.reserve(copy.size() + 1);
-  for (std::string& word : copy) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  const pid_t parent = getpid();
-  const pid_t child = fork();
-  if (child == 0) {  // async-signal-safe calls alone
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
-    prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
-    setpriority(PRIO_PROCESS, 0, kLowPriority);  // the twin goes on beside it
-    dup2(writes.get(), STDOUT_FILENO);
-    dup2(writes.get(), STDERR_FILENO);
-    if (getppid() == parent) execv(argv[0], argv.data());
-    _exit(127);
-  }
+  // The twin goes on beside it.
+  const pid_t child =
+      process::start({.words = words, .kept = -1, .output = writes.get(), .niceness = kLowPriority});
   if (child < 0) {
     throw std::runtime_error(fmt::format("the pre-flight cannot be started: {}", std::strerror(errno)));
   }

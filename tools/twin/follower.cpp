@@ -16,7 +16,7 @@ using nlohmann::json;
 
 constexpr double kObeyed_s = 3.0;  // a stand takes a walk's last steps
 constexpr double kRenew_s = 0.05;  // of a velocity, which holds for half a second; and of looks
-constexpr std::chrono::milliseconds kIdle{20}, kFollowAgain{500};
+constexpr std::chrono::milliseconds kFollowAgain{500};
 
 bool is_zero(const std::array<double, 3>& velocity) {
   return std::ranges::all_of(velocity, [](double one) { return one == 0.0 || !std::isfinite(one); });
@@ -80,13 +80,17 @@ Follower::~Follower() {
     const std::lock_guard lock(mutex_);
     ending_ = true;
   }
+  changed_.notify_all();
   thread_.join();
 }
 
 void Follower::set(bool follows) {
-  const std::lock_guard lock(mutex_);
-  first_to_.reset();
-  status_ = {.follows = follows, .text = {}};
+  {
+    const std::lock_guard lock(mutex_);
+    first_to_.reset();
+    status_ = {.follows = follows, .text = {}};
+  }
+  changed_.notify_all();
 }
 
 void Follower::join(const std::array<double, 3>& place) {
@@ -95,9 +99,13 @@ void Follower::join(const std::array<double, 3>& place) {
 }
 
 void Follower::hear(const RobotNews& news, bool keeps_pace) {
-  const std::lock_guard lock(mutex_);
-  news_ = news;
-  keeps_pace_ = keeps_pace;
+  bool is_other_pace = false;
+  {
+    const std::lock_guard lock(mutex_);
+    news_ = news;
+    is_other_pace = std::exchange(keeps_pace_, keeps_pace) != keeps_pace;
+  }
+  if (is_other_pace) changed_.notify_all();
 }
 
 Follower::Status Follower::status() const {
@@ -117,25 +125,29 @@ void Follower::note(bool follows, std::string text) {
 }
 
 void Follower::run() {
+  const auto may_follow = [this] { return ending_ || (status_.follows && keeps_pace_); };
+  std::unique_lock lock(mutex_);
   while (true) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (ending_) return;
-    }
-    if (!goes_on()) {
-      std::this_thread::sleep_for(kIdle);
-      continue;
-    }
-    try {
-      follow();
-      continue;
-    } catch (const Refused& refused) {
-      note(false, refused.what());
-    } catch (const std::exception& error) {  // a link that was lost, an answer that has not come: once more
-      note(true, error.what());
-    }
-    std::this_thread::sleep_for(kFollowAgain);
+    changed_.wait(lock, may_follow);
+    if (ending_) return;
+    lock.unlock();
+    const bool went_wrong = !follow_while_well();
+    lock.lock();
+    if (went_wrong) changed_.wait_for(lock, kFollowAgain, [this] { return ending_; });
   }
+}
+
+// False: it ended by itself.
+bool Follower::follow_while_well() {
+  try {
+    follow();
+    return true;
+  } catch (const Refused& refused) {
+    note(false, refused.what());
+  } catch (const std::exception& error) {  // a link that was lost, an answer that has not come: once more
+    note(true, error.what());
+  }
+  return false;
 }
 
 // Until it is to end. The connection's end is the command's: the simulated robot stands.

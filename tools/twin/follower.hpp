@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <condition_variable>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -64,6 +65,7 @@ class Follower {
   class Refused;
 
   void run();
+  bool follow_while_well();
   void follow();
   void note(bool follows, std::string text);
   [[nodiscard]] bool goes_on() const;
@@ -74,6 +76,7 @@ class Follower {
 
   ApiAddress address_;
   mutable std::mutex mutex_;
+  std::condition_variable changed_;
   RobotNews news_;
   Status status_;
   std::optional<std::array<double, 3>> first_to_;

@@ -72,7 +72,7 @@ std::vector<RobotReader::Topic> RobotReader::topics() {
   return {{"/joint_states", kFast_ms},      {"/imu/data", kFast_ms},  {"/foot/left/wrench", kFast_ms},
           {"/foot/right/wrench", kFast_ms}, {"/odom", kFast_ms},      {"/walk_to/state", kSlow_ms},
           {"/robot_state", kSlow_ms},       {"/commander", kSlow_ms}, {"/walk/command", kSlow_ms},
-          {"/motion_state", kSlow_ms},      {"/link_state", kSlow_ms}};
+          {"/motion_state", kSlow_ms}};
 }
 
 MeasuredPoint RobotReader::joints_of(const json& message) const {
@@ -116,9 +116,6 @@ std::optional<MeasuredPoint> RobotReader::take(std::string_view topic, const jso
     news.motion_state = shortened(message.at("state").get<std::string>());
     news.motion_result = shortened(message.at("result").get<std::string>());
     news.motions_ended = message.at("ended").get<std::uint32_t>();
-  } else if (topic == "/link_state") {
-    const auto state = message.at("state").get<std::string>();
-    news.link = state == "up" ? state : shortened(message.at("text").get<std::string>());
   }
   return std::nullopt;
 }

@@ -40,7 +40,6 @@ struct RobotNews {
   std::uint32_t motions_ended = 0;
   std::string way_state, way_result;          // as /walk_to/state has them
   std::optional<std::array<double, 3>> goal;  // x m, y m, yaw rad
-  std::string link;                           // as /link_state has it: "up", or why not
 };
 
 // Of what somebody else says: in a line, without what a terminal obeys, and no longer than people read.
