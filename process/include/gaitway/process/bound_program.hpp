@@ -1,5 +1,5 @@
-// Starts another program that does not outlive the thread that started it: whatever becomes of this process, the kernel
-// ends that one, too.
+// Starts another program that does not outlive the thread that started it: whatever becomes of this process,
+// the kernel ends that one, too.
 #pragma once
 
 #include <sys/types.h>
@@ -16,7 +16,8 @@ struct BoundProgram {
   int niceness = 0;                // so much less of the processor than others
 };
 
-// Its process; -1 with errno set: there is none. It has no signal blocked. May be called in a process with threads.
+// Its process; -1 with errno set: there is none. It has no signal blocked. May be called in a process with
+// threads.
 [[nodiscard]] pid_t start(const BoundProgram& program);
 
 }  // namespace gaitway::process
