@@ -1,20 +1,6 @@
 """Runs the test of the simulator's page in a browser (page_simulator_test.mjs): the page against a simulator of the test's own, which has
 the description that the real module serves."""
-import os
-import subprocess
-import tempfile
-from pathlib import Path
+from module_alone import module_alone, run_in_browser
 
-from served_robot import free_port
-
-with tempfile.TemporaryDirectory(prefix="gaitway_page_simulator_") as folder:
-    port = str(free_port())
-    command = [os.environ["GAITWAY_USER_INTERFACE"], "--robot", os.environ["GAITWAY_ROBOT"], "--link", f"unix:{folder}/link.sock",
-               "--port", port, "--stop-port", "0"]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as module:
-        try:
-            assert any("serves ws" in line for line in module.stderr), "the module does not serve"
-            script = Path(__file__).with_name("page_simulator_test.mjs")
-            subprocess.run([os.environ["GAITWAY_NODE"], "--test-reporter=spec", str(script), port], check=True, timeout=240)
-        finally:
-            module.terminate()
+with module_alone() as port:
+    run_in_browser("page_simulator_test.mjs", port)
