@@ -61,11 +61,11 @@ json parsed(std::string_view text) {
 }
 
 // Never more than so many: of events that come thicker, each n-th.
-json marks_of(std::span<const TimedEvent> events) {
+json marks_of(std::span<const TimedEvent* const> events) {
   const std::size_t every = events.size() / kMostMarks + 1;
   json marks = json::array();
   for (std::size_t i = 0; i < events.size(); i += every) {
-    marks.push_back({{"at_s", seconds_of(events[i].at_ns)}, {"kind", mark_of(events[i])}});
+    marks.push_back({{"at_s", seconds_of(events[i]->at_ns)}, {"kind", mark_of(*events[i])}});
   }
   return marks;
 }
@@ -289,12 +289,12 @@ void Director::measure_pace() {
 
 json Director::state() const {
   json result = seen_;
-  json marks = marks_of(timeline_.events());
+  const std::vector<const TimedEvent*> shown = without_renewals(timeline_.events());
+  json marks = marks_of(shown);
   for (const std::int64_t at_ns : falls_ns_) marks.push_back({{"at_s", seconds_of(at_ns)}, {"kind", "fall"}});
   json events = json::array();
-  const auto all = timeline_.events();
-  for (const TimedEvent& event : all.last(std::min(all.size(), kMostEventsTold))) {
-    events.push_back({{"at_s", seconds_of(event.at_ns)}, {"text", event.text}});
+  for (const TimedEvent* const event : std::span(shown).last(std::min(shown.size(), kMostEventsTold))) {
+    events.push_back({{"at_s", seconds_of(event->at_ns)}, {"text", event->text}});
   }
   std::string text = failure_;
   if (timeline_.differences() > 0) {

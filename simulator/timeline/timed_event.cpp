@@ -39,4 +39,18 @@ std::vector<TimedEvent> events_from(const nlohmann::json& list) {
   return events;
 }
 
+std::vector<const TimedEvent*> without_renewals(std::span<const TimedEvent> events) {
+  constexpr std::int64_t kRenewed_ns = 1'000'000'000;
+  std::vector<const TimedEvent*> first_ones;
+  const TimedEvent* command = nullptr;  // the last one
+  for (const TimedEvent& event : events) {
+    const bool is_command = mark_of(event) == "command";
+    const bool is_again = is_command && command != nullptr && command->text == event.text &&
+                          event.at_ns - command->at_ns <= kRenewed_ns;
+    if (is_command) command = &event;
+    if (!is_again) first_ones.push_back(&event);
+  }
+  return first_ones;
+}
+
 }  // namespace gaitway::timeline

@@ -85,8 +85,7 @@ TEST(BoundProgram, EndsWithTheThreadThatStartedIt) {
 }
 
 TEST(BoundProgram, WhatCannotBeRunSaysSoByItsCode) {
-  const pid_t child =
-      start({.words = {"/nowhere/program"}, .kept = -1, .output = -1, .niceness = 0});
+  const pid_t child = start({.words = {"/nowhere/program"}, .kept = -1, .output = -1, .niceness = 0});
   ASSERT_GT(child, 0);
   EXPECT_EQ(WEXITSTATUS(status_of(child)), 127);
 }

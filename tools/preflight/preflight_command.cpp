@@ -264,7 +264,7 @@ int preflight_command(const PreflightCommand& options) {
     ApiAddress address = options.api;
     address.url = options.from;
     ApiClient client(address);
-    now = ask_where(client, robot);
+    now = ask_state(client, robot);
     if (options.send && now->state != "stands") {
       throw NotDone(fmt::format("not tried: the robot {} and must stand", input::terminal_text(now->state)));
     }
@@ -275,7 +275,7 @@ int preflight_command(const PreflightCommand& options) {
   address.url = options.from;
   ApiClient client(address);
   return send_or_refuse(options, task, verdict, client,
-                        change_between(*now, ask_where(client, robot), robot));
+                        change_between(*now, ask_state(client, robot), robot));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/input/text.hpp"
@@ -121,12 +122,19 @@ RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot) {
     }
   }
   if (!is_described) throw NoAnswer("the robot has not told what it is (/robot_description)");
+  return now;
+}
+
+RobotNow ask_state(ApiClient& client, const urdf::RobotModel& robot) {
+  std::vector<RobotParameter> parameters;
   try {
-    now.parameters = parameters_of(client);
+    parameters = parameters_of(client);
   } catch (const json::exception& error) {
     throw ApiError(fmt::format("the robot's parameters are not understood ({}): is it of another release?",
                                error.what()));
   }
+  RobotNow now = ask_where(client, robot);  // the last, since that changes more quickly
+  now.parameters = std::move(parameters);
   return now;
 }
 

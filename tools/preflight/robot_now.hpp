@@ -21,7 +21,7 @@ struct RobotNow {
   std::string state;                            // of /robot_state: "stands", "walks", ...
   std::optional<std::array<double, 3>> place;   // x m, y m, yaw rad in its map; none: it does not say
   std::optional<std::array<double, 2>> base_m;  // of its odometry: x, y; none: it does not say
-  std::vector<RobotParameter> parameters;       // of its plug-ins, as they are now
+  std::vector<RobotParameter> parameters;       // of its plug-ins; empty: nobody has asked (ask_state)
 };
 
 // Why what was tried from `then` cannot be sent to the robot as it is `now`: it does not stand, or not where
@@ -31,5 +31,7 @@ struct RobotNow {
 
 // Throws ApiError: it is not understood, is of another release, or another robot than `robot`; NoAnswer.
 [[nodiscard]] RobotNow ask_where(ApiClient& client, const urdf::RobotModel& robot);
+// And its plug-ins' parameters: some seconds, since the robot tells one in two of its slots.
+[[nodiscard]] RobotNow ask_state(ApiClient& client, const urdf::RobotModel& robot);
 
 }  // namespace gaitway::tools

@@ -168,6 +168,19 @@ void serve(const SimulatorOptions& options, timeline::Director& director, TwinSe
   }
 }
 
+// nullptr: there is no real robot.
+std::unique_ptr<TwinServer> twin_of(const SimulatorOptions& options, const TwinChoice& choice,
+                                    const urdf::RobotModel& robot, const world::World& world,
+                                    const std::filesystem::path& socket) {
+  if (!choice.there) return nullptr;
+  return std::make_unique<TwinServer>(
+      TwinOptions{.there = *choice.there,
+                  .here = own_api(options.module),
+                  .flight_arguments = flight_arguments(*choice.there, robot.directory, options.config, world),
+                  .out = options.out / "preflight"},
+      robot, socket);
+}
+
 int simulate(const SimulatorOptions& options) {
   const TwinChoice choice = twin_choice(options.robots, options.robot_token_file, options.robot_ca_file);
   const bool is_twin = choice.there.has_value();
@@ -205,16 +218,6 @@ int simulate(const SimulatorOptions& options) {
                                                  .plan_way = [&preview](const auto& goal, const auto& state) {
                                                    return preview.plan(goal, state);
                                                  }});
-  std::unique_ptr<TwinServer> twin;
-  if (is_twin) {
-    twin = std::make_unique<TwinServer>(
-        TwinOptions{
-            .there = *choice.there,
-            .here = own_api(options.module),
-            .flight_arguments = flight_arguments(*choice.there, robot.directory, options.config, world),
-            .out = options.out / "preflight"},
-        robot, sockets.twin);
-  }
   const ModuleKeeper module(
       module_arguments(options.module, {.robot = choice.folder,
                                         .profile = options.profile,
@@ -222,6 +225,7 @@ int simulate(const SimulatorOptions& options) {
                                         .simulation = "unix:" + sockets.orders.string(),
                                         .recordings = options.out / "recordings",
                                         .twin = is_twin ? "unix:" + sockets.twin.string() : ""}));
+  std::unique_ptr<TwinServer> twin = twin_of(options, choice, robot, world, sockets.twin);
   serve(options, director, twin.get());
   twin.reset();
   write_commands(options, world, robot, is_twin, director);

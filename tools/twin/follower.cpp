@@ -15,7 +15,8 @@ namespace {
 using nlohmann::json;
 
 constexpr double kObeyed_s = 3.0;  // a stand takes a walk's last steps
-constexpr double kRenew_s = 0.05;  // of a velocity, which holds for half a second; and of looks
+constexpr double kLook_s = 0.05;
+constexpr int kRenewedAfter = 2;  // looks; a velocity holds for half a second
 constexpr std::chrono::milliseconds kFollowAgain{500};
 
 bool is_zero(const std::array<double, 3>& velocity) {
@@ -156,7 +157,7 @@ void Follower::follow() {
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
   FollowRules rules;
   std::array<double, 3> velocity{};
-  while (goes_on()) {
+  for (int look = 0; goes_on(); ++look) {
     walk_there(client);
     const std::vector<FollowOrder> orders = rules.look(heard());
     if (!orders.empty()) carry_out(client, service("/command/acquire", {{"name", kName}}));
@@ -164,11 +165,11 @@ void Follower::follow() {
       velocity = order.velocity;  // every other order ends the walk
       if (!order.service.empty()) carry_out(client, order);
     }
-    if (!is_zero(velocity)) {
+    if (!is_zero(velocity) && (look % kRenewedAfter == 0 || !orders.empty())) {
       client.publish("/cmd_vel", {{"linear", {{"x", velocity[0]}, {"y", velocity[1]}, {"z", 0.0}}},
                                   {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", velocity[2]}}}});
     }
-    client.rest(kRenew_s);
+    client.rest(kLook_s);
     require_obeyed(client);
     note(true, "");  // it is well again; not before: what goes wrong each time is told once
   }

@@ -27,4 +27,8 @@ struct TimedEvent {
 [[nodiscard]] nlohmann::json to_json(std::span<const TimedEvent> events);
 [[nodiscard]] std::vector<TimedEvent> events_from(const nlohmann::json& list);
 
+// For pictures of the line: of a command that is only said again, as a velocity that is held is ten times a
+// second, the first alone.
+[[nodiscard]] std::vector<const TimedEvent*> without_renewals(std::span<const TimedEvent> events);
+
 }  // namespace gaitway::timeline
