@@ -25,17 +25,15 @@ TEST(WithoutRenewals, AVelocityThatIsHeldIsOneCommand) {
 }
 
 TEST(WithoutRenewals, WhatIsSaidAnewAfterAWhileIsShown) {
-  const std::vector<TimedEvent> events{{0, true, "motion: kick"}, {1001 * kMillisecond_ns, true, "motion: kick"}};
+  const std::vector<TimedEvent> events{{0, true, "motion: kick"},
+                                       {1001 * kMillisecond_ns, true, "motion: kick"}};
   EXPECT_EQ(without_renewals(events).size(), 2U);
 }
 
 TEST(WithoutRenewals, PushesAndFaultsAreEachShown) {
-  const std::vector<TimedEvent> events{{0, false, "push: {body: trunk}"},
-                                       {1, false, "push: {body: trunk}"},
-                                       {2, false, "walk: [0.1, 0, 0]"},
-                                       {3, false, "fault: {kind: jam}"},
-                                       {4, false, "walk: [0.1, 0, 0]"},
-                                       {5, false, "fault: {kind: jam}"}};
+  const std::vector<TimedEvent> events{{0, false, "push: {body: trunk}"}, {1, false, "push: {body: trunk}"},
+                                       {2, false, "walk: [0.1, 0, 0]"},   {3, false, "fault: {kind: jam}"},
+                                       {4, false, "walk: [0.1, 0, 0]"},   {5, false, "fault: {kind: jam}"}};
   EXPECT_EQ(without_renewals(events).size(), 5U) << "the walk is held on";
 }
 
