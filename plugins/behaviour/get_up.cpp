@@ -90,6 +90,9 @@ class GetUp final : public RobotAction {
     if (call.now_ns() - holds_since_ns_ < kStillFor_ns) return Outcome::running;
     const auto name = call.get<behaviour::Text>(lies_on_front() ? 2 : 3);
     if (!name || name->view().empty()) return fail("GetUp", "there is no motion for the side it lies on");
+    std::array<char, 160> text{};
+    fmt::format_to_n(text.data(), text.size() - 1, "gets up: attempt {} by '{}'", failed_ + 1, name->view());
+    orders().say(text.data());
     motion_.order(name->view(), now(), orders());
     enter(Doing::gets_up, call);
     return Outcome::running;

@@ -81,7 +81,7 @@ void MissionRunner::answer(bool refused, std::string_view text) noexcept {
   answered_ = asked_;
   refused_ = refused;
   copy_text(text_, text);
-  if (refused) line(true, text_.data());
+  if (refused) listener_.on_line(true, text_.data());
 }
 
 void MissionRunner::take_up(ReadMission read) {
