@@ -132,7 +132,7 @@ bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
 }
 
 // Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot, or after
-// the end of its way; returns the wall time that it took.
+// the end of its way or mission; returns the wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
                 bool ends_with_way, bool draws, RunRecorder& recorder, Snapshots& snapshots,
                 const ProgressLine& progress) {
@@ -154,7 +154,7 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
                                                         !gets_up_after(scenario, metrics.fell_at_s)) {
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
     }
-    if (ends_with_way && last_ns == end_ns && recorder.way().ended()) {
+    if (last_ns == end_ns && ((ends_with_way && recorder.way().ended()) || recorder.mission().ended())) {
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterWay_s * 1e9);
     }
     if (cosimulation.now_ns() % 100'000'000 == 0) {

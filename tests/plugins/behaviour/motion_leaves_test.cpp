@@ -148,6 +148,7 @@ TEST(GetUp, StandsThatDoNotLastCountAsAttempts) {
     EXPECT_EQ(run.tick_for(2.0), NodeStatus::success);
   }
   run.lie(kOnFront_rad);
+  run.take_sayings();
   EXPECT_EQ(run.tick(), NodeStatus::failure);
   EXPECT_THAT(run.take_sayings(), ElementsAre(HasSubstr("gives up after 3 attempts: no stand has lasted")));
 }
