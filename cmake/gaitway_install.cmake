@@ -6,12 +6,12 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packaging takes what is built; test
 set(gaitway_package_folder lib/cmake/gaitway)
 set(gaitway_built_package "${CMAKE_BINARY_DIR}/${gaitway_package_folder}")
 set(gaitway_shipped_plugins gaitway_plugin_trajectory gaitway_plugin_kinematics gaitway_plugin_zmp gaitway_plugin_stability
-    gaitway_plugin_api)
+    gaitway_plugin_navigation gaitway_plugin_behaviour gaitway_plugin_api)
 set(gaitway_author_libraries facts geometry plugin msgclient_topics simulated_robot_headers process msgclient input urdf
     trajectory kinematics zmp stability)
 
 install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
-install(DIRECTORY core/config tools/scenarios tools/worlds tools/new_plugin/templates DESTINATION share/gaitway)
+install(DIRECTORY core/config tools/scenarios tools/worlds plugins/behaviour/missions tools/new_plugin/templates DESTINATION share/gaitway)
 install(DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway/prepared_motions/humanoid22/" DESTINATION share/gaitway/urdf/humanoid22/motions)
 install(DIRECTORY tools/calibrate/poses/ DESTINATION share/gaitway/calibration)
 install(DIRECTORY docs/ DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)

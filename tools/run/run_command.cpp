@@ -23,6 +23,7 @@
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
+#include "tools/run/mission_option.hpp"
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
@@ -41,6 +42,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> scenario;
   std::optional<std::vector<double>> walk;  // forward m/s, left m/s, turn rad/s
   std::optional<std::vector<double>> to;    // x m, y m, yaw deg
+  std::optional<std::string> mission;       // of the behaviour
   bool localization = true;
   std::optional<double> seconds;
   std::uint64_t seed = 1;
@@ -55,8 +57,9 @@ struct RunOptions {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kDefaultSeconds = 20.0;
-constexpr double kLongestWay_s = 120.0;  // a run that walks to a place ends when the robot is there
-constexpr double kStand_s = 1.0;         // before it
+constexpr double kLongestWay_s = 120.0;      // a run that walks to a place ends when the robot is there
+constexpr double kStand_s = 1.0;             // before it
+constexpr double kLongestMission_s = 120.0;  // one that has ended ends its run
 constexpr double kAfterWay_s = 1.0;
 constexpr double kDefaultSpeed_m_per_s = 0.15;  // of a body as large as humanoid22
 constexpr double kAfterFall_s = 1.0;            // shown after a fall, before the run ends
@@ -85,6 +88,11 @@ simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotMode
   if (options.scenario) {
     simulator::Scenario scenario = simulator::load_scenario(scenario_file(*options.scenario), robot);
     scenario.seconds = options.seconds.value_or(scenario.seconds);
+    return scenario;
+  }
+  if (options.mission) {
+    simulator::Scenario scenario;
+    scenario.seconds = options.seconds.value_or(kLongestMission_s);
     return scenario;
   }
   if (options.to) return way_scenario(*options.to, options.seconds.value_or(kLongestWay_s));
@@ -123,7 +131,7 @@ bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
 }
 
 // Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot, or after
-// the end of its way; returns the wall time that it took.
+// the end of its way or mission; returns the wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
                 bool ends_with_way, bool draws, RunRecorder& recorder, Snapshots& snapshots,
                 const ProgressLine& progress) {
@@ -145,7 +153,7 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
                                                         !gets_up_after(scenario, metrics.fell_at_s)) {
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterFall_s * 1e9);
     }
-    if (ends_with_way && last_ns == end_ns && recorder.way().ended()) {
+    if (last_ns == end_ns && ((ends_with_way && recorder.way().ended()) || recorder.mission().ended())) {
       last_ns = cosimulation.now_ns() + static_cast<std::int64_t>(kAfterWay_s * 1e9);
     }
     if (cosimulation.now_ns() % 100'000'000 == 0) {
@@ -183,6 +191,7 @@ core::Configuration configuration_of(const RunOptions& options, bool navigates,
                                      const std::optional<world::World>& world) {
   core::Configuration configuration = core::read_configuration(options.config);
   if (navigates) add_navigation(configuration, world);
+  if (options.mission) set_mission(configuration, *options.mission);
   return configuration;
 }
 
@@ -252,7 +261,9 @@ int run(const RunOptions& options) {
   msgcontroller::require_proven_network(robot, options.accept_unproven);
   simulator::Scenario scenario = scenario_of(options, robot);
   const std::optional<world::World> world = world_of(options.world, scenario.world);
-  const core::PluginExchange plugins = plugins_of(options, walks_ways(scenario), world);
+  const bool navigates = walks_ways(scenario) || options.mission.has_value();
+  if (options.mission) scenario.to_the_end = true;  // a fall may be what it gets up from
+  const core::PluginExchange plugins = plugins_of(options, navigates, world);
   const std::string commander = plugins.behaviour();
   if (!commander.empty()) {
     leave_walk_to(commander, options, scenario);
@@ -262,7 +273,7 @@ int run(const RunOptions& options) {
   cosimulation_options.plant.mismatch = options.mismatch;
   cosimulation_options.plant.conditions = scenario.conditions;
   cosimulation_options.plant.world = world;
-  cosimulation_options.localization.is_there = options.localization && walks_ways(scenario);
+  cosimulation_options.localization.is_there = options.localization && navigates;
   cosimulation_options.main_controller.configuration = options.config;
   cosimulation_options.main_controller.try_at_start = true;
   cosimulation_options.main_controller.plugins = plugins.configuration;
@@ -332,11 +343,14 @@ void add_run(const CommandLine& program) {
               "through the world and followed")
       .excludes(scenario)
       .values(3);
+  command.option(
+      "--mission", options.mission,
+      "Behaviour tree to run (XML): a file, or the name of a shipped one; the run ends when it has");
   command.option("!--no-localization", options.localization,
                  "Nothing in the room tells a robot on its way where it is: dead reckoning alone");
   command
       .option("--seconds", options.seconds,
-              "Virtual time to run (default 20, or the scenario's; with --to at most 120)")
+              "Virtual time to run (default 20, or the scenario's; with --to and --mission at most 120)")
       .between(0.001, 86400.0);
   command.option("--seed", options.seed, "Seed of mismatch, noise and clock drifts");
   command.option("--profile", options.profile,
@@ -359,6 +373,7 @@ void add_run(const CommandLine& program) {
       "  gaitway run --scenario push.yaml --film 3.9,5    pictures of the first push\n"
       "  gaitway run --world boxes --world-seed 3         in a room with boxes\n"
       "  gaitway run --world boxes --to 2.3,2,90          to a place in it\n"
+      "  gaitway run --mission patrol                     what a behaviour tree decides\n"
       "  gaitway run --with build/libsway.so              with a plug-in of yours\n"
       "Exit code: 0 the robot stayed up and did what it was asked, 2 it fell, 3 it stayed up, but walked or "
       "turned less than\n"

@@ -56,7 +56,8 @@ RunRecorder::RunRecorder(simulator::Cosimulation& run, const std::filesystem::pa
       trim_(run.client().read<TrimCommand>("trim")),
       walk_command_(run.client().read<WalkCommand>("walk_command")),
       keep_samples_(keep_samples),
-      way_(run.client()) {
+      way_(run.client()),
+      mission_(run.client()) {
   if (!bus_log.empty()) {
     bus_log_.emplace(bus_log);
   }
@@ -99,6 +100,7 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
   if (core::is_tick(now_ns - facts::kMillisecond_ns)) {
     read_plan();
     way_.look(now_ns, run_.plant());
+    mission_.look(now_ns);
     follow_walk_command(now_ns);
     add_sample(now_ns);
   }

@@ -16,6 +16,7 @@
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/run_digest.hpp"
 #include "tools/run/contact_log.hpp"
+#include "tools/run/mission_record.hpp"
 #include "tools/run/run_metrics.hpp"
 #include "tools/run/way_record.hpp"
 
@@ -62,6 +63,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   [[nodiscard]] const RunMetrics& metrics() const noexcept { return metrics_; }
   [[nodiscard]] const ContactLog& contacts() const noexcept { return contacts_; }
   [[nodiscard]] const WayRecord& way() const noexcept { return way_; }
+  [[nodiscard]] const MissionRecord& mission() const noexcept { return mission_; }
   [[nodiscard]] std::uint64_t digest() const noexcept { return digest_.value(); }
   [[nodiscard]] const std::vector<float>& torques() const noexcept { return torques_; }
   // Every frame of the cycle that starts at `cycle_start_ns()`: one that was walked, for the timeline.
@@ -93,6 +95,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   RunMetrics metrics_;
   ContactLog contacts_;
   WayRecord way_;
+  MissionRecord mission_;
   CentreOfPressureMean cop_mean_;
   std::array<MotionPlan, 3> plans_{};  // the newest, by sequence modulo 3
   std::vector<RunSample> samples_;

@@ -277,6 +277,14 @@ std::string film_strip(const std::filesystem::path& file) {
       base64(bytes));
 }
 
+std::string behaviour(const ReportInput& input) {
+  const std::string timeline =
+      input.recorder.mission().timeline(input.summary["virtual_seconds"].get<double>());
+  if (timeline.empty()) return {};
+  return "<h2>The behaviour</h2>\n<p>Green: success, red: failure, grey: halted, blue: it still runs.</p>\n" +
+         timeline;
+}
+
 }  // namespace
 
 void write_report(const std::filesystem::path& file, const ReportInput& input) {
@@ -289,7 +297,7 @@ void write_report(const std::filesystem::path& file, const ReportInput& input) {
   const std::string page = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Gaitway run: {0}</title>"
       "<meta name=\"viewport\" content=\"width=device-width\"><style>{1}</style></head><body>\n"
-      "<h1>{0}: a run of {2:.1f} s, seed {3}</h1>\n<pre>{4}</pre>\n{5}"
+      "<h1>{0}: a run of {2:.1f} s, seed {3}</h1>\n<pre>{4}</pre>\n{5}{12}"
       "<h2>The walk</h2>\n<p>Blue: left foot, orange: right foot. References are laid out from the true "
       "support foot.</p>\n{6}{7}{8}"
       "<h2>Joint tracking</h2>\n<p>Two seconds from the middle of the run; the legs.</p>\n{9}"
@@ -300,7 +308,7 @@ void write_report(const std::filesystem::path& file, const ReportInput& input) {
       escape_html(input.robot.name), kStyle, input.summary["virtual_seconds"].get<double>(),
       input.summary["seed"].get<std::uint64_t>(), escape_html(summary_table(input.summary)),
       film_strip(input.film_strip), from_above(input), zmp_over_time(input, 0), zmp_over_time(input, 1),
-      joints, bus_timeline(input), compute_times(input));
+      joints, bus_timeline(input), compute_times(input), behaviour(input));
   process::write_text_file(file, page);
 }
 

@@ -29,6 +29,7 @@
 #include "gaitway/simulator/pace.hpp"
 #include "gaitway/simulator/simulation_desk.hpp"
 #include "tools/command_line.hpp"
+#include "tools/run/mission_option.hpp"
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
@@ -54,6 +55,7 @@ struct ServeOptions {
   std::uint64_t seed = 1;
   double mismatch = 1.0;
   WorldOptions world;
+  std::optional<std::string> mission;  // none: the configuration's
   std::filesystem::path out = "out/serve";
   bool bus_log = false;
   bool quiet = false;
@@ -83,6 +85,7 @@ core::Configuration configuration_of(const ServeOptions& options, const std::str
                                      const std::optional<world::World>& world) {
   core::Configuration configuration = core::read_configuration(options.config);
   add_navigation(configuration, world);
+  if (options.mission) set_mission(configuration, *options.mission);
   set_link(api_of(configuration), link);
   return configuration;
 }
@@ -213,6 +216,10 @@ void declare_program(const CommandLine& app) {
   command.option("--mismatch", options.mismatch, "Scale of what the planner does not know of the robot")
       .between(0.0, 10.0);
   add_world_options(command, options.world);
+  command.option(
+      "--mission", options.mission,
+      "Behaviour tree to begin with (XML): a file, the name of a shipped one, or none (default: the "
+      "configuration's, stand_up_after_falls, which gets up after falls)");
   command.option("--out", options.out, "Folder for the results and recordings");
   command.option("--bus-log", options.bus_log, "Log every frame; 0.4 GB an hour");
   command.option("--quiet", options.quiet, "No events and no table");
@@ -220,6 +227,7 @@ void declare_program(const CommandLine& app) {
       "Examples:\n"
       "  gaitway serve                              until Ctrl-C; its page is http://127.0.0.1:9090\n"
       "  gaitway serve --world boxes\n"
+      "  gaitway serve --mission none               after a fall it lies until it is told to get up\n"
       "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
       "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"
       "  gaitway run --scenario out/serve/commands.yaml      plays what was asked once more\n"
