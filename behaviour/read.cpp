@@ -10,9 +10,10 @@
 #include "xml_document.hpp"
 
 namespace gaitway::behaviour {
+namespace {
 
-Description parse_tree(std::string_view text, const std::filesystem::path& file, const Registry& registry) {
-  Complaints complaints(file);
+Definitions definitions_of(std::string_view text, const std::filesystem::path& file, const Registry& registry,
+                           Complaints& complaints) {
   std::vector<XmlElement> document;
   try {
     document = parse_xml(text, file);
@@ -21,11 +22,32 @@ Description parse_tree(std::string_view text, const std::filesystem::path& file,
     complaints.add({wrong.line}, wrong.field, wrong.value, wrong.rule, wrong.remedy);
   }
   complaints.throw_if_any();
-  const Definitions definitions = define_trees(document, registry, complaints);
+  Definitions definitions = define_trees(document, registry, complaints);
   complaints.throw_if_any();
+  return definitions;
+}
+
+Description expanded(const Definitions& definitions, Complaints& complaints) {
   Description description = expand(definitions, complaints);
   complaints.throw_if_any();
   return description;
+}
+
+}  // namespace
+
+Description parse_tree(std::string_view text, const std::filesystem::path& file, const Registry& registry) {
+  Complaints complaints(file);
+  return expanded(definitions_of(text, file, registry, complaints), complaints);
+}
+
+std::optional<Description> parse_tree_of_id(std::string_view text, const std::filesystem::path& file,
+                                            const Registry& registry, std::string_view id) {
+  Complaints complaints(file);
+  Definitions definitions = definitions_of(text, file, registry, complaints);
+  const auto found = definitions.by_id.find(id);
+  if (found == definitions.by_id.end()) return std::nullopt;
+  definitions.main = found->second;
+  return expanded(definitions, complaints);
 }
 
 Description read_tree(const std::filesystem::path& file, const Registry& registry) {

@@ -60,6 +60,10 @@ std::filesystem::path world_directory() {
   return shared("worlds");
 }
 
+std::filesystem::path mission_directory() {
+  return shared("missions");
+}
+
 std::filesystem::path template_directory() {
   return shared("templates");
 }

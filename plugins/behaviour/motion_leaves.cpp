@@ -15,7 +15,7 @@ class PlayMotion final : public RobotAction {
 
   Outcome on_start(Call& call) noexcept override {
     const auto name = call.get<behaviour::Text>(0);
-    if (!name || name->view().empty()) return fail("PlayMotion", "its port 'name' has no value");
+    if (!name || name->view().empty()) return fail("PlayMotion", "its port 'motion' has no value");
     began_upright_ = now().is_upright();
     motion_.order(name->view(), now(), orders());
     return Outcome::running;
@@ -63,7 +63,8 @@ class PlayMotion final : public RobotAction {
 void register_motions(behaviour::Registry& registry, const std::shared_ptr<Robot>& robot) {
   registry.add_action(
       {.id = "PlayMotion",
-       .ports = {text_port("name", std::nullopt, "of a motion of the robot, as `gaitway motion list` tells")},
+       .ports = {text_port("motion", std::nullopt,
+                           "name of one of the robot's, as `gaitway motion list` tells")},
        .meaning =
            "Plays a key-frame motion to its end. Fails with the reason for which it was refused, where it "
            "was left or broken off, and, if it began upright, in a fall"},

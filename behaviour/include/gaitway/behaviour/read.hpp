@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +34,9 @@ inline constexpr std::size_t kMostComplaints = 100;
 // The same of a text; `file` is what complaints call it.
 [[nodiscard]] Description parse_tree(std::string_view text, const std::filesystem::path& file,
                                      const Registry& registry);
+// The tree of that ID in place of the file's main tree; nothing: the file has none of that name.
+[[nodiscard]] std::optional<Description> parse_tree_of_id(std::string_view text,
+                                                          const std::filesystem::path& file,
+                                                          const Registry& registry, std::string_view id);
 
 }  // namespace gaitway::behaviour

@@ -3,7 +3,8 @@
 //
 //   <root>/bin                          programs
 //   <root>/lib/gaitway                  libraries that they bring along; plugins/ the plug-ins
-//   <root>/share/gaitway                urdf/, config/, scenarios/, worlds/, templates/, calibration/
+//   <root>/share/gaitway                urdf/, config/, scenarios/, worlds/, missions/, templates/,
+//                                       calibration/
 //
 // Of a build tree, urdf/ is the source tree's, into which nothing is built: what is prepared for its robots
 // lies in prepared_motions/ROBOT.
@@ -22,6 +23,7 @@ namespace gaitway::process {
 [[nodiscard]] std::filesystem::path default_config_file();
 [[nodiscard]] std::filesystem::path scenario_directory();
 [[nodiscard]] std::filesystem::path world_directory();
+[[nodiscard]] std::filesystem::path mission_directory();
 [[nodiscard]] std::filesystem::path template_directory();
 [[nodiscard]] std::filesystem::path calibration_directory();
 

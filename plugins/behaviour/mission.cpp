@@ -1,0 +1,43 @@
+// Finds and reads the file of a mission.
+#include "gaitway/behaviour_leaves/mission.hpp"
+
+#include <algorithm>
+
+#include "gaitway/behaviour/read.hpp"
+#include "gaitway/input/complaint.hpp"
+#include "gaitway/input/text.hpp"
+#include "gaitway/process/installation.hpp"
+
+namespace gaitway::behaviour_leaves {
+
+std::vector<std::string> shipped_missions() {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(process::mission_directory(), none)) {
+    if (entry.path().extension() == ".xml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::filesystem::path find_mission(const std::string& name_or_path) {
+  const std::filesystem::path shipped = process::mission_directory();
+  for (const std::filesystem::path& file :
+       {std::filesystem::path(name_or_path), shipped / name_or_path, shipped / (name_or_path + ".xml")}) {
+    std::error_code unknown;
+    if (std::filesystem::exists(file, unknown) && !std::filesystem::is_directory(file, unknown)) return file;
+  }
+  input::refuse({name_or_path, 0, "mission", "'" + name_or_path + "'",
+                 "there is no such file, and no mission of that name is shipped",
+                 input::suggest(name_or_path, shipped_missions())});
+}
+
+Mission read_mission(const std::string& name_or_path, const behaviour::Registry& registry) {
+  Mission mission{.file = find_mission(name_or_path), .tree = {}, .stand_up = {}};
+  const std::string text = input::read_text_file(mission.file, "Give the file of a behaviour tree");
+  mission.tree = behaviour::parse_tree(text, mission.file, registry);
+  mission.stand_up = behaviour::parse_tree_of_id(text, mission.file, registry, kStandUpTree);
+  return mission;
+}
+
+}  // namespace gaitway::behaviour_leaves
