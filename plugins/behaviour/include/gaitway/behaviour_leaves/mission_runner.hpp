@@ -1,0 +1,106 @@
+// Runs one mission: ticks its tree while the behaviour commands, halts it while somebody else does, starts,
+// ends and changes it as people ask.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gaitway/behaviour_leaves/leaves.hpp"
+#include "gaitway/behaviour_leaves/mission_desk.hpp"
+#include "gaitway/msgclient/topics.hpp"
+
+namespace gaitway::behaviour_leaves {
+
+// What a successor goes on from: which mission, and whether it is over. The tree itself begins anew.
+struct RunnerState {
+  std::uint32_t answered = 0, state = behaviour_state::state::none;
+  std::uint64_t ticks = 0, transitions = 0;
+  std::array<char, 256> mission{};
+};
+
+class MissionRunner {
+ public:
+  // What is told to people, once each.
+  class Listener {
+   public:
+    virtual ~Listener() = default;
+    virtual void on_line(bool is_trouble, const char* text) noexcept = 0;
+  };
+
+  // Leaves of the registry work on `robot`. All of these must outlive this.
+  MissionRunner(const behaviour::Registry& registry, Robot& robot, MissionDesk::Where where,
+                Listener& listener);
+
+  // Begins at the next step. Throws behaviour::BadTree and input::InputError. Asks for memory.
+  void load(const std::string& name_or_path);
+
+  // Every tick of the robot; `robot.situation` is filled in. The tree is ticked where `is_due`, and at once
+  // where the robot begins to fall or to lie, or the command passes to somebody else. Then robot.orders holds
+  // what is to be passed on. True: a tree was ticked or halted.
+  bool step(bool is_due, bool is_enabled);
+  // A request that has been answered already, or a number 0, does nothing.
+  void ask(const BehaviourRequest& request);
+
+  void tell(BehaviourState& state) const noexcept;
+  // The next part.
+  void tell(BehaviourNodes& nodes) noexcept;
+
+  [[nodiscard]] RunnerState state() const noexcept;
+  // Before the first step. Reads the mission beside it, if it is another than the loaded one.
+  void go_on_from(const RunnerState& state);
+
+ private:
+  [[nodiscard]] behaviour::Tree* shown() const noexcept;
+  [[nodiscard]] bool is_disturbed() noexcept;
+  void take_up(ReadMission read);
+  void answer(bool refused, std::string_view text) noexcept;
+  void line(bool is_trouble, const char* text) noexcept;
+  void advance();
+  void run();
+  void wait();
+  void halt();
+  void show(bool stand_up) noexcept;
+  void begin_revision() noexcept;
+  void after_tree(const behaviour::Tree& tree) noexcept;
+  void pass_sayings() noexcept;
+  void enter(std::uint32_t state) noexcept;
+
+  const behaviour::Registry& registry_;
+  Robot& robot_;
+  Listener& listener_;
+  MissionDesk desk_;
+  std::unique_ptr<LoadedMission> mission_, next_;
+
+  std::uint32_t state_ = behaviour_state::state::none;
+  bool ends_ = false;           // it halts because a person has ended it, or to make room for the next one
+  bool is_halted_ = true;       // the tree has come to its end
+  bool stand_up_runs_ = false;  // of a mission that waits
+  bool shows_stand_up_ = false;
+  bool was_enabled_ = true;
+
+  std::optional<std::uint32_t> inherited_;  // state of a mission that is still to be read
+
+  std::uint32_t asked_ = 0, answered_ = 0, verb_ = 0;  // numbers of requests: being worked on, answered
+  bool refused_ = false;
+  std::array<char, 208> text_{};
+
+  std::uint32_t revision_ = 1;
+  std::uint32_t told_node_ = 0;
+  std::uint64_t ticks_ = 0, transitions_ = 0;
+  std::array<std::int64_t, kTreeTransitions> transition_ns_{};
+  std::array<std::uint32_t, kTreeTransitions> transition_node_{};
+  std::array<std::uint8_t, kTreeTransitions> transition_to_{};
+
+  std::uint32_t last_fall_ = 0, last_commander_ = 0, last_may_get_up_ = 0;
+  std::array<char, 208> last_trouble_{};
+  std::int64_t last_trouble_ns_ = 0;
+  std::array<char, 256>
+      wanted_{};  // name of the mission that is being read, and then of the one that is loaded
+};
+
+}  // namespace gaitway::behaviour_leaves

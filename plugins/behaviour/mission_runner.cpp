@@ -1,0 +1,347 @@
+// The states of a mission.
+#include "gaitway/behaviour_leaves/mission_runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace gaitway::behaviour_leaves {
+namespace {
+
+namespace states = behaviour_state::state;
+namespace verbs = behaviour_request::verb;
+using behaviour::NodeStatus;
+
+constexpr std::uint32_t kNodeOfNoTree = 0xFFFF'FFFF;
+constexpr std::int64_t kSameTroubleAgain_ns = 5'000'000'000;
+
+// One that comes to its end still runs, for who looks on.
+std::uint8_t told(NodeStatus status) noexcept {
+  return static_cast<std::uint8_t>(status == NodeStatus::halting ? NodeStatus::running : status);
+}
+
+template <class Byte, std::size_t size>
+void copy_text(Byte (&to)[size], std::string_view text) noexcept {
+  const std::size_t length = std::min(text.size(), size - 1);
+  std::memcpy(to, text.data(), length);
+  std::memset(to + length, 0, size - length);
+}
+
+template <std::size_t size>
+void copy_text(std::array<char, size>& to, std::string_view text) noexcept {
+  const std::size_t length = std::min(text.size(), size - 1);
+  to.fill('\0');
+  std::memcpy(to.data(), text.data(), length);
+}
+
+}  // namespace
+
+MissionRunner::MissionRunner(const behaviour::Registry& registry, Robot& robot, MissionDesk::Where where,
+                             Listener& listener)
+    : registry_(registry), robot_(robot), listener_(listener), desk_(registry, where) {}
+
+void MissionRunner::load(const std::string& name_or_path) {
+  mission_ = std::make_unique<LoadedMission>(read_mission(name_or_path, registry_), name_or_path, registry_);
+  copy_text(wanted_, name_or_path);
+  state_ = states::runs;
+}
+
+behaviour::Tree* MissionRunner::shown() const noexcept {
+  if (mission_ == nullptr) return nullptr;
+  return shows_stand_up_ && mission_->stand_up ? &*mission_->stand_up : &mission_->tree;
+}
+
+// ---- What people ask
+
+void MissionRunner::ask(const BehaviourRequest& request) {
+  if (request.number == 0 || request.number == answered_ || desk_.waits() || next_ != nullptr) return;
+  asked_ = request.number;
+  verb_ = request.verb;
+  const auto* const bytes = reinterpret_cast<const char*>(request.mission);
+  const std::string_view named(bytes, strnlen(bytes, sizeof request.mission));
+  if (request.verb == verbs::end) {
+    const bool is_over = mission_ == nullptr || state_ == states::none;
+    answer(false, is_over ? "no mission runs" : "the mission is being ended");
+    ends_ = !is_over;
+    if (ends_) enter(states::halts);
+    return;
+  }
+  if (!was_enabled_) return answer(true, "the behaviour is disabled: set its parameter 'enabled'");
+  if (request.verb != verbs::start && request.verb != verbs::change)
+    return answer(true, "there is no such verb");
+  if (named.empty() && mission_ == nullptr) return answer(true, "no mission is loaded: name one");
+  const std::string name = named.empty() ? mission_->name : std::string(named);
+  if (request.verb == verbs::change && mission_ == nullptr) return answer(true, "no mission runs: start one");
+  desk_.submit(name, request.verb == verbs::change ? &mission_->tree : nullptr);
+}
+
+void MissionRunner::answer(bool refused, std::string_view text) noexcept {
+  answered_ = asked_;
+  refused_ = refused;
+  copy_text(text_, text);
+  if (refused) line(true, text_.data());
+}
+
+void MissionRunner::take_up(ReadMission read) {
+  if (read.mission == nullptr) {
+    answer(true, read.refused);
+    return;
+  }
+  if (!read.change) {
+    copy_text(wanted_, read.mission->name);
+    next_ = std::move(read.mission);
+    answer(false, "the mission begins");
+    ends_ = true;
+    if (state_ != states::none && !is_halted_) enter(states::halts);
+    return;
+  }
+  if (stand_up_runs_) {
+    answer(true, "the robot is getting up: change the tree when it stands");
+  } else if (!mission_->tree.adopt(*read.change)) {
+    const std::vector<std::string> why = mission_->tree.refusals(*read.change);
+    answer(true, why.empty() ? "the tree has become another meanwhile: ask again" : why.front());
+  } else {
+    mission_->stand_up.swap(read.mission->stand_up);
+    mission_->name.swap(read.mission->name);
+    copy_text(wanted_, mission_->name);
+    begin_revision();
+    answer(false, "the tree has been changed");
+    line(false, "the tree has been changed");
+  }
+  desk_.put_away(std::move(read));
+}
+
+// ---- A step
+
+bool MissionRunner::is_disturbed() noexcept {
+  const Situation& now = robot_.situation;
+  const std::uint32_t fall = now.estimate != nullptr ? now.estimate->fall : 0;
+  const std::uint32_t commander = now.command != nullptr ? now.command->commander : 0;
+  const std::uint32_t may_get_up = now.command != nullptr ? now.command->may_get_up : 0;
+  const bool is_news = fall != last_fall_ || commander != last_commander_ || may_get_up != last_may_get_up_;
+  last_fall_ = fall;
+  last_commander_ = commander;
+  last_may_get_up_ = may_get_up;
+  return is_news;
+}
+
+bool MissionRunner::step(bool is_due, bool is_enabled) {
+  if (auto read = desk_.take()) take_up(*std::move(read));
+  const bool is_disturbed_now = is_disturbed();
+  if (!is_due && !is_disturbed_now) return false;
+  if (is_enabled != was_enabled_) {
+    was_enabled_ = is_enabled;
+    line(false, is_enabled ? "is enabled, and begins anew" : "is disabled");
+    if (is_enabled && mission_ != nullptr) enter(states::runs);
+    if (!is_enabled && state_ != states::none) {
+      ends_ = true;
+      enter(states::halts);
+    }
+  }
+  robot_.begin();
+  advance();
+  pass_sayings();
+  return true;
+}
+
+void MissionRunner::advance() {
+  if (ends_) {
+    halt();
+    if (!is_halted_) return;
+    ends_ = false;
+    if (next_ != nullptr) {
+      desk_.put_away(
+          {.refused = {}, .mission = std::exchange(mission_, std::exchange(next_, nullptr)), .change = {}});
+      begin_revision();
+      shows_stand_up_ = false;
+      enter(was_enabled_ ? inherited_.value_or(states::runs) : states::none);
+      if (!inherited_) ticks_ = 0;
+      inherited_.reset();
+    } else {
+      enter(states::none);
+      line(false, "the mission has been ended");
+    }
+    if (state_ != states::runs) return;
+    std::array<char, 208> text{};
+    fmt::format_to_n(text.data(), text.size() - 1, "mission '{}' begins", mission_->name);
+    line(false, text.data());
+  }
+  if (mission_ == nullptr) return;
+  if (state_ == states::runs && !robot_.situation.commands()) {
+    enter(states::waits);
+    line(false, "somebody else commands: the mission waits");
+  }
+  if (state_ == states::waits) wait();
+  if (state_ == states::runs) run();
+}
+
+void MissionRunner::run() {
+  show(false);
+  is_halted_ = false;
+  const NodeStatus result = mission_->tree.tick(robot_.situation.now_ns);
+  after_tree(mission_->tree);
+  if (result == NodeStatus::running) return;
+  is_halted_ = true;
+  const bool has_succeeded = result == NodeStatus::success;
+  enter(has_succeeded ? states::succeeded : states::failed);
+  std::array<char, 208> text{};
+  fmt::format_to_n(text.data(), text.size() - 1, "mission '{}' has {}", mission_->name,
+                   has_succeeded ? "succeeded" : "failed");
+  line(!has_succeeded, text.data());
+}
+
+// Everything halts; one thing may go on: the robot has fallen under a person's command, and gets up. Once it
+// has begun to, it goes on when the command comes back meanwhile.
+void MissionRunner::wait() {
+  const Situation& now = robot_.situation;
+  const bool gets_up = mission_->stand_up && now.commands_motions() &&
+                       (stand_up_runs_ || (!now.commands() && now.has_fallen()));
+  if (!gets_up || !is_halted_) {
+    halt();
+    if (is_halted_ && now.commands()) {
+      enter(states::runs);
+      line(false, "the command is back: the mission begins anew");
+    }
+    return;
+  }
+  show(true);
+  stand_up_runs_ = mission_->stand_up->tick(now.now_ns) == NodeStatus::running;
+  after_tree(*mission_->stand_up);
+}
+
+void MissionRunner::halt() {
+  if (mission_ == nullptr) {
+    is_halted_ = true;
+    return;
+  }
+  bool has_ended = true;
+  if (stand_up_runs_) {
+    has_ended = mission_->stand_up->halt(robot_.situation.now_ns);
+    stand_up_runs_ = !has_ended;
+    after_tree(*mission_->stand_up);
+  }
+  if (!is_halted_) {
+    is_halted_ = mission_->tree.halt(robot_.situation.now_ns);
+    show(false);
+    after_tree(mission_->tree);
+  }
+  is_halted_ = is_halted_ && has_ended;
+}
+
+void MissionRunner::enter(std::uint32_t state) noexcept {
+  state_ = state;
+}
+
+// ---- What is told
+
+void MissionRunner::show(bool stand_up) noexcept {
+  if (shows_stand_up_ == stand_up) return;
+  shows_stand_up_ = stand_up;
+  begin_revision();
+}
+
+// Transitions of the tree before keep their times, but name no node of this one.
+void MissionRunner::begin_revision() noexcept {
+  ++revision_;
+  told_node_ = 0;
+  transition_node_.fill(kNodeOfNoTree);
+}
+
+void MissionRunner::after_tree(const behaviour::Tree& tree) noexcept {
+  ++ticks_;
+  if (&tree != shown()) return;
+  for (const behaviour::Transition& change : tree.transitions()) {
+    const std::size_t at = transitions_ % kTreeTransitions;
+    transition_ns_[at] = change.time_ns;
+    transition_node_[at] = static_cast<std::uint32_t>(change.node);
+    transition_to_[at] = told(change.to);
+    ++transitions_;
+  }
+}
+
+void MissionRunner::line(bool is_trouble, const char* text) noexcept {
+  copy_text(text_, text);
+  listener_.on_line(is_trouble, text_.data());
+}
+
+// A tree that tries again and again has the same trouble in each tick.
+void MissionRunner::pass_sayings() noexcept {
+  for (const Orders::Saying& saying : robot_.orders.sayings()) {
+    const std::int64_t now_ns = robot_.situation.now_ns;
+    if (saying.is_trouble) {
+      const bool is_same = saying.text == last_trouble_;
+      if (is_same && now_ns - last_trouble_ns_ < kSameTroubleAgain_ns) continue;
+      last_trouble_ = saying.text;
+      last_trouble_ns_ = now_ns;
+    }
+    line(saying.is_trouble, saying.text.data());
+  }
+}
+
+void MissionRunner::tell(BehaviourState& state) const noexcept {
+  const behaviour::Tree* const tree = shown();
+  state.stamp_ns = robot_.situation.now_ns;
+  state.answered = answered_;
+  state.refused = refused_ ? 1 : 0;
+  state.state = state_;
+  state.revision = revision_;
+  state.ticks = ticks_;
+  state.transitions = transitions_;
+  std::ranges::copy(transition_ns_, state.transition_ns);
+  std::ranges::copy(transition_node_, state.transition_node);
+  std::ranges::copy(transition_to_, state.transition_to);
+  copy_text(state.text, text_.data());
+  std::ranges::fill(state.status, std::uint8_t{0});
+  state.node_count = 0;
+  copy_text(state.mission, tree != nullptr ? tree->description().main_tree : "");
+  if (tree == nullptr) return;
+  const auto statuses = tree->statuses();
+  state.node_count = static_cast<std::uint32_t>(statuses.size());
+  for (std::size_t i = 0; i < std::min<std::size_t>(statuses.size(), kMaxTreeNodes); ++i) {
+    state.status[i] = told(statuses[i]);
+  }
+}
+
+void MissionRunner::tell(BehaviourNodes& nodes) noexcept {
+  nodes = BehaviourNodes{};
+  nodes.stamp_ns = robot_.situation.now_ns;
+  nodes.revision = revision_;
+  const behaviour::Tree* const tree = shown();
+  if (tree == nullptr) return;
+  const auto& described = tree->description().nodes;
+  nodes.node_count = static_cast<std::uint32_t>(described.size());
+  if (told_node_ >= described.size()) told_node_ = 0;
+  nodes.first = told_node_;
+  for (; nodes.count < kToldNodes && told_node_ < described.size(); ++nodes.count, ++told_node_) {
+    const behaviour::DescribedNode& node = described[told_node_];
+    nodes.parent[nodes.count] = static_cast<std::uint32_t>(std::max(node.parent, 0));
+    copy_text(nodes.type[nodes.count], node.id);
+    copy_text(nodes.name[nodes.count],
+              node.segment == node.id ? std::string_view() : std::string_view(node.segment));
+  }
+}
+
+// ---- Going over to a successor
+
+RunnerState MissionRunner::state() const noexcept {
+  return {.answered = answered_,
+          .state = state_,
+          .ticks = ticks_,
+          .transitions = transitions_,
+          .mission = wanted_};
+}
+
+void MissionRunner::go_on_from(const RunnerState& state) {
+  answered_ = asked_ = state.answered;
+  ticks_ = state.ticks;
+  transitions_ = state.transitions;
+  const bool runs = state.state == states::runs || state.state == states::waits;
+  enter(runs ? state.state : state.state == states::halts ? states::none : state.state);
+  if (state.mission == wanted_ || state.mission[0] == '\0') return;
+  inherited_ = state_;
+  desk_.submit(state.mission.data(), nullptr);
+}
+
+}  // namespace gaitway::behaviour_leaves
