@@ -44,6 +44,12 @@ void check_parameter(CheckRun& run, const core::Parameter& parameter) {
   }
 }
 
+bool has_float(const TypeDescriptor& type) {
+  return std::ranges::any_of(type.fields, [](const FieldDescriptor& field) {
+    return field.type == ScalarType::float32_value || field.type == ScalarType::float64_value;
+  });
+}
+
 void check_topics(CheckRun& run, Specimen& specimen) {
   if (specimen.host().ports().empty()) {
     run.finding("declares no topic", "",
@@ -59,13 +65,11 @@ void check_topics(CheckRun& run, Specimen& specimen) {
                   fmt::format("topic '{}'", port.topic),
                   "build against this version's topics.hpp, or give a topic of your own another name");
     }
-    if (port.is_output() && port.float_fields.empty()) {
-      const bool has_floats = port.standard_type != nullptr;
-      if (has_floats) {
-        run.finding(
-            "names none of its floating-point fields, so that the host cannot refuse what is not finite",
-            fmt::format("topic '{}'", port.topic), "give the field table of the type (float_fields)");
-      }
+    if (port.is_output() && port.float_fields.empty() && port.standard_type != nullptr &&
+        has_float(*port.standard_type)) {
+      run.finding(
+          "names none of its floating-point fields, so that the host cannot refuse what is not finite",
+          fmt::format("topic '{}'", port.topic), "give the field table of the type (float_fields)");
     }
   }
 }
