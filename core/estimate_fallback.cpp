@@ -53,6 +53,7 @@ Eigen::Map<const Eigen::Vector3d> vector(const double (&values)[3]) noexcept {
 EstimateFallback::EstimateFallback(const FallbackSource& source)
     : robot_(load(source.robot_directory)),
       kinematics_(robot_),
+      neck_(urdf::neck_of(robot_, kinematics_)),
       slower_(robot_.body_scale().factor("s")),
       weight_N_(robot_.total_mass_kg() * kGravity_m_per_s2),
       joint_reader_(source.client.read<JointStates>("joint_states")),
@@ -255,6 +256,7 @@ void EstimateFallback::write(const Tick&) noexcept {
   const Eigen::Vector3d com = com_seen_from(support_) + com_difference_;
   const double omega = std::sqrt(kGravity_m_per_s2 / std::clamp(com.z(), 0.1, 2.0));
   last_.stamp_ns = std::min(joints_.stamp_ns, imu_.stamp_ns);
+  std::ranges::copy(neck_.angles_rad(std::span(joints_.position).first(robot_.joints.size())), last_.head);
   last_.support = static_cast<std::uint32_t>(support_);
   for (std::size_t foot = 0; foot < 2; ++foot) {
     last_.contact[foot] = contact_[foot] ? estimate::contact::bears_load : estimate::contact::lifted;

@@ -10,6 +10,7 @@
 #include "gaitway/manager/fallback.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
+#include "gaitway/urdf/neck.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::core {
@@ -43,6 +44,7 @@ class EstimateFallback final : public Fallback {
 
   urdf::RobotModel robot_;
   urdf::ForwardKinematics kinematics_;
+  urdf::Neck neck_;
   double slower_;  // than humanoid22: of its times
   double weight_N_;
   bool has_inclinometer_ = false;

@@ -13,14 +13,26 @@
 namespace gaitway::core {
 namespace {
 
-// In place of whoever commands the walk: finish the step and stand.
+// In place of the behaviour: whatever it has ordered ends, and the robot stands.
 class StopFallback final : public Fallback {
  public:
   void follow(const Tick&) noexcept override {}
   bool act(const Tick& tick, ManagedPlugin& through) noexcept override {
-    WalkCommand stop{};
-    stop.stamp_ns = tick.now_ns;
-    return through.publish_in_place("walk_command", stop, tick.now_ns);
+    // An order is new by its number; so are the behaviour's own, which have this bit, too.
+    const std::uint32_t number =
+        0x8000'0000U | static_cast<std::uint32_t>(tick.now_ns / facts::kMillisecond_ns);
+    WalkCommand stand{};
+    stand.stamp_ns = tick.now_ns;
+    WalkToRequest leave_way{};
+    leave_way.stamp_ns = tick.now_ns;
+    leave_way.number = number;
+    leave_way.cancel = 1;
+    MotionRequest leave_motion{};
+    leave_motion.stamp_ns = tick.now_ns;
+    leave_motion.number = number;
+    const bool stands = through.publish_in_place("behaviour_walk", stand, tick.now_ns);
+    const bool leaves = through.publish_in_place("behaviour_walk_to", leave_way, tick.now_ns);
+    return through.publish_in_place("behaviour_motion", leave_motion, tick.now_ns) || leaves || stands;
   }
 };
 

@@ -45,6 +45,7 @@ MainController::MainController(const urdf::RobotModel& robot, msgclient::Client&
       joint_states_reader_(client.read<JointStates>("joint_states")),
       network_state_reader_(client.read<NetworkState>("network_state")),
       network_health_reader_(client.read<NetworkHealth>("network_health")),
+      command_reader_(client.read<CommandState>("command_state")),
       crossing_bytes_(bytes_over_emi(manager_)) {}
 
 TickReport MainController::step(std::int64_t now_ns) noexcept {
@@ -55,6 +56,7 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   counts_.batches += tick.batch ? 1U : 0U;
   take_answers(tick);
   note_network(tick);
+  note_commander(tick);
   host_.charge_read(crossing_bytes_, now_ns);
   manager_.step(tick);
   report.declared_cost_ns = manager_.declared_cost_ns();
@@ -248,6 +250,18 @@ void MainController::note_network(const Tick& tick) noexcept {
       manager_.events().add(tick, EventKind::warning, kOwnName, text);
     });
   }
+}
+
+void MainController::note_commander(const Tick& tick) noexcept {
+  CommandState state;
+  if (command_reader_.newest_sequence() == command_seen_) return;
+  const msgclient::ReadResult read = command_reader_.read(state);
+  if (!read) return;
+  command_seen_ = read.sequence;
+  if (state.changes == commander_changes_) return;
+  commander_changes_ = state.changes;
+  state.text[sizeof state.text - 1] = 0;
+  manager_.events().add(tick, EventKind::info, "command", reinterpret_cast<const char*>(state.text));
 }
 
 void MainController::note_refusal(const Tick& tick, std::string_view text) noexcept {

@@ -23,12 +23,19 @@ void CommandIntake::take_topics(CommandTaker& taker, std::int64_t now_ns) noexce
   take_stops(taker, now_ns);
 }
 
+Reason CommandIntake::obey(CommandTaker& taker, const msgclient::UserCommandMail& mail,
+                           std::int64_t now_ns) noexcept {
+  const Reason problem = taker.obey(mail, now_ns);
+  if (problem == Reason::none && listener_ != nullptr) listener_->on_command(mail.kind, now_ns);
+  return problem;
+}
+
 void CommandIntake::take_mail(CommandTaker& taker, std::int64_t now_ns) noexcept {
   msgclient::UserCommandMail mail;
   if (adapter_.take_user_command(mail, now_ns) != msgclient::TakeStatus::mail) {
     return;
   }
-  const Reason problem = taker.obey(mail, now_ns);
+  const Reason problem = obey(taker, mail, now_ns);
   if (mail.kind == Kind::release && problem == Reason::none) {
     answer_release(Reason::emergency_stopped, now_ns);  // a stop has ended the one before
     release_mail_ = mail.sequence;
@@ -41,12 +48,13 @@ void CommandIntake::take_queue(CommandTaker& taker, std::int64_t now_ns) noexcep
   UserCommand command;
   for (int i = 0; i < kCommandsAMillisecond && commands_.pop(command); ++i) {
     const auto kind = static_cast<Kind>(command.kind);
-    const Reason problem = taker.obey({.sequence = command.number,
-                                       .kind = kind,
-                                       .joint = command.joint,
-                                       .position = static_cast<float>(command.position),
-                                       .duration_slots = command.duration_slots},
-                                      now_ns);
+    const Reason problem = obey(taker,
+                                {.sequence = command.number,
+                                 .kind = kind,
+                                 .joint = command.joint,
+                                 .position = static_cast<float>(command.position),
+                                 .duration_slots = command.duration_slots},
+                                now_ns);
     if (kind == Kind::release && problem == Reason::none) {
       ++releases_taken_;
       answer_release(Reason::emergency_stopped, now_ns);  // a stop has ended the one before

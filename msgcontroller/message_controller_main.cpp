@@ -17,9 +17,9 @@
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/msgclient/memory_block_server.hpp"
 #include "gaitway/msgcontroller/bus_timeline.hpp"
+#include "gaitway/msgcontroller/command_arbiter.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
-#include "gaitway/msgcontroller/peoples_requests.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
 #include "gaitway/process/text_file.hpp"
@@ -40,53 +40,34 @@ struct Options {
   msgcontroller::BusChoice bus;
   std::filesystem::path memory;
   std::filesystem::path summary;
-  std::vector<double> walk;  // forward m/s, left m/s, turn rad/s; empty: nobody here commands a walk
+  std::vector<double> walk;  // forward m/s, left m/s, turn rad/s; empty: nobody here orders a walk
   double walk_after_s = 1.0;
-  bool obey_walk_requests = false;
   double wait_s = 5.0;
   double seconds = 0.0;
 };
 
-// What people ask through the robot API.
-struct PeoplesRequests {
-  explicit PeoplesRequests(msgclient::Client& behavior) : walk(behavior), motion(behavior), way(behavior) {}
-  void step(std::int64_t now_ns) noexcept {
-    walk.step(now_ns);
-    motion.step(now_ns);
-    way.step(now_ns);
-  }
-  msgcontroller::WalkRequests walk;
-  msgcontroller::MotionRequests motion;
-  msgcontroller::WayRequests way;
-};
-
-// Publishes one walk command after a while, as the scenario's player does.
+// Orders one walk after a while, as a scenario does.
 class WalkPlayer {
  public:
-  WalkPlayer(msgclient::MemoryBlock& block, const Options& options, std::int64_t now_ns)
-      : client_(block.local_client("behavior")),
-        writer_(client_.write<WalkCommand>("walk_command")),
-        due_ns_(now_ns + static_cast<std::int64_t>(options.walk_after_s * 1e9)) {
-    command_.walk = 1;
-    command_.velocity[0] = options.walk[0];
-    command_.velocity[1] = options.walk[1];
-    command_.turn_rate = options.walk[2];
-    writer_.publish(WalkCommand{}, now_ns);
+  WalkPlayer(msgcontroller::CommandArbiter& arbiter, const Options& options, std::int64_t now_ns)
+      : arbiter_(arbiter), due_ns_(now_ns + static_cast<std::int64_t>(options.walk_after_s * 1e9)) {
+    walk_.walk = 1;
+    walk_.velocity[0] = options.walk[0];
+    walk_.velocity[1] = options.walk[1];
+    walk_.turn_rate = options.walk[2];
   }
   void step(std::int64_t now_ns) noexcept {
-    if (!published_ && now_ns >= due_ns_) {
-      published_ = true;
-      command_.stamp_ns = now_ns;
-      writer_.publish(command_, now_ns);
+    if (!ordered_ && now_ns >= due_ns_) {
+      ordered_ = true;
+      arbiter_.order(walk_, now_ns);
     }
   }
 
  private:
-  msgclient::Client client_;
-  msgclient::Writer<WalkCommand> writer_;
+  msgcontroller::CommandArbiter& arbiter_;
   std::int64_t due_ns_;
-  WalkCommand command_{};
-  bool published_ = false;
+  WalkCommand walk_{};
+  bool ordered_ = false;
 };
 
 // virtual_robot may still be starting, or an interface coming up: tries for a while. Nothing when told to
@@ -132,13 +113,13 @@ bool work(msgcontroller::BusTimeline& timeline, msgcontroller::BusConnection& bu
 
 LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
-                    msgcontroller::BusConnection& bus, std::optional<PeoplesRequests>& requests) {
+                    msgcontroller::BusConnection& bus, msgcontroller::CommandArbiter& arbiter) {
   LoopResult result;
   result.begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = result.begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
   std::optional<WalkPlayer> walk;
   if (!options.walk.empty()) {
-    walk.emplace(block, options, result.begin_ns);
+    walk.emplace(arbiter, options, result.begin_ns);
   }
   msgcontroller::BusTimeline timeline(controller, bus.port(), result.begin_ns);
   std::array<pollfd, 2> wakes{pollfd{-1, POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
@@ -151,6 +132,10 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
     if (now_ns >= timeline.next_ns() && !waits) {
       result.lateness.add(now_ns - timeline.next_ns());
     }
+    if (walk) {
+      walk->step(now_ns);
+    }
+    arbiter.step(now_ns, controller.mode() == msgcontroller::Mode::emergency_stop);
     if (!work(timeline, bus, now_ns, options)) {
       result.exit_code = kExitLost;
       break;
@@ -158,12 +143,6 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
     block.beat(now_ns);
     if (wakes[1].revents != 0 || now_ns >= server.due_ns()) {
       server.step(now_ns);
-    }
-    if (walk) {
-      walk->step(now_ns);
-    }
-    if (requests) {
-      requests->step(now_ns);
     }
   }
   result.end_ns = process::monotonic_ns();
@@ -234,12 +213,10 @@ int run(const Options& options) {
   msgclient::MemoryBlock block;
   msgclient::Client client = block.local_client("message_controller");
   msgclient::EmiMessage adapter(client);
-  msgclient::Client behavior = block.local_client("behavior");
-  std::optional<PeoplesRequests> requests;
-  if (options.obey_walk_requests) {
-    requests.emplace(behavior);
-  }
+  msgclient::Client arbiter_client = block.local_client("arbiter");
+  msgcontroller::CommandArbiter arbiter(arbiter_client);
   msgcontroller::MessageController controller(robot, client, adapter);
+  controller.tell_commands(&arbiter);
   const std::unique_ptr<msgcontroller::BusConnection> bus = connect(options);
   if (!bus) {
     return kExitFine;
@@ -247,7 +224,7 @@ int run(const Options& options) {
   block.beat(process::monotonic_ns());
   msgclient::MemoryBlockServer server(block, options.memory);
   process::ask_for_real_time("message_controller", kPriority);
-  const LoopResult result = run_loop(options, block, server, controller, *bus, requests);
+  const LoopResult result = run_loop(options, block, server, controller, *bus, arbiter);
   bus->close();
   write_summary(options, controller.state(), controller.health(), result, bus->interface());
   return result.exit_code;
@@ -273,19 +250,14 @@ int main(int argc, char** argv) {
   app.add_option("--sent-log", options.bus.sent_log,
                  "With --can: file for what was sent, in candump's format, in the order of the bus");
   app.add_option("--memory", options.memory, "Socket to give out the memory block on")->required();
-  app.add_option(
-         "--walk", options.walk,
-         "Command a walk VX,VY,WZ: forward m/s, left m/s, turn rad/s. Only while no plug-in commands it")
+  app.add_option("--walk", options.walk,
+                 "Order a walk VX,VY,WZ, as a person does: forward m/s, left m/s, turn rad/s")
       ->delimiter(',')
       ->check(input::number_within(-msgcontroller::kLargestTurnRate_rad_per_s,
                                    msgcontroller::kLargestTurnRate_rad_per_s));
   app.add_option("--walk-after", options.walk_after_s, "Seconds from the start to that command")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
-  app.add_flag(
-         "--obey-walk-requests", options.obey_walk_requests,
-         "Walk and play motions as people ask through the robot API. Only while no plug-in commands the walk")
-      ->excludes("--walk");
   app.add_option("--wait", options.wait_s, "Seconds to wait for the bus at the start")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();

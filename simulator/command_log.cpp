@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,31 @@ using Kind = msgclient::UserCommandKind;
 
 double seconds_of(std::int64_t time_ns) noexcept {
   return static_cast<double>(time_ns) * 1e-9;
+}
+
+WalkEvent event_of(const WalkCommand& walk) {
+  return {.velocity_m_per_s = {walk.velocity[0], walk.velocity[1]},
+          .turn_rate_rad_per_s = walk.turn_rate,
+          .walk = walk.walk != 0};
+}
+
+WalkToEvent event_of(const WalkToRequest& way) {
+  if (way.cancel != 0) return {};
+  return {std::array{way.goal[0], way.goal[1], way.goal[2]}};
+}
+
+MotionEvent event_of(const MotionRequest& motion) {
+  const auto* const name = reinterpret_cast<const char*>(motion.name);
+  return {{name, strnlen(name, sizeof motion.name)}};
+}
+
+HeadEvent event_of(const HeadCommand& head) {
+  return {.mode = static_cast<HeadEvent::Mode>(std::min(head.mode, head_command::mode::hold)),
+          .direction_rad = {head.direction[0], head.direction[1]},
+          .extent_rad = head.extent,
+          .period_s = head.period,
+          .point_m = Eigen::Vector3d(head.point[0], head.point[1], head.point[2]),
+          .speed_rad_per_s = head.speed};
 }
 
 std::string world_lines(const std::optional<world::World>& world) {
@@ -38,24 +64,16 @@ CommandLog::CommandLog(Cosimulation& run)
   static_cast<void>(stops_.read(stops_logged_));
 }
 
-void CommandLog::on_walk_request(const WalkCommand& command, std::int64_t now_ns) {
-  const WalkEvent walk{.velocity_m_per_s = {command.velocity[0], command.velocity[1]},
-                       .turn_rate_rad_per_s = command.turn_rate,
-                       .walk = command.walk != 0};
-  events_.push_back({.at_s = seconds_of(now_ns), .action = walk});
-}
-
-void CommandLog::on_motion_request(const MotionRequest& request, std::int64_t now_ns) {
-  const auto* const name = reinterpret_cast<const char*>(request.name);
-  events_.push_back({.at_s = seconds_of(now_ns),
-                     .action = MotionEvent{{name, strnlen(name, sizeof request.name)}},
-                     .asked = *name != 0});
-}
-
-void CommandLog::on_way_request(const WalkToRequest& request, std::int64_t now_ns) {
-  WalkToEvent way;
-  if (request.cancel == 0) way.goal = std::array{request.goal[0], request.goal[1], request.goal[2]};
-  events_.push_back({.at_s = seconds_of(now_ns), .action = way});
+void CommandLog::on_orders(const msgcontroller::PassedOrders& orders, std::int64_t now_ns) {
+  const double at_s = seconds_of(now_ns);
+  if (orders.verb) events_.push_back({.at_s = at_s, .action = CommandEvent{*orders.verb}});
+  if (orders.walk) events_.push_back({.at_s = at_s, .action = event_of(*orders.walk)});
+  if (orders.way) events_.push_back({.at_s = at_s, .action = event_of(*orders.way)});
+  if (orders.motion) {
+    const MotionEvent motion = event_of(*orders.motion);
+    events_.push_back({.at_s = at_s, .action = motion, .asked = !motion.name.empty()});
+  }
+  if (orders.head) events_.push_back({.at_s = at_s, .action = event_of(*orders.head)});
 }
 
 void CommandLog::on_end(std::int64_t now_ns) {

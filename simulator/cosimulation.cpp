@@ -25,13 +25,14 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       memory_block_(own_block_ ? *own_block_ : *options.memory_block),
       adapter_(memory_block_),
       message_client_(memory_block_.local_client("message_controller")),
-      behavior_client_(memory_block_.local_client("behavior")),
+      arbiter_client_(memory_block_.local_client("arbiter")),
       observer_client_(memory_block_.local_client("observer")),
       main_client_(memory_block_.local_client("main_controller")),
       localization_client_(memory_block_.local_client("localization")),
       plant_(robot_, options.plant),
       joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
       sensor_faults_(robot_, options.plant.seed),
+      arbiter_(arbiter_client_),
       message_controller_(robot_, message_client_, adapter_.message()),
       message_transmitter_(bus_.attach()),
       fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {
@@ -39,16 +40,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
     joint_transmitters_.emplace_back(bus_.attach());
   }
   foreign_station_ = bus_.attach();
-  if (options_.obey_walk_requests) {
-    walk_requests_.emplace(behavior_client_);
-    motion_requests_.emplace(behavior_client_);
-    way_requests_.emplace(behavior_client_);
-  } else if (!options_.plugin_commands_walk) {
-    walk_command_.emplace(behavior_client_.write<WalkCommand>("walk_command"));
-    walk_command_->publish(WalkCommand{}, 0);
-    motion_command_.emplace(behavior_client_.write<MotionRequest>("motion_command"));
-    walk_to_command_.emplace(behavior_client_.write<WalkToRequest>("walk_to_command"));
-  }
+  message_controller_.tell_commands(&arbiter_);
   if (options_.localization.is_there) {
     localization_.emplace(localization_client_, options_.localization, options_.plant.seed);
   }
@@ -62,20 +54,9 @@ Cosimulation::~Cosimulation() = default;
 void Cosimulation::advance_millisecond() {
   finish_restarts();
   memory_block_.beat(now_ns_);
-  if (walk_requests_) {
-    const auto command = walk_requests_->step(now_ns_);
-    if (command && observer_ != nullptr) {
-      observer_->on_walk_request(*command, now_ns_);
-    }
-    const auto motion = motion_requests_->step(now_ns_);
-    if (motion && observer_ != nullptr) {
-      observer_->on_motion_request(*motion, now_ns_);
-    }
-    const auto way = way_requests_->step(now_ns_);
-    if (way && observer_ != nullptr) {
-      observer_->on_way_request(*way, now_ns_);
-    }
-  }
+  const msgcontroller::PassedOrders orders =
+      arbiter_.step(now_ns_, message_controller_.mode() == msgcontroller::Mode::emergency_stop);
+  if (observer_ != nullptr) observer_->on_orders(orders, now_ns_);
   if (localization_) {
     localization_->step(now_ns_, plant_);
   }
@@ -207,23 +188,8 @@ void Cosimulation::finish_restarts() {
 }
 
 void Cosimulation::hand_to_people() {
-  walk_command_.reset();
-  motion_command_.reset();
-  walk_to_command_.reset();
-  WalkCommand in_force = scenario_walk_;
-  if (in_force.walk != 0) in_force.valid_until_ns = now_ns_ + kOrphanedWalk_ns;
-  walk_requests_.emplace(behavior_client_, in_force);
-  motion_requests_.emplace(behavior_client_, msgcontroller::Waiting::dropped);
-  way_requests_.emplace(behavior_client_, msgcontroller::Waiting::dropped);
-  options_.obey_walk_requests = true;
-}
-
-void Cosimulation::end_walk_requests() {
-  if (walk_requests_) {
-    walk_requests_->end(now_ns_);
-    motion_requests_->end();
-    way_requests_->end();
-  }
+  arbiter_.begin_anew_with_people(now_ns_ + kOrphanedWalk_ns);
+  options_.people_outside = true;
 }
 
 }  // namespace gaitway::simulator

@@ -66,21 +66,11 @@ void Cosimulation::apply(const ScenarioEvent& event) {
   struct Visitor {
     Cosimulation& self;
     bool asked;
-    void operator()(const WalkEvent& walk) const {
-      if (!self.walk_command_) {
-        throw std::invalid_argument("a plug-in or somebody outside alone commands the walk");
-      }
-      WalkCommand command{};
-      command.stamp_ns = self.now_ns_;
-      command.walk = walk.walk ? 1U : 0U;
-      command.velocity[0] = walk.velocity_m_per_s.x();
-      command.velocity[1] = walk.velocity_m_per_s.y();
-      command.turn_rate = walk.turn_rate_rad_per_s;
-      self.walk_command_->publish(command, self.now_ns_);
-      self.scenario_walk_ = command;
-    }
-    void operator()(const MotionEvent& motion) const { self.ask(motion); }
-    void operator()(const WalkToEvent& way) const { self.ask(way); }
+    void operator()(const WalkEvent& walk) const { self.order(walk); }
+    void operator()(const MotionEvent& motion) const { self.order(motion); }
+    void operator()(const WalkToEvent& way) const { self.order(way); }
+    void operator()(const HeadEvent& head) const { self.order(head); }
+    void operator()(const CommandEvent& command) const { self.arbiter_.order(command.verb, self.now_ns_); }
     void operator()(const StopEvent&) const { post(msgclient::UserCommandKind::stop); }
     void operator()(const ReleaseEvent&) const { post(msgclient::UserCommandKind::release); }
     void operator()(const EmergencyStopEvent& stop) const {
@@ -158,27 +148,49 @@ void Cosimulation::ask(const msgclient::UserCommandMail& mail) {
   }
 }
 
-void Cosimulation::ask(const MotionEvent& motion) {
-  if (!motion_command_) {
-    throw std::invalid_argument("a plug-in or somebody outside alone commands the motions");
+void Cosimulation::demand_that_scenario_commands(const char* what) const {
+  if (options_.people_outside) {
+    throw std::invalid_argument(fmt::format("somebody outside alone commands {}", what));
   }
-  MotionRequest request{};
-  request.stamp_ns = now_ns_;
-  request.number = ++motions_asked_;
-  std::memcpy(request.name, motion.name.data(), std::min(motion.name.size(), sizeof request.name - 1));
-  motion_command_->publish(request, now_ns_);
 }
 
-void Cosimulation::ask(const WalkToEvent& way) {
-  if (!walk_to_command_) {
-    throw std::invalid_argument("a plug-in or somebody outside alone commands the ways");
-  }
+void Cosimulation::order(const WalkEvent& walk) {
+  demand_that_scenario_commands("the walk");
+  WalkCommand command{};
+  command.walk = walk.walk ? 1U : 0U;
+  command.velocity[0] = walk.velocity_m_per_s.x();
+  command.velocity[1] = walk.velocity_m_per_s.y();
+  command.turn_rate = walk.turn_rate_rad_per_s;
+  arbiter_.order(command, now_ns_);
+}
+
+void Cosimulation::order(const MotionEvent& motion) {
+  demand_that_scenario_commands("the motions");
+  MotionRequest request{};
+  request.number = ++motions_asked_;
+  std::memcpy(request.name, motion.name.data(), std::min(motion.name.size(), sizeof request.name - 1));
+  arbiter_.order(request, now_ns_);
+}
+
+void Cosimulation::order(const WalkToEvent& way) {
+  demand_that_scenario_commands("the ways");
   WalkToRequest request{};
-  request.stamp_ns = now_ns_;
   request.number = ++ways_asked_;
   request.cancel = way.goal ? 0 : 1;
   if (way.goal) std::copy_n(way.goal->data(), way.goal->size(), request.goal);
-  walk_to_command_->publish(request, now_ns_);
+  arbiter_.order(request, now_ns_);
+}
+
+void Cosimulation::order(const HeadEvent& head) {
+  demand_that_scenario_commands("the head");
+  HeadCommand command{};
+  command.mode = static_cast<std::uint32_t>(head.mode);
+  std::copy_n(head.direction_rad.data(), head.direction_rad.size(), command.direction);
+  std::copy_n(head.point_m.data(), 3, command.point);
+  command.extent = head.extent_rad;
+  command.period = head.period_s;
+  command.speed = head.speed_rad_per_s;
+  arbiter_.order(command, now_ns_);
 }
 
 void Cosimulation::change_world(const SpawnEvent& spawn) {

@@ -14,7 +14,7 @@
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/msgcontroller/peoples_requests.hpp"
+#include "gaitway/msgcontroller/command_arbiter.hpp"
 
 namespace gaitway::simulator {
 namespace {

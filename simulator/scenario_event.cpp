@@ -16,7 +16,6 @@
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/msgclient/topics.hpp"
-#include "gaitway/msgcontroller/peoples_requests.hpp"
 #include "scenario_reading.hpp"
 
 namespace gaitway::simulator {
@@ -85,14 +84,18 @@ MotionEvent read_motion_name(const YamlValue& value) {
   return {name};
 }
 
-// As logs have it, which play again to the bit, or in degrees.
+// As logs have it, which play again to the bit, or in degrees: `pitch_rad` or `pitch_deg`. 0: it is not
+// there.
+double read_angle(const YamlValue& map, const std::string& name, double most_rad, double most_deg) {
+  const auto exact = map.find(name + "_rad");
+  const auto degrees = map.find(name + "_deg");
+  if (exact && degrees) exact->refuse("is there beside " + name + "_deg", "Leave one of them out");
+  if (exact) return exact->number({-most_rad, most_rad, "rad"});
+  return degrees ? degrees->number({-most_deg, most_deg, "degrees"}) * facts::kRadPerDegree : 0.0;
+}
+
 double read_yaw(const YamlValue& value) {
-  const auto exact = value.find("yaw_rad");
-  const auto degrees = value.find("yaw_deg");
-  if (exact && degrees) exact->refuse("is there beside yaw_deg", "Leave one of them out");
-  constexpr double kMostTurn_rad = 100.0;
-  if (exact) return exact->number({-kMostTurn_rad, kMostTurn_rad, "rad"});
-  return degrees ? degrees->number({-360.0, 360.0, "degrees"}) * facts::kRadPerDegree : 0.0;
+  return read_angle(value, "yaw", 100.0, 360.0);
 }
 
 WalkToEvent read_walk_to(const YamlValue& value) {
@@ -103,6 +106,53 @@ WalkToEvent read_walk_to(const YamlValue& value) {
   return {std::array{value.at("x_m").number(place), value.at("y_m").number(place), read_yaw(value)}};
 }
 
+Eigen::Vector3d read_place(const YamlValue& value) {
+  return three(value, {-world::kFarthest_m, world::kFarthest_m, "m"});
+}
+
+HeadEvent read_head(const YamlValue& value) {
+  using Mode = HeadEvent::Mode;
+  constexpr std::array<std::string_view, 10> kKeys{"look",      "yaw_deg",        "yaw_rad",    "pitch_deg",
+                                                   "pitch_rad", "extent_deg",     "extent_rad", "period_s",
+                                                   "point_m",   "speed_rad_per_s"};
+  constexpr std::array<std::pair<std::string_view, Mode>, 5> kModes{{{"ahead", Mode::ahead},
+                                                                     {"direction", Mode::direction},
+                                                                     {"point", Mode::point},
+                                                                     {"scan", Mode::scan},
+                                                                     {"hold", Mode::hold}}};
+  constexpr double kMost_rad = 3.0, kMost_deg = 170.0, kLongest_s = 600.0, kFastest_rad_per_s = 100.0;
+  value.require_map(kKeys);
+  HeadEvent head;
+  const YamlValue look = value.at("look");
+  const auto found =
+      std::ranges::find_if(kModes, [&](const auto& entry) { return entry.first == look.text(); });
+  if (found == kModes.end()) {
+    look.refuse("must be ahead, direction, point, scan or hold", "Choose one of them");
+  }
+  head.mode = found->second;
+  head.direction_rad = {read_angle(value, "yaw", kMost_rad, kMost_deg),
+                        read_angle(value, "pitch", kMost_rad, kMost_deg)};
+  head.extent_rad = read_angle(value, "extent", kMost_rad, kMost_deg);
+  if (head.extent_rad < 0.0 || (head.mode == Mode::scan && head.extent_rad == 0.0)) {
+    value.refuse("a scan goes to both sides by extent_deg, above 0", "Give one, e.g. extent_deg: 60");
+  }
+  if (const auto period = value.find("period_s")) head.period_s = period->number({0.0, kLongest_s, "s"});
+  if (head.mode == Mode::point) head.point_m = read_place(value.at("point_m"));
+  if (const auto speed = value.find("speed_rad_per_s")) {
+    head.speed_rad_per_s = speed->number({0.0, kFastest_rad_per_s, "rad/s"});
+  }
+  return head;
+}
+
+CommandEvent read_command(const YamlValue& value) {
+  const auto found =
+      std::ranges::find_if(kCommandVerbs, [&](const auto& entry) { return entry.first == value.text(); });
+  if (found == kCommandVerbs.end()) {
+    value.refuse("must be take, let_go or is_lost", "let_go: the behaviour may command again");
+  }
+  return {found->second};
+}
+
 std::string read_solid_name(const YamlValue& value) {
   constexpr std::size_t kMostBytes = 47;
   const std::string name = value.text();
@@ -111,10 +161,6 @@ std::string read_solid_name(const YamlValue& value) {
     value.refuse(fmt::format("a name has 1 to {} printable characters", kMostBytes), "Choose another one");
   }
   return name;
-}
-
-Eigen::Vector3d read_place(const YamlValue& value) {
-  return three(value, {-world::kFarthest_m, world::kFarthest_m, "m"});
 }
 
 SpawnEvent read_spawn(const YamlValue& value) {
@@ -191,6 +237,8 @@ constexpr std::array kActions{ActionKey{"walk", &read_plain<&read_walk>},
                               ActionKey{"leave_way", &read_true<WalkToEvent>},
                               ActionKey{"motion", &read_plain<&read_motion_name>},
                               ActionKey{"leave_motion", &read_true<MotionEvent>},
+                              ActionKey{"head", &read_plain<&read_head>},
+                              ActionKey{"command", &read_plain<&read_command>},
                               ActionKey{"stop", &read_true<StopEvent>},
                               ActionKey{"emergency_stop", &read_plain<&read_emergency_stop>},
                               ActionKey{"release", &read_true<ReleaseEvent>},

@@ -45,6 +45,20 @@ struct ActionText {
                                   (*way.goal)[1], (*way.goal)[2])
                     : "leave_way: true";
   }
+  std::string operator()(const HeadEvent& head) const {
+    constexpr std::string_view kModes[] = {"ahead", "direction", "point", "scan",
+                                           "hold"};  // as HeadEvent::Mode
+    return fmt::format(
+        "head: {{look: {}, yaw_rad: {}, pitch_rad: {}, extent_rad: {}, period_s: {}, speed_rad_per_s: {}{}}}",
+        kModes[static_cast<std::size_t>(head.mode)], head.direction_rad[0], head.direction_rad[1],
+        head.extent_rad, head.period_s, head.speed_rad_per_s,
+        head.mode == HeadEvent::Mode::point ? ", point_m: " + list(head.point_m) : "");
+  }
+  std::string operator()(const CommandEvent& command) const {
+    const std::string_view verb =
+        std::ranges::find(kCommandVerbs, command.verb, [](const auto& entry) { return entry.second; })->first;
+    return fmt::format("command: {}", verb);
+  }
   std::string operator()(const StopEvent&) const { return "stop: true"; }
   std::string operator()(const EmergencyStopEvent& stop) const {
     return fmt::format("emergency_stop: {}", stop.soft ? "soft" : "hold");

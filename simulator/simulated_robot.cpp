@@ -34,7 +34,6 @@ simulator::CosimulationOptions options_of(const SimulationOptions& given, const 
   }
   options.main_controller.configuration = config;
   options.main_controller.plugins = plugins.configuration;
-  options.plugin_commands_walk = !plugins.writer_of("walk_command").empty();
   return options;
 }
 

@@ -83,6 +83,14 @@ std::string PluginExchange::writer_of(std::string_view topic) const {
   return writer == descriptions.end() ? std::string() : writer->name;
 }
 
+std::string PluginExchange::behaviour() const {
+  for (const std::string_view topic :
+       {"behaviour_walk", "behaviour_walk_to", "behaviour_motion", "behaviour_head"}) {
+    if (std::string writer = writer_of(topic); !writer.empty()) return writer;
+  }
+  return {};
+}
+
 std::string describe(const AddedPlugin& added) {
   std::string line = fmt::format("{} ({})", added.name, added.library.string());
   line += added.replaced.empty() ? " is added" : fmt::format(" replaces {}", fmt::join(added.replaced, ", "));

@@ -39,11 +39,12 @@ RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot,
       navigation_states_(client.read<NavigationState>("navigation_state")),
       motion_requests_(client.write<MotionRequest>("motion_request")),
       motion_states_(client.read<MotionState>("motion_state")),
+      command_requests_(client.write<CommandRequest>("command_request")),
       last_number_(std::random_device{}()) {  // answers to a process before this one are not ours
   // Goes on from what was obeyed, never from what a process before this one has left in its own topic.
   static_cast<void>(stop_answers_.read(stops_at_start_));
   stop_requests_.publish(stops_at_start_, client_.heartbeat_ns());
-  stand(client_.heartbeat_ns());  // what it has left of a walk ends, too
+  tell_that_person_is_lost(client_.heartbeat_ns());  // what it has left of a walk ends, too
 }
 
 void RobotDesk::step(std::int64_t now_ns) {
@@ -52,13 +53,12 @@ void RobotDesk::step(std::int64_t now_ns) {
   end_.step(now_ns);
   const std::uint32_t session = end_.session().open() ? end_.session().count() : 0;
   if (session != session_) {
+    const bool had_one = session_ != 0;
     session_ = session;
     awaited_.clear();
     motions_.clear();
     ways_.clear();
-    if (walks_ || on_way_) {
-      stand(robot_ns);
-    }
+    if (had_one) tell_that_person_is_lost(robot_ns);
   }
   pass_stops_on(robot_ns);
   while (const auto order = end_.next_order(now_ns)) {
@@ -78,8 +78,8 @@ void RobotDesk::pass_stops_on(std::int64_t robot_ns) {
     request.stops = stops_at_start_.stops + counts.stops;
     request.holds = stops_at_start_.holds + counts.holds;
     request.softs = stops_at_start_.softs + counts.softs;
-    stop_requests_.publish(request, robot_ns);
-    stand(robot_ns);  // nobody walks on after a stop
+    stop_requests_.publish(request, robot_ns);  // after which nobody walks on
+    on_way_ = false;
   }
   StopRequest obeyed;
   if (stop_answers_.read(obeyed)) {
@@ -145,20 +145,21 @@ void RobotDesk::walk(const link::Order& order, std::int64_t robot_ns) {
   }
   request.stamp_ns = robot_ns;
   request.valid_until_ns = request.walk == 0 ? 0 : robot_ns + request.valid_until_ns;
-  walks_ = request.walk != 0;
-  if (!walks_) {
+  if (request.walk == 0) {
     leave_way(robot_ns);
   }
   walk_requests_.publish(request, robot_ns);
   finish(order.id, OrderResultCode::done);
 }
 
-void RobotDesk::stand(std::int64_t robot_ns) {
-  WalkCommand request{};
+// Who commanded is not there any more: what walks comes to a stand.
+void RobotDesk::tell_that_person_is_lost(std::int64_t robot_ns) {
+  CommandRequest request{};
   request.stamp_ns = robot_ns;
-  walks_ = false;
-  walk_requests_.publish(request, robot_ns);
-  leave_way(robot_ns);
+  request.number = next_number();
+  request.verb = command_request::verb::is_lost;
+  on_way_ = false;
+  command_requests_.publish(request, robot_ns);
 }
 
 // Whoever wants the robot to stand means its way, too.

@@ -110,7 +110,9 @@ BatchSolver::BatchSolver(const urdf::RobotModel& model, SolverChoice choice, boo
                                        model_.joints.size(), kMaxJoints));
   }
   for (const urdf::Joint& joint : model_.joints) home_rad_.push_back(static_cast<float>(joint.home_rad));
-  arms_ = urdf::arm_swing(model_, urdf::ForwardKinematics(model_));
+  const urdf::ForwardKinematics home(model_);
+  arms_ = urdf::arm_swing(model_, home);
+  neck_ = urdf::neck_of(model_, home);
 }
 
 BatchOutcome BatchSolver::solve(const MotionPlan& plan, const BaseOffset& correction, JointPlan& joint_plan,
@@ -118,7 +120,11 @@ BatchOutcome BatchSolver::solve(const MotionPlan& plan, const BaseOffset& correc
   if (plan.tail_count > static_cast<std::uint32_t>(kMaxTailPoints)) {
     return {BatchOutcome::Kind::too_many_points, static_cast<int>(plan.tail_count), urdf::Side::left, {}};
   }
-  if (posture == nullptr) return solve_standing_or_walking(plan, correction, joint_plan, reference_rad);
+  if (posture == nullptr) {
+    const BatchOutcome outcome = solve_standing_or_walking(plan, correction, joint_plan, reference_rad);
+    if (outcome.solved()) turn_head(plan, joint_plan);
+    return outcome;
+  }
   if (posture->sequence != plan.sequence || posture->tail_count != plan.tail_count ||
       posture->joint_count != home_rad_.size()) {
     return {BatchOutcome::Kind::no_posture, 0, urdf::Side::left, {}};
@@ -136,6 +142,7 @@ BatchOutcome BatchSolver::solve(const MotionPlan& plan, const BaseOffset& correc
     }
     joint_plan.support[point] = std::min<std::uint8_t>(plan.support[point], kBothFeet);
   }
+  turn_head(plan, joint_plan);
   return {};
 }
 
@@ -326,6 +333,22 @@ void BatchSolver::swing_arms(Run& run) const noexcept {
     }
     if (point == kBatchPoints - 1) run.arm_back_rad = back_rad;
   }
+}
+
+// Beside what a motion does with the neck, and never beyond its limits.
+void BatchSolver::turn_head(const MotionPlan& plan, JointPlan& joint_plan) const noexcept {
+  const auto turn = [&](const std::optional<urdf::NeckJoint>& neck, std::size_t axis) {
+    if (!neck) return;
+    const urdf::Joint& joint = model_.joints[static_cast<std::size_t>(neck->joint)];
+    const auto lower = static_cast<float>(joint.lower_rad), upper = static_cast<float>(joint.upper_rad);
+    for (std::size_t point = 0; point < kBatchPoints + plan.tail_count; ++point) {
+      if (plan.head[point][axis] == 0.0) continue;
+      float& angle = joint_plan.position[point][neck->joint];
+      angle = std::clamp(angle + static_cast<float>(neck->sign * plan.head[point][axis]), lower, upper);
+    }
+  };
+  turn(neck_.yaw, 0);
+  turn(neck_.pitch, 1);
 }
 
 bool BatchSolver::plan_batch(std::uint32_t sequence, const MotionPlan& plan, const Correction& correction,

@@ -58,21 +58,20 @@ void Navigator::see(const Obstacles& obstacles) {
 
 void Navigator::step(const Inputs& inputs, FootstepPlan& plan, NavigationState& state, NavigationWay& way) {
   pose_.predict(inputs.estimate.stamp_ns, pose_of(inputs.estimate.odometry_base));
+  end_if_taken_away(inputs);  // with its reason, before a request that ends it without one
   answer(inputs);
-  if (state_ != State::idle && !is_taken_away(inputs)) {
-    switch (state_) {
-      case State::plans:
-        ask_for_way(inputs);
-        break;
-      case State::walks:
-        follow(inputs);
-        break;
-      case State::waits:
-        wait(inputs);
-        break;
-      case State::idle:
-        break;
-    }
+  switch (state_) {
+    case State::plans:
+      ask_for_way(inputs);
+      break;
+    case State::walks:
+      follow(inputs);
+      break;
+    case State::waits:
+      wait(inputs);
+      break;
+    case State::idle:
+      break;
   }
   tell(inputs, plan, state, way);
 }
@@ -119,7 +118,8 @@ void Navigator::answer(const Inputs& inputs) {
 }
 
 // By somebody, or by a fall. A way that was stopped is not gone on with: nobody expects that.
-bool Navigator::is_taken_away(const Inputs& inputs) {
+void Navigator::end_if_taken_away(const Inputs& inputs) {
+  if (state_ == State::idle) return;
   if (inputs.commanded) {
     end(Result::cancelled, "somebody walks the robot by velocities", inputs.now_ns);
   } else if (inputs.estimate.fall != estimate::fall::upright) {
@@ -127,7 +127,6 @@ bool Navigator::is_taken_away(const Inputs& inputs) {
   } else if (inputs.stops != stops_) {
     end(Result::cancelled, "somebody stopped the robot", inputs.now_ns);
   }
-  return state_ == State::idle;
 }
 
 void Navigator::ask_for_way(const Inputs& inputs) {

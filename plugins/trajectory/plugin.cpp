@@ -15,6 +15,7 @@
 #include "gaitway/trajectory/divergence_feedback.hpp"
 #include "gaitway/trajectory/fall_posture.hpp"
 #include "gaitway/trajectory/footstep_planner.hpp"
+#include "gaitway/trajectory/head_planner.hpp"
 #include "gaitway/trajectory/joint_torque.hpp"
 #include "gaitway/trajectory/motion_admission.hpp"
 #include "gaitway/trajectory/motion_player.hpp"
@@ -117,6 +118,7 @@ class Trajectory final : public Plugin {
     } else {
       plan_steps(tick, walk, plan);
     }
+    plan_head(decision, plan);
     plan_.publish();
     player_.tell(state_.value());
     state_.value().stamp_ns = tick.now_ns;
@@ -124,12 +126,12 @@ class Trajectory final : public Plugin {
     tell_footsteps(tick, decision);
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 9; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 10; }
   void save_state(StateWriter& state) const override {
-    state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_, head_);
   }
   void restore_state(StateReader& state) override {
-    state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_);
+    state(pattern_, divergence_, continuity_, player_, admission_, fall_, void_until_ns_, head_);
   }
 
  private:
@@ -142,6 +144,7 @@ class Trajectory final : public Plugin {
         player_(motions_of(setup, robot, parameters_, described)),
         admission_(player_.motions(), robot),
         fall_(robot),
+        head_(robot),
         takes_fall_posture_(
             setup.parameter("fall_posture", true, "a falling robot takes a posture to meet the ground in") &&
             fall_.exists()),
@@ -150,6 +153,7 @@ class Trajectory final : public Plugin {
         report_(setup.reporter()),
         walk_(setup.reads_optional<WalkCommand>("walk_command")),
         request_(setup.reads_optional<MotionRequest>("motion_command")),
+        look_(setup.reads_optional<HeadCommand>("head_command")),
         estimate_(setup.reads_optional<Estimate>("estimate")),
         joints_(setup.reads_optional<JointStates>("joint_states")),
         footsteps_(setup.reads_optional<FootstepPlan>("footstep_plan")),
@@ -211,6 +215,15 @@ class Trajectory final : public Plugin {
     divergence_.answered(pattern_.answered_m(), tick.batch_start_ns);
     report_limits(walk);
     continuity_.published(tick.batch_sequence, pattern_.final_stance());
+  }
+
+  // A posture of a fall, or a motion that begins on the ground, sets out from where the neck's joints are.
+  void plan_head(PlanDecision decision, MotionPlan& plan) {
+    if (look_.has_value()) head_.obey(look_.read());
+    if (decision == PlanDecision::begin_anew && joints_.has_value()) head_.begin_at(joints_.read());
+    const bool sets_out_itself = plan.motion != 0 && posture_.value().from_home != 0;
+    if (plan.sequence == 0 || sets_out_itself) return head_.leave_to_others(plan);
+    head_.plan(!player_.plays(), estimate_.has_value() ? &estimate_.read() : nullptr, plan);
   }
 
   // A plan from before a fall, or during it, is void, as a command is.
@@ -326,6 +339,7 @@ class Trajectory final : public Plugin {
   MotionPlayer player_;
   MotionAdmission admission_;
   FallPosture fall_;
+  HeadPlanner head_;
   bool takes_fall_posture_;
   Stand stand_;
   LimitReport limits_;
@@ -333,6 +347,7 @@ class Trajectory final : public Plugin {
   PlanContinuity continuity_;
   Input<WalkCommand> walk_;
   Input<MotionRequest> request_;
+  Input<HeadCommand> look_;
   Input<Estimate> estimate_;
   Input<JointStates> joints_;
   Input<FootstepPlan> footsteps_;

@@ -38,6 +38,7 @@ StateEstimator::StateEstimator(const urdf::RobotModel& model, const EstimatorPar
     : parameters_(checked(parameters)),
       mass_kg_(model.total_mass_kg()),
       nominal_com_height_m_(urdf::home_com_height_m(model)),
+      neck_(urdf::neck_of(model, urdf::ForwardKinematics(model))),
       feet_(model.feet),
       inputs_(model, parameters.stale_after_s),
       contacts_(thresholds_of(parameters, mass_kg_)),
@@ -310,6 +311,7 @@ void StateEstimator::write(Estimate& estimate) const noexcept {
   estimate.attitude[2] = attitude.yaw_rad;
   Eigen::Map<Eigen::Vector3d>(estimate.angular_velocity) = angular_velocity_;
   Eigen::Map<Eigen::Vector3d>(estimate.gyro_bias) = attitude_.bias_rad_per_s();
+  std::ranges::copy(neck_.angles_rad(inputs_.position_rad()), estimate.head);
   write_odometry(estimate);
   write_deviations(estimate);
 }

@@ -110,14 +110,8 @@ class LiveSimulation final : public simulator::CosimulationObserver {
  private:
   void on_frame(const can::SimulatedBus::Delivery&) override {}
   void on_millisecond(std::int64_t now_ns) override { log_.on_millisecond(now_ns - kMillisecond_ns); }
-  void on_walk_request(const WalkCommand& command, std::int64_t now_ns) override {
-    log_.on_walk_request(command, now_ns);
-  }
-  void on_motion_request(const MotionRequest& request, std::int64_t now_ns) override {
-    log_.on_motion_request(request, now_ns);
-  }
-  void on_way_request(const WalkToRequest& request, std::int64_t now_ns) override {
-    log_.on_way_request(request, now_ns);
+  void on_orders(const msgcontroller::PassedOrders& orders, std::int64_t now_ns) override {
+    log_.on_orders(orders, now_ns);
   }
 
   void millisecond() {

@@ -45,14 +45,8 @@ void ReplayedRun::on_millisecond(std::int64_t now_ns) {
   digest_.add(run_->plant().velocities());
   if (further_ != nullptr) further_->on_millisecond(now_ns);
 }
-void ReplayedRun::on_walk_request(const WalkCommand& command, std::int64_t now_ns) {
-  if (further_ != nullptr) further_->on_walk_request(command, now_ns);
-}
-void ReplayedRun::on_motion_request(const MotionRequest& request, std::int64_t now_ns) {
-  if (further_ != nullptr) further_->on_motion_request(request, now_ns);
-}
-void ReplayedRun::on_way_request(const WalkToRequest& request, std::int64_t now_ns) {
-  if (further_ != nullptr) further_->on_way_request(request, now_ns);
+void ReplayedRun::on_orders(const msgcontroller::PassedOrders& orders, std::int64_t now_ns) {
+  if (further_ != nullptr) further_->on_orders(orders, now_ns);
 }
 
 }  // namespace gaitway::timeline

@@ -25,8 +25,7 @@ class Processes:
         config = config.replace("sockets: local", f"parameters: {{link: 'unix:{self.folder}/link'}}\n    sockets: local")
         (self.folder / "serve.yaml").write_text(config)
         self.start("robot", "GAITWAY_VIRTUAL_ROBOT", "--bus", self.folder / "bus")
-        self.start("message", "GAITWAY_MESSAGE_CONTROLLER", "--bus", self.folder / "bus", "--memory", self.folder / "memory",
-                   "--obey-walk-requests")
+        self.start("message", "GAITWAY_MESSAGE_CONTROLLER", "--bus", self.folder / "bus", "--memory", self.folder / "memory")
         until(lambda: (self.folder / "memory").exists(), "the memory block")
         self.main = self.start("main", "GAITWAY_MAIN_CONTROLLER", "--supervised", "--socket", self.folder / "memory", "--config",
                                self.folder / "serve.yaml", "--plugin-path", os.environ["GAITWAY_PLUGIN_DIR"])

@@ -1,7 +1,7 @@
 // Scenarios as users write them (simulator/scenario.hpp). Whatever the text: it is refused with
 // urdf::RobotError and nothing else, or gives events in the order of time, all within the limits that the
 // robot's command has.
-#include "gaitway/msgcontroller/peoples_requests.hpp"
+#include "gaitway/msgcontroller/command_arbiter.hpp"
 #include "gaitway/simulator/scenario.hpp"
 
 #include <cmath>

@@ -60,8 +60,7 @@ class DevelopmentRobot {
     simulation.main_controller.configuration = config;
     simulation.main_controller.try_at_start = true;
     simulation.main_controller.plugins = plugins.configuration;
-    commands_itself_ = !plugins.writer_of("walk_command").empty();
-    simulation.plugin_commands_walk = commands_itself_;
+    commands_itself_ = !plugins.behaviour().empty();
     cosimulation_ = std::make_unique<simulator::Cosimulation>(model_, simulation);
     walk_ = {.velocity_m_per_s = {options.walk[0], options.walk[1]}, .turn_rate_rad_per_s = options.walk[2]};
     start_ns_ = process::monotonic_ns();

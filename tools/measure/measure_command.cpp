@@ -55,9 +55,9 @@ TrialRobot load(const MeasureGaitOptions& options) {
   msgcontroller::require_proven_network(robot.model, false);
   const core::PluginExchange plugins = core::put_in(
       robot.plugins, {}, {.robot_directory = options.robot, .plugin_path = core::plugin_search_path({})});
-  if (const std::string commander = plugins.writer_of("walk_command"); !commander.empty()) {
+  if (const std::string commander = plugins.behaviour(); !commander.empty()) {
     throw std::invalid_argument(
-        fmt::format("{}: the plug-in '{}' writes walk_command, so no trial could say how the robot walks. "
+        fmt::format("{}: the plug-in '{}' orders walks itself, so no trial could say how the robot walks. "
                     "Measure without it",
                     options.config.string(), commander));
   }

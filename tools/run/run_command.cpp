@@ -95,20 +95,19 @@ simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotMode
   return simulator::walk_scenario(walk[0], walk[1], walk[2], options.seconds.value_or(kDefaultSeconds));
 }
 
-// A plug-in that commands the walk is not contradicted: what was asked for is refused, the default is left
-// out.
+// A plug-in that commands the robot is not contradicted by the default. What a scenario asks for takes the
+// command from it, as a person would.
 void leave_walk_to(const std::string& plugin, const RunOptions& options, simulator::Scenario& scenario) {
   const auto walks = [](const simulator::ScenarioEvent& event) {
     return std::holds_alternative<simulator::WalkEvent>(event.action);
   };
-  const bool asked = options.walk || (options.scenario && std::ranges::any_of(scenario.events, walks));
-  if (asked) {
-    throw std::invalid_argument(
-        fmt::format("{}: the plug-in '{}' writes walk_command and alone commands the walk. Leave the walk "
-                    "out, or the plug-in",
-                    options.walk ? "--walk" : options.scenario->string(), plugin));
+  if (options.walk) {
+    throw std::invalid_argument(fmt::format(
+        "--walk: the plug-in '{}' commands the robot, and a person's walk would keep it from that. Leave "
+        "the walk out, or the plug-in; a scenario may do both",
+        plugin));
   }
-  std::erase_if(scenario.events, walks);
+  if (!options.scenario) std::erase_if(scenario.events, walks);
 }
 
 bool changes_world(const simulator::ScenarioEvent& event) {
@@ -254,7 +253,7 @@ int run(const RunOptions& options) {
   simulator::Scenario scenario = scenario_of(options, robot);
   const std::optional<world::World> world = world_of(options.world, scenario.world);
   const core::PluginExchange plugins = plugins_of(options, walks_ways(scenario), world);
-  const std::string commander = plugins.writer_of("walk_command");
+  const std::string commander = plugins.behaviour();
   if (!commander.empty()) {
     leave_walk_to(commander, options, scenario);
   }
@@ -267,7 +266,6 @@ int run(const RunOptions& options) {
   cosimulation_options.main_controller.configuration = options.config;
   cosimulation_options.main_controller.try_at_start = true;
   cosimulation_options.main_controller.plugins = plugins.configuration;
-  cosimulation_options.plugin_commands_walk = !commander.empty();
   simulator::Cosimulation cosimulation(robot, cosimulation_options);
   require_joint_plan(plugins, options);
   if (plugins.writer_of("motion_state") == "trajectory") {

@@ -144,10 +144,12 @@ void RunRecorder::on_command(bool walk, const Eigen::Vector2d& velocity_m_per_s,
   }
 }
 
-// Where a plug-in commands the walk there are no walk events.
+// Where somebody else commands the walk there are no walk events.
 void RunRecorder::follow_walk_command(std::int64_t now_ns) {
   WalkCommand command{};
-  if (run_.others_command_walk() && walk_command_.read(command).status == msgclient::ReadStatus::value) {
+  const bool scenario_commands =
+      !run_.people_outside() && run_.arbiter().authority().commander() == msgcontroller::Commander::person;
+  if (!scenario_commands && walk_command_.read(command).status == msgclient::ReadStatus::value) {
     on_command(command.walk != 0, {command.velocity[0], command.velocity[1]}, command.turn_rate, now_ns);
   }
 }

@@ -71,14 +71,8 @@ class ServeObserver final : public simulator::CosimulationObserver {
     recorder.on_millisecond(now_ns);
     commands.on_millisecond(now_ns - kMillisecond_ns);
   }
-  void on_walk_request(const WalkCommand& command, std::int64_t now_ns) override {
-    commands.on_walk_request(command, now_ns);
-  }
-  void on_motion_request(const MotionRequest& request, std::int64_t now_ns) override {
-    commands.on_motion_request(request, now_ns);
-  }
-  void on_way_request(const WalkToRequest& request, std::int64_t now_ns) override {
-    commands.on_way_request(request, now_ns);
+  void on_orders(const msgcontroller::PassedOrders& orders, std::int64_t now_ns) override {
+    commands.on_orders(orders, now_ns);
   }
 
   RunRecorder recorder;
@@ -115,7 +109,7 @@ struct Loop {
   }
   // Ends the walk by the safe tail, as fast as the computer can.
   void stand() {
-    run.end_walk_requests();
+    run.end_orders();
     commands.on_end(run.now_ns());
     const std::int64_t end_ns = run.now_ns() + kLongestStop_ns;
     run.apply({.at_s = 0.0, .action = simulator::StopEvent{}});
@@ -156,7 +150,7 @@ int serve(const ServeOptions& options) {
   settings.plant.mismatch = options.mismatch;
   settings.plant.world = world_of(options.world, std::nullopt);
   settings.memory_block = &block;
-  settings.obey_walk_requests = true;
+  settings.people_outside = true;
   settings.localization.is_there = true;
   settings.main_controller.configuration = options.config;
   settings.main_controller.plugins = configuration_of(options, link, settings.plant.world);

@@ -39,7 +39,7 @@ class MeasuredRobot:
         try:
             self._start("virtual_robot", "--bus", self.folder / "bus", "--socketcand", 0)
             self.bus_port = int(self._said(r"on port (\d+)", "virtual_robot"))
-            self._start("message_controller", "--bus", self.folder / "bus", "--memory", self.folder / "memory", "--obey-walk-requests")
+            self._start("message_controller", "--bus", self.folder / "bus", "--memory", self.folder / "memory")
             while not (self.folder / "memory").exists():
                 time.sleep(0.05)
             self._start("main_controller", "--socket", self.folder / "memory", "--config", self.folder / "serve.yaml",

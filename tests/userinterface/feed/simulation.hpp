@@ -10,7 +10,7 @@ namespace gaitway::api {
 inline simulator::CosimulationOptions served_walk() {
   const std::filesystem::path source = GAITWAY_SOURCE_DIR;
   simulator::CosimulationOptions result;
-  result.obey_walk_requests = true;
+  result.people_outside = true;
   result.main_controller.configuration = source / "core" / "config" / "walk.yaml";
   result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
   return result;

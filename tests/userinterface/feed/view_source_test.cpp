@@ -45,7 +45,7 @@ class WatchedRobot {
  private:
   static simulator::CosimulationOptions options() {
     simulator::CosimulationOptions result = served_walk();
-    result.obey_walk_requests = false;
+    result.people_outside = false;
     return result;
   }
 };

@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 simulator::CosimulationOptions options_of(const std::string& configuration) {
   const std::filesystem::path source = GAITWAY_SOURCE_DIR;
   simulator::CosimulationOptions result;
-  result.obey_walk_requests = true;
+  result.people_outside = true;
   result.main_controller.configuration = source / "core" / "config" / configuration;
   result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
   return result;

@@ -88,7 +88,7 @@ const urdf::RobotModel& humanoid() {
 simulator::CosimulationOptions options(std::uint64_t seed) {
   simulator::CosimulationOptions result;
   result.plant.seed = seed;
-  result.obey_walk_requests = true;
+  result.people_outside = true;
   result.main_controller.configuration =
       std::filesystem::path(GAITWAY_SOURCE_DIR) / "core" / "config" / "walk.yaml";
   result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};

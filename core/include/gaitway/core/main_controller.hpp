@@ -96,6 +96,7 @@ class MainController {
   // And before a point of the accepted batch.
   [[nodiscard]] std::span<const double> reference_before(int point) noexcept;
   void note_network(const Tick& tick) noexcept;
+  void note_commander(const Tick& tick) noexcept;
   void note_refusal(const Tick& tick, std::string_view text) noexcept;
 
   JointPlanCheck check_;
@@ -109,7 +110,10 @@ class MainController {
   msgclient::Reader<JointStates> joint_states_reader_;
   msgclient::Reader<NetworkState> network_state_reader_;
   msgclient::Reader<NetworkHealth> network_health_reader_;
-  std::size_t crossing_bytes_ = 0;  // of the topics that are read over the EMI in each tick
+  msgclient::Reader<CommandState> command_reader_;
+  std::uint64_t command_seen_ = 0;
+  std::uint32_t commander_changes_ = 0;  // that were told
+  std::size_t crossing_bytes_ = 0;       // of the topics that are read over the EMI in each tick
 
   // Large values: kept off the stack.
   std::unique_ptr<JointPlan> plan_ = std::make_unique<JointPlan>();

@@ -21,9 +21,22 @@ class CommandTaker {
   ~CommandTaker() = default;
 };
 
+// Who wants to know what has been carried out, of what came through mailbox and queue: a stop's topic
+// everybody can read.
+class CommandListener {
+ public:
+  virtual void on_command(msgclient::UserCommandKind kind, std::int64_t now_ns) noexcept = 0;
+
+ protected:
+  ~CommandListener() = default;
+};
+
 class CommandIntake {
  public:
   CommandIntake(msgclient::Client& client, msgclient::EmiMessage& adapter);
+
+  // nullptr: nobody wants to know.
+  void tell(CommandListener* listener) noexcept { listener_ = listener; }
 
   // What the main controller posts; whenever its doorbell rings.
   void take_mail(CommandTaker& taker, std::int64_t now_ns) noexcept;
@@ -40,7 +53,11 @@ class CommandIntake {
   void answer_mail(std::uint32_t sequence, msgclient::Reason problem) noexcept;
   void answer_command(const UserCommand& command, msgclient::Reason problem, std::int64_t now_ns) noexcept;
 
+  msgclient::Reason obey(CommandTaker& taker, const msgclient::UserCommandMail& mail,
+                         std::int64_t now_ns) noexcept;
+
   msgclient::EmiMessage& adapter_;
+  CommandListener* listener_ = nullptr;
   msgclient::QueueReader<UserCommand> commands_;
   msgclient::Writer<UserCommandAnswer> command_answers_;
   msgclient::Reader<StopRequest> stop_requests_;

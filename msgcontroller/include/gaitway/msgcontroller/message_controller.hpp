@@ -29,6 +29,9 @@ class MessageController final : private CommandTaker {
   // Writes its topics through `client`, and talks to the main controller through `adapter`.
   MessageController(const urdf::RobotModel& robot, msgclient::Client& client, msgclient::EmiMessage& adapter);
 
+  // Who is told what commands of mailbox and queue were carried out; outlives this.
+  void tell_commands(CommandListener* listener) noexcept { commands_.tell(listener); }
+
   // To be called at every millisecond of the clock, before the frames of that millisecond are exchanged.
   // Takes what the main controller has put into the mailboxes, people's commands from the queue
   // `user_command` and, after them, so that they have the last word, people's stops from the topic

@@ -19,9 +19,7 @@ class CommandLog {
   // Opens what `run` tells from now on; outlived by it. Throws msgclient::TopicError.
   explicit CommandLog(Cosimulation& run);
 
-  void on_walk_request(const WalkCommand& command, std::int64_t now_ns);
-  void on_motion_request(const MotionRequest& request, std::int64_t now_ns);
-  void on_way_request(const WalkToRequest& request, std::int64_t now_ns);
+  void on_orders(const msgcontroller::PassedOrders& orders, std::int64_t now_ns);
   // What was done to the robot or its world, in the millisecond that comes next.
   void on_applied(const ScenarioEvent& event) { events_.push_back(event); }
   // `gaitway serve` itself ends the walk: nobody may walk on, and the safe tail plays.

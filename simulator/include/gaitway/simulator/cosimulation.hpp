@@ -15,8 +15,8 @@
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/msgclient/emi_adapter.hpp"
 #include "gaitway/msgclient/memory_block.hpp"
+#include "gaitway/msgcontroller/command_arbiter.hpp"
 #include "gaitway/msgcontroller/message_controller.hpp"
-#include "gaitway/msgcontroller/peoples_requests.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/localization.hpp"
 #include "gaitway/simulator/plant.hpp"
@@ -30,10 +30,9 @@ struct CosimulationOptions {
   PlantOptions plant;
   double largest_clock_drift_ppm = 50.0;
   core::MainControllerOptions main_controller;
-  bool plugin_commands_walk = false;  // a plug-in writes `walk_command`: walk events are refused
-  // People's requests in the topics `walk_request` and `motion_request` are obeyed: walk and motion events
-  // are refused, too.
-  bool obey_walk_requests = false;
+  // People command the robot from outside, by the topics of requests: walk, way, motion and head events are
+  // refused.
+  bool people_outside = false;
   // To be shared with other processes; it outlives the run. nullptr: a block of its own.
   msgclient::MemoryBlock* memory_block = nullptr;
   LocalizationOptions localization;
@@ -52,13 +51,9 @@ class CosimulationObserver {
   virtual void on_frame(const can::SimulatedBus::Delivery& delivery) = 0;
   // After every millisecond.
   virtual void on_millisecond(std::int64_t now_ns) = 0;
-  // A walk request of somebody outside has become the command, before the millisecond that begins at
+  // What somebody outside has asked for has become the command, before the millisecond that begins at
   // `now_ns`.
-  virtual void on_walk_request(const WalkCommand&, std::int64_t /*now_ns*/) {}
-  // The same of a request for a motion.
-  virtual void on_motion_request(const MotionRequest&, std::int64_t /*now_ns*/) {}
-  // The same of a place to walk to.
-  virtual void on_way_request(const WalkToRequest&, std::int64_t /*now_ns*/) {}
+  virtual void on_orders(const msgcontroller::PassedOrders&, std::int64_t /*now_ns*/) {}
 };
 
 class Cosimulation {
@@ -80,7 +75,7 @@ class Cosimulation {
   // came from, as long as that one waits. Not where plug-ins have processes or threads of their own, which
   // are not copied. Once; copies of the copy go on by themselves. Throws std::system_error.
   void keep_to_this_process() { memory_block_.keep_to_this_process(); }
-  // From now on people command the robot, as with `obey_walk_requests` from the start: requests that lie in
+  // From now on people command the robot, as with `people_outside` from the start: requests that lie in
   // the topics already do not count, and a walk that the scenario asked for ends soon, as that of somebody
   // who has gone; a way or motion goes on.
   void hand_to_people();
@@ -97,12 +92,10 @@ class Cosimulation {
   // For changes between two milliseconds.
   [[nodiscard]] core::PluginManager& plugins() noexcept { return main_controller_->plugins(); }
   [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
-  // From now on no walk or motion request is obeyed any more, and the robot comes to a stand.
-  void end_walk_requests();
-  // The scenario does not.
-  [[nodiscard]] bool others_command_walk() const noexcept {
-    return options_.plugin_commands_walk || options_.obey_walk_requests;
-  }
+  // From now on nobody's orders are obeyed any more, and the robot comes to a stand.
+  void end_orders() { arbiter_.end(now_ns_); }
+  [[nodiscard]] const msgcontroller::CommandArbiter& arbiter() const noexcept { return arbiter_; }
+  [[nodiscard]] bool people_outside() const noexcept { return options_.people_outside; }
   [[nodiscard]] const urdf::RobotModel& robot() const noexcept { return robot_; }
 
  private:
@@ -120,8 +113,11 @@ class Cosimulation {
   void finish_restarts();
   void inject(const PluginFault& fault);
   void ask(const msgclient::UserCommandMail& mail);
-  void ask(const MotionEvent& motion);
-  void ask(const WalkToEvent& way);
+  void order(const WalkEvent& walk);
+  void order(const MotionEvent& motion);
+  void order(const WalkToEvent& way);
+  void order(const HeadEvent& head);
+  void demand_that_scenario_commands(const char* what) const;
   void change_world(const SpawnEvent& spawn);
 
   urdf::RobotModel robot_;
@@ -130,24 +126,17 @@ class Cosimulation {
   std::optional<msgclient::MemoryBlock> own_block_;
   msgclient::MemoryBlock& memory_block_;
   msgclient::EmiAdapter adapter_;
-  msgclient::Client message_client_, behavior_client_, observer_client_, main_client_, localization_client_;
+  msgclient::Client message_client_, arbiter_client_, observer_client_, main_client_, localization_client_;
   Plant plant_;
   JointNetwork joints_;
   SensorFaults sensor_faults_;
   can::SimulatedBus bus_;
+  msgcontroller::CommandArbiter arbiter_;
   msgcontroller::MessageController message_controller_;
   core::PluginFaultTable plugin_faults_;
   std::unique_ptr<core::MainController> main_controller_;
-  std::optional<msgclient::Writer<WalkCommand>> walk_command_;  // none: somebody else writes it
-  std::optional<msgcontroller::WalkRequests> walk_requests_;
-  std::optional<msgclient::Writer<MotionRequest>> motion_command_;  // likewise
-  std::optional<msgcontroller::MotionRequests> motion_requests_;
-  std::uint32_t motions_asked_ = 0;
-  std::optional<msgclient::Writer<WalkToRequest>> walk_to_command_;  // likewise
-  std::optional<msgcontroller::WayRequests> way_requests_;
-  std::uint32_t ways_asked_ = 0;
+  std::uint32_t motions_asked_ = 0, ways_asked_ = 0;
   std::optional<Localization> localization_;
-  WalkCommand scenario_walk_{};  // the newest one
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

@@ -10,6 +10,10 @@
 //     - {at_s: 8.0, stand: true}                   # stop walking: finish the step and stand
 //     - {at_s: 8.5, motion: wave}                  # a key-frame motion; leave_motion: true ends it early
 //     - {at_s: 1.0, walk_to: {x_m: 2.3, y_m: 2.3, yaw_deg: 90}}   # on its own; leave_way: true ends that
+//     - {at_s: 2.0, head: {look: direction, yaw_deg: 30, pitch_deg: 10}}   # or point_m: [1, 0, 0.2] with
+//     look: point;
+//                                  # look: scan, extent_deg: 60, period_s: 4; look: ahead; look: hold
+//     - {at_s: 8.7, command: let_go}               # the behaviour may command again; or take
 //     - {at_s: 9.0, stop: true}                    # user command: the message controller plays the safe tail
 //     - {at_s: 9.5, emergency_stop: hold}          # or: soft
 //     - {at_s: 9.8, release: true}                 # of the emergency stop: the joints hold where they are

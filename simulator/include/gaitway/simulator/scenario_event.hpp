@@ -12,6 +12,7 @@
 
 #include "gaitway/can/frame.hpp"
 #include "gaitway/manager/plugin_fault_table.hpp"
+#include "gaitway/msgcontroller/command_arbiter.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/world/world.hpp"
 
@@ -36,6 +37,23 @@ struct MotionEvent {
 struct WalkToEvent {
   std::optional<std::array<double, 3>> goal;  // x m, y m, yaw rad, of the middle between the feet
 };
+// Look somewhere; angles from ahead, yaw to the left and pitch down.
+struct HeadEvent {
+  enum class Mode { ahead, direction, point, scan, hold };  // as HeadCommand has them
+  Mode mode = Mode::ahead;
+  std::array<double, 2> direction_rad{};              // of direction, and the middle of a scan
+  double extent_rad = 0.0, period_s = 0.0;            // of a scan; period 0: as the planner has it
+  Eigen::Vector3d point_m = Eigen::Vector3d::Zero();  // in odometry
+  double speed_rad_per_s = 0.0;                       // 0: as the planner has it
+};
+// A person takes the command without any order, or lets it go.
+struct CommandEvent {
+  msgcontroller::CommandVerb verb = msgcontroller::CommandVerb::let_go;
+};
+inline constexpr std::array<std::pair<std::string_view, msgcontroller::CommandVerb>, 3> kCommandVerbs{
+    {{"take", msgcontroller::CommandVerb::take},
+     {"let_go", msgcontroller::CommandVerb::let_go},
+     {"is_lost", msgcontroller::CommandVerb::is_lost}}};
 struct StopEvent {};
 struct ReleaseEvent {};
 struct EmergencyStopEvent {
@@ -133,10 +151,10 @@ struct RemoveEvent {
 
 struct ScenarioEvent {
   double at_s = 0.0;
-  std::variant<WalkEvent, MotionEvent, WalkToEvent, StopEvent, ReleaseEvent, EmergencyStopEvent,
-               ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault,
-               JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault, SensorFault,
-               SpawnEvent, MoveEvent, RemoveEvent>
+  std::variant<WalkEvent, MotionEvent, WalkToEvent, HeadEvent, CommandEvent, StopEvent, ReleaseEvent,
+               EmergencyStopEvent, ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault,
+               DisturbBusFault, JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault,
+               SensorFault, SpawnEvent, MoveEvent, RemoveEvent>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };

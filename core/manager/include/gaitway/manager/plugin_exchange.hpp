@@ -28,6 +28,8 @@ struct PluginExchange {
 
   // The plug-in that writes the topic; empty: none does.
   [[nodiscard]] std::string writer_of(std::string_view topic) const;
+  // The plug-in that gives orders to the robot by the topics of the behaviour; empty: none does.
+  [[nodiscard]] std::string behaviour() const;
 };
 
 // Throws PluginError if one of `libraries` cannot be constructed. Plug-ins of the configuration that cannot

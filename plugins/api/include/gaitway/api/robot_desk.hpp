@@ -49,7 +49,7 @@ class RobotDesk {
   void leave_way(std::int64_t robot_ns);
   void command(const link::Order& order, std::int64_t robot_ns);
   void request_plugin(const link::Order& order, std::int64_t robot_ns);
-  void stand(std::int64_t robot_ns);
+  void tell_that_person_is_lost(std::int64_t robot_ns);
   [[nodiscard]] bool was_given_before_stop(const link::Order& order) const noexcept;
   void take_answers();
   void take_motion_answer();
@@ -77,6 +77,7 @@ class RobotDesk {
   msgclient::Reader<NavigationState> navigation_states_;
   msgclient::Writer<MotionRequest> motion_requests_;
   msgclient::Reader<MotionState> motion_states_;
+  msgclient::Writer<CommandRequest> command_requests_;
 
   struct Awaited {
     std::uint32_t number;
@@ -92,7 +93,6 @@ class RobotDesk {
   std::uint64_t way_seen_ = 0;
   bool on_way_ = false;        // told to walk to a place, and not told to leave the way since
   std::uint32_t session_ = 0;  // of the link, in which the orders below were given
-  bool walks_ = false;         // told to, and not told to stand since
 };
 
 }  // namespace gaitway::api

@@ -14,6 +14,7 @@
 #include "gaitway/kinematics/whole_body_placement.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/urdf/arm_swing.hpp"
+#include "gaitway/urdf/neck.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::kinematics {
@@ -31,9 +32,10 @@ struct BatchOutcome {
 
 // Solves every point of the batch with the CoM where it is planned (kBatchTolerance_m). In the tail, the
 // base's offset from the CoM is solved at every fourth point and interpolated between; the legs are solved at
-// each. Arms swing as the plan has it; all other joints stay at home. Remembers the last batch's offsets as
-// first guess, and the correction. The last batch's sequence again is a revision of it: it is solved from
-// what it was solved from, with its correction, so that points that have not changed come out as they were.
+// each. Arms swing and the head turns as the plan has it; all other joints stay at home. Remembers the last
+// batch's offsets as first guess, and the correction. The last batch's sequence again is a revision of it: it
+// is solved from what it was solved from, with its correction, so that points that have not changed come out
+// as they were.
 class BatchSolver {
  public:
   static constexpr double kBatchTolerance_m = 0.05e-3;
@@ -101,6 +103,7 @@ class BatchSolver {
   BatchOutcome solve_tail(Run& run);
   void write(JointPlan& joint_plan, int point, const BothLegs& legs) const noexcept;
   void swing_arms(Run& run) const noexcept;
+  void turn_head(const MotionPlan& plan, JointPlan& joint_plan) const noexcept;
   void note_base(const PlanPoint& planned, const PointFrames& frames, const Eigen::Vector2d& offset_m,
                  int point) noexcept;
 
@@ -109,6 +112,7 @@ class BatchSolver {
   std::unique_ptr<LoadCompensation> load_compensation_;  // large; none: the references are the planned angles
   std::vector<float> home_rad_;
   std::optional<urdf::ArmSwing> arms_;
+  urdf::Neck neck_;
   CorrectionFade fade_, fade_before_;  // of the next batch, and of the last one
   struct Past {
     std::uint32_t sequence = 0;  // of the last batch that was solved

@@ -68,7 +68,7 @@ class Navigator {
   void ask_on_the_way(const Inputs& inputs);
   void go_on(const planning::Plan& plan, const Inputs& inputs);
   [[nodiscard]] bool was_pushed(const Inputs& inputs) const noexcept;
-  [[nodiscard]] bool is_taken_away(const Inputs& inputs);
+  void end_if_taken_away(const Inputs& inputs);
   [[nodiscard]] planning::Pose foot(const Estimate& estimate, planning::Side side) const noexcept;
   [[nodiscard]] planning::Pose middle(const Estimate& estimate) const noexcept;
   void enter(State state, std::int64_t now_ns) noexcept;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/urdf/neck.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/zmp/attitude_filter.hpp"
 #include "gaitway/zmp/cell_calibration.hpp"
@@ -72,6 +73,7 @@ class StateEstimator {
   EstimatorParameters parameters_;
   double mass_kg_;
   double nominal_com_height_m_;
+  urdf::Neck neck_;
   std::array<urdf::Foot, 2> feet_;
   SensorInputs inputs_;
   ContactDetector contacts_;

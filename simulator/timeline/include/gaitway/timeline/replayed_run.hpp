@@ -40,9 +40,7 @@ class ReplayedRun final : public simulator::CosimulationObserver {
  private:
   void on_frame(const can::SimulatedBus::Delivery& delivery) override;
   void on_millisecond(std::int64_t now_ns) override;
-  void on_walk_request(const WalkCommand& command, std::int64_t now_ns) override;
-  void on_motion_request(const MotionRequest& request, std::int64_t now_ns) override;
-  void on_way_request(const WalkToRequest& request, std::int64_t now_ns) override;
+  void on_orders(const msgcontroller::PassedOrders& orders, std::int64_t now_ns) override;
 
   msgclient::MemoryBlock block_;
   std::unique_ptr<simulator::Cosimulation> run_;

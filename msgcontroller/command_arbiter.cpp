@@ -1,0 +1,391 @@
+// Stops first, then people, then the behaviour; then what has come to its end.
+#include "gaitway/msgcontroller/command_arbiter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "gaitway/facts/facts.hpp"
+
+namespace gaitway::msgcontroller {
+namespace {
+
+using facts::kMillisecond_ns;
+
+// The behaviour has come to an end when none of its orders has been in force for so long: from one to its next it
+// may think.
+constexpr std::int64_t kDone_ns = 1000 * kMillisecond_ns;
+// What changes all the time is told so often.
+constexpr std::int64_t kTellAgain_ns = 100 * kMillisecond_ns;
+
+template <class Order>
+bool numbers_within_limits(const Order& order) noexcept {
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(&order);
+  return std::ranges::all_of(TopicType<Order>::fields, [bytes](const FieldDescriptor& field) {
+    if (field.type != ScalarType::float64_value) return true;
+    for (std::uint32_t i = 0; i < field.elements(); ++i) {
+      double value = 0.0;
+      std::memcpy(&value, bytes + field.offset + i * sizeof value, sizeof value);
+      if (!(value >= field.lowest && value <= field.highest)) return false;  // so for NaN, too
+    }
+    return true;
+  });
+}
+
+WalkCommand stand() noexcept {
+  return {};
+}
+
+// A walk that is over or nonsense is none.
+WalkCommand made_sound(WalkCommand walk, std::int64_t now_ns) noexcept {
+  const bool over = walk.valid_until_ns != 0 && now_ns >= walk.valid_until_ns;
+  return over || !numbers_within_limits(walk) ? stand() : walk;
+}
+
+MotionRequest made_sound(MotionRequest motion) noexcept {
+  motion.name[sizeof motion.name - 1] = 0;
+  return motion;
+}
+
+bool leaves(const MotionRequest& motion) noexcept {
+  return motion.name[0] == 0;
+}
+
+}  // namespace
+
+CommandArbiter::CommandArbiter(msgclient::Client& client)
+    : walk_(client, "behaviour_walk", "walk_request", "walk_command"),
+      way_(client, "behaviour_walk_to", "walk_to_request", "walk_to_command"),
+      motion_(client, "behaviour_motion", "motion_request", "motion_command"),
+      head_(client, "behaviour_head", "head_request", "head_command"),
+      requests_(client.read<CommandRequest>("command_request")),
+      stop_requests_(client.read<StopRequest>("stop_request")),
+      estimates_(client.read<Estimate>("estimate")),
+      ways_(client.read<NavigationState>("navigation_state")),
+      motions_(client.read<MotionState>("motion_state")),
+      states_(client.write<CommandState>("command_state")) {
+  walk_.command(stand(), OrderSource::nobody, 0);
+}
+
+PassedOrders CommandArbiter::step(std::int64_t now_ns, bool emergency_stopped) noexcept {
+  PassedOrders passed;
+  const bool stops_now = hear_stops(now_ns);
+  if (emergency_stopped && authority_.commander() != Commander::emergency_stop) end_all(now_ns);
+  if (!stops_now) authority_.emergency_stop(emergency_stopped);
+  hear_robot(now_ns);
+  hear_people(now_ns, passed);
+  hear_behaviour(now_ns);
+  note_ends(now_ns, passed);
+  tell(now_ns);
+  return passed;
+}
+
+// In the millisecond in which the message controller obeys them, which is about to follow. Whether it will be in
+// an emergency stop then.
+bool CommandArbiter::hear_stops(std::int64_t now_ns) noexcept {
+  if (stop_requests_.newest_sequence() == stop_seen_) return false;
+  StopRequest asked;
+  const auto read = stop_requests_.read(asked);
+  if (!read) return false;
+  stop_seen_ = read.sequence;
+  const bool emergency = asked.holds != stops_.holds || asked.softs != stops_.softs;
+  const bool any = emergency || asked.stops != stops_.stops;
+  stops_ = asked;
+  if (!any) return false;
+  stop(now_ns);
+  if (emergency) authority_.emergency_stop(true);
+  return emergency;
+}
+
+void CommandArbiter::on_command(msgclient::UserCommandKind kind, std::int64_t now_ns) noexcept {
+  using Kind = msgclient::UserCommandKind;
+  switch (kind) {
+    case Kind::stop:
+      return stop(now_ns);
+    case Kind::emergency_stop_hold:
+    case Kind::emergency_stop_soft:
+      stop(now_ns);
+      return authority_.emergency_stop(true);
+    case Kind::manual_joint:
+      if (authority_.person_commands(CommandReason::person_moves_joint)) {
+        authority_.person_gets_it_up();
+        end_orders_of(OrderSource::behaviour, now_ns);
+      }
+      return;
+    case Kind::release:
+      return;  // its end is seen by the message controller's mode
+  }
+}
+
+void CommandArbiter::stop(std::int64_t now_ns) noexcept {
+  end_all(now_ns);
+  authority_.person_stops();
+}
+
+void CommandArbiter::hear_robot(std::int64_t now_ns) noexcept {
+  if (estimates_.newest_sequence() != estimate_seen_) {
+    if (const auto read = estimates_.read(estimate_)) {
+      estimate_seen_ = read.sequence;
+      const bool fallen = estimate_.fall != estimate::fall::upright;
+      if (fallen && !fallen_) {  // nothing walks on after it
+        end_walk(now_ns);
+        end_way(now_ns);
+      }
+      fallen_ = fallen;
+      authority_.fall(fallen);
+    }
+  }
+  if (ways_.newest_sequence() != way_seen_) {
+    if (const auto read = ways_.read(navigation_)) {
+      way_seen_ = read.sequence;
+      const bool idle = navigation_.state == navigation_state::state::idle;
+      if (idle && navigation_.answered == way_.current().number) way_.is_done();
+    }
+  }
+  if (motions_.newest_sequence() != motion_seen_) {
+    if (const auto read = motions_.read(motion_state_)) {
+      motion_seen_ = read.sequence;
+      constexpr std::uint32_t kNonePlays = 0;
+      const bool over = motion_state_.refused != 0 || motion_state_.state == kNonePlays;
+      if (over && motion_state_.answered == motion_.current().number) motion_.is_done();
+    }
+  }
+}
+
+void CommandArbiter::hear_people(std::int64_t now_ns, PassedOrders& passed) noexcept {
+  if (requests_.newest_sequence() != request_seen_) {
+    CommandRequest request;
+    if (const auto read = requests_.read(request)) {
+      request_seen_ = read.sequence;
+      answered_ = request.number;
+      if (request.verb <= command_request::verb::is_lost) {
+        passed.verb = static_cast<CommandVerb>(request.verb);
+        order(*passed.verb, now_ns);
+      }
+    }
+  }
+  if (const auto walk = walk_.take(OrderSource::person)) {
+    order(*walk, now_ns);
+    passed.walk = walk_.current();
+  }
+  if (const auto way = way_.take(OrderSource::person)) {
+    order(*way, now_ns);
+    passed.way = way;
+  }
+  if (const auto motion = motion_.take(OrderSource::person)) {
+    order(*motion, now_ns);
+    passed.motion = made_sound(*motion);
+  }
+  if (const auto head = head_.take(OrderSource::person)) {
+    order(*head, now_ns);
+    passed.head = head;
+  }
+}
+
+// The end of an order, of somebody who commands, is no news of who does: a stop stays a stop.
+bool CommandArbiter::person_may(bool ends_something, std::int64_t now_ns) noexcept {
+  if (ended_) return false;
+  const bool commands = ends_something && authority_.commander() == Commander::person;
+  if (!commands && !authority_.person_commands(CommandReason::person_orders)) return false;
+  end_orders_of(OrderSource::behaviour, now_ns);
+  return true;
+}
+
+void CommandArbiter::order(const WalkCommand& walk, std::int64_t now_ns) noexcept {
+  const WalkCommand sound = made_sound(walk, now_ns);
+  if (!person_may(sound.walk == 0, now_ns)) return;
+  walk_.command(sound, sound.walk != 0 ? OrderSource::person : OrderSource::nobody, now_ns);
+  walk_until_ns_ = sound.valid_until_ns;
+}
+
+void CommandArbiter::order(const WalkToRequest& way, std::int64_t now_ns) noexcept {
+  if (!person_may(way.cancel != 0, now_ns)) return;
+  way_.command(way, way.cancel == 0 ? OrderSource::person : OrderSource::nobody, now_ns);
+}
+
+void CommandArbiter::order(const MotionRequest& motion, std::int64_t now_ns) noexcept {
+  const MotionRequest sound = made_sound(motion);
+  if (!person_may(leaves(sound), now_ns)) return;
+  if (!leaves(sound)) authority_.person_gets_it_up();
+  motion_.command(sound, leaves(sound) ? OrderSource::nobody : OrderSource::person, now_ns);
+}
+
+void CommandArbiter::order(const HeadCommand& head, std::int64_t now_ns) noexcept {
+  if (!numbers_within_limits(head) || !person_may(false, now_ns)) return;
+  head_.command(head, head.mode == head_command::mode::ahead ? OrderSource::nobody : OrderSource::person, now_ns);
+}
+
+void CommandArbiter::order(CommandVerb verb, std::int64_t now_ns) noexcept {
+  if (ended_) return;
+  switch (verb) {
+    case CommandVerb::take:
+      if (authority_.person_commands(CommandReason::person_takes)) {
+        authority_.person_gets_it_up();
+        end_orders_of(OrderSource::behaviour, now_ns);
+      }
+      return;
+    case CommandVerb::let_go:
+      if (!authority_.person_lets_go()) return;
+      end_orders_of(OrderSource::person, now_ns);
+      // What the behaviour has asked for meanwhile does not count: it asks again.
+      walk_.drop(OrderSource::behaviour);
+      way_.drop(OrderSource::behaviour);
+      motion_.drop(OrderSource::behaviour);
+      head_.drop(OrderSource::behaviour);
+      return;
+    case CommandVerb::is_lost:
+      if (walk_.in_force() == OrderSource::person) end_walk(now_ns);
+      if (way_.in_force() == OrderSource::person) end_way(now_ns);
+      return authority_.person_is_lost();
+  }
+}
+
+void CommandArbiter::hear_behaviour(std::int64_t now_ns) noexcept {
+  if (const auto walk = walk_.take(OrderSource::behaviour)) {
+    const WalkCommand sound = made_sound(*walk, now_ns);
+    if (sound.walk == 0) {
+      if (walk_.in_force() == OrderSource::behaviour) end_walk(now_ns);
+    } else if (behaviour_may(false)) {
+      walk_.command(sound, OrderSource::behaviour, now_ns);
+      walk_until_ns_ = sound.valid_until_ns;
+    }
+  }
+  if (const auto way = way_.take(OrderSource::behaviour)) {
+    if (way->cancel != 0) {
+      if (way_.in_force() == OrderSource::behaviour) end_way(now_ns);
+    } else if (behaviour_may(false)) {
+      way_.command(*way, OrderSource::behaviour, now_ns);
+    }
+  }
+  if (const auto motion = motion_.take(OrderSource::behaviour)) {
+    const MotionRequest sound = made_sound(*motion);
+    if (leaves(sound)) {
+      if (motion_.in_force() == OrderSource::behaviour) end_motion(now_ns);
+    } else if (behaviour_may(true)) {
+      motion_.command(sound, OrderSource::behaviour, now_ns);
+    }
+  }
+  if (const auto head = head_.take(OrderSource::behaviour)) {
+    if (numbers_within_limits(*head) && behaviour_may(false)) {
+      const bool ahead = head->mode == head_command::mode::ahead;
+      head_.command(*head, ahead ? OrderSource::nobody : OrderSource::behaviour, now_ns);
+    }
+  }
+}
+
+bool CommandArbiter::behaviour_may(bool is_motion) noexcept {
+  if (!ended_ && (authority_.behaviour_commands() || (is_motion && authority_.may_get_up()))) return true;
+  ++turned_away_;
+  return false;
+}
+
+void CommandArbiter::note_ends(std::int64_t now_ns, PassedOrders& passed) noexcept {
+  if (walk_.in_force() != OrderSource::nobody && walk_until_ns_ != 0 && now_ns >= walk_until_ns_) {
+    const bool of_person = walk_.in_force() == OrderSource::person;
+    end_walk(now_ns);
+    if (of_person) passed.walk = walk_.current();
+  }
+  if (motion_.in_force() == OrderSource::nobody) authority_.got_up();
+  const auto in_force = {walk_.in_force(), way_.in_force(), motion_.in_force(), head_.in_force()};
+  if (std::ranges::find(in_force, OrderSource::behaviour) != in_force.end() ||
+      authority_.commander() != Commander::behaviour) {
+    behaviour_ends_ns_ = 0;
+  } else if (behaviour_ends_ns_ == 0) {
+    behaviour_ends_ns_ = now_ns + kDone_ns;
+  } else if (now_ns >= behaviour_ends_ns_) {
+    authority_.behaviour_is_done();
+  }
+}
+
+void CommandArbiter::end_all(std::int64_t now_ns) noexcept {
+  end_walk(now_ns);
+  end_way(now_ns);
+  end_motion(now_ns);
+  end_head(now_ns);
+}
+
+void CommandArbiter::end_orders_of(OrderSource source, std::int64_t now_ns) noexcept {
+  if (walk_.in_force() == source) end_walk(now_ns);
+  if (way_.in_force() == source) end_way(now_ns);
+  if (motion_.in_force() == source) end_motion(now_ns);
+  if (head_.in_force() == source) end_head(now_ns);
+}
+
+void CommandArbiter::end_walk(std::int64_t now_ns) noexcept {
+  if (walk_.in_force() != OrderSource::nobody) walk_.command(stand(), OrderSource::nobody, now_ns);
+}
+
+void CommandArbiter::end_way(std::int64_t now_ns) noexcept {
+  if (way_.in_force() == OrderSource::nobody) return;
+  WalkToRequest leave{};
+  leave.number = own_number();
+  leave.cancel = 1;
+  way_.command(leave, OrderSource::nobody, now_ns);
+}
+
+void CommandArbiter::end_motion(std::int64_t now_ns) noexcept {
+  if (motion_.in_force() == OrderSource::nobody) return;
+  MotionRequest leave{};
+  leave.number = own_number();
+  motion_.command(leave, OrderSource::nobody, now_ns);
+}
+
+// A head that looks somewhere moves nothing else: it stays as it is, but one that looks around stands still.
+void CommandArbiter::end_head(std::int64_t now_ns) noexcept {
+  if (head_.in_force() == OrderSource::nobody) return;
+  HeadCommand hold = head_.current();
+  if (hold.mode == head_command::mode::scan || hold.mode == head_command::mode::point) {
+    hold.mode = head_command::mode::hold;
+    head_.command(hold, OrderSource::nobody, now_ns);
+  }
+  head_.is_done();
+}
+
+// Neither one of the API's nor one of the behaviour's, as far as numbers can tell.
+std::uint32_t CommandArbiter::own_number() noexcept {
+  constexpr std::uint32_t kOwn = 0x4000'0000;
+  return kOwn | (++numbers_ % kOwn);
+}
+
+void CommandArbiter::begin_anew_with_people(std::int64_t walk_until_ns) noexcept {
+  walk_.drop(OrderSource::person);
+  way_.drop(OrderSource::person);
+  motion_.drop(OrderSource::person);
+  head_.drop(OrderSource::person);
+  request_seen_ = requests_.newest_sequence();
+  if (walk_.in_force() == OrderSource::person) walk_until_ns_ = walk_until_ns;
+}
+
+void CommandArbiter::end(std::int64_t now_ns) noexcept {
+  end_all(now_ns);
+  ended_ = true;
+}
+
+void CommandArbiter::tell(std::int64_t now_ns) noexcept {
+  CommandState state{};
+  state.commander = static_cast<std::uint32_t>(authority_.commander());
+  state.reason = static_cast<std::uint32_t>(authority_.reason());
+  state.in_force[0] = static_cast<std::uint32_t>(walk_.in_force());
+  state.in_force[1] = static_cast<std::uint32_t>(way_.in_force());
+  state.in_force[2] = static_cast<std::uint32_t>(motion_.in_force());
+  state.in_force[3] = static_cast<std::uint32_t>(head_.in_force());
+  state.may_get_up = authority_.may_get_up() ? 1 : 0;
+  state.answered = answered_;
+  state.changes = authority_.changes();
+  const bool same_commander = state.changes == told_.changes && told_ns_ >= 0;
+  const bool same = same_commander && std::ranges::equal(state.in_force, told_.in_force) &&
+                    state.may_get_up == told_.may_get_up && state.answered == told_.answered;
+  if (same && (turned_away_ == told_.turned_away || now_ns - told_ns_ < kTellAgain_ns)) return;
+  state.since_ns = same_commander ? told_.since_ns : now_ns;
+  state.turned_away = turned_away_;
+  state.stamp_ns = now_ns;
+  const std::string_view text = sentence(authority_.commander(), authority_.reason());
+  std::ranges::copy_n(text.begin(), static_cast<std::ptrdiff_t>(std::min(text.size(), sizeof state.text - 1)),
+                      state.text);
+  told_ = state;
+  told_ns_ = now_ns;
+  states_.publish(state, now_ns);
+}
+
+}  // namespace gaitway::msgcontroller
