@@ -165,6 +165,8 @@ def text_seeds():
     yaml = re.sub(r" *#[^\n]*", "", yaml).replace(
         "{profile: full}", "{profile: full, messages: {trajectory: {id: 0x120, deadline_ms: 15}, trim: {period_ms: 10}}}")
     write("network_file", "humanoid22", re.sub(r"\n\n+", "\n", re.sub(r"(?<=,) {2,}", " ", yaml)))
+    yaml = (ROOT / "urdf/humanoid22/camera.yaml").read_text()
+    write("camera_file", "humanoid22", re.sub(r" *#[^\n]*", "", yaml).lstrip())
     write("message_list", "three_messages", (
         '[{"name": "brake", "id": 16, "bytes": 8, "period_us": 2500, "jitter_us": 0.5, "deadline_us": 2500},\n'
         ' {"name": "a", "id": 17, "bytes": 0, "period_us": 350, "jitter_us": 0, "deadline_us": 325, "fifo": "engine"},\n'
