@@ -14,14 +14,16 @@ constexpr int kMoreGeoms = 100;  // than the model has: what MuJoCo adds of its 
 constexpr int kHiddenGroup = 5;  // of geoms
 constexpr float kNearest_m = 0.02F, kFarthest_m = 100.0F;
 constexpr double kSunAway_m = 4.0;
-constexpr float kAmbient = 0.42F;  // light that comes from everywhere
+constexpr float kSunSees_m = 2.5F;  // to each side of where it looks: there are shadows
+constexpr float kAmbient = 0.42F;   // light that comes from everywhere
 
 // The plant's model as the camera's light has it: no lamp on the camera's head, another shadow map.
 ModelPointer drawn_model(const mjModel& plants, int hidden_link, const SceneLook& look) {
   ModelPointer model(mj_copyModel(nullptr, &plants));
   if (!model) throw std::runtime_error("no pictures: no memory for a copy of the physics model");
   model->vis.quality.shadowsize = std::max(look.shadow_px, 1);
-  model->vis.quality.offsamples = look.samples;
+  model->vis.quality.offsamples = 0;  // whoever wants smooth edges draws larger; that costs less
+  model->vis.map.shadowclip = kSunSees_m;
   model->vis.global.offwidth = look.widest_px;
   model->vis.global.offheight = look.highest_px;
   for (int i = 0; i < 3; ++i) {

@@ -28,8 +28,7 @@ struct GreyPicture {
 };
 
 struct SceneLook {
-  int shadow_px = 1024;                    // side of the shadow map; 0: no shadows
-  int samples = 4;                         // for each pixel of an edge
+  int shadow_px = 512;                     // side of the shadow map; 0: no shadows
   int widest_px = 1024, highest_px = 768;  // of a window
 };
 

@@ -9,8 +9,8 @@
 namespace gaitway::simulator {
 namespace {
 
-constexpr double kTravelOfBand_m = 0.0008;  // that a band's rows may see from a wrong place, all together
-constexpr int kMostBands = 4;
+constexpr double kTravelOfBand_m = 0.0016;  // that a band's rows may see from a wrong place, all together
+constexpr int kMostBands = 3;
 constexpr int kMostSamples = 7;
 constexpr double kBlurOfSample_px = 0.7;
 constexpr double kMargin = 2.0;  // pixels of a drawing around what is seen of it

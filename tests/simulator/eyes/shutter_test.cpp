@@ -91,7 +91,8 @@ TEST_F(ShutterTest, WithoutReadoutThePoleStandsUpright) {
 
 TEST_F(ShutterTest, TheMiddleRowIsSeenAtTheStamp) {
   const double still_px = row_of(take(0.0, 0.0, 0.004, 0.012), 120).middle_px;
-  EXPECT_NEAR(row_of(take(3.0, 0.0, 0.004, 0.012), 120).middle_px, still_px, 0.4);
+  EXPECT_NEAR(row_of(take(3.0, 0.0, 0.004, 0.012), 120).middle_px, still_px, 0.7)
+      << "0.67 of a pixel is one of the drawing";
 }
 
 TEST_F(ShutterTest, AnExposureBlursWhatMoves) {
@@ -110,14 +111,14 @@ TEST_F(ShutterTest, ACameraThatTravelsDrawsMoreOften) {
   take(1.0, 0.0, 0.004, 0.012);
   const int turning = bands_;
   take(0.0, 0.1, 0.004, 0.012);
-  EXPECT_GT(bands_, 2);
+  EXPECT_EQ(bands_, 3);
   EXPECT_LE(turning, bands_);
 }
 
-// Bands join: what is drawn in four pieces shows no seam where nothing moves but by a little.
+// Bands join: what is drawn in three pieces shows no seam where nothing moves but by a little.
 TEST_F(ShutterTest, BandsShowTheSamePole) {
   const std::vector<float> light = take(0.0, 0.1, 0.0001, 0.012);
-  ASSERT_EQ(bands_, 4);
+  ASSERT_EQ(bands_, 3);
   for (int row = 45; row < 200; ++row) {
     EXPECT_NEAR(row_of(light, row).middle_px, row_of(light, row + 1).middle_px, 0.5) << row;
   }

@@ -16,8 +16,8 @@
 namespace gaitway::simulator {
 
 struct StereoCameraOptions {
-  bool always = false;   // take pictures even if no plug-in reads them
-  int shadow_px = 1024;  // side of the shadow map; 0: no shadows
+  bool always = false;  // take pictures even if no plug-in reads them
+  int shadow_px = 512;  // side of the shadow map; 0: no shadows, in less than half of the time
   bool auto_exposure = true;
   double fixed_exposure = 1.0;  // otherwise: times the camera file's; above 1 it is gain; 0.1 to 8
   double lost_share = 0.002;    // pairs that never arrive, at random
