@@ -1,6 +1,8 @@
 // UTF-8 and XML's characters, by XML 1.0 (fifth edition), productions 2, 4, 66 and 68.
 #include "xml_characters.hpp"
 
+#include <tinyxml2.h>
+
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -34,32 +36,34 @@ bool allowed(std::uint32_t code) noexcept {
   return code < 0xD800 || (code > 0xDFFF && code < 0xFFFE) || (code > 0xFFFF && code <= 0x10FFFF);
 }
 
-std::string encode(std::uint32_t code) {
-  std::string text;
-  const auto add = [&text](std::uint32_t byte) {
-    text += static_cast<char>(static_cast<unsigned char>(byte));
-  };
-  const auto tail = [&](int groups) {
-    for (int i = groups - 1; i >= 0; --i) add(0x80U | (code >> (6U * static_cast<unsigned>(i)) & 0x3FU));
-  };
-  if (code < 0x80) {
-    add(code);
-  } else if (code < 0x800) {
-    add(0xC0U | code >> 6U);
-    tail(1);
-  } else if (code < 0x10000) {
-    add(0xE0U | code >> 12U);
-    tail(2);
-  } else {
-    add(0xF0U | code >> 18U);
-    tail(3);
-  }
-  return text;
-}
-
 bool begins_name(char c) noexcept {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' ||
          static_cast<signed char>(c) < 0;
+}
+
+std::string encode(std::uint32_t code) {
+  constexpr std::size_t kLongest = 4;
+  std::array<char, kLongest> bytes{};
+  int length = 0;
+  tinyxml2::XMLUtil::ConvertUTF32ToUTF8(code, bytes.data(), &length);
+  return {bytes.data(), static_cast<std::size_t>(length)};
+}
+
+// What "lt" or "#x20" stands for; nothing: it is no entity that needs no document type.
+std::optional<std::string> entity_text(std::string_view entity) {
+  constexpr std::array<std::pair<std::string_view, char>, 5> kNamed{
+      {{"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}}};
+  for (const auto& [known, character] : kNamed) {
+    if (entity == known) return std::string(1, character);
+  }
+  if (!entity.starts_with('#')) return std::nullopt;
+  entity.remove_prefix(1);
+  const bool hexadecimal = entity.starts_with('x');
+  entity.remove_prefix(hexadecimal ? 1 : 0);
+  std::uint32_t code = 0;
+  const auto [stop, error] = std::from_chars(entity.begin(), entity.end(), code, hexadecimal ? 16 : 10);
+  if (entity.empty() || error != std::errc{} || stop != entity.end() || !allowed(code)) return std::nullopt;
+  return encode(code);
 }
 
 }  // namespace
@@ -83,20 +87,24 @@ std::size_t name_length(std::string_view text) noexcept {
   return length;
 }
 
-std::optional<std::string> entity_text(std::string_view entity) {
-  constexpr std::array<std::pair<std::string_view, char>, 5> kNamed{
-      {{"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}}};
-  for (const auto& [known, character] : kNamed) {
-    if (entity == known) return std::string(1, character);
+std::optional<std::string> replace_entities(std::string& text) {
+  std::string replaced;
+  replaced.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] != '&') {
+      replaced += text[i] == '\n' || text[i] == '\t' || text[i] == '\r' ? ' ' : text[i];
+      ++i;
+      continue;
+    }
+    const std::size_t end = text.find(';', i);
+    const std::string entity = text.substr(i + 1, end == std::string::npos ? 0 : end - i - 1);
+    const std::optional<std::string> meant = entity_text(entity);
+    if (!meant) return entity;
+    replaced += *meant;
+    i = end + 1;
   }
-  if (!entity.starts_with('#')) return std::nullopt;
-  entity.remove_prefix(1);
-  const bool hexadecimal = entity.starts_with('x');
-  entity.remove_prefix(hexadecimal ? 1 : 0);
-  std::uint32_t code = 0;
-  const auto [stop, error] = std::from_chars(entity.begin(), entity.end(), code, hexadecimal ? 16 : 10);
-  if (entity.empty() || error != std::errc{} || stop != entity.end() || !allowed(code)) return std::nullopt;
-  return encode(code);
+  text = std::move(replaced);
+  return std::nullopt;
 }
 
 std::string xml_text(std::string_view text) {

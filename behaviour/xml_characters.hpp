@@ -15,8 +15,9 @@ namespace gaitway::behaviour {
 // How many bytes at the front make a name; 0: none does.
 [[nodiscard]] std::size_t name_length(std::string_view text) noexcept;
 
-// What "lt" or "#x20" stands for; nothing: it is no entity that needs no document type.
-[[nodiscard]] std::optional<std::string> entity_text(std::string_view entity);
+// Entities become the characters that they stand for and, as XML has it in attributes, white space blanks.
+// Gives the first entity that needs a document type or is none; then `text` is as it was.
+[[nodiscard]] std::optional<std::string> replace_entities(std::string& text);
 
 // Text as the content of an element or an attribute; what XML can't hold becomes U+FFFD.
 [[nodiscard]] std::string xml_text(std::string_view text);

@@ -1,9 +1,9 @@
-// An XML document as elements and attributes that know their lines; reads what behaviour trees need of
-// XML 1.0.
+// An XML document as elements and attributes that know their lines; tinyxml2 reads it.
 //
-// Left out, and refused by name: document types and so entities of one's own, other encodings than UTF-8.
-// Comments and processing instructions are passed over. No function calls itself, so that depth costs no
-// stack.
+// That library passes over some of what is not well-formed, and would give half of a file, or another text
+// than the file has. Such is refused here: document types, other encodings than UTF-8, bytes that are no
+// characters, unknown entities, '<' within a value, a second root, text around the root, an end tag too many
+// or with attributes.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,11 @@
 
 namespace gaitway::behaviour {
 
-inline constexpr std::size_t kMostElements = 100'000;
+inline constexpr std::size_t kMostTags = 200'000;   // of elements, their ends and comments
 inline constexpr std::size_t kMostAttributes = 64;  // of one element
-inline constexpr std::size_t kMostLevels = 2'000;   // far more than a tree may have: that is told by its name
+// Elements within each other, at least: as many as tinyxml2 reads, which calls itself for each. The version
+// that is linked decides: 9.0 reads 99 where the innermost one is written <x/>.
+extern const std::size_t kMostLevels;
 
 struct XmlAttribute {
   std::string name;

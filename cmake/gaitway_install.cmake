@@ -8,7 +8,7 @@ set(gaitway_built_package "${CMAKE_BINARY_DIR}/${gaitway_package_folder}")
 set(gaitway_shipped_plugins gaitway_plugin_trajectory gaitway_plugin_kinematics gaitway_plugin_zmp gaitway_plugin_stability
     gaitway_plugin_navigation gaitway_plugin_behaviour gaitway_plugin_api)
 set(gaitway_author_libraries facts geometry plugin msgclient_topics simulated_robot_headers process msgclient input urdf
-    trajectory kinematics zmp stability)
+    trajectory kinematics zmp stability behaviour behaviour_leaves behaviour_missions behaviour_plugin)
 
 install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
 install(DIRECTORY core/config tools/scenarios tools/worlds plugins/behaviour/missions tools/new_plugin/templates DESTINATION share/gaitway)
@@ -36,7 +36,7 @@ install(FILES msgclient/include/gaitway/msgclient/type_descriptor.hpp msgclient/
         DESTINATION include/gaitway/msgclient)
 install(FILES simulator/include/gaitway/simulator/simulated_robot.hpp DESTINATION include/gaitway/simulator)
 install(DIRECTORY facts/include/ geometry/include/ input/include/ urdf/include/ plugins/trajectory/include/ plugins/kinematics/include/ plugins/zmp/include/
-                  plugins/stability/include/ DESTINATION include)
+                  plugins/stability/include/ behaviour/include/ plugins/behaviour/include/ DESTINATION include)
 
 # The CMake package and the pkg-config file.
 foreach(library IN LISTS gaitway_author_libraries)
@@ -69,6 +69,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${GAITWAY_MUJOCO_DIR}")
 set(gaitway_recommended g++ cmake make libgtest-dev libgmock-dev libeigen3-dev liborocos-kdl-dev liburdfdom-dev
-    libyaml-cpp-dev libfmt-dev zlib1g-dev libegl1 libgl1-mesa-dri)
+    libtinyxml2-dev libyaml-cpp-dev libfmt-dev zlib1g-dev libegl1 libgl1-mesa-dri)
 list(JOIN gaitway_recommended ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 include(CPack)

@@ -13,8 +13,8 @@ namespace {
 
 using facts::kMillisecond_ns;
 
-// The behaviour has come to an end when none of its orders has been in force for so long: from one to its next it
-// may think.
+// The behaviour has come to an end when none of its orders has been in force for so long: from one to its
+// next it may think.
 constexpr std::int64_t kDone_ns = 1000 * kMillisecond_ns;
 // What changes all the time is told so often.
 constexpr std::int64_t kTellAgain_ns = 100 * kMillisecond_ns;
@@ -81,8 +81,8 @@ PassedOrders CommandArbiter::step(std::int64_t now_ns, bool emergency_stopped) n
   return passed;
 }
 
-// In the millisecond in which the message controller obeys them, which is about to follow. Whether it will be in
-// an emergency stop then.
+// In the millisecond in which the message controller obeys them, which is about to follow. Whether it will be
+// in an emergency stop then.
 bool CommandArbiter::hear_stops(std::int64_t now_ns) noexcept {
   if (stop_requests_.newest_sequence() == stop_seen_) return false;
   StopRequest asked;
@@ -213,7 +213,8 @@ void CommandArbiter::order(const MotionRequest& motion, std::int64_t now_ns) noe
 
 void CommandArbiter::order(const HeadCommand& head, std::int64_t now_ns) noexcept {
   if (!numbers_within_limits(head) || !person_may(false, now_ns)) return;
-  head_.command(head, head.mode == head_command::mode::ahead ? OrderSource::nobody : OrderSource::person, now_ns);
+  head_.command(head, head.mode == head_command::mode::ahead ? OrderSource::nobody : OrderSource::person,
+                now_ns);
 }
 
 void CommandArbiter::order(CommandVerb verb, std::int64_t now_ns) noexcept {

@@ -77,7 +77,8 @@ std::string_view sentence(Commander commander, CommandReason reason) noexcept {
     case CommandReason::person_takes:
       return "a person commands: has taken the command. The behaviour waits until it is let go";
     case CommandReason::person_stops:
-      return "a person has stopped the robot: it stands until somebody orders something, or lets the command go";
+      return "a person has stopped the robot: it stands until somebody orders something, or lets the command "
+             "go";
     case CommandReason::person_lets_go:
       return "nobody commands: a person has let the command go, and the behaviour may have it";
     case CommandReason::person_is_lost:

@@ -263,7 +263,7 @@ Option CommandLine::option(const std::string& names, Value& value, const std::st
 template <class Value>
 Option CommandLine::repeated(const std::string& names, std::vector<Value>& values,
                              const std::string& help) const {
-  return Option(*declare(*app_, names, values, help).allow_extra_args(false));
+  return Option(*declare(*app_, names, values, help).allow_extra_args(!names.starts_with('-')));
 }
 
 template Option CommandLine::option(const std::string&, bool&, const std::string&) const;

@@ -62,7 +62,7 @@ class CommandLine {
   // `value` outlives the handle.
   template <class Value>
   Option option(const std::string& names, Value& value, const std::string& help) const;
-  // Once for each value: commas belong to it.
+  // Once for each value, or words in their places: commas belong to a value.
   template <class Value>
   Option repeated(const std::string& names, std::vector<Value>& values, const std::string& help) const;
   // An old name of a command: whoever uses it is told the new one.
@@ -104,6 +104,7 @@ inline constexpr std::array kCommands{
     Command{"bus", "Analyse and describe the robot's CAN bus"},
     Command{"measure", "Measure how well the simulated robot does"},
     Command{"motion", "Key-frame motions: list, show, plan, check, draw and prepare them"},
+    Command{"behaviour", "Behaviour trees: check and draw them, list the leaves that they may have"},
     Command{"robot", "Bring, describe and check a robot of your own"},
     Command{"calibrate",
             "Find joint zeros, trunk and force cells from standing poses, and how sure they are"},

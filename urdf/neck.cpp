@@ -11,8 +11,14 @@ namespace {
 NeckJoint neck_joint(const RobotModel& model, int index, double along_axis) {
   const Joint& joint = model.joints[static_cast<std::size_t>(index)];
   const double sign = along_axis < 0.0 ? -1.0 : 1.0;
-  const double one = sign * (joint.lower_rad - joint.home_rad), other = sign * (joint.upper_rad - joint.home_rad);
-  return {index, sign, std::min(one, other), std::max(one, other), joint.home_rad, joint.velocity_limit_rad_per_s};
+  const double one = sign * (joint.lower_rad - joint.home_rad),
+               other = sign * (joint.upper_rad - joint.home_rad);
+  return {index,
+          sign,
+          std::min(one, other),
+          std::max(one, other),
+          joint.home_rad,
+          joint.velocity_limit_rad_per_s};
 }
 
 }  // namespace

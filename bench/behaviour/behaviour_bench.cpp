@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "deep_tree.hpp"
 #include "gaitway/behaviour/read.hpp"
 #include "gaitway/behaviour/tree.hpp"
 
@@ -88,18 +89,8 @@ std::string mixed(std::size_t nodes) {
   return text + "</ParallelAll>";
 }
 
-std::string deep(std::size_t nodes) {
-  std::string open, close;
-  for (std::size_t i = 1; i < nodes; ++i) {
-    open += "<Inverter>";
-    close += "</Inverter>";
-  }
-  return open + "<Turns turns=\"3\"/>" + close;
-}
-
-void measure(const char* what, const std::string& nodes, int ticks) {
+void measure(const char* what, const std::string& file, int ticks) {
   const Registry registry = make_registry();
-  const std::string file = file_of(nodes);
   const std::int64_t begun = processor_ns();
   Description description = parse_tree(file, "bench.xml", registry);
   const double read_ms = 1e-6 * static_cast<double>(processor_ns() - begun);
@@ -133,9 +124,9 @@ int main(int argc, char** argv) {
   const int ticks = argc > 1 ? std::max(1, std::atoi(argv[1])) : kTicks;
   fmt::print("{:<22} {:>6} {:>9} {:>8} {:>8} {:>8} {:>9} {:>9}\n", "", "nodes", "read ms", "p50 us", "p99 us",
              "p99.9 us", "worst us", "changes");
-  measure("all visited", all_visited(200), ticks);
-  measure("mixed", mixed(200), ticks);
-  measure("largest, all visited", all_visited(kMostNodes), std::max(1, ticks / 50));
-  measure("largest, mixed", mixed(kMostNodes), std::max(1, ticks / 50));
-  measure("deepest", deep(kMostDepth), std::max(1, ticks / 10));
+  measure("all visited", file_of(all_visited(200)), ticks);
+  measure("mixed", file_of(mixed(200)), ticks);
+  measure("largest, all visited", file_of(all_visited(kMostNodes)), std::max(1, ticks / 50));
+  measure("largest, mixed", file_of(mixed(kMostNodes)), std::max(1, ticks / 50));
+  measure("deepest", test::deep_file(kMostDepth, "<Turns turns=\"3\"/>"), std::max(1, ticks / 10));
 }

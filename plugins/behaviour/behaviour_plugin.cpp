@@ -28,7 +28,7 @@ const T* newest(Input<T>& input) {
 
 }  // namespace
 
-BehaviourPlugin::BehaviourPlugin(Setup& setup, const MoreLeaves& more)
+BehaviourPlugin::BehaviourPlugin(Setup& setup, const MoreLeaves& more, const std::string& first_mission)
     : robot_(std::make_shared<Robot>()),
       registry_(registry_of(robot_, more)),
       enabled_(setup.live_parameter("enabled", true, "false: it ends its mission and orders nothing")),
@@ -49,8 +49,9 @@ BehaviourPlugin::BehaviourPlugin(Setup& setup, const MoreLeaves& more)
       head_(setup.writes<HeadCommand>("behaviour_head")),
       state_(setup.writes<BehaviourState>("behaviour_state")),
       nodes_(setup.writes<BehaviourNodes>("behaviour_nodes")) {
-  const std::string mission = setup.parameter(
-      "mission", "", "the behaviour tree that begins at the start: name of a shipped mission, or a file");
+  const std::string mission =
+      setup.parameter("mission", first_mission,
+                      "the behaviour tree that begins at the start: name of a shipped mission, or a file");
   if (mission.empty()) return;
   try {
     runner_.load(mission);

@@ -53,7 +53,7 @@ void Navigator::measure(const PoseMeasurement& measurement) noexcept {
 }
 
 void Navigator::see(const Obstacles& obstacles) {
-  sees_news_ = planner_.see(obstacles) || sees_news_;
+  sees_news_ = planner_.see(obstacles, pose_.odometry()) || sees_news_;
 }
 
 void Navigator::step(const Inputs& inputs, FootstepPlan& plan, NavigationState& state, NavigationWay& way) {

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -27,6 +26,19 @@ planning::Planner planner_for(const urdf::RobotModel& robot, const StepShares& s
   return {shared(limits, shares), cell_for(limits)};
 }
 
+// Whether each of them is one of those, as far as cameras tell boxes apart from one picture to the next.
+bool all_known(const std::vector<WayPlanner::SeenBox>& boxes, const std::vector<WayPlanner::SeenBox>& those) {
+  constexpr double kSamePlace_m = 0.03, kSameSize_m = 0.04;
+  return std::ranges::all_of(boxes, [&](const WayPlanner::SeenBox& box) {
+    return std::ranges::any_of(those, [&](const WayPlanner::SeenBox& other) {
+      // How far a corner has gone with a turn counts, not the turn itself: a small box's is not well seen.
+      const double corner_m = 0.5 * box.size_m.head<2>().norm() * planning::turn_rad(box.pose, other.pose);
+      return planning::way_m(box.pose, other.pose) + corner_m < kSamePlace_m &&
+             (box.size_m - other.size_m).cwiseAbs().maxCoeff() < kSameSize_m;
+    });
+  });
+}
+
 }  // namespace
 
 WayPlanner::WayPlanner(const urdf::RobotModel& robot, world::World world, const StepShares& shares)
@@ -34,27 +46,28 @@ WayPlanner::WayPlanner(const urdf::RobotModel& robot, world::World world, const 
       world_(std::move(world)),
       with_seen_(std::make_shared<world::World>(world_)) {}
 
-bool WayPlanner::see(const Obstacles& obstacles) {
+bool WayPlanner::see(const Obstacles& obstacles, const planning::Pose& odometry) {
   const std::uint32_t count = std::min(obstacles.count, static_cast<std::uint32_t>(kMaxObstacles));
-  const bool same = count == seen_.count &&
-                    std::memcmp(obstacles.place, seen_.place, sizeof seen_.place) == 0 &&
-                    std::memcmp(obstacles.size, seen_.size, sizeof seen_.size) == 0;
-  if (same) return false;
-  seen_ = obstacles;
-  seen_.count = count;
-  auto with_seen = std::make_shared<world::World>(world_);
+  std::vector<SeenBox> boxes;
   for (std::uint32_t i = 0; i < count; ++i) {
     const double* const place = obstacles.place[i];
     const Eigen::Vector3d size_m(obstacles.size[i][0], obstacles.size[i][1], obstacles.size[i][2]);
     if (!std::isfinite(place[0] + place[1] + place[2]) || !(size_m.array() > 0.0).all()) continue;
+    const planning::Pose pose{place[0], place[1], place[2]};
+    boxes.push_back({obstacles.frame == obstacles::frame::odometry ? odometry.compose(pose) : pose, size_m});
+  }
+  if (all_known(boxes, seen_) && all_known(seen_, boxes)) return false;
+  auto with_seen = std::make_shared<world::World>(world_);
+  for (const SeenBox& box : boxes) {
     world::Solid solid;
     solid.kind = world::Kind::box;
     solid.name = "seen";
-    solid.size_m = size_m;
-    solid.pose = Eigen::Translation3d(place[0], place[1], 0.5 * size_m.z()) *
-                 Eigen::AngleAxisd(place[2], Eigen::Vector3d::UnitZ());
+    solid.size_m = box.size_m;
+    solid.pose = Eigen::Translation3d(box.pose.x_m, box.pose.y_m, 0.5 * box.size_m.z()) *
+                 Eigen::AngleAxisd(box.pose.yaw_rad, Eigen::Vector3d::UnitZ());
     with_seen->solids.push_back(std::move(solid));
   }
+  seen_ = std::move(boxes);
   with_seen_ = std::move(with_seen);
   return true;
 }

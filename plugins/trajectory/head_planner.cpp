@@ -12,8 +12,8 @@
 namespace gaitway::trajectory {
 namespace {
 
-// Of humanoid22; other robots' by their size. A head of 0.3 kg that is turned so moves the CoM by less than what
-// balance feedback sees.
+// Of humanoid22; other robots' by their size. A head of 0.3 kg that is turned so moves the CoM by less than
+// what balance feedback sees.
 constexpr double kUsualLook_rad_per_s = 2.0;
 constexpr double kAcceleration_rad_per_s2 = 12.0;
 constexpr double kUsualScan_s = 4.0;
@@ -35,8 +35,8 @@ HeadPlanner::HeadPlanner(const urdf::RobotModel& robot) {
   usual_scan_s_ = kUsualScan_s * size.factor("s");
   const auto axis_of = [&](const std::optional<urdf::NeckJoint>& joint) -> Axis {
     if (!joint) return {};
-    return {true, std::min(joint->lowest_rad + kNeckMargin_rad, 0.0), std::max(joint->highest_rad - kNeckMargin_rad, 0.0),
-            kNeckSpeedShare * joint->most_rad_per_s};
+    return {true, std::min(joint->lowest_rad + kNeckMargin_rad, 0.0),
+            std::max(joint->highest_rad - kNeckMargin_rad, 0.0), kNeckSpeedShare * joint->most_rad_per_s};
   };
   axes_ = {axis_of(neck_.yaw), axis_of(neck_.pitch)};
 }
@@ -119,7 +119,8 @@ HeadPlanner::Angles HeadPlanner::towards_rad(const Estimate& estimate, double hi
   return {std::atan2(to.y(), to.x()), -std::atan2(to.z(), to.head<2>().norm())};
 }
 
-void HeadPlanner::approach(const Angles& goal_rad, Angles& angle_rad, Angles& speed_rad_per_s) const noexcept {
+void HeadPlanner::approach(const Angles& goal_rad, Angles& angle_rad,
+                           Angles& speed_rad_per_s) const noexcept {
   constexpr double dt = facts::kSlot_s;
   const double most_change = acceleration_rad_per_s2_ * dt;
   for (std::size_t i = 0; i < 2; ++i) {

@@ -8,7 +8,9 @@
 #include <ostream>
 #include <string>
 
+#include "deep_tree.hpp"
 #include "scripted_leaves.hpp"
+#include "xml_document.hpp"
 
 namespace gaitway::behaviour::test {
 namespace {
@@ -323,20 +325,22 @@ TEST(BadTree, ATreeOfMoreNodesThanAllowedIsRefused) {
             "t.xml:1: T nodes = 10001: with its sub-trees, must have at most 10000 nodes. Make it smaller.");
 }
 
-std::string nested(std::size_t levels) {
-  std::string text;
-  for (std::size_t i = 1; i < levels; ++i) text += "<Inverter>";
-  text += "<A/>";
-  for (std::size_t i = 1; i < levels; ++i) text += "</Inverter>";
-  return text;
+TEST(BadTree, ATreeDeeperThanAllowedIsRefused) {
+  EXPECT_EQ(complaint_of(deep_file(kMostDepth, "<A/>")), "");
+  EXPECT_EQ(complaint_of(deep_file(kMostDepth + 1, "<A/>")),
+            "t.xml:1: T depth = 1001: with its sub-trees, must be at most 1000 nodes deep. Make it flatter.");
 }
 
-TEST(BadTree, ATreeDeeperThanAllowedIsRefused) {
-  EXPECT_EQ(complaint_of(file_of(nested(kMostDepth))), "");
-  EXPECT_EQ(complaint_of(file_of(nested(kMostDepth + 1))),
-            "t.xml:1: T depth = 1001: with its sub-trees, must be at most 1000 nodes deep. Make it flatter.");
-  EXPECT_EQ(complaint_of(file_of(nested(100'000))),
-            "t.xml:1: malformed XML: more than 2000 levels of elements. Use sub-trees.");
+TEST(BadTree, ElementsDeeperThanTheReaderGoesAreRefused) {
+  std::string open, close;
+  for (int i = 0; i < 1'000; ++i) {
+    open += "<Inverter>\n";
+    close += "</Inverter>";
+  }
+  EXPECT_EQ(
+      complaint_of(file_of(open + "<A/>" + close)),
+      fmt::format("t.xml:{}: <Inverter>: malformed XML: more than {} levels of elements. Use sub-trees.",
+                  kMostLevels - 1, kMostLevels));
 }
 
 // Ten levels of sub-trees, each used ten times: a small file, 10^10 nodes.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "deep_tree.hpp"
 #include "random_tree.hpp"
 #include "scripted_leaves.hpp"
 #include "xml_document.hpp"
@@ -103,14 +104,12 @@ TEST(Drawing, TextIsEscapedAndShortened) {
 
 TEST(Drawing, OfTheLargestTreesIsStillDone) {
   Script script;
-  std::string wide = "<Sequence>", deep;
+  std::string wide = "<Sequence>";
   for (std::size_t i = 1; i < kMostNodes; ++i) wide += "<A/>";
-  for (std::size_t i = 1; i < kMostDepth; ++i) deep += "<Inverter>";
-  deep += "<A/>";
-  for (std::size_t i = 1; i < kMostDepth; ++i) deep += "</Inverter>";
   EXPECT_EQ(boxes(draw(described("<Sequence>" + wide.substr(10) + "</Sequence>", script))).size(),
             kMostNodes);
-  EXPECT_EQ(boxes(draw(described(deep, script))).size(), kMostDepth);
+  const Description deep = parse_tree(deep_file(kMostDepth, "<A/>"), "t.xml", script.registry());
+  EXPECT_EQ(boxes(draw(deep)).size(), kMostDepth);
 }
 
 TEST(Drawing, StatusesMustBeThoseOfTheTree) {

@@ -257,14 +257,14 @@ test("every view fits a narrow phone, with Stop where it was, and can be walked 
   const stop = await (await robot.page.$("#stop")).boundingBox();
   await robot.page.focus("[role=tab]");
   const seen = [];
-  for (let count = 0; count < 6; ++count) {
+  for (let count = 0; count < 7; ++count) {
     seen.push(await robot.page.$eval("[role=tab][aria-selected=true]", (tab) => tab.textContent));
     assert.deepEqual(await (await robot.page.$("#stop")).boundingBox(), stop);
     const tooWide = await robot.page.evaluate(() => [document.documentElement, document.getElementById("panels")].map((part) => part.scrollWidth - part.clientWidth));
     assert.deepEqual(tooWide, [0, 0], seen.at(-1));
     await robot.page.keyboard.press("ArrowRight");
   }
-  assert.deepEqual(seen, ["Drive", "State", "Plots", "Events", "Plug-ins", "Recordings"]);
+  assert.deepEqual(seen, ["Drive", "State", "Behaviour", "Plots", "Events", "Plug-ins", "Recordings"]);
   assert.equal(await robot.page.evaluate(() => document.activeElement.textContent), "Drive");
   assert.equal(await robot.text("commander"), "nobody commands");
   await robot.close();

@@ -1,5 +1,5 @@
-// Requests in by topics, commands out: who is obeyed, what ends when somebody takes over, and that nothing of the
-// past is obeyed later.
+// Requests in by topics, commands out: who is obeyed, what ends when somebody takes over, and that nothing of
+// the past is obeyed later.
 #include "gaitway/msgcontroller/command_arbiter.hpp"
 
 #include <cstring>

@@ -49,9 +49,9 @@ class AuthorCommands : public ::testing::Test {
   std::string said_, complaint_;
 };
 
-TEST_F(AuthorCommands, EveryKindGivesThreeFilesUnderTheNewName) {
+TEST_F(AuthorCommands, EveryKindGivesItsFilesUnderTheNewName) {
   for (const std::string kind :
-       {"blank", "behavior", "trajectory", "kinematics", "stability", "zmp", "vision"}) {
+       {"blank", "behaviour", "behavior", "trajectory", "kinematics", "stability", "zmp", "vision"}) {
     const std::string name = "my_" + kind;
     ASSERT_EQ(gaitway("new-plugin " + name + " --kind " + kind), 0) << complaint_;
     EXPECT_THAT(said_, HasSubstr("cmake -S " + name + " -B " + name + "/build"));
@@ -66,8 +66,14 @@ TEST_F(AuthorCommands, EveryKindGivesThreeFilesUnderTheNewName) {
     EXPECT_THAT(all, Not(HasSubstr("PluginName")));
     EXPECT_THAT(all, Not(HasSubstr("plugin_name")));
     EXPECT_THAT(all, Not(HasSubstr("plugin_links")));
+    EXPECT_THAT(all, Not(HasSubstr("plugin_tree")));
+    const bool has_tree = kind == "behaviour";
+    if (has_tree) {
+      EXPECT_THAT(text(std::filesystem::path(name) / (name + ".xml")), HasSubstr("build/lib" + name + ".so"));
+      EXPECT_THAT(said_, HasSubstr("gaitway behaviour check " + name + "/" + name + ".xml --with "));
+    }
     const std::filesystem::directory_iterator files(folder_ / name);
-    EXPECT_EQ(std::distance(begin(files), end(files)), 3) << kind;
+    EXPECT_EQ(std::distance(begin(files), end(files)), has_tree ? 4 : 3) << kind;
   }
 }
 

@@ -44,8 +44,10 @@ void check_parameter(CheckRun& run, const core::Parameter& parameter) {
   }
 }
 
-bool is_floating_point(const FieldDescriptor& field) {
-  return field.type == ScalarType::float32_value || field.type == ScalarType::float64_value;
+bool has_float(const TypeDescriptor& type) {
+  return std::ranges::any_of(type.fields, [](const FieldDescriptor& field) {
+    return field.type == ScalarType::float32_value || field.type == ScalarType::float64_value;
+  });
 }
 
 void check_topics(CheckRun& run, Specimen& specimen) {
@@ -63,9 +65,8 @@ void check_topics(CheckRun& run, Specimen& specimen) {
                   fmt::format("topic '{}'", port.topic),
                   "build against this version's topics.hpp, or give a topic of your own another name");
     }
-    const bool has_floats =
-        port.standard_type != nullptr && std::ranges::any_of(port.standard_type->fields, is_floating_point);
-    if (port.is_output() && port.float_fields.empty() && has_floats) {
+    if (port.is_output() && port.float_fields.empty() && port.standard_type != nullptr &&
+        has_float(*port.standard_type)) {
       run.finding(
           "names none of its floating-point fields, so that the host cannot refuse what is not finite",
           fmt::format("topic '{}'", port.topic), "give the field table of the type (float_fields)");

@@ -32,9 +32,11 @@ struct Kind {
   std::string_view name;
   std::string_view library;  // of the shipped algorithms that the template uses; empty: none
   std::string_view does;
+  bool has_tree = false;  // and so a file NAME.xml, too
 };
 constexpr std::array kKinds{
     Kind{"blank", "", "reads the estimate and reports steps; writes nothing yet"},
+    Kind{"behaviour", "behaviour_plugin", "decides: a mission with a leaf of its own", true},
     Kind{"behavior", "", "commands the walk: a square"},
     Kind{"trajectory", "trajectory", "a gait: slow, with high steps"},
     Kind{"kinematics", "kinematics", "joint angles: arms that swing against the legs"},
@@ -142,6 +144,10 @@ std::string from_template(const std::string& file, const NewPluginOptions& optio
   const std::string library(kind.library);
   text = replaced(text, "plugin_components", "plugin simulator" + (library.empty() ? "" : " " + library));
   text = replaced(text, " plugin_links", library.empty() ? "" : " LINKS gaitway::" + library);
+  text = replaced(text, "plugin_tree\n",
+                  kind.has_tree ? "target_compile_definitions(plugin_name PRIVATE "
+                                  "GAITWAY_PLUGIN_TREE=\"${CMAKE_CURRENT_SOURCE_DIR}/plugin_name.xml\")\n"
+                                : "");
   return replaced(replaced(text, "PluginName", class_name(options.name)), "plugin_name", options.name);
 }
 
@@ -185,16 +191,20 @@ std::string package_option() {
   return found_alone ? "" : " -Dgaitway_DIR=" + text;
 }
 
-void print_next(const NewPluginOptions& options, const std::filesystem::path& folder) {
+void print_next(const NewPluginOptions& options, const Kind& kind, const std::filesystem::path& folder) {
   const std::string dir = folder.string();
   fmt::print(
-      "{0}/{1}.cpp  {0}/{1}_test.cpp  {0}/CMakeLists.txt\n\n"
+      "{0}/{1}.cpp  {0}/{1}_test.cpp  {0}/CMakeLists.txt{3}\n\n"
       "Next:\n"
       "  cmake -S {0} -B {0}/build{2}\n"
       "  cmake --build {0}/build\n"
       "  ctest --test-dir {0}/build --output-on-failure\n"
+      "{4}"
       "  gaitway run --with {0}/build/lib{1}.so\n",
-      dir, options.name, package_option());
+      dir, options.name, package_option(), kind.has_tree ? fmt::format("  {}/{}.xml", dir, options.name) : "",
+      kind.has_tree ? fmt::format("  gaitway behaviour check {0}/{1}.xml --with {0}/build/lib{1}.so\n", dir,
+                                  options.name)
+                    : "");
 }
 
 std::string kinds_as_text() {
@@ -211,11 +221,14 @@ int write_new_plugin(const NewPluginOptions& options) {
   const std::filesystem::path folder =
       options.folder.empty() ? std::filesystem::path(options.name) : options.folder;
   const std::string stem(kind.name);
-  write_all({{folder / (options.name + ".cpp"), from_template(stem + ".cpp", options, kind)},
-             {folder / (options.name + "_test.cpp"), from_template(stem + "_test.cpp", options, kind)},
-             {folder / "CMakeLists.txt", from_template("CMakeLists.txt", options, kind)}},
-            folder);
-  print_next(options, folder);
+  std::vector<ProjectFile> files{
+      {folder / (options.name + ".cpp"), from_template(stem + ".cpp", options, kind)},
+      {folder / (options.name + "_test.cpp"), from_template(stem + "_test.cpp", options, kind)},
+      {folder / "CMakeLists.txt", from_template("CMakeLists.txt", options, kind)}};
+  if (kind.has_tree)
+    files.push_back({folder / (options.name + ".xml"), from_template(stem + ".xml", options, kind)});
+  write_all(files, folder);
+  print_next(options, kind, folder);
   return kExitFine;
 }
 

@@ -36,7 +36,7 @@ WayPreview::WayPreview(const urdf::RobotModel& robot, const world::World& world)
     : planner_(robot, world, navigation::StepShares{}), step_time_s_(navigation::step_time_s(robot)) {}
 
 json WayPreview::plan(const std::array<double, 3>& goal, const json& state) {
-  static_cast<void>(planner_.see(obstacles_from(state.at("obstacles"))));
+  static_cast<void>(planner_.see(obstacles_from(state.at("obstacles")), {}));
   const json& feet = state.at("feet");
   const planning::Plan plan = planner_.job({.left = pose_from(feet.at(0)),
                                             .right = pose_from(feet.at(1)),

@@ -284,6 +284,25 @@ TEST_F(NavigatorTest, WhatHasComeIntoTheWayIsGoneRound) {
   EXPECT_EQ(state->replans, 1U) << "the same again is no news";
 }
 
+TEST_F(NavigatorTest, WhatCamerasSeeInOdometryStandsInTheWorldAndTheirJitterIsNoNews) {
+  const planning::Pose odometry{0.5, -0.2, 1.0};
+  const auto seen = std::make_unique<Obstacles>();
+  seen->count = 2;
+  seen->frame = obstacles::frame::odometry;
+  for (std::size_t i = 0; i < 2; ++i) {
+    seen->place[i][0] = 1.0 + static_cast<double>(i);
+    seen->size[i][0] = seen->size[i][1] = seen->size[i][2] = 0.2;
+  }
+  EXPECT_TRUE(planner.see(*seen, odometry));
+  seen->place[0][0] += 0.01;
+  seen->place[1][2] += 0.05;
+  std::swap(seen->place[0], seen->place[1]);
+  EXPECT_FALSE(planner.see(*seen, odometry)) << "the same boxes, in another order";
+  EXPECT_TRUE(planner.see(*seen, {0.0, 0.0, 0.0})) << "they stand elsewhere in the world";
+  seen->count = 1;
+  EXPECT_TRUE(planner.see(*seen, {0.0, 0.0, 0.0})) << "one has gone";
+}
+
 TEST_F(NavigatorTest, AWayThatIsClosedWhileItIsWalkedFailsWithTheReason) {
   ask({1.4, 0.0, 0.0});
   tick();

@@ -3,6 +3,7 @@ import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import "./simulator/simulator.css";
 import "./twin/twin.css";
+import { AuthorityBanner } from "./authority_banner.ts";
 import { fillCameraBar } from "./camera_bar.ts";
 import { Command } from "./command.ts";
 import type { Context, Tab } from "./context.ts";
@@ -22,6 +23,7 @@ import { socketUrl } from "./socket_keeper.ts";
 import { StatusBar } from "./status_bar.ts";
 import { StopBar } from "./stop_bar.ts";
 import { TabBar } from "./tab_bar.ts";
+import { behaviourTab } from "./tabs/behaviour_tab.ts";
 import { driveTab } from "./tabs/drive_tab.ts";
 import { eventsTab } from "./tabs/events_tab.ts";
 import { plotsTab } from "./tabs/plots_tab.ts";
@@ -72,6 +74,7 @@ function connect(context: Context, driver: Driver, scene: Scene, canvas: HTMLCan
   context.frameTakers.push((frame) => scene.show(frame), (frame) => stops.show(frame));
   view.onFrame = (frame) => context.frameTakers.forEach((take) => take(frame));
   const banner = new LinkBanner(robot);
+  const authority = new AuthorityBanner(context);
   const simulated = description.bounds.push !== undefined;
   const simulator = simulated ? watchForSimulator(context, { scene, canvas, tools, driver, tabs: bar, stops, banner }) : undefined;
   view.onWrongVersion = (text) => {
@@ -94,6 +97,7 @@ function connect(context: Context, driver: Driver, scene: Scene, canvas: HTMLCan
     const now_ms = performance.now();
     status.look(now_ms);
     banner.look(now_ms);
+    authority.look(now_ms);
     bar.look(now_ms);
     simulator?.(now_ms);
     scene.setOld(freshness.state(now_ms) !== "live");
@@ -132,7 +136,7 @@ async function start(): Promise<void> {
   const pushTool = push && new PushTool(context, scene, canvas, push, tools);
   if (pushTool) tools.add(pushTool);
   fillCameraBar(byId("camera"), scene, pushTool);
-  const tabs = [driveTab(context, driver), stateTab(context, scene), plotsTab(context), eventsTab(context), pluginsTab(context), recordingsTab(context)];
+  const tabs = [driveTab(context, driver), stateTab(context, scene), behaviourTab(context), plotsTab(context), eventsTab(context), pluginsTab(context), recordingsTab(context)];
   connect(context, driver, scene, canvas, tools, stops, tabs);
   await scene.body.loadMeshes(token, () => scene.ask());
 }

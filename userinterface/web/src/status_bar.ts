@@ -4,6 +4,8 @@ import { byId, setText } from "./dom.ts";
 import { ageText, oldAfter_ms } from "./freshness.ts";
 import { activities, ageNames, commanderOf, modes, modeTexts, type ViewFrame } from "./view_decoder.ts";
 
+export const nobodyCommands = "nobody commands";
+
 export class StatusBar {
   private readonly lamp = byId("link");
   private readonly lampText = byId("link-text");
@@ -71,7 +73,7 @@ export class StatusBar {
     const { command, robot } = this.context;
     const name = frame ? commanderOf(frame) : "";
     const byOther = !command.mine && name !== "";
-    setText(this.commander, command.mine ? "you command" : byOther ? `${name} commands` : frame ? "nobody commands" : "");
+    setText(this.commander, command.mine ? "you command" : byOther ? `${name} commands` : frame ? nobodyCommands : "");
     this.commander.classList.toggle("mine", command.mine);
     this.take.hidden = command.mine;
     this.take.disabled = byOther || !robot.isOpen;

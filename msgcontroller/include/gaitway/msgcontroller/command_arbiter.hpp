@@ -1,7 +1,7 @@
 // Makes orders the command: those of people before those of the behaviour, none during an emergency stop, and
 // nothing by itself after a stop. It runs where stops are obeyed, beside the message controller, so that it
-// outlives the main controller and with it every plug-in: a behaviour that was started anew knows nothing of a
-// stop, this does. docs/commands.md has the table.
+// outlives the main controller and with it every plug-in: a behaviour that was started anew knows nothing of
+// a stop, this does. docs/commands.md has the table.
 #pragma once
 
 #include <cstdint>

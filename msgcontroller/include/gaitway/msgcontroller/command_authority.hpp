@@ -1,5 +1,5 @@
-// Who commands the robot, and why: emergency stop before person before behaviour. Knows no topic and no order;
-// the CommandArbiter asks it. docs/commands.md has its table.
+// Who commands the robot, and why: emergency stop before person before behaviour. Knows no topic and no
+// order; the CommandArbiter asks it. docs/commands.md has its table.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ enum class CommandReason : std::uint8_t {
 
 class CommandAuthority {
  public:
-  // A person has given an order, taken the command, or moved a joint. False: an emergency stop is in force, and
-  // nobody commands.
+  // A person has given an order, taken the command, or moved a joint. False: an emergency stop is in force,
+  // and nobody commands.
   bool person_commands(CommandReason reason) noexcept;
   // The robot stands until somebody orders something, or lets the command go.
   void person_stops() noexcept;

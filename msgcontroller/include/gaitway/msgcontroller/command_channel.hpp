@@ -34,7 +34,9 @@ class CommandChannel {
     return order;
   }
   // What lies there does not count.
-  void drop(OrderSource source) noexcept { seen_[index(source)] = requests_[index(source)].newest_sequence(); }
+  void drop(OrderSource source) noexcept {
+    seen_[index(source)] = requests_[index(source)].newest_sequence();
+  }
 
   // It is the command from now on.
   void command(Order order, OrderSource source, std::int64_t now_ns) noexcept {

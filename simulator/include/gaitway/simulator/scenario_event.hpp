@@ -13,6 +13,7 @@
 #include "gaitway/can/frame.hpp"
 #include "gaitway/manager/plugin_fault_table.hpp"
 #include "gaitway/msgcontroller/command_arbiter.hpp"
+#include "gaitway/simulator/camera_fault.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/world/world.hpp"
 
@@ -154,7 +155,7 @@ struct ScenarioEvent {
   std::variant<WalkEvent, MotionEvent, WalkToEvent, HeadEvent, CommandEvent, StopEvent, ReleaseEvent,
                EmergencyStopEvent, ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault,
                DisturbBusFault, JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault,
-               SensorFault, SpawnEvent, MoveEvent, RemoveEvent>
+               SensorFault, CameraFault, SpawnEvent, MoveEvent, RemoveEvent>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };

@@ -11,11 +11,11 @@
 
 namespace gaitway::urdf {
 
-// One of its joints. Angles count from where the head looks ahead, which is the home posture: yaw to the left,
-// pitch down.
+// One of its joints. Angles count from where the head looks ahead, which is the home posture: yaw to the
+// left, pitch down.
 struct NeckJoint {
-  int joint = 0;             // index into RobotModel::joints
-  double sign = 1.0;         // of the joint's angle, where the head turns that way
+  int joint = 0;      // index into RobotModel::joints
+  double sign = 1.0;  // of the joint's angle, where the head turns that way
   double lowest_rad = 0.0, highest_rad = 0.0;
   double home_rad = 0.0;  // of the joint
   double most_rad_per_s = 0.0;

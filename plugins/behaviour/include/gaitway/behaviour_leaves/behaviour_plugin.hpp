@@ -23,7 +23,8 @@ namespace gaitway::behaviour_leaves {
 class BehaviourPlugin : public Plugin {
  public:
   using MoreLeaves = std::function<void(behaviour::Registry&, const std::shared_ptr<Robot>&)>;
-  explicit BehaviourPlugin(Setup& setup, const MoreLeaves& more = {});
+  // `mission`: the one that begins at the start where the parameter of that name does not say another.
+  explicit BehaviourPlugin(Setup& setup, const MoreLeaves& more = {}, const std::string& mission = "");
 
   void step(const Tick& tick) override;
 

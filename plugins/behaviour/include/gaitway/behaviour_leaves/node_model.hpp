@@ -12,5 +12,7 @@ namespace gaitway::behaviour_leaves {
 // alphabetical order.
 [[nodiscard]] std::string tree_nodes_model(const behaviour::Registry& registry,
                                            const behaviour::Description& used);
+// The same of all leaves, and of the nodes that are built in but that BehaviorTree.CPP does not know.
+[[nodiscard]] std::string tree_nodes_model(const behaviour::Registry& registry);
 
 }  // namespace gaitway::behaviour_leaves

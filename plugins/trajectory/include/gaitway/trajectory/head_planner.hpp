@@ -1,5 +1,5 @@
-// Where the head looks, point by point: to a direction, to a place, or from side to side, within the neck's limits
-// and without a jerk.
+// Where the head looks, point by point: to a direction, to a place, or from side to side, within the neck's
+// limits and without a jerk.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,8 @@
 
 namespace gaitway::trajectory {
 
-// Plans the field `head` of motion plans. Each axis goes to its goal by the time-optimal way that its speed and
-// acceleration allow, and stops there without passing it.
+// Plans the field `head` of motion plans. Each axis goes to its goal by the time-optimal way that its speed
+// and acceleration allow, and stops there without passing it.
 class HeadPlanner {
  public:
   explicit HeadPlanner(const urdf::RobotModel& robot);
@@ -25,8 +25,8 @@ class HeadPlanner {
   // Another part of the plan moves the neck's joints, from where they are: nothing is added to it.
   void leave_to_others(MotionPlan& plan) noexcept;
 
-  // Fills `plan.head` of batch and tail. `allowed`: false while a motion plays, for which the head goes back ahead.
-  // `estimate`: where the robot is, for a place to look at; nullptr: not known, and the head stays.
+  // Fills `plan.head` of batch and tail. `allowed`: false while a motion plays, for which the head goes back
+  // ahead. `estimate`: where the robot is, for a place to look at; nullptr: not known, and the head stays.
   void plan(bool allowed, const Estimate* estimate, MotionPlan& plan) noexcept;
 
   template <class Self, class Archive>

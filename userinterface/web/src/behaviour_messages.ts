@@ -1,0 +1,68 @@
+// The robot API's messages of the behaviour and of who commands, as the page works with them.
+import type { NodesPart, Status, Transition, TreeState } from "./behaviour_tree.ts";
+import type { Message } from "./rosbridge.ts";
+
+export interface BehaviourState extends TreeState {
+  state: string; // "none", "runs", "halts", "succeeded", "failed", "waits"
+  mission: string;
+  text: string;
+  ticks: number;
+}
+
+export interface CommandState {
+  commander: string; // "nobody", "behaviour", "person", "emergency_stop"
+  text: string; // why, for people
+}
+
+const list = <Item>(message: Message, key: string) => message[key] as Item[];
+
+export function stateOf(message: Message): BehaviourState {
+  const nodes = list<number>(message, "transition_node");
+  const to = list<Status>(message, "transition_to");
+  const newest = list<number>(message, "transition_time").map((time_s, index): Transition => ({ time_s, node: nodes[index] ?? -1, to: to[index] ?? "idle" }));
+  return {
+    state: String(message["state"]),
+    mission: String(message["mission"]),
+    text: String(message["text"]),
+    ticks: Number(message["ticks"]),
+    revision: Number(message["revision"]),
+    node_count: Number(message["node_count"]),
+    status: list<Status>(message, "status"),
+    transitions: Number(message["transitions"]),
+    newest,
+  };
+}
+
+export function nodesOf(message: Message): NodesPart {
+  return {
+    revision: Number(message["revision"]),
+    node_count: Number(message["node_count"]),
+    first: Number(message["first"]),
+    parent: list<number>(message, "parent"),
+    type: list<string>(message, "type"),
+    name: list<string>(message, "name"),
+  };
+}
+
+export const commandOf = (message: Message): CommandState => ({ commander: String(message["commander"]), text: String(message["text"]) });
+
+// What a person must know of who commands, where a mission is at work or waits; undefined: nothing.
+export interface Authority {
+  text: string;
+  lets_go: boolean; // whether the behaviour would command again, if people let go
+}
+export function authorityOf(command: CommandState | undefined, behaviour: BehaviourState | undefined): Authority | undefined {
+  const mission = behaviour && ["runs", "halts", "waits"].includes(behaviour.state) ? behaviour.mission : "";
+  if (!command || (mission === "" && command.commander !== "behaviour")) return undefined;
+  const why = command.text === "" ? "" : ` (${command.text})`;
+  switch (command.commander) {
+    case "behaviour":
+      return { text: `the behaviour commands${mission === "" ? "" : `: ${mission}`}`, lets_go: false };
+    case "person":
+      return { text: `a person commands, ${mission} waits${why}`, lets_go: true };
+    case "emergency_stop":
+      return { text: `emergency stop, ${mission} waits${why}`, lets_go: false };
+    default:
+      return undefined;
+  }
+}
