@@ -161,10 +161,19 @@ def text_seeds():
         "  - {at_s: 4, fault: {kind: joint_restarts, joint: left_knee, duration_s: 0.02}}\n"
         "  - {at_s: 5, fault: {kind: foreign_frame, id: 0x7AB, data: [1, 2, 3], extended: true}}\n"
         "  - {at_s: 6, fault: {kind: foreign_frame, id: 1, remote: true}}\n"))
+    write("scenario_file", "camera_faults", (
+        "seconds: 9\nevents:\n"
+        "  - {at_s: 1, fault: {kind: camera_fails, camera: left, how: dead, duration_s: 3}}\n"
+        "  - {at_s: 2, fault: {kind: camera_fails, how: turned, turn_deg: [1, 0, -0.5]}}\n"
+        "  - {at_s: 3, fault: {kind: camera_fails, how: dropped, share: 0.3}}\n"
+        "  - {at_s: 4, fault: {kind: camera_fails, how: late, later_s: 0.2}}\n"
+        "  - {at_s: 5, fault: {kind: camera_fails, camera: both, how: exchanged}}\n"))
     yaml = (ROOT / "urdf/humanoid22/robot.yaml").read_text()
     yaml = re.sub(r" *#[^\n]*", "", yaml).replace(
         "{profile: full}", "{profile: full, messages: {trajectory: {id: 0x120, deadline_ms: 15}, trim: {period_ms: 10}}}")
     write("network_file", "humanoid22", re.sub(r"\n\n+", "\n", re.sub(r"(?<=,) {2,}", " ", yaml)))
+    yaml = (ROOT / "urdf/humanoid22/camera.yaml").read_text()
+    write("camera_file", "humanoid22", re.sub(r" *#[^\n]*", "", yaml).lstrip())
     write("message_list", "three_messages", (
         '[{"name": "brake", "id": 16, "bytes": 8, "period_us": 2500, "jitter_us": 0.5, "deadline_us": 2500},\n'
         ' {"name": "a", "id": 17, "bytes": 0, "period_us": 350, "jitter_us": 0, "deadline_us": 325, "fifo": "engine"},\n'

@@ -71,7 +71,7 @@ TEST_F(Processes, ASecondWriterAndAnotherTypeAreRefusedByName) {
   EXPECT_THAT(error_of([&] { (void)impostor.read<Imu>("estimate"); }),
               AllOf(HasSubstr("Imu"), HasSubstr("Estimate")));
   EXPECT_THAT(error_of([&] {
-                (void)impostor.write_untyped({"large", "Large", 1, 900'000, TopicKind::latest, 0});
+                (void)impostor.write_untyped({"large", "Large", 1, 3'200'000, TopicKind::latest, 0});
               }),
               HasSubstr("'large'"));
 }

@@ -55,6 +55,11 @@ INSTANTIATE_TEST_SUITE_P(
         "fault: {kind: plugin_fails, plugin: \"zmp\", how: overruns, duration_s: 1, cost_s: 0.007}",
         "fault: {kind: sensor_fails, sensor: \"imu\", how: freezes, duration_s: 0.5}",
         "fault: {kind: sensor_fails, sensor: \"left_knee\", how: reads_zero}",
+        "fault: {kind: camera_fails, camera: left, how: dead, duration_s: 3}",
+        "fault: {kind: camera_fails, camera: both, how: exchanged}",
+        "fault: {kind: camera_fails, camera: right, how: turned, turn_deg: [0.7, 0.7, 0]}",
+        "fault: {kind: camera_fails, camera: both, how: dropped, duration_s: 2, share: 0.3}",
+        "fault: {kind: camera_fails, camera: both, how: late, later_s: 0.25}",
         "spawn: {name: \"a crate\", shape: box, size_m: [0.2, 0.1, 0.3], position_m: [1.1, 0, 0.15], "
         "yaw_rad: "
         "0.3, mass_kg: 0.7, colour: [0.1, 0.2, 1]}",
@@ -88,6 +93,16 @@ TEST(ScenarioAction, RefusalsNameFieldValueAndRule) {
   EXPECT_THAT(refusal_of("{fault: {kind: sensor_fails, sensor: left_fot, how: noisy}}"),
               HasSubstr("Did you mean 'left_foot'?"));
   EXPECT_THAT(refusal_of("{fault: {kind: sensor_fails, sensor: imu, how: dies}}"), HasSubstr("freezes"));
+  EXPECT_THAT(refusal_of("{fault: {kind: camera_fails, how: froozen}}"),
+              AllOf(HasSubstr("dead, dark, over_exposed"), HasSubstr("Did you mean 'frozen'?")));
+  EXPECT_THAT(refusal_of("{fault: {kind: camera_fails, how: dead, camera: middle}}"),
+              HasSubstr("left, right or both"));
+  EXPECT_THAT(refusal_of("{fault: {kind: camera_fails, how: late, camera: left}}"),
+              HasSubstr("both cameras"));
+  EXPECT_THAT(refusal_of("{fault: {kind: camera_fails, how: dead, share: 0.5}}"),
+              HasSubstr("belongs to a camera that is dropped"));
+  EXPECT_THAT(refusal_of("{fault: {kind: camera_fails, how: turned, turn_deg: [1, 0]}}"),
+              HasSubstr("turn_deg"));
   EXPECT_THAT(refusal_of("[1, 2"), HasSubstr("malformed"));
 }
 

@@ -11,8 +11,10 @@ namespace gaitway::msgclient {
 
 class TopicRegistry;
 
-inline constexpr std::size_t kDefaultBlockBytes = std::size_t{2} << 20;
-inline constexpr std::size_t kMaxBlockBytes = std::size_t{4} << 20;
+// Only what topics are opened for is taken from the system: a size is a limit. The default one holds all
+// standard topics, pictures of both sizes among them, in its first half.
+inline constexpr std::size_t kDefaultBlockBytes = std::size_t{12} << 20;
+inline constexpr std::size_t kMaxBlockBytes = std::size_t{16} << 20;
 // Values above this size get kSlotsOfLargeTopic slots, so that a plan doesn't fill the block.
 inline constexpr std::uint32_t kLargeTopicBytes = 16384;
 inline constexpr std::uint32_t kSlots = 8;
