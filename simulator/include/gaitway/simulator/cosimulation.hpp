@@ -131,12 +131,8 @@ class Cosimulation {
   std::optional<msgclient::MemoryBlock> own_block_;
   msgclient::MemoryBlock& memory_block_;
   msgclient::EmiAdapter adapter_;
-<<<<<<< HEAD
-  msgclient::Client message_client_, arbiter_client_, observer_client_, main_client_, localization_client_;
-=======
-  msgclient::Client message_client_, behavior_client_, observer_client_, main_client_, localization_client_,
+  msgclient::Client message_client_, arbiter_client_, observer_client_, main_client_, localization_client_,
       camera_client_;
->>>>>>> 408dfce923fce7a49c95b19a2cbd21cf183373b1
   Plant plant_;
   JointNetwork joints_;
   SensorFaults sensor_faults_;
@@ -147,11 +143,7 @@ class Cosimulation {
   std::unique_ptr<core::MainController> main_controller_;
   std::uint32_t motions_asked_ = 0, ways_asked_ = 0;
   std::optional<Localization> localization_;
-<<<<<<< HEAD
-=======
   std::unique_ptr<StereoCamera> camera_;  // none: the robot has none
-  WalkCommand scenario_walk_{};           // the newest one
->>>>>>> 408dfce923fce7a49c95b19a2cbd21cf183373b1
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

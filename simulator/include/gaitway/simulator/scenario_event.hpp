@@ -12,11 +12,8 @@
 
 #include "gaitway/can/frame.hpp"
 #include "gaitway/manager/plugin_fault_table.hpp"
-<<<<<<< HEAD
 #include "gaitway/msgcontroller/command_arbiter.hpp"
-=======
 #include "gaitway/simulator/camera_fault.hpp"
->>>>>>> 408dfce923fce7a49c95b19a2cbd21cf183373b1
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/world/world.hpp"
 
@@ -155,17 +152,10 @@ struct RemoveEvent {
 
 struct ScenarioEvent {
   double at_s = 0.0;
-<<<<<<< HEAD
   std::variant<WalkEvent, MotionEvent, WalkToEvent, HeadEvent, CommandEvent, StopEvent, ReleaseEvent,
                EmergencyStopEvent, ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault,
                DisturbBusFault, JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault,
-               SensorFault, SpawnEvent, MoveEvent, RemoveEvent>
-=======
-  std::variant<WalkEvent, MotionEvent, WalkToEvent, StopEvent, ReleaseEvent, EmergencyStopEvent,
-               ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault,
-               JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault, SensorFault,
-               CameraFault, SpawnEvent, MoveEvent, RemoveEvent>
->>>>>>> 408dfce923fce7a49c95b19a2cbd21cf183373b1
+               SensorFault, CameraFault, SpawnEvent, MoveEvent, RemoveEvent>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };
