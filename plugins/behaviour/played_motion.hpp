@@ -40,7 +40,7 @@ class PlayedMotion {
   [[nodiscard]] bool has_left(const Situation& now, Orders& orders) noexcept {
     if (!now.commands_motions() || now.motion == nullptr || orders.motion_number() != number_) return true;
     const bool is_late = now.now_ns - ordered_ns_ >= kOrderShows_ns;
-    if (now.motion->state == 0) return is_late || now.motion->answered == number_;
+    if (now.motion->state == 0) return is_late;  // one that had just been ordered would show by then
     constexpr std::uint32_t kIsBeingLeft = 3;
     if (now.motion->state != kIsBeingLeft && is_late) leave(now, orders);
     return false;

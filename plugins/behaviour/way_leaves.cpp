@@ -54,13 +54,14 @@ class WayAction : public RobotAction {
     return on_halting(call);
   }
 
+  // Whoever passes orders on may give the end of a way a number of his own, so that no answer has this one:
+  // what counts is that no way is walked any more. An order that had just been given would show by then, too.
   Halt on_halting(Call& call) noexcept final {
     const bool is_ours = now().commands() && orders().way_number() == number_;
     if (!is_ours || now().navigation == nullptr) return Halt::ended;
-    const bool is_answered = now().navigation->answered == number_;
-    if (!is_answered && call.now_ns() - ordered_ns_ >= kOrderIsAnswered_ns) cancel(call.now_ns());
-    const bool is_over = is_answered && now().navigation->state == navigation_state::state::idle;
-    return is_over && end_.is_reached(now()) ? Halt::ended : Halt::ending;
+    const bool is_idle = now().navigation->state == navigation_state::state::idle;
+    if (!is_idle && call.now_ns() - ordered_ns_ >= kOrderIsAnswered_ns) cancel(call.now_ns());
+    return is_idle && end_.is_reached(now()) ? Halt::ended : Halt::ending;
   }
 
  protected:

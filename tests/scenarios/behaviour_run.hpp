@@ -1,4 +1,4 @@
-// A simulated robot with the plug-in `behaviour`, and in the arbiter's place something as simple as can be.
+// A simulated robot with the plug-in `behaviour`, whom people may take the command from.
 #pragma once
 
 #include <array>
@@ -20,78 +20,39 @@
 
 namespace gaitway::scenarios {
 
-// Orders of the behaviour become those of people, which are obeyed, but for when it does not command.
-class CommandStandIn {
+// What the behaviour has ordered.
+class OrderLog {
  public:
-  explicit CommandStandIn(msgclient::MemoryBlock& block)
-      : client_(block.local_client("api")),
-        arbiter_(block.local_client("arbiter")),
-        walk_(client_, "behaviour_walk", "walk_request"),
-        way_(client_, "behaviour_walk_to", "walk_to_request"),
-        motion_(client_, "behaviour_motion", "motion_request"),
-        state_(arbiter_.write<CommandState>("command_state")) {}
+  explicit OrderLog(msgclient::Client& client)
+      : walk_(client.read<WalkCommand>("behaviour_walk")),
+        way_(client.read<WalkToRequest>("behaviour_walk_to")),
+        motion_(client.read<MotionRequest>("behaviour_motion")) {}
 
-  void set(std::uint32_t commander, bool may_get_up, std::int64_t now_ns) {
-    value_.commander = commander;
-    value_.may_get_up = may_get_up ? 1 : 0;
-    value_.stamp_ns = value_.since_ns = now_ns;
-    ++value_.changes;
-    state_.publish(value_, now_ns);
+  void look(std::int64_t now_ns) {
+    static_cast<void>(walk_.read(newest_walk_));
+    static_cast<void>(way_.read(newest_way_));
+    MotionRequest motion{};
+    if (motion_.read(motion) && motion.number != number_) {
+      number_ = motion.number;
+      motions_.push_back({static_cast<double>(now_ns) * 1e-9, reinterpret_cast<const char*>(motion.name)});
+    }
   }
-  [[nodiscard]] const CommandState& state() const { return value_; }
-
-  void step(std::int64_t now_ns) {
-    const bool obeys = value_.commander == command_state::commander::nobody ||
-                       value_.commander == command_state::commander::behaviour;
-    walk_.pass(obeys, now_ns);
-    way_.pass(obeys, now_ns);
-    motion_.pass((obeys || value_.may_get_up != 0) && !blocks_motions, now_ns);
-  }
-  // Every motion that has been asked for, with the time at which it was.
-  struct AskedMotion {
+  struct OrderedMotion {
     double at_s;
     std::string name;
   };
-  [[nodiscard]] const std::vector<AskedMotion>& motions() const { return motion_.seen(); }
-  [[nodiscard]] const WalkCommand& walk() const { return walk_.newest(); }
-  [[nodiscard]] const WalkToRequest& way() const { return way_.newest(); }
-
-  bool blocks_motions = false;  // they get lost
+  [[nodiscard]] const std::vector<OrderedMotion>& motions() const { return motions_; }
+  [[nodiscard]] const WalkCommand& walk() const { return newest_walk_; }
+  [[nodiscard]] const WalkToRequest& way() const { return newest_way_; }
 
  private:
-  template <class T>
-  class Channel {
-   public:
-    Channel(msgclient::Client& client, const char* from, const char* to)
-        : reader_(client.read<T>(from)), writer_(client.write<T>(to)) {}
-    void pass(bool obeys, std::int64_t now_ns) {
-      if (reader_.newest_sequence() == sequence_) return;
-      const auto read = reader_.read(newest_);
-      if (!read) return;
-      sequence_ = read.sequence;
-      if constexpr (std::is_same_v<T, MotionRequest>) {
-        const auto* const name = reinterpret_cast<const char*>(newest_.name);
-        seen_.push_back({static_cast<double>(now_ns) * 1e-9, name});
-      }
-      if (obeys) writer_.publish(newest_, now_ns);
-    }
-    [[nodiscard]] const T& newest() const { return newest_; }
-    [[nodiscard]] const std::vector<AskedMotion>& seen() const { return seen_; }
-
-   private:
-    msgclient::Reader<T> reader_;
-    msgclient::Writer<T> writer_;
-    std::uint64_t sequence_ = 0;
-    T newest_{};
-    std::vector<AskedMotion> seen_;
-  };
-
-  msgclient::Client client_, arbiter_;
-  Channel<WalkCommand> walk_;
-  Channel<WalkToRequest> way_;
-  Channel<MotionRequest> motion_;
-  msgclient::Writer<CommandState> state_;
-  CommandState value_{};
+  msgclient::Reader<WalkCommand> walk_;
+  msgclient::Reader<WalkToRequest> way_;
+  msgclient::Reader<MotionRequest> motion_;
+  WalkCommand newest_walk_{};
+  WalkToRequest newest_way_{};
+  std::uint32_t number_ = 0;
+  std::vector<OrderedMotion> motions_;
 };
 
 struct BehaviourRunOptions {
@@ -106,7 +67,7 @@ class BehaviourRun {
  public:
   explicit BehaviourRun(const BehaviourRunOptions& options)
       : cosimulation(robot(), cosimulation_options(options)),
-        commands(block),
+        orders(cosimulation.client()),
         requests_client_(block.local_client("people")),
         state_(cosimulation.client().read<BehaviourState>("behaviour_state")),
         motion_(cosimulation.client().read<MotionState>("motion_state")),
@@ -132,6 +93,10 @@ class BehaviourRun {
                                                        .direction = direction,
                                                        .impulse_Ns = impulse_Ns}});
   }
+  void person_takes() {
+    cosimulation.apply({time_s(), simulator::CommandEvent{msgcontroller::CommandVerb::take}});
+  }
+  void person_lets_go() { cosimulation.apply({time_s(), simulator::CommandEvent{}}); }
   std::uint32_t ask(std::uint32_t verb, std::string_view mission = {}) {
     BehaviourRequest request{};
     request.stamp_ns = cosimulation.now_ns();
@@ -173,7 +138,7 @@ class BehaviourRun {
 
   msgclient::MemoryBlock block;
   simulator::Cosimulation cosimulation;
-  CommandStandIn commands;
+  OrderLog orders;
 
  private:
   template <class T>
@@ -184,8 +149,8 @@ class BehaviourRun {
   }
   static std::size_t trunk() { return static_cast<std::size_t>(robot().imu.link); }
   void advance() {
-    commands.step(cosimulation.now_ns());
     cosimulation.advance_millisecond();
+    orders.look(cosimulation.now_ns());
   }
   simulator::CosimulationOptions cosimulation_options(const BehaviourRunOptions& options) {
     simulator::CosimulationOptions result;
@@ -204,7 +169,6 @@ class BehaviourRun {
             options.parameters + "}\n";
     result.plant.seed = options.seed;
     result.memory_block = &block;
-    result.obey_walk_requests = true;
     result.main_controller.plugins =
         core::parse_configuration(text, source / "core/config/behaviour_run.yaml");
     result.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <random>
 
 #include "behaviour_run.hpp"
 
@@ -14,7 +16,17 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 namespace states = behaviour_state::state;
-namespace commanders = command_state::commander;
+
+// A tree of these nodes, in a file of its own.
+std::string mission_of(const std::string& name, std::string_view nodes) {
+  const std::string file = testing::TempDir() + "mission_" + name + ".xml";
+  std::ofstream(file) << R"(<root BTCPP_format="4" main_tree_to_execute="Main"><BehaviorTree ID="Main">)"
+                      << nodes
+                      << R"(</BehaviorTree><BehaviorTree ID="StandUp"><GetUp/></BehaviorTree></root>)";
+  return file;
+}
+
+constexpr const char* kWalks = R"(<Walk forward="0.15 m/s"/>)";
 
 struct Push {
   const char* name;
@@ -35,7 +47,7 @@ TEST_P(FelledRobot, GetsUp) {
   run.advance_until(run.time_s() + 3.0);
   EXPECT_TRUE(run.stands()) << run.said();
   EXPECT_EQ(run.state().state, states::runs);
-  EXPECT_LE(run.commands.motions().size(), 3U);
+  EXPECT_LE(run.orders.motions().size(), 3U);
 }
 INSTANTIATE_TEST_SUITE_P(Pushes, FelledRobot, testing::Combine(testing::Range(0, 4), testing::Range(1, 3)),
                          [](const auto& trial) {
@@ -45,26 +57,16 @@ INSTANTIATE_TEST_SUITE_P(Pushes, FelledRobot, testing::Combine(testing::Range(0,
                          });
 
 TEST(Behaviour, GivesUpAfterThreeAttempts) {
-  BehaviourRun run({.mission = "stand_up_after_falls"});
-  run.commands.blocks_motions = true;
+  BehaviourRun run({.mission = mission_of("blocked", R"(<Sequence><WaitUntil what="fallen"/>
+                                                        <Fallback><GetUp front="none" back="none"/>
+                                                        <WaitUntil what="stands"/></Fallback></Sequence>)")});
   run.advance_until(1.0);
   run.push({1.0, 0.0, 0.0});
   run.advance_until(40.0);
-  EXPECT_EQ(run.commands.motions().size(), 3U);
+  EXPECT_EQ(run.orders.motions().size(), 3U);
   EXPECT_THAT(run.lines(), Contains(HasSubstr("gives up after 3 attempts")));
   EXPECT_EQ(run.state().state, states::runs) << "it waits for somebody to help";
 }
-
-// A tree of these nodes, in a file of its own.
-std::string mission_of(const std::string& name, std::string_view nodes) {
-  const std::string file = testing::TempDir() + "mission_" + name + ".xml";
-  std::ofstream(file) << R"(<root BTCPP_format="4" main_tree_to_execute="Main"><BehaviorTree ID="Main">)"
-                      << nodes
-                      << R"(</BehaviorTree><BehaviorTree ID="StandUp"><GetUp/></BehaviorTree></root>)";
-  return file;
-}
-
-constexpr const char* kWalks = R"(<Walk forward="0.15 m/s"/>)";
 
 TEST(Behaviour, AKickIsLeftWithinACycleOfTheFallAndNotGoneOnWith) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -79,7 +81,7 @@ TEST(Behaviour, AKickIsLeftWithinACycleOfTheFallAndNotGoneOnWith) {
     const double fell_s = run.time_s();
     EXPECT_TRUE(run.advance_until([&] { return run.motion().state != 2; }, 0.2)) << seed;
     run.advance_until(fell_s + 5.0);
-    const auto& motions = run.commands.motions();
+    const auto& motions = run.orders.motions();
     ASSERT_EQ(motions.size(), 2U) << seed;
     EXPECT_EQ(motions[1].name, "") << "leave it";
     EXPECT_LE(motions[1].at_s - fell_s, 0.08) << seed;
@@ -91,50 +93,65 @@ TEST(Behaviour, WhileAPersonCommandsItWaitsAndBeginsAnewWhenItIsLetGo) {
   BehaviourRun run({.mission = mission_of("walk", kWalks)});
   ASSERT_TRUE(run.advance_until([&] { return !run.stands(); }, 3.0));
   run.advance_until(run.time_s() + 2.0);
-  run.commands.set(commanders::person, false, run.cosimulation.now_ns());
+  run.person_takes();
   const double taken_s = run.time_s();
   EXPECT_TRUE(run.advance_until([&] { return run.state().state == states::waits; }, 0.16));
-  const std::int64_t last_ns = run.commands.walk().stamp_ns;
+  const std::int64_t last_ns = run.orders.walk().stamp_ns;
   run.advance_until(taken_s + 8.0);
-  EXPECT_EQ(run.commands.walk().stamp_ns, last_ns) << "nothing is ordered";
+  EXPECT_EQ(run.orders.walk().stamp_ns, last_ns) << "nothing is ordered";
   EXPECT_TRUE(run.stands());
-  run.commands.set(commanders::nobody, false, run.cosimulation.now_ns());
+  run.person_lets_go();
   const double back_s = run.time_s();
   EXPECT_TRUE(run.advance_until(
-      [&] { return run.commands.walk().walk != 0 && run.commands.walk().stamp_ns > last_ns; }, 1.0));
+      [&] { return run.orders.walk().walk != 0 && run.orders.walk().stamp_ns > last_ns; }, 1.0));
   EXPECT_LE(run.time_s() - back_s, 0.16) << "two cycles";
   EXPECT_EQ(run.state().state, states::runs);
 }
 
 TEST(Behaviour, ARobotThatFellUnderAPersonsCommandGetsUpAndDoesNothingElse) {
   BehaviourRun run({.mission = mission_of("walk", kWalks)});
-  run.commands.set(commanders::person, false, 0);
+  run.person_takes();
   run.advance_until(2.0);
+  EXPECT_EQ(run.state().state, states::waits);
   run.push({-1.0, 0.0, 0.0});
   ASSERT_TRUE(run.advance_until([&] { return run.fall() == estimate::fall::lies; }, 5.0));
-  run.advance_until(run.time_s() + 2.0);
-  EXPECT_TRUE(run.commands.motions().empty()) << "it may not";
-  run.commands.set(commanders::person, true, run.cosimulation.now_ns());
   EXPECT_TRUE(run.advance_until([&] { return run.stands(); }, 30.0)) << run.said();
   EXPECT_EQ(run.state().state, states::waits);
-  run.commands.set(commanders::person, false, run.cosimulation.now_ns());
+  const std::int64_t walk_ns = run.orders.walk().stamp_ns;
   run.advance_until(run.time_s() + 5.0);
   EXPECT_TRUE(run.stands());
-  EXPECT_EQ(run.commands.walk().stamp_ns, 0) << "it never asked for a walk";
-  EXPECT_EQ(run.commands.motions().size(), 1U);
+  EXPECT_EQ(run.orders.walk().stamp_ns, walk_ns) << "no walk since the person has taken the command";
+  EXPECT_EQ(run.orders.motions().size(), 1U);
 }
 
+// A person has stopped it: it lies until it is told to get up.
+TEST(Behaviour, ARobotThatFellAfterAStopLies) {
+  BehaviourRun run({.mission = "stand_up_after_falls"});
+  run.advance_until(1.0);
+  run.cosimulation.apply({run.time_s(), simulator::StopEvent{}});
+  run.advance_until(2.0);
+  run.push({-1.0, 0.0, 0.0});
+  run.advance_until(15.0);
+  EXPECT_EQ(run.fall(), estimate::fall::lies);
+  EXPECT_TRUE(run.orders.motions().empty());
+  run.person_lets_go();
+  EXPECT_TRUE(run.advance_until([&] { return run.stands(); }, 30.0)) << run.said();
+}
+
+// At random instants: GAITWAY_STOPS of them, or ten.
 TEST(Behaviour, AStopThatIsNotLetGoIsNeverFollowedByAnything) {
-  for (int trial = 0; trial < 10; ++trial) {
+  const char* const wanted = std::getenv("GAITWAY_STOPS");
+  const int trials = wanted != nullptr ? std::atoi(wanted) : 10;
+  std::mt19937 random(7);
+  for (int trial = 0; trial < trials; ++trial) {
     BehaviourRun run({.seed = static_cast<std::uint64_t>(trial + 1), .mission = "patrol"});
-    run.advance_until(2.0 + 0.37 * trial);
-    run.commands.set(commanders::person, false, run.cosimulation.now_ns());
+    run.advance_until(1.0 + 0.001 * static_cast<double>(random() % 15000));
     run.cosimulation.apply({run.time_s(), simulator::StopEvent{}});
     EXPECT_TRUE(run.advance_until([&] { return run.stands(); }, 6.0)) << trial;
-    const auto way = run.commands.way().number;
+    const auto way = run.orders.way().number;
     run.advance_until(run.time_s() + 4.0);
     EXPECT_TRUE(run.stands()) << trial;
-    EXPECT_EQ(run.commands.way().number, way) << trial;
+    EXPECT_EQ(run.orders.way().number, way) << trial;
   }
 }
 
@@ -212,7 +229,7 @@ TEST(Behaviour, PeopleStartChangeAndEndMissions) {
   EXPECT_EQ(run.state().refused, 0U) << run.said();
   EXPECT_GT(run.state().revision, revision);
   run.advance_until(run.time_s() + 0.2);
-  EXPECT_DOUBLE_EQ(run.commands.walk().velocity[0], 0.05);
+  EXPECT_DOUBLE_EQ(run.orders.walk().velocity[0], 0.05);
   EXPECT_FALSE(run.stands());
   // A tree without the walk is refused while it walks.
   static_cast<void>(mission_of("changed", R"(<WaitUntil what="fallen"/>)"));

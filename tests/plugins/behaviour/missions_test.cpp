@@ -7,6 +7,7 @@
 #include "gaitway/behaviour_leaves/node_model.hpp"
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/text.hpp"
+#include "leaf_table.hpp"
 
 namespace gaitway::behaviour_leaves {
 namespace {
@@ -23,6 +24,13 @@ behaviour::Registry leaves() {
 TEST(Missions, Shipped) {
   EXPECT_THAT(shipped_missions(),
               ElementsAre("find_and_walk_to_tag", "follow_tag", "patrol", "stand_up_after_falls"));
+}
+
+TEST(Leaves, AreInTheManualAsTheyAre) {
+  const std::string manual =
+      input::read_text_file(std::filesystem::path(GAITWAY_SOURCE_DIR) / "docs" / "behaviour.md", "");
+  EXPECT_THAT(manual, HasSubstr(leaf_table(leaves(), true)));
+  EXPECT_THAT(manual, HasSubstr(leaf_table(leaves(), false)));
 }
 
 class ShippedMission : public testing::TestWithParam<std::string> {};
