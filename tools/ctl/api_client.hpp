@@ -109,6 +109,7 @@ CommandLine add_order(const CommandLine& parent, const SharedCtlOptions& options
 int call_and_print(ApiClient& client, const std::string& service, const nlohmann::json& arguments);
 
 void add_robot_orders(const CommandLine& ctl, const SharedCtlOptions& options);
+void add_command_orders(const CommandLine& ctl, const SharedCtlOptions& options);
 void add_plugin_orders(const CommandLine& ctl, const SharedCtlOptions& options);
 
 }  // namespace gaitway::tools

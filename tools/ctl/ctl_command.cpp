@@ -101,6 +101,7 @@ void declare_program(const CommandLine& program) {
   add_address(ctl, *options);
   ctl.needs_subcommand();
   add_robot_orders(ctl, options);
+  add_command_orders(ctl, options);
   add_plugin_orders(ctl, options);
   ctl.renamed("halt", "ctl stop");
   ctl.renamed("record", "ctl recording start");
@@ -114,6 +115,8 @@ void declare_program(const CommandLine& program) {
       "  gaitway ctl walk 0.15 --seconds 5\n"
       "  gaitway ctl stop\n"
       "  gaitway ctl --port 9191 emergency-stop            the robot of 'gaitway serve --port 9191'\n"
+      "  gaitway ctl look direction 0.5,0.1\n"
+      "  gaitway ctl let-go\n"
       "  gaitway ctl plugin --help\n"
       "  gaitway ctl recording start walk1\n"
       "  gaitway ctl --url wss://robot:9090 --token-file token --ca ca.pem plugin list\n"
