@@ -107,7 +107,7 @@ class Command(unittest.TestCase):
         self.call("/emergency_stop", "std_srvs/SetBool", data=False)
         self.until_commanded("emergency_stop", "emergency_stop")
         for service in ("/command/take", "/command/let_go"):
-            self.assertIn("/release", self.call(service, success=False))
+            self.assertIn("emergency stop", self.call(service, success=False))
         self.call("/release")
         self.until_commanded("person", "emergency_stop_released")
 

@@ -14,11 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-int order(const CtlOptions& options, const std::string& service, const json& arguments) {
-  ApiClient client = connect(options);
-  return call_and_print(client, service, arguments);
-}
-
 void add_word(const CommandLine& parent, const SharedCtlOptions& options, const char* name,
               const std::string& service, const char* help, const char* examples) {
   add_order(parent, options, name, help, examples).runs([options, service] {
@@ -72,7 +67,7 @@ void add_look(const CommandLine& ctl, const SharedCtlOptions& options) {
   look.option(
       "numbers", asked->numbers.numbers,
       "direction and scan: YAW,PITCH [rad] of the neck, to the left and down; point: X,Y,Z [m, odom]");
-  look.option("--extent", asked->numbers.extent_rad, "Of scan: as far to either side [rad] (default 0.5)")
+  look.option("--extent", asked->numbers.extent_rad, "Of scan: as far to either side [rad]")
       .between(0.0, 3.2);
   look.option("--period", asked->numbers.period_s,
               "Of scan: from one side to the other and back [s]; 0: as the robot has it")

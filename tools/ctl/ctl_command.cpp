@@ -95,6 +95,11 @@ int call_and_print(ApiClient& client, const std::string& service, const json& ar
   return done ? kExitFine : kExitRefused;
 }
 
+int order(const CtlOptions& options, const std::string& service, const json& arguments) {
+  ApiClient client = connect(options);
+  return call_and_print(client, service, arguments);
+}
+
 void declare_program(const CommandLine& program) {
   const auto options = std::make_shared<CtlOptions>();
   const CommandLine ctl = add_command(program, "ctl");

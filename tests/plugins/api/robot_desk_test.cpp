@@ -111,15 +111,20 @@ class RobotDeskTest : public ::testing::Test {
   std::unique_ptr<link::ModuleEnd> module;
 };
 
+// By telling the arbiter, which ends it.
 TEST_F(RobotDeskTest, EndsTheWalkOfAProcessBeforeItsOwn) {
+  auto told = looker.read<CommandRequest>("command_request");
+  CommandRequest before{}, after{};
   start_desk(1);
   pass(200);
   walk(600 * kSecond_ns, 0);
   ASSERT_TRUE(told_to_walk());
   desk.reset();  // killed: it has said nothing
-  ASSERT_TRUE(told_to_walk());
+  ASSERT_TRUE(told.read(before));
   start_desk(2);
-  EXPECT_FALSE(told_to_walk()) << "who commanded has no link any more";
+  ASSERT_TRUE(told.read(after));
+  EXPECT_EQ(after.verb, command_request::verb::is_lost) << "who commanded has no link any more";
+  EXPECT_NE(after.number, before.number);
 }
 
 TEST_F(RobotDeskTest, AModuleThatWasStartedAnewKnowsOfNoStopsBefore) {
@@ -136,8 +141,9 @@ TEST_F(RobotDeskTest, AModuleThatWasStartedAnewKnowsOfNoStopsBefore) {
   EXPECT_TRUE(told_to_walk()) << "it has asked for no stop";
   module->stop(link::StopKind::emergency_hold);
   pass(5);
+  const std::uint64_t given = requests.newest_sequence();
   walk(kSecond_ns, 0);
-  EXPECT_FALSE(told_to_walk());
+  EXPECT_EQ(requests.newest_sequence(), given);
 }
 
 TEST_F(RobotDeskTest, WhereToLookIsPassedOnAndWhatIsNoModeIsNot) {
