@@ -44,7 +44,7 @@ class ServedCommands(unittest.TestCase):
                 self.ctl("look", "direction", "0.4,0.1", "--speed", "2")
                 self.ctl("take")
                 self.ctl("let-go")
-                self.assertIn("add 'behaviour'", self.ctl("behaviour", "start", "patrol", code=2))
+                self.assertIn("/behaviour/start: ", self.ctl("behaviour", "start", "no_such_mission", code=2))
                 self.ctl("walk", "9", code=1)
                 self.ctl("stop")
                 self.assertIn("gaitway ctl plugin stop stability", self.ctl("stop", "stability", code=1))
