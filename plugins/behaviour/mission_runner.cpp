@@ -22,6 +22,14 @@ std::uint8_t told(NodeStatus status) noexcept {
   return static_cast<std::uint8_t>(status == NodeStatus::halting ? NodeStatus::running : status);
 }
 
+// As the file has it. Without one the segment is the id, made unique by "#2".
+std::string_view name_of(const behaviour::DescribedNode& node) noexcept {
+  const std::string_view segment = node.segment;
+  const bool is_id =
+      segment.starts_with(node.id) && (segment.size() == node.id.size() || segment[node.id.size()] == '#');
+  return is_id ? std::string_view() : segment;
+}
+
 template <class Byte, std::size_t size>
 void copy_text(Byte (&to)[size], std::string_view text) noexcept {
   const std::size_t length = std::min(text.size(), size - 1);
@@ -318,8 +326,7 @@ void MissionRunner::tell(BehaviourNodes& nodes) noexcept {
     const behaviour::DescribedNode& node = described[told_node_];
     nodes.parent[nodes.count] = static_cast<std::uint32_t>(std::max(node.parent, 0));
     copy_text(nodes.type[nodes.count], node.id);
-    copy_text(nodes.name[nodes.count],
-              node.segment == node.id ? std::string_view() : std::string_view(node.segment));
+    copy_text(nodes.name[nodes.count], name_of(node));
   }
 }
 
