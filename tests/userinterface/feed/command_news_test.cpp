@@ -66,8 +66,8 @@ class CommandNewsTest : public ::testing::Test {
     parts.publish(nodes, now_ns);
     feed.poll(now_ns, sink);
   }
-  [[nodiscard]] const auto& told_commands() { return collector.of<ros::CommandState>(Topic::command_state); }
-  [[nodiscard]] const auto& told_trees() { return collector.of<ros::BehaviourNodes>(Topic::behaviour_nodes); }
+  [[nodiscard]] auto told_commands() { return collector.of<ros::CommandState>(Topic::command_state); }
+  [[nodiscard]] auto told_trees() { return collector.of<ros::BehaviourNodes>(Topic::behaviour_nodes); }
 
   msgclient::MemoryBlock block;
   msgclient::Client robot = block.local_client("robot");
