@@ -21,11 +21,15 @@ std::vector<std::string> shipped_missions() {
 }
 
 std::filesystem::path find_mission(const std::string& name_or_path) {
-  const std::filesystem::path shipped = process::mission_directory();
-  for (const std::filesystem::path& file :
-       {std::filesystem::path(name_or_path), shipped / name_or_path, shipped / (name_or_path + ".xml")}) {
+  const auto is_file = [](const std::filesystem::path& file) {
     std::error_code unknown;
-    if (std::filesystem::exists(file, unknown) && !std::filesystem::is_directory(file, unknown)) return file;
+    return std::filesystem::exists(file, unknown) && !std::filesystem::is_directory(file, unknown);
+  };
+  // Before the shipped ones are looked for: an author's own program need not lie beside these.
+  if (is_file(name_or_path)) return name_or_path;
+  const std::filesystem::path shipped = process::mission_directory();
+  for (const std::filesystem::path& file : {shipped / name_or_path, shipped / (name_or_path + ".xml")}) {
+    if (is_file(file)) return file;
   }
   input::refuse({name_or_path, 0, "mission", "'" + name_or_path + "'",
                  "there is no such file, and no mission of that name is shipped",

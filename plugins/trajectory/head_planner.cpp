@@ -19,6 +19,9 @@ constexpr double kAcceleration_rad_per_s2 = 12.0;
 constexpr double kUsualScan_s = 4.0;
 constexpr double kNeckSpeedShare = 0.8;  // of the joint's limit, so that no batch is refused for its head
 constexpr double kNeckMargin_rad = 0.02;
+// It brakes with less than its acceleration: below 1/1.125 of it, what is left keeps the last step, which
+// ends at the goal, from passing it.
+constexpr double kBrakingShare = 0.85;
 
 }  // namespace
 
@@ -82,7 +85,10 @@ HeadPlanner::Angles HeadPlanner::rest_rad(const Angles& angle_rad,
                                           const Angles& speed_rad_per_s) const noexcept {
   Angles rest = angle_rad;
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    rest[i] += speed_rad_per_s[i] * std::abs(speed_rad_per_s[i]) / (2.0 * acceleration_rad_per_s2_);
+    const double speed = std::abs(speed_rad_per_s[i]);
+    const double way =
+        speed * speed / (2.0 * kBrakingShare * acceleration_rad_per_s2_) - 0.5 * speed * facts::kSlot_s;
+    rest[i] += std::copysign(std::max(way, 0.0), speed_rad_per_s[i]);
   }
   return rest;
 }
@@ -133,8 +139,8 @@ void HeadPlanner::approach(const Angles& goal_rad, Angles& angle_rad,
     const double most = command_.speed > 0.0 ? std::min(command_.speed, axis.most_rad_per_s) : usual;
     const double way = std::clamp(goal_rad[i], axis.lowest_rad, axis.highest_rad) - angle_rad[i];
     // The largest speed from which it stops in steps of dt without passing the goal.
-    const double half = 0.5 * most_change;
-    const double stopping = std::sqrt(half * half + 2.0 * acceleration_rad_per_s2_ * std::abs(way)) - half;
+    const double braking = kBrakingShare * acceleration_rad_per_s2_, half = 0.5 * braking * dt;
+    const double stopping = std::sqrt(half * half + 2.0 * braking * std::abs(way)) - half;
     const double within_a_point = std::abs(way) / dt;
     const double wanted = std::copysign(std::min({most, stopping, within_a_point}), way);
     speed_rad_per_s[i] =

@@ -51,7 +51,7 @@ class AuthorCommands : public ::testing::Test {
 
 TEST_F(AuthorCommands, EveryKindGivesItsFilesUnderTheNewName) {
   for (const std::string kind :
-       {"blank", "behaviour", "behavior", "trajectory", "kinematics", "stability", "zmp", "vision"}) {
+       {"blank", "behaviour", "commander", "trajectory", "kinematics", "stability", "zmp", "vision"}) {
     const std::string name = "my_" + kind;
     ASSERT_EQ(gaitway("new-plugin " + name + " --kind " + kind), 0) << complaint_;
     EXPECT_THAT(said_, HasSubstr("cmake -S " + name + " -B " + name + "/build"));
@@ -123,9 +123,9 @@ TEST_F(AuthorCommands, WithRefusesWhatIsNoPlugin) {
 
 TEST_F(AuthorCommands, APluginThatCommandsTheWalkIsNotContradicted) {
   const std::string with = "run --no-pictures --out out --with " + std::string(GAITWAY_TEMPLATES) +
-                           "/libgaitway_plugin_template_behavior.so";
-  expect_refused(with + " --walk 0.1", "'plugin_name' writes walk_command and alone commands the walk");
-  expect_refused(with + " --scenario push.yaml", "alone commands the walk");
+                           "/libgaitway_plugin_template_commander.so";
+  expect_refused(with + " --walk 0.1",
+                 "'plugin_name' commands the robot, and a person's walk would keep it from that");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
   ASSERT_EQ(gaitway(with + " --seconds 8"), 0) << complaint_;
   const nlohmann::json summary = nlohmann::json::parse(text("out/summary.json"));

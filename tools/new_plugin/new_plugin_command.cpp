@@ -37,7 +37,7 @@ struct Kind {
 constexpr std::array kKinds{
     Kind{"blank", "", "reads the estimate and reports steps; writes nothing yet"},
     Kind{"behaviour", "behaviour_plugin", "decides: a mission with a leaf of its own", true},
-    Kind{"behavior", "", "commands the walk: a square"},
+    Kind{"commander", "", "decides in code of its own, without a tree: walks a square"},
     Kind{"trajectory", "trajectory", "a gait: slow, with high steps"},
     Kind{"kinematics", "kinematics", "joint angles: arms that swing against the legs"},
     Kind{"stability", "", "balance: the ankles press against the trunk's lean"},
@@ -243,7 +243,7 @@ void declare_program(const CommandLine& app) {
   command.option("--dir", options.folder, "Folder to write it to (default ./NAME)");
   command.footer(kinds_as_text() +
                  "Examples:\n"
-                 "  gaitway new-plugin square --kind behavior\n"
+                 "  gaitway new-plugin square --kind commander\n"
                  "  gaitway new-plugin my_gait --kind trajectory --dir ~/robot/my_gait\n"
                  "Exit code: 0 written, 1 the input was bad and nothing was.");
 }

@@ -117,10 +117,10 @@ TEST_F(IsolatedPluginTest, ValuesLargerThanAMemoryBlockAreRefused) {
                      "}}\n");
     };
     EXPECT_THAT(complaint("4294967295"), HasSubstr("opens topic 'first' with values of 4294967295 bytes"));
-    EXPECT_THAT(complaint("4194305"), HasSubstr("opens topic 'first' with values of 4194305 bytes"));
-    EXPECT_THAT(complaint("4194304"),
-                HasSubstr("opens topic 'second', and its values have 8388608 bytes together"));
-    EXPECT_THAT(complaint("2097152"), HasSubstr("nobody refused it"));
+    EXPECT_THAT(complaint("16777217"), HasSubstr("opens topic 'first' with values of 16777217 bytes"));
+    EXPECT_THAT(complaint("16777216"),
+                HasSubstr("opens topic 'second', and its values have 33554432 bytes together"));
+    EXPECT_THAT(complaint("8388608"), HasSubstr("nobody refused it"));
   }
 }
 

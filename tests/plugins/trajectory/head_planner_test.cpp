@@ -45,7 +45,8 @@ class HeadPlannerTest : public testing::Test {
   }
   [[nodiscard]] static double most_change(const std::vector<double>& angle_rad) {
     double most = 0.0;
-    for (std::size_t i = 1; i < angle_rad.size(); ++i) most = std::max(most, std::abs(angle_rad[i] - angle_rad[i - 1]));
+    for (std::size_t i = 1; i < angle_rad.size(); ++i)
+      most = std::max(most, std::abs(angle_rad[i] - angle_rad[i - 1]));
     return most / facts::kSlot_s;
   }
   [[nodiscard]] static double most_acceleration(const std::vector<double>& angle_rad) {
@@ -176,7 +177,7 @@ TEST_F(HeadPlannerTest, WhateverIsAskedTheWayHasNoJerkAndKeepsItsLimits) {
   std::uniform_real_distribution<double> any(-3.0, 3.0);
   for (int i = 0; i < 500; ++i) {
     HeadCommand command = direction(any(random), any(random));
-    command.mode = random() % 5;
+    command.mode = static_cast<std::uint32_t>(random() % 5);
     command.extent = std::abs(any(random));
     command.period = 1.0 + std::abs(any(random));
     look(command);

@@ -4,7 +4,7 @@ import type { Context } from "./context.ts";
 import { byId, setText } from "./dom.ts";
 import { nobodyCommands } from "./status_bar.ts";
 
-const old_ms = 1000; // of the behaviour's state, which comes with each batch
+const old_ms = 3000; // of the behaviour's state, which comes each second at least
 
 export class AuthorityBanner {
   private readonly box = byId("authority");
@@ -16,8 +16,8 @@ export class AuthorityBanner {
   private behaviour_ms = -Infinity;
 
   constructor(private readonly context: Context) {
-    const { robot, attempt } = context;
-    this.button.addEventListener("click", () => void attempt("Let the behaviour command", () => robot.order("/command/let_go")));
+    const { robot, attempt, command } = context;
+    this.button.addEventListener("click", () => void attempt("Let the behaviour command", () => command.during(() => robot.order("/command/let_go"))));
     robot.subscribe("/command/state", "gaitway_msgs/msg/CommandState", 0, (message) => (this.command = commandOf(message)));
     robot.subscribe("/behaviour/state", "gaitway_msgs/msg/BehaviourState", 0, (message) => {
       this.behaviour = stateOf(message);

@@ -1,5 +1,5 @@
 // The robot API's messages of the behaviour and of who commands, as the page works with them.
-import type { NodesPart, Status, Transition, TreeState } from "./behaviour_tree.ts";
+import type { Status, Transition, TreeNodes, TreeState } from "./behaviour_tree.ts";
 import type { Message } from "./rosbridge.ts";
 
 export interface BehaviourState extends TreeState {
@@ -14,30 +14,31 @@ export interface CommandState {
   text: string; // why, for people
 }
 
+const statuses: readonly Status[] = ["idle", "running", "success", "failure", "skipped"]; // by their numbers
+const statusOf = (number: number | undefined): Status => statuses[number ?? 0] ?? "idle";
 const list = <Item>(message: Message, key: string) => message[key] as Item[];
 
 export function stateOf(message: Message): BehaviourState {
   const nodes = list<number>(message, "transition_node");
-  const to = list<Status>(message, "transition_to");
-  const newest = list<number>(message, "transition_time").map((time_s, index): Transition => ({ time_s, node: nodes[index] ?? -1, to: to[index] ?? "idle" }));
+  const to = list<number>(message, "transition_to");
+  const status = list<number>(message, "status").map(statusOf);
+  const newest = list<number>(message, "transition_time").map((time_s, index): Transition => ({ time_s, node: nodes[index] ?? -1, to: statusOf(to[index]) }));
   return {
     state: String(message["state"]),
     mission: String(message["mission"]),
     text: String(message["text"]),
     ticks: Number(message["ticks"]),
     revision: Number(message["revision"]),
-    node_count: Number(message["node_count"]),
-    status: list<Status>(message, "status"),
+    node_count: status.length, // of a very large tree the first ones are told
+    status,
     transitions: Number(message["transitions"]),
     newest,
   };
 }
 
-export function nodesOf(message: Message): NodesPart {
+export function nodesOf(message: Message): TreeNodes {
   return {
     revision: Number(message["revision"]),
-    node_count: Number(message["node_count"]),
-    first: Number(message["first"]),
     parent: list<number>(message, "parent"),
     type: list<string>(message, "type"),
     name: list<string>(message, "name"),

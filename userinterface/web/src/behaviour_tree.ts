@@ -1,5 +1,4 @@
-// The robot's behaviour tree: its nodes come in parts that take turns, their statuses all at once, transitions in the
-// newest few. Passive.
+// The robot's behaviour tree: its nodes come once, their statuses at each change, transitions in the newest few. Passive.
 
 export type Status = "idle" | "running" | "success" | "failure" | "skipped";
 export interface TreeNode {
@@ -7,11 +6,9 @@ export interface TreeNode {
   type: string; // as in the file: "Sequence", "WalkTo"
   name: string; // given by who wrote it; empty: none
 }
-export interface NodesPart {
-  revision: number;
-  node_count: number;
-  first: number; // number of the first entry; a node is numbered before its children
-  parent: readonly number[];
+export interface TreeNodes {
+  revision: number; // which tree it is
+  parent: readonly number[]; // of each node, which is numbered before its children; of the root, the root
   type: readonly string[];
   name: readonly string[];
 }
@@ -23,7 +20,7 @@ export interface Transition {
 export interface TreeState {
   revision: number;
   node_count: number;
-  status: readonly Status[]; // may be fewer than nodes
+  status: readonly Status[];
   transitions: number; // since the robot's start
   newest: readonly Transition[]; // the last of them, the newest last
 }
@@ -40,27 +37,24 @@ export const labelOf = ({ type, name }: TreeNode): string => (name === "" ? type
 
 export class BehaviourTree {
   private revision = -1;
-  private nodes: (TreeNode | undefined)[] = [];
+  private nodes: TreeNode[] | undefined; // undefined: they have not come
   private counted = -1; // transitions until now
-  private waiting: Transition[] = []; // until all nodes are known
+  private waiting: Transition[] = []; // until the nodes are known
   state: TreeState | undefined;
   log: Told[] = []; // the newest first
   told = 0; // how many of them there were
   missed = 0; // transitions that came faster than they were told
 
-  takePart({ revision, node_count, first, parent, type, name }: NodesPart): void {
-    if (revision !== this.revision || node_count !== this.nodes.length) this.begin(revision, node_count);
-    parent.forEach((above, index) => {
-      const node = first + index;
-      const known = above < node ? this.nodes[above] : undefined;
-      if (node >= node_count || (node > 0 && !known)) return; // its parent comes in another part, a turn later
-      this.nodes[node] = { depth: known ? known.depth + 1 : 0, type: type[index] ?? "", name: name[index] ?? "" };
-    });
+  takeNodes({ revision, parent, type, name }: TreeNodes): void {
+    if (revision !== this.revision) this.begin(revision);
+    const depths: number[] = [];
+    parent.forEach((above, node) => depths.push(node === 0 ? 0 : (depths[above] ?? 0) + 1));
+    this.nodes = depths.map((depth, node) => ({ depth, type: type[node] ?? "", name: name[node] ?? "" }));
     this.tellWaiting();
   }
 
   takeState(state: TreeState): void {
-    if (state.revision !== this.revision || state.node_count !== this.nodes.length) this.begin(state.revision, state.node_count);
+    if (state.revision !== this.revision) this.begin(state.revision);
     if (state.transitions < this.counted) this.counted = -1; // the robot's counters began anew
     const fresh = this.counted < 0 ? state.newest.length : state.transitions - this.counted;
     this.missed += this.counted < 0 ? 0 : Math.max(0, fresh - state.newest.length);
@@ -70,24 +64,19 @@ export class BehaviourTree {
     this.tellWaiting();
   }
 
-  // All nodes of the tree that the state speaks of; undefined: not all of them have come.
+  // The nodes of the tree that the state speaks of; undefined: they have not come.
   rows(): readonly { node: TreeNode; status: Status | undefined }[] | undefined {
-    if (!this.isComplete()) return undefined;
-    return this.nodes.map((node, index) => ({ node: node as TreeNode, status: this.state?.status[index] }));
+    return this.nodes?.map((node, index) => ({ node, status: this.state?.revision === this.revision ? this.state.status[index] : undefined }));
   }
 
-  private isComplete(): boolean {
-    return this.nodes.length > 0 && !this.nodes.includes(undefined);
-  }
-
-  private begin(revision: number, node_count: number): void {
+  private begin(revision: number): void {
     this.revision = revision;
-    this.nodes = new Array<TreeNode | undefined>(node_count).fill(undefined);
+    this.nodes = undefined;
     this.waiting = [];
   }
 
   private tellWaiting(): void {
-    if (!this.isComplete()) return;
+    if (!this.nodes) return;
     for (const { time_s, node, to } of this.waiting) {
       const known = this.nodes[node];
       if (!known) continue;

@@ -36,6 +36,17 @@ export class Command {
     if (lease !== undefined) await this.robot.order("/command/release", { lease });
   }
 
+  // For one order that wants the command: takes it, if it is not this page's already, and gives it back then.
+  async during<Answer>(order: () => Promise<Answer>): Promise<Answer> {
+    if (this.mine) return order();
+    await this.take();
+    try {
+      return await order();
+    } finally {
+      await this.giveBack();
+    }
+  }
+
   // The connection has ended, or somebody else stopped the robot: the lease is worth nothing any more.
   lost(): void {
     if (this.lease === undefined) return;

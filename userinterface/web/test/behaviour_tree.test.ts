@@ -1,39 +1,34 @@
-// The behaviour tree as it comes from the robot: nodes in parts, statuses, transitions.
+// The behaviour tree as it comes from the robot: nodes, statuses, transitions.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { BehaviourTree, labelOf, type Status, type Transition } from "../src/behaviour_tree.ts";
 import { authorityOf, stateOf } from "../src/behaviour_messages.ts";
 
-const first = { revision: 3, node_count: 4, first: 0, parent: [0, 0], type: ["Fallback", "Sequence"], name: ["", "after a fall"] };
-const second = { revision: 3, node_count: 4, first: 2, parent: [1, 0], type: ["Fallen", "WalkTo"], name: ["", ""] };
+const nodes = { revision: 3, parent: [0, 0, 1, 0], type: ["Fallback", "Sequence", "Fallen", "WalkTo"], name: ["", "after a fall", "", ""] };
 const state = (transitions: number, newest: Transition[], revision = 3, node_count = 4) => ({ revision, node_count, transitions, newest, status: ["running", "failure", "failure", "running"] as Status[] });
 const change = (time_s: number, node: number, to: Status): Transition => ({ time_s, node, to });
 
-test("rows come when all parts have come, in the tree's order", () => {
+test("rows come with the nodes, in the tree's order, with what the state says of them", () => {
   const tree = new BehaviourTree();
   tree.takeState(state(0, []));
-  tree.takePart(first);
   assert.equal(tree.rows(), undefined);
-  tree.takePart(second);
+  tree.takeNodes(nodes);
   assert.deepEqual(tree.rows()?.map(({ node, status }) => [node.depth, labelOf(node), status]), [
     [0, "Fallback", "running"], [1, "Sequence “after a fall”", "failure"], [2, "Fallen", "failure"], [1, "WalkTo", "running"]]);
 });
 
-test("a part that comes before its parents' is waited for", () => {
+test("nodes that come before their state have no status yet", () => {
   const tree = new BehaviourTree();
-  tree.takePart(second);
-  tree.takePart(first);
-  assert.equal(tree.rows(), undefined);
-  tree.takePart(second);
-  assert.equal(tree.rows()?.length, 4);
+  tree.takeState(state(0, [], 2));
+  tree.takeNodes(nodes);
+  assert.deepEqual(tree.rows()?.map(({ status }) => status), [undefined, undefined, undefined, undefined]);
 });
 
 test("transitions are told once, the newest first, by their nodes' names", () => {
   const tree = new BehaviourTree();
   tree.takeState(state(7, [change(1, 3, "running")]));
   assert.deepEqual(tree.log, []); // nobody knows what node 3 is
-  tree.takePart(first);
-  tree.takePart(second);
+  tree.takeNodes(nodes);
   tree.takeState(state(7, [change(1, 3, "running")]));
   tree.takeState(state(9, [change(1, 3, "running"), change(2, 2, "success"), change(2, 3, "idle")]));
   assert.deepEqual(tree.log, [{ time_s: 2, what: "WalkTo", to: "idle" }, { time_s: 2, what: "Fallen", to: "success" }, { time_s: 1, what: "WalkTo", to: "running" }]);
@@ -44,26 +39,24 @@ test("transitions are told once, the newest first, by their nodes' names", () =>
 
 test("another tree has other nodes, and what the last one did stays told", () => {
   const tree = new BehaviourTree();
-  tree.takePart(first);
-  tree.takePart(second);
+  tree.takeNodes(nodes);
   tree.takeState(state(1, [change(1, 3, "success")]));
   tree.takeState(state(2, [change(1, 3, "success"), change(2, 0, "running")], 4, 1));
   assert.equal(tree.rows(), undefined);
-  tree.takePart({ revision: 4, node_count: 1, first: 0, parent: [0], type: ["Say"], name: [""] });
+  tree.takeNodes({ revision: 4, parent: [0], type: ["Say"], name: [""] });
   assert.deepEqual(tree.log.map(({ what }) => what), ["Say", "WalkTo"]);
 });
 
 test("counters that begin anew tell of a robot that did", () => {
   const tree = new BehaviourTree();
-  tree.takePart(first);
-  tree.takePart(second);
+  tree.takeNodes(nodes);
   tree.takeState(state(500, [change(90, 3, "success")]));
   tree.takeState(state(1, [change(0.5, 3, "running")]));
   assert.equal(tree.log[0]?.time_s, 0.5);
   assert.equal(tree.missed, 0);
 });
 
-const behaviour = (state: string) => stateOf({ state, mission: "Patrol", text: "", ticks: 1, revision: 1, node_count: 1, status: ["running"], transitions: 1, transition_time: [1.5], transition_node: [0], transition_to: ["running"] });
+const behaviour = (state: string) => stateOf({ state, mission: "Patrol", text: "", ticks: 1, revision: 1, node_count: 1, status: [1], transitions: 1, transition_time: [1.5], transition_node: [0], transition_to: [1] });
 
 test("who commands is told where a mission is concerned, and a person can let go", () => {
   const command = (commander: string, text = "") => ({ commander, text });

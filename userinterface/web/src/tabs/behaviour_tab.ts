@@ -5,7 +5,8 @@ import type { Context, Tab } from "../context.ts";
 import { button, element, setText } from "../dom.ts";
 import { Facts } from "../facts.ts";
 
-const old_ms = 1000; // a state comes with each batch, every 80 ms
+const old_ms = 3000; // a state comes each second at least
+const patience_ms = 5000; // a mission is read, and a tree may take steps to end
 const marks: Record<Status, string> = { idle: "·", running: "▶", success: "✓", failure: "✕", skipped: "↷" };
 const stateTexts: Record<string, string> = { none: "no mission", runs: "runs", halts: "comes to its end", succeeded: "has succeeded", failed: "has failed", waits: "waits: somebody else commands" };
 
@@ -31,7 +32,8 @@ function logRow({ time_s, what, to }: Told): HTMLElement {
   return element("li", { class: to }, element("span", { class: "number" }, time_s.toFixed(2)), " ", element("span", { class: "mark", "aria-hidden": "true" }, marks[to]), ` ${what}: ${to}`);
 }
 
-export function behaviourTab({ robot, attempt }: Context): Tab {
+export function behaviourTab({ robot, attempt, command }: Context): Tab {
+  const order = (service: string, args = {}) => command.during(() => robot.order(service, args, patience_ms));
   const tree = new BehaviourTree();
   let state: BehaviourState | undefined;
   let came_ms = -Infinity;
@@ -39,12 +41,12 @@ export function behaviourTab({ robot, attempt }: Context): Tab {
   const said = element("p", { class: "hint", role: "status" });
   const mission = element("input", { id: "mission", placeholder: "name or file of a mission", "aria-label": "Mission", spellcheck: false, autocomplete: "off", enterkeyhint: "go" });
   const start = element("form", { class: "tools" }, mission, element("button", { type: "submit" }, "Start"));
-  const end = button("End it", () => void attempt("End the mission", () => robot.order("/behaviour/end")));
-  const change = button("Take its file anew", () => void attempt("Change the mission", () => robot.order("/behaviour/change", { mission: "" })));
+  const end = button("End it", () => void attempt("End the mission", () => order("/behaviour/end")));
+  const change = button("Take its file anew", () => void attempt("Change the mission", () => order("/behaviour/change")));
   start.addEventListener("submit", (event) => {
     event.preventDefault();
     const name = mission.value.trim();
-    void attempt(name === "" ? "Start the mission" : `Start ${name}`, () => robot.order("/behaviour/start", { mission: name }));
+    void attempt(name === "" ? "Start the mission" : `Start ${name}`, () => order("/behaviour/start", { mission: name }));
   });
   const rows: ReturnType<typeof treeRow>[] = [];
   const list = element("ol", { class: "tree", tabindex: 0, "aria-label": "The behaviour tree" });
@@ -87,7 +89,7 @@ export function behaviourTab({ robot, attempt }: Context): Tab {
     came_ms = performance.now();
     tree.takeState(state);
   });
-  robot.subscribe("/behaviour/nodes", "gaitway_msgs/msg/BehaviourNodes", 0, (message) => tree.takePart(nodesOf(message)));
+  robot.subscribe("/behaviour/nodes", "gaitway_msgs/msg/BehaviourNodes", 0, (message) => tree.takeNodes(nodesOf(message)));
   const content = element("div", { class: "behaviour-tab" }, facts.list, said, start, element("div", { class: "buttons" }, end, change), list,
     element("h2", {}, "Transitions"), missed, log);
   return { title: "Behaviour", content, look };

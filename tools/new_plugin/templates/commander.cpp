@@ -1,4 +1,6 @@
-// The plug-in plugin_name: walks a square, turning on the spot at its corners.
+// The plug-in plugin_name: walks a square, turning on the spot at its corners. It takes the place of the
+// behaviour: where a person commands, the robot does as the person says.
+#include <cstdint>
 #include <numbers>
 
 #include "gaitway/plugin/plugin.hpp"
@@ -10,7 +12,7 @@ class PluginName final : public gaitway::Plugin {
         speed_m_per_s_(setup.parameter("speed", 0.15, "m/s")),
         turn_rate_rad_per_s_(setup.parameter("turn_rate", 0.4, "rad/s")),
         estimate_(setup.reads<gaitway::Estimate>("estimate")),
-        walk_(setup.writes<gaitway::WalkCommand>("walk_command")) {}
+        walk_(setup.writes<gaitway::WalkCommand>("behaviour_walk")) {}
 
   void step(const gaitway::Tick& tick) override {
     const double yaw_rad = estimate_.read().attitude[2];
@@ -27,11 +29,13 @@ class PluginName final : public gaitway::Plugin {
     walk.walk = time_s > kStand_s ? 1 : 0;
     walk.velocity[0] = turning_ ? 0.0 : speed_m_per_s_;
     walk.turn_rate = turning_ ? turn_rate_rad_per_s_ : 0.0;
+    walk.valid_until_ns = tick.now_ns + kValid_ns;
     walk_.publish();
   }
 
  private:
   static constexpr double kStand_s = 1.0;
+  static constexpr std::int64_t kValid_ns = 500'000'000;  // if nothing comes any more, the robot stands
   double side_m_, speed_m_per_s_, turn_rate_rad_per_s_;
   bool turning_ = true;
   double heading_rad_ = 0.0;  // to be reached by turning
