@@ -334,14 +334,29 @@ void MissionRunner::tell(BehaviourNodes& nodes) noexcept {
 
 RunnerState MissionRunner::state() const noexcept {
   return {.answered = answered_,
+          .refused = refused_ ? 1U : 0U,
           .state = state_,
+          .revision = revision_,
+          .told_node = told_node_,
+          .fall = last_fall_,
+          .commander = last_commander_,
+          .may_get_up = last_may_get_up_,
           .ticks = ticks_,
           .transitions = transitions_,
-          .mission = wanted_};
+          .mission = wanted_,
+          .text = text_};
 }
 
 void MissionRunner::go_on_from(const RunnerState& state) {
   answered_ = asked_ = state.answered;
+  refused_ = state.refused != 0;
+  text_ = state.text;
+  last_fall_ = state.fall;
+  last_commander_ = state.commander;
+  last_may_get_up_ = state.may_get_up;
+  revision_ = state.revision;
+  told_node_ = state.told_node;
+  if (mission_ != nullptr) begin_revision();  // its file may have become another
   ticks_ = state.ticks;
   transitions_ = state.transitions;
   const bool runs = state.state == states::runs || state.state == states::waits;

@@ -150,10 +150,13 @@ TEST(PluginInterfaceDocument, EverySnippetIsBuilt) {
       EXPECT_NE(file.find(snippet), std::string::npos) << snippet;
     }
   };
-  const std::string project = plain(plain(plain(text_of("tools/new_plugin/templates/CMakeLists.txt"),
-                                                "plugin_components", "plugin simulator"),
-                                          " plugin_links", ""),
-                                    "plugin_name", "sway");
+  std::string project = text_of("tools/new_plugin/templates/CMakeLists.txt");
+  for (const auto& [token, by] : {std::pair{"plugin_components", "plugin simulator"},
+                                  {" plugin_links", ""},
+                                  {"plugin_tree\n", ""},
+                                  {"plugin_name", "sway"}}) {
+    project = plain(project, token, by);
+  }
   expect_parts("cpp", text_of("docs/examples/reference.cpp"), 10);
   expect_parts("c", text_of("docs/examples/reference.c"), 5);
   expect_parts("yaml", text_of("docs/examples/reference.yaml"), 1);

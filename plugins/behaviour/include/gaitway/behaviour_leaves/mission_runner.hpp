@@ -18,9 +18,12 @@ namespace gaitway::behaviour_leaves {
 
 // What a successor goes on from: which mission, and whether it is over. The tree itself begins anew.
 struct RunnerState {
-  std::uint32_t answered = 0, state = behaviour_state::state::none;
+  std::uint32_t answered = 0, refused = 0, state = behaviour_state::state::none;
+  std::uint32_t revision = 1, told_node = 0;
+  std::uint32_t fall = 0, commander = 0, may_get_up = 0;  // as it has seen them last
   std::uint64_t ticks = 0, transitions = 0;
   std::array<char, 256> mission{};
+  std::array<char, 208> text{};
 };
 
 class MissionRunner {
