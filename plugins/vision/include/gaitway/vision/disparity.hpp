@@ -1,0 +1,39 @@
+// By how much each pixel of the left picture is shifted in the right one, where that can be told.
+#pragma once
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core.hpp>
+
+namespace gaitway::vision {
+
+// Semi-global matching (H. Hirschmüller, "Stereo Processing by Semiglobal Matching and Mutual Information",
+// 2008) with a check from right to left. What has no texture, no unique match, or lies in a speckle has no
+// disparity. The same bits for the same pictures: one thread, and the mode with one pass.
+class DisparityMatcher {
+ public:
+  // Pictures of up to 320 pixels a row are matched as they are, larger ones at half their size.
+  explicit DisparityMatcher(int width);
+
+  // Of rectified pictures. Holds until the next call.
+  void match(const cv::Mat& left, const cv::Mat& right);
+
+  // In 1/16 pixels of the matched size; negative: none.
+  [[nodiscard]] const cv::Mat& disparity() const noexcept { return disparity_; }
+  // Pixels of the whole picture for one that is matched.
+  [[nodiscard]] int scale() const noexcept { return scale_; }
+  // Of all pixels that could have a disparity.
+  [[nodiscard]] double matched_share() const noexcept { return matched_share_; }
+
+  static constexpr int kDisparities = 64;  // at the matched size: from 0, that is from infinity
+  static constexpr double kUnits = 16.0;   // of disparity(), in a pixel
+
+ private:
+  void remove_untextured(const cv::Mat& left);
+
+  int scale_;
+  cv::Ptr<cv::StereoSGBM> matcher_;
+  cv::Mat half_[2], gradient_, texture_, disparity_;
+  double matched_share_ = 0.0;
+};
+
+}  // namespace gaitway::vision

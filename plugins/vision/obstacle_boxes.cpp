@@ -1,0 +1,137 @@
+// Connected cells, and the smallest rectangle around each group.
+#include "gaitway/vision/obstacle_boxes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+namespace gaitway::vision {
+namespace {
+
+constexpr double kBorder = 0.25;  // of a cell's side: by which what a cell shows reaches beyond its middle
+constexpr double kFilled = 0.45;  // share of a box's cells that must be obstacles, or it is parted
+constexpr double kSame_m = 0.03;  // places and sizes that differ by less are the same
+constexpr double kSameTurn_rad = 0.2;
+constexpr std::size_t kSmallest = 4;  // cells of a group that is not parted
+
+using Group = std::vector<int>;
+
+Group grow(const HeightMap& map, int seed, std::array<bool, kMapSide * kMapSide>& taken) {
+  Group group{seed};
+  taken[static_cast<std::size_t>(seed)] = true;
+  for (std::size_t next = 0; next < group.size(); ++next) {
+    const int x = group[next] % kMapSide, y = group[next] / kMapSide;
+    for (int to_y = std::max(y - 1, 0); to_y <= std::min(y + 1, kMapSide - 1); ++to_y) {
+      for (int to_x = std::max(x - 1, 0); to_x <= std::min(x + 1, kMapSide - 1); ++to_x) {
+        const int cell = to_y * kMapSide + to_x;
+        if (taken[static_cast<std::size_t>(cell)] || map.state(cell) != CellState::obstacle) continue;
+        taken[static_cast<std::size_t>(cell)] = true;
+        group.push_back(cell);
+      }
+    }
+  }
+  return group;
+}
+
+Box box_around(const HeightMap& map, const Group& group) {
+  std::vector<cv::Point2f> points;
+  Box box;
+  const Eigen::Vector2d origin = map.middle_of(group.front());  // single precision is of small numbers
+  for (const int cell : group) {
+    const Eigen::Vector2d at = map.obstacle_m(cell) - origin;
+    points.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
+    box.height_m = std::max(box.height_m, map.height_m(cell));
+  }
+  const cv::RotatedRect around = cv::minAreaRect(points);
+  box.middle_m = origin + Eigen::Vector2d(around.center.x, around.center.y);
+  box.size_m = Eigen::Vector2d(around.size.width, around.size.height).array() + 2.0 * kBorder * map.cell_m();
+  box.yaw_rad = around.angle * std::numbers::pi / 180.0;
+  const double quarter = 0.5 * std::numbers::pi;
+  const double turns = std::floor(box.yaw_rad / quarter);
+  box.yaw_rad -= turns * quarter;
+  if (std::fmod(std::abs(turns), 2.0) != 0.0) std::swap(box.size_m.x(), box.size_m.y());
+  return box;
+}
+
+// Halves of the group across its box's longer side.
+std::array<Group, 2> parted(const HeightMap& map, const Group& group, const Box& box) {
+  const double yaw_rad =
+      box.size_m.x() >= box.size_m.y() ? box.yaw_rad : box.yaw_rad + 0.5 * std::numbers::pi;
+  const Eigen::Vector2d along(std::cos(yaw_rad), std::sin(yaw_rad));
+  std::array<Group, 2> halves;
+  for (const int cell : group) {
+    halves[along.dot(map.obstacle_m(cell) - box.middle_m) < 0.0 ? 0 : 1].push_back(cell);
+  }
+  return halves;
+}
+
+void add_boxes(const HeightMap& map, const Group& group, std::vector<Box>& boxes) {
+  const Box box = box_around(map, group);
+  const double cells = box.size_m.prod() / (map.cell_m() * map.cell_m());
+  if (group.size() <= kSmallest || static_cast<double>(group.size()) >= kFilled * cells) {
+    boxes.push_back(box);
+    return;
+  }
+  const std::array<Group, 2> halves = parted(map, group, box);
+  if (halves[0].empty() || halves[1].empty()) {
+    boxes.push_back(box);
+    return;
+  }
+  for (const Group& half : halves) add_boxes(map, half, boxes);
+}
+
+bool is_same(const Box& a, const Box& b) noexcept {
+  const double turn_rad = std::abs(std::remainder(a.yaw_rad - b.yaw_rad, 0.5 * std::numbers::pi));
+  return (a.middle_m - b.middle_m).norm() < kSame_m &&
+         (a.size_m - b.size_m).cwiseAbs().maxCoeff() < kSame_m && turn_rad < kSameTurn_rad &&
+         std::abs(a.height_m - b.height_m) < kSame_m;
+}
+
+}  // namespace
+
+std::vector<Box> boxes_in(const HeightMap& map) {
+  std::array<bool, kMapSide * kMapSide> taken{};
+  std::vector<Box> boxes;
+  for (int cell = 0; cell < kMapSide * kMapSide; ++cell) {
+    if (taken[static_cast<std::size_t>(cell)] || map.state(cell) != CellState::obstacle) continue;
+    add_boxes(map, grow(map, cell, taken), boxes);
+  }
+  // Of too many the largest are told.
+  std::ranges::stable_sort(boxes, std::ranges::greater{}, [](const Box& box) { return box.size_m.prod(); });
+  if (boxes.size() > kMaxObstacles) boxes.resize(kMaxObstacles);
+  return boxes;
+}
+
+bool ObstacleList::renew(const std::vector<Box>& seen) {
+  std::vector<Box> next = seen;
+  bool changed = next.size() != told_.size();
+  for (Box& box : next) {
+    const auto known = std::ranges::find_if(told_, [&box](const Box& told) { return is_same(told, box); });
+    if (known != told_.end())
+      box = *known;
+    else
+      changed = true;
+  }
+  told_ = std::move(next);
+  return changed;
+}
+
+void ObstacleList::write(Obstacles& obstacles, std::int64_t stamp_ns) const noexcept {
+  obstacles = {};
+  obstacles.stamp_ns = stamp_ns;
+  obstacles.frame = obstacles::frame::odometry;
+  for (const Box& box : told_) {
+    if (obstacles.count == kMaxObstacles) break;
+    const std::uint32_t i = obstacles.count++;
+    obstacles.place[i][0] = box.middle_m.x();
+    obstacles.place[i][1] = box.middle_m.y();
+    obstacles.place[i][2] = box.yaw_rad;
+    obstacles.size[i][0] = box.size_m.x();
+    obstacles.size[i][1] = box.size_m.y();
+    obstacles.size[i][2] = box.height_m;
+  }
+}
+
+}  // namespace gaitway::vision

@@ -1,0 +1,86 @@
+// The AprilTag library, and which of its findings are believed.
+#include "gaitway/vision/tag_finder.hpp"
+
+#include <apriltag/apriltag.h>
+#include <apriltag/tag36h11.h>
+
+#include <algorithm>
+
+namespace gaitway::vision {
+namespace {
+
+struct Detections {
+  explicit Detections(zarray_t* found) : list(found) {}
+  ~Detections() { apriltag_detections_destroy(list); }
+  Detections(const Detections&) = delete;
+  Detections& operator=(const Detections&) = delete;
+  zarray_t* list;
+};
+
+FoundTag tag_of(const apriltag_detection_t& detection) {
+  FoundTag tag{.id = detection.id};
+  for (std::size_t i = 0; i < 4; ++i) {
+    // The library counts from the corner of the first pixel.
+    tag.corner_px[i] = Eigen::Vector2d(detection.p[i][0] - 0.5, detection.p[i][1] - 0.5);
+  }
+  return tag;
+}
+
+double shortest_side_px(const FoundTag& tag) {
+  double shortest = 1e9;
+  for (std::size_t i = 0; i < 4; ++i) {
+    shortest = std::min(shortest, (tag.corner_px[(i + 1) % 4] - tag.corner_px[i]).norm());
+  }
+  return shortest;
+}
+
+}  // namespace
+
+struct TagFinder::Detector {
+  explicit Detector(int corrected_bits) : family(tag36h11_create()), detector(apriltag_detector_create()) {
+    apriltag_detector_add_family_bits(detector, family, corrected_bits);
+    detector->nthreads = 1;
+    detector->quad_decimate = 1.0F;
+    detector->quad_sigma = 0.0F;
+    detector->refine_edges = true;
+  }
+  ~Detector() {
+    apriltag_detector_destroy(detector);
+    tag36h11_destroy(family);
+  }
+  Detector(const Detector&) = delete;
+  Detector& operator=(const Detector&) = delete;
+
+  apriltag_family_t* family;
+  apriltag_detector_t* detector;
+};
+
+TagFinder::TagFinder(const TagFinderParameters& parameters)
+    : parameters_(parameters), detector_(std::make_unique<Detector>(parameters.corrected_bits)) {}
+
+TagFinder::~TagFinder() = default;
+
+std::vector<FoundTag> TagFinder::find(const cv::Mat& picture) {
+  image_u8_t image{.width = picture.cols,
+                   .height = picture.rows,
+                   .stride = static_cast<std::int32_t>(picture.step),
+                   .buf = picture.data};
+  const Detections detections(apriltag_detector_detect(detector_->detector, &image));
+  std::vector<FoundTag> tags;
+  for (int i = 0; i < zarray_size(detections.list); ++i) {
+    apriltag_detection_t* detection = nullptr;
+    zarray_get(detections.list, i, &detection);
+    if (detection->hamming > parameters_.corrected_bits) continue;
+    if (detection->decision_margin < parameters_.least_margin) continue;
+    const FoundTag tag = tag_of(*detection);
+    if (shortest_side_px(tag) >= parameters_.least_side_px) tags.push_back(tag);
+  }
+  std::ranges::sort(tags, {}, &FoundTag::id);
+  std::vector<FoundTag> single;
+  for (const FoundTag& tag : tags) {
+    if (std::ranges::count(tags, tag.id, &FoundTag::id) == 1) single.push_back(tag);
+  }
+  return single;
+}
+
+}  // namespace gaitway::vision
