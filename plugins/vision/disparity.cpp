@@ -1,6 +1,8 @@
 // OpenCV's semi-global matcher, and what of its answers is believed.
 #include "gaitway/vision/disparity.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 
 namespace gaitway::vision {
@@ -8,12 +10,14 @@ namespace {
 
 constexpr int kBlock = 5;
 constexpr int kSmallStep = 8 * kBlock * kBlock, kLargeStep = 32 * kBlock * kBlock;  // penalties of a change
-constexpr int kClip = 31;               // of the prefiltered gradient
-constexpr int kUniqueness = 10;         // percent by which the best cost is below the second
-constexpr int kSpeckle_px = 80;         // smaller ones are no surface
+constexpr int kClip = 31;        // of the prefiltered gradient
+constexpr int kUniqueness = 15;  // percent by which the best cost is below the second
+// What stands on the ground is one surface with it at its foot, so even small obstacles are no speckles.
+constexpr int kSpeckle_px = 200;
 constexpr int kSpeckleStep = 1;         // of disparity within a surface, between neighbours
-constexpr int kWindow = 9;              // in which there must be texture
-constexpr double kLeastTexture = 12.0;  // mean |Sobel| along a row: noise of two levels makes about 6
+constexpr int kWindow = 7;              // in which both pictures must be alike
+constexpr float kAlikeWindows = 0.7F;   // correlation: where there is no texture but noise it is about 0
+constexpr float kLeastVariance = 9.0F;  // grey levels squared: below it is noise alone
 
 }  // namespace
 
@@ -31,15 +35,45 @@ void DisparityMatcher::match(const cv::Mat& left, const cv::Mat& right) {
     }
   }
   matcher_->compute(*pictures[0], *pictures[1], disparity_);
-  remove_untextured(*pictures[0]);
+  remove_unlike(*pictures[0], *pictures[1]);
   const int could = (disparity_.cols - kDisparities) * disparity_.rows;
   matched_share_ = could > 0 ? static_cast<double>(cv::countNonZero(disparity_ > 0)) / could : 0.0;
 }
 
-void DisparityMatcher::remove_untextured(const cv::Mat& left) {
-  cv::Sobel(left, gradient_, CV_16S, 1, 0);
-  cv::boxFilter(cv::abs(gradient_), texture_, CV_32F, {kWindow, kWindow});
-  disparity_.setTo(-1, texture_ < kLeastTexture);
+// The right picture is laid over the left one by the disparities, and what does not correlate there is no
+// match.
+void DisparityMatcher::remove_unlike(const cv::Mat& left, const cv::Mat& right) {
+  shifted_.create(left.size(), CV_32F);
+  left.convertTo(left_, CV_32F);
+  for (int y = 0; y < left.rows; ++y) {
+    const auto* const shift = disparity_.ptr<std::int16_t>(y);
+    const auto* const from = right.ptr<std::uint8_t>(y);
+    auto* const to = shifted_.ptr<float>(y);
+    for (int x = 0; x < left.cols; ++x) {
+      const int at = x * static_cast<int>(kUnits) - std::max<int>(shift[x], 0);  // in 1/16 pixels
+      const int pixel = std::clamp(at / static_cast<int>(kUnits), 0, left.cols - 2);
+      const float share = static_cast<float>(at) / static_cast<float>(kUnits) - static_cast<float>(pixel);
+      to[x] = from[pixel] + share * static_cast<float>(from[pixel + 1] - from[pixel]);
+    }
+  }
+  const cv::Size window(kWindow, kWindow);
+  cv::boxFilter(left_, mean_[0], CV_32F, window);
+  cv::boxFilter(shifted_, mean_[1], CV_32F, window);
+  cv::boxFilter(left_.mul(left_), square_[0], CV_32F, window);
+  cv::boxFilter(shifted_.mul(shifted_), square_[1], CV_32F, window);
+  cv::boxFilter(left_.mul(shifted_), product_, CV_32F, window);
+  for (int y = 0; y < left.rows; ++y) {
+    for (int x = 0; x < left.cols; ++x) {
+      const float mean_left = mean_[0].at<float>(y, x), mean_right = mean_[1].at<float>(y, x);
+      const float variance_left = square_[0].at<float>(y, x) - mean_left * mean_left;
+      const float variance_right = square_[1].at<float>(y, x) - mean_right * mean_right;
+      const float common = product_.at<float>(y, x) - mean_left * mean_right;
+      const bool is_alike = variance_left > kLeastVariance && variance_right > kLeastVariance &&
+                            common > 0.0F &&
+                            common * common > kAlikeWindows * kAlikeWindows * variance_left * variance_right;
+      if (!is_alike) disparity_.at<std::int16_t>(y, x) = -1;
+    }
+  }
 }
 
 }  // namespace gaitway::vision

@@ -15,8 +15,9 @@ constexpr double kIndependent = 0.05;  // share of the points that are: a match 
 constexpr int kIterations = 4;
 constexpr double kCut = 3.0;  // deviations beyond which a point is no ground
 constexpr int kLeastPoints = 3;
-constexpr double kLeastShare = 0.2;  // of an obstacle's points in its cell
-constexpr double kNearest_m = 0.3;   // along the ground, of what is looked at for a shift
+constexpr double kLeastShare = 0.2;       // of an obstacle's points in its cell
+constexpr int kKnownAround = 5;           // of nine pixels
+constexpr double kNearestGround_m = 0.3;  // along the ground, of what is looked at for a shift
 
 double median_of(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -85,7 +86,8 @@ void GroundObserver::collect(const DisparityMatcher& matcher, const ShutterPoses
 void GroundObserver::find_shift() {
   shifts_.clear();
   for (const Point& point : points_) {
-    if (point.distance_m > kNearest_m && std::abs(point.shift_px) < 15.0) shifts_.push_back(point.shift_px);
+    if (point.distance_m > kNearestGround_m && std::abs(point.shift_px) < 15.0)
+      shifts_.push_back(point.shift_px);
   }
   shift_ = {.points = static_cast<int>(shifts_.size())};
   if (shifts_.empty()) return;
@@ -159,33 +161,38 @@ void GroundObserver::count(const HeightMap& map) {
   }
 }
 
-// True: the picture shows something clearly farther than the place, where the place would be.
-bool GroundObserver::is_farther(const Eigen::Vector3d& place_m, double cell_m) const {
+GroundObserver::Sight GroundObserver::sight_of(const Eigen::Vector3d& place_m, double cell_m) const {
   const Eigen::Vector3d seen = camera_.inverse() * place_m;
-  if (seen.z() < 0.15) return false;
+  if (seen.z() < 0.15) return Sight::nothing;
   const Eigen::Vector2d pixel = geometry_.project(seen);
   const int x = static_cast<int>(std::lround(pixel.x())), y = static_cast<int>(std::lround(pixel.y()));
-  if (x < 1 || y < 1 || x >= disparity_.cols - 1 || y >= disparity_.rows - 1) return false;
-  const double nearest_px = geometry_.disparity_px(seen.z());
-  const double farthest_px = geometry_.disparity_px(seen.z() + cell_m);
-  const double limit_px = farthest_px - std::max(1.0, kCut * parameters_.disparity_deviation_px);
-  if (limit_px < 0.0 || nearest_px > DisparityMatcher::kDisparities) return false;
+  if (x < 1 || y < 1 || x >= disparity_.cols - 1 || y >= disparity_.rows - 1) return Sight::nothing;
+  int known = 0, most = 0;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       const int measured = disparity_.at<std::int16_t>(y + dy, x + dx);
-      if (measured <= 0 || measured / DisparityMatcher::kUnits > limit_px) return false;
+      known += measured > 0 ? 1 : 0;
+      most = std::max(most, measured);
     }
   }
-  return true;
+  if (known < kKnownAround) return Sight::nothing;
+  const double nearest_px = most / DisparityMatcher::kUnits;
+  const double margin_px = std::max(1.0, kCut * parameters_.disparity_deviation_px);
+  if (nearest_px < geometry_.disparity_px(seen.z() + cell_m) - margin_px) return Sight::farther;
+  return nearest_px > geometry_.disparity_px(seen.z()) + margin_px ? Sight::nearer : Sight::about_there;
 }
 
-bool GroundObserver::sees_through(const HeightMap& map, int cell) const {
+// An obstacle is gone where the picture shows what is farther in its place; a low one, behind which the
+// ground is hardly farther, where its cell shows ground and nothing hides it.
+bool GroundObserver::is_gone(const HeightMap& map, int cell, bool shows_ground) const {
   const Eigen::Vector2d at_m = map.obstacle_m(cell);
-  const double height_m = map.height_m(cell);
+  bool is_through = true, is_hidden = false;
   for (const double share : {0.4, 0.8}) {
-    if (!is_farther({at_m.x(), at_m.y(), share * height_m}, map.cell_m())) return false;
+    const Sight sight = sight_of({at_m.x(), at_m.y(), share * map.height_m(cell)}, map.cell_m());
+    is_through = is_through && sight == Sight::farther;
+    is_hidden = is_hidden || sight == Sight::nothing || sight == Sight::nearer;
   }
-  return true;
+  return is_through || (shows_ground && !is_hidden);
 }
 
 void GroundObserver::tell(HeightMap& map, std::int64_t stamp_ns) {
@@ -207,7 +214,7 @@ void GroundObserver::tell(HeightMap& map, std::int64_t stamp_ns) {
     const CellSighting ground{.what = CellSighting::What::ground, .height_m = ground_m};
     if (map.state(cell) != CellState::obstacle) {
       if (shows_ground) map.see(cell, ground, stamp_ns);
-    } else if (tally.obstacle == 0 && sees_through(map, cell)) {
+    } else if (tally.obstacle == 0 && is_gone(map, cell, shows_ground)) {
       map.see(cell, shows_ground ? ground : CellSighting{.what = CellSighting::What::seen_through}, stamp_ns);
     }
   }

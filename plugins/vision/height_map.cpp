@@ -7,11 +7,11 @@
 namespace gaitway::vision {
 namespace {
 
-// Evidence: two sightings of an obstacle, or two of the ground, tell what an unknown cell is; an obstacle
+// Evidence: three sightings of an obstacle, or two of the ground, tell what an unknown cell is; an obstacle
 // that was seen for long takes ten sightings of the ground to become free.
-constexpr int kObstacleVote = 3, kGroundVote = -1;
+constexpr int kObstacleVote = 2, kGroundVote = -1;
 constexpr int kMostEvidence = 8, kLeastEvidence = -6;
-constexpr int kIsObstacle = 4, kIsFree = -2;
+constexpr int kIsObstacle = 5, kIsFree = -2;
 constexpr int kMostWeight = 200;      // points whose mean the offset is: later ones count as exponential mean
 constexpr double kOffsets = 250.0;    // in a cell's side
 constexpr double kHeightShare = 0.3;  // by which a new height moves the old one

@@ -10,9 +10,11 @@
 namespace gaitway::vision {
 namespace {
 
-constexpr double kBorder = 0.25;  // of a cell's side: by which what a cell shows reaches beyond its middle
-constexpr double kFilled = 0.45;  // share of a box's cells that must be obstacles, or it is parted
-constexpr double kSame_m = 0.03;  // places and sizes that differ by less are the same
+constexpr double kBorder = 0.25;    // of a cell's side: by which what a cell shows reaches beyond its middle
+constexpr double kOutermost = 1.2;  // of a cell's side: depth of the cells that make a side
+constexpr double kThinnest = 0.5;   // of a cell's side
+constexpr double kFilled = 0.45;    // share of a box's cells that must be obstacles, or it is parted
+constexpr double kSame_m = 0.03;    // places and sizes that differ by less are the same
 constexpr double kSameTurn_rad = 0.2;
 constexpr std::size_t kSmallest = 4;  // cells of a group that is not parted
 
@@ -35,7 +37,25 @@ Group grow(const HeightMap& map, int seed, std::array<bool, kMapSide * kMapSide>
   return group;
 }
 
-Box box_around(const HeightMap& map, const Group& group) {
+// Of the group's points along a direction, with the cells' borders. Distances are noisy along the line of
+// sight: a side that faces the camera is the mean of its outermost cells, weighted by what was seen in each.
+double reach_m(const HeightMap& map, const Group& group, const Eigen::Vector2d& direction,
+               const Eigen::Vector2d& eye_m) {
+  double farthest_m = -1e9;
+  for (const int cell : group) farthest_m = std::max(farthest_m, direction.dot(map.obstacle_m(cell)));
+  if (direction.dot(eye_m) < farthest_m) return farthest_m + kBorder * map.cell_m();
+  double sum = 0.0, weights = 0.0;
+  for (const int cell : group) {
+    const double at_m = direction.dot(map.obstacle_m(cell));
+    if (at_m < farthest_m - kOutermost * map.cell_m()) continue;
+    const double weight = map.weight(cell) + 1.0;
+    sum += weight * at_m;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+Box box_around(const HeightMap& map, const Group& group, const Eigen::Vector2d& eye_m) {
   std::vector<cv::Point2f> points;
   Box box;
   const Eigen::Vector2d origin = map.middle_of(group.front());  // single precision is of small numbers
@@ -44,14 +64,17 @@ Box box_around(const HeightMap& map, const Group& group) {
     points.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
     box.height_m = std::max(box.height_m, map.height_m(cell));
   }
-  const cv::RotatedRect around = cv::minAreaRect(points);
-  box.middle_m = origin + Eigen::Vector2d(around.center.x, around.center.y);
-  box.size_m = Eigen::Vector2d(around.size.width, around.size.height).array() + 2.0 * kBorder * map.cell_m();
-  box.yaw_rad = around.angle * std::numbers::pi / 180.0;
   const double quarter = 0.5 * std::numbers::pi;
-  const double turns = std::floor(box.yaw_rad / quarter);
-  box.yaw_rad -= turns * quarter;
-  if (std::fmod(std::abs(turns), 2.0) != 0.0) std::swap(box.size_m.x(), box.size_m.y());
+  const double angle_rad = cv::minAreaRect(points).angle * std::numbers::pi / 180.0;
+  box.yaw_rad = angle_rad - quarter * std::floor(angle_rad / quarter);
+  const Eigen::Rotation2Dd turn(box.yaw_rad);
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector2d direction = turn * Eigen::Vector2d::Unit(axis);
+    const double most_m = reach_m(map, group, direction, eye_m);
+    const double least_m = -reach_m(map, group, -direction, eye_m);
+    box.size_m[axis] = std::max(most_m - least_m, kThinnest * map.cell_m());
+    box.middle_m += 0.5 * (most_m + least_m) * direction;
+  }
   return box;
 }
 
@@ -67,8 +90,9 @@ std::array<Group, 2> parted(const HeightMap& map, const Group& group, const Box&
   return halves;
 }
 
-void add_boxes(const HeightMap& map, const Group& group, std::vector<Box>& boxes) {
-  const Box box = box_around(map, group);
+void add_boxes(const HeightMap& map, const Group& group, const Eigen::Vector2d& eye_m,
+               std::vector<Box>& boxes) {
+  const Box box = box_around(map, group, eye_m);
   const double cells = box.size_m.prod() / (map.cell_m() * map.cell_m());
   if (group.size() <= kSmallest || static_cast<double>(group.size()) >= kFilled * cells) {
     boxes.push_back(box);
@@ -79,7 +103,7 @@ void add_boxes(const HeightMap& map, const Group& group, std::vector<Box>& boxes
     boxes.push_back(box);
     return;
   }
-  for (const Group& half : halves) add_boxes(map, half, boxes);
+  for (const Group& half : halves) add_boxes(map, half, eye_m, boxes);
 }
 
 bool is_same(const Box& a, const Box& b) noexcept {
@@ -91,12 +115,12 @@ bool is_same(const Box& a, const Box& b) noexcept {
 
 }  // namespace
 
-std::vector<Box> boxes_in(const HeightMap& map) {
+std::vector<Box> boxes_in(const HeightMap& map, const Eigen::Vector2d& eye_m) {
   std::array<bool, kMapSide * kMapSide> taken{};
   std::vector<Box> boxes;
   for (int cell = 0; cell < kMapSide * kMapSide; ++cell) {
     if (taken[static_cast<std::size_t>(cell)] || map.state(cell) != CellState::obstacle) continue;
-    add_boxes(map, grow(map, cell, taken), boxes);
+    add_boxes(map, grow(map, cell, taken), eye_m, boxes);
   }
   // Of too many the largest are told.
   std::ranges::stable_sort(boxes, std::ranges::greater{}, [](const Box& box) { return box.size_m.prod(); });

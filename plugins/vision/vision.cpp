@@ -128,7 +128,8 @@ Fault Vision::map(const PicturePair& pair, const ShutterPoses& poses) {
   map_.centre(poses.base_m + parameters_.map_ahead_m / level * ahead.head<2>());
   map_.forget(pair.stamp_ns - parameters_.forget_after_ns);
   ground_.tell(map_, pair.stamp_ns);
-  obstacles_.renew(boxes_in(map_));
+  eye_m_ = poses.first.translation().head<2>();
+  obstacles_.renew(boxes_in(map_, eye_m_));
   mapped_ns_ = pair.stamp_ns;
   return Fault::none;
 }

@@ -7,8 +7,9 @@
 namespace gaitway::vision {
 
 // Semi-global matching (H. Hirschmüller, "Stereo Processing by Semiglobal Matching and Mutual Information",
-// 2008) with a check from right to left. What has no texture, no unique match, or lies in a speckle has no
-// disparity. The same bits for the same pictures: one thread, and the mode with one pass.
+// 2008) with a check from right to left. What has no unique match, lies in a speckle, or does not correlate
+// (for want of texture, say) has no disparity. The same bits for the same pictures: one thread, and the mode
+// with one pass.
 class DisparityMatcher {
  public:
   // Pictures of up to 320 pixels a row are matched as they are, larger ones at half their size.
@@ -28,11 +29,12 @@ class DisparityMatcher {
   static constexpr double kUnits = 16.0;   // of disparity(), in a pixel
 
  private:
-  void remove_untextured(const cv::Mat& left);
+  void remove_unlike(const cv::Mat& left, const cv::Mat& right);
 
   int scale_;
   cv::Ptr<cv::StereoSGBM> matcher_;
-  cv::Mat half_[2], gradient_, texture_, disparity_;
+  cv::Mat half_[2], disparity_;
+  cv::Mat left_, shifted_, mean_[2], square_[2], product_;  // of the comparison
   double matched_share_ = 0.0;
 };
 

@@ -71,8 +71,10 @@ class GroundObserver {
   void find_shift();
   [[nodiscard]] double above_ground_m(const Point& point) const noexcept;
   void count(const HeightMap& map);
-  [[nodiscard]] bool sees_through(const HeightMap& map, int cell) const;
-  [[nodiscard]] bool is_farther(const Eigen::Vector3d& place_m, double cell_m) const;
+  enum class Sight { nothing, nearer, about_there, farther };
+  // What the picture shows where a place would be.
+  [[nodiscard]] Sight sight_of(const Eigen::Vector3d& place_m, double cell_m) const;
+  [[nodiscard]] bool is_gone(const HeightMap& map, int cell, bool shows_ground) const;
 
   RectifiedGeometry geometry_;  // of the matched size
   GroundParameters parameters_;

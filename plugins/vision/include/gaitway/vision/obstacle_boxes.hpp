@@ -17,8 +17,8 @@ struct Box {
   double height_m = 0.0;
 };
 
-// Cells that touch belong together; what no single box suits becomes several.
-[[nodiscard]] std::vector<Box> boxes_in(const HeightMap& map);
+// Cells that touch belong together; what no single box suits becomes several. `eye_m`: where the camera is.
+[[nodiscard]] std::vector<Box> boxes_in(const HeightMap& map, const Eigen::Vector2d& eye_m);
 
 // Keeps what was told before where the new one is the same but for noise: who plans by it would plan anew
 // each time.

@@ -75,14 +75,14 @@ class Vision {
   // What a successor goes on from: map and targets, not the last second's postures.
   template <class Archive>
   void save(Archive& archive) const {
-    archive(mapped_ns_, looked_ns_, targets_);
+    archive(mapped_ns_, looked_ns_, eye_m_, targets_);
     map_.save(archive, mapped_ns_);
   }
   template <class Archive>
   void restore(Archive& archive) {
-    archive(mapped_ns_, looked_ns_, targets_);
+    archive(mapped_ns_, looked_ns_, eye_m_, targets_);
     map_.restore(archive);
-    obstacles_.renew(boxes_in(map_));
+    obstacles_.renew(boxes_in(map_, eye_m_));
   }
 
  private:
@@ -116,6 +116,7 @@ class Vision {
   bool sees_one_ = false;  // camera, at least
   std::optional<std::int64_t> first_wait_ns_;
   std::int64_t picture_ns_ = 0, arrived_ns_ = 0, looked_ns_ = 0, mapped_ns_ = 0;
+  Eigen::Vector2d eye_m_ = Eigen::Vector2d::Zero();  // in odometry, of the newest pair in the map
   std::uint64_t last_number_ = 0, pairs_ = 0, dropped_ = 0;
 };
 
