@@ -29,6 +29,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       observer_client_(memory_block_.local_client("observer")),
       main_client_(memory_block_.local_client("main_controller")),
       localization_client_(memory_block_.local_client("localization")),
+      camera_client_(memory_block_.local_client("camera")),
       plant_(robot_, options.plant),
       joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
       sensor_faults_(robot_, options.plant.seed),
@@ -51,6 +52,10 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
   }
   if (options_.localization.is_there) {
     localization_.emplace(localization_client_, options_.localization, options_.plant.seed);
+  }
+  if (const auto camera = urdf::stereo_camera_of(robot_)) {
+    camera_ =
+        std::make_unique<StereoCamera>(camera_client_, robot_, *camera, options_.camera, options_.plant);
   }
   options_.main_controller.injected_faults = &plugin_faults_;
   main_controller_ =
@@ -78,6 +83,9 @@ void Cosimulation::advance_millisecond() {
   }
   if (localization_) {
     localization_->step(now_ns_, plant_);
+  }
+  if (camera_) {
+    camera_->step(now_ns_, plant_, main_controller_->plugins().plugins().uses(camera_->topic()));
   }
   joints_.step(now_ns_, sensor_faults_.told(plant_.sensors(), now_ns_));
   message_controller_.step(now_ns_);

@@ -125,6 +125,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     void operator()(const SensorFault& fault) const {
       self.sensor_faults_.begin(fault, self.plant_.sensors(), self.now_ns_);
     }
+    void operator()(const CameraFault& fault) const { self.inject(fault); }
     void operator()(const SpawnEvent& spawn) const { self.change_world(spawn); }
     void operator()(const MoveEvent& move) const {
       self.plant_.move(move.name, pose_at(move.position_m, move.yaw_rad));
@@ -179,6 +180,15 @@ void Cosimulation::ask(const WalkToEvent& way) {
   request.cancel = way.goal ? 0 : 1;
   if (way.goal) std::copy_n(way.goal->data(), way.goal->size(), request.goal);
   walk_to_command_->publish(request, now_ns_);
+}
+
+void Cosimulation::inject(const CameraFault& fault) {
+  if (!camera_) {
+    throw urdf::RobotError(fmt::format(
+        "fault of the camera: the robot '{}' has none. Give it a camera.yaml, or leave the fault out",
+        robot_.name));
+  }
+  camera_->begin(fault, now_ns_);
 }
 
 void Cosimulation::change_world(const SpawnEvent& spawn) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -83,6 +84,58 @@ SensorFault read_sensor_fault(const YamlValue& value, const urdf::RobotModel& ro
     how.refuse("must be freezes, reads_zero or noisy", "Choose one of them.");
   }
   fault.how = found->second;
+  if (const auto duration = value.find("duration_s")) fault.duration_s = duration->number(kEventDuration);
+  return fault;
+}
+
+template <class Names>
+auto read_choice(const YamlValue& value, const Names& names) {
+  const std::string text = value.text();
+  const auto found = std::ranges::find_if(names, [&](const auto& entry) { return entry.first == text; });
+  if (found == std::end(names)) {
+    std::vector<std::string> known;
+    for (const auto& entry : names) known.emplace_back(entry.first);
+    value.refuse(
+        fmt::format("must be {} or {}", fmt::join(known.begin(), known.end() - 1, ", "), known.back()),
+        input::suggest(text, known));
+  }
+  return found->second;
+}
+
+// What belongs to one way of failing only.
+std::optional<YamlValue> find_of(const YamlValue& value, std::string_view key, const CameraFault& fault,
+                                 CameraFault::How how) {
+  const auto found = value.find(key);
+  if (found && fault.how != how) {
+    const auto* const name =
+        std::ranges::find(kCameraFaultNames, how, [](const auto& entry) { return entry.second; });
+    found->refuse(fmt::format("belongs to a camera that is {}", name->first), "Leave it out");
+  }
+  return found;
+}
+
+CameraFault read_camera_fault(const YamlValue& value) {
+  using How = CameraFault::How;
+  value.require_map(
+      std::array<std::string_view, 7>{"kind", "camera", "how", "duration_s", "turn_deg", "share", "later_s"});
+  CameraFault fault;
+  fault.how = read_choice(value.at("how"), kCameraFaultNames);
+  if (const auto camera = value.find("camera")) {
+    fault.camera = read_choice(*camera, kCameraNames);
+    const bool of_the_pair =
+        fault.how == How::exchanged || fault.how == How::dropped || fault.how == How::late;
+    if (of_the_pair && fault.camera != CameraFault::Camera::both) {
+      camera->refuse("happens to both cameras", "Leave it out");
+    }
+  }
+  if (const auto turn = find_of(value, "turn_deg", fault, How::turned)) {
+    fault.turn_deg = Eigen::Vector3d(turn->numbers<3>({-20.0, 20.0, "deg"}).data());
+  }
+  if (const auto share = find_of(value, "share", fault, How::dropped))
+    fault.share = share->number({0.0, 1.0, ""});
+  if (const auto later = find_of(value, "later_s", fault, How::late)) {
+    fault.later_s = later->number({0.001, 10.0, "s"});
+  }
   if (const auto duration = value.find("duration_s")) fault.duration_s = duration->number(kEventDuration);
   return fault;
 }
@@ -167,6 +220,9 @@ Action read_fault(const YamlValue& value, const urdf::RobotModel& robot) {
   if (kind == "sensor_fails") {
     return read_sensor_fault(value, robot);
   }
+  if (kind == "camera_fails") {
+    return read_camera_fault(value);
+  }
   value.require_map(kKeys);
   const auto duration = value.find("duration_s");
   if (kind == "main_controller_silent") {
@@ -182,7 +238,7 @@ Action read_fault(const YamlValue& value, const urdf::RobotModel& robot) {
   value.at("kind").refuse(
       "must be main_controller_silent, lose_frames, disturb_bus, jam, bus_off, joint_restarts, "
       "foreign_frame, "
-      "plugin_fails or sensor_fails",
+      "plugin_fails, sensor_fails or camera_fails",
       "Choose one of them.");
 }
 

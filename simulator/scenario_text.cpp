@@ -101,6 +101,18 @@ struct ActionText {
     return fmt::format("fault: {{kind: sensor_fails, sensor: {}, how: {}{}}}", quoted(fault.sensor), how,
                        duration(fault.duration_s));
   }
+  std::string operator()(const CameraFault& fault) const {
+    const auto name = [](const auto& names, auto value) {
+      return std::ranges::find(names, value, [](const auto& entry) { return entry.second; })->first;
+    };
+    std::string more;
+    if (fault.how == CameraFault::How::turned) more = ", turn_deg: " + list(fault.turn_deg);
+    if (fault.how == CameraFault::How::dropped) more = fmt::format(", share: {}", fault.share);
+    if (fault.how == CameraFault::How::late) more = fmt::format(", later_s: {}", fault.later_s);
+    return fmt::format("fault: {{kind: camera_fails, camera: {}, how: {}{}{}}}",
+                       name(kCameraNames, fault.camera), name(kCameraFaultNames, fault.how),
+                       duration(fault.duration_s), more);
+  }
   std::string operator()(const SpawnEvent& spawn) const {
     constexpr std::string_view kShapes[] = {"box", "cylinder", "sphere"};  // as Solid::Shape
     return fmt::format(

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "gaitway/facts/random_stream.hpp"
+#include "tag_family.hpp"
 
 namespace gaitway::world {
 namespace {
@@ -78,15 +79,11 @@ Picture picture_of(const Surface& surface) {
 }
 
 std::array<std::array<bool, kTagCells>, kTagCells> tag_cells(int id) noexcept {
-  constexpr std::array<unsigned, 4> kWords{0b10000, 0b10111, 0b01001, 0b01110};
-  constexpr int kBits = kTagCells - 2;
+  constexpr std::size_t kBits = kTagCells - 2;
+  const std::uint64_t word = kTagWords[static_cast<std::size_t>(id)];
   std::array<std::array<bool, kTagCells>, kTagCells> cells{};
-  for (int row = 0; row < kBits; ++row) {
-    const unsigned word = kWords[(static_cast<unsigned>(id) >> (2 * (kBits - 1 - row))) & 3U];
-    for (int column = 0; column < kBits; ++column) {
-      cells[static_cast<std::size_t>(row + 1)][static_cast<std::size_t>(column + 1)] =
-          ((word >> (kBits - 1 - column)) & 1U) != 0;
-    }
+  for (std::size_t bit = 0; bit < kBits * kBits; ++bit) {
+    cells[1 + bit / kBits][1 + bit % kBits] = ((word >> (kBits * kBits - 1 - bit)) & 1U) != 0;
   }
   return cells;
 }

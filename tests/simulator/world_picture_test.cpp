@@ -14,7 +14,7 @@ class WorldPictureTest : public WorldTest {
     const auto at = static_cast<std::size_t>(3 * (row * image.width_px + column));
     return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
   }
-  // Straight on to the middle of a tag of 0.7 m, a cell of it 0.1 m, from so far that a cell is 20 pixels.
+  // Straight on to the middle of a tag of 0.8 m, a cell of it 0.1 m, from so far that a cell is 20 pixels.
   static View in_front(const Eigen::Vector3d& tag_m, double azimuth_deg, double elevation_deg) {
     const double half_height_m = 0.1 * kSide_px / 20 / 2.0;
     return {.look_at_m = tag_m,
@@ -26,7 +26,7 @@ class WorldPictureTest : public WorldTest {
     const auto cells = world::tag_cells(id);
     for (int row = 0; row < world::kTagCells; ++row) {
       for (int column = 0; column < world::kTagCells; ++column) {
-        const int y = kSide_px / 2 + 20 * (row - 3), x = kSide_px / 2 + 20 * (column - 3);
+        const int y = kSide_px / 2 + 20 * row - 70, x = kSide_px / 2 + 20 * column - 70;
         EXPECT_EQ(pixel(image, y, x).sum() > 300,
                   cells[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)])
             << "row " << row << ", column " << column;
@@ -38,7 +38,7 @@ class WorldPictureTest : public WorldTest {
 TEST_F(WorldPictureTest, ATagOnAWallIsReadTheRightWayRound) {
   Plant robot = plant(
       "start: {position_m: [-5, 0]}\nlights: [{sun: [1, 0.2, -0.5]}]\n"
-      "tags: [{id: 397, size_m: 0.7, position_m: [2, 1, 1], yaw_deg: 180}]\n");
+      "tags: [{id: 397, size_m: 0.8, position_m: [2, 1, 1], yaw_deg: 180}]\n");
   Camera camera(robot, kSide_px, kSide_px);
   expect_tag(camera.render(robot.positions(), in_front({2.0, 1.0, 1.0}, 0.0, 0.0)), 397);
 }
@@ -46,9 +46,9 @@ TEST_F(WorldPictureTest, ATagOnAWallIsReadTheRightWayRound) {
 TEST_F(WorldPictureTest, ATagOnTheFloorIsReadByWhoLooksDownAtIt) {
   Plant robot = plant(
       "start: {position_m: [-5, 0]}\n"
-      "tags: [{id: 802, size_m: 0.7, position_m: [2, 1, 0.002], yaw_deg: 180, pitch_deg: 90}]\n");
+      "tags: [{id: 502, size_m: 0.8, position_m: [2, 1, 0.002], yaw_deg: 180, pitch_deg: 90}]\n");
   Camera camera(robot, kSide_px, kSide_px);
-  expect_tag(camera.render(robot.positions(), in_front({2.0, 1.0, 0.0}, 0.0, -90.0)), 802);
+  expect_tag(camera.render(robot.positions(), in_front({2.0, 1.0, 0.0}, 0.0, -90.0)), 502);
 }
 
 TEST_F(WorldPictureTest, SurfacesHaveTheirColours) {

@@ -113,7 +113,7 @@ TEST_F(WorldCommand, BadWorldsAreRefusedAndNothingMoves) {
 
 TEST_F(WorldCommand, ListsChecksAndDraws) {
   ASSERT_EQ(gaitway("world list"), 0) << complaint_;
-  for (const char* const name : {"boxes", "doorway", "empty", "rough", "slalom", "stairs"}) {
+  for (const char* const name : {"boxes", "course", "doorway", "empty", "rough", "slalom", "stairs"}) {
     EXPECT_THAT(said_, HasSubstr(name));
   }
   ASSERT_EQ(gaitway("world check boxes"), 0) << complaint_;

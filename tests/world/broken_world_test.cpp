@@ -85,7 +85,7 @@ TEST(BrokenWorld, NumbersOutOfRangeAreRefused) {
   expect_refused("size_m: [0.3, 0.2, 0.1]", "size_m: [0.3, 0.2, 11]", {"boxes[0].size_m[2]", "0.001..10 m"});
   expect_refused("count: 4", "count: 0", {"steps[0].count = '0': must be 1..100"});
   expect_refused("mass_kg: 0.25", "mass_kg: 0", {"things[0].mass_kg = '0': must be 0.001..1000 kg"});
-  expect_refused("id: 7", "id: 1024", {"tags[0].id = '1024': must be 0..1023"});
+  expect_refused("id: 7", "id: 587", {"tags[0].id = '587': must be 0..586"});
   expect_refused("boxes: 5", "boxes: 501", {"random[0].boxes = '501': must be 1..500"});
   expect_refused("[1, 0, 0]", "[1, 0, 255]", {"surfaces.brick.checker[0][2]", "must be 0..1"});
 }

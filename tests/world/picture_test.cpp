@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace gaitway::world {
 namespace {
@@ -20,12 +21,36 @@ std::string bits_of(int id) {
   return text;
 }
 
-// The words of the original ArUco markers: 00 is 10000, 01 is 10111, 10 is 01001, 11 is 01110.
+// As the published pictures of the family show them: tag36_11_00000.png, 00001 and 00586.
 TEST(Tag, HasTheBitsOfItsIdentifier) {
-  EXPECT_EQ(bits_of(0), "10000 10000 10000 10000 10000 ");
-  EXPECT_EQ(bits_of(1), "10000 10000 10000 10000 10111 ");
-  EXPECT_EQ(bits_of(1023), "01110 01110 01110 01110 01110 ");
-  EXPECT_EQ(bits_of(0b0110001101), "10111 01001 10000 01110 10111 ");
+  EXPECT_EQ(bits_of(0), "110101 011101 011000 101000 010110 000100 ");
+  EXPECT_EQ(bits_of(1), "110110 010111 111100 011000 101101 001001 ");
+  EXPECT_EQ(bits_of(586), "111010 000011 101111 100100 101101 110011 ");
+}
+
+// Whichever way one of two tags is turned.
+TEST(Tag, DiffersFromEachOtherInElevenBits) {
+  const auto turned = [](std::string bits) {
+    std::string result(bits.size(), ' ');
+    for (std::size_t row = 0; row < 6; ++row) {
+      for (std::size_t column = 0; column < 6; ++column)
+        result[row * 7 + column] = bits[(5 - column) * 7 + row];
+    }
+    return result;
+  };
+  std::vector<std::string> bits;
+  for (int id = 0; id < kTags; ++id) bits.push_back(bits_of(id));
+  for (std::size_t a = 0; a < bits.size(); ++a) {
+    std::string as_turned = bits[a];
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      for (std::size_t b = quarter == 0 ? a + 1 : a; b < bits.size(); ++b) {
+        int differ = 0;
+        for (std::size_t i = 0; i < as_turned.size(); ++i) differ += as_turned[i] != bits[b][i] ? 1 : 0;
+        ASSERT_GE(differ, 11) << a << " and " << b << ", turned by " << quarter << " quarters";
+      }
+      as_turned = turned(as_turned);
+    }
+  }
 }
 
 TEST(Tag, AllDifferAndHaveABlackBorder) {
@@ -34,7 +59,7 @@ TEST(Tag, AllDifferAndHaveABlackBorder) {
     seen.insert(bits_of(id));
     const auto cells = tag_cells(id);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      EXPECT_FALSE(cells[0][i] || cells[6][i] || cells[i][0] || cells[i][6]) << id;
+      EXPECT_FALSE(cells[0][i] || cells[7][i] || cells[i][0] || cells[i][7]) << id;
     }
   }
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(kTags));

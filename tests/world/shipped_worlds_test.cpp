@@ -17,7 +17,7 @@ TEST(ShippedWorlds, AreTheseAndCanBeRead) {
     names.insert(entry.path().stem().string());
     EXPECT_NO_THROW((void)read_world(entry.path())) << entry.path();
   }
-  EXPECT_EQ(names, (std::set<std::string>{"boxes", "doorway", "empty", "rough", "slalom", "stairs"}));
+  EXPECT_EQ(names, (std::set<std::string>{"boxes", "course", "doorway", "empty", "rough", "slalom", "stairs"}));
 }
 
 TEST(ShippedWorlds, BoxesIsARoomOfSixMetresWithFortyFive) {

@@ -23,6 +23,7 @@
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
+#include "tools/run/eyes_option.hpp"
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
@@ -48,7 +49,8 @@ struct RunOptions {
   WorldOptions world;
   std::filesystem::path out = "out/run";
   bool pictures = true;
-  std::optional<std::vector<double>> film;  // from and to when the film strip shows the run, s
+  std::optional<std::vector<double>> film;    // from and to when the film strip shows the run, s
+  std::optional<std::filesystem::path> eyes;  // folder for what the robot's cameras see
   bool quiet = false;
 };
 
@@ -126,7 +128,7 @@ bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
 // Runs the scenario to its end, or to a second after a fall from which no motion lifts the robot, or after
 // the end of its way; returns the wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
-                bool ends_with_way, bool draws, RunRecorder& recorder, Snapshots& snapshots,
+                bool ends_with_way, bool draws, RunRecorder& recorder, Snapshots& snapshots, EyeFiles& eyes,
                 const ProgressLine& progress) {
   const auto started = Clock::now();
   const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
@@ -141,6 +143,7 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
     }
     cosimulation.advance_millisecond();
     snapshots.look(cosimulation.plant());
+    eyes.look(cosimulation);
     if (const RunMetrics& metrics = recorder.metrics(); metrics.fell && !scenario.to_the_end &&
                                                         last_ns == end_ns &&
                                                         !gets_up_after(scenario, metrics.fell_at_s)) {
@@ -157,6 +160,7 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
     }
   }
   recorder.finish();
+  eyes.finish(cosimulation);
   progress.show("");
   return seconds_since(started);
 }
@@ -267,6 +271,7 @@ int run(const RunOptions& options) {
   cosimulation_options.main_controller.configuration = options.config;
   cosimulation_options.main_controller.try_at_start = true;
   cosimulation_options.main_controller.plugins = plugins.configuration;
+  cosimulation_options.camera.always = options.eyes.has_value();
   cosimulation_options.plugin_commands_walk = !commander.empty();
   simulator::Cosimulation cosimulation(robot, cosimulation_options);
   require_joint_plan(plugins, options);
@@ -282,9 +287,10 @@ int run(const RunOptions& options) {
                                ((*options.film)[1] - (*options.film)[0]) / (Snapshots::kPictures - 1), false)
       : options.to ? Snapshots(kFirstPicture_s, 1.0, true)
                    : Snapshots(kFirstPicture_s, scenario.seconds / Snapshots::kPictures, false);
+  EyeFiles eyes(options.eyes, cosimulation);
   RunTiming timing;
   timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
-                           snapshots, ProgressLine(!options.quiet));
+                           snapshots, eyes, ProgressLine(!options.quiet));
   const auto csv_started = Clock::now();
   write_states_csv(options.out / "states.csv", robot, recorder.samples());
   timing.wall_s += seconds_since(csv_started);
@@ -352,6 +358,8 @@ void add_run(const CommandLine& program) {
   command.option("!--no-pictures", options.pictures, "Draw no film strip");
   command.option("--film", options.film,
                  "FROM,TO: the film strip shows this part of the run [s] (default: all of it)");
+  command.option("--eyes", options.eyes,
+                 "Folder for each pair of pictures that the robot's cameras take, side by side");
   command.option("--quiet", options.quiet, "No progress line and no table");
   command.footer(
       "Examples:\n"

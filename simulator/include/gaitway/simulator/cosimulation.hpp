@@ -22,6 +22,7 @@
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/simulator/scenario.hpp"
 #include "gaitway/simulator/sensor_faults.hpp"
+#include "gaitway/simulator/stereo_camera.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 
 namespace gaitway::simulator {
@@ -37,6 +38,7 @@ struct CosimulationOptions {
   // To be shared with other processes; it outlives the run. nullptr: a block of its own.
   msgclient::MemoryBlock* memory_block = nullptr;
   LocalizationOptions localization;
+  StereoCameraOptions camera;  // of a robot that has one; without a reader or `always` it takes no pictures
   // What the main controller's work is charged in virtual time: from a tick to its mails lying in the window.
   std::int64_t tick_cost_ns = 100'000;
   std::int64_t batch_cost_ns = 500'000;
@@ -94,6 +96,8 @@ class Cosimulation {
     return message_controller_;
   }
   [[nodiscard]] const core::MainController& main_controller() const noexcept { return *main_controller_; }
+  // nullptr: the robot has none.
+  [[nodiscard]] const StereoCamera* camera() const noexcept { return camera_.get(); }
   // For changes between two milliseconds.
   [[nodiscard]] core::PluginManager& plugins() noexcept { return main_controller_->plugins(); }
   [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
@@ -123,6 +127,7 @@ class Cosimulation {
   void ask(const MotionEvent& motion);
   void ask(const WalkToEvent& way);
   void change_world(const SpawnEvent& spawn);
+  void inject(const CameraFault& fault);
 
   urdf::RobotModel robot_;
   CosimulationOptions options_;
@@ -130,7 +135,8 @@ class Cosimulation {
   std::optional<msgclient::MemoryBlock> own_block_;
   msgclient::MemoryBlock& memory_block_;
   msgclient::EmiAdapter adapter_;
-  msgclient::Client message_client_, behavior_client_, observer_client_, main_client_, localization_client_;
+  msgclient::Client message_client_, behavior_client_, observer_client_, main_client_, localization_client_,
+      camera_client_;
   Plant plant_;
   JointNetwork joints_;
   SensorFaults sensor_faults_;
@@ -147,7 +153,8 @@ class Cosimulation {
   std::optional<msgcontroller::WayRequests> way_requests_;
   std::uint32_t ways_asked_ = 0;
   std::optional<Localization> localization_;
-  WalkCommand scenario_walk_{};  // the newest one
+  std::unique_ptr<StereoCamera> camera_;  // none: the robot has none
+  WalkCommand scenario_walk_{};           // the newest one
   CosimulationObserver* observer_ = nullptr;
 
   can::StationTransmitter message_transmitter_;

@@ -12,6 +12,7 @@
 
 #include "gaitway/can/frame.hpp"
 #include "gaitway/manager/plugin_fault_table.hpp"
+#include "gaitway/simulator/camera_fault.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/world/world.hpp"
 
@@ -136,7 +137,7 @@ struct ScenarioEvent {
   std::variant<WalkEvent, MotionEvent, WalkToEvent, StopEvent, ReleaseEvent, EmergencyStopEvent,
                ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault, DisturbBusFault,
                JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault, SensorFault,
-               SpawnEvent, MoveEvent, RemoveEvent>
+               CameraFault, SpawnEvent, MoveEvent, RemoveEvent>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };

@@ -17,12 +17,10 @@ struct Picture {
 // One repeat of a surface that is no image file. The same numbers give the same bytes.
 [[nodiscard]] Picture picture_of(const Surface& surface);
 
-// Tags are the 1024 markers of the original ArUco library (OpenCV: DICT_ARUCO_ORIGINAL): 5 x 5 bits in a
-// black border one cell wide. Each row of bits is one of four words and so two bits of the identifier, the
-// highest in the first row.
-inline constexpr int kTags = 1024;
-inline constexpr int kTagCells = 7;  // along a side, border included
-// [row from top][column from left]: white or not. `id` is 0..1023.
+// Tags are those of the AprilTag family 36h11: 6 x 6 bits in a black border one cell wide.
+inline constexpr int kTags = 587;
+inline constexpr int kTagCells = 8;  // along a side, border included
+// [row from top][column from left]: white or not. `id` is 0..586.
 [[nodiscard]] std::array<std::array<bool, kTagCells>, kTagCells> tag_cells(int id) noexcept;
 // With a white margin one cell wide around it, without which no reader finds it.
 inline constexpr int kTagPictureCells = kTagCells + 2;

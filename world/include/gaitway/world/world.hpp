@@ -74,7 +74,7 @@ struct Light {
   Colour colour{0.7, 0.7, 0.7};                           // brightness included
 };
 
-// A marker of the original ArUco dictionary; see tag.hpp. It is seen and touches nothing.
+// A tag of the family 36h11; see picture.hpp. It is seen and touches nothing.
 struct Tag {
   int id = 0;
   double size_m = 0.1;  // side of the black square
