@@ -107,12 +107,12 @@ class VisionPlugin final : public Plugin {
   [[nodiscard]] std::uint32_t state_version() const override { return 1; }
   void save_state(StateWriter& state) const override {
     const bool has_camera = vision_ != nullptr;
-    state(has_camera);
+    state(has_camera, seen_ns_, compute_ns_, told_);
     if (has_camera) vision_->save(state);
   }
   void restore_state(StateReader& state) override {
     bool had_camera = false;
-    state(had_camera);
+    state(had_camera, seen_ns_, compute_ns_, told_);
     if (had_camera != (vision_ != nullptr)) throw StateError("the robot's camera file has come or gone");
     if (had_camera) vision_->restore(state);
   }
@@ -128,10 +128,11 @@ class VisionPlugin final : public Plugin {
 
   template <class T>
   bool look(Input<T>& pictures, std::int64_t now_ns) {
-    if (!pictures.has_value() || pictures.sequence() == seen_) return false;
-    seen_ = pictures.sequence();
-    const std::int64_t before_ns = measures_time_ ? processor_time_ns() : 0;
+    if (!pictures.has_value()) return false;
     const T& pair = pictures.read();
+    if (pair.stamp_ns == seen_ns_) return false;
+    seen_ns_ = pair.stamp_ns;
+    const std::int64_t before_ns = measures_time_ ? processor_time_ns() : 0;
     vision_->see({.stamp_ns = pair.stamp_ns,
                   .readout_ns = pair.readout_ns,
                   .number = pair.number,
@@ -176,7 +177,7 @@ class VisionPlugin final : public Plugin {
   bool measures_time_;
   Pictures pictures_;
   std::unique_ptr<Vision> vision_;  // none: the robot has no camera
-  std::uint64_t seen_ = 0;
+  std::int64_t seen_ns_ = -1;       // stamp of the newest pair
   std::int64_t compute_ns_ = 0;
   Fault told_ = Fault::none;
 };

@@ -16,6 +16,7 @@ cv::Mat matrix_of(const urdf::LensParameters& lens) {
 }  // namespace
 
 StereoRig::StereoRig(const urdf::StereoCamera& camera) {
+  cv::setNumThreads(1);  // before OpenCV has started any: they would outlive the plug-in
   const cv::Size size(camera.width_px, camera.height_px);
   const Eigen::Isometry3d left_in_right = camera.right_in_left.inverse();
   const Eigen::Matrix3d rotation = left_in_right.linear();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core/utility.hpp>
 
 namespace gaitway::vision {
 namespace {
@@ -57,9 +56,7 @@ Vision::Vision(const urdf::RobotModel& robot, const urdf::StereoCamera& camera,
       ground_(rig_.geometry(), parameters.ground),
       map_(parameters.cell_m),
       tags_(parameters.tags),
-      targets_(parameters.forget_after_ns) {
-  cv::setNumThreads(1);
-}
+      targets_(parameters.forget_after_ns) {}
 
 std::optional<ShutterPoses> Vision::poses_of(const PicturePair& pair) const noexcept {
   const auto first = history_.at(pair.stamp_ns - pair.readout_ns / 2);
@@ -115,8 +112,9 @@ Fault Vision::use(const PicturePair& pair) {
 
 Fault Vision::map(const PicturePair& pair, const ShutterPoses& poses) {
   matcher_.match(rig_.left(), rig_.right());
+  matched_share_ = matcher_.matched_share();
   ground_.look(matcher_, poses);
-  const bool has_few = matcher_.matched_share() < kFewMatches;
+  const bool has_few = matched_share_ < kFewMatches;
   if (has_few || pairs_ % kAlignmentEvery == 1 || alignment_.fault() != Fault::none) {
     alignment_.judge(alignment_of(rig_.left(), rig_.right()));
   }
@@ -188,7 +186,7 @@ void Vision::write(VisionState& state, std::int64_t now_ns, std::int64_t compute
   state.pairs = pairs_;
   state.dropped = dropped_;
   state.compute_ns = compute_ns;
-  state.matched = matcher_.matched_share();
+  state.matched = matched_share_;
   const std::string_view words = fault_ == Fault::none && !has_pose_ ? kNoPose : words_of(fault_);
   std::ranges::copy(words.substr(0, sizeof state.text - 1), state.text);
 }

@@ -31,6 +31,7 @@ struct RectifiedGeometry {
 
 class StereoRig {
  public:
+  // From now on OpenCV has one thread in this process.
   explicit StereoRig(const urdf::StereoCamera& camera);
 
   // The pair's size must be the camera's. The pictures hold until the next call.

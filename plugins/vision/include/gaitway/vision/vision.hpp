@@ -72,20 +72,27 @@ class Vision {
   void write(Obstacles& obstacles) const noexcept { obstacles_.write(obstacles, mapped_ns_); }
   void write(VisionState& state, std::int64_t now_ns, std::int64_t compute_ns) const noexcept;
 
-  // What a successor goes on from: map and targets, not the last second's postures.
+  // What a successor goes on from: all but the last second's postures, which it gathers itself.
   template <class Archive>
   void save(Archive& archive) const {
-    archive(mapped_ns_, looked_ns_, eye_m_, targets_);
+    visit(*this, archive);
     map_.save(archive, mapped_ns_);
   }
   template <class Archive>
   void restore(Archive& archive) {
-    archive(mapped_ns_, looked_ns_, eye_m_, targets_);
+    visit(*this, archive);
     map_.restore(archive);
     obstacles_.renew(boxes_in(map_, eye_m_));
   }
 
  private:
+  template <class Self, class Archive>
+  static void visit(Self& self, Archive& archive) {
+    archive(self.targets_, self.pictures_, self.alignment_, self.fault_, self.has_pose_, self.sees_one_,
+            self.first_wait_ns_, self.picture_ns_, self.arrived_ns_, self.looked_ns_, self.mapped_ns_,
+            self.eye_m_, self.matched_share_, self.last_number_, self.pairs_, self.dropped_);
+  }
+
   struct Seen {                      // of one pair
     bool left = true, right = true;  // the picture may be used
     ShutterPoses poses;
@@ -117,6 +124,7 @@ class Vision {
   std::optional<std::int64_t> first_wait_ns_;
   std::int64_t picture_ns_ = 0, arrived_ns_ = 0, looked_ns_ = 0, mapped_ns_ = 0;
   Eigen::Vector2d eye_m_ = Eigen::Vector2d::Zero();  // in odometry, of the newest pair in the map
+  double matched_share_ = 0.0;                       // of the newest pair that was matched
   std::uint64_t last_number_ = 0, pairs_ = 0, dropped_ = 0;
 };
 
