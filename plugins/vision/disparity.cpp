@@ -29,15 +29,21 @@ DisparityMatcher::DisparityMatcher(int width)
 void DisparityMatcher::match(const cv::Mat& left, const cv::Mat& right) {
   const cv::Mat* pictures[2] = {&left, &right};
   if (scale_ > 1) {
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
       cv::resize(*pictures[i], half_[i], {}, 1.0 / scale_, 1.0 / scale_, cv::INTER_AREA);
       pictures[i] = &half_[i];
     }
   }
-  matcher_->compute(*pictures[0], *pictures[1], disparity_);
+  // The matcher says nothing of the columns whose farthest match would lie beyond the picture: with a border
+  // that matches nothing it does, as far as the match itself is within.
+  for (std::size_t i = 0; i < 2; ++i) {
+    cv::copyMakeBorder(*pictures[i], bordered_[i], 0, 0, kDisparities, 0, cv::BORDER_CONSTANT);
+  }
+  matcher_->compute(bordered_[0], bordered_[1], all_);
+  all_.colRange(kDisparities, all_.cols).copyTo(disparity_);
   remove_unlike(*pictures[0], *pictures[1]);
-  const int could = (disparity_.cols - kDisparities) * disparity_.rows;
-  matched_share_ = could > 0 ? static_cast<double>(cv::countNonZero(disparity_ > 0)) / could : 0.0;
+  matched_share_ =
+      static_cast<double>(cv::countNonZero(disparity_ > 0)) / static_cast<double>(disparity_.total());
 }
 
 // The right picture is laid over the left one by the disparities, and what does not correlate there is no
@@ -51,6 +57,10 @@ void DisparityMatcher::remove_unlike(const cv::Mat& left, const cv::Mat& right) 
     auto* const to = shifted_.ptr<float>(y);
     for (int x = 0; x < left.cols; ++x) {
       const int at = x * static_cast<int>(kUnits) - std::max<int>(shift[x], 0);  // in 1/16 pixels
+      if (at < 0) {  // beyond the picture, where there is no match
+        to[x] = 0.0F;
+        continue;
+      }
       const int pixel = std::clamp(at / static_cast<int>(kUnits), 0, left.cols - 2);
       const float share = static_cast<float>(at) / static_cast<float>(kUnits) - static_cast<float>(pixel);
       to[x] = from[pixel] + share * static_cast<float>(from[pixel + 1] - from[pixel]);

@@ -15,7 +15,9 @@ constexpr double kIndependent = 0.05;  // share of the points that are: a match 
 constexpr int kIterations = 4;
 constexpr double kCut = 3.0;  // deviations beyond which a point is no ground
 constexpr int kLeastPoints = 3;
-constexpr double kLeastShare = 0.2;       // of an obstacle's points in its cell
+constexpr double kLeastShare = 0.2;  // of an obstacle's points in its cell
+constexpr int kEdge = 2;             // pixels to either side that must be of the same surface
+constexpr double kEdgeStep_px = 0.8;
 constexpr int kKnownAround = 5;           // of nine pixels
 constexpr double kNearestGround_m = 0.3;  // along the ground, of what is looked at for a shift
 
@@ -32,6 +34,18 @@ RectifiedGeometry scaled(RectifiedGeometry geometry, int scale) {
   geometry.width /= scale;
   geometry.height /= scale;
   return geometry;
+}
+
+// Between something near and what is behind it the matching lays a slope that is not there.
+bool is_at_edge(const cv::Mat& disparity, int x, int y) {
+  const int left = std::max(x - kEdge, 0), right = std::min(x + kEdge, disparity.cols - 1);
+  const int up = std::max(y - kEdge, 0), down = std::min(y + kEdge, disparity.rows - 1);
+  const auto at = [&disparity](int row, int column) { return disparity.at<std::int16_t>(row, column); };
+  const int here = at(y, x);
+  const auto differs = [here](int other) {
+    return other <= 0 || std::abs(other - here) > kEdgeStep_px * DisparityMatcher::kUnits;
+  };
+  return differs(at(y, left)) || differs(at(y, right)) || differs(at(up, x)) || differs(at(down, x));
 }
 
 }  // namespace
@@ -63,7 +77,7 @@ void GroundObserver::collect(const DisparityMatcher& matcher, const ShutterPoses
         poses.first.translation() + share * (poses.last.translation() - poses.first.translation());
     const std::int16_t* const row = matcher.disparity().ptr<std::int16_t>(y);
     for (int x = 0; x < disparity_.cols; x += kStride) {
-      if (row[x] <= 0) continue;
+      if (row[x] <= 0 || is_at_edge(disparity_, x, y)) continue;
       const double disparity_px = row[x] / DisparityMatcher::kUnits;
       const double z_m = geometry_.distance_m(disparity_px);
       const Eigen::Vector3d ray = turn * geometry_.ray(x, y);

@@ -5,9 +5,12 @@
 #include <apriltag/tag36h11.h>
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 namespace gaitway::vision {
 namespace {
+
+constexpr int kLeastPart_px = 16;
 
 struct Detections {
   explicit Detections(zarray_t* found) : list(found) {}
@@ -17,11 +20,12 @@ struct Detections {
   zarray_t* list;
 };
 
-FoundTag tag_of(const apriltag_detection_t& detection) {
+FoundTag tag_of(const apriltag_detection_t& detection, const cv::Point& origin, double enlarged) {
   FoundTag tag{.id = detection.id};
   for (std::size_t i = 0; i < 4; ++i) {
     // The library counts from the corner of the first pixel.
-    tag.corner_px[i] = Eigen::Vector2d(detection.p[i][0] - 0.5, detection.p[i][1] - 0.5);
+    tag.corner_px[i] = Eigen::Vector2d(detection.p[i][0], detection.p[i][1]) / enlarged +
+                       Eigen::Vector2d(origin.x - 0.5, origin.y - 0.5);
   }
   return tag;
 }
@@ -60,11 +64,16 @@ TagFinder::TagFinder(const TagFinderParameters& parameters)
 
 TagFinder::~TagFinder() = default;
 
-std::vector<FoundTag> TagFinder::find(const cv::Mat& picture) {
-  image_u8_t image{.width = picture.cols,
-                   .height = picture.rows,
-                   .stride = static_cast<std::int32_t>(picture.step),
-                   .buf = picture.data};
+std::vector<FoundTag> TagFinder::find(const cv::Mat& picture, const cv::Rect& part) {
+  const cv::Rect within = part & cv::Rect(0, 0, picture.cols, picture.rows);
+  if (within.width < kLeastPart_px || within.height < kLeastPart_px) return {};
+  // Of small pictures the double size: a tag whose cells are two pixels wide is found then.
+  const double enlarged = picture.cols > 320 ? 1.0 : 2.0;
+  cv::resize(picture(within), larger_, {}, enlarged, enlarged, cv::INTER_LINEAR);
+  image_u8_t image{.width = larger_.cols,
+                   .height = larger_.rows,
+                   .stride = static_cast<std::int32_t>(larger_.step),
+                   .buf = larger_.data};
   const Detections detections(apriltag_detector_detect(detector_->detector, &image));
   std::vector<FoundTag> tags;
   for (int i = 0; i < zarray_size(detections.list); ++i) {
@@ -72,7 +81,7 @@ std::vector<FoundTag> TagFinder::find(const cv::Mat& picture) {
     zarray_get(detections.list, i, &detection);
     if (detection->hamming > parameters_.corrected_bits) continue;
     if (detection->decision_margin < parameters_.least_margin) continue;
-    const FoundTag tag = tag_of(*detection);
+    const FoundTag tag = tag_of(*detection, within.tl(), enlarged);
     if (shortest_side_px(tag) >= parameters_.least_side_px) tags.push_back(tag);
   }
   std::ranges::sort(tags, {}, &FoundTag::id);

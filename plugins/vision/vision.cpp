@@ -9,7 +9,8 @@ namespace gaitway::vision {
 namespace {
 
 constexpr std::uint64_t kAlignmentEvery = 6;  // pairs
-constexpr double kFewMatches = 0.03;          // share of the pixels
+constexpr double kTagMargin_px = 8.0;
+constexpr double kFewMatches = 0.03;  // share of the pixels
 constexpr std::string_view kNoPose = "the robot lies or falls, or its posture at the exposure is not known";
 
 Eigen::Isometry3d between(const ShutterPoses& poses, double share) {
@@ -134,16 +135,33 @@ Fault Vision::map(const PicturePair& pair, const ShutterPoses& poses) {
 
 void Vision::find_tags(const PicturePair& pair, const Seen& seen) {
   looked_ns_ = pair.stamp_ns;
-  const std::vector<FoundTag> left = seen.left ? tags_.find(rig_.left()) : std::vector<FoundTag>{};
-  // The right picture is only worth the time where there is something to find.
-  const bool looks_right = seen.right && (!seen.left || !left.empty());
-  const std::vector<FoundTag> right = looks_right ? tags_.find(rig_.right()) : std::vector<FoundTag>{};
-  for (const FoundTag& tag : left) {
+  for (const FoundTag& tag : tags_.find(seen.left ? rig_.left() : rig_.right())) {
+    if (!seen.left) {
+      remember(nullptr, &tag, seen, pair.stamp_ns);
+      continue;
+    }
+    // In the right picture it is looked for where it must be.
+    const std::vector<FoundTag> right =
+        seen.right ? tags_.find(rig_.right(), place_in_right(tag)) : std::vector<FoundTag>{};
     const auto same = std::ranges::find(right, tag.id, &FoundTag::id);
     remember(&tag, same == right.end() ? nullptr : &*same, seen, pair.stamp_ns);
   }
-  if (seen.left) return;
-  for (const FoundTag& tag : right) remember(nullptr, &tag, seen, pair.stamp_ns);
+}
+
+cv::Rect Vision::place_in_right(const FoundTag& tag) const {
+  Eigen::Vector2d least = tag.corner_px[0], most = tag.corner_px[0];
+  for (const Eigen::Vector2d& corner : tag.corner_px) {
+    least = least.cwiseMin(corner);
+    most = most.cwiseMax(corner);
+  }
+  const double side_px = std::max((most - least).maxCoeff(), 1.0);
+  // A tag of that size is at about this distance; turned aside it may be nearer, and so more to the left.
+  const double disparity_px = rig_.geometry().base_m / size_of(tag.id) * side_px;
+  const double margin_px = 0.5 * side_px + kTagMargin_px;
+  const double left_px = least.x() - 1.3 * disparity_px - margin_px;
+  const double right_px = most.x() - 0.8 * disparity_px + margin_px;
+  return {cvFloor(left_px), cvFloor(least.y() - margin_px), cvCeil(right_px - left_px),
+          cvCeil(most.y() - least.y() + 2.0 * margin_px)};
 }
 
 void Vision::remember(const FoundTag* left, const FoundTag* right, const Seen& seen, std::int64_t stamp_ns) {

@@ -59,6 +59,7 @@ Estimate StandingRobot::estimate(std::int64_t now_ns) const {
   write(right.translation(), estimate.odometry_foot[1]);
   write(Eigen::Vector3d::Zero(), estimate.odometry_base);
   estimate.attitude[2] = yaw_rad;
+  estimate.fall = fallen ? estimate::fall::lies : estimate::fall::upright;
   return estimate;
 }
 

@@ -19,6 +19,7 @@ class StandingRobot {
   double head_pitch_rad = 0.35;                     // down
   Eigen::Vector3d speed = Eigen::Vector3d::Zero();  // of the whole robot: m/s ahead, to the left, rad/s
   double sway_m = 0.0, sway_Hz = 0.7;               // to either side, as walking does
+  bool fallen = false;
 
   [[nodiscard]] const urdf::RobotModel& model() const noexcept { return model_; }
   [[nodiscard]] const urdf::StereoCamera& camera() const noexcept { return camera_; }

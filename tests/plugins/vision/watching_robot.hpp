@@ -1,7 +1,9 @@
 // A robot that stands in a synthetic scene and takes pictures at its camera's rate, with vision at work.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <numbers>
 
 #include "gaitway/plugin/state_archive.hpp"
 #include "gaitway/vision/vision.hpp"
@@ -38,6 +40,15 @@ class WatchingRobot {
   void head_pitch_rad(double pitch_rad) { robot_.head_pitch_rad = pitch_rad; }
   void speed(const Eigen::Vector3d& speed) { robot_.speed = speed; }
   void sway_m(double sway_m) { robot_.sway_m = sway_m; }
+  void fallen(bool fallen) { robot_.fallen = fallen; }
+  // What the camera file does not know; a rotation vector in its optical frame.
+  void turn_right_camera(const Eigen::Vector3d& turn_deg) {
+    urdf::StereoCamera turned = robot_.camera();
+    turned.right_in_left.linear() *=
+        Eigen::AngleAxisd(turn_deg.norm() * std::numbers::pi / 180.0, turn_deg.normalized())
+            .toRotationMatrix();
+    eyes_ = SceneCamera(turned);
+  }
 
   // So many pairs, each seen when it comes. The head must have stood for a while.
   void watch(int pairs) {

@@ -22,7 +22,7 @@ class DisparityMatcher {
   [[nodiscard]] const cv::Mat& disparity() const noexcept { return disparity_; }
   // Pixels of the whole picture for one that is matched.
   [[nodiscard]] int scale() const noexcept { return scale_; }
-  // Of all pixels that could have a disparity.
+  // Of all pixels, those that have a disparity.
   [[nodiscard]] double matched_share() const noexcept { return matched_share_; }
 
   static constexpr int kDisparities = 64;  // at the matched size: from 0, that is from infinity
@@ -33,7 +33,7 @@ class DisparityMatcher {
 
   int scale_;
   cv::Ptr<cv::StereoSGBM> matcher_;
-  cv::Mat half_[2], disparity_;
+  cv::Mat half_[2], bordered_[2], all_, disparity_;
   cv::Mat left_, shifted_, mean_[2], square_[2], product_;  // of the comparison
   double matched_share_ = 0.0;
 };

@@ -30,13 +30,18 @@ class TagFinder {
   TagFinder(const TagFinder&) = delete;
   TagFinder& operator=(const TagFinder&) = delete;
 
-  // In the order of their numbers; of two with one number none: a number names one place.
-  [[nodiscard]] std::vector<FoundTag> find(const cv::Mat& picture);
+  // In the order of their numbers; of two with one number none: a number names one place. Only within `part`
+  // of the picture.
+  [[nodiscard]] std::vector<FoundTag> find(const cv::Mat& picture, const cv::Rect& part);
+  [[nodiscard]] std::vector<FoundTag> find(const cv::Mat& picture) {
+    return find(picture, {0, 0, picture.cols, picture.rows});
+  }
 
  private:
   struct Detector;
   TagFinderParameters parameters_;
   std::unique_ptr<Detector> detector_;
+  cv::Mat larger_;
 };
 
 }  // namespace gaitway::vision

@@ -102,6 +102,7 @@ class Vision {
   [[nodiscard]] Fault use(const PicturePair& pair);
   [[nodiscard]] Fault map(const PicturePair& pair, const ShutterPoses& poses);
   void find_tags(const PicturePair& pair, const Seen& seen);
+  [[nodiscard]] cv::Rect place_in_right(const FoundTag& tag) const;
   void remember(const FoundTag* left, const FoundTag* right, const Seen& seen, std::int64_t stamp_ns);
   [[nodiscard]] double size_of(int id) const noexcept;
 
