@@ -1,20 +1,23 @@
-// Connected cells, and the smallest rectangle around each group.
+// Connected cells, and the smallest rectangle around each group, but for a few stray ones.
 #include "gaitway/vision/obstacle_boxes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
 
 namespace gaitway::vision {
 namespace {
 
 constexpr double kBorder = 0.25;    // of a cell's side: by which what a cell shows reaches beyond its middle
 constexpr double kOutermost = 1.2;  // of a cell's side: depth of the cells that make a side
-constexpr double kThinnest = 0.5;   // of a cell's side
-constexpr double kFilled = 0.45;    // share of a box's cells that must be obstacles, or it is parted
-constexpr double kSame_m = 0.03;    // places and sizes that differ by less are the same
+constexpr double kLeftOut = 0.03;   // share of the weight that may lie beyond a side
+constexpr int kFullWeight = 30;     // points of a cell beyond which it counts no more
+constexpr int kTurns = 30;          // headings that are tried, in a quarter turn
+constexpr double kLeastExtent_m = 0.04;
+constexpr double kThinnest = 0.5;  // of a cell's side
+constexpr double kFilled = 0.45;   // share of a box's cells that must be obstacles, or it is parted
+constexpr double kSame_m = 0.03;   // places and sizes that differ by less are the same
 constexpr double kSameTurn_rad = 0.2;
 constexpr std::size_t kSmallest = 4;  // cells of a group that is not parted
 
@@ -37,41 +40,73 @@ Group grow(const HeightMap& map, int seed, std::array<bool, kMapSide * kMapSide>
   return group;
 }
 
-// Of the group's points along a direction, with the cells' borders. Distances are noisy along the line of
-// sight: a side that faces the camera is the mean of its outermost cells, weighted by what was seen in each.
-double reach_m(const HeightMap& map, const Group& group, const Eigen::Vector2d& direction,
-               const Eigen::Vector2d& eye_m) {
-  double farthest_m = -1e9;
-  for (const int cell : group) farthest_m = std::max(farthest_m, direction.dot(map.obstacle_m(cell)));
-  if (direction.dot(eye_m) < farthest_m) return farthest_m + kBorder * map.cell_m();
+struct Spot {
+  Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+  double weight = 0.0;
+};
+
+std::vector<Spot> spots_of(const HeightMap& map, const Group& group) {
+  std::vector<Spot> spots;
+  for (const int cell : group)
+    spots.push_back({map.obstacle_m(cell), 1.0 + std::min(map.weight(cell), kFullWeight)});
+  return spots;
+}
+
+// How far the spots reach along a direction, but for the few that lie outermost.
+double reach_m(std::vector<Spot>& spots, const Eigen::Vector2d& direction) {
+  double all = 0.0, left_out = 0.0;
+  for (const Spot& spot : spots) all += spot.weight;
+  std::ranges::sort(spots, std::ranges::greater{},
+                    [&](const Spot& spot) { return direction.dot(spot.at_m); });
+  for (const Spot& spot : spots) {
+    left_out += spot.weight;
+    if (left_out > kLeftOut * all) return direction.dot(spot.at_m);
+  }
+  return direction.dot(spots.back().at_m);
+}
+
+// Of the side in a direction, with the cells' borders. Distances are noisy along the line of sight: a side
+// that faces the camera is the mean of its outermost cells, weighted by what was seen in each.
+double side_m(std::vector<Spot>& spots, const Eigen::Vector2d& direction, const Eigen::Vector2d& eye_m,
+              double cell_m) {
+  const double farthest_m = reach_m(spots, direction);
+  if (direction.dot(eye_m) < farthest_m) return farthest_m + kBorder * cell_m;
   double sum = 0.0, weights = 0.0;
-  for (const int cell : group) {
-    const double at_m = direction.dot(map.obstacle_m(cell));
-    if (at_m < farthest_m - kOutermost * map.cell_m()) continue;
-    const double weight = map.weight(cell) + 1.0;
-    sum += weight * at_m;
-    weights += weight;
+  for (const Spot& spot : spots) {
+    const double at_m = direction.dot(spot.at_m);
+    if (at_m < farthest_m - kOutermost * cell_m || at_m > farthest_m + cell_m) continue;
+    sum += spot.weight * at_m;
+    weights += spot.weight;
   }
   return sum / weights;
 }
 
-Box box_around(const HeightMap& map, const Group& group, const Eigen::Vector2d& eye_m) {
-  std::vector<cv::Point2f> points;
-  Box box;
-  const Eigen::Vector2d origin = map.middle_of(group.front());  // single precision is of small numbers
-  for (const int cell : group) {
-    const Eigen::Vector2d at = map.obstacle_m(cell) - origin;
-    points.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
-    box.height_m = std::max(box.height_m, map.height_m(cell));
+// Of the rectangle with the least area, but for the few outermost spots.
+double yaw_around_rad(std::vector<Spot>& spots) {
+  double best_rad = 0.0, least_m2 = 1e9;
+  for (int i = 0; i < kTurns; ++i) {
+    const double yaw_rad = i * 0.5 * std::numbers::pi / kTurns;
+    const Eigen::Rotation2Dd turn(yaw_rad);
+    const Eigen::Vector2d along = turn * Eigen::Vector2d::UnitX(), across = turn * Eigen::Vector2d::UnitY();
+    const double area_m2 = (reach_m(spots, along) + reach_m(spots, -along) + kLeastExtent_m) *
+                           (reach_m(spots, across) + reach_m(spots, -across) + kLeastExtent_m);
+    if (area_m2 < least_m2 - 1e-9) {
+      least_m2 = area_m2;
+      best_rad = yaw_rad;
+    }
   }
-  const double quarter = 0.5 * std::numbers::pi;
-  const double angle_rad = cv::minAreaRect(points).angle * std::numbers::pi / 180.0;
-  box.yaw_rad = angle_rad - quarter * std::floor(angle_rad / quarter);
+  return best_rad;
+}
+
+Box box_around(const HeightMap& map, const Group& group, const Eigen::Vector2d& eye_m) {
+  std::vector<Spot> spots = spots_of(map, group);
+  Box box{.yaw_rad = yaw_around_rad(spots)};
+  for (const int cell : group) box.height_m = std::max(box.height_m, map.height_m(cell));
   const Eigen::Rotation2Dd turn(box.yaw_rad);
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d direction = turn * Eigen::Vector2d::Unit(axis);
-    const double most_m = reach_m(map, group, direction, eye_m);
-    const double least_m = -reach_m(map, group, -direction, eye_m);
+    const double most_m = side_m(spots, direction, eye_m, map.cell_m());
+    const double least_m = -side_m(spots, -direction, eye_m, map.cell_m());
     box.size_m[axis] = std::max(most_m - least_m, kThinnest * map.cell_m());
     box.middle_m += 0.5 * (most_m + least_m) * direction;
   }

@@ -3,14 +3,13 @@
 
 #include <array>
 #include <cmath>
-#include <opencv2/calib3d.hpp>
-#include <opencv2/core/eigen.hpp>
+#include <numbers>
 #include <vector>
 
 namespace gaitway::vision {
 namespace {
 
-constexpr int kIterations = 8;
+constexpr int kPoseIterations = 12;
 constexpr double kClearlyBetter = 2.0;  // ratio of squared errors
 constexpr double kNearest_m = 0.05;
 
@@ -63,7 +62,7 @@ std::optional<Fit> refined(const RectifiedGeometry& geometry, const std::vector<
                            const Eigen::Isometry3d& guess) {
   Fit fit{.pose = guess};
   Eigen::Matrix<double, 6, 1> gradient;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
+  for (int iteration = 0; iteration < kPoseIterations; ++iteration) {
     if (!linearise(geometry, views, size_m, fit, gradient)) return std::nullopt;
     Eigen::Matrix<double, 6, 6> damped = fit.normal;
     damped.diagonal() *= 1.0 + 1e-3;
@@ -83,33 +82,40 @@ std::optional<Fit> refined(const RectifiedGeometry& geometry, const std::vector<
   return fit;
 }
 
+// By the homography from the tag's plane to the picture, whose first columns are those of the rotation (Z.
+// Zhang, "A flexible new technique for camera calibration", 2000); and the same seen from the other side: a
+// half turn about the line of sight, and one about the tag's own normal.
 std::vector<Eigen::Isometry3d> guesses(const RectifiedGeometry& geometry, const View& view, double size_m) {
-  // The solver's order of corners: upper left, then clockwise.
   const std::array<Eigen::Vector3d, 4> corners = corners_of(size_m);
-  std::vector<cv::Point3d> object;
-  std::vector<cv::Point2d> picture;
-  for (const std::size_t i : {3U, 2U, 1U, 0U}) {
-    object.emplace_back(corners[i].x(), corners[i].y(), corners[i].z());
-    picture.emplace_back(view.tag->corner_px[i].x(), view.tag->corner_px[i].y());
+  Eigen::Matrix<double, 8, 8> equations = Eigen::Matrix<double, 8, 8>::Zero();
+  Eigen::Matrix<double, 8, 1> seen;
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Vector3d& on_tag = corners[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d& pixel = view.tag->corner_px[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < 2; ++axis) {
+      const double at = geometry.ray(pixel.x(), pixel.y())[axis];
+      equations.row(2 * i + axis).segment<3>(3 * axis) << on_tag.x(), on_tag.y(), 1.0;
+      equations.row(2 * i + axis).tail<2>() << -at * on_tag.x(), -at * on_tag.y();
+      seen[2 * i + axis] = at;
+    }
   }
-  const cv::Mat matrix = (cv::Mat_<double>(3, 3) << geometry.focal_px, 0.0, geometry.cx_px, 0.0,
-                          geometry.focal_px, geometry.cy_px, 0.0, 0.0, 1.0);
-  std::vector<cv::Mat> turns, places;
-  cv::solvePnPGeneric(object, picture, matrix, cv::noArray(), turns, places, false, cv::SOLVEPNP_IPPE_SQUARE);
-  std::vector<Eigen::Isometry3d> found;
-  for (std::size_t i = 0; i < turns.size(); ++i) {
-    cv::Mat rotation;
-    cv::Rodrigues(turns[i], rotation);
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    Eigen::Matrix3d turn;
-    Eigen::Vector3d place;
-    cv::cv2eigen(rotation, turn);
-    cv::cv2eigen(places[i], place);
-    pose.linear() = turn;
-    pose.translation() = place + view.eye_m;
-    if (pose.matrix().allFinite()) found.push_back(pose);
-  }
-  return found;
+  const Eigen::Matrix<double, 8, 1> h = equations.fullPivLu().solve(seen);
+  Eigen::Matrix3d homography;
+  homography << h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], 1.0;
+  const double scale = 2.0 / (homography.col(0).norm() + homography.col(1).norm());
+  if (!std::isfinite(scale)) return {};
+  Eigen::Matrix3d turn;
+  turn.col(0) = homography.col(0).normalized();
+  turn.col(1) = (homography.col(1) - turn.col(0).dot(homography.col(1)) * turn.col(0)).normalized();
+  turn.col(2) = turn.col(0).cross(turn.col(1));
+  const Eigen::Vector3d place = scale * homography.col(2);
+  Eigen::Isometry3d first = Eigen::Isometry3d::Identity(), second = first;
+  first.linear() = turn;
+  second.linear() = Eigen::AngleAxisd(std::numbers::pi, place.normalized()) * turn *
+                    Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ());
+  first.translation() = second.translation() = place + view.eye_m;
+  if (!first.matrix().allFinite()) return {};
+  return {first, second};
 }
 
 }  // namespace

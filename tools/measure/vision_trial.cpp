@@ -197,12 +197,10 @@ class Judge {
   void judge_boxes(const Obstacles& obstacles, const Eigen::Isometry2d& odometry,
                    const Eigen::Vector2d& ahead, const Eigen::Vector2d& truth_m) {
     double nearest_m = 1e9;
-    if (getenv("DBG")) fprintf(stderr, "truth %.3f %.3f box %.3f %.3f yaw %.2f\n", truth_m.x(), truth_m.y(), room_.box.translation().x(), room_.box.translation().y(), std::asin(room_.box.linear()(1,0)));
     for (std::uint32_t i = 0; i < obstacles.count; ++i) {
       const Eigen::Isometry2d box =
           odometry * planar(obstacles.place[i][0], obstacles.place[i][1], obstacles.place[i][2]);
       const Eigen::Vector2d side_m = near_side_m(box, {obstacles.size[i][0], obstacles.size[i][1]}, ahead);
-      if (getenv("DBG")) fprintf(stderr, "   told %.3f %.3f yaw %.2f size %.3f %.3f h %.3f side %.3f %.3f\n", box.translation().x(), box.translation().y(), std::atan2(box.linear()(1,0), box.linear()(0,0)), obstacles.size[i][0], obstacles.size[i][1], obstacles.size[i][2], side_m.x(), side_m.y());
       nearest_m = std::min(nearest_m, (side_m - truth_m).norm());
       const Eigen::Vector2d off =
           ((room_.box.inverse() * box.translation()).cwiseAbs() - 0.5 * kBox_m.head<2>()).cwiseMax(0.0);
