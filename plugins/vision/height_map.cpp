@@ -12,7 +12,7 @@ namespace {
 constexpr int kObstacleVote = 2, kGroundVote = -1;
 constexpr int kMostEvidence = 8, kLeastEvidence = -6;
 constexpr int kIsObstacle = 5, kIsFree = -2;
-constexpr int kMostWeight = 200;      // points whose mean the offset is: later ones count as exponential mean
+constexpr int kMostWeight = 60;       // points whose mean the offset is: later ones count as exponential mean
 constexpr double kOffsets = 250.0;    // in a cell's side
 constexpr double kHeightShare = 0.3;  // by which a new height moves the old one
 constexpr int kStateUnit = 32;        // in a packed cell

@@ -1,6 +1,7 @@
 // Connected cells, and the smallest rectangle around each group, but for a few stray ones.
 #include "gaitway/vision/obstacle_boxes.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +14,9 @@ constexpr double kBorder = 0.25;    // of a cell's side: by which what a cell sh
 constexpr double kOutermost = 1.2;  // of a cell's side: depth of the cells that make a side
 constexpr double kLeftOut = 0.03;   // share of the weight that may lie beyond a side
 constexpr int kFullWeight = 30;     // points of a cell beyond which it counts no more
-constexpr int kTurns = 30;          // headings that are tried, in a quarter turn
+constexpr std::int64_t kRecent_ns = 300'000'000;
+constexpr double kStaleShare = 0.1;
+constexpr int kTurns = 30;  // headings that are tried, in a quarter turn
 constexpr double kLeastExtent_m = 0.04;
 constexpr double kThinnest = 0.5;  // of a cell's side
 constexpr double kFilled = 0.45;   // share of a box's cells that must be obstacles, or it is parted
@@ -45,10 +48,17 @@ struct Spot {
   double weight = 0.0;
 };
 
+// What was seen from afar is less exact than what is seen now: cells that a nearer look does not show again
+// count little.
 std::vector<Spot> spots_of(const HeightMap& map, const Group& group) {
+  std::int64_t newest_ns = 0;
+  for (const int cell : group) newest_ns = std::max(newest_ns, map.seen_ns(cell));
   std::vector<Spot> spots;
-  for (const int cell : group)
-    spots.push_back({map.obstacle_m(cell), 1.0 + std::min(map.weight(cell), kFullWeight)});
+  for (const int cell : group) {
+    const bool is_recent = newest_ns - map.seen_ns(cell) <= kRecent_ns;
+    spots.push_back({map.obstacle_m(cell),
+                     (is_recent ? 1.0 : kStaleShare) * (1.0 + std::min(map.weight(cell), kFullWeight))});
+  }
   return spots;
 }
 

@@ -69,6 +69,14 @@ std::optional<double> tag_grey(const SceneTag& tag, const Eigen::Vector2d& place
   return white ? 215.0 : 25.0;
 }
 
+std::optional<double> board_grey(const SceneBoard& board, const Eigen::Vector2d& place_m) {
+  const int x = static_cast<int>(std::floor(place_m.x() / board.square_m));
+  const int y = static_cast<int>(std::floor(place_m.y() / board.square_m));
+  if (x < -2 || y < -2 || x > board.columns || y > board.rows) return std::nullopt;
+  const bool border = x == -2 || y == -2 || x == board.columns || y == board.rows;
+  return border || (x + y) % 2 != 0 ? 220.0 : 30.0;
+}
+
 struct Hit {
   double distance = kFarAway_m;
   double grey = 190.0;  // of the sky
@@ -95,6 +103,18 @@ void hit_box(const SceneBox& box, const Eigen::Vector3d& from_m, const Eigen::Ve
   hit = {near, shade + texture({at[u], at[v]}, contrast, seed + 17U * static_cast<unsigned>(axis))};
 }
 
+// A thin plate with a picture on it: a tag or a board.
+template <class Plate>
+void hit_plate(const Plate& plate, std::optional<double> (*grey)(const Plate&, const Eigen::Vector2d&),
+               const Eigen::Vector3d& from_m, const Eigen::Vector3d& along, Hit& hit) {
+  const Eigen::Vector3d from = plate.pose.inverse() * from_m;
+  const Eigen::Vector3d ray = plate.pose.linear().transpose() * along;
+  const double distance = -from.z() / ray.z();
+  if (from.z() <= 0.0 || ray.z() >= 0.0 || distance > hit.distance) return;
+  const Eigen::Vector3d at = from + distance * ray;
+  if (const auto seen = grey(plate, at.head<2>())) hit = {distance, *seen};
+}
+
 }  // namespace
 
 double Scene::grey(const Eigen::Vector3d& from_m, const Eigen::Vector3d& along) const {
@@ -105,14 +125,8 @@ double Scene::grey(const Eigen::Vector3d& from_m, const Eigen::Vector3d& along) 
     hit.grey = texture(at.head<2>(), ground_contrast, seed);
   }
   for (const SceneBox& box : boxes) hit_box(box, from_m, along, box_contrast, seed + 101U, hit);
-  for (const SceneTag& tag : tags) {
-    const Eigen::Vector3d from = tag.pose.inverse() * from_m;
-    const Eigen::Vector3d ray = tag.pose.linear().transpose() * along;
-    const double distance = -from.z() / ray.z();
-    if (from.z() <= 0.0 || ray.z() >= 0.0 || distance > hit.distance) continue;
-    const Eigen::Vector3d at = from + distance * ray;
-    if (const auto seen = tag_grey(tag, at.head<2>())) hit = {distance, *seen};
-  }
+  for (const SceneTag& tag : tags) hit_plate(tag, tag_grey, from_m, along, hit);
+  for (const SceneBoard& board : boards) hit_plate(board, board_grey, from_m, along, hit);
   return hit.grey;
 }
 

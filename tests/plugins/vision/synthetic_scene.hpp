@@ -28,9 +28,17 @@ struct SceneTag {
   double size_m = 0.15;                                    // of the black square; with a white border
 };
 
+struct SceneBoard {
+  int columns = 9,
+      rows = 6;  // inner corners; its origin is the first of them, x along a row, y along a column
+  double square_m = 0.025;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // z out of it
+};
+
 struct Scene {
   std::vector<SceneBox> boxes;
   std::vector<SceneTag> tags;
+  std::vector<SceneBoard> boards;
   double ground_contrast = 60.0, box_contrast = 60.0;  // grey levels of the texture
   unsigned seed = 1;
 
