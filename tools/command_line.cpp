@@ -309,7 +309,10 @@ void CommandLine::needs_subcommand() const {
 }
 
 void CommandLine::runs(std::function<int()> action) const {
-  app_->callback([given = action_, action = std::move(action)] { *given = action; });
+  // A part of the command that was given has its own.
+  app_->callback([app = app_, given = action_, action = std::move(action)] {
+    if (app->get_subcommands().empty()) *given = action;
+  });
 }
 
 CommandLine add_command(const CommandLine& program, std::string_view name) {

@@ -16,6 +16,9 @@
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
+#ifdef GAITWAY_HAS_VISION
+#include "tools/calibrate/camera/camera_command.hpp"
+#endif
 #include "tools/calibrate/calibration_report.hpp"
 #include "tools/calibrate/standing_measurement.hpp"
 #include "tools/command_line.hpp"
@@ -238,6 +241,9 @@ void declare(const CommandLine& app) {
   options.poses = shipped_poses();
   add_inputs(command, options);
   add_simulation(command.group("Simulation"), options);
+#ifdef GAITWAY_HAS_VISION
+  declare_camera(command);
+#endif
   command.footer(
       "Examples:\n"
       "  gaitway calibrate --simulate --seed 3 --out calibration.yaml\n"

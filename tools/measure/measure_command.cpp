@@ -20,6 +20,7 @@
 #include "gaitway/simulator/cosimulation.hpp"
 #include "tools/command_line.hpp"
 #include "tools/measure/gait_measurement.hpp"
+#include "tools/measure/measure_vision.hpp"
 #include "tools/measure/trial_store.hpp"
 
 namespace gaitway::tools {
@@ -178,7 +179,9 @@ void declare_program(const CommandLine& app) {
                  "  gaitway measure gait --config without_trims.yaml --out out/without_trims\n"
                  "An interrupted measurement goes on where it was when it is given the same --out.\n"
                  "Exit code: 0 each floor holds, 3 one does not, 1 the input was bad.");
-  measure.footer("Examples:\n  gaitway measure gait --quick\n  gaitway measure gait --help");
+  declare_measure_vision(measure);
+  measure.footer(
+      "Examples:\n  gaitway measure gait --quick\n  gaitway measure vision\n  gaitway measure gait --help");
 }
 
 }  // namespace gaitway::tools
