@@ -40,6 +40,10 @@ RobotDesk::RobotDesk(msgclient::Client& client, const urdf::RobotModel& robot,
       motion_requests_(client.write<MotionRequest>("motion_request")),
       motion_states_(client.read<MotionState>("motion_state")),
       command_requests_(client.write<CommandRequest>("command_request")),
+      command_states_(client.read<CommandState>("command_state")),
+      head_requests_(client.write<HeadCommand>("head_request")),
+      behaviour_requests_(client.write<BehaviourRequest>("behaviour_request")),
+      behaviour_states_(client.read<BehaviourState>("behaviour_state")),
       last_number_(std::random_device{}()) {  // answers to a process before this one are not ours
   // Goes on from what was obeyed, never from what a process before this one has left in its own topic.
   static_cast<void>(stop_answers_.read(stops_at_start_));
@@ -58,6 +62,8 @@ void RobotDesk::step(std::int64_t now_ns) {
     awaited_.clear();
     motions_.clear();
     ways_.clear();
+    commands_asked_.clear();
+    missions_.clear();
     if (had_one) tell_that_person_is_lost(robot_ns);
   }
   pass_stops_on(robot_ns);
@@ -99,6 +105,12 @@ void RobotDesk::carry_out(const link::Order& order, std::int64_t robot_ns) {
       return play_motion(order, robot_ns);
     case OrderKind::way:
       return walk_to(order, robot_ns);
+    case OrderKind::head:
+      return look(order, robot_ns);
+    case OrderKind::command:
+      return take_or_let_go(order, robot_ns);
+    case OrderKind::behaviour:
+      return change_mission(order, robot_ns);
     case OrderKind::user_command:
       return command(order, robot_ns);
     case OrderKind::plugin_request:
@@ -181,9 +193,7 @@ void RobotDesk::walk_to(const link::Order& order, std::int64_t robot_ns) {
   if (!decode(order, request)) {
     return finish(order.id, OrderResultCode::malformed);
   }
-  for (; !ways_.empty(); ways_.pop_front()) {
-    finish(ways_.front().id, OrderResultCode::overtaken);
-  }
+  overtake(ways_);
   if (request.cancel != 0) {
     leave_way(robot_ns);
     return answer(order.id, NavigationState{});
@@ -219,24 +229,74 @@ void RobotDesk::take_way_answer() {
   }
 }
 
+// The behaviour's have the top bit set, and those of the arbiter itself the next.
 std::uint32_t RobotDesk::next_number() noexcept {
-  last_number_ = std::max<std::uint32_t>(last_number_ + 1, 1);
+  constexpr std::uint32_t kOfPeople = 0x3fff'ffff;
+  last_number_ = std::max<std::uint32_t>((last_number_ + 1) & kOfPeople, 1);
   return last_number_;
 }
 
 // A request that came before another one could be answered was never seen.
+void RobotDesk::overtake(std::deque<Awaited>& waiting) {
+  for (; !waiting.empty(); waiting.pop_front()) {
+    finish(waiting.front().id, OrderResultCode::overtaken);
+  }
+}
+
 void RobotDesk::play_motion(const link::Order& order, std::int64_t robot_ns) {
   MotionRequest request;
   if (!decode(order, request)) {
     return finish(order.id, OrderResultCode::malformed);
   }
-  for (; !motions_.empty(); motions_.pop_front()) {
-    finish(motions_.front().id, OrderResultCode::overtaken);
-  }
+  overtake(motions_);
   request.stamp_ns = robot_ns;
   request.number = next_number();
   motion_requests_.publish(request, robot_ns);
   motions_.push_back({request.number, order.id});
+}
+
+void RobotDesk::look(const link::Order& order, std::int64_t robot_ns) {
+  HeadCommand request;
+  if (!decode(order, request) || request.mode > head_command::mode::hold) {
+    return finish(order.id, OrderResultCode::malformed);
+  }
+  request.stamp_ns = robot_ns;
+  head_requests_.publish(request, robot_ns);
+  finish(order.id, OrderResultCode::done);
+}
+
+void RobotDesk::take_or_let_go(const link::Order& order, std::int64_t robot_ns) {
+  CommandRequest request;
+  if (!decode(order, request) || request.verb > command_request::verb::let_go) {
+    return finish(order.id, OrderResultCode::malformed);
+  }
+  overtake(commands_asked_);
+  request.stamp_ns = robot_ns;
+  request.number = next_number();
+  // The arbiter ends the way of who lets go.
+  on_way_ = on_way_ && request.verb != command_request::verb::let_go;
+  command_requests_.publish(request, robot_ns);
+  commands_asked_.push_back({request.number, order.id});
+}
+
+void RobotDesk::change_mission(const link::Order& order, std::int64_t robot_ns) {
+  BehaviourRequest request;
+  if (!decode(order, request) || request.verb > behaviour_request::verb::change) {
+    return finish(order.id, OrderResultCode::malformed);
+  }
+  overtake(missions_);
+  if (behaviour_states_.newest_sequence() == 0) {
+    constexpr std::string_view kNobody =
+        "no plug-in of this robot carries out missions: add 'behaviour' to its configuration";
+    BehaviourState nobody{};
+    nobody.refused = 1;
+    std::ranges::copy(kNobody, nobody.text);
+    return answer(order.id, nobody);
+  }
+  request.stamp_ns = robot_ns;
+  request.number = next_number();
+  behaviour_requests_.publish(request, robot_ns);
+  missions_.push_back({request.number, order.id});
 }
 
 void RobotDesk::command(const link::Order& order, std::int64_t robot_ns) {
@@ -280,6 +340,8 @@ void RobotDesk::take_answers() {
   }
   take_motion_answer();
   take_way_answer();
+  take_command_answer();
+  take_mission_answer();
 }
 
 void RobotDesk::take_motion_answer() {
@@ -296,6 +358,38 @@ void RobotDesk::take_motion_answer() {
     answer(motions_.front().id, state);
     motions_.pop_front();
   }
+}
+
+void RobotDesk::take_command_answer() {
+  CommandState state;
+  if (commands_asked_.empty() || !command_states_.read(state) ||
+      state.answered != commands_asked_.front().number) {
+    return;
+  }
+  answer(commands_asked_.front().id, state);
+  commands_asked_.pop_front();
+}
+
+// Without its nodes: they come as state, and would be longer than an answer may be.
+void RobotDesk::take_mission_answer() {
+  if (missions_.empty() || behaviour_states_.newest_sequence() == mission_seen_) {
+    return;
+  }
+  BehaviourState state;
+  const auto read = behaviour_states_.read(state);
+  if (!read) {
+    return;
+  }
+  mission_seen_ = read.sequence;
+  if (state.answered != missions_.front().number) {
+    return;
+  }
+  std::ranges::fill(state.status, std::uint8_t{0});
+  std::ranges::fill(state.transition_ns, 0);
+  std::ranges::fill(state.transition_node, 0U);
+  std::ranges::fill(state.transition_to, std::uint8_t{0});
+  answer(missions_.front().id, state);
+  missions_.pop_front();
 }
 
 }  // namespace gaitway::api

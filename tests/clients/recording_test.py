@@ -21,9 +21,9 @@ FULL_RATE = [
     "/joint_states", "/imu/data", "/foot/left/wrench", "/foot/right/wrench", "/zmp", "/com", "/odom", "/tf", "/clock",
 ]
 LATCHED = ["/footsteps", "/motion_state", "/robot_state", "/commander", "/robot_description", "/diagnostics",
-           "/walk_to/state", "/walk/command", "/link_state", "/certificate_state"]
+           "/walk_to/state", "/command/state", "/behaviour/state", "/behaviour/nodes", "/walk/command", "/link_state", "/certificate_state"]
 OF_THE_MODULE = {"/walk/command", "/link_state", "/certificate_state", "/simulation/state", "/simulation/twin"}  # told by the process that faces the network, of itself, or of a simulator
-OF_NOBODY = {"/walk_to/state"}  # this robot has no plug-in that walks to places
+OF_NOBODY = {"/walk_to/state", "/behaviour/state", "/behaviour/nodes"}  # this robot has no plug-ins that walk to places and decide
 SECONDS = 5.0
 
 

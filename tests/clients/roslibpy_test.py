@@ -12,7 +12,7 @@ from served_robot import ServedRobot, until
 # Topics that speak all the time; `/events` does when there is something to say.
 STEADY = ["/joint_states", "/imu/data", "/foot/left/wrench", "/foot/right/wrench", "/zmp", "/zmp/reference", "/com", "/odom", "/tf",
           "/clock", "/diagnostics"]
-LATCHED = ["/robot_description", "/footsteps", "/motion_state", "/walk_to/state", "/robot_state", "/walk/command", "/commander"]
+LATCHED = ["/robot_description", "/footsteps", "/motion_state", "/walk_to/state", "/command/state", "/robot_state", "/walk/command", "/commander"]
 
 
 class Listener:

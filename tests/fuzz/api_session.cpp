@@ -29,7 +29,7 @@ constexpr std::size_t kClients = 3;
 using facts::kMillisecond_ns;
 constexpr std::size_t kMostActions = 500;
 
-constexpr std::array<std::string_view, 69> kMessages{
+constexpr std::array<std::string_view, 76> kMessages{
     R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":0.2},"angular":{"z":0.1}}})",
     R"({"op":"publish","topic":"/cmd_vel","msg":{"linear":{"x":-1.5}}})",
     R"({"op":"publish","topic":"cmd_vel","msg":{"linear":{"z":1}}})",
@@ -50,6 +50,13 @@ constexpr std::array<std::string_view, 69> kMessages{
     R"({"op":"call_service","service":"/move_joint","args":["neck_yaw",0.2,1]})",
     R"({"op":"call_service","service":"/play_motion","args":{"motion":"wave"}})",
     R"({"op":"call_service","service":"/walk_to","args":{"x":1.0,"y":0.5,"yaw":0.0}})",
+    R"({"op":"call_service","service":"/command/take"})",
+    R"({"op":"call_service","service":"/command/let_go"})",
+    R"({"op":"call_service","service":"/head/look","args":{"mode":"scan","extent":0.5,"period":4}})",
+    R"({"op":"call_service","service":"/head/look","args":["point",0,0,0,0,1e400]})",
+    R"({"op":"call_service","service":"/behaviour/start","args":{"mission":"patrol"}})",
+    R"({"op":"call_service","service":"/behaviour/end"})",
+    R"({"op":"call_service","service":"/behaviour/change"})",
     R"({"op":"call_service","service":"/plugins/list","compression":"cbor"})",
     R"({"op":"call_service","service":"/plugins/reload","args":{"name":"stability"},"timeout":0.1})",
     R"({"op":"call_service","service":"/plugins/get_parameters","args":{"plugin":"stability"}})",

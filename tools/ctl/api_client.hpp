@@ -107,8 +107,11 @@ CommandLine add_order(const CommandLine& parent, const SharedCtlOptions& options
 [[nodiscard]] ApiClient connect(const CtlOptions& options);
 // Calls a service that answers `success` and `message`, prints the answer, and returns the exit code.
 int call_and_print(ApiClient& client, const std::string& service, const nlohmann::json& arguments);
+// The same of a connection of its own.
+int order(const CtlOptions& options, const std::string& service, const nlohmann::json& arguments);
 
 void add_robot_orders(const CommandLine& ctl, const SharedCtlOptions& options);
+void add_command_orders(const CommandLine& ctl, const SharedCtlOptions& options);
 void add_plugin_orders(const CommandLine& ctl, const SharedCtlOptions& options);
 
 }  // namespace gaitway::tools

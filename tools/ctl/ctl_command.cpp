@@ -95,12 +95,18 @@ int call_and_print(ApiClient& client, const std::string& service, const json& ar
   return done ? kExitFine : kExitRefused;
 }
 
+int order(const CtlOptions& options, const std::string& service, const json& arguments) {
+  ApiClient client = connect(options);
+  return call_and_print(client, service, arguments);
+}
+
 void declare_program(const CommandLine& program) {
   const auto options = std::make_shared<CtlOptions>();
   const CommandLine ctl = add_command(program, "ctl");
   add_address(ctl, *options);
   ctl.needs_subcommand();
   add_robot_orders(ctl, options);
+  add_command_orders(ctl, options);
   add_plugin_orders(ctl, options);
   ctl.renamed("halt", "ctl stop");
   ctl.renamed("record", "ctl recording start");
@@ -114,6 +120,8 @@ void declare_program(const CommandLine& program) {
       "  gaitway ctl walk 0.15 --seconds 5\n"
       "  gaitway ctl stop\n"
       "  gaitway ctl --port 9191 emergency-stop            the robot of 'gaitway serve --port 9191'\n"
+      "  gaitway ctl look direction 0.5,0.1\n"
+      "  gaitway ctl let-go\n"
       "  gaitway ctl plugin --help\n"
       "  gaitway ctl recording start walk1\n"
       "  gaitway ctl --url wss://robot:9090 --token-file token --ca ca.pem plugin list\n"

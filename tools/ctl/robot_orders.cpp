@@ -33,12 +33,6 @@ constexpr std::array kRecordingWords{
 // While it walks, the command is renewed so often.
 constexpr double kRenew_s = 0.1;
 
-// Calls the service once; returns the exit code.
-int order(const CtlOptions& options, const std::string& service, const json& arguments) {
-  ApiClient client = connect(options);
-  return call_and_print(client, service, arguments);
-}
-
 // One subcommand without arguments for each word.
 template <std::size_t size>
 void add_words(const CommandLine& parent, const SharedCtlOptions& options,

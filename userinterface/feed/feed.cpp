@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "command_news.hpp"
 #include "event_digest.hpp"
 #include "gaitway/api/diagnostics.hpp"
 #include "gaitway/api/frame_messages.hpp"
@@ -16,6 +17,7 @@
 #include "gaitway/api/state_messages.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/description_text.hpp"
+#include "latest.hpp"
 
 namespace gaitway::api {
 namespace {
@@ -28,34 +30,6 @@ bool is_elsewhere(const double (&pose)[3], const std::array<double, 3>& told) {
 
 constexpr std::int64_t kDiagnosticsPeriod_ns = 1'000'000'000;
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min();
-
-// A latest-value topic and what was last read of it.
-template <class T>
-class Latest {
- public:
-  Latest(msgclient::Client& client, std::string_view topic) : reader_(client.read<T>(topic)) {}
-
-  [[nodiscard]] bool is_newer() const noexcept { return reader_.newest_sequence() != sequence_; }
-  // Whether there is a newer value; it is then in value().
-  bool update() noexcept {
-    if (!is_newer()) return false;
-    const msgclient::ReadResult result = reader_.read(value_);
-    if (result.status != msgclient::ReadStatus::value) return false;
-    sequence_ = result.sequence;
-    there_ = true;
-    return true;
-  }
-  // Nothing of it is known until the next value.
-  void forget() noexcept { there_ = false; }
-  [[nodiscard]] const T& value() const noexcept { return value_; }
-  [[nodiscard]] const T* if_there() const noexcept { return there_ ? &value_ : nullptr; }
-
- private:
-  msgclient::Reader<T> reader_;
-  std::uint64_t sequence_ = 0;
-  bool there_ = false;
-  T value_{};
-};
 
 std::int64_t slot_edge(std::int64_t time_ns) noexcept {
   return time_ns - time_ns % facts::kSlot_ns;
@@ -78,6 +52,7 @@ struct Feed::Topics {
   Latest<NavigationState> navigation{client, "navigation_state"};
   Latest<PluginStatistics> statistics{client, "plugin_statistics"};
   Latest<gaitway::BusSlot> bus_slot{client, "bus_slot"};
+  CommandNews command{client};
   msgclient::StreamReader<Event> events;
 };
 
@@ -155,6 +130,7 @@ void Feed::poll(std::int64_t wall_ns, PublicationSink& sink) {
   publish_bus_slot(sink);
   publish_motion(sink);
   publish_way(sink);
+  topics_->command.publish(sink, state_->robot_ns);
   publish_robot_state(sink);
   publish_events(sink);
 }
@@ -173,6 +149,7 @@ void Feed::forget() {
   state.frames.reset();
   state.diagnostics.reset();
   topics_->planned.forget();
+  topics_->command.forget();
   state.digest.clear();
   topics_->estimate.forget();
   state.joints_ns = state.imu_ns = state.forces_ns = state.estimate_ns = 0;

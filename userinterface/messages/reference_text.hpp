@@ -21,6 +21,10 @@ object with a field `op`. Messages that the robot publishes come as JSON, or as 
 for it by `/command/acquire`. It lasts as long as commands or `/command/keep_alive` come, and ends with the connection. Stop and
 emergency stop are open to everybody who is let in.
 
+**People and the robot's behaviour.** Whichever client it is, to the robot it is a person, and a person stands above the plug-in that decides by
+itself (`behaviour`): each order and each stop takes the command from it, and it comes back by `/command/let_go` alone. The end of a connection, of a
+lease or of a walk gives nothing back. `/command/state` tells who commands and why, and whose order walk, way, motion and head follow.
+
 **Clients among themselves.** Topics and services that are not the robot's belong to the clients: whoever is let in may advertise, publish,
 subscribe, offer and call them, whoever commands. The robot passes on what they say as JSON, or as CBOR to who asked for it, whatever its type. Whole
 numbers beyond 64 bits become doubles; the order of fields and spaces may change. Their names are letters, digits and `_`, in parts between single

@@ -9,6 +9,7 @@
 #include <concepts>
 #include <stdexcept>
 
+#include "gaitway/api/command_messages.hpp"
 #include "gaitway/api/message_definition.hpp"
 #include "gaitway/api/service_types.hpp"
 #include "gaitway/api/simulation_interfaces_types.hpp"
@@ -95,13 +96,14 @@ void add_all_messages(TypeRegistry& registry) {
   using namespace ros;
   add_messages<BusSlot, Clock, DiagnosticArray, Imu, JointState, LinkState, Log, MotionState, Odometry,
                WayState, PointStamped, PoseArray, RobotState, SimulationState, String, TFMessage, TwinState,
-               Twist, TwistStamped, WrenchStamped>(registry);
+               Twist, TwistStamped, WrenchStamped, CommandState, BehaviourState, BehaviourNodes>(registry);
 }
 
 void add_all_services(TypeRegistry& registry) {
   using namespace ros;
-  add_services<Trigger, SetBool, MoveJoint, PlayMotion, WalkTo, ListPlugins, ChangePlugin, GetParameters,
-               SetParameter, WalkLimits, StartRecording, ListRecordings, AcquireCommand, Lease>(registry);
+  add_services<Trigger, SetBool, MoveJoint, PlayMotion, WalkTo, Look, StartMission, ListPlugins, ChangePlugin,
+               GetParameters, SetParameter, WalkLimits, StartRecording, ListRecordings, AcquireCommand,
+               Lease>(registry);
   add_services<Topics, TopicType, TopicsForType, TopicsAndRawTypes, Publishers, Subscribers, Interfaces,
                Services, ServiceType, ServicesForType, ServiceNode, ServiceProviders, ServiceRequestDetails,
                ServiceResponseDetails, MessageDetails, Nodes, NodeDetails, GetActionServers, GetTime,

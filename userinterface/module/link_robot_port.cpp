@@ -23,6 +23,11 @@ using Kind = msgclient::UserCommandKind;
 static_assert(contract::row(OrderKind::walk).validity_ns == kVelocityValidity_ns);
 static_assert(contract::row(OrderKind::motion).validity_ns == kOrderValidity_ns);
 static_assert(contract::row(OrderKind::way).validity_ns == kOrderValidity_ns);
+static_assert(contract::row(OrderKind::head).validity_ns == kOrderValidity_ns);
+static_assert(contract::row(OrderKind::command).validity_ns == kOrderValidity_ns);
+static_assert(contract::row(OrderKind::behaviour).validity_ns == kOrderValidity_ns);
+static_assert(static_cast<std::uint32_t>(LookMode::hold) == head_command::mode::hold);
+static_assert(static_cast<std::uint32_t>(MissionVerb::change) == behaviour_request::verb::change);
 static_assert(contract::row(OrderKind::user_command).validity_ns == kOrderValidity_ns);
 
 constexpr std::int64_t kControllerSilence_ns = facts::kSecond_ns;  // of the message controller
@@ -156,6 +161,41 @@ std::optional<std::uint32_t> LinkRobotPort::leave_way(std::int64_t age_ns) {
   WalkToRequest request{};
   request.cancel = 1;
   return link_.order(OrderKind::way, request, age_ns, now_ns_);
+}
+
+std::optional<std::uint32_t> LinkRobotPort::look(const Look& look, std::int64_t age_ns) {
+  HeadCommand request{};
+  request.mode = static_cast<std::uint32_t>(look.mode);
+  request.direction[0] = look.yaw_rad;
+  request.direction[1] = look.pitch_rad;
+  request.extent = look.extent_rad;
+  request.period = look.period_s;
+  request.point[0] = look.x_m;
+  request.point[1] = look.y_m;
+  request.point[2] = look.z_m;
+  request.speed = look.speed_rad_per_s;
+  return link_.order(OrderKind::head, request, age_ns, now_ns_);
+}
+
+std::optional<std::uint32_t> LinkRobotPort::take_command(std::int64_t age_ns) {
+  CommandRequest request{};
+  request.verb = command_request::verb::take;
+  return link_.order(OrderKind::command, request, age_ns, now_ns_);
+}
+
+std::optional<std::uint32_t> LinkRobotPort::let_command_go(std::int64_t age_ns) {
+  CommandRequest request{};
+  request.verb = command_request::verb::let_go;
+  return link_.order(OrderKind::command, request, age_ns, now_ns_);
+}
+
+std::optional<std::uint32_t> LinkRobotPort::mission(MissionVerb verb, std::string_view mission,
+                                                    std::int64_t age_ns) {
+  BehaviourRequest request{};
+  request.verb = static_cast<std::uint32_t>(verb);
+  return copy_text(mission, request.mission)
+             ? std::optional(link_.order(OrderKind::behaviour, request, age_ns, now_ns_))
+             : std::nullopt;
 }
 
 std::optional<std::uint32_t> LinkRobotPort::order(const PluginOrder& order) {

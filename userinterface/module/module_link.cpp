@@ -35,7 +35,7 @@ std::string text_of(link::Refusal refusal, const contract::OrderRow& row) {
   return {};
 }
 
-std::string text_of(OrderResultCode code) {
+std::string text_of(OrderResultCode code, const contract::OrderRow& row) {
   switch (code) {
     case OrderResultCode::done:
       return {};
@@ -46,7 +46,7 @@ std::string text_of(OrderResultCode code) {
     case OrderResultCode::full:
       return "the way to the robot is full: try again";
     case OrderResultCode::overtaken:
-      return "another motion was asked for before this one could begin";
+      return "another " + std::string(row.name) + " was asked for before this one could begin";
     case OrderResultCode::stopped:
       return "it was given before a stop, and is not carried out after it";
   }
@@ -190,7 +190,7 @@ void ModuleLink::submit_waiting(std::int64_t now_ns) {
 void ModuleLink::ask_stop(link::StopKind kind) {
   end_.stop(kind);
   if (waiting_) {  // nobody walks on after a stop
-    refuse(waiting_->number, text_of(OrderResultCode::stopped));
+    refuse(waiting_->number, text_of(OrderResultCode::stopped, contract::row(OrderKind::walk)));
     waiting_.reset();
   }
 }
@@ -281,7 +281,7 @@ OrderResult ModuleLink::result_of(const Given& given, const link::Outcome& outco
   const auto code = static_cast<OrderResultCode>(outcome.result);
   return code == OrderResultCode::done && row.answer != nullptr
              ? answer_of(given, outcome.payload)
-             : OrderResult{given.number, code == OrderResultCode::done, text_of(code)};
+             : OrderResult{given.number, code == OrderResultCode::done, text_of(code, row)};
 }
 
 OrderResult ModuleLink::answer_of(const Given& given, link::Bytes payload) const {
@@ -301,6 +301,17 @@ OrderResult ModuleLink::answer_of(const Given& given, link::Bytes payload) const
       const bool refused = state.result == results::refused || state.result == results::failed;
       return {given.number, !refused, gaitway::api::text_of(state.text)};
     }
+  } else if (given.kind == OrderKind::command) {
+    CommandState state;
+    if (decode(state)) {
+      const bool done = state.commander != command_state::commander::emergency_stop;
+      return {given.number, done, gaitway::api::text_of(state.text)};
+    }
+  } else if (given.kind == OrderKind::behaviour) {
+    BehaviourState state;
+    if (decode(state)) {
+      return {given.number, state.refused == 0, gaitway::api::text_of(state.text)};
+    }
   } else if (given.kind == OrderKind::user_command) {
     UserCommandAnswer answer;
     if (decode(answer)) {
@@ -311,7 +322,7 @@ OrderResult ModuleLink::answer_of(const Given& given, link::Bytes payload) const
   } else if (PluginAnswer answer; decode(answer)) {
     return {given.number, answer.done != 0, gaitway::api::text_of(answer.text)};
   }
-  return {given.number, false, text_of(OrderResultCode::unknown)};
+  return {given.number, false, text_of(OrderResultCode::unknown, contract::row(given.kind))};
 }
 
 }  // namespace gaitway::api

@@ -1,5 +1,6 @@
 #include "client_message.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -130,6 +131,15 @@ json id_in(const json& message) {
     refuse("id", *id, "a whole number or a text of at most " + std::to_string(kMostNameBytes) + " bytes");
   }
   return *id;
+}
+
+void require_short(const char* field, const std::string& value, std::size_t most) {
+  const bool printable = std::ranges::none_of(
+      value, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; });
+  if (value.size() > most || !printable) {
+    throw Refused(std::string(field) + " is " + shown(value) + ", but must be a text of at most " +
+                  std::to_string(most) + " bytes without control characters");
+  }
 }
 
 std::string shown_json(const json& value) {

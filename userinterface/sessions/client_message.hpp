@@ -34,6 +34,9 @@ inline constexpr std::size_t kMostNameBytes = 256;
 // The `id`: a text of at most kMostNameBytes or a whole number; null when absent.
 [[nodiscard]] nlohmann::json id_in(const nlohmann::json& message);
 
+// Throws Refused for a text of more bytes, or with control characters.
+void require_short(const char* field, const std::string& value, std::size_t most);
+
 // `value` as JSON, cut to what fits in a message for people. Always UTF-8.
 [[nodiscard]] std::string shown_json(const nlohmann::json& value);
 [[nodiscard]] std::string shown(std::string_view text);

@@ -101,6 +101,35 @@ std::optional<std::uint32_t> RobotCommands::leave_way(Claimant& claimant, std::i
   return robot_.leave_way(claimant.age_ns);
 }
 
+std::optional<std::uint32_t> RobotCommands::look(Claimant& claimant, const Look& look, std::int64_t now_ns) {
+  demand_movement(claimant, now_ns, kOrderValidity_ns);
+  return robot_.look(look, claimant.age_ns);
+}
+
+std::optional<std::uint32_t> RobotCommands::take_command(Claimant& claimant, std::int64_t now_ns) {
+  demand_movement(claimant, now_ns, kOrderValidity_ns);
+  return robot_.take_command(claimant.age_ns);
+}
+
+// The robot ends the walk itself. No stand is sent for it later: it would take the command anew.
+std::optional<std::uint32_t> RobotCommands::let_command_go(Claimant& claimant, std::int64_t now_ns) {
+  demand_movement(claimant, now_ns, kOrderValidity_ns);
+  const auto number = robot_.let_command_go(claimant.age_ns);
+  if (number) {
+    walks_ = false;
+    way_of_.reset();
+  }
+  return number;
+}
+
+std::optional<std::uint32_t> RobotCommands::mission(Claimant& claimant, MissionVerb verb,
+                                                    std::string_view mission, std::int64_t now_ns) {
+  demand_not_overtaken(claimant);
+  demand_timely(claimant, now_ns, kOrderValidity_ns);
+  demand(claimant, now_ns);
+  return robot_.mission(verb, mission, claimant.age_ns);
+}
+
 std::optional<std::uint32_t> RobotCommands::move_joint(Claimant& claimant, int joint, double position_rad,
                                                        double duration_s, std::int64_t now_ns) {
   demand_movement(claimant, now_ns, kOrderValidity_ns);

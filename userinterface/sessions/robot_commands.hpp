@@ -34,6 +34,12 @@ class RobotCommands {
   std::optional<std::uint32_t> play_motion(Claimant& claimant, const std::string& name, std::int64_t now_ns);
   std::optional<std::uint32_t> walk_to(Claimant& claimant, const Goal& goal, std::int64_t now_ns);
   std::optional<std::uint32_t> leave_way(Claimant& claimant, std::int64_t now_ns);
+  std::optional<std::uint32_t> look(Claimant& claimant, const Look& look, std::int64_t now_ns);
+  // Of the robot, from its behaviour and back: nothing that people have ordered is in force afterwards.
+  std::optional<std::uint32_t> take_command(Claimant& claimant, std::int64_t now_ns);
+  std::optional<std::uint32_t> let_command_go(Claimant& claimant, std::int64_t now_ns);
+  std::optional<std::uint32_t> mission(Claimant& claimant, MissionVerb verb, std::string_view mission,
+                                       std::int64_t now_ns);
   std::optional<std::uint32_t> order(Claimant& claimant, const PluginOrder& order, std::int64_t now_ns);
   std::optional<std::uint32_t> end_emergency_stop(Claimant& claimant, std::int64_t now_ns);
 

@@ -18,7 +18,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kPlainName = "at most 64 letters, digits, '-', '_' and '.', and not begin with '.'";
-constexpr std::string_view kWayIsFull = "the robot takes no order now, since too many wait: try again";
 
 std::string seconds(std::int64_t ns) {
   return shown_json(json(static_cast<double>(ns) * 1e-9)) + " s";
@@ -33,15 +32,6 @@ bool is_plain_name(std::string_view name) {
 }
 
 // As far as the manager's requests hold it.
-void require_short(const char* field, const std::string& value, std::size_t most) {
-  const bool printable = std::ranges::none_of(
-      value, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; });
-  if (value.size() > most || !printable) {
-    throw Refused(std::string(field) + " is " + shown(value) + ", but must be a text of at most " +
-                  std::to_string(most) + " bytes without control characters");
-  }
-}
-
 void require_fit(const PluginOrder& order) {
   constexpr std::size_t kMostNameBytesOfPlugin = 47, kMostLibraryBytes = 399, kMostValueBytes = 95;
   require_short("the plug-in's name", order.plugin, kMostNameBytesOfPlugin);
@@ -77,20 +67,6 @@ struct ServiceDesk::ParameterReading {
   std::vector<std::string> remaining;                             // plug-ins to be read after it
   std::function<void(const ros::GetParameters::Response&)> done;  // of the last one
 };
-
-template <class S>
-void ServiceDesk::await(const Caller& caller, std::optional<std::uint32_t> order,
-                        std::function<void()> done) {
-  if (!order) {
-    return reply(caller.call, typename S::Response{false, std::string(kWayIsFull)});
-  }
-  await_result(caller, *order, [this, done = std::move(done)](const auto& call, const auto& result) {
-    if (result.done && done) {
-      done();
-    }
-    this->reply(call, typename S::Response{result.done, result.text});
-  });
-}
 
 void ServiceDesk::await_result(const Caller& caller, std::uint32_t order,
                                std::function<void(const ServiceCall&, const OrderResult&)> respond) {

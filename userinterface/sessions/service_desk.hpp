@@ -26,6 +26,8 @@
 
 namespace gaitway::api {
 
+inline constexpr std::string_view kWayIsFull = "the robot takes no order now, since too many wait: try again";
+
 class ServiceDesk {
  public:
   // Takes an answer to its client, if that is still there.
@@ -90,6 +92,15 @@ class ServiceDesk {
   void play_motion(const Caller& caller);
   void walk_to(const Caller& caller);
   void leave_way(const Caller& caller);
+  void look(const Caller& caller);
+  void take_command(const Caller& caller);
+  void let_command_go(const Caller& caller);
+  template <MissionVerb verb>
+  void change_mission(const Caller& caller) {
+    change_mission(verb, caller);
+  }
+  void start_mission(const Caller& caller);
+  void change_mission(MissionVerb verb, const Caller& caller);
   void simulate(const Caller& caller);
   void start_recording(const Caller& caller);
   void stop_recording(const Caller& caller);
@@ -140,7 +151,17 @@ class ServiceDesk {
                     std::function<void(const ServiceCall& call, const OrderResult& result)> respond);
   // Makes S's response out of the order's result. `done`: called before, when it was carried out.
   template <class S>
-  void await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done = {});
+  void await(const Caller& caller, std::optional<std::uint32_t> order, std::function<void()> done = {}) {
+    if (!order) {
+      return reply(caller.call, typename S::Response{false, std::string(kWayIsFull)});
+    }
+    await_result(caller, *order, [this, done = std::move(done)](const auto& call, const auto& result) {
+      if (result.done && done) {
+        done();
+      }
+      this->reply(call, typename S::Response{result.done, result.text});
+    });
+  }
 
   RobotPort& robot_;
   RobotCommands& commands_;

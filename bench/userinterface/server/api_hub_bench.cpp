@@ -36,6 +36,12 @@ class DeafRobot final : public RobotPort {
   std::optional<std::uint32_t> play_motion(std::string_view, std::int64_t) override { return std::nullopt; }
   std::optional<std::uint32_t> walk_to(const Goal&, std::int64_t) override { return std::nullopt; }
   std::optional<std::uint32_t> leave_way(std::int64_t) override { return std::nullopt; }
+  std::optional<std::uint32_t> look(const Look&, std::int64_t) override { return std::nullopt; }
+  std::optional<std::uint32_t> take_command(std::int64_t) override { return std::nullopt; }
+  std::optional<std::uint32_t> let_command_go(std::int64_t) override { return std::nullopt; }
+  std::optional<std::uint32_t> mission(MissionVerb, std::string_view, std::int64_t) override {
+    return std::nullopt;
+  }
   std::optional<std::uint32_t> order(const PluginOrder&) override { return std::nullopt; }
   std::optional<OrderResult> take_result() override { return std::nullopt; }
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }

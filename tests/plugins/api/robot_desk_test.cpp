@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "gaitway/contract/channel_table.hpp"
 #include "gaitway/link/byte_order.hpp"
@@ -58,16 +61,38 @@ class RobotDeskTest : public ::testing::Test {
     request.walk = 1;
     request.velocity[0] = 0.1;
     request.valid_until_ns = holds_ns;
+    give(contract::OrderKind::walk, request, stops);
+  }
+  template <class Request>
+  void give(contract::OrderKind kind, const Request& request, std::uint32_t stops = 0) {
     std::array<std::uint8_t, link::kMostOrderBytes> room{};
     link::ByteWriter(room).put(stops);
-    const contract::TopicCodec codec{.joint_count = robot.joints.size(), .exact = true};
-    const std::size_t size = codec.encode(TopicType<WalkCommand>::descriptor, &request,
+    const std::size_t size = codec.encode(TopicType<Request>::descriptor, &request,
                                           std::span(room).subspan(contract::kStopsSeenBytes));
     const link::Submission submission =
-        module->submit(static_cast<std::uint16_t>(contract::OrderKind::walk),
+        module->submit(static_cast<std::uint16_t>(kind),
                        std::span(room).first(contract::kStopsSeenBytes + size), now_ns + kSecond_ns, now_ns);
     ASSERT_EQ(submission.refusal, link::Refusal::none);
     pass(5);
+  }
+  // What was answered last, if anything has been since.
+  struct Answered {
+    contract::OrderResultCode code{};
+    std::vector<std::uint8_t> bytes;
+  };
+  std::optional<Answered> take_answer() {
+    std::optional<Answered> last;
+    while (const auto outcome = module->next_outcome(now_ns)) {
+      last = Answered{static_cast<contract::OrderResultCode>(outcome->result),
+                      {outcome->payload.begin(), outcome->payload.end()}};
+    }
+    return last;
+  }
+  template <class Answer>
+  Answer decoded(const Answered& answered) {
+    Answer answer{};
+    EXPECT_EQ(codec.decode(TopicType<Answer>::descriptor, answered.bytes, &answer), answered.bytes.size());
+    return answer;
   }
   [[nodiscard]] bool told_to_walk() {
     WalkCommand request{};
@@ -76,6 +101,7 @@ class RobotDeskTest : public ::testing::Test {
 
   const urdf::RobotModel robot =
       urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
+  const contract::TopicCodec codec{.joint_count = robot.joints.size(), .exact = true};
   msgclient::MemoryBlock block;
   msgclient::Client looker = block.local_client("looker");
   msgclient::Reader<WalkCommand> requests = looker.read<WalkCommand>("walk_request");
@@ -85,15 +111,20 @@ class RobotDeskTest : public ::testing::Test {
   std::unique_ptr<link::ModuleEnd> module;
 };
 
+// By telling the arbiter, which ends it.
 TEST_F(RobotDeskTest, EndsTheWalkOfAProcessBeforeItsOwn) {
+  auto told = looker.read<CommandRequest>("command_request");
+  CommandRequest before{}, after{};
   start_desk(1);
   pass(200);
   walk(600 * kSecond_ns, 0);
   ASSERT_TRUE(told_to_walk());
   desk.reset();  // killed: it has said nothing
-  ASSERT_TRUE(told_to_walk());
+  ASSERT_TRUE(told.read(before));
   start_desk(2);
-  EXPECT_FALSE(told_to_walk()) << "who commanded has no link any more";
+  ASSERT_TRUE(told.read(after));
+  EXPECT_EQ(after.verb, command_request::verb::is_lost) << "who commanded has no link any more";
+  EXPECT_NE(after.number, before.number);
 }
 
 TEST_F(RobotDeskTest, AModuleThatWasStartedAnewKnowsOfNoStopsBefore) {
@@ -110,8 +141,109 @@ TEST_F(RobotDeskTest, AModuleThatWasStartedAnewKnowsOfNoStopsBefore) {
   EXPECT_TRUE(told_to_walk()) << "it has asked for no stop";
   module->stop(link::StopKind::emergency_hold);
   pass(5);
+  const std::uint64_t given = requests.newest_sequence();
   walk(kSecond_ns, 0);
-  EXPECT_FALSE(told_to_walk());
+  EXPECT_EQ(requests.newest_sequence(), given);
+}
+
+TEST_F(RobotDeskTest, WhereToLookIsPassedOnAndWhatIsNoModeIsNot) {
+  start_desk(1);
+  pass(200);
+  auto heads = looker.read<HeadCommand>("head_request");
+  HeadCommand look{};
+  look.mode = head_command::mode::point;
+  look.point[0] = 1.25;
+  look.speed = 2.0;
+  give(contract::OrderKind::head, look);
+  HeadCommand asked{};
+  ASSERT_TRUE(heads.read(asked));
+  EXPECT_EQ(asked.mode, head_command::mode::point);
+  EXPECT_EQ(asked.point[0], 1.25);
+  EXPECT_EQ(asked.speed, 2.0);
+  EXPECT_GT(asked.stamp_ns, kSecond_ns) << "the robot's time, by which newer ones are known";
+  EXPECT_EQ(take_answer()->code, contract::OrderResultCode::done);
+  look.mode = head_command::mode::hold + 1;
+  give(contract::OrderKind::head, look);
+  EXPECT_EQ(take_answer()->code, contract::OrderResultCode::malformed);
+  module->stop(link::StopKind::stop);
+  look.mode = head_command::mode::ahead;
+  give(contract::OrderKind::head, look, 0);
+  EXPECT_EQ(take_answer()->code, contract::OrderResultCode::stopped) << "it was given before the stop";
+}
+
+TEST_F(RobotDeskTest, TheCommandIsAnsweredByWhoGivesIt) {
+  start_desk(1);
+  pass(200);
+  auto requests_of_command = looker.read<CommandRequest>("command_request");
+  auto states = looker.write<CommandState>("command_state");
+  CommandRequest request{};
+  request.verb = command_request::verb::let_go;
+  give(contract::OrderKind::command, request);
+  CommandRequest asked{};
+  ASSERT_TRUE(requests_of_command.read(asked));
+  EXPECT_EQ(asked.verb, command_request::verb::let_go);
+  EXPECT_NE(asked.number, 0U);
+  EXPECT_EQ(asked.number >> 31U, 0U) << "the behaviour's have the top bit set";
+  CommandState state{};
+  state.answered = asked.number - 1;
+  states.publish(state, now_ns);
+  pass(5);
+  EXPECT_FALSE(take_answer()) << "that was another's";
+  state.answered = asked.number;
+  state.commander = command_state::commander::behaviour;
+  states.publish(state, now_ns);
+  pass(5);
+  const auto answered = take_answer();
+  ASSERT_TRUE(answered);
+  EXPECT_EQ(decoded<CommandState>(*answered).commander, command_state::commander::behaviour);
+  request.verb = command_request::verb::is_lost;  // is for the desk to say
+  give(contract::OrderKind::command, request);
+  EXPECT_EQ(take_answer()->code, contract::OrderResultCode::malformed);
+}
+
+TEST_F(RobotDeskTest, ARobotWithoutBehaviourSaysSo) {
+  start_desk(1);
+  pass(200);
+  give(contract::OrderKind::behaviour, BehaviourRequest{});
+  const auto answered = take_answer();
+  ASSERT_TRUE(answered);
+  const auto state = decoded<BehaviourState>(*answered);
+  EXPECT_EQ(state.refused, 1U);
+  EXPECT_NE(std::string_view(reinterpret_cast<const char*>(state.text)).find("add 'behaviour'"),
+            std::string_view::npos);
+}
+
+// Its answer fits whatever the tree is: nodes are told as state.
+TEST_F(RobotDeskTest, AMissionIsAnsweredByTheBehaviour) {
+  auto states = looker.write<BehaviourState>("behaviour_state");
+  auto missions = looker.read<BehaviourRequest>("behaviour_request");
+  BehaviourState state{};
+  std::ranges::fill(state.status, std::uint8_t{2});
+  std::ranges::fill(state.transition_ns, INT64_MAX);
+  std::ranges::fill(state.text, std::uint8_t{'t'});
+  states.publish(state, now_ns);
+  start_desk(1);
+  pass(200);
+  BehaviourRequest request{};
+  request.mission[0] = 'm';
+  give(contract::OrderKind::behaviour, request);
+  give(contract::OrderKind::behaviour, request);
+  EXPECT_EQ(take_answer()->code, contract::OrderResultCode::overtaken) << "the first";
+  BehaviourRequest asked{};
+  ASSERT_TRUE(missions.read(asked));
+  EXPECT_EQ(asked.mission[0], 'm');
+  EXPECT_EQ(asked.number >> 31U, 0U);
+  state.answered = asked.number;
+  states.publish(state, now_ns);
+  pass(5);
+  const auto answered = take_answer();
+  ASSERT_TRUE(answered);
+  const auto answer = decoded<BehaviourState>(*answered);
+  EXPECT_EQ(answer.text[200], 't');
+  EXPECT_EQ(answer.status[0], 0U);
+  request.verb = behaviour_request::verb::change + 1;
+  give(contract::OrderKind::behaviour, request);
+  EXPECT_EQ(take_answer()->code, contract::OrderResultCode::malformed);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class Collector {
   Lists<ros::JointState, ros::Imu, ros::WrenchStamped, ros::PointStamped, ros::Odometry, ros::TFMessage,
         ros::PoseArray, ros::MotionState, ros::WayState, ros::RobotState, ros::String, ros::Clock,
         ros::DiagnosticArray, ros::BusSlot, ros::LinkState, ros::SimulationState, ros::TwinState,
-        ros::TwistStamped, ros::Log>
+        ros::TwistStamped, ros::Log, ros::CommandState, ros::BehaviourState, ros::BehaviourNodes>
       kept_;
 };
 

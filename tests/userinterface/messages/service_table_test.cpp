@@ -40,7 +40,8 @@ TEST(ServiceTable, EverybodyMayStopTheRobotAndOnlyWhoCommandsMayMoveIt) {
   EXPECT_FALSE(find_service("/emergency_stop")->needs_command);
   EXPECT_FALSE(find_service("/stop")->needs_command);
   for (const std::string_view moves :
-       {"/stand", "/move_joint", "/play_motion", "/walk_to", "/walk_to/cancel", "/plugins/load",
+       {"/stand", "/move_joint", "/play_motion", "/walk_to", "/walk_to/cancel", "/head/look", "/command/take",
+        "/command/let_go", "/behaviour/start", "/behaviour/end", "/behaviour/change", "/plugins/load",
         "/plugins/reload", "/plugins/unload", "/plugins/set_parameter", "/rosapi/set_param"}) {
     EXPECT_TRUE(find_service(moves)->needs_command) << moves;
   }

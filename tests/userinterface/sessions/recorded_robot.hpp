@@ -19,6 +19,7 @@ class RecordedRobot : public RobotPort {
   std::vector<std::string> told;  // "walk", "stand", "stop", ... in their order
   std::vector<Velocity> velocities;
   std::vector<std::int64_t> validities_ns, ages_ns;  // of velocities
+  std::vector<Look> looks;
   std::vector<PluginOrder> orders;
   std::string moved_joint;  // "2 0.5 1.5": joint, position, duration
   std::deque<OrderResult> results;
@@ -76,6 +77,15 @@ class RecordedRobot : public RobotPort {
                 std::to_string(goal.yaw_rad));
   }
   std::optional<std::uint32_t> leave_way(std::int64_t) override { return note("leave_way"); }
+  std::optional<std::uint32_t> look(const Look& look, std::int64_t) override {
+    looks.push_back(look);
+    return note("look");
+  }
+  std::optional<std::uint32_t> take_command(std::int64_t) override { return note("take_command"); }
+  std::optional<std::uint32_t> let_command_go(std::int64_t) override { return note("let_command_go"); }
+  std::optional<std::uint32_t> mission(MissionVerb verb, std::string_view mission, std::int64_t) override {
+    return note("mission " + std::to_string(static_cast<int>(verb)) + " " + std::string(mission));
+  }
   std::optional<std::uint32_t> order(const PluginOrder& order) override {
     orders.push_back(order);
     return note("order");

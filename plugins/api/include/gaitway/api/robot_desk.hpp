@@ -23,7 +23,8 @@ struct RobotDeskOptions {
   link::LinkSettings link;
 };
 
-// Writes `walk_request`, `stop_request`, `motion_request`, `planned_state` and the queues `user_command` and
+// Writes `walk_request`, `walk_to_request`, `stop_request`, `motion_request`, `head_request`,
+// `command_request`, `behaviour_request`, `planned_state` and the queues `user_command` and
 // `api_plugin_request`.
 //
 // When the link's session ends while the robot walks, it is told to stand: who commanded is not there any
@@ -41,12 +42,19 @@ class RobotDesk {
   [[nodiscard]] link::ControllerEnd& end() noexcept { return end_; }
 
  private:
+  struct Awaited {
+    std::uint32_t number;
+    link::OrderId id;
+  };
   void pass_stops_on(std::int64_t robot_ns);
   void carry_out(const link::Order& order, std::int64_t robot_ns);
   void walk(const link::Order& order, std::int64_t robot_ns);
   void play_motion(const link::Order& order, std::int64_t robot_ns);
   void walk_to(const link::Order& order, std::int64_t robot_ns);
   void leave_way(std::int64_t robot_ns);
+  void look(const link::Order& order, std::int64_t robot_ns);
+  void take_or_let_go(const link::Order& order, std::int64_t robot_ns);
+  void change_mission(const link::Order& order, std::int64_t robot_ns);
   void command(const link::Order& order, std::int64_t robot_ns);
   void request_plugin(const link::Order& order, std::int64_t robot_ns);
   void tell_that_person_is_lost(std::int64_t robot_ns);
@@ -54,6 +62,9 @@ class RobotDesk {
   void take_answers();
   void take_motion_answer();
   void take_way_answer();
+  void take_command_answer();
+  void take_mission_answer();
+  void overtake(std::deque<Awaited>& waiting);
   template <class Answer>
   void answer(link::OrderId id, const Answer& answer);
   void finish(link::OrderId id, contract::OrderResultCode code);  // without an answer of the robot's
@@ -78,11 +89,11 @@ class RobotDesk {
   msgclient::Writer<MotionRequest> motion_requests_;
   msgclient::Reader<MotionState> motion_states_;
   msgclient::Writer<CommandRequest> command_requests_;
+  msgclient::Reader<CommandState> command_states_;
+  msgclient::Writer<HeadCommand> head_requests_;
+  msgclient::Writer<BehaviourRequest> behaviour_requests_;
+  msgclient::Reader<BehaviourState> behaviour_states_;
 
-  struct Awaited {
-    std::uint32_t number;
-    link::OrderId id;
-  };
   std::uint32_t last_number_;
   StopRequest stops_at_start_{};  // what the topic had when the link's counts were 0
   link::StopCounts stops_passed_on_;
@@ -91,6 +102,8 @@ class RobotDesk {
   std::uint64_t motion_seen_ = 0;
   std::deque<Awaited> ways_;  // likewise
   std::uint64_t way_seen_ = 0;
+  std::deque<Awaited> commands_asked_, missions_;  // likewise
+  std::uint64_t mission_seen_ = 0;
   bool on_way_ = false;        // told to walk to a place, and not told to leave the way since
   std::uint32_t session_ = 0;  // of the link, in which the orders below were given
 };

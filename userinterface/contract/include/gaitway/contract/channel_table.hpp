@@ -47,6 +47,12 @@ inline constexpr std::array kMotionStateTopics{
     MirroredTopic{"motion_state", &TopicType<MotionState>::descriptor}};
 inline constexpr std::array kNavigationTopics{
     MirroredTopic{"navigation_state", &TopicType<NavigationState>::descriptor}};
+inline constexpr std::array kCommandTopics{
+    MirroredTopic{"command_state", &TopicType<CommandState>::descriptor}};
+inline constexpr std::array kBehaviourTopics{
+    MirroredTopic{"behaviour_state", &TopicType<BehaviourState>::descriptor}};
+inline constexpr std::array kBehaviourNodeTopics{
+    MirroredTopic{"behaviour_nodes", &TopicType<BehaviourNodes>::descriptor}};
 inline constexpr std::array kHealthTopics{
     MirroredTopic{"network_health", &TopicType<NetworkHealth>::descriptor}};
 inline constexpr std::array kStatisticsTopics{
@@ -63,6 +69,12 @@ inline constexpr std::array kChannels{
     ChannelRow{"statistics", kStatisticsTopics, 50 * facts::kSlot_ns, 100 * facts::kSlot_ns},
     // A slot every 250 ms. Of these each third on a narrow carrier: two have no slots of odd numbers.
     ChannelRow{"bus_slot", kBusSlotTopics, 0, 70 * facts::kSlot_ns},
+    ChannelRow{"command", kCommandTopics, 0, 20 * facts::kSlot_ns},
+    // 2.4 kB with each batch.
+    ChannelRow{"behaviour", kBehaviourTopics, 0, 100 * facts::kSlot_ns},
+    // Parts of a tree, one with each batch, in turn. Of these each 67th on a narrow carrier: a prime above
+    // the number of parts that there can be, so each comes in its turn.
+    ChannelRow{"behaviour_nodes", kBehaviourNodeTopics, 0, 532 * facts::kSlot_ns},
 };
 
 // Behind them: the newest events (event_list.hpp).
@@ -70,6 +82,8 @@ inline constexpr std::size_t kEventChannel = kChannels.size();
 
 // The link's table of channels for a robot.
 [[nodiscard]] std::vector<link::Channel> link_channels(const TopicCodec& codec);
+
+static_assert((kMaxTreeNodes + kToldNodes - 1) / kToldNodes < 67, "parts of a tree");
 
 // By which both ends know that they mean the same: channels, orders and types; the robot's description
 // (robot.urdf and robot.yaml of its folder); its calibration (calibration.yaml; 0: there is none). Throws

@@ -13,7 +13,16 @@
 
 namespace gaitway::contract {
 
-enum class OrderKind : std::uint16_t { walk = 1, motion = 2, user_command = 3, plugin_request = 4, way = 5 };
+enum class OrderKind : std::uint16_t {
+  walk = 1,
+  motion = 2,
+  user_command = 3,
+  plugin_request = 4,
+  way = 5,
+  head = 6,
+  command = 7,
+  behaviour = 8
+};
 
 // An order begins with how many stops of all kinds the module had asked for when it was given (4 bytes,
 // little-endian): one that was given before a stop which the robot has heard moves it no more, though it
@@ -43,6 +52,12 @@ inline constexpr std::array kOrders{
              &TopicType<PluginAnswer>::descriptor, 5 * facts::kSecond_ns},
     OrderRow{OrderKind::way, "way", &TopicType<WalkToRequest>::descriptor,
              &TopicType<NavigationState>::descriptor, facts::kSecond_ns},
+    OrderRow{OrderKind::head, "look", &TopicType<HeadCommand>::descriptor, nullptr, facts::kSecond_ns},
+    OrderRow{OrderKind::command, "command", &TopicType<CommandRequest>::descriptor,
+             &TopicType<CommandState>::descriptor, facts::kSecond_ns},
+    // Of its answer, what tells of the nodes is left out: 0.
+    OrderRow{OrderKind::behaviour, "mission", &TopicType<BehaviourRequest>::descriptor,
+             &TopicType<BehaviourState>::descriptor, facts::kSecond_ns},
 };
 
 // Null: no such kind.

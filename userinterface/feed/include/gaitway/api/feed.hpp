@@ -20,6 +20,9 @@ namespace gaitway::api {
 //   /diagnostics                               each second, of the robot's clock or of the caller's
 //   /motion_state                              as it changes, and with each batch while a motion plays
 //   /walk_to/state                             as it changes, and with each batch while there is a way
+//   /command/state                             as it changes
+//   /behaviour/state                           as it changes, and each second
+//   /behaviour/nodes                           when all of another tree has come
 //   /robot_state                               as it changes
 //   /bus_slot                                  with each new value
 //   /events, /rosout                           as they come;   /robot_description   in the first poll

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "gaitway/api/command_messages.hpp"
 #include "gaitway/api/ros_messages.hpp"
 
 namespace gaitway::api {
@@ -35,7 +36,10 @@ enum class Topic : std::uint8_t {
   events,
   rosout,
   simulation_state,
-  twin_state
+  twin_state,
+  command_state,
+  behaviour_state,
+  behaviour_nodes
 };
 
 struct TopicRow {
@@ -124,6 +128,17 @@ inline constexpr std::array kTopics{
              "measures, how the simulated one differs from it, and what is being sent to it. By the "
              "computer's clock",
              true},
+    TopicRow{
+        Topic::command_state, "/command/state", ros::CommandState::kName, 0.0, true, "",
+        "Who commands the robot, why and since when: emergency stop before person before behaviour before "
+        "nobody. A person's order, stop or /command/take makes it the person; /command/let_go gives it "
+        "back. Not which client of this API has its command: that is /commander"},
+    TopicRow{
+        Topic::behaviour_state, "/behaviour/state", ros::BehaviourState::kName, 0.0, true, "",
+        "The behaviour tree: its mission, what each node was at its last tick, and the newest transitions; "
+        "as it changes, and each second. Of a robot with the plug-in `behaviour` alone"},
+    TopicRow{Topic::behaviour_nodes, "/behaviour/nodes", ros::BehaviourNodes::kName, 0.0, true, "",
+             "How the behaviour tree is built, once for each tree, when all of it is known"},
 };
 inline constexpr std::size_t kTopicCount = kTopics.size();
 

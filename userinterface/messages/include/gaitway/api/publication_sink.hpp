@@ -15,7 +15,8 @@ using AnyMessage =
                  const ros::Odometry*, const ros::TFMessage*, const ros::PoseArray*, const ros::MotionState*,
                  const ros::WayState*, const ros::BusSlot*, const ros::RobotState*, const ros::LinkState*,
                  const ros::String*, const ros::Clock*, const ros::DiagnosticArray*, const ros::Log*,
-                 const ros::SimulationState*, const ros::TwinState*, const ros::TwistStamped*>;
+                 const ros::SimulationState*, const ros::TwinState*, const ros::TwistStamped*,
+                 const ros::CommandState*, const ros::BehaviourState*, const ros::BehaviourNodes*>;
 
 // Called from within Feed::poll(); must not throw.
 class PublicationSink {

@@ -107,6 +107,36 @@ inline constexpr std::array kServices{
     ServiceRow{"/command/release", ros::Lease::kName, false, "Give the command back",
                R"({"lease": "0123456789abcdef"})"},
     ServiceRow{
+        "/command/take", ros::Trigger::kName, true,
+        "A person takes the command of the robot without an order: what the behaviour has ordered ends, "
+        "and it orders no more until /command/let_go. /command/state tells who commands",
+        "{}"},
+    ServiceRow{
+        "/command/let_go", ros::Trigger::kName, true,
+        "A person lets the command of the robot go: what people have ordered ends, and the behaviour may "
+        "command. Nothing else gives the command back after an order or a stop of a person's",
+        "{}"},
+    ServiceRow{
+        "/head/look", ros::Look::kName, true,
+        "Where the head is to look, while the robot stands or walks. `mode`: `ahead`; `direction`, by `yaw` "
+        "to "
+        "the left and `pitch` down [rad] of the neck; `point`, at `x`, `y`, `z` [m, odom]; `scan`, `extent` "
+        "[rad] to either side of `yaw` and `pitch`, there and back in `period` [s]; `hold`, where it is. "
+        "`speed` "
+        "[rad/s] at most. 0: `period` and `speed` as the robot has them. It goes as far as the neck does",
+        R"({"mode": "direction", "yaw": 0.5, "pitch": 0.1})"},
+    ServiceRow{
+        "/behaviour/start", ros::StartMission::kName, true,
+        "Begin a mission anew: the name of a shipped one or the path of its file on the robot; empty: the "
+        "one that is loaded. While a person commands it waits: /command/let_go. Wants the plug-in "
+        "`behaviour`",
+        R"({"mission": "stand_up_after_falls"})"},
+    ServiceRow{"/behaviour/end", ros::Trigger::kName, true, "End the mission: its tree is halted", "{}"},
+    ServiceRow{"/behaviour/change", ros::Trigger::kName, true,
+               "Exchange the running tree for what its file says now; what nodes remember is kept by their "
+               "path. `success` is false, and the old tree goes on, where that cannot be: `message` says why",
+               "{}"},
+    ServiceRow{
         "/simulation/push", ros::PushLink::kName, false,
         "Push the simulated robot: `force` [N, 0.1 to 200 in size] on the centre of mass of `link`, for "
         "`duration` [s, 0.01 to 2]. `frame`: `world`, the simulator's, also when it is empty; or `heading`, "

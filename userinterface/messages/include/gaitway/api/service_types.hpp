@@ -82,6 +82,22 @@ struct Place {
 };
 using WalkTo = RosService<"gaitway_msgs/srv/WalkTo", Place, Outcome>;
 
+// Where the head is to look. Angles of the neck: yaw to the left and pitch down, from ahead.
+struct LookOrder {
+  std::string mode = "ahead";  // "ahead", "direction", "point", "scan" or "hold"
+  double yaw = 0.0;            // rad; of "direction", and the middle of a "scan"
+  double pitch = 0.0;          // rad; likewise
+  double extent = 0.0;         // rad; of "scan": as far to either side of the middle
+  double period = 0.0;         // s; of "scan": from one side to the other and back; 0: as the robot has it
+  double x = 0.0, y = 0.0, z = 0.0;  // m, in odom; of "point"
+  double speed = 0.0;                // rad/s, at most; 0: as the robot has it
+  GAITWAY_FIELDS(mode, yaw, pitch, extent, period, x, y, z, speed)
+};
+using Look = RosService<"gaitway_msgs/srv/Look", LookOrder, Outcome>;
+
+GAITWAY_ONE_FIELD(MissionName, std::string, mission);
+using StartMission = RosService<"gaitway_msgs/srv/StartMission", MissionName, Outcome>;
+
 // One plug-in as the manager sees it.
 struct PluginState {
   std::string name;

@@ -40,6 +40,11 @@ class LinkRobotPort final : public RobotPort {
   std::optional<std::uint32_t> play_motion(std::string_view name, std::int64_t age_ns) override;
   std::optional<std::uint32_t> walk_to(const Goal& goal, std::int64_t age_ns) override;
   std::optional<std::uint32_t> leave_way(std::int64_t age_ns) override;
+  std::optional<std::uint32_t> look(const Look& look, std::int64_t age_ns) override;
+  std::optional<std::uint32_t> take_command(std::int64_t age_ns) override;
+  std::optional<std::uint32_t> let_command_go(std::int64_t age_ns) override;
+  std::optional<std::uint32_t> mission(MissionVerb verb, std::string_view mission,
+                                       std::int64_t age_ns) override;
   std::optional<std::uint32_t> order(const PluginOrder& order) override;
   std::optional<OrderResult> take_result() override;
   [[nodiscard]] const std::vector<JointLimits>& joints() const override { return joints_; }

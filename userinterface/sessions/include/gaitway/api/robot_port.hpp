@@ -27,6 +27,21 @@ struct Goal {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
 };
 
+// HeadCommand::mode, with the numbers that the schema gives.
+enum class LookMode : std::uint32_t { ahead = 0, direction = 1, point = 2, scan = 3, hold = 4 };
+
+// Where the head is to look; what its mode does not name means nothing.
+struct Look {
+  LookMode mode = LookMode::ahead;
+  double yaw_rad = 0.0, pitch_rad = 0.0;    // of the neck, to the left and down, from ahead
+  double extent_rad = 0.0, period_s = 0.0;  // of a scan; period 0: as the robot has it
+  double x_m = 0.0, y_m = 0.0, z_m = 0.0;   // of a point, in odometry
+  double speed_rad_per_s = 0.0;             // at most; 0: as the robot has it
+};
+
+// BehaviourRequest::verb, likewise.
+enum class MissionVerb : std::uint32_t { start = 0, end = 1, change = 2 };
+
 // core::PluginVerb, with the numbers that the schema gives.
 enum class PluginVerb : std::uint32_t {
   reload = 0,
@@ -112,6 +127,14 @@ class RobotPort {
   // Answered when the way is planned, or refused.
   virtual std::optional<std::uint32_t> walk_to(const Goal& goal, std::int64_t age_ns) = 0;
   virtual std::optional<std::uint32_t> leave_way(std::int64_t age_ns) = 0;
+  virtual std::optional<std::uint32_t> look(const Look& look, std::int64_t age_ns) = 0;
+  // A person takes the command of the robot, or lets it go to its behaviour. Answered when it is so, or will
+  // not be.
+  virtual std::optional<std::uint32_t> take_command(std::int64_t age_ns) = 0;
+  virtual std::optional<std::uint32_t> let_command_go(std::int64_t age_ns) = 0;
+  // `mission`: of start; empty: the one that is loaded. Answered by the behaviour.
+  virtual std::optional<std::uint32_t> mission(MissionVerb verb, std::string_view mission,
+                                               std::int64_t age_ns) = 0;
   virtual std::optional<std::uint32_t> order(const PluginOrder& order) = 0;
   virtual std::optional<OrderResult> take_result() = 0;
 
