@@ -27,6 +27,7 @@ class FakeBehaviour {
   text = "walks to a corner";
   status = patrol.map((_node, index) => ["running", "failure", "failure", "idle", "idle", "running", "running", "success", "running", "idle", "idle"][index]);
   commander = "behaviour";
+  reason = "behaviour_orders";
   why = "the behaviour orders";
   #told = []; // time_s, node, to
   #ticks = 0;
@@ -50,7 +51,7 @@ class FakeBehaviour {
     });
     const column = (place) => this.nodes.map((node) => node[place]);
     this.fake.publish("/behaviour/nodes", { revision: this.revision, node_count: this.nodes.length, parent: column(0), type: column(1), name: column(2) });
-    this.fake.publish("/command/state", { commander: this.commander, text: this.why });
+    this.fake.publish("/command/state", { commander: this.commander, reason: this.reason, text: this.why });
   }
 }
 
@@ -122,8 +123,8 @@ test("who commands is said above, and a person lets go by a button alone", () =>
   await robot.says("authority-text", "the behaviour commands: Patrol");
   assert.equal(await robot.page.$eval("#let-go", (button) => button.hidden), true);
   assert.equal(await robot.page.$eval("#commander", (text) => text.hidden), true, "'nobody commands' is not said beside it");
-  Object.assign(behaviour, { commander: "person", why: "a person stopped it", state: "waits" });
-  await robot.says("authority-text", "a person commands, Patrol waits (a person stopped it)");
+  Object.assign(behaviour, { commander: "person", reason: "person_stops", why: "it stands until somebody orders something", state: "waits" });
+  await robot.says("authority-text", "a person has stopped the robot, Patrol waits");
   await picture(robot, "behaviour_waits.png");
   assert.deepEqual(fake.of("/command/let_go"), []);
   await robot.press("let-go");
@@ -137,8 +138,8 @@ test("who commands is said above, and a person lets go by a button alone", () =>
 }));
 
 test("on a phone, banner and tree fit", () => withPage(async (robot, behaviour) => {
-  Object.assign(behaviour, { commander: "person", why: "a person stopped it", state: "waits" });
-  await robot.says("authority-text", "a person commands");
+  Object.assign(behaviour, { commander: "person", reason: "person_stops", why: "it stands until somebody orders something", state: "waits" });
+  await robot.says("authority-text", "a person has stopped the robot");
   await robot.tab("Behaviour");
   await robot.until(() => document.querySelectorAll(".tree li").length === 11, "the tree");
   assert.equal(await robot.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);

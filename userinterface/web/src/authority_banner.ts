@@ -32,6 +32,7 @@ export class AuthorityBanner {
     this.person.hidden = authority !== undefined && this.person.textContent === nobodyCommands;
     if (!authority) return;
     setText(this.text, authority.text);
+    this.text.title = authority.why;
     this.button.hidden = !authority.lets_go;
   }
 }

@@ -11,7 +11,8 @@ export interface BehaviourState extends TreeState {
 
 export interface CommandState {
   commander: string; // "nobody", "behaviour", "person", "emergency_stop"
-  text: string; // why, for people
+  reason: string; // "person_stops"
+  text: string; // the same for people
 }
 
 const statuses: readonly Status[] = ["idle", "running", "success", "failure", "skipped"]; // by their numbers
@@ -45,24 +46,27 @@ export function nodesOf(message: Message): TreeNodes {
   };
 }
 
-export const commandOf = (message: Message): CommandState => ({ commander: String(message["commander"]), text: String(message["text"]) });
+export const commandOf = (message: Message): CommandState => ({ commander: String(message["commander"]), reason: String(message["reason"]), text: String(message["text"]) });
 
 // What a person must know of who commands, where a mission is at work or waits; undefined: nothing.
 export interface Authority {
   text: string;
+  why: string;
   lets_go: boolean; // whether the behaviour would command again, if people let go
 }
+const ofPerson: Record<string, string> = { person_stops: "a person has stopped the robot", person_is_lost: "the person who commanded is lost", person_moves_joint: "a person moves a joint" };
+
 export function authorityOf(command: CommandState | undefined, behaviour: BehaviourState | undefined): Authority | undefined {
   const mission = behaviour && ["runs", "halts", "waits"].includes(behaviour.state) ? behaviour.mission : "";
   if (!command || (mission === "" && command.commander !== "behaviour")) return undefined;
-  const why = command.text === "" ? "" : ` (${command.text})`;
+  const why = command.text;
   switch (command.commander) {
     case "behaviour":
-      return { text: `the behaviour commands${mission === "" ? "" : `: ${mission}`}`, lets_go: false };
+      return { text: `the behaviour commands${mission === "" ? "" : `: ${mission}`}`, why, lets_go: false };
     case "person":
-      return { text: `a person commands, ${mission} waits${why}`, lets_go: true };
+      return { text: `${ofPerson[command.reason] ?? "a person commands"}, ${mission} waits`, why, lets_go: true };
     case "emergency_stop":
-      return { text: `emergency stop, ${mission} waits${why}`, lets_go: false };
+      return { text: `emergency stop, ${mission} waits`, why, lets_go: false };
     default:
       return undefined;
   }

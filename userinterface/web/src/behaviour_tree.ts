@@ -33,7 +33,11 @@ export interface Told {
 
 const kept = 200;
 
-export const labelOf = ({ type, name }: TreeNode): string => (name === "" ? type : `${type} “${name}”`);
+// A name that was made of the type, to tell it from others beside it ("WalkTo#2"), is its number.
+export function labelOf({ type, name }: TreeNode): string {
+  if (name === "") return type;
+  return name.startsWith(`${type}#`) ? `${type} ${name.slice(type.length)}` : `${type} “${name}”`;
+}
 
 export class BehaviourTree {
   private revision = -1;

@@ -17,6 +17,12 @@ test("rows come with the nodes, in the tree's order, with what the state says of
     [0, "Fallback", "running"], [1, "Sequence “after a fall”", "failure"], [2, "Fallen", "failure"], [1, "WalkTo", "running"]]);
 });
 
+test("a node's name is told, and its number where the name was made of it", () => {
+  assert.equal(labelOf({ depth: 0, type: "Say", name: "" }), "Say");
+  assert.equal(labelOf({ depth: 0, type: "Say", name: "hello" }), "Say “hello”");
+  assert.equal(labelOf({ depth: 0, type: "Say", name: "Say#2" }), "Say #2");
+});
+
 test("nodes that come before their state have no status yet", () => {
   const tree = new BehaviourTree();
   tree.takeState(state(0, [], 2));
@@ -59,13 +65,14 @@ test("counters that begin anew tell of a robot that did", () => {
 const behaviour = (state: string) => stateOf({ state, mission: "Patrol", text: "", ticks: 1, revision: 1, node_count: 1, status: [1], transitions: 1, transition_time: [1.5], transition_node: [0], transition_to: [1] });
 
 test("who commands is told where a mission is concerned, and a person can let go", () => {
-  const command = (commander: string, text = "") => ({ commander, text });
+  const command = (commander: string, reason = "", text = "") => ({ commander, reason, text });
   assert.equal(authorityOf(command("person"), undefined), undefined);
   assert.equal(authorityOf(command("person"), behaviour("succeeded")), undefined);
   assert.equal(authorityOf(command("nobody"), behaviour("runs")), undefined);
   assert.equal(authorityOf(undefined, behaviour("runs")), undefined);
-  assert.deepEqual(authorityOf(command("behaviour"), behaviour("runs")), { text: "the behaviour commands: Patrol", lets_go: false });
-  assert.deepEqual(authorityOf(command("person", "a person stopped it"), behaviour("waits")), { text: "a person commands, Patrol waits (a person stopped it)", lets_go: true });
+  assert.deepEqual(authorityOf(command("behaviour"), behaviour("runs")), { text: "the behaviour commands: Patrol", why: "", lets_go: false });
+  assert.deepEqual(authorityOf(command("person", "person_stops", "it stands until somebody orders something"), behaviour("waits")), { text: "a person has stopped the robot, Patrol waits", why: "it stands until somebody orders something", lets_go: true });
+  assert.equal(authorityOf(command("person", "person_orders"), behaviour("waits"))?.text, "a person commands, Patrol waits");
   assert.equal(authorityOf(command("emergency_stop"), behaviour("waits"))?.lets_go, false);
 });
 

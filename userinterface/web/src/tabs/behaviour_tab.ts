@@ -1,6 +1,6 @@
 // The behaviour: which mission runs, its tree as it is at this moment, and what its nodes did last.
 import { BehaviourTree, labelOf, type Status, type Told } from "../behaviour_tree.ts";
-import { nodesOf, stateOf, type BehaviourState } from "../behaviour_messages.ts";
+import { commandOf, nodesOf, stateOf, type BehaviourState, type CommandState } from "../behaviour_messages.ts";
 import type { Context, Tab } from "../context.ts";
 import { button, element, setText } from "../dom.ts";
 import { Facts } from "../facts.ts";
@@ -8,7 +8,7 @@ import { Facts } from "../facts.ts";
 const old_ms = 3000; // a state comes each second at least
 const patience_ms = 5000; // a mission is read, and a tree may take steps to end
 const marks: Record<Status, string> = { idle: "·", running: "▶", success: "✓", failure: "✕", skipped: "↷" };
-const stateTexts: Record<string, string> = { none: "no mission", runs: "runs", halts: "comes to its end", succeeded: "has succeeded", failed: "has failed", waits: "waits: somebody else commands" };
+const stateTexts: Record<string, string> = { none: "no mission", runs: "runs", halts: "comes to its end", succeeded: "has succeeded", failed: "has failed", waits: "waits" };
 
 function treeRow(): { row: HTMLElement; show: (depth: number, label: string, status: Status | undefined) => void } {
   const mark = element("span", { class: "mark", "aria-hidden": "true" });
@@ -36,9 +36,11 @@ export function behaviourTab({ robot, attempt, command }: Context): Tab {
   const order = (service: string, args = {}) => command.during(() => robot.order(service, args, patience_ms));
   const tree = new BehaviourTree();
   let state: BehaviourState | undefined;
+  let authority: CommandState | undefined;
   let came_ms = -Infinity;
   const facts = new Facts();
   const said = element("p", { class: "hint", role: "status" });
+  const who = element("p", { class: "hint" });
   const mission = element("input", { id: "mission", placeholder: "name or file of a mission", "aria-label": "Mission", spellcheck: false, autocomplete: "off", enterkeyhint: "go" });
   const start = element("form", { class: "tools" }, mission, element("button", { type: "submit" }, "Start"));
   const end = button("End it", () => void attempt("End the mission", () => order("/behaviour/end")));
@@ -79,10 +81,12 @@ export function behaviourTab({ robot, attempt, command }: Context): Tab {
     facts.set("state", !state ? "not known" : isOld ? "not heard of" : (stateTexts[state.state] ?? state.state), isOld || state?.state === "failed");
     facts.set("ticks", state ? String(state.ticks) : "–");
     setText(said, !state ? "This robot tells of no behaviour." : state.text);
+    setText(who, !authority || !robot.isOpen ? "" : `Command: ${authority.commander.replace("_", " ")}; ${authority.text}.`);
     end.disabled = change.disabled = !robot.isOpen || !state || state.state === "none";
     showTree();
     showLog();
   };
+  robot.subscribe("/command/state", "gaitway_msgs/msg/CommandState", 0, (message) => (authority = commandOf(message)));
   // From the page's start on, so that transitions are told that were while another tab was open.
   robot.subscribe("/behaviour/state", "gaitway_msgs/msg/BehaviourState", 0, (message) => {
     state = stateOf(message);
@@ -90,7 +94,7 @@ export function behaviourTab({ robot, attempt, command }: Context): Tab {
     tree.takeState(state);
   });
   robot.subscribe("/behaviour/nodes", "gaitway_msgs/msg/BehaviourNodes", 0, (message) => tree.takeNodes(nodesOf(message)));
-  const content = element("div", { class: "behaviour-tab" }, facts.list, said, start, element("div", { class: "buttons" }, end, change), list,
+  const content = element("div", { class: "behaviour-tab" }, facts.list, said, who, start, element("div", { class: "buttons" }, end, change), list,
     element("h2", {}, "Transitions"), missed, log);
   return { title: "Behaviour", content, look };
 }
