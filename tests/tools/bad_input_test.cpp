@@ -117,6 +117,14 @@ TEST_F(BadInput, GoodInputOfTheSameKindRuns) {
   }
 }
 
+TEST_F(BadInput, ARobotWithoutACameraHasNoEyesAndABrokenOneIsNamed) {
+  const std::string robot = "--robot " + quoted(robot_.folder());
+  expect_refused(robot + " --eyes " + quoted(file("eyes")), {"--eyes", "has no camera", "camera.yaml"});
+  EXPECT_FALSE(std::filesystem::exists(file("eyes")));
+  robot_.write("camera.yaml", "link: head\nposition: [0, 0, 0]\n");
+  expect_refused(robot, {"camera.yaml:2", "Did you mean 'position_m'?"});
+}
+
 TEST_F(BadInput, AWrongLineReachesTheTerminalWithoutEscapeSequences) {
   const std::string clear = "\"$(printf '\\033[2J')\"";
   for (const std::string& line :

@@ -52,6 +52,18 @@ TEST_F(RunOutput, StayingUpIsNotEnough) {
   EXPECT_NE(text("report.html").find("DID NOT DO WHAT WAS ASKED"), std::string::npos);
 }
 
+TEST_F(RunOutput, EyesLeaveEachPairOfPictures) {
+  ASSERT_EQ(
+      run("--seconds 1 --walk 0 --world course --no-pictures --eyes '" + (folder_ / "eyes").string() + "'"),
+      0);
+  int pairs = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "eyes")) {
+    pairs += entry.path().extension() == ".png" && entry.file_size() > 10'000 ? 1 : 0;
+  }
+  EXPECT_GE(pairs, 10) << "12 or 13 in a second, of which one may be lost";
+  EXPECT_LE(pairs, 13);
+}
+
 TEST_F(RunOutput, TheSummaryHasEveryFigure) {
   ASSERT_EQ(run("--seconds 4 --seed 11 --no-pictures"), 0);
   const nlohmann::json figures = summary();

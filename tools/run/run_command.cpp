@@ -278,6 +278,7 @@ int run(const RunOptions& options) {
   if (plugins.writer_of("motion_state") == "trajectory") {
     require_known_motions(scenario, options, plugins.configuration);
   }
+  EyeFiles eyes(options.eyes, cosimulation);
   prepare_output(options.out);
 
   RunRecorder recorder(cosimulation, options.out / "bus.log", true);
@@ -287,7 +288,6 @@ int run(const RunOptions& options) {
                                ((*options.film)[1] - (*options.film)[0]) / (Snapshots::kPictures - 1), false)
       : options.to ? Snapshots(kFirstPicture_s, 1.0, true)
                    : Snapshots(kFirstPicture_s, scenario.seconds / Snapshots::kPictures, false);
-  EyeFiles eyes(options.eyes, cosimulation);
   RunTiming timing;
   timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
                            snapshots, eyes, ProgressLine(!options.quiet));

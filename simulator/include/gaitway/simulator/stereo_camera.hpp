@@ -2,10 +2,12 @@
 // sensors give them, and the topic on which they come. What it leaves out is in docs/simulator.md.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gaitway/msgclient/client.hpp"

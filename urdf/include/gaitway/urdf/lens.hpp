@@ -2,7 +2,7 @@
 // measures in them has the same definition of it.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 
