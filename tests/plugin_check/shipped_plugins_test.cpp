@@ -22,7 +22,8 @@ TEST_P(ShippedPlugins, HasNoFinding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, ShippedPlugins,
-                         testing::Values("trajectory", "kinematics", "zmp", "stability", "navigation", "behaviour"),
+                         testing::Values("trajectory", "kinematics", "zmp", "stability", "navigation",
+                                         "behaviour"),
                          [](const auto& tried) {
                            return tried.param + std::string(kForm[0] == '\0' ? "" : "_full");
                          });
