@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,8 @@
 
 namespace gaitway::navigation {
 namespace {
+
+constexpr const char* kSeenName = "seen";
 
 planning::Limits shared(planning::Limits limits, const StepShares& shares) {
   limits.max_step_forward_m *= shares.forward;
@@ -39,6 +42,21 @@ bool all_known(const std::vector<WayPlanner::SeenBox>& boxes, const std::vector<
   });
 }
 
+// False: nothing that was seen is so near that it could hold the robot's place.
+bool leave_out_nearest_seen(world::World& world, const planning::Request& request) {
+  constexpr double kMightHold_m = 1.0;
+  const planning::Pose start = planning::middle_of(request.left, request.right);
+  const auto distance_m = [&](const world::Solid& solid) {
+    if (solid.name != kSeenName) return std::numeric_limits<double>::infinity();
+    const Eigen::Vector3d there = solid.pose.inverse() * Eigen::Vector3d(start.x_m, start.y_m, 0.0);
+    return (there.cwiseAbs() - 0.5 * solid.size_m).head<2>().cwiseMax(0.0).norm();
+  };
+  const auto nearest = std::ranges::min_element(world.solids, {}, distance_m);
+  if (nearest == world.solids.end() || distance_m(*nearest) > kMightHold_m) return false;
+  world.solids.erase(nearest);
+  return true;
+}
+
 }  // namespace
 
 WayPlanner::WayPlanner(const urdf::RobotModel& robot, world::World world, const StepShares& shares)
@@ -61,7 +79,7 @@ bool WayPlanner::see(const Obstacles& obstacles, const planning::Pose& odometry)
   for (const SeenBox& box : boxes) {
     world::Solid solid;
     solid.kind = world::Kind::box;
-    solid.name = "seen";
+    solid.name = kSeenName;
     solid.size_m = box.size_m;
     solid.pose = Eigen::Translation3d(box.pose.x_m, box.pose.y_m, 0.5 * box.size_m.z()) *
                  Eigen::AngleAxisd(box.pose.yaw_rad, Eigen::Vector3d::UnitZ());
@@ -72,16 +90,26 @@ bool WayPlanner::see(const Obstacles& obstacles, const planning::Pose& odometry)
   return true;
 }
 
+planning::Plan WayPlanner::plan_in(const world::World& world, const planning::Request& request) const {
+  const planning::Pose start = planning::middle_of(request.left, request.right);
+  const planning::GroundMap map = planning::ground_map(
+      world, planning::grid_over(world, start, request.goal, planner_.cell_m()), planner_.limits().height_m);
+  return planner_.plan(map, request);
+}
+
 std::function<planning::Plan()> WayPlanner::job(const planning::Request& request) const {
   return [this, world = with_seen_, request,
           previous = std::vector<planning::Footstep>(request.previous.begin(), request.previous.end())] {
     planning::Request own = request;
     own.previous = previous;
-    const double cell_m = planner_.cell_m();
-    const planning::Pose start = planning::middle_of(own.left, own.right);
-    const planning::GroundMap map = planning::ground_map(
-        *world, planning::grid_over(*world, start, own.goal, cell_m), planner_.limits().height_m);
-    return planner_.plan(map, own);
+    planning::Plan plan = plan_in(*world, own);
+    // Where the robot stands nothing else does: a box there was seen wrongly, or has been left behind by an odometry
+    // that has slipped.
+    world::World less = *world;
+    while (plan.reason == planning::Reason::start_in_obstacle && leave_out_nearest_seen(less, own)) {
+      plan = plan_in(less, own);
+    }
+    return plan;
   };
 }
 

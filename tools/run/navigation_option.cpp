@@ -16,7 +16,10 @@ void add_navigation(core::Configuration& configuration, const std::optional<worl
   entry.name = kNavigationName;
   entry.library = "libgaitway_plugin_navigation.so";
   entry.parameters.push_back({"plans_in_step", "true", 0});
-  if (world) {
+  // A robot with eyes maps what it sees, in its odometry, which a fall moves against any map that it was given.
+  const bool sees = std::ranges::any_of(configuration.plugins,
+                                        [](const auto& plugin) { return plugin.name == kVisionName; });
+  if (world && !sees) {
     entry.parameters.push_back({"world", world->file.string(), 0});
     if (world->random_seed)
       entry.parameters.push_back({"world_seed", std::to_string(*world->random_seed), 0});

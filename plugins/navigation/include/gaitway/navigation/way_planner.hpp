@@ -37,6 +37,8 @@ class WayPlanner {
   [[nodiscard]] const planning::Limits& limits() const noexcept { return planner_.limits(); }
 
  private:
+  [[nodiscard]] planning::Plan plan_in(const world::World& world, const planning::Request& request) const;
+
   planning::Planner planner_;
   world::World world_;                             // as it was given
   std::shared_ptr<const world::World> with_seen_;  // and with what has been seen
