@@ -288,8 +288,7 @@ void RobotDesk::change_mission(const link::Order& order, std::int64_t robot_ns) 
   if (behaviour_states_.newest_sequence() == 0) {
     constexpr std::string_view kNobody =
         "no plug-in of this robot carries out missions: add 'behaviour' to its configuration";
-    BehaviourState nobody{};
-    nobody.refused = 1;
+    PluginAnswer nobody{};
     std::ranges::copy(kNobody, nobody.text);
     return answer(order.id, nobody);
   }
@@ -370,7 +369,7 @@ void RobotDesk::take_command_answer() {
   commands_asked_.pop_front();
 }
 
-// Without its nodes: they come as state, and would be longer than an answer may be.
+// What was said, without the tree: that comes as state, and would be longer than an answer may be.
 void RobotDesk::take_mission_answer() {
   if (missions_.empty() || behaviour_states_.newest_sequence() == mission_seen_) {
     return;
@@ -384,11 +383,10 @@ void RobotDesk::take_mission_answer() {
   if (state.answered != missions_.front().number) {
     return;
   }
-  std::ranges::fill(state.status, std::uint8_t{0});
-  std::ranges::fill(state.transition_ns, 0);
-  std::ranges::fill(state.transition_node, 0U);
-  std::ranges::fill(state.transition_to, std::uint8_t{0});
-  answer(missions_.front().id, state);
+  PluginAnswer said{};
+  said.done = state.refused == 0 ? 1 : 0;
+  std::ranges::copy(state.text, said.text);
+  answer(missions_.front().id, said);
   missions_.pop_front();
 }
 

@@ -15,9 +15,11 @@ namespace walk_states = footstep_state::state;
 using planning::Pose;
 using planning::Side;
 
-constexpr std::int64_t kOrderValid_ns = 1'000'000'000;     // a request, from its stamp
-constexpr std::int64_t kPlanValid_ns = 1'000'000'000;      // what the walk follows, without a newer one
-constexpr std::int64_t kStandsFor_ns = 500'000'000;        // a stand that no step of the plan ends
+constexpr std::int64_t kOrderValid_ns = 1'000'000'000;  // a request, from its stamp
+constexpr std::int64_t kPlanValid_ns = 1'000'000'000;   // what the walk follows, without a newer one
+constexpr std::int64_t kStandsFor_ns = 500'000'000;     // a stand that no step of the plan ends
+constexpr std::int64_t kOneStop_ns = 50'000'000;        // from a cancellation to the stop that it belongs to
+constexpr const char* kStopped = "somebody stopped the robot";
 constexpr std::int64_t kMostForStand_ns = 10'000'000'000;  // until the robot stands again
 
 Pose pose_of(const double (&numbers)[3]) noexcept {
@@ -119,13 +121,19 @@ void Navigator::answer(const Inputs& inputs) {
 
 // By somebody, or by a fall. A way that was stopped is not gone on with: nobody expects that.
 void Navigator::end_if_taken_away(const Inputs& inputs) {
-  if (state_ == State::idle) return;
+  if (state_ == State::idle) {
+    // Whoever stops the robot has the way cancelled, too, which may be heard first.
+    const bool just_cancelled =
+        result_ == Result::cancelled && text_[0] == '\0' && inputs.now_ns - since_ns_ < kOneStop_ns;
+    if (just_cancelled && inputs.stops != stops_) end(Result::cancelled, kStopped, inputs.now_ns);
+    return;
+  }
   if (inputs.commanded) {
     end(Result::cancelled, "somebody walks the robot by velocities", inputs.now_ns);
   } else if (inputs.estimate.fall != estimate::fall::upright) {
     end(Result::failed, "the robot fell", inputs.now_ns);
   } else if (inputs.stops != stops_) {
-    end(Result::cancelled, "somebody stopped the robot", inputs.now_ns);
+    end(Result::cancelled, kStopped, inputs.now_ns);
   }
 }
 

@@ -103,8 +103,8 @@ std::function<planning::Plan()> WayPlanner::job(const planning::Request& request
     planning::Request own = request;
     own.previous = previous;
     planning::Plan plan = plan_in(*world, own);
-    // Where the robot stands nothing else does: a box there was seen wrongly, or has been left behind by an odometry
-    // that has slipped.
+    // Where the robot stands nothing else does: a box there was seen wrongly, or has been left behind by an
+    // odometry that has slipped.
     world::World less = *world;
     while (plan.reason == planning::Reason::start_in_obstacle && leave_out_nearest_seen(less, own)) {
       plan = plan_in(less, own);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/forward_kinematics.hpp"
@@ -53,14 +52,13 @@ void HeadPlanner::obey(const HeadCommand& command) noexcept {
   std::ranges::copy(rest_rad(angle_rad_, speed_rad_per_s_), command_.direction);
 }
 
-void HeadPlanner::begin_at(const JointStates& joints) noexcept {
-  const std::size_t count = std::min<std::size_t>(joints.joint_count, kMaxJoints);
-  angle_rad_ = neck_.angles_rad(std::span(joints.reference_position).first(count));
+void HeadPlanner::begin_after_tail() noexcept {
+  angle_rad_ = rest_rad_;
   speed_rad_per_s_ = {};
 }
 
 void HeadPlanner::leave_to_others(MotionPlan& plan) noexcept {
-  angle_rad_ = speed_rad_per_s_ = {};
+  angle_rad_ = speed_rad_per_s_ = rest_rad_ = {};
   for (auto& point : plan.head) std::ranges::fill(point, 0.0);
 }
 
@@ -79,6 +77,7 @@ void HeadPlanner::plan(bool allowed, const Estimate* estimate, MotionPlan& plan)
     approach(rest, angle, speed);
     std::ranges::copy(angle, plan.head[point]);
   }
+  rest_rad_ = angle;
 }
 
 HeadPlanner::Angles HeadPlanner::rest_rad(const Angles& angle_rad,

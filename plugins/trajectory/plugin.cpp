@@ -220,7 +220,7 @@ class Trajectory final : public Plugin {
   // A posture of a fall, or a motion that begins on the ground, sets out from where the neck's joints are.
   void plan_head(PlanDecision decision, MotionPlan& plan) {
     if (look_.has_value()) head_.obey(look_.read());
-    if (decision == PlanDecision::begin_anew && joints_.has_value()) head_.begin_at(joints_.read());
+    if (decision == PlanDecision::begin_anew) head_.begin_after_tail();
     const bool sets_out_itself = plan.motion != 0 && posture_.value().from_home != 0;
     if (plan.sequence == 0 || sets_out_itself) return head_.leave_to_others(plan);
     head_.plan(!player_.plays(), estimate_.has_value() ? &estimate_.read() : nullptr, plan);

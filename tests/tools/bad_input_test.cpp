@@ -236,7 +236,7 @@ TEST_F(BadInput, TopicsWithTwoWritersOrNone) {
                         {"topic 'correction' has two writers", "'stability'", "'second'"});
   expect_plugin_refused(
       "{name: second, library: " + test_plugin("relay") + ", parameters: {to: walk_command}}",
-      {"topic 'walk_command'", "'trajectory' means a WalkCommand", "'second' a Correction"});
+      {"topic 'walk_command' has two writers", "'second'", "'arbiter'"});
   expect_config_refused("plugins:\n  - name: kinematics\n",
                         {"plug-in 'kinematics' reads topic 'motion_plan', but nobody writes it"});
 }

@@ -16,7 +16,8 @@ void add_navigation(core::Configuration& configuration, const std::optional<worl
   entry.name = kNavigationName;
   entry.library = "libgaitway_plugin_navigation.so";
   entry.parameters.push_back({"plans_in_step", "true", 0});
-  // A robot with eyes maps what it sees, in its odometry, which a fall moves against any map that it was given.
+  // A robot with eyes maps what it sees, in its odometry, which a fall moves against any map that it was
+  // given.
   const bool sees = std::ranges::any_of(configuration.plugins,
                                         [](const auto& plugin) { return plugin.name == kVisionName; });
   if (world && !sees) {

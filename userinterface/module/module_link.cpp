@@ -307,11 +307,6 @@ OrderResult ModuleLink::answer_of(const Given& given, link::Bytes payload) const
       const bool done = state.commander != command_state::commander::emergency_stop;
       return {given.number, done, gaitway::api::text_of(state.text)};
     }
-  } else if (given.kind == OrderKind::behaviour) {
-    BehaviourState state;
-    if (decode(state)) {
-      return {given.number, state.refused == 0, gaitway::api::text_of(state.text)};
-    }
   } else if (given.kind == OrderKind::user_command) {
     UserCommandAnswer answer;
     if (decode(answer)) {

@@ -207,8 +207,8 @@ TEST_F(RobotDeskTest, ARobotWithoutBehaviourSaysSo) {
   give(contract::OrderKind::behaviour, BehaviourRequest{});
   const auto answered = take_answer();
   ASSERT_TRUE(answered);
-  const auto state = decoded<BehaviourState>(*answered);
-  EXPECT_EQ(state.refused, 1U);
+  const auto state = decoded<PluginAnswer>(*answered);
+  EXPECT_EQ(state.done, 0U);
   EXPECT_NE(std::string_view(reinterpret_cast<const char*>(state.text)).find("add 'behaviour'"),
             std::string_view::npos);
 }
@@ -238,9 +238,9 @@ TEST_F(RobotDeskTest, AMissionIsAnsweredByTheBehaviour) {
   pass(5);
   const auto answered = take_answer();
   ASSERT_TRUE(answered);
-  const auto answer = decoded<BehaviourState>(*answered);
+  const auto answer = decoded<PluginAnswer>(*answered);
+  EXPECT_EQ(answer.done, 1U);
   EXPECT_EQ(answer.text[200], 't');
-  EXPECT_EQ(answer.status[0], 0U);
   request.verb = behaviour_request::verb::change + 1;
   give(contract::OrderKind::behaviour, request);
   EXPECT_EQ(take_answer()->code, contract::OrderResultCode::malformed);

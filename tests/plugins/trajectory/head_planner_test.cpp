@@ -161,15 +161,14 @@ TEST_F(HeadPlannerTest, GoesBackAheadForAMotion) {
   EXPECT_NEAR(yaw_.back(), 0.8, 1e-9) << "and afterwards where it was told to look";
 }
 
-TEST_F(HeadPlannerTest, GoesOnFromWhereTheJointsAreHeld) {
-  look(direction(0.8, 0.0));
-  batches(15);
-  JointStates joints{};
-  joints.joint_count = static_cast<std::uint32_t>(robot_.joints.size());
-  joints.reference_position[robot_.joint_index("neck_yaw")] = 0.5;
-  head_.begin_at(joints);
+TEST_F(HeadPlannerTest, AfterASafeTailItGoesOnFromWhereThatEnds) {
+  look(direction(1.2, 0.0));
+  batches(3);  // in full swing
+  const double rest = plan_->head[kBatchPoints + plan_->tail_count - 1][0];
+  head_.begin_after_tail();
   batches(1);
-  EXPECT_NEAR(plan_->head[0][0], 0.5, 0.01);
+  EXPECT_GT(rest, yaw_[8 * 3]);
+  EXPECT_NEAR(plan_->head[0][0], rest, 0.01);
 }
 
 TEST_F(HeadPlannerTest, WhateverIsAskedTheWayHasNoJerkAndKeepsItsLimits) {

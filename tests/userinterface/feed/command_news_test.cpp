@@ -94,7 +94,7 @@ TEST_F(CommandNewsTest, WhoCommandsIsToldInWords) {
   put(command.text, "a person commands");
   tell_command();
   ASSERT_EQ(told_commands().size(), 1U);
-  const ros::CommandState& told = told_commands().front();
+  const ros::CommandState told = told_commands().front();
   EXPECT_EQ(told.commander, "person");
   EXPECT_EQ(told.reason, "person_stops");
   EXPECT_EQ(told.text, "a person commands");
@@ -188,7 +188,7 @@ TEST_F(CommandNewsTest, ATreeIsToldWhenAllOfItsPartsHaveCome) {
   EXPECT_TRUE(told_trees().empty());
   tell_part(1, 40, 1);
   ASSERT_EQ(told_trees().size(), 1U);
-  const ros::BehaviourNodes& tree = told_trees().front();
+  const ros::BehaviourNodes tree = told_trees().front();
   EXPECT_EQ(tree.revision, 1U);
   EXPECT_EQ(tree.node_count, 40U);
   ASSERT_EQ(tree.parent.size(), 40U);

@@ -79,7 +79,7 @@ class OutageTest : public ::testing::Test {
   Hub hub_{port_, {}};
   std::int64_t now_ns_ = kSecond_ns;
   TestClient client_{hub_, now_ns_, "driver"};
-  msgclient::Reader<WalkCommand> requests_ = run_.client().read<WalkCommand>("walk_request");
+  msgclient::Reader<WalkCommand> requests_ = run_.client().read<WalkCommand>("walk_command");
   std::vector<json> messages_;
   std::uint64_t request_seen_ = 0;
   std::int64_t last_walk_ns_ = 0, walks_until_ns_ = 0;

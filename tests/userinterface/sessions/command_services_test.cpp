@@ -120,7 +120,7 @@ TEST_F(CommandServicesTest, WhereItCannotLookIsRefusedByName) {
   EXPECT_THAT(failure("/head/look", {{"mode", "scan"}}), HasSubstr("extent is 0 rad"));
   EXPECT_THAT(failure("/head/look", {{"mode", "scan"}, {"extent", -0.1}}), HasSubstr("extent is -0.1"));
   EXPECT_THAT(failure("/head/look", {{"mode", "scan"}, {"extent", 0.1}, {"period", 601}}),
-              HasSubstr("period is 601, but must be from 0.0 to 600.0 s"));
+              HasSubstr("period is 601.0, but must be from 0.0 to 600.0 s"));
   EXPECT_THAT(failure("/head/look", {{"mode", "point"}, {"z", 1e6}}), HasSubstr("z is 1000000"));
   EXPECT_THAT(failure("/head/look", {{"speed", -1}}), HasSubstr("speed is -1"));
   EXPECT_THAT(failure("/head/look", {{"mode", "direction"}, {"yaw", "left"}}), HasSubstr("yaw"));

@@ -82,7 +82,10 @@ class RecordedRobot : public RobotPort {
     return note("look");
   }
   std::optional<std::uint32_t> take_command(std::int64_t) override { return note("take_command"); }
-  std::optional<std::uint32_t> let_command_go(std::int64_t) override { return note("let_command_go"); }
+  std::optional<std::uint32_t> let_command_go(std::int64_t) override {
+    if (!is_blocked) walking = false;
+    return note("let_command_go");
+  }
   std::optional<std::uint32_t> mission(MissionVerb verb, std::string_view mission, std::int64_t) override {
     return note("mission " + std::to_string(static_cast<int>(verb)) + " " + std::string(mission));
   }

@@ -20,8 +20,9 @@ class HeadPlanner {
 
   // The newest command; one with another stamp begins.
   void obey(const HeadCommand& command) noexcept;
-  // The robot's joints are held at these references: the head goes on from there.
-  void begin_at(const JointStates& joints) noexcept;
+  // A safe tail has been played: the head is where the last plan's ends. Where a person has moved the neck
+  // meanwhile, that is theirs, and no batch takes it back.
+  void begin_after_tail() noexcept;
   // Another part of the plan moves the neck's joints, from where they are: nothing is added to it.
   void leave_to_others(MotionPlan& plan) noexcept;
 
@@ -31,7 +32,7 @@ class HeadPlanner {
 
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.command_, self.angle_rad_, self.speed_rad_per_s_, self.scan_time_s_);
+    archive(self.command_, self.angle_rad_, self.speed_rad_per_s_, self.rest_rad_, self.scan_time_s_);
   }
 
  private:
@@ -53,6 +54,7 @@ class HeadPlanner {
   double acceleration_rad_per_s2_ = 0.0, usual_scan_s_ = 0.0;
   HeadCommand command_{};
   Angles angle_rad_{}, speed_rad_per_s_{};  // at the end of the last batch
+  Angles rest_rad_{};                       // at the end of its tail
   double scan_time_s_ = 0.0;                // since the scan began
 };
 

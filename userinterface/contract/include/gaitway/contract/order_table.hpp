@@ -57,7 +57,7 @@ inline constexpr std::array kOrders{
              &TopicType<CommandState>::descriptor, facts::kSecond_ns},
     // Of its answer, what tells of the nodes is left out: 0.
     OrderRow{OrderKind::behaviour, "mission", &TopicType<BehaviourRequest>::descriptor,
-             &TopicType<BehaviourState>::descriptor, facts::kSecond_ns},
+             &TopicType<PluginAnswer>::descriptor, facts::kSecond_ns},
 };
 
 // Null: no such kind.
