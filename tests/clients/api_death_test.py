@@ -300,9 +300,10 @@ class ApiDeath(unittest.TestCase):
         self.assertFalse(summary["fell"])
         self.assertEqual(summary["batches"]["late"], 0)
         self.assertEqual(summary["batches"]["refused"], 0)
-        # Each walk was ended by a stand, half a second after its last renewal at the latest; a motion that was asked for before a death has
-        # come before that stand, or not at all.
-        entries = [(float(at), kind) for at, kind in re.findall(r"at_s: ([\d.]+), (?:asked: true, )?(walk|stand|motion)", commands)]
+        # Each walk was ended by a stand, or by the word that its commander is lost, half a second after its last renewal at the latest; a
+        # motion that was asked for before a death has come before that, or not at all.
+        entries = [(float(at), "stand" if kind == "command: is_lost" else kind) for at, kind in
+                   re.findall(r"at_s: ([\d.]+), (?:asked: true, )?(walk|stand|motion|command: is_lost)", commands)]
         ends = [(stood_at, stood_at - walked_at) for (walked_at, before), (stood_at, after) in zip(entries, entries[1:])
                 if before != "stand" and after == "stand"]
         self.assertGreaterEqual(len(ends), deaths)

@@ -70,13 +70,14 @@ class ServedRobot:
 
     def plugin_process(self):
         """Process id of the plug-in `api`, the robot's side of the link."""
-        return self._child("gaitway_plugin_child")
+        return self._child("gaitway_plugin_child", "sockets")  # which it alone may open
 
-    def _child(self, program):
+    def _child(self, program, last_word=None):
         children = [child for task in Path(f"/proc/{self.process.pid}/task").iterdir()
                     for child in (task / "children").read_text().split()]
-        found = [int(child) for child in children if program in Path(f"/proc/{child}/cmdline").read_text().split("\0")[0]]
-        assert len(found) == 1, (program, found)
+        lines = {int(child): Path(f"/proc/{child}/cmdline").read_text().rstrip("\0").split("\0") for child in children}
+        found = [child for child, line in lines.items() if program in line[0] and last_word in (None, line[-1])]
+        assert len(found) == 1, (program, last_word, lines)
         return found[0]
 
     def stop(self):
