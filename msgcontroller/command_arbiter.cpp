@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "gaitway/facts/facts.hpp"
 
@@ -48,6 +49,10 @@ MotionRequest made_sound(MotionRequest motion) noexcept {
   return motion;
 }
 
+bool is_sensible(const HeadCommand& head) noexcept {
+  return head.mode <= head_command::mode::hold && numbers_within_limits(head);
+}
+
 bool leaves(const MotionRequest& motion) noexcept {
   return motion.name[0] == 0;
 }
@@ -70,9 +75,10 @@ CommandArbiter::CommandArbiter(msgclient::Client& client)
 
 PassedOrders CommandArbiter::step(std::int64_t now_ns, bool emergency_stopped) noexcept {
   PassedOrders passed;
-  const bool stops_now = hear_stops(now_ns);
-  if (emergency_stopped && authority_.commander() != Commander::emergency_stop) end_all(now_ns);
-  if (!stops_now) authority_.emergency_stop(emergency_stopped);
+  hear_stops(now_ns);
+  if (emergency_stopped && authority_.commander() != Commander::emergency_stop) stop(now_ns);
+  awaits_emergency_stop_ = awaits_emergency_stop_ && !emergency_stopped;
+  authority_.emergency_stop(emergency_stopped || awaits_emergency_stop_);
   hear_robot(now_ns);
   hear_people(now_ns, passed);
   hear_behaviour(now_ns);
@@ -81,21 +87,29 @@ PassedOrders CommandArbiter::step(std::int64_t now_ns, bool emergency_stopped) n
   return passed;
 }
 
-// In the millisecond in which the message controller obeys them, which is about to follow. Whether it will be
-// in an emergency stop then.
-bool CommandArbiter::hear_stops(std::int64_t now_ns) noexcept {
-  if (stop_requests_.newest_sequence() == stop_seen_) return false;
+// In the millisecond in which the message controller obeys them, which is about to follow. What lies there
+// was asked before, as far as anybody can tell: it does not count.
+void CommandArbiter::hear_stops(std::int64_t now_ns) noexcept {
+  if (stop_requests_.newest_sequence() == stop_seen_) return;
   StopRequest asked;
   const auto read = stop_requests_.read(asked);
-  if (!read) return false;
+  if (!read) return;
   stop_seen_ = read.sequence;
   const bool emergency = asked.holds != stops_.holds || asked.softs != stops_.softs;
   const bool any = emergency || asked.stops != stops_.stops;
   stops_ = asked;
-  if (!any) return false;
+  if (!any) return;
   stop(now_ns);
-  if (emergency) authority_.emergency_stop(true);
-  return emergency;
+  for (const OrderSource source : {OrderSource::behaviour, OrderSource::person}) drop(source);
+  request_seen_ = requests_.newest_sequence();
+  awaits_emergency_stop_ = awaits_emergency_stop_ || emergency;
+}
+
+void CommandArbiter::drop(OrderSource source) noexcept {
+  walk_.drop(source);
+  way_.drop(source);
+  motion_.drop(source);
+  head_.drop(source);
 }
 
 void CommandArbiter::on_command(msgclient::UserCommandKind kind, std::int64_t now_ns) noexcept {
@@ -106,6 +120,7 @@ void CommandArbiter::on_command(msgclient::UserCommandKind kind, std::int64_t no
     case Kind::emergency_stop_hold:
     case Kind::emergency_stop_soft:
       stop(now_ns);
+      awaits_emergency_stop_ = true;
       return authority_.emergency_stop(true);
     case Kind::manual_joint:
       if (authority_.person_commands(CommandReason::person_moves_joint)) {
@@ -120,6 +135,7 @@ void CommandArbiter::on_command(msgclient::UserCommandKind kind, std::int64_t no
 
 void CommandArbiter::stop(std::int64_t now_ns) noexcept {
   end_all(now_ns);
+  if (head_.current().stamp_ns != 0 || head_.current().mode != head_command::mode::ahead) hold_head(now_ns);
   authority_.person_stops();
 }
 
@@ -146,9 +162,10 @@ void CommandArbiter::hear_robot(std::int64_t now_ns) noexcept {
   if (motions_.newest_sequence() != motion_seen_) {
     if (const auto read = motions_.read(motion_state_)) {
       motion_seen_ = read.sequence;
+      // One that was refused because another plays leaves that to whoever asked: it is theirs to end.
       constexpr std::uint32_t kNonePlays = 0;
-      const bool over = motion_state_.refused != 0 || motion_state_.state == kNonePlays;
-      if (over && motion_state_.answered == motion_.current().number) motion_.is_done();
+      if (motion_state_.state == kNonePlays && motion_state_.answered == motion_.current().number)
+        motion_.is_done();
     }
   }
 }
@@ -160,86 +177,88 @@ void CommandArbiter::hear_people(std::int64_t now_ns, PassedOrders& passed) noex
       request_seen_ = read.sequence;
       answered_ = request.number;
       if (request.verb <= command_request::verb::is_lost) {
-        passed.verb = static_cast<CommandVerb>(request.verb);
-        order(*passed.verb, now_ns);
+        const auto verb = static_cast<CommandVerb>(request.verb);
+        if (order(verb, now_ns)) passed.verb = verb;
       }
     }
   }
   if (const auto walk = walk_.take(OrderSource::person)) {
-    order(*walk, now_ns);
-    passed.walk = walk_.current();
+    if (order(*walk, now_ns)) passed.walk = walk_.current();
   }
   if (const auto way = way_.take(OrderSource::person)) {
-    order(*way, now_ns);
-    passed.way = way;
+    if (order(*way, now_ns)) passed.way = way;
   }
   if (const auto motion = motion_.take(OrderSource::person)) {
-    order(*motion, now_ns);
-    passed.motion = made_sound(*motion);
+    if (order(*motion, now_ns)) passed.motion = made_sound(*motion);
   }
   if (const auto head = head_.take(OrderSource::person)) {
-    order(*head, now_ns);
-    passed.head = head;
+    if (order(*head, now_ns)) passed.head = head;
   }
 }
 
-// The end of an order, of somebody who commands, is no news of who does: a stop stays a stop.
+// The end of an order, of somebody who commands, is no news of who does: a stop stays a stop. A robot that is
+// being got up goes on with that, whatever but a motion is ordered meanwhile.
 bool CommandArbiter::person_may(bool ends_something, std::int64_t now_ns) noexcept {
   if (ended_) return false;
   const bool commands = ends_something && authority_.commander() == Commander::person;
   if (!commands && !authority_.person_commands(CommandReason::person_orders)) return false;
+  hears_loss_ = true;
   end_orders_of(OrderSource::behaviour, now_ns);
   return true;
 }
 
-void CommandArbiter::order(const WalkCommand& walk, std::int64_t now_ns) noexcept {
-  const WalkCommand sound = made_sound(walk, now_ns);
-  if (!person_may(sound.walk == 0, now_ns)) return;
+bool CommandArbiter::order(const WalkCommand& walk, std::int64_t now_ns) noexcept {
+  // Nobody walks while the robot gets up, and nobody's stick that is still held breaks that off.
+  const WalkCommand sound = authority_.may_get_up() ? stand() : made_sound(walk, now_ns);
+  if (!person_may(sound.walk == 0, now_ns)) return false;
   walk_.command(sound, sound.walk != 0 ? OrderSource::person : OrderSource::nobody, now_ns);
   walk_until_ns_ = sound.valid_until_ns;
+  return true;
 }
 
-void CommandArbiter::order(const WalkToRequest& way, std::int64_t now_ns) noexcept {
-  if (!person_may(way.cancel != 0, now_ns)) return;
+bool CommandArbiter::order(const WalkToRequest& way, std::int64_t now_ns) noexcept {
+  if (!person_may(way.cancel != 0, now_ns)) return false;
   way_.command(way, way.cancel == 0 ? OrderSource::person : OrderSource::nobody, now_ns);
+  return true;
 }
 
-void CommandArbiter::order(const MotionRequest& motion, std::int64_t now_ns) noexcept {
+bool CommandArbiter::order(const MotionRequest& motion, std::int64_t now_ns) noexcept {
   const MotionRequest sound = made_sound(motion);
-  if (!person_may(leaves(sound), now_ns)) return;
-  if (!leaves(sound)) authority_.person_gets_it_up();
+  // Whoever leaves a motion means the one that plays, be it the behaviour's.
+  if (authority_.commander() != Commander::emergency_stop && !ended_) authority_.person_gets_it_up();
+  if (!person_may(leaves(sound), now_ns)) return false;
   motion_.command(sound, leaves(sound) ? OrderSource::nobody : OrderSource::person, now_ns);
+  return true;
 }
 
-void CommandArbiter::order(const HeadCommand& head, std::int64_t now_ns) noexcept {
-  if (!numbers_within_limits(head) || !person_may(false, now_ns)) return;
+bool CommandArbiter::order(const HeadCommand& head, std::int64_t now_ns) noexcept {
+  if (!is_sensible(head) || !person_may(false, now_ns)) return false;
   head_.command(head, head.mode == head_command::mode::ahead ? OrderSource::nobody : OrderSource::person,
                 now_ns);
+  return true;
 }
 
-void CommandArbiter::order(CommandVerb verb, std::int64_t now_ns) noexcept {
-  if (ended_) return;
+bool CommandArbiter::order(CommandVerb verb, std::int64_t now_ns) noexcept {
+  if (ended_) return false;
   switch (verb) {
     case CommandVerb::take:
-      if (authority_.person_commands(CommandReason::person_takes)) {
-        authority_.person_gets_it_up();
-        end_orders_of(OrderSource::behaviour, now_ns);
-      }
-      return;
+      if (!authority_.person_commands(CommandReason::person_takes)) return false;
+      authority_.person_gets_it_up();
+      end_orders_of(OrderSource::behaviour, now_ns);
+      return true;
     case CommandVerb::let_go:
-      if (!authority_.person_lets_go()) return;
+      if (!authority_.person_lets_go()) return false;
       end_orders_of(OrderSource::person, now_ns);
-      // What the behaviour has asked for meanwhile does not count: it asks again.
-      walk_.drop(OrderSource::behaviour);
-      way_.drop(OrderSource::behaviour);
-      motion_.drop(OrderSource::behaviour);
-      head_.drop(OrderSource::behaviour);
-      return;
+      drop(OrderSource::behaviour);  // what it has asked for meanwhile does not count: it asks again
+      return true;
     case CommandVerb::is_lost:
+      if (!std::exchange(hears_loss_, true)) return false;
       if (walk_.in_force() == OrderSource::person) end_walk(now_ns);
       if (way_.in_force() == OrderSource::person) end_way(now_ns);
-      return authority_.person_is_lost();
+      authority_.person_is_lost();
+      return true;
   }
+  return false;
 }
 
 void CommandArbiter::hear_behaviour(std::int64_t now_ns) noexcept {
@@ -268,7 +287,7 @@ void CommandArbiter::hear_behaviour(std::int64_t now_ns) noexcept {
     }
   }
   if (const auto head = head_.take(OrderSource::behaviour)) {
-    if (numbers_within_limits(*head) && behaviour_may(false)) {
+    if (is_sensible(*head) && behaviour_may(false)) {
       const bool ahead = head->mode == head_command::mode::ahead;
       head_.command(*head, ahead ? OrderSource::nobody : OrderSource::behaviour, now_ns);
     }
@@ -276,7 +295,8 @@ void CommandArbiter::hear_behaviour(std::int64_t now_ns) noexcept {
 }
 
 bool CommandArbiter::behaviour_may(bool is_motion) noexcept {
-  if (!ended_ && (authority_.behaviour_commands() || (is_motion && authority_.may_get_up()))) return true;
+  if (!ended_ && (authority_.behaviour_commands() || (is_motion && authority_.may_get_up() && fallen_)))
+    return true;
   ++turned_away_;
   return false;
 }
@@ -309,7 +329,8 @@ void CommandArbiter::end_all(std::int64_t now_ns) noexcept {
 void CommandArbiter::end_orders_of(OrderSource source, std::int64_t now_ns) noexcept {
   if (walk_.in_force() == source) end_walk(now_ns);
   if (way_.in_force() == source) end_way(now_ns);
-  if (motion_.in_force() == source) end_motion(now_ns);
+  const bool gets_up = source == OrderSource::behaviour && authority_.may_get_up();
+  if (motion_.in_force() == source && !gets_up) end_motion(now_ns);
   if (head_.in_force() == source) end_head(now_ns);
 }
 
@@ -332,15 +353,15 @@ void CommandArbiter::end_motion(std::int64_t now_ns) noexcept {
   motion_.command(leave, OrderSource::nobody, now_ns);
 }
 
-// A head that looks somewhere moves nothing else: it stays as it is, but one that looks around stands still.
 void CommandArbiter::end_head(std::int64_t now_ns) noexcept {
-  if (head_.in_force() == OrderSource::nobody) return;
-  HeadCommand hold = head_.current();
-  if (hold.mode == head_command::mode::scan || hold.mode == head_command::mode::point) {
-    hold.mode = head_command::mode::hold;
-    head_.command(hold, OrderSource::nobody, now_ns);
-  }
-  head_.is_done();
+  if (head_.in_force() != OrderSource::nobody) hold_head(now_ns);
+}
+
+// It stays where it is, also one that is on its way ahead.
+void CommandArbiter::hold_head(std::int64_t now_ns) noexcept {
+  HeadCommand hold{};
+  hold.mode = head_command::mode::hold;
+  head_.command(hold, OrderSource::nobody, now_ns);
 }
 
 // Neither one of the API's nor one of the behaviour's, as far as numbers can tell.
@@ -350,11 +371,9 @@ std::uint32_t CommandArbiter::own_number() noexcept {
 }
 
 void CommandArbiter::begin_anew_with_people(std::int64_t walk_until_ns) noexcept {
-  walk_.drop(OrderSource::person);
-  way_.drop(OrderSource::person);
-  motion_.drop(OrderSource::person);
-  head_.drop(OrderSource::person);
+  drop(OrderSource::person);
   request_seen_ = requests_.newest_sequence();
+  hears_loss_ = false;
   if (walk_.in_force() == OrderSource::person) walk_until_ns_ = walk_until_ns;
 }
 

@@ -42,9 +42,11 @@ Navigator::Navigator(WayPlanner& planner, PlanningDesk& desk, const PoseFilter& 
                      const NavigatorParameters& parameters) noexcept
     : planner_(planner), desk_(desk), pose_(pose), parameters_(parameters) {}
 
-// One that is old was asked of somebody who has gone: it is not walked now.
+// One that is old was asked of somebody who has gone: it is not walked now. An end counts however late it is
+// heard.
 void Navigator::ask(const WalkToRequest& request, std::int64_t now_ns) {
-  if (request.number != 0 && request.number != answered_ && now_ns - request.stamp_ns < kOrderValid_ns) {
+  const bool counts = request.cancel != 0 || now_ns - request.stamp_ns < kOrderValid_ns;
+  if (request.number != 0 && request.number != answered_ && counts) {
     request_ = request;
   }
 }

@@ -15,7 +15,7 @@ namespace {
 // what balance feedback sees.
 constexpr double kUsualLook_rad_per_s = 2.0;
 constexpr double kAcceleration_rad_per_s2 = 12.0;
-constexpr double kUsualScan_s = 4.0;
+constexpr double kUsualScan_s = 4.0, kShortestScan_s = 0.1;
 constexpr double kNeckSpeedShare = 0.8;  // of the joint's limit, so that no batch is refused for its head
 constexpr double kNeckMargin_rad = 0.02;
 // It brakes with less than its acceleration: below 1/1.125 of it, what is left keeps the last step, which
@@ -25,6 +25,7 @@ constexpr double kBrakingShare = 0.85;
 }  // namespace
 
 HeadPlanner::HeadPlanner(const urdf::RobotModel& robot) {
+  command_.stamp_ns = -1;
   const urdf::ForwardKinematics home(robot);
   neck_ = urdf::neck_of(robot, home);
   const auto hip = [&](urdf::Side side) {
@@ -100,7 +101,8 @@ HeadPlanner::Angles HeadPlanner::goal_rad(bool allowed, const Estimate* estimate
     case modes::direction:
       return {command_.direction[0], command_.direction[1]};
     case modes::scan: {
-      const double period_s = command_.period > 0.0 ? command_.period : usual_scan_s_;
+      const double period_s =
+          command_.period > 0.0 ? std::max(command_.period, kShortestScan_s) : usual_scan_s_;
       const double aside = std::sin(2.0 * std::numbers::pi * scan_time_s / period_s);
       return {command_.direction[0] + command_.extent * aside, command_.direction[1]};
     }

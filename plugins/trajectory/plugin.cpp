@@ -222,7 +222,8 @@ class Trajectory final : public Plugin {
     if (look_.has_value()) head_.obey(look_.read());
     if (decision == PlanDecision::begin_anew) head_.begin_after_tail();
     const bool sets_out_itself = plan.motion != 0 && posture_.value().from_home != 0;
-    if (plan.sequence == 0 || sets_out_itself) return head_.leave_to_others(plan);
+    if (plan.sequence == 0) return;  // the tail plays, at whose end the head goes on
+    if (sets_out_itself) return head_.leave_to_others(plan);
     head_.plan(!player_.plays(), estimate_.has_value() ? &estimate_.read() : nullptr, plan);
   }
 

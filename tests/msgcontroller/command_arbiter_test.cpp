@@ -187,12 +187,95 @@ TEST_F(CommandArbiterTest, AStopEndsEverythingAndOutlastsWhatTheBehaviourAsks) {
   EXPECT_EQ(state().reason, command_state::reason::person_stops);
 }
 
-TEST_F(CommandArbiterTest, WhoStopsAndOrdersInOneMillisecondIsObeyedInThisOrder) {
+TEST_F(CommandArbiterTest, WhatLiesThereWhenAStopIsHeardIsNotObeyedAfterIt) {
+  WalkToRequest there{};
+  there.number = 7;
+  there.goal[0] = 1.0;
+  person_way_.publish(there, now_ns_);
+  person_walk_.publish(walk(kPersons), now_ns_);
+  CommandRequest let_go{};
+  let_go.number = 1;
+  let_go.verb = command_request::verb::let_go;
+  requests_.publish(let_go, now_ns_);
   ++stops_.stops;
   stop_requests_.publish(stops_, now_ns_);
-  person_walk_.publish(walk(kPersons), now_ns_);
+  milliseconds(5);
+  EXPECT_EQ(walks_with(), 0.0);
+  EXPECT_EQ(way_commands_.newest_sequence(), 0U);
+  EXPECT_EQ(state().reason, command_state::reason::person_stops);
+  behaviour_walks();
+  EXPECT_EQ(walks_with(), 0.0);
+}
+
+TEST_F(CommandArbiterTest,
+       AnEmergencyStopThatWasHeardIsInForceUntilTheMessageControllerHasObeyedAndReleased) {
+  ++stops_.holds;
+  stop_requests_.publish(stops_, now_ns_);
+  milliseconds(3);  // as a process that wakes up more often than once a millisecond
+  EXPECT_EQ(state().commander, commanders::emergency_stop);
+  emergency_ = true;
   milliseconds();
-  EXPECT_EQ(walks_with(), kPersons);
+  emergency_ = false;
+  milliseconds();
+  EXPECT_EQ(state().reason, command_state::reason::emergency_stop_released);
+}
+
+TEST_F(CommandArbiterTest, AMotionThatPlaysOnWhenAnotherIsRefusedIsEndedByWhoTakesOver) {
+  play(behaviour_motion_, 0x8000'0001U, "wave");
+  play(behaviour_motion_, 0x8000'0002U, "bow");
+  MotionState plays{};
+  plays.answered = 0x8000'0002U;
+  plays.refused = 1;
+  plays.state = 2;
+  motions_.publish(plays, now_ns_);
+  milliseconds();
+  ask(command_request::verb::take);
+  EXPECT_EQ(motion(), "");
+}
+
+TEST_F(CommandArbiterTest, AStickThatIsHeldOrLetGoDoesNotBreakOffGettingUp) {
+  person_walks();
+  fall(estimate::fall::lies);
+  play(behaviour_motion_, 0x8000'0001U, "get_up_front");
+  fall(estimate::fall::upright);  // the motion still plays
+  person_walks();
+  EXPECT_EQ(walks_with(), 0.0);
+  person_walk_.publish(WalkCommand{}, now_ns_);
+  milliseconds();
+  EXPECT_EQ(motion(), "get_up_front");
+  play(person_motion_, 5, "");
+  EXPECT_EQ(motion(), "") << "who leaves it means it";
+}
+
+TEST_F(CommandArbiterTest, AStopHoldsTheHeadWhereverItIsOnItsWayTo) {
+  for (const std::uint32_t mode : {head_command::mode::direction, head_command::mode::ahead}) {
+    HeadCommand look{};
+    look.mode = mode;
+    look.direction[0] = 1.0;
+    person_head_.publish(look, now_ns_);
+    milliseconds();
+    stop();
+    HeadCommand now{};
+    ASSERT_TRUE(head_commands_.read(now));
+    EXPECT_EQ(now.mode, head_command::mode::hold);
+  }
+}
+
+TEST_F(CommandArbiterTest, ALookOfNoKnownModeIsNone) {
+  HeadCommand look{};
+  look.mode = head_command::mode::hold + 1;
+  behaviour_head_.publish(look, now_ns_);
+  milliseconds();
+  EXPECT_EQ(head_commands_.newest_sequence(), 0U);
+}
+
+TEST_F(CommandArbiterTest, WhoCommandedBeforePeopleCameIsNotLostWithTheirComing) {
+  go(person_way_, 3);
+  arbiter_.begin_anew_with_people(now_ns_ + 500 * facts::kMillisecond_ns);
+  ask(command_request::verb::is_lost);  // as the API's plug-in says when it begins
+  EXPECT_EQ(way().cancel, 0U);
+  ask(command_request::verb::is_lost);
+  EXPECT_EQ(way().cancel, 1U);
 }
 
 TEST_F(CommandArbiterTest, AStandAfterAStopIsNoOrderToGoOn) {

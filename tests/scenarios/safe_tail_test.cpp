@@ -51,6 +51,27 @@ TEST(SafeTail, AUserStopPlaysItAtOnceAndTheRobotStands) {
   EXPECT_LT(speed(run), 0.03);
 }
 
+// A neck that is turned goes on from where the tail has left it: a batch that began elsewhere would be
+// refused, for ever where nobody looks back there.
+TEST(SafeTail, AfterAStopWithTheHeadTurnedTheRobotWalksAndLooksElsewhere) {
+  simulator::HeadEvent aside{.mode = simulator::HeadEvent::Mode::direction};
+  aside.direction_rad = {0.8, 0.2};
+  SimulatedRun run(4);
+  run.play({.seconds = 12.0,
+            .events = {{1.0, aside},
+                       walk_at(1.5, 0.1),
+                       {4.0, simulator::StopEvent{}},
+                       {7.0, simulator::HeadEvent{}},
+                       walk_at(8.0, 0.1)}});
+  EXPECT_FALSE(run.metrics().fell);
+  EXPECT_EQ(run.cosimulation.main_controller().statistics().refused_locally, 0U);
+  EXPECT_EQ(run.cosimulation.message_controller().state().refused, 0U);
+  EXPECT_EQ(run.cosimulation.message_controller().mode(), Mode::batches);
+  Estimate estimate{};
+  ASSERT_TRUE(run.cosimulation.client().read<Estimate>("estimate").read(estimate));
+  EXPECT_NEAR(estimate.head[0], 0.0, 0.02);
+}
+
 TEST(SafeTail, LostFramesAreRepairedWhileTheRobotWalks) {
   SimulatedRun run(4);
   run.play({.seconds = 15.0, .events = {walk_at(1.0, 0.15), {4.0, simulator::LoseFramesFault{0.01, 10.0}}}});

@@ -352,7 +352,7 @@ void ServiceDesk::read_parameters(const Caller& caller, std::vector<std::string>
 
 // Asks for the parameter of the reading's index, then for the next, until the last plug-in has no more.
 void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading reading) {
-  constexpr std::uint32_t kMostParameters = 256;
+  constexpr std::uint32_t kMostRead = 256;
   const auto order = robot_.order(reading.order);
   if (!order) {
     return reply(call, ros::GetParameters::Response{false, std::string(kWayIsFull), {}, {}, {}, {}, {}});
@@ -364,7 +364,7 @@ void ServiceDesk::read_parameter(const ServiceCall& call, ParameterReading readi
                    return send_(call, service_failure(call, "the robot has not told all parameters of " +
                                                                 shown(reading.order.plugin) + " in time"));
                  }
-                 if (keep_parameter(reading, *result) && ++reading.order.index < kMostParameters) {
+                 if (keep_parameter(reading, *result) && ++reading.order.index < kMostRead) {
                    return read_parameter(call, std::move(reading));
                  }
                  read_plugins_.insert(reading.order.plugin);

@@ -43,14 +43,15 @@ class CommandArbiter final : public CommandListener {
   // A command that the message controller has carried out just now.
   void on_command(msgclient::UserCommandKind kind, std::int64_t now_ns) noexcept override;
 
-  // Orders of people that come in another way than by topics, with what is there already.
-  void order(const WalkCommand& walk, std::int64_t now_ns) noexcept;
-  void order(const WalkToRequest& way, std::int64_t now_ns) noexcept;
-  void order(const MotionRequest& motion, std::int64_t now_ns) noexcept;
-  void order(const HeadCommand& head, std::int64_t now_ns) noexcept;
-  void order(CommandVerb verb, std::int64_t now_ns) noexcept;
+  // Orders of people that come in another way than by topics. False: not obeyed.
+  bool order(const WalkCommand& walk, std::int64_t now_ns) noexcept;
+  bool order(const WalkToRequest& way, std::int64_t now_ns) noexcept;
+  bool order(const MotionRequest& motion, std::int64_t now_ns) noexcept;
+  bool order(const HeadCommand& head, std::int64_t now_ns) noexcept;
+  bool order(CommandVerb verb, std::int64_t now_ns) noexcept;
 
-  // Requests of people that lie in the topics do not count, and the walk that is in force ends then.
+  // Requests of people that lie in the topics do not count, and the walk that is in force ends then. Whoever
+  // commanded so far is not lost when the first of them comes.
   void begin_anew_with_people(std::int64_t walk_until_ns) noexcept;
   // The robot stands; nothing is obeyed any more.
   void end(std::int64_t now_ns) noexcept;
@@ -58,7 +59,8 @@ class CommandArbiter final : public CommandListener {
   [[nodiscard]] const CommandAuthority& authority() const noexcept { return authority_; }
 
  private:
-  [[nodiscard]] bool hear_stops(std::int64_t now_ns) noexcept;
+  void hear_stops(std::int64_t now_ns) noexcept;
+  void drop(OrderSource source) noexcept;
   void hear_robot(std::int64_t now_ns) noexcept;
   void hear_people(std::int64_t now_ns, PassedOrders& passed) noexcept;
   void hear_behaviour(std::int64_t now_ns) noexcept;
@@ -72,6 +74,7 @@ class CommandArbiter final : public CommandListener {
   void end_way(std::int64_t now_ns) noexcept;
   void end_motion(std::int64_t now_ns) noexcept;
   void end_head(std::int64_t now_ns) noexcept;
+  void hold_head(std::int64_t now_ns) noexcept;
   [[nodiscard]] std::uint32_t own_number() noexcept;
   void tell(std::int64_t now_ns) noexcept;
 
@@ -96,6 +99,8 @@ class CommandArbiter final : public CommandListener {
   StopRequest stops_{};                 // the newest that was heard
   std::uint32_t numbers_ = 0, turned_away_ = 0, answered_ = 0;
   bool ended_ = false;
+  bool awaits_emergency_stop_ = false;  // it was heard, and the message controller is about to obey
+  bool hears_loss_ = true;
   CommandState told_{};
   std::int64_t told_ns_ = -1;  // not yet
 };
