@@ -85,11 +85,11 @@ void TargetMemory::see(const TagSighting& sighting, std::int64_t stamp_ns) noexc
 
 void TargetMemory::forget(std::int64_t now_ns) noexcept {
   const auto known = std::span(known_).first(count_);
-  const auto gone = std::ranges::remove_if(known, [&](const Target& target) {
+  const auto left = std::remove_if(known.begin(), known.end(), [&](const Target& target) {
     const std::int64_t age_ns = now_ns - target.seen_ns;
     return age_ns > forget_after_ns_ || (target.sightings < kToldFrom && age_ns > kSecond_ns);
   });
-  count_ -= static_cast<std::uint32_t>(gone.size());
+  count_ = static_cast<std::uint32_t>(left - known.begin());
 }
 
 void TargetMemory::write(SeenTargets& targets, std::int64_t stamp_ns) const noexcept {
