@@ -170,18 +170,15 @@ void CommandArbiter::hear_robot(std::int64_t now_ns) noexcept {
   }
 }
 
+// Nobody knows in which order topics were written within a millisecond. Whoever is lost or takes the command
+// does so before their orders of it, and lets go after them: an order that is told late would take the
+// command back.
 void CommandArbiter::hear_people(std::int64_t now_ns, PassedOrders& passed) noexcept {
-  if (requests_.newest_sequence() != request_seen_) {
-    CommandRequest request;
-    if (const auto read = requests_.read(request)) {
-      request_seen_ = read.sequence;
-      answered_ = request.number;
-      if (request.verb <= command_request::verb::is_lost) {
-        const auto verb = static_cast<CommandVerb>(request.verb);
-        if (order(verb, now_ns)) passed.verb = verb;
-      }
-    }
-  }
+  const std::optional<CommandVerb> verb = take_verb();
+  const auto obey = [&] {
+    if (order(*verb, now_ns)) passed.verb = verb;
+  };
+  if (verb && *verb != CommandVerb::let_go) obey();
   if (const auto walk = walk_.take(OrderSource::person)) {
     if (order(*walk, now_ns)) passed.walk = walk_.current();
   }
@@ -194,6 +191,19 @@ void CommandArbiter::hear_people(std::int64_t now_ns, PassedOrders& passed) noex
   if (const auto head = head_.take(OrderSource::person)) {
     if (order(*head, now_ns)) passed.head = head;
   }
+  if (verb && *verb == CommandVerb::let_go) obey();
+}
+
+std::optional<CommandVerb> CommandArbiter::take_verb() noexcept {
+  if (requests_.newest_sequence() == request_seen_) return std::nullopt;
+  CommandRequest request;
+  const auto read = requests_.read(request);
+  if (!read) return std::nullopt;
+  request_seen_ = read.sequence;
+  answered_ = request.number;
+  return request.verb <= command_request::verb::is_lost
+             ? std::optional(static_cast<CommandVerb>(request.verb))
+             : std::nullopt;
 }
 
 // The end of an order, of somebody who commands, is no news of who does: a stop stays a stop. A robot that is

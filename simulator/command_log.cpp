@@ -66,7 +66,8 @@ CommandLog::CommandLog(Cosimulation& run)
 
 void CommandLog::on_orders(const msgcontroller::PassedOrders& orders, std::int64_t now_ns) {
   const double at_s = seconds_of(now_ns);
-  if (orders.verb) events_.push_back({.at_s = at_s, .action = CommandEvent{*orders.verb}});
+  const bool lets_go = orders.verb == msgcontroller::CommandVerb::let_go;
+  if (orders.verb && !lets_go) events_.push_back({.at_s = at_s, .action = CommandEvent{*orders.verb}});
   if (orders.walk) events_.push_back({.at_s = at_s, .action = event_of(*orders.walk)});
   if (orders.way) events_.push_back({.at_s = at_s, .action = event_of(*orders.way)});
   if (orders.motion) {
@@ -74,6 +75,7 @@ void CommandLog::on_orders(const msgcontroller::PassedOrders& orders, std::int64
     events_.push_back({.at_s = at_s, .action = motion, .asked = !motion.name.empty()});
   }
   if (orders.head) events_.push_back({.at_s = at_s, .action = event_of(*orders.head)});
+  if (lets_go) events_.push_back({.at_s = at_s, .action = CommandEvent{*orders.verb}});
 }
 
 void CommandLog::on_end(std::int64_t now_ns) {

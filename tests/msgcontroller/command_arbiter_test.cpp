@@ -288,6 +288,16 @@ TEST_F(CommandArbiterTest, AStandAfterAStopIsNoOrderToGoOn) {
   EXPECT_EQ(state().may_get_up, 0U);
 }
 
+TEST_F(CommandArbiterTest, AnOrderAndItsLettingGoInOneMillisecondLeaveNobodyInCommand) {
+  person_walks();
+  play(person_motion_, 7, "wave");
+  MotionRequest leave{};
+  leave.number = 8;
+  person_motion_.publish(leave, now_ns_);
+  ask(command_request::verb::let_go);
+  EXPECT_EQ(state().commander, commanders::nobody);
+}
+
 TEST_F(CommandArbiterTest, AStandTakesTheCommandFromTheBehaviour) {
   behaviour_walks();
   person_walk_.publish(WalkCommand{}, now_ns_);

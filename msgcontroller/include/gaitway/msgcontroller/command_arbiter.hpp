@@ -64,6 +64,7 @@ class CommandArbiter final : public CommandListener {
   void hear_robot(std::int64_t now_ns) noexcept;
   void hear_people(std::int64_t now_ns, PassedOrders& passed) noexcept;
   void hear_behaviour(std::int64_t now_ns) noexcept;
+  [[nodiscard]] std::optional<CommandVerb> take_verb() noexcept;
   [[nodiscard]] bool person_may(bool ends_something, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool behaviour_may(bool is_motion) noexcept;
   void note_ends(std::int64_t now_ns, PassedOrders& passed) noexcept;
