@@ -11,7 +11,8 @@ set(gaitway_author_libraries facts geometry plugin msgclient_topics simulated_ro
     trajectory kinematics zmp stability behaviour behaviour_leaves behaviour_missions behaviour_plugin)
 
 install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
-install(DIRECTORY core/config tools/scenarios tools/worlds plugins/behaviour/missions tools/new_plugin/templates DESTINATION share/gaitway)
+install(DIRECTORY core/config tools/scenarios tools/worlds plugins/behaviour/missions tools/new_plugin/templates DESTINATION share/gaitway
+  PATTERN eyes.yaml EXCLUDE)  # of the plug-in that sees, which the package does not hold
 install(DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway/prepared_motions/humanoid22/" DESTINATION share/gaitway/urdf/humanoid22/motions)
 install(DIRECTORY tools/calibrate/poses/ DESTINATION share/gaitway/calibration)
 install(DIRECTORY docs/ DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
