@@ -2,12 +2,11 @@
 #include "gaitway/msgcontroller/command_arbiter.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "gaitway/facts/facts.hpp"
+#include "sound_orders.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
@@ -19,43 +18,6 @@ using facts::kMillisecond_ns;
 constexpr std::int64_t kDone_ns = 1000 * kMillisecond_ns;
 // What changes all the time is told so often.
 constexpr std::int64_t kTellAgain_ns = 100 * kMillisecond_ns;
-
-template <class Order>
-bool numbers_within_limits(const Order& order) noexcept {
-  const auto* const bytes = reinterpret_cast<const unsigned char*>(&order);
-  return std::ranges::all_of(TopicType<Order>::fields, [bytes](const FieldDescriptor& field) {
-    if (field.type != ScalarType::float64_value) return true;
-    for (std::uint32_t i = 0; i < field.elements(); ++i) {
-      double value = 0.0;
-      std::memcpy(&value, bytes + field.offset + i * sizeof value, sizeof value);
-      if (!(value >= field.lowest && value <= field.highest)) return false;  // so for NaN, too
-    }
-    return true;
-  });
-}
-
-WalkCommand stand() noexcept {
-  return {};
-}
-
-// A walk that is over or nonsense is none.
-WalkCommand made_sound(WalkCommand walk, std::int64_t now_ns) noexcept {
-  const bool over = walk.valid_until_ns != 0 && now_ns >= walk.valid_until_ns;
-  return over || !numbers_within_limits(walk) ? stand() : walk;
-}
-
-MotionRequest made_sound(MotionRequest motion) noexcept {
-  motion.name[sizeof motion.name - 1] = 0;
-  return motion;
-}
-
-bool is_sensible(const HeadCommand& head) noexcept {
-  return head.mode <= head_command::mode::hold && numbers_within_limits(head);
-}
-
-bool leaves(const MotionRequest& motion) noexcept {
-  return motion.name[0] == 0;
-}
 
 }  // namespace
 
