@@ -415,6 +415,22 @@ TEST_F(CommandArbiterTest, AfterAFallUnderAPersonTheBehavioursMotionsAreObeyedAn
   EXPECT_EQ(motion(), "get_up_front") << "turned away";
 }
 
+TEST_F(CommandArbiterTest, TheRightToGetUpIsNotHandedOnFromMotionToMotion) {
+  person_walks();
+  fall(estimate::fall::lies);
+  play(behaviour_motion_, 0x8000'0001U, "get_up_front");
+  fall(estimate::fall::upright);
+  play(behaviour_motion_, 0x8000'0002U, "wave");  // while the first one still counts as playing
+  EXPECT_EQ(motion(), "get_up_front");
+}
+
+TEST_F(CommandArbiterTest, WhatTheBehaviourAskedInTheMillisecondOfTheLettingGoDoesNotCount) {
+  person_walks();
+  behaviour_walk_.publish(walk(kBehaviours), now_ns_);
+  ask(command_request::verb::let_go);
+  EXPECT_EQ(walks_with(), 0.0);
+}
+
 TEST_F(CommandArbiterTest, AStickThatIsHeldDoesNotKeepTheRobotFromGettingUp) {
   person_walks();
   fall(estimate::fall::lies);
