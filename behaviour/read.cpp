@@ -6,6 +6,7 @@
 #include "complaints.hpp"
 #include "definitions.hpp"
 #include "expansion.hpp"
+#include "gaitway/behaviour/outcomes.hpp"
 #include "gaitway/input/text.hpp"
 #include "xml_document.hpp"
 
@@ -30,6 +31,7 @@ Definitions definitions_of(std::string_view text, const std::filesystem::path& f
 Description expanded(const Definitions& definitions, Complaints& complaints) {
   Description description = expand(definitions, complaints);
   complaints.throw_if_any();
+  description.may_succeed = may_succeed(description);
   return description;
 }
 

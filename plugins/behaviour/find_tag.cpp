@@ -1,4 +1,5 @@
-// The search for a tag: the head goes from side to side, then the robot turns on, once around.
+// The search for a tag: where it was seen last, then the head goes from side to side, and the robot turns on,
+// once around.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -60,7 +61,7 @@ class FindTag final : public RobotAction {
     if (!now().is_upright()) return fail("FindTag", "the robot does not stand upright");
     if (!now().sees()) return fail("FindTag", "there are no cameras that see");
     turned_rad_ = 0.0;
-    scan(call);
+    recalled_bearing_rad(call) ? recall() : scan();
     return Outcome::running;
   }
 
@@ -68,6 +69,13 @@ class FindTag final : public RobotAction {
     if (!now().is_upright()) return fail("FindTag", "the robot has fallen");
     if (!now().sees()) return fail("FindTag", "the cameras do not see any more");
     switch (doing_) {
+      case Doing::recalls: {
+        const double bearing_rad = recalled_bearing_rad(call).value_or(0.0);
+        if (find(call) || std::abs(bearing_rad) <= kBefore_rad) return stop(call);
+        const double rate = std::abs(call.get<double>(3).value_or(0.0));
+        orders().walk({.turn_rad_per_s = std::copysign(rate, bearing_rad)});
+        return Outcome::running;
+      }
       case Doing::scans:
         if (find(call)) return keep_eyes_on(call);
         sweep_.look(now());
@@ -82,24 +90,22 @@ class FindTag final : public RobotAction {
       case Doing::turns:
         if (find(call) || std::abs(now().base().yaw_rad - from_rad_) >= kPart_rad) {
           turned_rad_ += std::abs(now().base().yaw_rad - from_rad_);
-          end_.begin(call.now_ns());
-          doing_ = Doing::stops;
-          return Outcome::running;
+          return stop(call);
         }
         orders().walk({.turn_rad_per_s = call.get<double>(3).value_or(0.0)});
         return Outcome::running;
       case Doing::stops:
         if (!end_.is_reached(now())) return Outcome::running;
         if (find(call)) return keep_eyes_on(call);
-        scan(call);
+        scan();
         return Outcome::running;
     }
     return Outcome::running;
   }
 
   Halt on_halt(Call& call) noexcept override {
-    if (doing_ == Doing::turns) end_.begin(call.now_ns());
-    if (now().commands()) orders().look_ahead();
+    if (doing_ == Doing::turns || doing_ == Doing::recalls) end_.begin(call.now_ns());
+    if (now().commands()) orders().look_ahead_after(look_);
     return on_halting(call);
   }
   Halt on_halting(Call&) noexcept override {
@@ -107,17 +113,54 @@ class FindTag final : public RobotAction {
   }
 
  private:
-  enum class Doing : std::uint8_t { scans, turns, stops };
+  enum class Doing : std::uint8_t { recalls, scans, turns, stops };
   static constexpr double kPart_rad = std::numbers::pi / 3.0;  // turned between two scans
   static constexpr double kAround_rad = 0.1;
+  static constexpr double kBefore_rad = 0.4;  // the head turns the rest
 
-  void scan(Call&) noexcept {
+  // Where the tag was seen last.
+  struct Recalled {
+    std::int64_t id = -1;  // -1: nothing has been seen yet
+    Pose in_world;
+    double height_m = 0.0;
+  };
+
+  // From the robot's heading; nothing: that tag has not been seen, or it is not known where the robot is.
+  [[nodiscard]] std::optional<double> recalled_bearing_rad(Call& call) const noexcept {
+    const auto odometry = now().odometry();
+    if (recalled_.id != call.get<std::int64_t>(0).value_or(-1) || !odometry) return std::nullopt;
+    const Pose from_base = inside(now().base(), inside(*odometry, recalled_.in_world));
+    return std::atan2(from_base.y_m, from_base.x_m);
+  }
+
+  void recall() noexcept {
+    const Pose at = inside(*now().odometry(), recalled_.in_world);
+    look_at(at.x_m, at.y_m, recalled_.height_m);
+    doing_ = Doing::recalls;
+  }
+
+  Outcome stop(Call& call) noexcept {
+    end_.begin(call.now_ns());
+    doing_ = Doing::stops;
+    return Outcome::running;
+  }
+
+  void look_at(double x_m, double y_m, double z_m) noexcept {
+    HeadCommand command{};
+    command.mode = head_command::mode::point;
+    command.point[0] = x_m;
+    command.point[1] = y_m;
+    command.point[2] = z_m;
+    look_ = orders().look(command);
+  }
+
+  void scan() noexcept {
     HeadCommand command{};
     command.mode = head_command::mode::scan;
     command.direction[1] = kDown_rad;
     command.extent = kExtent_rad;
     command.period = kPeriod_s;
-    orders().look(command);
+    look_ = orders().look(command);
     sweep_.begin(now());
     doing_ = Doing::scans;
   }
@@ -132,9 +175,9 @@ class FindTag final : public RobotAction {
     call.set(4, now().distance_m(*tag));
     call.set(5, std::atan2(from_base.y_m, from_base.x_m));
     if (const auto odometry = now().odometry()) {
-      const Pose in_world = outside(*odometry, seen);
-      call.set(6, in_world.x_m);
-      call.set(7, in_world.y_m);
+      recalled_ = {call.get<std::int64_t>(0).value_or(-1), outside(*odometry, seen), tag->position_m[2]};
+      call.set(6, recalled_.in_world.x_m);
+      call.set(7, recalled_.in_world.y_m);
     }
     return true;
   }
@@ -142,10 +185,7 @@ class FindTag final : public RobotAction {
   Outcome keep_eyes_on(Call& call) noexcept {
     if (const auto tag =
             now().tag(call.get<std::int64_t>(0).value_or(-1), call.get<std::int64_t>(1).value_or(0))) {
-      HeadCommand command{};
-      command.mode = head_command::mode::point;
-      for (int i = 0; i < 3; ++i) command.point[i] = tag->position_m[i];
-      orders().look(command);
+      look_at(tag->position_m[0], tag->position_m[1], tag->position_m[2]);
     }
     return Outcome::success;
   }
@@ -154,6 +194,8 @@ class FindTag final : public RobotAction {
 
   Doing doing_ = Doing::scans;
   double turned_rad_ = 0.0, from_rad_ = 0.0;
+  std::uint32_t look_ = 0;  // its newest order to the head
+  Recalled recalled_;
   Sweep sweep_;
   WalkEnd end_;
 };
@@ -165,14 +207,15 @@ void register_search(behaviour::Registry& registry, const std::shared_ptr<Robot>
       {.id = "FindTag",
        .ports = {tag_port(), oldest_port("0.5 s"),
                  number_port("around", "rad", 0.0, 100.0, "360 deg", "turned at most; then it fails"),
-                 number_port("rate", "rad/s", -3.0, 3.0, "0.4 rad/s", "of the turns between two scans"),
+                 number_port("rate", "rad/s", 0.05, 3.0, "0.4 rad/s", "of the turns between two scans"),
                  output_port("distance", "m", "level, from the base"),
                  output_port("bearing", "rad", "from the robot's heading, to the left"),
                  output_port("x", "m", "world; not set without navigation"),
                  output_port("y", "m", "world; not set without navigation")},
        .meaning =
-           "Looks from side to side, turns by 60 degrees and looks again until the cameras have the tag; "
-           "then the eyes stay on it. Fails when it has looked all around, where the cameras do not see, "
+           "Looks where the tag was when it was last seen, if it was; then from side to side, turns by 60 "
+           "degrees and looks again until the cameras have it; then the eyes stay on it. Fails when it has "
+           "looked all around, where the cameras do not see, "
            "and in a fall. A limit in time is the decorator Timeout's"},
       [robot] { return std::make_unique<FindTag>(robot); });
 }

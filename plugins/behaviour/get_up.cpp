@@ -25,11 +25,12 @@ class GetUp final : public RobotAction {
   using RobotAction::RobotAction;
 
   Outcome on_start(Call& call) noexcept override {
-    if (has_stood_for(call.get<std::int64_t>(1).value_or(0))) {
-      failed_ = 0;
+    if (has_been_up_for(call.get<std::int64_t>(1).value_or(0))) {
+      attempts_ = 0;
       has_given_up_ = false;
     }
-    if (failed_ >= most(call)) return give_up("no stand has lasted");
+    if (attempts_ >= most(call)) return give_up("no stand has lasted");
+    has_played_ = false;
     enter(Doing::comes_to_rest, call);
     return on_running(call);
   }
@@ -64,10 +65,9 @@ class GetUp final : public RobotAction {
   [[nodiscard]] static std::int64_t most(Call& call) noexcept {
     return call.get<std::int64_t>(0).value_or(0);
   }
-  // Since the last attempt.
-  [[nodiscard]] bool has_stood_for(std::int64_t time_ns) const noexcept {
-    const LastStand& stand = last_stand();
-    return stand.from_ns > tried_ns_ && stand.to_ns - stand.from_ns >= time_ns;
+  // Since the last attempt, standing or walking.
+  [[nodiscard]] bool has_been_up_for(std::int64_t time_ns) const noexcept {
+    return on_feet().to_ns - std::max(on_feet().from_ns, tried_ns_) >= time_ns;
   }
   void enter(Doing doing, Call& call) noexcept {
     doing_ = doing;
@@ -91,19 +91,22 @@ class GetUp final : public RobotAction {
     const auto name = call.get<behaviour::Text>(lies_on_front() ? 2 : 3);
     if (!name || name->view().empty()) return fail("GetUp", "there is no motion for the side it lies on");
     std::array<char, 160> text{};
-    fmt::format_to_n(text.data(), text.size() - 1, "gets up: attempt {} by '{}'", failed_ + 1, name->view());
+    fmt::format_to_n(text.data(), text.size() - 1, "gets up: attempt {} by '{}'", attempts_ + 1,
+                     name->view());
     orders().say(text.data());
     motion_.order(name->view(), now(), orders());
+    has_played_ = true;
     enter(Doing::gets_up, call);
     return Outcome::running;
   }
 
-  // By where the trunk's x axis goes: down or up. One that lies on its side tries the two in turn.
+  // By where the trunk's x axis goes: down or up. One that lies on its side, or leans on something, tries the
+  // two in turn, the likelier first.
   [[nodiscard]] bool lies_on_front() const noexcept {
     const double down = std::sin(now().estimate->attitude[1]);
     constexpr double kOnItsSide = 0.5;
-    if (std::abs(down) < kOnItsSide) return failed_ % 2 == 0;
-    return down > 0.0;
+    const bool in_turn = std::abs(down) < kOnItsSide && attempts_ % 2 != 0;
+    return (down >= 0.0) != in_turn;
   }
 
   Outcome watch_motion(Call& call) noexcept {
@@ -130,8 +133,12 @@ class GetUp final : public RobotAction {
   Outcome watch_stand(Call& call) noexcept {
     if (!now().stands()) holds_since_ns_ = call.now_ns();
     if (call.now_ns() - holds_since_ns_ >= kStandsFor_ns) {
-      tried(call);  // counts until it has stood for long enough
+      if (has_played_) tried(call);  // counts until it has been up for long enough
       return Outcome::success;
+    }
+    if (!has_played_ && !now().stands()) {  // it had caught itself, and now it has not
+      enter(Doing::comes_to_rest, call);
+      return Outcome::running;
     }
     const bool falls = now().estimate != nullptr && now().estimate->fall == estimate::fall::falls;
     if (falls) return try_again(call, "it fell again");
@@ -141,15 +148,15 @@ class GetUp final : public RobotAction {
   }
 
   void tried(Call& call) noexcept {
-    ++failed_;
+    ++attempts_;
     tried_ns_ = call.now_ns();
   }
 
   Outcome try_again(Call& call, const char* why) noexcept {
     tried(call);
-    if (failed_ >= most(call)) return give_up(why);
+    if (attempts_ >= most(call)) return give_up(why);
     std::array<char, 200> text{};
-    fmt::format_to_n(text.data(), text.size() - 1, "attempt {} of {}: {}", failed_, most(call), why);
+    fmt::format_to_n(text.data(), text.size() - 1, "attempt {} of {}: {}", attempts_, most(call), why);
     orders().tell_trouble("GetUp", text.data());
     enter(Doing::comes_to_rest, call);
     return Outcome::running;
@@ -160,14 +167,15 @@ class GetUp final : public RobotAction {
     if (has_given_up_) return Outcome::failure;
     has_given_up_ = true;
     std::array<char, 200> text{};
-    fmt::format_to_n(text.data(), text.size() - 1, "gives up after {} attempts: {}", failed_, why);
+    fmt::format_to_n(text.data(), text.size() - 1, "gives up after {} attempts: {}", attempts_, why);
     return fail("GetUp", text.data());
   }
 
   Doing doing_ = Doing::comes_to_rest;
   bool has_given_up_ = false;
   std::int64_t since_ns_ = 0, holds_since_ns_ = 0;
-  std::int64_t failed_ = 0;     // attempts since it last stood for long enough
+  bool has_played_ = false;     // a motion, since it was started
+  std::int64_t attempts_ = 0;   // since it was last up for long enough
   std::int64_t tried_ns_ = -1;  // end of the last of them
   PlayedMotion motion_;
 };

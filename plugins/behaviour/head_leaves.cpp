@@ -98,19 +98,20 @@ class LookAtTag final : public RobotAction {
     const bool has_moved = std::hypot(to[0] - at_m_[0], to[1] - at_m_[1], to[2] - at_m_[2]) > kNews_m;
     if (!looks_ || has_moved) {
       for (int i = 0; i < 3; ++i) at_m_[i] = to[i];
-      orders().look(toward(at_m_));
+      look_ = orders().look(toward(at_m_));
       looks_ = true;
     }
     return Outcome::running;
   }
   Halt on_halt(Call&) noexcept override {
-    if (now().commands()) orders().look_ahead();
+    if (now().commands()) orders().look_ahead_after(look_);
     return Halt::ended;
   }
 
  private:
   bool looks_ = false;
-  double at_m_[3] = {};  // odometry
+  std::uint32_t look_ = 0;  // its newest order
+  double at_m_[3] = {};     // odometry
 };
 
 class LookAround final : public RobotAction {
@@ -123,14 +124,17 @@ class LookAround final : public RobotAction {
     command.extent = call.get<double>(0).value_or(0.0);
     command.direction[1] = call.get<double>(1).value_or(0.0);
     command.period = static_cast<double>(call.get<std::int64_t>(2).value_or(0)) * 1e-9;
-    orders().look(command);
+    look_ = orders().look(command);
     return Outcome::running;
   }
   Outcome on_running(Call&) noexcept override { return Outcome::running; }
   Halt on_halt(Call&) noexcept override {
-    if (now().commands()) orders().look_ahead();
+    if (now().commands()) orders().look_ahead_after(look_);
     return Halt::ended;
   }
+
+ private:
+  std::uint32_t look_ = 0;  // its order
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ class RobotAction : public behaviour::Action {
  protected:
   [[nodiscard]] const Situation& now() const noexcept { return robot_->situation; }
   [[nodiscard]] Orders& orders() const noexcept { return robot_->orders; }
-  [[nodiscard]] const LastStand& last_stand() const noexcept { return robot_->last_stand; }
+  [[nodiscard]] const TimeOnFeet& on_feet() const noexcept { return robot_->on_feet; }
   // Says why, and fails.
   [[nodiscard]] behaviour::Outcome fail(std::string_view leaf, std::string_view why) const noexcept {
     orders().tell_trouble(leaf, why);

@@ -7,11 +7,11 @@ namespace gaitway::behaviour_leaves {
 
 void Robot::begin() noexcept {
   orders.begin(situation.now_ns);
-  if (!situation.stands()) return;
-  // The ticks of one stand lie close together.
-  const bool goes_on = last_stand.to_ns >= 0 && situation.now_ns - last_stand.to_ns <= 2 * facts::kCycle_ns;
-  if (!goes_on) last_stand.from_ns = situation.now_ns;
-  last_stand.to_ns = situation.now_ns;
+  if (!situation.is_upright() || situation.plays_motion()) return;
+  // The ticks of one such time lie close together.
+  const bool goes_on = on_feet.to_ns >= 0 && situation.now_ns - on_feet.to_ns <= 2 * facts::kCycle_ns;
+  if (!goes_on) on_feet.from_ns = situation.now_ns;
+  on_feet.to_ns = situation.now_ns;
 }
 
 void register_leaves(behaviour::Registry& registry, const std::shared_ptr<Robot>& robot) {

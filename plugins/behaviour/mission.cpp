@@ -1,36 +1,23 @@
 // Finds and reads the file of a mission.
 #include "gaitway/behaviour_leaves/mission.hpp"
 
-#include <algorithm>
-
 #include "gaitway/behaviour/read.hpp"
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/text.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/process/shipped_files.hpp"
 
 namespace gaitway::behaviour_leaves {
 
 std::vector<std::string> shipped_missions() {
-  std::vector<std::string> names;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(process::mission_directory(), none)) {
-    if (entry.path().extension() == ".xml") names.push_back(entry.path().stem().string());
-  }
-  std::ranges::sort(names);
-  return names;
+  return process::shipped_names(process::mission_directory(), ".xml");
 }
 
 std::filesystem::path find_mission(const std::string& name_or_path) {
-  const auto is_file = [](const std::filesystem::path& file) {
-    std::error_code unknown;
-    return std::filesystem::exists(file, unknown) && !std::filesystem::is_directory(file, unknown);
-  };
   // Before the shipped ones are looked for: an author's own program need not lie beside these.
-  if (is_file(name_or_path)) return name_or_path;
-  const std::filesystem::path shipped = process::mission_directory();
-  for (const std::filesystem::path& file : {shipped / name_or_path, shipped / (name_or_path + ".xml")}) {
-    if (is_file(file)) return file;
-  }
+  if (process::is_file(name_or_path)) return name_or_path;
+  const auto shipped = process::find_shipped(process::mission_directory(), name_or_path, ".xml");
+  if (shipped) return *shipped;
   input::refuse({name_or_path, 0, "mission", "'" + name_or_path + "'",
                  "there is no such file, and no mission of that name is shipped",
                  input::suggest(name_or_path, shipped_missions())});

@@ -302,11 +302,12 @@ void MissionRunner::tell(BehaviourState& state) const noexcept {
   std::ranges::copy(transition_to_, state.transition_to);
   copy_text(state.text, text_.data());
   std::ranges::fill(state.status, std::uint8_t{0});
-  state.node_count = 0;
+  state.node_count = state.endless = 0;
   copy_text(state.mission, tree != nullptr ? tree->description().main_tree : "");
   if (tree == nullptr) return;
   const auto statuses = tree->statuses();
   state.node_count = static_cast<std::uint32_t>(statuses.size());
+  state.endless = tree->description().may_succeed ? 0 : 1;
   for (std::size_t i = 0; i < std::min<std::size_t>(statuses.size(), kMaxTreeNodes); ++i) {
     state.status[i] = told(statuses[i]);
   }

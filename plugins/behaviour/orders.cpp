@@ -66,9 +66,14 @@ std::uint32_t Orders::leave_motion() noexcept {
   return play("");
 }
 
-void Orders::look(HeadCommand command) noexcept {
+std::uint32_t Orders::look(HeadCommand command) noexcept {
   command.stamp_ns = now_ns_;
   head_ = command;
+  return ++head_number_;
+}
+
+void Orders::look_ahead_after(std::uint32_t number) noexcept {
+  if (number == head_number_) look_ahead();
 }
 
 void Orders::look_ahead() noexcept {

@@ -10,7 +10,7 @@ namespace gaitway::trajectory {
 namespace {
 
 // Of the trunk against the vertical.
-constexpr double kStandsWithin_rad = 0.5, kLiesBeyond_rad = 1.0;
+constexpr double kStandsWithin_rad = 0.5, kLiesBeyond_rad = 0.6;
 
 template <std::size_t size, class... Values>
 void tell(std::uint8_t (&to)[size], fmt::format_string<const Values&...> format,

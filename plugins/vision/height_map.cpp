@@ -106,7 +106,7 @@ void HeightMap::see(int index, const CellSighting& sighting, std::int64_t stamp_
     cell = Cell{};  // gone, but its ground was not seen
   }
   // What contradicts a cell's state does not make it newer.
-  if (is_obstacle == (cell.state == CellState::obstacle)) {
+  if (cell.state == CellState::unknown || is_obstacle == (cell.state == CellState::obstacle)) {
     seen_ns_[static_cast<std::size_t>(index)] = stamp_ns;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gaitway::vision {
 namespace {
@@ -101,6 +102,7 @@ Fault Vision::use(const PicturePair& pair) {
   const std::optional<ShutterPoses> poses = poses_of(pair);
   has_pose_ = poses.has_value();
   if (!poses) return fault;
+  if (std::exchange(has_lain_, false)) forget_places();
   const Seen seen{.left = check.fault[0] == PictureFault::none,
                   .right = check.fault[1] == PictureFault::none,
                   .poses = *poses};
@@ -109,6 +111,13 @@ Fault Vision::use(const PicturePair& pair) {
   const Fault found = fault == Fault::none ? map(pair, *poses) : fault;
   if (found == Fault::none || found == Fault::few_matches || is_of_one_camera(found)) find_tags(pair, seen);
   return found;
+}
+
+// Odometry counts steps: where a fall and getting up have carried the robot, it does not know.
+void Vision::forget_places() {
+  map_ = HeightMap(parameters_.cell_m);
+  obstacles_.renew({});
+  targets_ = TargetMemory(parameters_.forget_after_ns);
 }
 
 Fault Vision::map(const PicturePair& pair, const ShutterPoses& poses) {

@@ -147,5 +147,21 @@ TEST(RandomTrees, TellEveryTransition) {
   }
 }
 
+// What the structure rules out does not come, whatever the leaves answer.
+TEST(RandomTrees, SucceedOnlyWhereTheyMay) {
+  int endless = 0, have_succeeded = 0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    WatchedTree run(seed, 3 + static_cast<int>(seed % 40));
+    const bool may = run.tree().description().may_succeed;
+    endless += may ? 0 : 1;
+    bool has = false;
+    for (int tick = 0; tick < 120; ++tick) has = run.tick(tick) == NodeStatus::success || has;
+    have_succeeded += has ? 1 : 0;
+    EXPECT_TRUE(may || !has) << "seed " << seed;
+  }
+  EXPECT_GT(endless, 50) << "these trees test what can't succeed";
+  EXPECT_GT(have_succeeded, 300);
+}
+
 }  // namespace
 }  // namespace gaitway::behaviour::test

@@ -271,6 +271,8 @@ TEST_F(BadInput, UnreachableFootsteps) {
 TEST_F(BadInput, MissingAndMalformedScenario) {
   expect_refused("--scenario /nowhere/push.yaml",
                  {"/nowhere/push.yaml: the file is missing or cannot be read"});
+  expect_refused("--scenario push_of_its_feet",
+                 {"--scenario", "'push_of_its_feet'", "no scenario of that name", "'push_off_its_feet'"});
   robot_.write("scenario.yaml", "seconds: 3\nevents: [\n");
   expect_refused("--scenario " + quoted(file("scenario.yaml")), {"scenario.yaml:", "malformed YAML"});
   robot_.write("scenario.yaml", "second: 3\n");

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
 
 #include "tools/run/svg_plot.hpp"
 
@@ -16,6 +18,10 @@ struct Look {
   const char* colour;
   const char* word;
 };
+std::string text_of(std::span<const std::uint8_t> bytes) {
+  return {bytes.begin(), std::ranges::find(bytes, std::uint8_t{0})};
+}
+
 Look look_of(std::uint8_t result, bool runs) {
   if (runs) return {"#2563eb", "runs"};
   if (result == results::success) return {"#15803d", "success"};
@@ -25,11 +31,15 @@ Look look_of(std::uint8_t result, bool runs) {
 
 }  // namespace
 
-void MissionRecord::look(std::int64_t) {
+void MissionRecord::look(std::int64_t now_ns, bool has_fallen) {
+  falls_ += has_fallen && !has_fallen_ ? 1 : 0;
+  has_fallen_ = has_fallen;
+  const bool was_ended = ended();
   if (states_.newest_sequence() != state_sequence_) {
     if (const auto read = states_.read(state_)) {
       state_sequence_ = read.sequence;
       take_transitions();
+      if (ended() && !was_ended) ended_s_ = static_cast<double>(now_ns) * 1e-9;
     }
   }
   if (nodes_.newest_sequence() != nodes_sequence_) take_nodes();
@@ -66,16 +76,43 @@ void MissionRecord::take_nodes() {
   if (!read) return;
   nodes_sequence_ = read.sequence;
   for (std::uint32_t i = 0; i < std::min<std::uint32_t>(part.count, kToldNodes); ++i) {
-    const auto* const type = reinterpret_cast<const char*>(part.type[i]);
-    const auto* const name = reinterpret_cast<const char*>(part.name[i]);
+    const std::string type = text_of(part.type[i]), name = text_of(part.name[i]);
     Described& described = described_[{part.revision, part.first + i}];
-    described.name = *name != '\0' ? fmt::format("{}: {}", type, name) : std::string(type);
+    described.name = name.empty() ? type : fmt::format("{}: {}", type, name);
     if (part.first + i != 0) described_[{part.revision, part.parent[i]}].has_children = true;
   }
 }
 
 bool MissionRecord::ended() const noexcept {
   return state_.state == behaviour_state::state::succeeded || state_.state == behaviour_state::state::failed;
+}
+
+std::optional<MissionEnd> MissionRecord::end() const {
+  namespace states = behaviour_state::state;
+  if (state_.state == states::none) return std::nullopt;
+  return MissionEnd{.name = text_of(state_.mission),
+                    .state = state_.state == states::succeeded ? MissionEnd::State::succeeded
+                             : state_.state == states::failed  ? MissionEnd::State::failed
+                                                               : MissionEnd::State::runs,
+                    .at_s = ended_s_,
+                    .endless = state_.endless != 0,
+                    .falls = falls_,
+                    .on_feet = !has_fallen_,
+                    .reason = text_of(state_.text)};
+}
+
+nlohmann::ordered_json MissionRecord::json() const {
+  const std::optional<MissionEnd> mission = end();
+  if (!mission) return nullptr;
+  using State = MissionEnd::State;
+  return {{"name", mission->name},
+          {"result", mission->state == State::succeeded ? "succeeded"
+                     : mission->state == State::failed  ? "failed"
+                                                        : "runs"},
+          {"ended_s", ended() ? nlohmann::ordered_json(mission->at_s) : nlohmann::ordered_json(nullptr)},
+          {"endless", mission->endless},
+          {"falls", mission->falls},
+          {"on_feet", mission->on_feet}};
 }
 
 const MissionRecord::Described* MissionRecord::leaf(const Node& node) const {

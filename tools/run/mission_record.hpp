@@ -3,12 +3,15 @@
 
 #include <cstdint>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "tools/run/run_metrics.hpp"
 
 namespace gaitway::tools {
 
@@ -18,11 +21,15 @@ class MissionRecord {
       : states_(client.read<BehaviourState>("behaviour_state")),
         nodes_(client.read<BehaviourNodes>("behaviour_nodes")) {}
 
-  // Every 10 ms.
-  void look(std::int64_t now_ns);
+  // Every 10 ms. has_fallen: now, in truth.
+  void look(std::int64_t now_ns, bool has_fallen);
 
   // The mission has come to its own end.
   [[nodiscard]] bool ended() const noexcept;
+  // None: no mission has begun.
+  [[nodiscard]] std::optional<MissionEnd> end() const;
+  // For summary.json; null: no mission has begun.
+  [[nodiscard]] nlohmann::ordered_json json() const;
   // A chart with a row for each leaf that ran, as inline SVG; empty: there was no behaviour.
   [[nodiscard]] std::string timeline(double end_s) const;
 
@@ -45,6 +52,9 @@ class MissionRecord {
   msgclient::Reader<BehaviourNodes> nodes_;
   std::uint64_t state_sequence_ = 0, nodes_sequence_ = 0;
   BehaviourState state_{};
+  double ended_s_ = 0.0;
+  int falls_ = 0;
+  bool has_fallen_ = false;  // and lies
   std::uint64_t taken_ = 0;  // transitions
   std::vector<Span> spans_;
   std::map<Node, std::size_t> running_;  // their spans

@@ -20,6 +20,7 @@
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/process/shipped_files.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
@@ -71,10 +72,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The file, or the shipped scenario of that name.
 std::filesystem::path scenario_file(const std::filesystem::path& given) {
-  const std::filesystem::path shipped = process::scenario_directory() / given;
-  return !std::filesystem::exists(given) && std::filesystem::exists(shipped) ? shipped : given;
+  if (process::is_file(given) || given.has_parent_path()) return given;
+  const std::filesystem::path directory = process::scenario_directory();
+  if (const auto shipped = process::find_shipped(directory, given.string(), ".yaml")) return *shipped;
+  input::refuse({"--scenario", 0, "", "'" + given.string() + "'",
+                 "there is no such file, and no scenario of that name is shipped",
+                 input::suggest(given.string(), process::shipped_names(directory, ".yaml"))});
 }
 
 // Stands for a second, then walks there.
@@ -295,8 +299,9 @@ int run(const RunOptions& options) {
   Snapshots snapshots =
       options.film ? Snapshots((*options.film)[0],
                                ((*options.film)[1] - (*options.film)[0]) / (Snapshots::kPictures - 1), false)
-      : options.to ? Snapshots(kFirstPicture_s, 1.0, true)
-                   : Snapshots(kFirstPicture_s, scenario.seconds / Snapshots::kPictures, false);
+      : options.to || options.mission
+          ? Snapshots(kFirstPicture_s, 1.0, true)
+          : Snapshots(kFirstPicture_s, scenario.seconds / Snapshots::kPictures, false);
   RunTiming timing;
   timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
                            snapshots, eyes, ProgressLine(!options.quiet));
@@ -388,7 +393,9 @@ void add_run(const CommandLine& program) {
       "half of what was commanded (start-ups not counted), or more than a tenth of its batches were refused, "
       "or it had none; 1 the "
       "input was bad\n"
-      "and nothing moved.");
+      "and nothing moved. With --mission: 0 it succeeded, falls or not, or it is one without an end and the robot "
+      "is on its feet,\n"
+      "2 the robot lies at the end, 3 the mission failed or has not come to its end.");
 }
 
 }  // namespace gaitway::tools

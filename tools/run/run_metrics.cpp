@@ -98,6 +98,27 @@ RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, doub
   return {Verdict::done, text};
 }
 
+RunOutcome outcome_of(const MissionEnd& mission) {
+  using State = MissionEnd::State;
+  const std::string falls = mission.falls == 0
+                                ? "did not fall"
+                                : fmt::format("fell {} time{}", mission.falls, mission.falls == 1 ? "" : "s");
+  const std::string lies = mission.on_feet ? "" : ", and LIES ON THE GROUND";
+  switch (mission.state) {
+    case State::succeeded:
+      return {Verdict::done,
+              fmt::format("mission '{}' succeeded after {:.2f} s, {}", mission.name, mission.at_s, falls)};
+    case State::failed:
+      return {mission.on_feet ? Verdict::not_done : Verdict::fell,
+              fmt::format("mission '{}' FAILED after {:.2f} s{}: {}; it {}", mission.name, mission.at_s, lies,
+                          mission.reason.empty() ? "it said no reason" : mission.reason, falls)};
+    case State::runs:
+      break;
+  }
+  return {mission.on_feet ? Verdict::not_done : Verdict::fell,
+          fmt::format("mission '{}' HAS NOT COME TO ITS END{}; it {}", mission.name, lies, falls)};
+}
+
 int exit_code(Verdict verdict) noexcept {
   return verdict == Verdict::done ? kExitFine : verdict == Verdict::fell ? kExitFell : kExitNotDone;
 }

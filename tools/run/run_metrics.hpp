@@ -118,6 +118,19 @@ struct RunOutcome {
 [[nodiscard]] RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s,
                                     const std::string& way_missing = {});
 
+// What became of a mission. Its robot may fall, where it gets up again.
+struct MissionEnd {
+  std::string name;
+  enum class State { runs, succeeded, failed } state = State::runs;
+  double at_s = 0.0;     // of its end
+  bool endless = false;  // it can't succeed, and needs no end
+  int falls = 0;
+  bool on_feet = true;  // at the end of the run
+  std::string reason;   // of a failure
+};
+// Of one with an end, in place of the outcome above: done when it has succeeded.
+[[nodiscard]] RunOutcome outcome_of(const MissionEnd& mission);
+
 // Of the program.
 [[nodiscard]] int exit_code(RunOutcome::Verdict verdict) noexcept;
 // For summary.json.

@@ -100,7 +100,7 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
   if (core::is_tick(now_ns - facts::kMillisecond_ns)) {
     read_plan();
     way_.look(now_ns, run_.plant());
-    mission_.look(now_ns);
+    mission_.look(now_ns, plant.fallen());
     follow_walk_command(now_ns);
     add_sample(now_ns);
   }

@@ -120,11 +120,19 @@ void add_contact_rows(const nlohmann::ordered_json& contacts, const Row& row) {
 }  // namespace
 
 RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& recorder) {
+  const std::optional<MissionEnd> mission = recorder.mission().end();
+  if (mission && !mission->endless) return outcome_of(*mission);
+  RunMetrics metrics = recorder.metrics();
+  if (mission) metrics.fell = !mission->on_feet;  // what happened before it got up is not its end
   const NetworkState& state = run.message_controller().state();
-  return outcome_of(recorder.metrics(),
-                    {.handed_over = state.handed_over,
-                     .refused = state.refused + run.main_controller().statistics().refused_locally},
-                    static_cast<double>(run.now_ns()) * 1e-9, recorder.way().missing());
+  RunOutcome outcome =
+      outcome_of(metrics,
+                 {.handed_over = state.handed_over,
+                  .refused = state.refused + run.main_controller().statistics().refused_locally},
+                 static_cast<double>(run.now_ns()) * 1e-9, recorder.way().missing());
+  if (mission)
+    outcome.text += fmt::format(", mission '{}' goes on, falls: {}", mission->name, mission->falls);
+  return outcome;
 }
 
 nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,
@@ -168,6 +176,7 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
                              ? nlohmann::ordered_json(metrics.zmp_margin_min_m)
                              : nlohmann::ordered_json(nullptr)}}},
       {"way", recorder.way().json()},
+      {"mission", recorder.mission().json()},
       {"contacts", contacts_json(recorder.contacts(), run.robot())},
       {"events", events(run)},
       {"digest", fmt::format("{:016x}", recorder.digest())}};
@@ -230,7 +239,7 @@ std::string summary_table(const nlohmann::ordered_json& s) {
       fmt::format("{:.1f} x real time{}", number(s["real_time_factor"]),
                   physics.is_null() ? "" : fmt::format(" (physics alone: {:.1f} x)", number(physics))));
   row("digest", s["digest"].get<std::string>());
-  constexpr std::size_t kShownEvents = 5;
+  constexpr std::size_t kShownEvents = 12;
   const auto& events = s["events"];
   for (std::size_t i = 0; i < std::min(kShownEvents, events["newest"].size()); ++i) {
     const auto& event = events["newest"][i];

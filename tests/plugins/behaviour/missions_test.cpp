@@ -42,6 +42,11 @@ TEST_P(ShippedMission, IsReadAndCanGetUp) {
   EXPECT_EQ(mission.stand_up->main_tree, kStandUpTree);
 }
 
+TEST_P(ShippedMission, HasAnEndOrGoesOnForEver) {
+  const Mission mission = read_mission(GetParam(), leaves());
+  EXPECT_EQ(mission.tree.may_succeed, GetParam() == "find_and_walk_to_tag");
+}
+
 TEST_P(ShippedMission, TellsEditorsItsLeaves) {
   const behaviour::Registry registry = leaves();
   const Mission mission = read_mission(GetParam(), registry);

@@ -94,6 +94,14 @@ TEST(GetUp, WaitsUntilItLiesStillAndChoosesTheSide) {
   }
 }
 
+void be_up_for(ScriptedRun& run, double seconds) {
+  for (double s = 0.0; s < seconds; s += 0.08) {  // whatever is ticked meanwhile
+    run.now_ns += facts::kCycle_ns;
+    run.look();
+    run.robot->begin();
+  }
+}
+
 void get_up(ScriptedRun& run, std::uint32_t result) {
   run.tick_for(0.9);
   run.answer_motion(kPlays);
@@ -130,12 +138,8 @@ TEST(GetUp, GivesUpAfterThreeAttemptsUntilItHasStood) {
   EXPECT_THAT(run.take_motions(), ElementsAre());
   EXPECT_THAT(run.take_sayings(), ElementsAre()) << "said once";
 
-  run.stand();                    // somebody has helped
-  for (int i = 0; i < 50; ++i) {  // whatever is ticked meanwhile
-    run.now_ns += facts::kCycle_ns;
-    run.look();
-    run.robot->begin();
-  }
+  run.stand();  // somebody has helped
+  be_up_for(run, 4.0);
   run.lie(kOnFront_rad);
   EXPECT_EQ(run.tick_for(1.0), NodeStatus::running);
   EXPECT_THAT(run.take_motions(), ElementsAre("get_up_front"));
@@ -155,6 +159,35 @@ TEST(GetUp, StandsThatDoNotLastCountAsAttempts) {
   EXPECT_THAT(run.take_sayings(), ElementsAre(HasSubstr("gives up after 3 attempts: no stand has lasted")));
 }
 
+TEST(GetUp, AttemptsAreForgottenOnceItHasBeenUpForLong) {
+  for (const std::uint32_t feet : {footstep_state::state::stands, footstep_state::state::other}) {
+    ScriptedRun run("<GetUp/>");
+    for (int fall = 0; fall < 5; ++fall) {
+      run.lie(kOnFront_rad);
+      get_up(run, kToItsEnd);
+      run.stand();
+      EXPECT_EQ(run.tick_for(2.0), NodeStatus::success) << fall;
+      run.footsteps.state = feet;
+      be_up_for(run, 3.5);
+    }
+  }
+}
+
+TEST(GetUp, CatchingItselfIsNoAttempt) {
+  ScriptedRun run("<GetUp/>");
+  for (int stumble = 0; stumble < 5; ++stumble) {
+    run.estimate.fall = estimate::fall::falls;
+    run.footsteps.state = footstep_state::state::other;
+    EXPECT_EQ(run.tick_for(0.5), NodeStatus::running);
+    run.stand();
+    EXPECT_EQ(run.tick_for(2.0), NodeStatus::success);
+  }
+  EXPECT_THAT(run.take_motions(), ElementsAre());
+  run.lie(kOnFront_rad);
+  EXPECT_EQ(run.tick_for(1.0), NodeStatus::running);
+  EXPECT_THAT(run.take_motions(), ElementsAre("get_up_front"));
+}
+
 TEST(GetUp, ARefusalIsAnAttempt) {
   ScriptedRun run(R"(<GetUp attempts="2"/>)");
   run.lie(kOnFront_rad);
@@ -165,13 +198,18 @@ TEST(GetUp, ARefusalIsAnAttempt) {
   EXPECT_EQ(run.tick(), NodeStatus::failure);
 }
 
-TEST(GetUp, OnItsSideItTriesBothInTurn) {
-  ScriptedRun run("<GetUp/>");
-  run.lie(0.0);
-  get_up(run, kBrokenOff);
-  run.tick();
-  run.tick_for(0.9);
-  EXPECT_THAT(run.take_motions(), ElementsAre("get_up_front", "get_up_back"));
+TEST(GetUp, OnItsSideItTriesBothInTurnTheLikelierFirst) {
+  for (const double pitch_rad : {0.2, -0.2}) {
+    ScriptedRun run("<GetUp/>");
+    run.lie(pitch_rad);
+    get_up(run, kBrokenOff);
+    run.tick();
+    run.tick_for(0.9);
+    const std::vector<std::string> motions = run.take_motions();
+    ASSERT_EQ(motions.size(), 2U);
+    EXPECT_EQ(motions[0], pitch_rad > 0.0 ? "get_up_front" : "get_up_back");
+    EXPECT_NE(motions[1], motions[0]);
+  }
 }
 
 TEST(GetUp, OnItsFeetThereIsNothingToDo) {

@@ -165,6 +165,19 @@ TEST_F(Faults, ARobotThatLiesLeavesItsMapAlone) {
   EXPECT_EQ(state().state, vision_state::state::impaired);
 }
 
+// It may lie a step from where it stood, and odometry does not know.
+TEST_F(Faults, WhatItSawBeforeAFallIsForgottenWhenItIsUpAgain) {
+  ASSERT_FALSE(robot.vision().obstacles().empty());
+  robot.fallen(true);
+  robot.watch(3);
+  EXPECT_FALSE(robot.vision().obstacles().empty()) << "until it sees again, that is what is told";
+  robot.fallen(false);
+  robot.scene.boxes.clear();
+  robot.wait(1'000'000'000);
+  robot.watch(3);
+  EXPECT_TRUE(robot.vision().obstacles().empty());
+}
+
 // One degree about each axis of either camera.
 class TurnedCamera : public ::testing::TestWithParam<Eigen::Vector3d> {};
 

@@ -45,6 +45,15 @@ TEST(HeightMap, AnObstacleStaysUntilItWasSeenFreeForLong) {
   EXPECT_EQ(map.state(cell), CellState::unknown);
 }
 
+TEST(HeightMap, WhatBeginsToShowIsNotForgotten) {
+  HeightMap map(0.04);
+  const int cell = map.cell_at(0.5, 0.1);
+  see(map, obstacle_at({0.5, 0.1}), cell, 1);
+  map.forget(900'000'000);
+  see(map, obstacle_at({0.5, 0.1}), cell, 2);
+  EXPECT_EQ(map.state(cell), CellState::obstacle);
+}
+
 TEST(HeightMap, WhatIsSeenThroughIsUnknownThen) {
   HeightMap map(0.04);
   const int cell = map.cell_at(0.5, 0.1);

@@ -50,6 +50,14 @@ TEST(Sight, ABoxIsAnObstacleWhereItStands) {
   EXPECT_NEAR(box->height_m, 0.2, 0.03);
 }
 
+TEST(Sight, ABoxThatComesIntoViewLateIsAnObstacle) {
+  WatchingRobot robot;
+  robot.wait(40'000'000'000);
+  robot.scene.boxes.push_back({{1.0, 0.1, 0.1}, {0.2, 0.3, 0.2}, 0.0});
+  robot.watch(6);
+  EXPECT_NE(nearest_box(robot.vision(), {1.0, 0.1}), nullptr);
+}
+
 TEST(Sight, WhatIsBehindABoxIsUnknown) {
   WatchingRobot robot;
   robot.scene.boxes.push_back({{0.9, 0.0, 0.25}, {0.1, 0.6, 0.5}, 0.0});

@@ -58,6 +58,7 @@ struct Description {
   std::vector<PortBinding> bindings;
   std::vector<Value> constants;
   std::vector<Entry> entries;
+  bool may_succeed = true;  // as outcomes.hpp has it
 
   [[nodiscard]] std::span<const PortBinding> ports(NodeIndex node) const {
     const DescribedNode& described = nodes[static_cast<std::size_t>(node)];

@@ -9,8 +9,8 @@
 
 namespace gaitway::behaviour_leaves {
 
-// The last stand that has come to an end, or that lasts.
-struct LastStand {
+// The last time that it stood or walked, over or not.
+struct TimeOnFeet {
   std::int64_t from_ns = -1, to_ns = -1;  // -1: none yet
 };
 
@@ -19,7 +19,7 @@ struct LastStand {
 struct Robot {
   Situation situation;
   Orders orders;
-  LastStand last_stand;
+  TimeOnFeet on_feet;
 
   void begin() noexcept;
 };

@@ -37,7 +37,10 @@ class Orders {
   std::uint32_t cancel_way() noexcept;
   std::uint32_t play(std::string_view motion) noexcept;
   std::uint32_t leave_motion() noexcept;
-  void look(HeadCommand command) noexcept;  // its stamp is put in here
+  // Gives the number of the order; its stamp is put in here.
+  std::uint32_t look(HeadCommand command) noexcept;
+  // A leaf that has the head no more sends it home; not where another leaf has given a newer order.
+  void look_ahead_after(std::uint32_t number) noexcept;
   void look_ahead() noexcept;
   void say(std::string_view text) noexcept;
   void tell_trouble(std::string_view leaf, std::string_view why) noexcept;
@@ -58,7 +61,7 @@ class Orders {
   Saying* new_saying(bool is_trouble) noexcept;
 
   std::int64_t now_ns_ = 0;
-  std::uint32_t last_number_ = 0, way_number_ = 0, motion_number_ = 0;
+  std::uint32_t last_number_ = 0, way_number_ = 0, motion_number_ = 0, head_number_ = 0;
   std::optional<Velocity> walking_;
   std::optional<WalkToRequest> way_;
   std::optional<MotionRequest> motion_;

@@ -54,6 +54,7 @@ class Vision {
   // At each tick.
   void follow(const JointStates& joints, const Estimate& estimate) noexcept {
     history_.add(joints, estimate);
+    has_lain_ = has_lain_ || estimate.fall == estimate::fall::lies;
   }
   // At each tick with a new pair; and at each one without.
   void see(const PicturePair& pair, std::int64_t now_ns);
@@ -88,7 +89,7 @@ class Vision {
  private:
   template <class Self, class Archive>
   static void visit(Self& self, Archive& archive) {
-    archive(self.targets_, self.pictures_, self.alignment_, self.fault_, self.has_pose_, self.sees_one_,
+    archive(self.targets_, self.pictures_, self.alignment_, self.fault_, self.has_pose_, self.sees_one_, self.has_lain_,
             self.first_wait_ns_, self.picture_ns_, self.arrived_ns_, self.looked_ns_, self.mapped_ns_,
             self.eye_m_, self.matched_share_, self.last_number_, self.pairs_, self.dropped_);
   }
@@ -100,6 +101,7 @@ class Vision {
 
   [[nodiscard]] std::optional<ShutterPoses> poses_of(const PicturePair& pair) const noexcept;
   [[nodiscard]] Fault use(const PicturePair& pair);
+  void forget_places();
   [[nodiscard]] Fault map(const PicturePair& pair, const ShutterPoses& poses);
   void find_tags(const PicturePair& pair, const Seen& seen);
   [[nodiscard]] cv::Rect place_in_right(const FoundTag& tag) const;
@@ -122,6 +124,7 @@ class Vision {
   Fault fault_ = Fault::none;
   bool has_pose_ = true;   // of the camera, at the last pair's exposure
   bool sees_one_ = false;  // camera, at least
+  bool has_lain_ = false;  // since the newest pair with a pose
   std::optional<std::int64_t> first_wait_ns_;
   std::int64_t picture_ns_ = 0, arrived_ns_ = 0, looked_ns_ = 0, mapped_ns_ = 0;
   Eigen::Vector2d eye_m_ = Eigen::Vector2d::Zero();  // in odometry, of the newest pair in the map
