@@ -113,6 +113,17 @@ void NodeArray::forget(NodeIndex node) noexcept {
   }
 }
 
+void NodeArray::reset() noexcept {
+  for (Node& node : nodes_) {
+    node.remembered = NodeStatus::idle;
+    node.counted = false;
+    node.current = kNoNode;
+    node.skipped = node.count = node.failures = 0;
+    node.until_ns = 0;
+  }
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = description_.entries[i].initial;
+}
+
 void NodeArray::start(NodeIndex node) noexcept {
   for (NodeIndex child = node + 1; child < at(node).end; child = at(child).end) forget(child);
   at(node).started = pass_;

@@ -80,6 +80,8 @@ class NodeArray {
   NodeStatus finish(NodeIndex node, NodeStatus result) noexcept;
   // The node and all below it; nothing where it is not active.
   void halt(NodeIndex node) noexcept;
+  // Whatever nodes remember of former runs, and the values; only while none is active or halting.
+  void reset() noexcept;
   // Results that are still shown are forgotten; the node is not active.
   void forget(NodeIndex node) noexcept;
 

@@ -53,8 +53,8 @@ class Structure {
   [[nodiscard]] Answers of(NodeIndex node) {
     const std::vector<Answers> below = children(node);
     const bool is_endless = constant(node).value_or(0) < 0;
-    const auto any = [&below](bool Answers::* what) { return std::ranges::any_of(below, what); };
-    const auto all = [&below](bool Answers::* what) { return std::ranges::all_of(below, what); };
+    const auto any = [&below](bool Answers::*what) { return std::ranges::any_of(below, what); };
+    const auto all = [&below](bool Answers::*what) { return std::ranges::all_of(below, what); };
     switch (tree_.nodes[static_cast<std::size_t>(node)].type) {
       case NodeType::sequence:
       case NodeType::sequence_with_memory:

@@ -58,6 +58,10 @@ bool Tree::halt(std::int64_t now_ns) noexcept {
   return !nodes_->any_halting();
 }
 
+void Tree::reset() noexcept {
+  nodes_->reset();
+}
+
 const Description& Tree::description() const noexcept {
   return nodes_->description();
 }

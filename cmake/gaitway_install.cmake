@@ -11,8 +11,12 @@ set(gaitway_author_libraries facts geometry plugin msgclient_topics simulated_ro
     trajectory kinematics zmp stability behaviour behaviour_leaves behaviour_missions behaviour_plugin)
 
 install(DIRECTORY urdf/humanoid22 DESTINATION share/gaitway/urdf)
+set(gaitway_left_out "")
+if(NOT TARGET gaitway_plugin_vision)
+  set(gaitway_left_out PATTERN eyes.yaml EXCLUDE)  # of the plug-in that sees
+endif()
 install(DIRECTORY core/config tools/scenarios tools/worlds plugins/behaviour/missions tools/new_plugin/templates DESTINATION share/gaitway
-  PATTERN eyes.yaml EXCLUDE)  # of the plug-in that sees, which the package does not hold
+  ${gaitway_left_out})
 install(DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway/prepared_motions/humanoid22/" DESTINATION share/gaitway/urdf/humanoid22/motions)
 install(DIRECTORY tools/calibrate/poses/ DESTINATION share/gaitway/calibration)
 install(DIRECTORY docs/ DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
@@ -20,6 +24,9 @@ install(FILES LICENSE DESTINATION share/doc/gaitway)
 
 # Programs and what they load.
 get_property(gaitway_programs GLOBAL PROPERTY gaitway_programs)
+if(TARGET gaitway_plugin_vision)
+  list(APPEND gaitway_shipped_plugins gaitway_plugin_vision)
+endif()
 foreach(program IN ITEMS gaitway ${gaitway_programs} main_controller gaitway_plugin_child message_controller virtual_robot user_interface)
   set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/gaitway")
   install(TARGETS ${program} RUNTIME DESTINATION bin)

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "estimate_fallback.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -16,7 +17,7 @@ namespace {
 // In place of the behaviour: whatever it has ordered ends, and the robot stands.
 class StopFallback final : public Fallback {
  public:
-  void follow(const Tick&) noexcept override {}
+  void follow(const Tick&) noexcept override { acting_ = false; }
   bool act(const Tick& tick, ManagedPlugin& through) noexcept override {
     // An order is new by its number; so are the behaviour's own, which have this bit, too.
     const std::uint32_t number =
@@ -32,8 +33,18 @@ class StopFallback final : public Fallback {
     leave_motion.number = number;
     const bool stands = through.publish_in_place("behaviour_walk", stand, tick.now_ns);
     const bool leaves = through.publish_in_place("behaviour_walk_to", leave_way, tick.now_ns);
-    return through.publish_in_place("behaviour_motion", leave_motion, tick.now_ns) || leaves || stands;
+    const bool motionless = through.publish_in_place("behaviour_motion", leave_motion, tick.now_ns);
+    // Once: looking ahead is an order of its own, which would take the command again and again.
+    if (!std::exchange(acting_, true)) {
+      HeadCommand ahead{};
+      ahead.stamp_ns = tick.now_ns;
+      static_cast<void>(through.publish_in_place("behaviour_head", ahead, tick.now_ns));
+    }
+    return motionless || leaves || stands;
   }
+
+ private:
+  bool acting_ = false;
 };
 
 constexpr std::int64_t kRamp_ns = 300'000'000;

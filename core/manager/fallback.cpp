@@ -18,8 +18,8 @@ constexpr std::array<std::string_view, 1> kEstimateWrites{"estimate"};
 constexpr std::array<std::string_view, 4> kEstimateReads{"joint_states", "imu", "foot_forces", "motion_plan"};
 constexpr std::array<std::string_view, 2> kTrimWrites{"trim", "correction"};
 constexpr std::array<std::string_view, 1> kTrimReads{"estimate"};
-constexpr std::array<std::string_view, 3> kStopWrites{"behaviour_walk", "behaviour_walk_to",
-                                                      "behaviour_motion"};
+constexpr std::array<std::string_view, 4> kStopWrites{"behaviour_walk", "behaviour_walk_to",
+                                                      "behaviour_motion", "behaviour_head"};
 constexpr std::array<std::string_view, 2> kTailWrites{"motion_plan", "joint_plan"};
 
 struct KindTopics {

@@ -21,9 +21,17 @@ MissionDesk::Where desk_of(Setup& setup) {
              : MissionDesk::Where::beside;
 }
 
+// Of a topic that tells news alone, or whose parts have times of their own.
 template <class T>
 const T* newest(Input<T>& input) {
   return input.has_value() ? &input.read() : nullptr;
+}
+
+// Of a topic that is told all the time: what a silent writer said last holds no more.
+template <class T>
+const T* fresh(Input<T>& input, std::int64_t now_ns) {
+  constexpr std::int64_t kSilent_ns = 1'000'000'000;
+  return input.has_value() && input.age_ns(now_ns) <= kSilent_ns ? &input.read() : nullptr;
 }
 
 }  // namespace
@@ -62,7 +70,7 @@ BehaviourPlugin::BehaviourPlugin(Setup& setup, const MoreLeaves& more, const std
 
 void BehaviourPlugin::step(const Tick& tick) {
   look(tick);
-  if (request_.has_value()) runner_.ask(request_.read());
+  if (request_.has_value()) runner_.ask(request_.read(), tick.now_ns);
   const bool is_due = tick.tick % facts::kSlotsPerCycle == kSlot;
   if (!runner_.step(is_due, enabled_)) return;
   pass_on();
@@ -75,14 +83,14 @@ void BehaviourPlugin::step(const Tick& tick) {
 
 void BehaviourPlugin::look(const Tick& tick) {
   robot_->situation = {.now_ns = tick.now_ns,
-                       .estimate = newest(estimate_),
-                       .footsteps = newest(footsteps_),
-                       .navigation = newest(navigation_),
-                       .motion = newest(motion_state_),
+                       .estimate = fresh(estimate_, tick.now_ns),
+                       .footsteps = fresh(footsteps_, tick.now_ns),
+                       .navigation = fresh(navigation_, tick.now_ns),
+                       .motion = fresh(motion_state_, tick.now_ns),
                        .command = newest(command_),
                        .targets = newest(targets_),
-                       .vision = newest(vision_),
-                       .network = newest(network_)};
+                       .vision = fresh(vision_, tick.now_ns),
+                       .network = fresh(network_, tick.now_ns)};
 }
 
 void BehaviourPlugin::pass_on() {

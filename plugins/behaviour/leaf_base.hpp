@@ -1,6 +1,7 @@
 // What the leaves are made of: their ports, the robot they share, and how long an order takes to be seen.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -19,6 +20,13 @@ namespace gaitway::behaviour_leaves {
 inline constexpr std::int64_t kOrderShows_ns = 3 * facts::kCycle_ns;
 // An order that has had no answer by then has been lost, or there is nobody to answer.
 inline constexpr std::int64_t kOrderIsAnswered_ns = 1'000'000'000;
+
+// A text of a topic, whose writer may have left out the 0 at its end.
+template <std::size_t size>
+[[nodiscard]] std::string_view text_of(const std::uint8_t (&bytes)[size]) noexcept {
+  const std::string_view text(reinterpret_cast<const char*>(bytes), size);
+  return text.substr(0, text.find('\0'));
+}
 
 class RobotCondition : public behaviour::Condition {
  public:
@@ -50,12 +58,12 @@ class RobotAction : public behaviour::Action {
 };
 
 // The end of a walk: not asked for any more, and at rest. Nothing is left to wait for where somebody else
-// commands, or the robot has fallen.
+// commands, the robot has fallen, or nobody plans its steps.
 class WalkEnd {
  public:
   void begin(std::int64_t now_ns) noexcept { since_ns_ = now_ns; }
   [[nodiscard]] bool is_reached(const Situation& now) const noexcept {
-    if (!now.commands() || !now.is_upright()) return true;
+    if (!now.commands() || !now.is_upright() || now.footsteps == nullptr) return true;
     return now.now_ns - since_ns_ >= kOrderShows_ns && now.stands();
   }
 

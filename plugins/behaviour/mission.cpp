@@ -25,6 +25,11 @@ std::filesystem::path find_mission(const std::string& name_or_path) {
 
 Mission read_mission(const std::string& name_or_path, const behaviour::Registry& registry) {
   Mission mission{.file = find_mission(name_or_path), .tree = {}, .stand_up = {}};
+  // Opening a pipe or a device may wait for ever, and whoever asked may be a stranger.
+  if (!std::filesystem::is_regular_file(mission.file)) {
+    input::refuse({mission.file, 0, "mission", "'" + name_or_path + "'", "it is no regular file",
+                   "Give the file of a behaviour tree"});
+  }
   const std::string text = input::read_text_file(mission.file, "Give the file of a behaviour tree");
   mission.tree = behaviour::parse_tree(text, mission.file, registry);
   mission.stand_up = behaviour::parse_tree_of_id(text, mission.file, registry, kStandUpTree);

@@ -15,7 +15,11 @@ namespace verbs = behaviour_request::verb;
 using behaviour::NodeStatus;
 
 constexpr std::uint32_t kNodeOfNoTree = 0xFFFF'FFFF;
-constexpr std::int64_t kSameTroubleAgain_ns = 5'000'000'000;
+constexpr std::int64_t kSaysTheSameAgain_ns = 5'000'000'000;
+// Who asks reads the answer's text by then.
+constexpr std::int64_t kAnswerStays_ns = 1'000'000'000;
+// A request of that age is from before a start of this plug-in.
+constexpr std::int64_t kRequestIsOld_ns = 1'000'000'000;
 
 // One that comes to its end still runs, for who looks on.
 std::uint8_t told(NodeStatus status) noexcept {
@@ -63,19 +67,21 @@ behaviour::Tree* MissionRunner::shown() const noexcept {
 
 // ---- What people ask
 
-void MissionRunner::ask(const BehaviourRequest& request) {
-  if (request.number == 0 || request.number == answered_ || desk_.waits() || next_ != nullptr) return;
-  asked_ = request.number;
-  verb_ = request.verb;
-  const auto* const bytes = reinterpret_cast<const char*>(request.mission);
-  const std::string_view named(bytes, strnlen(bytes, sizeof request.mission));
-  if (request.verb == verbs::end) {
-    const bool is_over = mission_ == nullptr || state_ == states::none;
-    answer(false, is_over ? "no mission runs" : "the mission is being ended");
-    ends_ = !is_over;
-    if (ends_) enter(states::halts);
+void MissionRunner::ask(const BehaviourRequest& request, std::int64_t now_ns) {
+  if (request.number == 0 || request.number == answered_) return;
+  const bool is_first = !std::exchange(has_been_asked_, true);
+  if (is_first && !goes_on_ && now_ns - request.stamp_ns > kRequestIsOld_ns) {
+    asked_ = answered_ = request.number;
     return;
   }
+  if (request.verb == verbs::end) {
+    asked_ = request.number;
+    return end_mission();
+  }
+  if (desk_.waits() || next_ != nullptr) return;
+  asked_ = request.number;
+  const auto* const bytes = reinterpret_cast<const char*>(request.mission);
+  const std::string_view named(bytes, strnlen(bytes, sizeof request.mission));
   if (!was_enabled_) return answer(true, "the behaviour is disabled: set its parameter 'enabled'");
   if (request.verb != verbs::start && request.verb != verbs::change)
     return answer(true, "there is no such verb");
@@ -85,17 +91,33 @@ void MissionRunner::ask(const BehaviourRequest& request) {
   desk_.submit(name, request.verb == verbs::change ? &mission_->tree : nullptr);
 }
 
+// Also while another is being read, or waits for this one's end.
+void MissionRunner::end_mission() {
+  is_dropped_ = desk_.waits();
+  is_disabling_ = false;
+  inherited_.reset();
+  if (next_ != nullptr)
+    desk_.put_away({.refused = {}, .mission = std::exchange(next_, nullptr), .change = {}});
+  const bool is_over = mission_ == nullptr || state_ == states::none;
+  answer(false, is_over ? "no mission runs" : "the mission is being ended");
+  ends_ = !is_over;
+  if (ends_) enter(states::halts);
+}
+
 void MissionRunner::answer(bool refused, std::string_view text) noexcept {
   answered_ = asked_;
   refused_ = refused;
+  answered_ns_ = robot_.situation.now_ns;
   copy_text(text_, text);
   if (refused) listener_.on_line(true, text_.data());
 }
 
 void MissionRunner::take_up(ReadMission read) {
+  if (std::exchange(is_dropped_, false)) return desk_.put_away(std::move(read));
   if (read.mission == nullptr) {
-    answer(true, read.refused);
-    return;
+    if (inherited_) enter(states::none);
+    inherited_.reset();
+    return answer(true, read.refused);
   }
   if (!read.change) {
     copy_text(wanted_, read.mission->name);
@@ -135,15 +157,24 @@ bool MissionRunner::is_disturbed() noexcept {
   return is_news;
 }
 
+// A person has had the command and has let go of it between two looks: what the tree has ordered was ended.
+bool MissionRunner::was_taken_meanwhile() const noexcept {
+  const CommandState* const command = robot_.situation.command;
+  if (command == nullptr || !last_changes_ || command->changes == *last_changes_) return false;
+  return command->reason == command_state::reason::person_lets_go ||
+         command->reason == command_state::reason::emergency_stop_released;
+}
+
 bool MissionRunner::step(bool is_due, bool is_enabled) {
   if (auto read = desk_.take()) take_up(*std::move(read));
   const bool is_disturbed_now = is_disturbed();
   if (!is_due && !is_disturbed_now) return false;
   if (is_enabled != was_enabled_) {
     was_enabled_ = is_enabled;
-    line(false, is_enabled ? "is enabled, and begins anew" : "is disabled");
-    if (is_enabled && mission_ != nullptr) enter(states::runs);
+    if (!is_enabled) line(false, "is disabled");
+    if (is_enabled && !ends_ && mission_ != nullptr) begin_anew("is enabled, and begins anew");
     if (!is_enabled && state_ != states::none) {
+      is_disabling_ = is_disabling_ || !ends_;
       ends_ = true;
       enter(states::halts);
     }
@@ -151,14 +182,23 @@ bool MissionRunner::step(bool is_due, bool is_enabled) {
   robot_.begin();
   advance();
   pass_sayings();
+  if (const CommandState* const command = robot_.situation.command) last_changes_ = command->changes;
   return true;
 }
 
+void MissionRunner::begin_anew(const char* why) noexcept {
+  mission_->tree.reset();
+  enter(states::runs);
+  line(false, why);
+}
+
 void MissionRunner::advance() {
+  if (inherited_ && !ends_) return;  // the mission that is loaded is not the one that is to run
   if (ends_) {
     halt();
     if (!is_halted_) return;
     ends_ = false;
+    const bool begins_anew = std::exchange(is_disabling_, false) && was_enabled_;
     if (next_ != nullptr) {
       desk_.put_away(
           {.refused = {}, .mission = std::exchange(mission_, std::exchange(next_, nullptr)), .change = {}});
@@ -167,6 +207,8 @@ void MissionRunner::advance() {
       enter(was_enabled_ ? inherited_.value_or(states::runs) : states::none);
       if (!inherited_) ticks_ = 0;
       inherited_.reset();
+    } else if (begins_anew) {
+      begin_anew("is enabled, and begins anew");
     } else {
       enter(states::none);
       line(false, "the mission has been ended");
@@ -177,7 +219,7 @@ void MissionRunner::advance() {
     line(false, text.data());
   }
   if (mission_ == nullptr) return;
-  if (state_ == states::runs && !robot_.situation.commands()) {
+  if (state_ == states::runs && (!robot_.situation.commands() || was_taken_meanwhile())) {
     enter(states::waits);
     line(false, "somebody else commands: the mission waits");
   }
@@ -208,10 +250,7 @@ void MissionRunner::wait() {
                        (stand_up_runs_ || (!now.commands() && now.has_fallen()));
   if (!gets_up || !is_halted_) {
     halt();
-    if (is_halted_ && now.commands()) {
-      enter(states::runs);
-      line(false, "the command is back: the mission begins anew");
-    }
+    if (is_halted_ && now.commands()) begin_anew("the command is back: the mission begins anew");
     return;
   }
   show(true);
@@ -270,22 +309,30 @@ void MissionRunner::after_tree(const behaviour::Tree& tree) noexcept {
 }
 
 void MissionRunner::line(bool is_trouble, const char* text) noexcept {
-  copy_text(text_, text);
-  listener_.on_line(is_trouble, text_.data());
+  listener_.on_line(is_trouble, text);
+  const bool is_answer_read = answered_ns_ < 0 || robot_.situation.now_ns - answered_ns_ >= kAnswerStays_ns;
+  if (is_answer_read) copy_text(text_, text);
 }
 
-// A tree that tries again and again has the same trouble in each tick.
+// A tree that tries again and again says the same in each tick.
 void MissionRunner::pass_sayings() noexcept {
   for (const Orders::Saying& saying : robot_.orders.sayings()) {
-    const std::int64_t now_ns = robot_.situation.now_ns;
-    if (saying.is_trouble) {
-      const bool is_same = saying.text == last_trouble_;
-      if (is_same && now_ns - last_trouble_ns_ < kSameTroubleAgain_ns) continue;
-      last_trouble_ = saying.text;
-      last_trouble_ns_ = now_ns;
-    }
-    line(saying.is_trouble, saying.text.data());
+    if (!is_repeated(saying)) line(saying.is_trouble, saying.text.data());
   }
+}
+
+bool MissionRunner::is_repeated(const Orders::Saying& saying) noexcept {
+  const std::int64_t now_ns = robot_.situation.now_ns;
+  const auto last = std::ranges::find_if(last_said_, [&](const Said& said) {
+    return said.saying.text == saying.text && said.saying.is_trouble == saying.is_trouble;
+  });
+  if (last == last_said_.end()) {
+    last_said_[said_++ % last_said_.size()] = {saying, now_ns};
+    return false;
+  }
+  if (now_ns - last->at_ns < kSaysTheSameAgain_ns) return true;
+  last->at_ns = now_ns;
+  return false;
 }
 
 void MissionRunner::tell(BehaviourState& state) const noexcept {
@@ -336,7 +383,7 @@ void MissionRunner::tell(BehaviourNodes& nodes) noexcept {
 RunnerState MissionRunner::state() const noexcept {
   return {.answered = answered_,
           .refused = refused_ ? 1U : 0U,
-          .state = state_,
+          .state = next_ != nullptr && !inherited_ ? states::runs : inherited_.value_or(state_),
           .revision = revision_,
           .told_node = told_node_,
           .fall = last_fall_,
@@ -349,6 +396,7 @@ RunnerState MissionRunner::state() const noexcept {
 }
 
 void MissionRunner::go_on_from(const RunnerState& state) {
+  goes_on_ = true;
   answered_ = asked_ = state.answered;
   refused_ = state.refused != 0;
   text_ = state.text;

@@ -34,7 +34,7 @@ class PlayMotion final : public RobotAction {
       case Stage::finished:
         return Outcome::success;
       case Stage::refused:
-        return fail("PlayMotion", reinterpret_cast<const char*>(now().motion->text));
+        return fail("PlayMotion", text_of(now().motion->text));
       case Stage::broken_off:
         return fail("PlayMotion", "the motion did not come to its end");
       case Stage::not_answered:

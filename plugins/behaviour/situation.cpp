@@ -95,7 +95,8 @@ std::optional<Target> Situation::tag(std::int64_t id, std::int64_t oldest_ns) co
   const std::uint32_t count = std::min<std::uint32_t>(targets->count, kMaxTargets);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (targets->kind[i] != seen_targets::kind::tag || targets->id[i] != id) continue;
-    if (now_ns - targets->seen_ns[i] > oldest_ns) continue;
+    const std::int64_t age_ns = now_ns - targets->seen_ns[i];
+    if (age_ns < 0 || age_ns > oldest_ns) continue;
     const double(&at)[3] = targets->position[i];
     if (!std::isfinite(at[0] + at[1] + at[2])) continue;
     return Target{targets->seen_ns[i], {at[0], at[1], at[2]}, facing_rad(targets->orientation[i])};

@@ -25,8 +25,10 @@ class WayAction : public RobotAction {
 
   Outcome on_running(Call& call) noexcept final {
     if (!now().is_upright()) return fail(name(), "the robot has fallen");
+    if (now().navigation == nullptr) return fail(name(), "navigation has gone silent");
     const auto goal = goal_in_world(call);
     if (number_ == 0) {  // whoever walks before it may still come to a stand
+      if (const char* const why = objection(call)) return fail(name(), why);
       if (now().stands() && goal) order(*goal, call.now_ns());
       return Outcome::running;
     }
@@ -42,13 +44,13 @@ class WayAction : public RobotAction {
       return Outcome::running;
     }
     if (state.result == navigation_state::result::arrived) return Outcome::success;
-    return fail(name(), state.result == navigation_state::result::cancelled
-                            ? "the way was cancelled"
-                            : reinterpret_cast<const char*>(state.text));
+    const bool is_cancelled = state.result == navigation_state::result::cancelled;
+    return fail(name(), is_cancelled ? "the way was cancelled" : text_of(state.text));
   }
 
   Halt on_halt(Call& call) noexcept final {
     end_.begin(call.now_ns());
+    halted_ns_ = call.now_ns();
     if (number_ == 0 || orders().way_number() != number_) return Halt::ended;
     if (now().commands()) cancel(call.now_ns());
     return on_halting(call);
@@ -60,6 +62,10 @@ class WayAction : public RobotAction {
     const bool is_ours = now().commands() && orders().way_number() == number_;
     if (!is_ours || now().navigation == nullptr) return Halt::ended;
     const bool is_idle = now().navigation->state == navigation_state::state::idle;
+    if (!is_idle && call.now_ns() - halted_ns_ >= kMostForEnd_ns) {
+      orders().tell_trouble(name(), "navigation does not end the way");
+      return Halt::ended;
+    }
     if (!is_idle && call.now_ns() - ordered_ns_ >= kOrderIsAnswered_ns) cancel(call.now_ns());
     return is_idle && end_.is_reached(now()) ? Halt::ended : Halt::ending;
   }
@@ -73,6 +79,8 @@ class WayAction : public RobotAction {
 
  private:
   static constexpr double kGoalMoves_m = 0.12;  // from there on a way that is walked gets its new goal
+  // A way ends within a few steps: by then whoever walks it does not obey.
+  static constexpr std::int64_t kMostForEnd_ns = 10'000'000'000;
 
   void order(const Pose& goal, std::int64_t now_ns) noexcept {
     goal_ = goal;
@@ -85,7 +93,7 @@ class WayAction : public RobotAction {
   }
 
   std::uint32_t number_ = 0;  // of its order; 0: none yet
-  std::int64_t ordered_ns_ = 0;
+  std::int64_t ordered_ns_ = 0, halted_ns_ = 0;
   Pose goal_;  // world
   WalkEnd end_;
 };

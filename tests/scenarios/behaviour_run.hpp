@@ -116,6 +116,7 @@ class BehaviourRun {
   MotionState motion() { return newest(motion_); }
   NavigationState navigation() { return newest(navigation_); }
   std::uint32_t fall() { return newest(estimate_).fall; }
+  double head_yaw_rad() { return newest(estimate_).head[0]; }
   bool stands() {
     return fall() == estimate::fall::upright && motion().state == 0 &&
            newest(footsteps_).state == footstep_state::state::stands &&

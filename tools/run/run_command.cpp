@@ -393,7 +393,8 @@ void add_run(const CommandLine& program) {
       "half of what was commanded (start-ups not counted), or more than a tenth of its batches were refused, "
       "or it had none; 1 the "
       "input was bad\n"
-      "and nothing moved. With --mission: 0 it succeeded, falls or not, or it is one without an end and the robot "
+      "and nothing moved. With --mission: 0 it succeeded, falls or not, or it is one without an end and the "
+      "robot "
       "is on its feet,\n"
       "2 the robot lies at the end, 3 the mission failed or has not come to its end.");
 }

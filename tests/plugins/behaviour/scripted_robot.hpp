@@ -33,7 +33,7 @@ class ScriptedRobot {
   void look() {
     robot->situation = {.now_ns = now_ns,
                         .estimate = &estimate,
-                        .footsteps = &footsteps,
+                        .footsteps = plans_footsteps ? &footsteps : nullptr,
                         .navigation = has_navigation ? &navigation : nullptr,
                         .motion = &motion,
                         .command = &command,
@@ -85,7 +85,7 @@ class ScriptedRobot {
   std::shared_ptr<Robot> robot;
   behaviour::Registry registry;
   std::int64_t now_ns = 100 * facts::kCycle_ns;
-  bool has_navigation = true;
+  bool has_navigation = true, plans_footsteps = true;
   Estimate estimate{};
   FootstepState footsteps{};
   NavigationState navigation{};

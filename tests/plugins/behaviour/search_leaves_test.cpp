@@ -95,7 +95,9 @@ TEST(FindTag, LooksFirstWhereTheTagWasSeenLast) {
   EXPECT_EQ(run.head.mode, head_command::mode::point);
   EXPECT_NEAR(run.head.point[0], 1.5 * std::cos(1.0), 1e-9);
   EXPECT_NEAR(run.head.point[1], -1.5 * std::sin(1.0), 1e-9);
-  while (run.robot->orders.walking()) ASSERT_EQ(run.live(), NodeStatus::running);
+  do {
+    ASSERT_EQ(run.live(), NodeStatus::running);
+  } while (run.robot->orders.walking());
   EXPECT_NEAR(run.turned_rad, -2.1, 0.1) << "to the right, until it is before it";
   EXPECT_EQ(run.live_for(4.0), NodeStatus::running);
   EXPECT_EQ(run.head.mode, head_command::mode::scan) << "it is not there any more";
@@ -149,7 +151,7 @@ TEST(HeadLeaves, WhoTakesTheHeadOverKeepsIt) {
   EXPECT_EQ(run.head.mode, head_command::mode::scan);
   run.halt();
   ASSERT_TRUE(run.robot->orders.head());
-  EXPECT_EQ(run.robot->orders.head()->mode, head_command::mode::direction);
+  EXPECT_EQ(run.robot->orders.head()->mode, head_command::mode::ahead);
 }
 
 }  // namespace

@@ -188,6 +188,61 @@ TEST(WalkToTag, StandsBeforeItAndFollowsIt) {
   EXPECT_NEAR(run.robot->orders.way()->goal[1], 2.0, 1e-9);
 }
 
+TEST(WalkTo, ATextWithoutAnEndIsReadToTheEndOfItsField) {
+  ScriptedRun run(R"(<WalkTo x="1 m" y="0 m"/>)");
+  run.tick();
+  run.answer_way(navigation_state::state::idle, navigation_state::result::refused);
+  std::memset(run.navigation.text, 'x', sizeof run.navigation.text);
+  EXPECT_EQ(run.tick(), NodeStatus::failure);
+  EXPECT_THAT(run.take_sayings(), ElementsAre(testing::MatchesRegex("WalkTo: x+")));
+}
+
+TEST(WalkTo, FailsWhereNavigationGoesSilent) {
+  ScriptedRun run(R"(<WalkTo x="1 m" y="0 m"/>)");
+  run.tick();
+  run.answer_way(navigation_state::state::walks);
+  run.tick();
+  run.has_navigation = false;
+  EXPECT_EQ(run.tick(), NodeStatus::failure);
+  EXPECT_THAT(run.take_sayings(), ElementsAre(HasSubstr("silent")));
+}
+
+TEST(WalkTo, HaltedItDoesNotWaitForEverForOneWhoDoesNotObey) {
+  ScriptedRun run(R"(<WalkTo x="1 m" y="0 m"/>)");
+  run.tick();
+  run.answer_way(navigation_state::state::walks);
+  run.tick();
+  bool has_ended = false;
+  double waited_s = 0.0;
+  for (; !has_ended && waited_s < 30.0; waited_s += 0.08) has_ended = run.halt();
+  EXPECT_TRUE(has_ended);
+  EXPECT_GT(waited_s, 5.0);
+  EXPECT_THAT(run.take_sayings(), ElementsAre(HasSubstr("does not end the way")));
+}
+
+TEST(WalkToTag, ATagThatIsForgottenBeforeItStandsFails) {
+  ScriptedRun run(R"(<WalkToTag id="7" not_older="1 s"/>)");
+  run.see_tag(7, 2.0, 0.0);
+  run.footsteps.state = footstep_state::state::follows;
+  EXPECT_EQ(run.tick(), NodeStatus::running);
+  EXPECT_EQ(run.tick_for(3.0), NodeStatus::failure);
+  EXPECT_THAT(run.take_sayings(), ElementsAre(HasSubstr("too long ago")));
+}
+
+TEST(SeesTag, OneThatWillBeSeenIsNotSeen) {
+  ScriptedRun run(R"(<SeesTag id="7"/>)");
+  run.see_tag(7, 2.0, 0.0);
+  run.targets.seen_ns[0] += 10'000'000'000;
+  EXPECT_EQ(run.tick(), NodeStatus::failure);
+}
+
+TEST(Walk, HaltedItWaitsForNobodyWhereNobodyPlansSteps) {
+  ScriptedRun run(R"(<Walk forward="0.1 m/s"/>)");
+  run.tick();
+  run.plans_footsteps = false;
+  EXPECT_TRUE(run.halt());
+}
+
 TEST(WalkToTag, ATagThatWasNeverSeenFails) {
   ScriptedRun run(R"(<WalkToTag id="7"/>)");
   EXPECT_EQ(run.tick(), NodeStatus::failure);

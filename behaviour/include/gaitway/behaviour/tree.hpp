@@ -68,6 +68,10 @@ class Tree {
   // until it is true; a tick in between waits for that end, too, and then begins anew.
   bool halt(std::int64_t now_ns) noexcept;
 
+  // After a halt that has ended everything: what nodes remember from one run to the next (SequenceWithMemory,
+  // RunOnce, Cooldown) is forgotten, and the blackboard holds its first values. Leaves keep what is theirs.
+  void reset() noexcept;
+
   [[nodiscard]] const Description& description() const noexcept;
   // One byte a node, in the description's order, as the last tick or halt has left them.
   [[nodiscard]] std::span<const NodeStatus> statuses() const noexcept;

@@ -46,8 +46,9 @@ class MissionRunner {
   // where the robot begins to fall or to lie, or the command passes to somebody else. Then robot.orders holds
   // what is to be passed on. True: a tree was ticked or halted.
   bool step(bool is_due, bool is_enabled);
-  // A request that has been answered already, or a number 0, does nothing.
-  void ask(const BehaviourRequest& request);
+  // A request that has been answered already, or a number 0, does nothing; neither does an old one that was
+  // there before this, unless go_on_from() tells that the one before had still to answer it.
+  void ask(const BehaviourRequest& request, std::int64_t now_ns);
 
   void tell(BehaviourState& state) const noexcept;
   // The next part.
@@ -72,12 +73,16 @@ class MissionRunner {
   void after_tree(const behaviour::Tree& tree) noexcept;
   void pass_sayings() noexcept;
   void enter(std::uint32_t state) noexcept;
+  void begin_anew(const char* why) noexcept;
+  void end_mission();
+  [[nodiscard]] bool was_taken_meanwhile() const noexcept;
+  [[nodiscard]] bool is_repeated(const Orders::Saying& saying) noexcept;
 
   const behaviour::Registry& registry_;
   Robot& robot_;
   Listener& listener_;
-  MissionDesk desk_;
   std::unique_ptr<LoadedMission> mission_, next_;
+  MissionDesk desk_;  // after these: its thread looks at the tree that it is to change
 
   std::uint32_t state_ = behaviour_state::state::none;
   bool ends_ = false;           // it halts because a person has ended it, or to make room for the next one
@@ -85,11 +90,16 @@ class MissionRunner {
   bool stand_up_runs_ = false;  // of a mission that waits
   bool shows_stand_up_ = false;
   bool was_enabled_ = true;
+  bool is_disabling_ = false;  // it halts because it was disabled; enabled again meanwhile, it begins anew
 
-  std::optional<std::uint32_t> inherited_;  // state of a mission that is still to be read
+  std::optional<std::uint32_t>
+      inherited_;  // state of a mission that is still to be read; none runs till then
+  bool goes_on_ = false, has_been_asked_ = false;
 
-  std::uint32_t asked_ = 0, answered_ = 0, verb_ = 0;  // numbers of requests: being worked on, answered
+  std::uint32_t asked_ = 0, answered_ = 0;  // numbers of requests: being worked on, answered
   bool refused_ = false;
+  bool is_dropped_ = false;        // what is being read: its mission was ended before it began
+  std::int64_t answered_ns_ = -1;  // an answer's text stays for a while
   std::array<char, 208> text_{};
 
   std::uint32_t revision_ = 1;
@@ -100,8 +110,14 @@ class MissionRunner {
   std::array<std::uint8_t, kTreeTransitions> transition_to_{};
 
   std::uint32_t last_fall_ = 0, last_commander_ = 0, last_may_get_up_ = 0;
-  std::array<char, 208> last_trouble_{};
-  std::int64_t last_trouble_ns_ = 0;
+  std::optional<std::uint32_t> last_changes_;  // of who commands
+
+  struct Said {
+    Orders::Saying saying;
+    std::int64_t at_ns = 0;
+  };
+  std::array<Said, Orders::kMostSayings> last_said_{};
+  std::size_t said_ = 0;
   std::array<char, 256>
       wanted_{};  // name of the mission that is being read, and then of the one that is loaded
 };

@@ -27,7 +27,8 @@ struct Target {
       facing_rad;  // of a tag: where its face looks, in odometry; none: unknown, or up or down
 };
 
-// Topics that have no value yet, or no writer, are null. They live for one tick.
+// Topics that have no value yet or no writer, and those whose writer has gone silent, are null. They live for
+// one tick.
 struct Situation {
   std::int64_t now_ns = 0;
   const Estimate* estimate = nullptr;
