@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <optional>
 #include <stdexcept>
 
 #include "camera_faults.hpp"
+#include "camera_mismatch.hpp"
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/facts/random_stream.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -22,45 +24,12 @@ namespace {
 
 using urdf::Side;
 
-constexpr std::uint64_t kMismatchStream = 0x6361'6D65'7261'0000ULL, kNoiseStream = 0x6361'6D65'7261'0001ULL,
-                        kLossStream = 0x6361'6D65'7261'0003ULL;
+constexpr std::uint64_t kNoiseStream = 0x6361'6D65'7261'0001ULL, kLossStream = 0x6361'6D65'7261'0003ULL;
 // A drawing has so many pixels for one of the picture, in its middle: fine texture of a small picture.
 constexpr double kOversampling = 1.5, kLargeOversampling = 1.0;
 
-// How far a good calibration is off, standard deviations.
-constexpr double kFocalShare = 0.001, kPrincipalPoint = 0.1 / 320.0;  // the latter of the width
-constexpr double kRadial = 0.003;
-constexpr double kMountPosition_m = 0.001, kMountTurn_deg = 0.2;
-constexpr double kBetweenPosition_m = 0.0001, kBetweenTurn_deg = 0.02;
-
 std::int64_t nanoseconds_of(double seconds) {
   return static_cast<std::int64_t>(std::llround(seconds * static_cast<double>(facts::kSecond_ns)));
-}
-
-Eigen::Isometry3d small_pose(facts::RandomStream& random, double position_m, double turn_deg) {
-  const auto three = [&random](double deviation) {
-    const double x = random.normal(), y = random.normal(), z = random.normal();
-    return Eigen::Vector3d(deviation * Eigen::Vector3d(x, y, z));
-  };
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = three(position_m);
-  const Eigen::Vector3d turn_rad = three(turn_deg * facts::kRadPerDegree);
-  if (turn_rad.norm() > 0.0) {
-    pose.linear() = Eigen::AngleAxisd(turn_rad.norm(), turn_rad.normalized()).toRotationMatrix();
-  }
-  return pose;
-}
-
-urdf::LensParameters true_lens(const urdf::LensParameters& file, int width_px, facts::RandomStream& random,
-                               double scale) {
-  urdf::LensParameters lens = file;
-  const double focal = 1.0 + scale * kFocalShare * random.normal();
-  lens.fx_px *= focal;
-  lens.fy_px *= focal;
-  lens.cx_px += scale * kPrincipalPoint * width_px * random.normal();
-  lens.cy_px += scale * kPrincipalPoint * width_px * random.normal();
-  lens.distortion[0] += scale * kRadial * random.normal();
-  return lens;
 }
 
 template <class Message>
@@ -128,20 +97,6 @@ struct Eye {
 
 }  // namespace
 
-CameraMismatch draw_camera_mismatch(const urdf::StereoCamera& camera, std::uint64_t seed, double scale) {
-  facts::RandomStream random(seed, kMismatchStream);
-  CameraMismatch truth;
-  for (const Side side : urdf::kSides) {
-    truth.lens[urdf::index_of(side)] =
-        true_lens(camera.lens[urdf::index_of(side)], camera.width_px, random, scale);
-  }
-  truth.in_link[0] =
-      camera.left_in_link * small_pose(random, scale * kMountPosition_m, scale * kMountTurn_deg);
-  truth.in_link[1] = truth.in_link[0] * camera.right_in_left *
-                     small_pose(random, scale * kBetweenPosition_m, scale * kBetweenTurn_deg);
-  return truth;
-}
-
 struct StereoCamera::Implementation {
   Implementation(msgclient::Client& client, const urdf::RobotModel& robot, const urdf::StereoCamera& file,
                  const StereoCameraOptions& how, const PlantOptions& plant)
@@ -153,7 +108,9 @@ struct StereoCamera::Implementation {
         window_ns(nanoseconds_of(file.exposure_s + file.readout_s)),
         truth(draw_camera_mismatch(file, plant.seed, plant.mismatch)),
         losses(plant.seed, kLossStream),
-        writer(client, file.is_large()) {}
+        writer(client, file.is_large()) {
+    require_room_for_mismatch(file, robot.directory / "camera.yaml", plant.mismatch);
+  }
 
   static int link_index(const urdf::RobotModel& robot, const std::string& name) {
     const auto found = std::ranges::find(robot.links, name, &urdf::Link::name);
@@ -298,7 +255,7 @@ void StereoCamera::step(std::int64_t now_ns, const Plant& plant, bool wanted) {
       self.note_instant(now_ns, plant);
       if (now_ns >= *self.start_ns + self.window_ns) self.finish_pair(plant);
     }
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     self.failure = error.what();
     self.start_ns.reset();
     self.instant_count = 0;

@@ -1,5 +1,6 @@
 // Pairs come when the camera file says, the same for one seed, in forked copies too, and from nobody who does
 // not want them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -110,6 +111,25 @@ TEST_F(StereoCameraTest, ItsErrorsGrowWithTheMismatch) {
   EXPECT_NEAR(std::sqrt(focal / kRobots), 0.001, 0.0001);
   EXPECT_NEAR(std::sqrt(turn / kRobots) / facts::kRadPerDegree, 0.2, 0.02);
   EXPECT_NEAR(std::sqrt(between_deg / kRobots), 0.02, 0.002);
+}
+
+// The file's own lens sees all of its picture; that of some robots which are a little off would not.
+TEST_F(StereoCameraTest, ALensWithoutRoomForItsMismatchIsRefusedForEachSeed) {
+  file_of_camera_.lens[0] = {.fx_px = 160, .fy_px = 160, .cx_px = 160, .cy_px = 120, .distortion = {-0.0945}};
+  PlantOptions how = options(kRoom);
+  const Plant robot(model_, how);
+  see(how)->wait(robot, 60);  // a camera that is as its file says
+  how.mismatch = 1.0;
+  for (how.seed = 1; how.seed <= 12; ++how.seed) {
+    try {
+      see(how)->wait(robot, 60);
+      ADD_FAILURE() << "taken with seed " << how.seed;
+    } catch (const urdf::RobotError& error) {
+      for (const char* const said : {"camera.yaml", "left.distortion", "-0.0945", "turn back"}) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr(said));
+      }
+    }
+  }
 }
 
 TEST_F(StereoCameraTest, SeesWhatIsPutIntoItsWorldAndGoesOn) {
