@@ -15,6 +15,9 @@ constexpr double kAgrees_px = 0.8;
 constexpr int kLeastShiftPoints = 1500;
 constexpr int kGoodVerdicts = 3;  // in a row, after which a fault is over
 constexpr int kBadAlignments = 2, kBadShifts = 5;
+// Pairs without a verdict, at 12.5 a second, after which a suspicion is dropped and a fault is over: one
+// second and eight.
+constexpr int kQuietSuspicion = 12, kQuietFault = 100;
 
 constexpr std::array<std::string_view, 14> kWords{
     "",
@@ -57,6 +60,7 @@ Fault fault_of(const PairCheck& check) noexcept {
 }
 
 void AlignmentWatch::Suspicion::judge(bool bad, int bad_until_it_stands) noexcept {
+  quiet = 0;
   if (bad) {
     level = stands ? kGoodVerdicts : level + 1;
     if (!stands && level >= bad_until_it_stands) {
@@ -69,16 +73,23 @@ void AlignmentWatch::Suspicion::judge(bool bad, int bad_until_it_stands) noexcep
   }
 }
 
-void AlignmentWatch::judge(const Alignment& alignment) noexcept {
-  using Verdict = Alignment::Verdict;
-  if (alignment.verdict == Verdict::unknown) return;
-  exchanged_.judge(alignment.verdict == Verdict::exchanged, kBadAlignments);
-  rows_.judge(alignment.verdict == Verdict::misaligned, kBadAlignments);
+void AlignmentWatch::Suspicion::pass() noexcept {
+  if (level > 0 && ++quiet >= (stands ? kQuietFault : kQuietSuspicion)) *this = {};
 }
 
-void AlignmentWatch::judge(const GroundShift& shift) noexcept {
-  if (shift.points < kLeastShiftPoints || shift.spread_px > kAgrees_px) return;
-  shift_.judge(std::abs(shift.median_px) > kShifted_px, kBadShifts);
+void AlignmentWatch::judge(const Alignment& alignment, const GroundShift& shift) noexcept {
+  using Verdict = Alignment::Verdict;
+  if (alignment.verdict == Verdict::unknown) {
+    exchanged_.pass();
+    rows_.pass();
+  } else {
+    exchanged_.judge(alignment.verdict == Verdict::exchanged, kBadAlignments);
+    rows_.judge(alignment.verdict == Verdict::misaligned, kBadAlignments);
+  }
+  if (shift.points < kLeastShiftPoints || shift.spread_px > kAgrees_px)
+    shift_.pass();
+  else
+    shift_.judge(std::abs(shift.median_px) > kShifted_px, kBadShifts);
 }
 
 Fault AlignmentWatch::fault() const noexcept {

@@ -45,7 +45,10 @@ bool is_at_edge(const cv::Mat& disparity, int x, int y) {
   const auto differs = [here](int other) {
     return other <= 0 || std::abs(other - here) > kEdgeStep_px * DisparityMatcher::kUnits;
   };
-  return differs(at(y, left)) || differs(at(y, right)) || differs(at(up, x)) || differs(at(down, x));
+  // The slope may be long and shallow: at the foot of something near both sides are hardly apart.
+  const bool slopes = std::abs(at(y, right) - at(y, left)) > kEdgeStep_px * DisparityMatcher::kUnits;
+  return slopes || differs(at(y, left)) || differs(at(y, right)) || differs(at(up, x)) ||
+         differs(at(down, x));
 }
 
 }  // namespace
@@ -161,7 +164,10 @@ void GroundObserver::count(const HeightMap& map) {
     if (tally.ground == 0 && tally.obstacle == 0) touched_.push_back(cell);
     if (height_m > std::max(parameters_.least_height_m, doubt_m)) {
       ++tally.obstacle;
-      tally.sum_m += point.place_m.head<2>();
+      const Eigen::Vector2d off_m = point.place_m.head<2>() - map.middle_of(cell);
+      tally.sum_m += off_m;
+      tally.squares_m2 +=
+          Eigen::Vector3d(off_m.x() * off_m.x(), off_m.y() * off_m.y(), off_m.x() * off_m.y());
       if (height_m > tally.top_m)
         tally.second_m = std::exchange(tally.top_m, height_m);
       else
@@ -215,10 +221,14 @@ void GroundObserver::tell(HeightMap& map, std::int64_t stamp_ns) {
     const Tally& tally = tallies_[static_cast<std::size_t>(cell)];
     const int all = tally.ground + tally.obstacle;
     if (tally.obstacle >= kLeastPoints && tally.obstacle >= kLeastShare * all) {
+      const Eigen::Vector2d mean_m = tally.sum_m / tally.obstacle;
       map.see(cell,
               {.what = CellSighting::What::obstacle,
                .height_m = tally.second_m,
-               .middle_m = tally.sum_m / tally.obstacle,
+               .middle_m = map.middle_of(cell) + mean_m,
+               .spread_m2 =
+                   tally.squares_m2 / tally.obstacle -
+                   Eigen::Vector3d(mean_m.x() * mean_m.x(), mean_m.y() * mean_m.y(), mean_m.x() * mean_m.y()),
                .points = tally.obstacle},
               stamp_ns);
       continue;

@@ -17,6 +17,7 @@ constexpr double kOffsets = 250.0;    // in a cell's side
 constexpr double kHeightShare = 0.3;  // by which a new height moves the old one
 constexpr int kStateUnit = 32;        // in a packed cell
 constexpr std::uint8_t kRestoredWeight = 20;
+constexpr float kRestoredSpread = 1.0F / 24.0F;  // in cells²: between a full cell's and nothing
 constexpr std::int64_t kAge_ns = 100'000'000;
 
 std::int16_t blended_mm(std::int16_t known_mm, double seen_m, bool first) noexcept {
@@ -71,6 +72,16 @@ Eigen::Vector2d HeightMap::obstacle_m(int cell) const noexcept {
   return middle_of(cell) + cell_m_ / kOffsets * Eigen::Vector2d(known.offset_x, known.offset_y);
 }
 
+Eigen::Vector3d HeightMap::spread_m2(int cell) const noexcept {
+  const Cell& known = at(cell);
+  const Eigen::Vector2d offset = Eigen::Vector2d(known.offset_x, known.offset_y) / kOffsets;
+  const Eigen::Vector3d about_middle = Eigen::Map<const Eigen::Vector3f>(known.moment.data()).cast<double>();
+  const Eigen::Vector3d spread(std::max(about_middle.x() - offset.x() * offset.x(), 0.0),
+                               std::max(about_middle.y() - offset.y() * offset.y(), 0.0),
+                               about_middle.z() - offset.x() * offset.y());
+  return cell_m_ * cell_m_ * spread;
+}
+
 void HeightMap::place(Cell& cell, int index, const CellSighting& sighting) const noexcept {
   const double share = std::min(
       1.0, static_cast<double>(sighting.points) / static_cast<double>(cell.weight + sighting.points));
@@ -78,6 +89,13 @@ void HeightMap::place(Cell& cell, int index, const CellSighting& sighting) const
   const auto moved = [share](std::int8_t known, double to) {
     return static_cast<std::int8_t>(std::lround(std::clamp(known + share * (to - known), -127.0, 127.0)));
   };
+  const Eigen::Vector2d middle = seen / kOffsets;
+  const Eigen::Vector3f moment =
+      (sighting.spread_m2 / (cell_m_ * cell_m_) +
+       Eigen::Vector3d(middle.x() * middle.x(), middle.y() * middle.y(), middle.x() * middle.y()))
+          .cast<float>();
+  Eigen::Map<Eigen::Vector3f> known_moment(cell.moment.data());
+  known_moment += static_cast<float>(share) * (moment - known_moment);
   cell.offset_x = moved(cell.offset_x, seen.x());
   cell.offset_y = moved(cell.offset_y, seen.y());
   cell.weight = static_cast<std::uint8_t>(std::min(cell.weight + sighting.points, kMostWeight));
@@ -158,6 +176,9 @@ void HeightMap::unpack(const Packed& packed, std::int64_t now_ns) noexcept {
     cell.offset_y = from.offset_y;
     cell.weight = cell.state == CellState::obstacle ? kRestoredWeight : std::uint8_t{0};
     cell.height_mm = from.height_mm;
+    const auto x = static_cast<float>(from.offset_x / kOffsets),
+               y = static_cast<float>(from.offset_y / kOffsets);
+    cell.moment = {kRestoredSpread + x * x, kRestoredSpread + y * y, x * y};
     seen_ns_[i] = now_ns - from.age * kAge_ns;
   }
 }

@@ -10,10 +10,11 @@
 namespace gaitway::vision {
 namespace {
 
-constexpr double kBorder = 0.25;    // of a cell's side: by which what a cell shows reaches beyond its middle
-constexpr double kOutermost = 1.2;  // of a cell's side: depth of the cells that make a side
-constexpr double kLeftOut = 0.03;   // share of the weight that may lie beyond a side
-constexpr int kFullWeight = 30;     // points of a cell beyond which it counts no more
+const double kToEdge = std::sqrt(3.0);  // deviations from the mean of what is spread evenly to its end
+constexpr double kOutermost = 1.2;      // of a cell's side: depth of the cells that make a side
+constexpr double kFaces = 0.5;          // cosine: what is seen more aslant than 60 degrees shows no face
+constexpr double kLeftOut = 0.03;       // share of the weight that may lie beyond a side
+constexpr int kFullWeight = 30;         // points of a cell beyond which it counts no more
 constexpr std::int64_t kRecent_ns = 300'000'000;
 constexpr double kStaleShare = 0.1;
 constexpr int kTurns = 30;  // headings that are tried, in a quarter turn
@@ -45,7 +46,15 @@ Group grow(const HeightMap& map, int seed, std::array<bool, kMapSide * kMapSide>
 
 struct Spot {
   Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+  Eigen::Vector3d spread_m2 = Eigen::Vector3d::Zero();
   double weight = 0.0;
+  // Of what the cell shows, from its mean to its end along a direction.
+  [[nodiscard]] double to_edge_m(const Eigen::Vector2d& direction) const noexcept {
+    const double variance_m2 = direction.x() * direction.x() * spread_m2.x() +
+                               direction.y() * direction.y() * spread_m2.y() +
+                               2.0 * direction.x() * direction.y() * spread_m2.z();
+    return kToEdge * std::sqrt(std::max(variance_m2, 0.0));
+  }
 };
 
 // What was seen from afar is less exact than what is seen now: cells that a nearer look does not show again
@@ -56,31 +65,82 @@ std::vector<Spot> spots_of(const HeightMap& map, const Group& group) {
   std::vector<Spot> spots;
   for (const int cell : group) {
     const bool is_recent = newest_ns - map.seen_ns(cell) <= kRecent_ns;
-    spots.push_back({map.obstacle_m(cell),
+    spots.push_back({map.obstacle_m(cell), map.spread_m2(cell),
                      (is_recent ? 1.0 : kStaleShare) * (1.0 + std::min(map.weight(cell), kFullWeight))});
   }
   return spots;
 }
 
-// How far the spots reach along a direction, but for the few that lie outermost.
-double reach_m(std::vector<Spot>& spots, const Eigen::Vector2d& direction) {
-  double all = 0.0, left_out = 0.0;
-  for (const Spot& spot : spots) all += spot.weight;
-  std::ranges::sort(spots, std::ranges::greater{},
-                    [&](const Spot& spot) { return direction.dot(spot.at_m); });
-  for (const Spot& spot : spots) {
-    left_out += spot.weight;
-    if (left_out > kLeftOut * all) return direction.dot(spot.at_m);
+// Where the spots lie along a direction, and how far they reach to either side, but for the few that lie
+// outermost. Sought in a histogram: only the spots of one part of the way are sorted.
+class Reach {
+ public:
+  enum class Of { means, edges };
+  Reach(const std::vector<Spot>& spots, const Eigen::Vector2d& direction, Of what = Of::means)
+      : spots_(spots) {
+    at_m_.reserve(spots.size());
+    for (const Spot& spot : spots) {
+      at_m_.push_back(direction.dot(spot.at_m) + (what == Of::edges ? spot.to_edge_m(direction) : 0.0));
+      all_ += spot.weight;
+      least_m_ = std::min(least_m_, at_m_.back());
+      most_m_ = std::max(most_m_, at_m_.back());
+    }
+    parts_per_m_ = (kParts - 1) / std::max(most_m_ - least_m_, 1e-9);
+    for (std::size_t i = 0; i < spots.size(); ++i) weight_[part_of(at_m_[i])] += spots[i].weight;
+    while (last_ > 0 && beyond_last_ + weight_[last_] <= kLeftOut * all_) beyond_last_ += weight_[last_--];
+    while (first_ < last_ && before_first_ + weight_[first_] <= kLeftOut * all_)
+      before_first_ += weight_[first_++];
   }
-  return direction.dot(spots.back().at_m);
-}
 
-// Of the side in a direction, with the cells' borders. Distances are noisy along the line of sight: a side
-// that faces the camera is the mean of its outermost cells, weighted by what was seen in each.
-double side_m(std::vector<Spot>& spots, const Eigen::Vector2d& direction, const Eigen::Vector2d& eye_m,
+  [[nodiscard]] double most_m() const { return within_m(last_, beyond_last_, 1.0); }
+  [[nodiscard]] double least_m() const { return within_m(first_, before_first_, -1.0); }
+  [[nodiscard]] double extent_m() const { return most_m() - least_m(); }
+  // The extent is no less than that; costs nothing.
+  [[nodiscard]] double surely_m() const noexcept {
+    return last_ > first_ ? static_cast<double>(last_ - first_ - 1) / parts_per_m_ : 0.0;
+  }
+
+ private:
+  static constexpr std::size_t kParts = 48;
+  struct Along {
+    double outward_m = 0.0, weight = 0.0;
+  };
+
+  [[nodiscard]] std::size_t part_of(double at_m) const noexcept {
+    return static_cast<std::size_t>((at_m - least_m_) * parts_per_m_);
+  }
+  // From the outside inwards, until more than what may be left out lies beyond.
+  [[nodiscard]] double within_m(std::size_t part, double left_out, double outwards) const {
+    std::vector<Along> within;
+    for (std::size_t i = 0; i < at_m_.size(); ++i) {
+      if (part_of(at_m_[i]) == part) within.push_back({outwards * at_m_[i], spots_[i].weight});
+    }
+    std::ranges::sort(within, std::ranges::greater{}, &Along::outward_m);
+    for (const Along& along : within) {
+      left_out += along.weight;
+      if (left_out > kLeftOut * all_) return outwards * along.outward_m;
+    }
+    return outwards * within.back().outward_m;
+  }
+
+  const std::vector<Spot>& spots_;
+  std::vector<double> at_m_;
+  std::array<double, kParts> weight_{};
+  std::size_t first_ = 0, last_ = kParts - 1;  // parts in which the outermost spots lie that count
+  double before_first_ = 0.0, beyond_last_ = 0.0;
+  double all_ = 0.0, least_m_ = 1e9, most_m_ = -1e9, parts_per_m_ = 0.0;
+};
+
+// Of the side in a direction, up to the end of what its cells show. Distances are noisy along the line of
+// sight: a side that faces the camera is the mean of its outermost cells, weighted by what was seen in each.
+double side_m(const std::vector<Spot>& spots, const Eigen::Vector2d& direction, const Eigen::Vector2d& eye_m,
               double cell_m) {
-  const double farthest_m = reach_m(spots, direction);
-  if (direction.dot(eye_m) < farthest_m) return farthest_m + kBorder * cell_m;
+  const double farthest_m = Reach(spots, direction).most_m();
+  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
+  for (const Spot& spot : spots) middle_m += spot.at_m / static_cast<double>(spots.size());
+  middle_m += (farthest_m - direction.dot(middle_m)) * direction;
+  const bool faces_eye = direction.dot((eye_m - middle_m).normalized()) > kFaces;
+  if (!faces_eye) return Reach(spots, direction, Reach::Of::edges).most_m();
   double sum = 0.0, weights = 0.0;
   for (const Spot& spot : spots) {
     const double at_m = direction.dot(spot.at_m);
@@ -92,14 +152,14 @@ double side_m(std::vector<Spot>& spots, const Eigen::Vector2d& direction, const 
 }
 
 // Of the rectangle with the least area, but for the few outermost spots.
-double yaw_around_rad(std::vector<Spot>& spots) {
+double yaw_around_rad(const std::vector<Spot>& spots) {
   double best_rad = 0.0, least_m2 = 1e9;
   for (int i = 0; i < kTurns; ++i) {
     const double yaw_rad = i * 0.5 * std::numbers::pi / kTurns;
     const Eigen::Rotation2Dd turn(yaw_rad);
-    const Eigen::Vector2d along = turn * Eigen::Vector2d::UnitX(), across = turn * Eigen::Vector2d::UnitY();
-    const double area_m2 = (reach_m(spots, along) + reach_m(spots, -along) + kLeastExtent_m) *
-                           (reach_m(spots, across) + reach_m(spots, -across) + kLeastExtent_m);
+    const Reach along(spots, turn * Eigen::Vector2d::UnitX()), across(spots, turn * Eigen::Vector2d::UnitY());
+    if ((along.surely_m() + kLeastExtent_m) * (across.surely_m() + kLeastExtent_m) > least_m2) continue;
+    const double area_m2 = (along.extent_m() + kLeastExtent_m) * (across.extent_m() + kLeastExtent_m);
     if (area_m2 < least_m2 - 1e-9) {
       least_m2 = area_m2;
       best_rad = yaw_rad;
@@ -109,7 +169,7 @@ double yaw_around_rad(std::vector<Spot>& spots) {
 }
 
 Box box_around(const HeightMap& map, const Group& group, const Eigen::Vector2d& eye_m) {
-  std::vector<Spot> spots = spots_of(map, group);
+  const std::vector<Spot> spots = spots_of(map, group);
   Box box{.yaw_rad = yaw_around_rad(spots)};
   for (const int cell : group) box.height_m = std::max(box.height_m, map.height_m(cell));
   const Eigen::Rotation2Dd turn(box.yaw_rad);

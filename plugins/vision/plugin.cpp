@@ -104,7 +104,7 @@ class VisionPlugin final : public Plugin {
     }
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 1; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 2; }
   void save_state(StateWriter& state) const override {
     const bool has_camera = vision_ != nullptr;
     state(has_camera, seen_ns_, compute_ns_, told_);

@@ -22,6 +22,13 @@ Eigen::Matrix3d matrix_of(const std::array<double, 6>& c) {
   return full;
 }
 
+// One number that is none would stay in the filter for ever.
+bool is_sound(const TagSighting& sighting) noexcept {
+  return sighting.position_m.allFinite() && sighting.covariance_m2.allFinite() &&
+         sighting.covariance_m2.diagonal().minCoeff() > 0.0 && sighting.orientation.coeffs().allFinite() &&
+         sighting.orientation.norm() > 0.5 && std::isfinite(sighting.size_m);
+}
+
 std::array<double, 6> list_of(const Eigen::Matrix3d& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
@@ -45,6 +52,7 @@ TargetMemory::Target& TargetMemory::place_for(int id) noexcept {
 }
 
 void TargetMemory::see(const TagSighting& sighting, std::int64_t stamp_ns) noexcept {
+  if (!is_sound(sighting)) return;
   Target* known = find(sighting.id);
   if (known == nullptr) known = &place_for(sighting.id);
   Target& target = *known;

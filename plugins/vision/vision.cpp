@@ -12,6 +12,7 @@ namespace {
 constexpr std::uint64_t kAlignmentEvery = 6;  // pairs
 constexpr double kTagMargin_px = 8.0;
 constexpr double kFewMatches = 0.03;  // share of the pixels
+constexpr std::string_view kSuspected = "one camera may be turned against the other: the map waits";
 constexpr std::string_view kNoPose = "the robot lies or falls, or its posture at the exposure is not known";
 
 Eigen::Isometry3d between(const ShutterPoses& poses, double share) {
@@ -38,9 +39,9 @@ bool is_of_one_camera(Fault fault) noexcept {
   }
 }
 
-std::uint32_t state_of(Fault fault, bool has_pose, bool sees_one) noexcept {
+std::uint32_t state_of(Fault fault, bool is_fine, bool sees_one) noexcept {
   namespace states = vision_state::state;
-  if (fault == Fault::none) return has_pose ? states::sees : states::impaired;
+  if (fault == Fault::none) return is_fine ? states::sees : states::impaired;
   if (fault == Fault::few_matches || (is_of_one_camera(fault) && sees_one)) return states::impaired;
   return states::blind;
 }
@@ -75,6 +76,7 @@ void Vision::see(const PicturePair& pair, std::int64_t now_ns) {
   picture_ns_ = pair.stamp_ns;
   arrived_ns_ = now_ns;
   sees_one_ = false;
+  is_suspected_ = false;
   const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   if (pair.width != width_ || pair.height != height_ || pair.left.size() != pixels ||
       pair.right.size() != pixels) {
@@ -125,12 +127,12 @@ Fault Vision::map(const PicturePair& pair, const ShutterPoses& poses) {
   matched_share_ = matcher_.matched_share();
   ground_.look(matcher_, poses);
   const bool has_few = matched_share_ < kFewMatches;
-  if (has_few || pairs_ % kAlignmentEvery == 1 || alignment_.fault() != Fault::none) {
-    alignment_.judge(alignment_of(rig_.left(), rig_.right()));
-  }
-  alignment_.judge(ground_.shift());
-  if (alignment_.is_suspected()) return alignment_.fault();  // not yet a fault, but nothing to go by
+  const bool looks = has_few || pairs_ % kAlignmentEvery == 1 || alignment_.is_suspected();
+  alignment_.judge(looks ? alignment_of(rig_.left(), rig_.right()) : Alignment{}, ground_.shift());
+  if (alignment_.fault() != Fault::none) return alignment_.fault();
   if (has_few) return Fault::few_matches;
+  is_suspected_ = alignment_.is_suspected();
+  if (is_suspected_) return Fault::none;  // not yet a fault, but nothing to go by
   const Eigen::Vector3d ahead = poses.first.linear().col(2);
   const double level = std::max(ahead.head<2>().norm(), 1e-6);
   map_.centre(poses.base_m + parameters_.map_ahead_m / level * ahead.head<2>());
@@ -208,13 +210,16 @@ void Vision::write(VisionState& state, std::int64_t now_ns, std::int64_t compute
   state = {};
   state.stamp_ns = now_ns;
   state.picture_ns = picture_ns_;
-  state.state = state_of(fault_, has_pose_, sees_one_);
+  state.state = state_of(fault_, has_pose_ && !is_suspected_, sees_one_);
   state.fault = static_cast<std::uint32_t>(fault_);
   state.pairs = pairs_;
   state.dropped = dropped_;
   state.compute_ns = compute_ns;
   state.matched = matched_share_;
-  const std::string_view words = fault_ == Fault::none && !has_pose_ ? kNoPose : words_of(fault_);
+  const std::string_view words = fault_ != Fault::none ? words_of(fault_)
+                                 : !has_pose_          ? kNoPose
+                                 : is_suspected_       ? kSuspected
+                                                       : std::string_view{};
   std::ranges::copy(words.substr(0, sizeof state.text - 1), state.text);
 }
 

@@ -175,7 +175,10 @@ TEST_F(Faults, WhatItSawBeforeAFallIsForgottenWhenItIsUpAgain) {
   robot.scene.boxes.clear();
   robot.wait(1'000'000'000);
   robot.watch(3);
-  EXPECT_TRUE(robot.vision().obstacles().empty());
+  for (const Box& box : robot.vision().obstacles()) {
+    EXPECT_GT((box.middle_m - Eigen::Vector2d(1.1, 0.0)).norm(), 0.3)
+        << "but for the tag's board, which is there: " << box.middle_m.transpose();
+  }
 }
 
 // One degree about each axis of either camera.
@@ -194,6 +197,55 @@ INSTANTIATE_TEST_SUITE_P(EachAxis, TurnedCamera,
                          ::testing::Values(Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0),
                                            Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0),
                                            Eigen::Vector3d(0, 0, 1.5)));
+
+// One look was odd; since then there is nothing that it could be judged by.
+TEST(WronglySuspectedCameras, SeeAgainWhereLittleIsClear) {
+  WatchingRobot robot;
+  robot.turn_right_camera({1.0, 0.0, 0.0});
+  robot.watch(1);
+  robot.turn_right_camera(Eigen::Vector3d::Zero());
+  robot.scene.ground_contrast = 14.0;  // distances show, single corners do not
+  robot.exposure.noise = 3.0;
+  robot.watch(1);
+  VisionState state{};
+  robot.vision().write(state, 0, 0);
+  EXPECT_EQ(state.state, vision_state::state::impaired) << "said while the map waits";
+  const std::int64_t odd_ns = robot.vision().mapped_ns();
+  robot.watch(14);
+  EXPECT_GT(robot.vision().mapped_ns(), odd_ns);
+  EXPECT_EQ(robot.vision().fault(), Fault::none);
+  robot.vision().write(state, 0, 0);
+  EXPECT_EQ(state.state, vision_state::state::sees);
+}
+
+TEST(AlignmentWatch, AFaultIsOverLongAfterTheLastEvidence) {
+  const Alignment misaligned{.verdict = Alignment::Verdict::misaligned}, nothing{};
+  AlignmentWatch watch;
+  watch.judge(misaligned, {});
+  EXPECT_TRUE(watch.is_suspected());
+  EXPECT_EQ(watch.fault(), Fault::none);
+  watch.judge(misaligned, {});
+  EXPECT_EQ(watch.fault(), Fault::cameras_misaligned);
+  for (int pair = 0; pair < 60; ++pair) watch.judge(nothing, {});
+  EXPECT_EQ(watch.fault(), Fault::cameras_misaligned) << "some seconds without a clear view say nothing";
+  watch.judge(misaligned, {});
+  for (int pair = 0; pair < 60; ++pair) watch.judge(nothing, {});
+  EXPECT_EQ(watch.fault(), Fault::cameras_misaligned);
+  for (int pair = 0; pair < 60; ++pair) watch.judge(nothing, {});
+  EXPECT_EQ(watch.fault(), Fault::none);
+  EXPECT_FALSE(watch.is_suspected());
+}
+
+TEST(AlignmentWatch, AShiftOfTheGroundIsForgottenAsWell) {
+  const GroundShift shifted{.median_px = 4.0, .spread_px = 0.3, .points = 4000}, unseen{};
+  AlignmentWatch watch;
+  for (int pair = 0; pair < 5; ++pair) watch.judge({}, shifted);
+  EXPECT_EQ(watch.fault(), Fault::cameras_misaligned);
+  for (int pair = 0; pair < 120; ++pair) watch.judge({}, unseen);
+  EXPECT_FALSE(watch.is_suspected());
+  watch.judge({}, shifted);
+  EXPECT_TRUE(watch.is_suspected()) << "at once, when it shows again";
+}
 
 }  // namespace
 }  // namespace gaitway::vision::testing

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/vision/obstacle_boxes.hpp"
@@ -104,6 +105,58 @@ TEST(ObstacleBoxes, TwoWallsThatMeetAreTwoBoxes) {
   EXPECT_LT(area_m2, 0.3) << "the room between the walls is no obstacle";
 }
 
+// Of a block of points, cell by cell as one pair shows them, thrice.
+void see_block(HeightMap& map, const Eigen::Isometry2d& pose, const Eigen::Vector2d& size_m) {
+  struct Sum {
+    int points = 0;
+    Eigen::Vector2d first = Eigen::Vector2d::Zero();
+    Eigen::Vector3d second = Eigen::Vector3d::Zero();
+  };
+  std::map<int, Sum> cells;
+  constexpr int kParts = 100;
+  for (int i = 0; i < kParts * kParts; ++i) {
+    const Eigen::Vector2d share((i % kParts + 0.5) / kParts - 0.5, (i / kParts + 0.5) / kParts - 0.5);
+    const Eigen::Vector2d at = pose * share.cwiseProduct(size_m);
+    Sum& sum = cells[map.cell_at(at.x(), at.y())];
+    ++sum.points;
+    sum.first += at;
+    sum.second += Eigen::Vector3d(at.x() * at.x(), at.y() * at.y(), at.x() * at.y());
+  }
+  for (const auto& [cell, sum] : cells) {
+    CellSighting seen = obstacle_at(sum.first / sum.points);
+    const Eigen::Vector2d& mean = seen.middle_m;
+    seen.spread_m2 = sum.second / sum.points -
+                     Eigen::Vector3d(mean.x() * mean.x(), mean.y() * mean.y(), mean.x() * mean.y());
+    see(map, seen, cell, 3);
+  }
+}
+
+// Wherever its sides lie in their cells; and from where one of them is seen so aslant that it shows no face.
+TEST(ObstacleBoxes, ASideIsWhereWhatTheCellsShowEnds) {
+  for (int step = 0; step < 8; ++step) {
+    for (const double eye_y_m : {0.0, 0.3}) {
+      HeightMap map(0.04);
+      Eigen::Isometry2d pose = Eigen::Isometry2d::Identity();
+      pose.translation() = Eigen::Vector2d(1.1, 0.005 * step);
+      see_block(map, pose, {0.24, 0.34});
+      const std::vector<Box> boxes = boxes_in(map, {0.0, eye_y_m});
+      ASSERT_EQ(boxes.size(), 1U);
+      EXPECT_NEAR(boxes[0].middle_m.y(), pose.translation().y(), 0.008) << step << " " << eye_y_m;
+      EXPECT_NEAR(boxes[0].size_m.maxCoeff(), 0.34, 0.012) << step << " " << eye_y_m;
+    }
+  }
+}
+
+TEST(HeightMap, KnowsHowWideWhatACellShowsIs) {
+  HeightMap map(0.04);
+  Eigen::Isometry2d pose = Eigen::Isometry2d::Identity();
+  pose.translation() = Eigen::Vector2d(0.51, 0.1);
+  see_block(map, pose, {0.02, 0.03});
+  const Eigen::Vector3d spread_m2 = map.spread_m2(map.cell_at(0.51, 0.1));
+  EXPECT_NEAR(std::sqrt(12.0 * spread_m2.x()), 0.02, 0.001);
+  EXPECT_NEAR(std::sqrt(12.0 * spread_m2.y()), 0.03, 0.001);
+}
+
 TEST(ObstacleBoxes, NoiseChangesNothing) {
   ObstacleList list;
   const Box box{{1.0, 0.2}, 0.3, {0.4, 0.2}, 0.3};
@@ -150,6 +203,27 @@ TEST(TargetMemory, ATargetThatWasCarriedOffIsWhereItIsNow) {
   memory.write(told, 0);
   ASSERT_EQ(told.count, 1U);
   EXPECT_NEAR(told.position[0][0], 1.5, 0.01);
+}
+
+TEST(TargetMemory, WhatIsNoNumberIsNotTakenIn) {
+  TargetMemory memory(100'000'000'000);
+  const double none = std::nan("");
+  std::vector<TagSighting> wrong(5, sighting(4, {1, 2, 0.5}));
+  wrong[0].position_m.y() = none;
+  wrong[1].covariance_m2(0, 1) = none;
+  wrong[2].orientation.x() = none;
+  wrong[3].covariance_m2.setZero();
+  wrong[4].size_m = none;
+  memory.see(wrong[1], 900'000'000);
+  for (int i = 0; i < 10; ++i) memory.see(sighting(4, {1, 2, 0.5}), 1'000'000'000 + i * 80'000'000);
+  for (const TagSighting& one : wrong) memory.see(one, 1'800'000'000);
+  SeenTargets told{};
+  memory.write(told, 0);
+  ASSERT_EQ(told.count, 1U);
+  EXPECT_EQ(told.seen_ns[0], 1'720'000'000);
+  EXPECT_NEAR(told.position[0][1], 2.0, 1e-6);
+  EXPECT_GT(told.covariance[0][0], 0.0);
+  EXPECT_NEAR(told.orientation[0][0], 1.0, 1e-6);
 }
 
 TEST(TargetMemory, TheOldestMakesRoom) {

@@ -45,7 +45,7 @@ class WatchingRobot {
   void turn_right_camera(const Eigen::Vector3d& turn_deg) {
     urdf::StereoCamera turned = robot_.camera();
     turned.right_in_left.linear() *=
-        Eigen::AngleAxisd(turn_deg.norm() * std::numbers::pi / 180.0, turn_deg.normalized())
+        Eigen::AngleAxisd(turn_deg.norm() * std::numbers::pi / 180.0, turn_deg.stableNormalized())
             .toRotationMatrix();
     eyes_ = SceneCamera(turned);
   }

@@ -37,13 +37,15 @@ enum class Fault : std::uint32_t {
 [[nodiscard]] Fault fault_of(const PairCheck& check) noexcept;
 
 // How the cameras look at each other is not found in each pair: verdicts are kept until enough of them say
-// otherwise.
+// otherwise, or until there have been none for long. What was suspected wrongly would blind for ever where
+// nothing in view can be judged by.
 class AlignmentWatch {
  public:
-  void judge(const Alignment& alignment) noexcept;
-  void judge(const GroundShift& shift) noexcept;
+  // One pair that was looked at, with what it says of either.
+  void judge(const Alignment& alignment, const GroundShift& shift) noexcept;
   [[nodiscard]] Fault fault() const noexcept;  // that stands
-  // Something was odd lately, a fault or not yet: distances are not to be trusted.
+  // Something was odd lately, a fault or not yet: distances are not to be trusted, and the next pair is to be
+  // looked at.
   [[nodiscard]] bool is_suspected() const noexcept {
     return exchanged_.level > 0 || rows_.level > 0 || shift_.level > 0;
   }
@@ -51,8 +53,10 @@ class AlignmentWatch {
  private:
   struct Suspicion {
     int level = 0;
+    int quiet = 0;  // pairs since the last verdict
     bool stands = false;
     void judge(bool bad, int bad_until_it_stands) noexcept;
+    void pass() noexcept;  // a pair without a verdict
   };
   Suspicion exchanged_, rows_, shift_;
 };

@@ -63,7 +63,9 @@ class GroundObserver {
   struct Tally {
     int ground = 0, obstacle = 0;
     double ground_m = 0.0, top_m = 0.0, second_m = 0.0;  // sum of heights; highest, second highest
+    // Of the obstacle's points: places from the cell's middle, their products.
     Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
+    Eigen::Vector3d squares_m2 = Eigen::Vector3d::Zero();
   };
 
   void collect(const DisparityMatcher& matcher, const ShutterPoses& poses);

@@ -22,7 +22,9 @@ struct CellSighting {
   What what = What::ground;
   double height_m = 0.0;                               // of the ground, or of the obstacle's highest
   Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();  // of an obstacle's points, in odometry
-  int points = 0;                                      // of an obstacle
+  // Of an obstacle's points: variances along x and y, covariance.
+  Eigen::Vector3d spread_m2 = Eigen::Vector3d::Zero();
+  int points = 0;  // of an obstacle
 };
 
 // A square of kMapSide × kMapSide cells that goes with the robot, in whole cells. A state changes only after
@@ -51,6 +53,8 @@ class HeightMap {
   [[nodiscard]] double height_m(int cell) const noexcept { return 1e-3 * at(cell).height_mm; }
   // Of the points that were seen of the obstacle in the cell.
   [[nodiscard]] Eigen::Vector2d obstacle_m(int cell) const noexcept;
+  // Of these points: variances along x and y, covariance.
+  [[nodiscard]] Eigen::Vector3d spread_m2(int cell) const noexcept;
   [[nodiscard]] int weight(int cell) const noexcept { return at(cell).weight; }
   [[nodiscard]] std::int64_t seen_ns(int cell) const noexcept {
     return seen_ns_[static_cast<std::size_t>(cell)];
@@ -80,6 +84,8 @@ class HeightMap {
     std::int8_t offset_x = 0, offset_y = 0;  // of the obstacle's points from the cell's middle, in cell / 250
     std::uint8_t weight = 0;                 // points behind the offset, up to a limit
     std::int16_t height_mm = 0;
+    std::array<float, 3>
+        moment{};  // of these points, as spread_m2 has them, about the cell's middle, in cells²
   };
   struct PackedCell {
     std::uint8_t state_and_evidence = 0;  // state times 32, evidence from the least

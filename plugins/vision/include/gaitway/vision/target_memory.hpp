@@ -25,6 +25,7 @@ class TargetMemory {
  public:
   explicit TargetMemory(std::int64_t forget_after_ns) : forget_after_ns_(forget_after_ns) {}
 
+  // What is not finite, or has no covariance, is left out.
   void see(const TagSighting& sighting, std::int64_t stamp_ns) noexcept;
   void forget(std::int64_t now_ns) noexcept;
   void write(SeenTargets& targets, std::int64_t stamp_ns) const noexcept;

@@ -89,9 +89,10 @@ class Vision {
  private:
   template <class Self, class Archive>
   static void visit(Self& self, Archive& archive) {
-    archive(self.targets_, self.pictures_, self.alignment_, self.fault_, self.has_pose_, self.sees_one_, self.has_lain_,
-            self.first_wait_ns_, self.picture_ns_, self.arrived_ns_, self.looked_ns_, self.mapped_ns_,
-            self.eye_m_, self.matched_share_, self.last_number_, self.pairs_, self.dropped_);
+    archive(self.targets_, self.pictures_, self.alignment_, self.fault_, self.has_pose_, self.sees_one_,
+            self.has_lain_, self.is_suspected_, self.first_wait_ns_, self.picture_ns_, self.arrived_ns_,
+            self.looked_ns_, self.mapped_ns_, self.eye_m_, self.matched_share_, self.last_number_,
+            self.pairs_, self.dropped_);
   }
 
   struct Seen {                      // of one pair
@@ -122,9 +123,10 @@ class Vision {
   TargetMemory targets_;
 
   Fault fault_ = Fault::none;
-  bool has_pose_ = true;   // of the camera, at the last pair's exposure
-  bool sees_one_ = false;  // camera, at least
-  bool has_lain_ = false;  // since the newest pair with a pose
+  bool has_pose_ = true;       // of the camera, at the last pair's exposure
+  bool sees_one_ = false;      // camera, at least
+  bool has_lain_ = false;      // since the newest pair with a pose
+  bool is_suspected_ = false;  // that the cameras are turned, by the newest pair
   std::optional<std::int64_t> first_wait_ns_;
   std::int64_t picture_ns_ = 0, arrived_ns_ = 0, looked_ns_ = 0, mapped_ns_ = 0;
   Eigen::Vector2d eye_m_ = Eigen::Vector2d::Zero();  // in odometry, of the newest pair in the map
