@@ -16,19 +16,6 @@
 namespace gaitway::scenarios {
 namespace {
 
-struct Way {
-  const char* name;
-  const char* cause;  // part of the event's text
-};
-constexpr std::array<Way, 8> kWays{{{"segfault", "was ended by SIGSEGV in its step"},
-                                    {"abort", "was ended by SIGABRT in its step"},
-                                    {"exit", "exited with code 7 in its step"},
-                                    {"loop", "did not answer within"},
-                                    {"memory", "used up its memory"},
-                                    {"descriptors", "used up its file descriptors"},
-                                    {"fork", "called clone, which a plug-in"},
-                                    {"garbage", "wrote over the memory"}}};
-
 constexpr const char* kWalksAndLooksAround = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
   <Sleep msec="1000"/>
   <Parallel success_count="2" failure_count="1"><Walk forward="0.15 m/s"/><LookAround/></Parallel>
@@ -36,7 +23,7 @@ constexpr const char* kWalksAndLooksAround = R"(<root BTCPP_format="4"><Behavior
 
 class BehaviourCrashes : public testing::TestWithParam<int> {
  protected:
-  [[nodiscard]] static BehaviourRunOptions sabotaged(const Way& way, const FaultInstant& instant,
+  [[nodiscard]] static BehaviourRunOptions sabotaged(const Crash& way, const FaultInstant& instant,
                                                      double duration_s, unsigned seed) {
     const std::string mission = testing::TempDir() + "walks_and_looks_" + way.name + ".xml";
     std::ofstream(mission) << kWalksAndLooksAround;
@@ -50,7 +37,7 @@ class BehaviourCrashes : public testing::TestWithParam<int> {
 };
 
 TEST_P(BehaviourCrashes, TheRobotStandsAndTheMissionBeginsAnew) {
-  const Way& way = kWays[static_cast<std::size_t>(GetParam())];
+  const Crash& way = kCrashes[static_cast<std::size_t>(GetParam())];
   for (unsigned seed = 1; seed <= 2; ++seed) {
     const FaultInstant instant = random_fault_instant(10 * seed + static_cast<unsigned>(GetParam()));
     BehaviourRun run(sabotaged(way, instant, 0.08, seed));
@@ -67,7 +54,7 @@ TEST_P(BehaviourCrashes, TheRobotStandsAndTheMissionBeginsAnew) {
 }
 
 TEST_P(BehaviourCrashes, WhereItFailsForEverTheRobotStandsAndLooksAhead) {
-  const Way& way = kWays[static_cast<std::size_t>(GetParam())];
+  const Crash& way = kCrashes[static_cast<std::size_t>(GetParam())];
   const FaultInstant instant = random_fault_instant(static_cast<unsigned>(GetParam()));
   BehaviourRun run(sabotaged(way, instant, 1e6, 3));
   run.advance_until(instant.begin_s + 8.0);
@@ -77,7 +64,7 @@ TEST_P(BehaviourCrashes, WhereItFailsForEverTheRobotStandsAndLooksAhead) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, BehaviourCrashes, testing::Range(0, 8), [](const auto& trial) {
-  return std::string(kWays[static_cast<std::size_t>(trial.param)].name);
+  return std::string(kCrashes[static_cast<std::size_t>(trial.param)].name);
 });
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What the trials with plug-ins that fail while the robot walks have in common.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string_view>
@@ -15,6 +16,20 @@ constexpr double kWatchedAfterFault_s = 10.0;
 constexpr int fault_trials(int stated) {
   return GAITWAY_SEED_PERCENT >= 500 ? 50 : (stated * GAITWAY_SEED_PERCENT + 99) / 100;
 }
+
+// What a saboteur does to its process.
+struct Crash {
+  const char* name;
+  const char* cause;  // part of the event's text
+};
+constexpr std::array<Crash, 8> kCrashes{{{"segfault", "was ended by SIGSEGV in its step"},
+                                         {"abort", "was ended by SIGABRT in its step"},
+                                         {"exit", "exited with code 7 in its step"},
+                                         {"loop", "did not answer within"},
+                                         {"memory", "used up its memory"},
+                                         {"descriptors", "used up its file descriptors"},
+                                         {"fork", "called clone, which a plug-in"},
+                                         {"garbage", "wrote over the memory"}}};
 
 struct FaultInstant {
   double begin_s = 0.0;     // somewhere in two seconds of the walk

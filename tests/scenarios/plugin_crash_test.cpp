@@ -15,18 +15,6 @@ namespace gaitway::scenarios {
 namespace {
 
 constexpr std::array<const char*, 4> kPlugins{"zmp", "stability", "trajectory", "kinematics"};
-struct Way {
-  const char* name;
-  const char* cause;  // part of the event's text
-};
-constexpr std::array<Way, 8> kWays{{{"segfault", "was ended by SIGSEGV in its step"},
-                                    {"abort", "was ended by SIGABRT in its step"},
-                                    {"exit", "exited with code 7 in its step"},
-                                    {"loop", "did not answer within"},
-                                    {"memory", "used up its memory"},
-                                    {"descriptors", "used up its file descriptors"},
-                                    {"fork", "called clone, which a plug-in"},
-                                    {"garbage", "wrote over the memory"}}};
 
 core::Configuration with_saboteur(const std::string& plugin, const std::string& parameters) {
   std::string text = "plugins:\n";
@@ -44,7 +32,7 @@ class PluginCrashes : public testing::TestWithParam<std::tuple<int, int, int>> {
 
 TEST_P(PluginCrashes, AtARandomInstantOfTheWalkAndTheRobotDoesNotFall) {
   const auto [plugin, way_index, trial] = GetParam();
-  const Way& way = kWays[static_cast<std::size_t>(way_index)];
+  const Crash& way = kCrashes[static_cast<std::size_t>(way_index)];
   const std::string name = kPlugins[static_cast<std::size_t>(plugin)];
   const FaultInstant instant =
       random_fault_instant(static_cast<unsigned>(1000 * trial + 10 * plugin + way_index));
@@ -73,7 +61,7 @@ TEST_P(PluginCrashes, AtARandomInstantOfTheWalkAndTheRobotDoesNotFall) {
 std::string name_of(const testing::TestParamInfo<std::tuple<int, int, int>>& info) {
   const auto [plugin, way, trial] = info.param;
   return fmt::format("{}_{}_{}", kPlugins[static_cast<std::size_t>(plugin)],
-                     kWays[static_cast<std::size_t>(way)].name, trial);
+                     kCrashes[static_cast<std::size_t>(way)].name, trial);
 }
 
 INSTANTIATE_TEST_SUITE_P(RandomInstants, PluginCrashes,
