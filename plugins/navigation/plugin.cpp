@@ -108,7 +108,8 @@ class Navigation final : public Plugin {
         request_(setup.reads_optional<WalkToRequest>("walk_to_command")),
         command_(setup.reads_optional<WalkCommand>("walk_command")),
         measurement_(setup.reads_optional<PoseMeasurement>("pose_measurement")),
-        obstacles_(setup.reads_optional<Obstacles>("obstacles")),
+        // Of the tick before: the eyes have a process of their own, and no batch is held back by its crash.
+        obstacles_(setup.reads_previous_optional<Obstacles>("obstacles")),
         network_(setup.reads_optional<NetworkState>("network_state")),
         plan_(setup.writes<FootstepPlan>("footstep_plan")),
         state_(setup.writes<NavigationState>("navigation_state")),
