@@ -56,18 +56,20 @@ void RobotDesk::step(std::int64_t now_ns) {
   end_.set_robot_time(robot_ns, now_ns);
   end_.step(now_ns);
   const std::uint32_t session = end_.session().open() ? end_.session().count() : 0;
+  bool tells_of_loss = false;
   if (session != session_) {
-    const bool had_one = session_ != 0;
+    tells_of_loss = session_ != 0;
     session_ = session;
     awaited_.clear();
     motions_.clear();
     ways_.clear();
     commands_asked_.clear();
     missions_.clear();
-    if (had_one) tell_that_person_is_lost(robot_ns);
+    if (tells_of_loss) tell_that_person_is_lost(robot_ns);
   }
   pass_stops_on(robot_ns);
-  while (const auto order = end_.next_order(now_ns)) {
+  // An order to take the command is told by the same topic, whose newest value alone is heard.
+  while (const auto order = tells_of_loss ? std::nullopt : end_.next_order(now_ns)) {
     carry_out(*order, robot_ns);
   }
   take_answers();

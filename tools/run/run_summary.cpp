@@ -196,10 +196,17 @@ std::string summary_table(const nlohmann::ordered_json& s) {
   };
   row("result", s["result"].get<std::string>());
   if (!s["world"].is_null()) row("world", s["world"]["file"].get<std::string>());
-  row("distance",
-      fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
-  row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
-                           number(s["heading_drift_rad"]) * 57.29578));
+  // Speed, drift and ZMP are told of walks by commanded velocities: those of ways and missions have no line.
+  const auto& zmp = s["zmp"];
+  const bool has_walked_by_velocity = !zmp["margin_min_m"].is_null();
+  if (has_walked_by_velocity) {
+    row("distance",
+        fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
+    row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
+                             number(s["heading_drift_rad"]) * 57.29578));
+  } else {
+    row("distance", fmt::format("{:.3f} m", number(s["distance_m"])));
+  }
   if (const auto& way = s["way"]; !way.is_null()) {
     row("way", fmt::format("{} at {:.2f} s, {} footsteps, {} plans after the first",
                            way["result"].get<std::string>(), number(way["ended_s"]),
@@ -228,11 +235,12 @@ std::string summary_table(const nlohmann::ordered_json& s) {
                             number(s["joints"]["tracking_rms_rad"]) * 57.29578,
                             s["joints"]["refused_points"].get<std::uint64_t>(),
                             s["joints"]["resynchronised"].get<std::uint64_t>()));
-  const auto& zmp = s["zmp"];
-  row("ZMP",
-      fmt::format("reference error {:.1f} mm RMS, estimate error {:.1f} mm RMS, margin at least {:.1f} mm",
-                  1e3 * number(zmp["reference_error_rms_m"]), 1e3 * number(zmp["estimate_error_rms_m"]),
-                  1e3 * number(zmp["margin_min_m"])));
+  if (has_walked_by_velocity) {
+    row("ZMP",
+        fmt::format("reference error {:.1f} mm RMS, estimate error {:.1f} mm RMS, margin at least {:.1f} mm",
+                    1e3 * number(zmp["reference_error_rms_m"]), 1e3 * number(zmp["estimate_error_rms_m"]),
+                    1e3 * number(zmp["margin_min_m"])));
+  }
   add_contact_rows(s["contacts"], row);
   const auto& physics = s["physics_only_real_time_factor"];
   row("speed",

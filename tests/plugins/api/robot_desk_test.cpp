@@ -2,6 +2,7 @@
 // nothing and refuses nothing.
 #include "gaitway/api/robot_desk.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -125,6 +126,42 @@ TEST_F(RobotDeskTest, EndsTheWalkOfAProcessBeforeItsOwn) {
   ASSERT_TRUE(told.read(after));
   EXPECT_EQ(after.verb, command_request::verb::is_lost) << "who commanded has no link any more";
   EXPECT_NE(after.number, before.number);
+}
+
+// One topic tells both, and only its newest value is heard: each has a step of its own.
+TEST_F(RobotDeskTest, OneWhoTakesTheCommandAtOnceDoesNotHideThatTheOneBeforeIsLost) {
+  auto told = looker.read<CommandRequest>("command_request");
+  start_desk(1);
+  pass(200);
+  restart_module(12);
+  // Between two steps of the desk.
+  const auto exchange = [this] {
+    now_ns += kMillisecond_ns;
+    carry(*module, desk->end());
+    desk->end().step(now_ns);
+    carry(desk->end(), *module);
+  };
+  for (int ms = 0; ms < 500 && !module->session().open(); ++ms) exchange();
+  CommandRequest take{};
+  take.verb = command_request::verb::take;
+  std::array<std::uint8_t, link::kMostOrderBytes> room{};
+  const std::size_t size = codec.encode(TopicType<CommandRequest>::descriptor, &take,
+                                        std::span(room).subspan(contract::kStopsSeenBytes));
+  ASSERT_EQ(module
+                ->submit(static_cast<std::uint16_t>(contract::OrderKind::command),
+                         std::span(room).first(contract::kStopsSeenBytes + size), now_ns + kSecond_ns, now_ns)
+                .refusal,
+            link::Refusal::none);
+  for (int ms = 0; ms < 50; ++ms) exchange();  // the desk hangs
+  std::vector<std::uint32_t> verbs;
+  for (int ms = 0; ms < 50 && verbs.size() < 2; ++ms) {
+    const std::uint64_t before = told.newest_sequence();
+    pass(1);
+    CommandRequest request{};
+    ASSERT_LE(told.newest_sequence(), before + 1) << "two in one step";
+    if (told.newest_sequence() != before && told.read(request)) verbs.push_back(request.verb);
+  }
+  EXPECT_THAT(verbs, testing::ElementsAre(command_request::verb::is_lost, command_request::verb::take));
 }
 
 TEST_F(RobotDeskTest, AModuleThatWasStartedAnewKnowsOfNoStopsBefore) {
