@@ -27,21 +27,22 @@ DisparityMatcher::DisparityMatcher(int width)
                                       kSpeckle_px, kSpeckleStep, cv::StereoSGBM::MODE_SGBM)) {}
 
 void DisparityMatcher::match(const cv::Mat& left, const cv::Mat& right) {
-  const cv::Mat* pictures[2] = {&left, &right};
+  matched_[0] = left;
+  matched_[1] = right;
   if (scale_ > 1) {
     for (std::size_t i = 0; i < 2; ++i) {
-      cv::resize(*pictures[i], half_[i], {}, 1.0 / scale_, 1.0 / scale_, cv::INTER_AREA);
-      pictures[i] = &half_[i];
+      cv::resize(matched_[i], half_[i], {}, 1.0 / scale_, 1.0 / scale_, cv::INTER_AREA);
+      matched_[i] = half_[i];
     }
   }
   // The matcher says nothing of the columns whose farthest match would lie beyond the picture: with a border
   // that matches nothing it does, as far as the match itself is within.
   for (std::size_t i = 0; i < 2; ++i) {
-    cv::copyMakeBorder(*pictures[i], bordered_[i], 0, 0, kDisparities, 0, cv::BORDER_CONSTANT);
+    cv::copyMakeBorder(matched_[i], bordered_[i], 0, 0, kDisparities, 0, cv::BORDER_CONSTANT);
   }
   matcher_->compute(bordered_[0], bordered_[1], all_);
   all_.colRange(kDisparities, all_.cols).copyTo(disparity_);
-  remove_unlike(*pictures[0], *pictures[1]);
+  remove_unlike(matched_[0], matched_[1]);
   matched_share_ =
       static_cast<double>(cv::countNonZero(disparity_ > 0)) / static_cast<double>(disparity_.total());
 }

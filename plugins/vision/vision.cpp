@@ -128,7 +128,7 @@ Fault Vision::map(const PicturePair& pair, const ShutterPoses& poses) {
   ground_.look(matcher_, poses);
   const bool has_few = matched_share_ < kFewMatches;
   const bool looks = has_few || pairs_ % kAlignmentEvery == 1 || alignment_.is_suspected();
-  alignment_.judge(looks ? alignment_of(rig_.left(), rig_.right()) : Alignment{}, ground_.shift());
+  alignment_.judge(looks ? alignment_of(matcher_.left(), matcher_.right()) : Alignment{}, ground_.shift());
   if (alignment_.fault() != Fault::none) return alignment_.fault();
   if (has_few) return Fault::few_matches;
   is_suspected_ = alignment_.is_suspected();

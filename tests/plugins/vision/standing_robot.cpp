@@ -17,9 +17,19 @@ std::vector<double> posture(const urdf::RobotModel& model, double head_pitch_rad
 
 }  // namespace
 
-StandingRobot::StandingRobot()
+StandingRobot::StandingRobot(Pictures pictures)
     : model_(urdf::load_robot(GAITWAY_URDF_DIR "/humanoid22", urdf::CalibrationUse::left_out)),
-      camera_(urdf::stereo_camera_of(model_).value()) {}
+      camera_(urdf::stereo_camera_of(model_).value()) {
+  if (pictures == Pictures::small) return;
+  camera_.width_px *= 2;
+  camera_.height_px *= 2;
+  for (urdf::LensParameters& lens : camera_.lens) {
+    lens.fx_px *= 2.0;
+    lens.fy_px *= 2.0;
+    lens.cx_px = 2.0 * (lens.cx_px + 0.5) - 0.5;
+    lens.cy_px = 2.0 * (lens.cy_px + 0.5) - 0.5;
+  }
+}
 
 Eigen::Isometry3d StandingRobot::ground_pose(std::int64_t now_ns) const {
   const double t = 1e-9 * static_cast<double>(now_ns);

@@ -14,7 +14,8 @@ namespace gaitway::vision::testing {
 
 class StandingRobot {
  public:
-  StandingRobot();
+  enum class Pictures { small, large };  // 320 x 240, or the same lenses with 640 x 480
+  explicit StandingRobot(Pictures pictures = Pictures::small);
 
   double head_pitch_rad = 0.35;                     // down
   Eigen::Vector3d speed = Eigen::Vector3d::Zero();  // of the whole robot: m/s ahead, to the left, rad/s

@@ -29,8 +29,11 @@ class WatchingRobot {
   static constexpr std::int64_t kTick_ns = 10'000'000;
   static constexpr std::int64_t kBetweenPairs_ns = 80'000'000, kLatency_ns = 30'000'000;
 
-  explicit WatchingRobot(const VisionParameters& parameters = {})
-      : eyes_(robot_.camera()),
+  using Pictures = StandingRobot::Pictures;
+
+  explicit WatchingRobot(const VisionParameters& parameters = {}, Pictures pictures = Pictures::small)
+      : robot_(pictures),
+        eyes_(robot_.camera()),
         vision_(std::make_unique<Vision>(robot_.model(), robot_.camera(), parameters)) {}
 
   Scene scene;

@@ -14,7 +14,8 @@ struct Alignment {
   double rows_off_px = 0.0;  // root mean square of the matches' distances from their common row
 };
 
-// Of rectified pictures. `unknown`: too few corners have a clear match to say anything.
+// Of rectified pictures of up to 320 pixels a row. `unknown`: too few corners have a clear match to say
+// anything.
 [[nodiscard]] Alignment alignment_of(const cv::Mat& left, const cv::Mat& right);
 
 }  // namespace gaitway::vision

@@ -20,6 +20,9 @@ class DisparityMatcher {
 
   // In 1/16 pixels of the matched size; negative: none.
   [[nodiscard]] const cv::Mat& disparity() const noexcept { return disparity_; }
+  // The pictures at the size at which they were matched; they hold as long as those that were given.
+  [[nodiscard]] const cv::Mat& left() const noexcept { return matched_[0]; }
+  [[nodiscard]] const cv::Mat& right() const noexcept { return matched_[1]; }
   // Pixels of the whole picture for one that is matched.
   [[nodiscard]] int scale() const noexcept { return scale_; }
   // Of all pixels, those that have a disparity.
@@ -33,7 +36,7 @@ class DisparityMatcher {
 
   int scale_;
   cv::Ptr<cv::StereoSGBM> matcher_;
-  cv::Mat half_[2], bordered_[2], all_, disparity_;
+  cv::Mat matched_[2], half_[2], bordered_[2], all_, disparity_;
   cv::Mat left_, shifted_, mean_[2], square_[2], product_;  // of the comparison
   double matched_share_ = 0.0;
 };
