@@ -13,7 +13,8 @@ constexpr int kStride = 2;  // of the pixels that become points: neighbours say 
 constexpr double kOffsetDeviation_m = 0.01, kSlopeDeviation = 0.02;
 constexpr double kIndependent = 0.05;  // share of the points that are: a match is of a block
 constexpr int kIterations = 4;
-constexpr double kCut = 3.0;  // deviations beyond which a point is no ground
+constexpr double kCut = 3.0;            // deviations beyond which a point is no ground
+constexpr double kUncalibrated = 0.01;  // of the distance: height that lenses a little off give to the ground
 constexpr int kLeastPoints = 3;
 constexpr double kLeastShare = 0.2;  // of an obstacle's points in its cell
 constexpr int kEdge = 4;             // pixels to either side that must be of the same surface
@@ -159,7 +160,7 @@ void GroundObserver::count(const HeightMap& map) {
     if ((point.place_m.head<2>() - base_m_).norm() < parameters_.own_radius_m) continue;
     const int cell = map.cell_at(point.place_m.x(), point.place_m.y());
     if (cell < 0) continue;
-    const double doubt_m = kCut * point.deviation_m + 0.004 * point.distance_m;
+    const double doubt_m = kCut * point.deviation_m + kUncalibrated * point.distance_m;
     Tally& tally = tallies_[static_cast<std::size_t>(cell)];
     if (tally.ground == 0 && tally.obstacle == 0) touched_.push_back(cell);
     if (height_m > std::max(parameters_.least_height_m, doubt_m)) {

@@ -224,7 +224,6 @@ TEST(FailingEyes, AreReplacedOnTheWay) {
   run.expect_past_box();
 }
 
-#ifndef GAITWAY_SANITIZED
 struct Sabotage {
   const char* name;
   const char* how;
@@ -260,7 +259,5 @@ TEST_P(CrashingEyes, OnTheWay) {
 
 INSTANTIATE_TEST_SUITE_P(Each, CrashingEyes, testing::ValuesIn(kSabotages),
                          [](const auto& one) { return std::string(one.param.name); });
-#endif
-
 }  // namespace
 }  // namespace gaitway::scenarios

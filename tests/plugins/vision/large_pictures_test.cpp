@@ -1,6 +1,8 @@
 // 640 x 480: what is seen, and what is wrong with the cameras, as with pictures of half that size.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "watching_robot.hpp"
 
 namespace gaitway::vision::testing {
