@@ -187,13 +187,16 @@ INSTANTIATE_TEST_SUITE_P(Each, CameraFaults, testing::ValuesIn(kFaultCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(FailingEyes, SeeAgainWhenThePicturesAreGoodAgain) {
-  SeeingRun run;
-  run.walk_until(kFault_s);
-  run.begin({.how = How::dropped, .duration_s = 1.0});
-  run.walk_until(kFault_s + 2.0);
-  EXPECT_EQ(run.state().state, vision_state::state::sees);
-  EXPECT_THAT(run.said(), Contains(HasSubstr("the cameras see again")));
-  run.expect_unharmed();
+  for (const CameraFault::How how : {CameraFault::How::dropped, CameraFault::How::turned}) {
+    SeeingRun run;
+    run.walk_until(kFault_s);
+    run.begin({.how = how, .camera = CameraFault::Camera::right, .duration_s = 1.0});
+    run.walk_until(kFault_s + 2.5);
+    EXPECT_EQ(run.state().state, vision_state::state::sees);
+    ASSERT_GE(run.said().size(), 2U) << "the fault, and that it is over";
+    EXPECT_THAT(run.said().back(), HasSubstr("the cameras see again"));
+    run.expect_unharmed();
+  }
 }
 
 TEST(FailingEyes, OneSeedGivesOneDigest) {
