@@ -9,8 +9,9 @@
 namespace gaitway::behaviour {
 namespace {
 
+// Of results, those that may come: more than that does no harm, less does.
 struct Answers {
-  bool success = true, failure = true;
+  bool success = false, failure = false, skipped = false;
 };
 
 class Structure {
@@ -47,59 +48,76 @@ class Structure {
     const std::optional<std::int64_t> given = constant(node);
     if (!given) return true;
     const auto all = static_cast<std::int64_t>(children.size());
-    return std::ranges::count_if(children, &Answers::success) >= (*given < 0 ? all + *given + 1 : *given);
+    const std::int64_t wanted = *given < 0 ? all + *given + 1 : std::min(*given, all);
+    return std::ranges::count_if(
+               children, [](const Answers& child) { return child.success || child.skipped; }) >= wanted;
   }
 
   [[nodiscard]] Answers of(NodeIndex node) {
     const std::vector<Answers> below = children(node);
-    const bool is_endless = constant(node).value_or(0) < 0;
     const auto any = [&below](bool Answers::*what) { return std::ranges::any_of(below, what); };
-    const auto all = [&below](bool Answers::*what) { return std::ranges::all_of(below, what); };
+    const auto all = [&below](bool Answers::*what) {
+      return std::ranges::all_of(below,
+                                 [what](const Answers& child) { return child.*what || child.skipped; });
+    };
+    const bool all_skipped = !below.empty() && std::ranges::all_of(below, &Answers::skipped);
     switch (tree_.nodes[static_cast<std::size_t>(node)].type) {
       case NodeType::sequence:
       case NodeType::sequence_with_memory:
       case NodeType::reactive_sequence:
-        return {all(&Answers::success), any(&Answers::failure)};
+        return {all(&Answers::success), any(&Answers::failure), all_skipped};
       case NodeType::fallback:
       case NodeType::reactive_fallback:
-        return {any(&Answers::success), all(&Answers::failure)};
+        return {any(&Answers::success), all(&Answers::failure), all_skipped};
       case NodeType::parallel:
-        return {enough_may_succeed(node, below), true};
-      case NodeType::inverter:
-        return {below[0].failure, below[0].success};
-      case NodeType::force_success:
-        return {below[0].success || below[0].failure, false};
-      case NodeType::force_failure:
-        return {false, below[0].success || below[0].failure};
-      case NodeType::repeat:
-        return {below[0].success && !is_endless, below[0].failure};
-      case NodeType::retry_until_successful:
-        return {below[0].success, below[0].failure && !is_endless};
-      case NodeType::keep_running_until_failure:
-        return {false, below[0].failure};
-      case NodeType::delay:
-      case NodeType::cooldown:
-      case NodeType::run_once:
-      case NodeType::sub_tree:
-        return below[0];
-      case NodeType::timeout:
-        return {below[0].success, true};
-      case NodeType::always_failure:
-        return {false, true};
-      case NodeType::always_success:
-      case NodeType::sleep:
-      case NodeType::set_blackboard:
-        return {true, false};
+        return {enough_may_succeed(node, below), true, all_skipped};
       case NodeType::parallel_all:
+        return {true, true, all_skipped};
       case NodeType::if_then_else:
       case NodeType::while_do_else:
       case NodeType::switch_cases:
-        return {any(&Answers::success), true};
+        return {any(&Answers::success), true, any(&Answers::skipped)};
+      case NodeType::always_failure:
+        return {.failure = true};
+      case NodeType::always_success:
+        return {.success = true};
+      case NodeType::sleep:
+      case NodeType::set_blackboard:
       case NodeType::condition:
+        return {.success = true, .failure = true};
       case NodeType::action:
-        return {};
+        return {true, true, true};
+      default:
+        return of_decorator(node, below[0]);
     }
-    return {};
+  }
+
+  // Numbers of rounds below 0 are without end; one that is set while the tree runs may be any.
+  [[nodiscard]] Answers of_decorator(NodeIndex node, const Answers& below) const {
+    const std::optional<std::int64_t> rounds = constant(node);
+    const bool may_be_none = rounds.value_or(0) == 0, may_end = rounds.value_or(0) >= 0;
+    switch (tree_.nodes[static_cast<std::size_t>(node)].type) {
+      case NodeType::inverter:
+        return {below.failure, below.success, below.skipped};
+      case NodeType::force_success:
+        return {below.success || below.failure, false, below.skipped};
+      case NodeType::force_failure:
+        return {false, below.success || below.failure, below.skipped};
+      case NodeType::repeat:
+        return {(below.success && may_end) || may_be_none, true, below.skipped};
+      case NodeType::retry_until_successful:
+        return {below.success, (below.failure && may_end) || may_be_none, below.skipped};
+      case NodeType::keep_running_until_failure:
+        return {false, below.failure, false};
+      case NodeType::run_once:
+        return {below.success, below.failure, true};
+      case NodeType::delay:
+      case NodeType::cooldown:
+      case NodeType::timeout:
+        return {below.success, true, below.skipped};
+      default:
+        return below;  // a sub-tree
+    }
   }
 
   const Description& tree_;

@@ -66,10 +66,13 @@ double parse_number(std::string_view text, const ValueType& type) {
     if (known.name == unit) return number * known.factor;
   }
   std::vector<std::string_view> names;
-  for (const Unit& known : units->all()) names.push_back(known.name);
-  throw ValueError(
-      fmt::format("must be a number with one of the units {}", fmt::join(names, ", ")),
-      unit.empty() ? fmt::format("Write '{} {}', if that is what is meant", number, type.unit) : "");
+  std::vector<std::string> meant;
+  for (const Unit& known : units->all()) {
+    names.push_back(known.name);
+    meant.push_back(fmt::format("'{} {}'", number, known.name));
+  }
+  throw ValueError(fmt::format("must be a number with one of the units {}", fmt::join(names, ", ")),
+                   unit.empty() ? fmt::format("Write {}, as it is meant", fmt::join(meant, " or ")) : "");
 }
 
 std::int64_t parse_duration(std::string_view text) {

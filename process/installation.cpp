@@ -48,8 +48,11 @@ std::filesystem::path default_robot_directory() {
   return shared("urdf") / "humanoid22";
 }
 
+std::filesystem::path config_directory() {
+  return shared("config");
+}
 std::filesystem::path default_config_file() {
-  return shared("config") / "walk.yaml";
+  return config_directory() / "walk.yaml";
 }
 
 std::filesystem::path scenario_directory() {

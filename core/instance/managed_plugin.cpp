@@ -14,7 +14,9 @@ namespace gaitway::core {
 ManagedPlugin::ManagedPlugin(const PluginEntry& entry, const std::filesystem::path& configuration_file,
                              EventLog& events, const std::filesystem::path& robot_directory)
     : name_(entry.name),
-      place_(fmt::format("plug-in '{}' ({}:{})", entry.name, configuration_file.string(), entry.line)),
+      place_(entry.line > 0
+                 ? fmt::format("plug-in '{}' ({}:{})", entry.name, configuration_file.string(), entry.line)
+                 : fmt::format("plug-in '{}' (added to {})", entry.name, configuration_file.string())),
       parameters_(configuration_file, entry.name, entry.parameters, robot_directory),
       events_(events),
       schedule_(entry.schedule) {}

@@ -75,6 +75,7 @@ class Field:
             require(not isinstance(extent, str) or extent in constants, f"{where}: unknown constant '{extent}' in shape; define it in [constants]")
             number = constants[extent] if isinstance(extent, str) else extent
             require(type(number) is int and number >= 1, f"{where}: extent {extent!r} must be a whole number of at least 1")
+            require(number != constants.get("kMaxJoints") or extent == "kMaxJoints", f"{where}: extent {extent!r} is kMaxJoints' number, by which arrays of joints are known; choose another")
             self.extents.append(number)
             self.c_extents.append(macro(extent) if isinstance(extent, str) else str(number))
         self.alignment = SCALARS[self.type][1]

@@ -16,6 +16,10 @@ std::vector<std::string> shipped_missions() {
 std::filesystem::path find_mission(const std::string& name_or_path) {
   // Before the shipped ones are looked for: an author's own program need not lie beside these.
   if (process::is_file(name_or_path)) return name_or_path;
+  if (std::error_code unknown; std::filesystem::is_directory(name_or_path, unknown)) {
+    input::refuse({name_or_path, 0, "mission", "'" + name_or_path + "'", "it is a folder",
+                   "Give the file of a behaviour tree"});
+  }
   const auto shipped = process::find_shipped(process::mission_directory(), name_or_path, ".xml");
   if (shipped) return *shipped;
   input::refuse({name_or_path, 0, "mission", "'" + name_or_path + "'",

@@ -122,7 +122,8 @@ void MissionRunner::take_up(ReadMission read) {
   if (!read.change) {
     copy_text(wanted_, read.mission->name);
     next_ = std::move(read.mission);
-    answer(false, "the mission begins");
+    answer(false, robot_.situation.commands() ? "the mission begins"
+                                              : "the mission begins when the command is let go of");
     ends_ = true;
     if (state_ != states::none && !is_halted_) enter(states::halts);
     return;
@@ -180,6 +181,7 @@ bool MissionRunner::step(bool is_due, bool is_enabled) {
     }
   }
   robot_.begin();
+  told_sayings_ = 0;
   advance();
   pass_sayings();
   if (const CommandState* const command = robot_.situation.command) last_changes_ = command->changes;
@@ -234,12 +236,32 @@ void MissionRunner::run() {
   after_tree(mission_->tree);
   if (result == NodeStatus::running) return;
   is_halted_ = true;
-  const bool has_succeeded = result == NodeStatus::success;
-  enter(has_succeeded ? states::succeeded : states::failed);
+  pass_sayings();  // before what follows from it
   std::array<char, 208> text{};
-  fmt::format_to_n(text.data(), text.size() - 1, "mission '{}' has {}", mission_->name,
-                   has_succeeded ? "succeeded" : "failed");
-  line(!has_succeeded, text.data());
+  if (result == NodeStatus::success) {
+    enter(states::succeeded);
+    fmt::format_to_n(text.data(), text.size() - 1, "mission '{}' has succeeded", mission_->name);
+    return line(false, text.data());
+  }
+  enter(states::failed);
+  fmt::format_to_n(text.data(), text.size() - 1, "mission '{}' has failed: {}", mission_->name,
+                   cause_of_failure());
+  line(true, text.data());
+}
+
+// What a leaf says, or which node, of those that failed in this tick the deepest.
+std::string_view MissionRunner::cause_of_failure() const noexcept {
+  std::string_view cause = "it had nothing to do";
+  behaviour::NodeIndex deepest = behaviour::kNoNode;
+  for (const behaviour::Transition& change : mission_->tree.transitions()) {
+    if (change.to == NodeStatus::failure) deepest = std::max(deepest, change.node);
+  }
+  if (deepest != behaviour::kNoNode)
+    cause = mission_->tree.description().nodes[static_cast<std::size_t>(deepest)].segment;
+  for (const Orders::Saying& saying : robot_.orders.sayings()) {
+    if (saying.is_trouble) cause = saying.text.data();
+  }
+  return cause;
 }
 
 // Everything halts; one thing may go on: the robot has fallen under a person's command, and gets up. Once it
@@ -316,7 +338,9 @@ void MissionRunner::line(bool is_trouble, const char* text) noexcept {
 
 // A tree that tries again and again says the same in each tick.
 void MissionRunner::pass_sayings() noexcept {
-  for (const Orders::Saying& saying : robot_.orders.sayings()) {
+  const auto sayings = robot_.orders.sayings();
+  for (; told_sayings_ < sayings.size(); ++told_sayings_) {
+    const Orders::Saying& saying = sayings[told_sayings_];
     if (!is_repeated(saying)) line(saying.is_trouble, saying.text.data());
   }
 }

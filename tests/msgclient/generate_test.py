@@ -51,6 +51,18 @@ class GenerateTest(unittest.TestCase):
     def test_unknown_constant_is_refused(self):
         self.refused('{name = "a", type = "int8", shape = ["kMissing"]}', "'a'", "kMissing", "[constants]")
 
+    def test_an_array_that_looks_like_one_of_joints_is_refused(self):
+        joints = 'kMaxJoints = 64\nkOther = 64'
+        text = lambda extent: f'[constants]\n{joints}\n[[type]]\nname = "Sample"\ndoc = "d"\nfields = [{{name = "a", type = "int8", shape = [{extent}]}}]\n'
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "sample.toml"
+            path.write_text(text('"kMaxJoints"'), encoding="utf-8")
+            generate.load(path)
+            for extent in ('"kOther"', "64"):
+                path.write_text(text(extent), encoding="utf-8")
+                with self.assertRaisesRegex(generate.SchemaError, "kMaxJoints"):
+                    generate.load(path)
+
     def test_duplicate_field_is_refused(self):
         self.refused(f"{STAMP}, {STAMP}", "'stamp_ns'", "twice")
 

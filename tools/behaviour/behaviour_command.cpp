@@ -112,6 +112,10 @@ int draw_tree(const DrawOptions& options) {
   const behaviour::Registry registry = registry_with(options.libraries);
   const behaviour_leaves::Mission mission = behaviour_leaves::read_mission(options.mission, registry);
   const std::filesystem::path out = options.out.empty() ? mission.file.stem().concat(".svg") : options.out;
+  if (out.extension() != ".svg") {
+    throw std::invalid_argument(
+        fmt::format("--out {}: a tree is drawn as SVG. Give a file whose name ends with .svg", out.string()));
+  }
   process::write_text_file(out, behaviour::draw(mission.tree));
   fmt::print("{}\n", out.string());
   return kExitFine;

@@ -29,6 +29,13 @@ Look look_of(std::uint8_t result, bool runs) {
   return {"#6b7280", "halted"};
 }
 
+// "mission 'm' has failed: CAUSE"
+std::string cause_of(const std::string& line) {
+  constexpr std::string_view kBefore = "has failed: ";
+  const std::size_t at = line.find(kBefore);
+  return at == std::string::npos ? line : line.substr(at + kBefore.size());
+}
+
 }  // namespace
 
 void MissionRecord::look(std::int64_t now_ns, bool has_fallen) {
@@ -97,8 +104,9 @@ std::optional<MissionEnd> MissionRecord::end() const {
                     .at_s = ended_s_,
                     .endless = state_.endless != 0,
                     .falls = falls_,
+                    .waits = state_.state == states::waits,
                     .on_feet = !has_fallen_,
-                    .reason = text_of(state_.text)};
+                    .reason = cause_of(text_of(state_.text))};
 }
 
 nlohmann::ordered_json MissionRecord::json() const {
@@ -108,6 +116,7 @@ nlohmann::ordered_json MissionRecord::json() const {
   return {{"name", mission->name},
           {"result", mission->state == State::succeeded ? "succeeded"
                      : mission->state == State::failed  ? "failed"
+                     : mission->waits                   ? "waits"
                                                         : "runs"},
           {"ended_s", ended() ? nlohmann::ordered_json(mission->at_s) : nlohmann::ordered_json(nullptr)},
           {"endless", mission->endless},

@@ -72,12 +72,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::filesystem::path scenario_file(const std::filesystem::path& given) {
+std::filesystem::path file_or_shipped(const std::string& option, const std::filesystem::path& given,
+                                      const std::filesystem::path& directory) {
   if (process::is_file(given) || given.has_parent_path()) return given;
-  const std::filesystem::path directory = process::scenario_directory();
   if (const auto shipped = process::find_shipped(directory, given.string(), ".yaml")) return *shipped;
-  input::refuse({"--scenario", 0, "", "'" + given.string() + "'",
-                 "there is no such file, and no scenario of that name is shipped",
+  input::refuse({option, 0, "name", "'" + given.string() + "'",
+                 "there is no such file, and none of that name is shipped",
                  input::suggest(given.string(), process::shipped_names(directory, ".yaml"))});
 }
 
@@ -92,7 +92,8 @@ simulator::Scenario way_scenario(const std::vector<double>& to, double seconds) 
 
 simulator::Scenario scenario_of(const RunOptions& options, const urdf::RobotModel& robot) {
   if (options.scenario) {
-    simulator::Scenario scenario = simulator::load_scenario(scenario_file(*options.scenario), robot);
+    simulator::Scenario scenario = simulator::load_scenario(
+        file_or_shipped("--scenario", *options.scenario, process::scenario_directory()), robot);
     scenario.seconds = options.seconds.value_or(scenario.seconds);
     return scenario;
   }
@@ -177,6 +178,9 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
 }
 
 void check(const RunOptions& options) {
+  if (options.mission && options.mission->empty()) {
+    throw std::invalid_argument("--mission: is empty. Give a file, or the name of a shipped mission");
+  }
   if (options.walk && (options.walk->empty() || options.walk->size() > 3)) {
     throw std::invalid_argument("--walk: wants VX[,VY[,WZ]] in m/s, m/s and rad/s, for example 0.15,0,0.1");
   }
@@ -197,8 +201,11 @@ bool walks_ways(const simulator::Scenario& scenario) {
 
 core::Configuration configuration_of(const RunOptions& options, bool navigates,
                                      const std::optional<world::World>& world) {
-  core::Configuration configuration = core::read_configuration(options.config);
-  if (navigates) add_navigation(configuration, world);
+  core::Configuration configuration =
+      core::read_configuration(file_or_shipped("--config", options.config, process::config_directory()));
+  const bool decides = std::ranges::any_of(
+      configuration.plugins, [](const core::PluginEntry& plugin) { return plugin.name == kBehaviourName; });
+  if (navigates || decides) add_navigation(configuration, world);
   if (options.mission) set_mission(configuration, *options.mission);
   return configuration;
 }
@@ -338,7 +345,8 @@ void add_run(const CommandLine& program) {
   const CommandLine command = add_command(program, "run");
   RunOptions& options = command.runs(run);
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
-  command.option("--config", options.config, "Plug-ins of the main controller (YAML)");
+  command.option("--config", options.config,
+                 "Plug-ins of the main controller (YAML); a file, or the name of a shipped one");
   command.repeated(
       "--with", options.with,
       "Plug-in library to run, in the place of those whose topics it writes; may be given again");
@@ -348,15 +356,16 @@ void add_run(const CommandLine& program) {
   command
       .option("--walk", options.walk, "Walk VX[,VY[,WZ]]: forward m/s, left m/s, turn rad/s (default 0.15)")
       .excludes(scenario);
+  const Option mission = command.option(
+      "--mission", options.mission,
+      "Behaviour tree to run (XML): a file, or the name of a shipped one; the run ends when it has");
   command
       .option("--to", options.to,
               "Walk to X,Y,YAW in m, m and degrees of the world, and end there: footsteps are planned "
               "through the world and followed")
       .excludes(scenario)
+      .excludes(mission)
       .values(3);
-  command.option(
-      "--mission", options.mission,
-      "Behaviour tree to run (XML): a file, or the name of a shipped one; the run ends when it has");
   command.option("!--no-localization", options.localization,
                  "Nothing in the room tells a robot on its way where it is: dead reckoning alone");
   command
@@ -396,7 +405,9 @@ void add_run(const CommandLine& program) {
       "and nothing moved. With --mission: 0 it succeeded, falls or not, or it is one without an end and the "
       "robot "
       "is on its feet,\n"
-      "2 the robot lies at the end, 3 the mission failed or has not come to its end.");
+      "2 the robot lies at the end, 3 the mission failed, has not come to its end, or waits at the end "
+      "because somebody else "
+      "commands.");
 }
 
 }  // namespace gaitway::tools

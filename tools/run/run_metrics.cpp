@@ -98,11 +98,31 @@ RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, doub
   return {Verdict::done, text};
 }
 
+namespace {
+
+std::string falls_of(const MissionEnd& mission) {
+  if (mission.falls == 0) return "did not fall";
+  return fmt::format("fell {} time{}", mission.falls, mission.falls == 1 ? "" : "s");
+}
+
+}  // namespace
+
+RunOutcome outcome_of_endless(const MissionEnd& mission, RunOutcome walked) {
+  if (walked.verdict == Verdict::done && mission.waits) {
+    return {Verdict::not_done,
+            fmt::format("mission '{}' WAITS at the end: somebody else commands the robot; it {}",
+                        mission.name, falls_of(mission))};
+  }
+  if (walked.verdict == Verdict::done && mission.falls > 0) {
+    walked.text = fmt::format("is on its feet at the end, {}", falls_of(mission));
+  }
+  walked.text += fmt::format(", mission '{}' goes on", mission.name);
+  return walked;
+}
+
 RunOutcome outcome_of(const MissionEnd& mission) {
   using State = MissionEnd::State;
-  const std::string falls = mission.falls == 0
-                                ? "did not fall"
-                                : fmt::format("fell {} time{}", mission.falls, mission.falls == 1 ? "" : "s");
+  const std::string falls = falls_of(mission);
   const std::string lies = mission.on_feet ? "" : ", and LIES ON THE GROUND";
   switch (mission.state) {
     case State::succeeded:

@@ -125,11 +125,15 @@ struct MissionEnd {
   double at_s = 0.0;     // of its end
   bool endless = false;  // it can't succeed, and needs no end
   int falls = 0;
-  bool on_feet = true;  // at the end of the run
+  bool waits = false;   // at the end of the run: somebody else commanded
+  bool on_feet = true;  // then
   std::string reason;   // of a failure
 };
 // Of one with an end, in place of the outcome above: done when it has succeeded.
 [[nodiscard]] RunOutcome outcome_of(const MissionEnd& mission);
+// Of one without an end: what the outcome above becomes by it. Not done where it waits while somebody else
+// commands.
+[[nodiscard]] RunOutcome outcome_of_endless(const MissionEnd& mission, RunOutcome walked);
 
 // Of the program.
 [[nodiscard]] int exit_code(RunOutcome::Verdict verdict) noexcept;

@@ -130,9 +130,7 @@ RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& rec
                  {.handed_over = state.handed_over,
                   .refused = state.refused + run.main_controller().statistics().refused_locally},
                  static_cast<double>(run.now_ns()) * 1e-9, recorder.way().missing());
-  if (mission)
-    outcome.text += fmt::format(", mission '{}' goes on, falls: {}", mission->name, mission->falls);
-  return outcome;
+  return mission ? outcome_of_endless(*mission, std::move(outcome)) : outcome;
 }
 
 nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,
@@ -205,7 +203,7 @@ std::string summary_table(const nlohmann::ordered_json& s) {
     row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
                              number(s["heading_drift_rad"]) * 57.29578));
   } else {
-    row("distance", fmt::format("{:.3f} m", number(s["distance_m"])));
+    row("ended", fmt::format("{:.3f} m from where it began", number(s["distance_m"])));
   }
   if (const auto& way = s["way"]; !way.is_null()) {
     row("way", fmt::format("{} at {:.2f} s, {} footsteps, {} plans after the first",

@@ -1,23 +1,21 @@
 // One entry, and its parameter.
 #include "tools/serve/api_entry.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
+#include <utility>
+
+#include "gaitway/process/installation.hpp"
 
 namespace gaitway::tools {
 
 core::PluginEntry& api_of(core::Configuration& configuration) {
-  const auto api = std::ranges::find_if(
-      configuration.plugins, [](const core::PluginEntry& entry) { return entry.child.local_sockets; });
-  if (api == configuration.plugins.end()) {
-    throw std::invalid_argument(fmt::format(
-        "--config {}: has no plug-in that keeps a link to the user interface module. Add `api` with "
-        "`isolation: process` and `sockets: local`, as the shipped serve.yaml does",
-        configuration.file.string()));
-  }
-  return *api;
+  const auto keeps_link = [](const core::PluginEntry& entry) { return entry.child.local_sockets; };
+  const auto api = std::ranges::find_if(configuration.plugins, keeps_link);
+  if (api != configuration.plugins.end()) return *api;
+  core::Configuration shipped = core::read_configuration(process::config_directory() / "serve.yaml");
+  core::PluginEntry added = std::move(*std::ranges::find_if(shipped.plugins, keeps_link));
+  added.line = 0;  // in no file of whoever gave this one
+  return configuration.plugins.emplace_back(std::move(added));
 }
 
 void set_link(core::PluginEntry& api, const std::string& link) {

@@ -17,6 +17,7 @@ namespace {
 using behaviour::Call;
 using behaviour::Outcome;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 namespace states = behaviour_state::state;
@@ -124,16 +125,15 @@ TEST(MissionRunner, IsDestroyedAfterWhatReadsItsTree) {
   RunnerRun run(MissionDesk::Where::beside);
   run.runner->load(mission_file("", "<Sequence><TellsItsEnd/><Lingers/></Sequence>"));
   run.step();
-  static_cast<void>(
-      mission_file("", "<Sequence><TellsItsEnd/><Watches/><Lingers/></Sequence>"));
+  static_cast<void>(mission_file("", "<Sequence><TellsItsEnd/><Watches/><Lingers/></Sequence>"));
   bool tree_went_first = false;
   run.registry.add_condition({.id = "Watches"}, [&] {
     std::unique_lock lock(run.gate.mutex);
     run.gate.is_waited_at = true;
     run.gate.changed.notify_all();
     // Nothing happens in the good case: then this is how long it is given.
-    tree_went_first =
-        run.gate.changed.wait_for(lock, std::chrono::milliseconds(300), [&] { return run.gate.has_tree_gone; });
+    tree_went_first = run.gate.changed.wait_for(lock, std::chrono::milliseconds(300),
+                                                [&] { return run.gate.has_tree_gone; });
     return std::make_unique<TellsItsEnd>(run.gate);
   });
   run.ask(verbs::change);
@@ -263,6 +263,32 @@ TEST(MissionRunner, TheReasonOfARefusalStaysWhereItIsRead) {
   run.command.commander = command_state::commander::nobody;
   run.step_for(0.2);
   EXPECT_THAT(run.said(), Not(HasSubstr("patrole")));
+}
+
+TEST(MissionRunner, TheCauseOfAFailureIsToldBeforeIt) {
+  RunnerRun run;
+  run.runner->load(mission_file("", R"(<Sequence><Say text="on the way"/><WalkToTag id="7"/></Sequence>)"));
+  run.step();
+  EXPECT_THAT(run.lines,
+              ElementsAre("on the way", HasSubstr("WalkToTag: the tag"),
+                          testing::MatchesRegex("mission '.*' has failed: WalkToTag: the tag has not.*")));
+}
+
+TEST(MissionRunner, AFailureOfWhichNoLeafSaysAnythingNamesItsNode) {
+  RunnerRun run;
+  run.runner->load(mission_file("", R"(<Sequence><Timeout name="soon" msec="100">
+                                       <WaitUntil what="fallen"/></Timeout></Sequence>)"));
+  run.step_for(0.5);
+  EXPECT_THAT(run.lines, Contains(testing::MatchesRegex("mission '.*' has failed: .*soon")));
+}
+
+TEST(MissionRunner, WhoStartsAMissionIsToldThatItWaitsForTheCommand) {
+  RunnerRun run;
+  run.command.commander = command_state::commander::person;
+  run.ask(verbs::start, mission_file("", "<Lingers/>"));
+  run.step();
+  EXPECT_EQ(run.state.refused, 0U);
+  EXPECT_EQ(run.said(), "the mission begins when the command is let go of");
 }
 
 TEST(MissionRunner, WhatIsSaidInEachTickIsToldEveryFiveSeconds) {

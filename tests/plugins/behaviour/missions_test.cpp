@@ -68,5 +68,14 @@ TEST(Missions, AnUnknownNameIsRefusedWithTheNearest) {
   }
 }
 
+TEST(Missions, AFolderIsCalledOne) {
+  try {
+    static_cast<void>(find_mission(testing::TempDir()));
+    FAIL();
+  } catch (const input::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("it is a folder"));
+  }
+}
+
 }  // namespace
 }  // namespace gaitway::behaviour_leaves

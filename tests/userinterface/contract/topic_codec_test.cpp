@@ -105,6 +105,17 @@ TEST(TopicCodec, LeavesOutTheJointsThatTheRobotHasNot) {
   EXPECT_EQ(back.position[kJoints], 0.0);
 }
 
+TEST(TopicCodec, KeepsTheWholeOfWhatHasNothingToDoWithJoints) {
+  const TopicCodec codec{.joint_count = kJoints};
+  BehaviourState state{};
+  state.transition_node[kTreeTransitions - 1] = 7;
+  std::vector<std::uint8_t> wire(codec.most_bytes(TopicType<BehaviourState>::descriptor));
+  const std::size_t size = codec.encode(TopicType<BehaviourState>::descriptor, &state, wire);
+  BehaviourState back;
+  ASSERT_EQ(codec.decode(TopicType<BehaviourState>::descriptor, std::span(wire).first(size), &back), size);
+  EXPECT_EQ(back.transition_node[kTreeTransitions - 1], 7U);
+}
+
 TEST(TopicCodec, WhatIsCutOffOrTooLargeIsNone) {
   std::mt19937_64 random(2);
   const TopicCodec codec{.joint_count = kJoints};

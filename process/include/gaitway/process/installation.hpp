@@ -20,7 +20,8 @@ namespace gaitway::process {
 
 // The folders hold what they should, or std::runtime_error says where it was looked for.
 [[nodiscard]] std::filesystem::path default_robot_directory();
-[[nodiscard]] std::filesystem::path default_config_file();
+[[nodiscard]] std::filesystem::path config_directory();
+[[nodiscard]] std::filesystem::path default_config_file();  // in it
 [[nodiscard]] std::filesystem::path scenario_directory();
 [[nodiscard]] std::filesystem::path world_directory();
 [[nodiscard]] std::filesystem::path mission_directory();

@@ -76,6 +76,7 @@ class MissionRunner {
   void begin_anew(const char* why) noexcept;
   void end_mission();
   [[nodiscard]] bool was_taken_meanwhile() const noexcept;
+  [[nodiscard]] std::string_view cause_of_failure() const noexcept;
   [[nodiscard]] bool is_repeated(const Orders::Saying& saying) noexcept;
 
   const behaviour::Registry& registry_;
@@ -118,6 +119,7 @@ class MissionRunner {
   };
   std::array<Said, Orders::kMostSayings> last_said_{};
   std::size_t said_ = 0;
+  std::size_t told_sayings_ = 0;  // of this tick
   std::array<char, 256>
       wanted_{};  // name of the mission that is being read, and then of the one that is loaded
 };
