@@ -154,8 +154,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"Unknown", file_of("<GoTo x=\"1 m\" gate=\"fast\"/>"),
             "t.xml:1: T/GoTo gate = fast: is no port of GoTo. Did you mean 'gait'?"},
         Bad{"NumberWithoutUnit", file_of("<GoTo x=\"0.5\"/>"),
-            "t.xml:1: T/GoTo x = 0.5: must be a number with one of the units m, cm, mm. Write '0.5 m', if "
-            "that is what is meant."},
+            "t.xml:1: T/GoTo x = 0.5: must be a number with one of the units m, cm, mm. Write '0.5 m' or "
+            "'0.5 cm' or '0.5 mm', as it is meant."},
         Bad{"NumberWithAnotherUnit", file_of("<GoTo x=\"0.5 s\"/>"),
             "t.xml:1: T/GoTo x = 0.5 s: must be a number with one of the units m, cm, mm."},
         Bad{"NumberThatIsNone", file_of("<GoTo x=\"far\"/>"),
