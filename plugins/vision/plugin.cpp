@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -152,6 +153,10 @@ class VisionPlugin final : public Plugin {
   }
 
   void tell_no_camera(std::int64_t now_ns) {
+    if (!std::exchange(has_told_no_camera_, true)) {
+      report_(Severity::warning,
+              "the robot has no camera: camera.yaml is missing in its folder, and nothing is seen");
+    }
     state_.value() = {};
     state_.value().stamp_ns = now_ns;
     state_.value().state = vision_state::state::no_camera;
@@ -177,7 +182,8 @@ class VisionPlugin final : public Plugin {
   bool measures_time_;
   Pictures pictures_;
   std::unique_ptr<Vision> vision_;  // none: the robot has no camera
-  std::int64_t seen_ns_ = -1;       // stamp of the newest pair
+  bool has_told_no_camera_ = false;
+  std::int64_t seen_ns_ = -1;  // stamp of the newest pair
   std::int64_t compute_ns_ = 0;
   Fault told_ = Fault::none;
 };

@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "fault_trial.hpp"
 #include "simulated_run.hpp"
+#include "urdf/broken_robot.hpp"
 
 namespace gaitway::scenarios {
 namespace {
@@ -262,5 +264,20 @@ TEST_P(CrashingEyes, OnTheWay) {
 
 INSTANTIATE_TEST_SUITE_P(Each, CrashingEyes, testing::ValuesIn(kSabotages),
                          [](const auto& one) { return std::string(one.param.name); });
+TEST(FailingEyes, OfARobotWithoutACameraItIsSaidThatItHasNone) {
+  const urdf::test::BrokenRobot blind;  // its folder has no camera.yaml
+  const urdf::RobotModel robot = urdf::load_robot(blind.folder());
+  const std::filesystem::path source = GAITWAY_SOURCE_DIR;
+  simulator::CosimulationOptions options;
+  options.main_controller.plugins = core::read_configuration(source / "core/config/eyes.yaml");
+  options.main_controller.plugin_path = {GAITWAY_PLUGIN_DIR};
+  simulator::Cosimulation run(robot, options);
+  while (run.now_ns() < 500'000'000) run.advance_millisecond();
+  const core::Event* const said =
+      first_event(run.main_controller().events(), "vision", core::EventKind::warning);
+  ASSERT_NE(said, nullptr);
+  EXPECT_THAT(std::string(said->text()), HasSubstr("camera.yaml is missing"));
+}
+
 }  // namespace
 }  // namespace gaitway::scenarios
