@@ -20,7 +20,6 @@
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
-#include "gaitway/process/shipped_files.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
@@ -29,6 +28,7 @@
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
+#include "tools/run/shipped_option.hpp"
 #include "tools/run/snapshots.hpp"
 #include "tools/run/world_option.hpp"
 
@@ -70,15 +70,6 @@ constexpr double kFirstPicture_s = 0.5;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::filesystem::path file_or_shipped(const std::string& option, const std::filesystem::path& given,
-                                      const std::filesystem::path& directory) {
-  if (process::is_file(given) || given.has_parent_path()) return given;
-  if (const auto shipped = process::find_shipped(directory, given.string(), ".yaml")) return *shipped;
-  input::refuse({option, 0, "name", "'" + given.string() + "'",
-                 "there is no such file, and none of that name is shipped",
-                 input::suggest(given.string(), process::shipped_names(directory, ".yaml"))});
 }
 
 // Stands for a second, then walks there.
@@ -201,8 +192,7 @@ bool walks_ways(const simulator::Scenario& scenario) {
 
 core::Configuration configuration_of(const RunOptions& options, bool navigates,
                                      const std::optional<world::World>& world) {
-  core::Configuration configuration =
-      core::read_configuration(file_or_shipped("--config", options.config, process::config_directory()));
+  core::Configuration configuration = core::read_configuration(configuration_file(options.config));
   const bool decides = std::ranges::any_of(
       configuration.plugins, [](const core::PluginEntry& plugin) { return plugin.name == kBehaviourName; });
   if (navigates || decides) add_navigation(configuration, world);

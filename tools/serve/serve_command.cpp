@@ -33,6 +33,7 @@
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
+#include "tools/run/shipped_option.hpp"
 #include "tools/run/world_option.hpp"
 #include "tools/serve/api_entry.hpp"
 #include "tools/serve/module_keeper.hpp"
@@ -83,7 +84,7 @@ class ServeObserver final : public simulator::CosimulationObserver {
 
 core::Configuration configuration_of(const ServeOptions& options, const std::string& link,
                                      const std::optional<world::World>& world) {
-  core::Configuration configuration = core::read_configuration(options.config);
+  core::Configuration configuration = core::read_configuration(configuration_file(options.config));
   add_navigation(configuration, world);
   if (options.mission) set_mission(configuration, *options.mission);
   set_link(api_of(configuration), link);
@@ -155,7 +156,7 @@ int serve(const ServeOptions& options) {
   settings.memory_block = &block;
   settings.people_outside = true;
   settings.localization.is_there = true;
-  settings.main_controller.configuration = options.config;
+  settings.main_controller.configuration = configuration_file(options.config);
   settings.main_controller.plugins = configuration_of(options, link, settings.plant.world);
   settings.main_controller.try_at_start = true;
   settings.main_controller.memory_socket = folder.path() / "memory.sock";
@@ -203,7 +204,9 @@ void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "serve");
   ServeOptions& options = command.runs(serve);
   command.option("--robot", options.robot, "Folder with robot.urdf and robot.yaml");
-  command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
+  command.option(
+      "--config", options.config,
+      "Plug-ins of the main controller (YAML); a file, or the name of a shipped one. An api is added");
   add_module_options(command, options.module);
   command.option("--seconds", options.seconds, "Virtual time to run; without it until told to stop")
       .between(0.001, 86400.0 * 365.0);
@@ -227,6 +230,7 @@ void declare_program(const CommandLine& app) {
       "Examples:\n"
       "  gaitway serve                              until Ctrl-C; its page is http://127.0.0.1:9090\n"
       "  gaitway serve --world boxes\n"
+      "  gaitway serve --world course --config eyes --mission find_and_walk_to_tag\n"
       "  gaitway serve --mission none               after a fall it lies until it is told to get up\n"
       "  gaitway serve --port 9191 --seconds 60 --speed 2\n"
       "  gaitway serve --address 0.0.0.0 --token-file token --certificate-file cert.pem --key-file key.pem\n"

@@ -23,6 +23,7 @@
 #include "tools/command_line.hpp"
 #include "tools/run/navigation_option.hpp"
 #include "tools/run/run_report.hpp"
+#include "tools/run/shipped_option.hpp"
 #include "tools/serve/api_entry.hpp"
 #include "tools/serve/module_keeper.hpp"
 #include "tools/serve/module_options.hpp"
@@ -78,7 +79,7 @@ std::string world_of(const SimulatorOptions& options, bool is_twin) {
 // of its own: a simulation that is copied has no other processes.
 core::Configuration plugins_of(const SimulatorOptions& options, const world::World& world,
                                core::PluginEntry& api) {
-  core::Configuration configuration = core::read_configuration(options.config);
+  core::Configuration configuration = core::read_configuration(configuration_file(options.config));
   add_navigation(configuration, world);
   api = api_of(configuration);
   api.containment.budget_ns = kApiBudget_ns;
@@ -105,7 +106,7 @@ simulator::CosimulationOptions settings_of(const SimulatorOptions& options, cons
   settings.plant.world = world;
   if (now && now->state == "stands") settings.plant.start_rad = now->joint_rad;
   settings.localization.is_there = options.localization;
-  settings.main_controller.configuration = options.config;
+  settings.main_controller.configuration = configuration_file(options.config);
   settings.main_controller.plugins = plugins_of(options, world, api);
   settings.main_controller.memory_socket = sockets.memory;
   settings.main_controller.isolation.lock_step = false;  // the API's process may hang as it likes
@@ -250,7 +251,9 @@ void declare_program(const CommandLine& app) {
                  "File with the token that the real robot wants");
   command.option("--robot-ca", options.robot_ca_file,
                  "Whom to trust (PEM), where the real robot's certificate is its own");
-  command.option("--config", options.config, "Plug-ins of the main controller (YAML), the api among them");
+  command.option(
+      "--config", options.config,
+      "Plug-ins of the main controller (YAML); a file, or the name of a shipped one. An api is added");
   add_module_options(command, options.module);
   command.option("--speed", options.speed, "Times real time, at first")
       .between(timeline::kSlowest, timeline::kFastest);
