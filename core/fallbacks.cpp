@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "estimate_fallback.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -17,7 +16,7 @@ namespace {
 // In place of the behaviour: whatever it has ordered ends, and the robot stands.
 class StopFallback final : public Fallback {
  public:
-  void follow(const Tick&) noexcept override { acting_ = false; }
+  void follow(const Tick&) noexcept override { acts_ = 0; }
   bool act(const Tick& tick, ManagedPlugin& through) noexcept override {
     // An order is new by its number; so are the behaviour's own, which have this bit, too.
     const std::uint32_t number =
@@ -34,8 +33,9 @@ class StopFallback final : public Fallback {
     const bool stands = through.publish_in_place("behaviour_walk", stand, tick.now_ns);
     const bool leaves = through.publish_in_place("behaviour_walk_to", leave_way, tick.now_ns);
     const bool motionless = through.publish_in_place("behaviour_motion", leave_motion, tick.now_ns);
-    // Once: looking ahead is an order of its own, which would take the command again and again.
-    if (!std::exchange(acting_, true)) {
+    // Once: looking ahead is an order of its own, which would take the command again and again. Not after a
+    // single fault: what looks around then goes on, and orders the head no second time.
+    if (++acts_ == kActsUntilHeadGoesHome) {
       HeadCommand ahead{};
       ahead.stamp_ns = tick.now_ns;
       static_cast<void>(through.publish_in_place("behaviour_head", ahead, tick.now_ns));
@@ -44,7 +44,8 @@ class StopFallback final : public Fallback {
   }
 
  private:
-  bool acting_ = false;
+  static constexpr int kActsUntilHeadGoesHome = 10;
+  int acts_ = 0;  // in a row
 };
 
 constexpr std::int64_t kRamp_ns = 300'000'000;

@@ -16,13 +16,17 @@ using behaviour::Outcome;
 class Sweep {
  public:
   void begin(const Situation& now) noexcept {
-    since_ns_ = now.now_ns;
-    from_rad_ = most_rad_ = yaw_rad(now);
+    moved_ns_ = now.now_ns;
+    from_rad_ = most_rad_ = at_rad_ = yaw_rad(now);
     direction_ = 0;
     returns_ = 0;
   }
   void look(const Situation& now) noexcept {
     const double yaw = yaw_rad(now);
+    if (std::abs(yaw - at_rad_) > kStill_rad) {
+      at_rad_ = yaw;
+      moved_ns_ = now.now_ns;
+    }
     if (direction_ == 0) {
       if (std::abs(yaw - from_rad_) >= kTurn_rad) direction_ = yaw > from_rad_ ? 1 : -1;
       most_rad_ = yaw;
@@ -35,20 +39,20 @@ class Sweep {
       most_rad_ = yaw;
     }
   }
-  // A head that does not move sees what is before it, and that is all.
+  // A head that does not move, or does not any more, sees what is before it, and that is all.
   [[nodiscard]] bool is_done(const Situation& now) const noexcept {
-    return returns_ >= 2 || (direction_ == 0 && now.now_ns - since_ns_ >= kNoNeck_ns);
+    return returns_ >= 2 || now.now_ns - moved_ns_ >= kRests_ns;
   }
 
  private:
-  static constexpr double kTurn_rad = 0.1;
-  static constexpr std::int64_t kNoNeck_ns = 2'000'000'000;
+  static constexpr double kTurn_rad = 0.1, kStill_rad = 0.02;
+  static constexpr std::int64_t kRests_ns = 2'000'000'000;
   static double yaw_rad(const Situation& now) noexcept {
     return now.estimate != nullptr ? now.estimate->head[0] : 0.0;
   }
 
-  std::int64_t since_ns_ = 0;
-  double from_rad_ = 0.0, most_rad_ = 0.0;
+  std::int64_t moved_ns_ = 0;
+  double from_rad_ = 0.0, most_rad_ = 0.0, at_rad_ = 0.0;
   int direction_ = 0, returns_ = 0;
 };
 
@@ -58,7 +62,7 @@ class FindTag final : public RobotAction {
 
   Outcome on_start(Call& call) noexcept override {
     if (find(call)) return Outcome::success;
-    if (!now().is_upright()) return fail("FindTag", "the robot does not stand upright");
+    if (!now().is_upright()) return fail("FindTag", not_upright());
     if (!now().sees()) return fail("FindTag", "there are no cameras that see");
     turned_rad_ = 0.0;
     recalled_bearing_rad(call) ? recall() : scan();
@@ -66,8 +70,8 @@ class FindTag final : public RobotAction {
   }
 
   Outcome on_running(Call& call) noexcept override {
-    if (!now().is_upright()) return fail("FindTag", "the robot has fallen");
-    if (!now().sees()) return fail("FindTag", "the cameras do not see any more");
+    if (!now().is_upright()) return lose(not_upright());
+    if (!now().sees()) return lose("the cameras do not see any more");
     switch (doing_) {
       case Doing::recalls: {
         const double bearing_rad = recalled_bearing_rad(call).value_or(0.0);
@@ -137,6 +141,12 @@ class FindTag final : public RobotAction {
     const Pose at = inside(*now().odometry(), recalled_.in_world);
     look_at(at.x_m, at.y_m, recalled_.height_m);
     doing_ = Doing::recalls;
+  }
+
+  // The head would scan on.
+  Outcome lose(std::string_view why) noexcept {
+    orders().look_ahead_after(look_);
+    return fail("FindTag", why);
   }
 
   Outcome stop(Call& call) noexcept {

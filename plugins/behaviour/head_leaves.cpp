@@ -32,8 +32,9 @@ class LookTo final : public RobotAction {
     return Outcome::running;
   }
   Outcome on_running(Call& call) noexcept override {
+    if (now().estimate == nullptr) return fail("LookTo", not_upright());
     watch_.look(now());
-    if (!watch_.is_still(call.now_ns()) || now().estimate == nullptr) return Outcome::running;
+    if (!watch_.is_still(call.now_ns())) return Outcome::running;
     const double(&head)[2] = now().estimate->head;
     const double off_rad =
         std::hypot(head[0] - call.get<double>(0).value_or(0.0), head[1] - call.get<double>(1).value_or(0.0));
@@ -61,6 +62,7 @@ class LookAt final : public RobotAction {
     return Outcome::running;
   }
   Outcome on_running(Call& call) noexcept override {
+    if (now().estimate == nullptr) return fail("LookAt", not_upright());
     watch_.look(now());
     return watch_.is_still(call.now_ns()) ? Outcome::success : Outcome::running;
   }
@@ -92,7 +94,10 @@ class LookAtTag final : public RobotAction {
   }
   Outcome on_running(Call& call) noexcept override {
     const auto tag = now().tag(call.get<std::int64_t>(0).value_or(-1), call.get<std::int64_t>(1).value_or(0));
-    if (!tag) return Outcome::failure;
+    if (!tag) {
+      orders().look_ahead_after(look_);
+      return Outcome::failure;
+    }
     const double(&to)[3] = tag->position_m;
     constexpr double kNews_m = 0.02;
     const bool has_moved = std::hypot(to[0] - at_m_[0], to[1] - at_m_[1], to[2] - at_m_[2]) > kNews_m;

@@ -47,6 +47,12 @@ class RobotAction : public behaviour::Action {
   [[nodiscard]] const Situation& now() const noexcept { return robot_->situation; }
   [[nodiscard]] Orders& orders() const noexcept { return robot_->orders; }
   [[nodiscard]] const TimeOnFeet& on_feet() const noexcept { return robot_->on_feet; }
+  // Why one that is not upright, as far as is known, is not.
+  [[nodiscard]] const char* not_upright() const noexcept {
+    return now().estimate == nullptr ? "nothing is known of the robot's posture"
+           : now().lies()            ? "the robot lies"
+                                     : "the robot falls";
+  }
   // Says why, and fails.
   [[nodiscard]] behaviour::Outcome fail(std::string_view leaf, std::string_view why) const noexcept {
     orders().tell_trouble(leaf, why);

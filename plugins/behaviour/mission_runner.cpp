@@ -34,6 +34,12 @@ std::string_view name_of(const behaviour::DescribedNode& node) noexcept {
   return is_id ? std::string_view() : segment;
 }
 
+template <std::size_t size>
+std::string_view text_of(const std::uint8_t (&bytes)[size]) noexcept {
+  const auto* const text = reinterpret_cast<const char*>(bytes);
+  return {text, strnlen(text, size)};
+}
+
 template <class Byte, std::size_t size>
 void copy_text(Byte (&to)[size], std::string_view text) noexcept {
   const std::size_t length = std::min(text.size(), size - 1);
@@ -70,9 +76,8 @@ behaviour::Tree* MissionRunner::shown() const noexcept {
 void MissionRunner::ask(const BehaviourRequest& request, std::int64_t now_ns) {
   if (request.number == 0 || request.number == answered_) return;
   const bool is_first = !std::exchange(has_been_asked_, true);
-  if (is_first && !goes_on_ && now_ns - request.stamp_ns > kRequestIsOld_ns) {
-    asked_ = answered_ = request.number;
-    return;
+  if (is_first && !goes_on_ && now_ns - request.stamp_ns > kRequestIsOld_ns && request.verb != verbs::end) {
+    return turn_old_away(request);
   }
   if (request.verb == verbs::end) {
     asked_ = request.number;
@@ -80,8 +85,7 @@ void MissionRunner::ask(const BehaviourRequest& request, std::int64_t now_ns) {
   }
   if (desk_.waits() || next_ != nullptr) return;
   asked_ = request.number;
-  const auto* const bytes = reinterpret_cast<const char*>(request.mission);
-  const std::string_view named(bytes, strnlen(bytes, sizeof request.mission));
+  const std::string_view named = text_of(request.mission);
   if (!was_enabled_) return answer(true, "the behaviour is disabled: set its parameter 'enabled'");
   if (request.verb != verbs::start && request.verb != verbs::change)
     return answer(true, "there is no such verb");
@@ -91,6 +95,19 @@ void MissionRunner::ask(const BehaviourRequest& request, std::int64_t now_ns) {
   desk_.submit(name, request.verb == verbs::change ? &mission_->tree : nullptr);
 }
 
+// From before a start of this plug-in. Where that person's mission is another than the plug-in's own, none
+// begins by itself.
+void MissionRunner::turn_old_away(const BehaviourRequest& request) noexcept {
+  asked_ = answered_ = request.number;
+  refused_ = true;
+  answered_ns_ = robot_.situation.now_ns;
+  copy_text(text_, "it was asked for before the behaviour was started anew: ask again");
+  if (request.verb != verbs::start || state_ != states::runs || text_of(request.mission) == mission_->name)
+    return;
+  ends_ = true;
+  enter(states::halts);
+}
+
 // Also while another is being read, or waits for this one's end.
 void MissionRunner::end_mission() {
   is_dropped_ = desk_.waits();
@@ -98,7 +115,7 @@ void MissionRunner::end_mission() {
   inherited_.reset();
   if (next_ != nullptr)
     desk_.put_away({.refused = {}, .mission = std::exchange(next_, nullptr), .change = {}});
-  const bool is_over = mission_ == nullptr || state_ == states::none;
+  const bool is_over = state_ == states::none;
   answer(false, is_over ? "no mission runs" : "the mission is being ended");
   ends_ = !is_over;
   if (ends_) enter(states::halts);
@@ -115,8 +132,11 @@ void MissionRunner::answer(bool refused, std::string_view text) noexcept {
 void MissionRunner::take_up(ReadMission read) {
   if (std::exchange(is_dropped_, false)) return desk_.put_away(std::move(read));
   if (read.mission == nullptr) {
-    if (inherited_) enter(states::none);
-    inherited_.reset();
+    if (inherited_) {
+      inherited_.reset();
+      enter(states::none);
+      copy_text(wanted_, mission_ != nullptr ? mission_->name : std::string());
+    }
     return answer(true, read.refused);
   }
   if (!read.change) {
@@ -162,6 +182,8 @@ bool MissionRunner::is_disturbed() noexcept {
 bool MissionRunner::was_taken_meanwhile() const noexcept {
   const CommandState* const command = robot_.situation.command;
   if (command == nullptr || !last_changes_ || command->changes == *last_changes_) return false;
+  // Between two looks the behaviour itself comes to an end and orders anew, at most: each is one change.
+  if (command->changes - *last_changes_ > 2) return true;
   return command->reason == command_state::reason::person_lets_go ||
          command->reason == command_state::reason::emergency_stop_released;
 }
@@ -184,6 +206,7 @@ bool MissionRunner::step(bool is_due, bool is_enabled) {
   told_sayings_ = 0;
   advance();
   pass_sayings();
+  tell_what_waited();
   if (const CommandState* const command = robot_.situation.command) last_changes_ = command->changes;
   return true;
 }
@@ -332,8 +355,14 @@ void MissionRunner::after_tree(const behaviour::Tree& tree) noexcept {
 
 void MissionRunner::line(bool is_trouble, const char* text) noexcept {
   listener_.on_line(is_trouble, text);
+  copy_text(waiting_text_, text);
+  has_waiting_text_ = true;
+  tell_what_waited();
+}
+
+void MissionRunner::tell_what_waited() noexcept {
   const bool is_answer_read = answered_ns_ < 0 || robot_.situation.now_ns - answered_ns_ >= kAnswerStays_ns;
-  if (is_answer_read) copy_text(text_, text);
+  if (is_answer_read && std::exchange(has_waiting_text_, false)) text_ = waiting_text_;
 }
 
 // A tree that tries again and again says the same in each tick.
@@ -436,6 +465,7 @@ void MissionRunner::go_on_from(const RunnerState& state) {
   enter(runs ? state.state : state.state == states::halts ? states::none : state.state);
   if (state.mission == wanted_ || state.mission[0] == '\0') return;
   inherited_ = state_;
+  wanted_ = state.mission;
   desk_.submit(state.mission.data(), nullptr);
 }
 

@@ -15,14 +15,14 @@ class Walk final : public RobotAction {
   using RobotAction::RobotAction;
 
   Outcome on_start(Call& call) noexcept override {
-    if (!now().is_upright()) return fail("Walk", "the robot does not stand upright");
+    if (!now().is_upright()) return fail("Walk", not_upright());
     begun_ns_ = call.now_ns();
     ends_ = false;
     return on_running(call);
   }
 
   Outcome on_running(Call& call) noexcept override {
-    if (!now().is_upright()) return fail("Walk", "the robot has fallen");
+    if (!now().is_upright()) return fail("Walk", not_upright());
     if (ends_) return end_.is_reached(now()) ? Outcome::success : Outcome::running;
     const std::int64_t lasts_ns = call.get<std::int64_t>(3).value_or(0);
     if (lasts_ns > 0 && call.now_ns() - begun_ns_ >= lasts_ns) {
@@ -54,7 +54,7 @@ class TurnTo final : public RobotAction {
   using RobotAction::RobotAction;
 
   Outcome on_start(Call& call) noexcept override {
-    if (!now().is_upright()) return fail("TurnTo", "the robot does not stand upright");
+    if (!now().is_upright()) return fail("TurnTo", not_upright());
     const auto to_rad = call.get<double>(0);
     if (!to_rad) return fail("TurnTo", "its port 'to' has no value");
     double goal_rad = *to_rad;
@@ -71,7 +71,7 @@ class TurnTo final : public RobotAction {
   }
 
   Outcome on_running(Call& call) noexcept override {
-    if (!now().is_upright()) return fail("TurnTo", "the robot has fallen");
+    if (!now().is_upright()) return fail("TurnTo", not_upright());
     const double off_rad = wrapped_rad(goal_rad_ - now().base().yaw_rad);
     const double within_rad = call.get<double>(2).value_or(0.0);
     if (ends_) {

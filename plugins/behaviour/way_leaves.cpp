@@ -17,15 +17,15 @@ class WayAction : public RobotAction {
 
   Outcome on_start(Call& call) noexcept final {
     number_ = 0;
-    if (!now().is_upright()) return fail(name(), "the robot does not stand upright");
+    if (!now().is_upright()) return fail(name(), not_upright());
     if (now().navigation == nullptr) return fail(name(), "there is no navigation");
     if (const char* const why = objection(call)) return fail(name(), why);
     return on_running(call);
   }
 
   Outcome on_running(Call& call) noexcept final {
-    if (!now().is_upright()) return fail(name(), "the robot has fallen");
-    if (now().navigation == nullptr) return fail(name(), "navigation has gone silent");
+    if (!now().is_upright()) return abandon(not_upright(), call.now_ns());
+    if (now().navigation == nullptr) return abandon("navigation has gone silent", call.now_ns());
     const auto goal = goal_in_world(call);
     if (number_ == 0) {  // whoever walks before it may still come to a stand
       if (const char* const why = objection(call)) return fail(name(), why);
@@ -36,7 +36,7 @@ class WayAction : public RobotAction {
     const NavigationState& state = *now().navigation;
     if (state.answered != number_) {
       const bool waits = call.now_ns() - ordered_ns_ < kOrderIsAnswered_ns;
-      return waits ? Outcome::running : fail(name(), "navigation has not answered");
+      return waits ? Outcome::running : abandon("navigation has not answered", call.now_ns());
     }
     if (state.state != navigation_state::state::idle) {
       const bool has_moved = goal && std::hypot(goal->x_m - goal_.x_m, goal->y_m - goal_.y_m) > kGoalMoves_m;
@@ -86,6 +86,12 @@ class WayAction : public RobotAction {
     goal_ = goal;
     ordered_ns_ = now_ns;
     number_ = orders().walk_to(goal);
+  }
+  // Whoever comes back must not walk on.
+  Outcome abandon(const char* why, std::int64_t now_ns) noexcept {
+    const bool is_ours = number_ != 0 && orders().way_number() == number_;
+    if (is_ours && now().commands()) cancel(now_ns);
+    return fail(name(), why);
   }
   void cancel(std::int64_t now_ns) noexcept {
     ordered_ns_ = now_ns;

@@ -95,7 +95,8 @@ class VisionPlugin final : public Plugin {
       if (tick.batch) tell_no_camera(tick.now_ns);
       return;
     }
-    if (joints_.has_value() && estimate_.has_value()) vision_->follow(joints_.read(), estimate_.read());
+    const bool can_follow = joints_.has_value() && estimate_.has_value();
+    if (can_follow && vision_->follow(joints_.read(), estimate_.read())) tell_places();
     const bool has_looked = look(tick.now_ns);
     if (!has_looked) vision_->wait(tick.now_ns);
     if (has_looked || tick.batch) {
@@ -142,14 +143,18 @@ class VisionPlugin final : public Plugin {
                   .left = pair.left,
                   .right = pair.right},
                  now_ns);
+    tell_places();
+    if (measures_time_) compute_ns_ = processor_time_ns() - before_ns;
+    return true;
+  }
+
+  void tell_places() {
     vision_->write(targets_.value());
     vision_->write(map_.value());
     vision_->write(obstacles_.value());
     targets_.publish();
     map_.publish();
     obstacles_.publish();
-    if (measures_time_) compute_ns_ = processor_time_ns() - before_ns;
-    return true;
   }
 
   void tell_no_camera(std::int64_t now_ns) {

@@ -61,6 +61,15 @@ Vision::Vision(const urdf::RobotModel& robot, const urdf::StereoCamera& camera,
       tags_(parameters.tags),
       targets_(parameters.forget_after_ns) {}
 
+bool Vision::follow(const JointStates& joints, const Estimate& estimate) {
+  history_.add(joints, estimate);
+  has_lain_ = has_lain_ || estimate.fall == estimate::fall::lies;
+  if (!has_lain_ || estimate.fall != estimate::fall::upright) return false;
+  has_lain_ = false;
+  forget_places();
+  return true;
+}
+
 std::optional<ShutterPoses> Vision::poses_of(const PicturePair& pair) const noexcept {
   const auto first = history_.at(pair.stamp_ns - pair.readout_ns / 2);
   const auto last = history_.at(pair.stamp_ns + pair.readout_ns / 2);
@@ -104,7 +113,6 @@ Fault Vision::use(const PicturePair& pair) {
   const std::optional<ShutterPoses> poses = poses_of(pair);
   has_pose_ = poses.has_value();
   if (!poses) return fault;
-  if (std::exchange(has_lain_, false)) forget_places();
   const Seen seen{.left = check.fault[0] == PictureFault::none,
                   .right = check.fault[1] == PictureFault::none,
                   .poses = *poses};

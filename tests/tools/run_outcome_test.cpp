@@ -71,5 +71,40 @@ TEST(RunOutcome, AFallIsAFallWhateverElse) {
   EXPECT_EQ(outcome.text, "FELL at 4.50 s");
 }
 
+MissionEnd patrol() {
+  return {.name = "Patrol", .endless = true};
+}
+const RunOutcome kStayedUp{.verdict = Verdict::done, .text = "stayed up"};
+
+TEST(RunOutcome, AMissionWithoutAnEndIsDoneWhileItGoesOn) {
+  const RunOutcome outcome = outcome_of(patrol(), kStayedUp);
+  EXPECT_EQ(outcome.verdict, Verdict::done);
+  EXPECT_EQ(outcome.text, "stayed up, mission 'Patrol' goes on");
+  MissionEnd felled = patrol();
+  felled.falls = 1;
+  EXPECT_EQ(outcome_of(felled, kStayedUp).text,
+            "is on its feet at the end, fell 1 time, mission 'Patrol' goes on");
+}
+
+TEST(RunOutcome, AMissionWithoutAnEndThatFailsHasFailed) {
+  MissionEnd mission = patrol();
+  mission.state = MissionEnd::State::failed;
+  mission.reason = "WalkTo: there is no navigation";
+  const RunOutcome outcome = outcome_of(mission, kStayedUp);
+  EXPECT_EQ(outcome.verdict, Verdict::not_done);
+  EXPECT_THAT(outcome.text, HasSubstr("WalkTo: there is no navigation"));
+}
+
+TEST(RunOutcome, AMissionThatWaitsOrIsSilentAtTheEndIsNotDone) {
+  MissionEnd waits = patrol();
+  waits.waits = true;
+  EXPECT_EQ(outcome_of(waits, kStayedUp).verdict, Verdict::not_done);
+  MissionEnd silent = patrol();
+  silent.silent_since_s = 5.0;
+  const RunOutcome outcome = outcome_of(silent, kStayedUp);
+  EXPECT_EQ(outcome.verdict, Verdict::not_done);
+  EXPECT_THAT(outcome.text, HasSubstr("SILENT at 5.00 s"));
+}
+
 }  // namespace
 }  // namespace gaitway::tools

@@ -39,6 +39,7 @@ std::string cause_of(const std::string& line) {
 }  // namespace
 
 void MissionRecord::look(std::int64_t now_ns, bool has_fallen) {
+  now_ns_ = now_ns;
   falls_ += has_fallen && !has_fallen_ ? 1 : 0;
   has_fallen_ = has_fallen;
   const bool was_ended = ended();
@@ -106,7 +107,14 @@ std::optional<MissionEnd> MissionRecord::end() const {
                     .falls = falls_,
                     .waits = state_.state == states::waits,
                     .on_feet = !has_fallen_,
+                    .silent_since_s = silent_since_s(),
                     .reason = cause_of(text_of(state_.text))};
+}
+
+std::optional<double> MissionRecord::silent_since_s() const {
+  constexpr std::int64_t kSilent_ns = 1'000'000'000;
+  if (ended() || now_ns_ - state_.stamp_ns <= kSilent_ns) return std::nullopt;
+  return static_cast<double>(state_.stamp_ns) * 1e-9;
 }
 
 nlohmann::ordered_json MissionRecord::json() const {

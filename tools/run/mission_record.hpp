@@ -26,6 +26,8 @@ class MissionRecord {
 
   // The mission has come to its own end.
   [[nodiscard]] bool ended() const noexcept;
+  // Nothing has been heard of a mission that runs for a second.
+  [[nodiscard]] std::optional<double> silent_since_s() const;
   // None: no mission has begun.
   [[nodiscard]] std::optional<MissionEnd> end() const;
   // For summary.json; null: no mission has begun.
@@ -54,6 +56,7 @@ class MissionRecord {
   BehaviourState state_{};
   double ended_s_ = 0.0;
   int falls_ = 0;
+  std::int64_t now_ns_ = 0;
   bool has_fallen_ = false;  // and lies
   std::uint64_t taken_ = 0;  // transitions
   std::vector<Span> spans_;

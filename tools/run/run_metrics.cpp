@@ -107,7 +107,13 @@ std::string falls_of(const MissionEnd& mission) {
 
 }  // namespace
 
-RunOutcome outcome_of_endless(const MissionEnd& mission, RunOutcome walked) {
+RunOutcome outcome_of(const MissionEnd& mission, RunOutcome walked) {
+  if (mission.state == MissionEnd::State::runs && mission.silent_since_s) {
+    return {mission.on_feet ? Verdict::not_done : Verdict::fell,
+            fmt::format("the behaviour HAS GONE SILENT at {:.2f} s, in the middle of mission '{}'; it {}",
+                        *mission.silent_since_s, mission.name, falls_of(mission))};
+  }
+  if (!mission.endless || mission.state != MissionEnd::State::runs) return outcome_of(mission);
   if (walked.verdict == Verdict::done && mission.waits) {
     return {Verdict::not_done,
             fmt::format("mission '{}' WAITS at the end: somebody else commands the robot; it {}",

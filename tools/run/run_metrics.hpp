@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "gaitway/simulator/plant.hpp"
@@ -125,15 +126,16 @@ struct MissionEnd {
   double at_s = 0.0;     // of its end
   bool endless = false;  // it can't succeed, and needs no end
   int falls = 0;
-  bool waits = false;   // at the end of the run: somebody else commanded
-  bool on_feet = true;  // then
-  std::string reason;   // of a failure
+  bool waits = false;                      // at the end of the run: somebody else commanded
+  bool on_feet = true;                     // then
+  std::optional<double> silent_since_s{};  // nothing was heard of the behaviour since
+  std::string reason{};                    // of a failure
 };
 // Of one with an end, in place of the outcome above: done when it has succeeded.
 [[nodiscard]] RunOutcome outcome_of(const MissionEnd& mission);
-// Of one without an end: what the outcome above becomes by it. Not done where it waits while somebody else
-// commands.
-[[nodiscard]] RunOutcome outcome_of_endless(const MissionEnd& mission, RunOutcome walked);
+// Of any. One without an end only adds to what the walk has come to, and is not done where it waits while
+// somebody else commands, or has gone silent.
+[[nodiscard]] RunOutcome outcome_of(const MissionEnd& mission, RunOutcome walked);
 
 // Of the program.
 [[nodiscard]] int exit_code(RunOutcome::Verdict verdict) noexcept;

@@ -121,7 +121,6 @@ void add_contact_rows(const nlohmann::ordered_json& contacts, const Row& row) {
 
 RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& recorder) {
   const std::optional<MissionEnd> mission = recorder.mission().end();
-  if (mission && !mission->endless) return outcome_of(*mission);
   RunMetrics metrics = recorder.metrics();
   if (mission) metrics.fell = !mission->on_feet;  // what happened before it got up is not its end
   const NetworkState& state = run.message_controller().state();
@@ -130,7 +129,7 @@ RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& rec
                  {.handed_over = state.handed_over,
                   .refused = state.refused + run.main_controller().statistics().refused_locally},
                  static_cast<double>(run.now_ns()) * 1e-9, recorder.way().missing());
-  return mission ? outcome_of_endless(*mission, std::move(outcome)) : outcome;
+  return mission ? outcome_of(*mission, std::move(outcome)) : outcome;
 }
 
 nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunRecorder& recorder,

@@ -19,7 +19,6 @@ using behaviour::Outcome;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::Not;
 namespace states = behaviour_state::state;
 namespace verbs = behaviour_request::verb;
 
@@ -206,6 +205,20 @@ TEST(MissionRunner, ACommandThatWasTakenAndLetGoBetweenTwoLooksCounts) {
   EXPECT_TRUE(run.robot->orders.walking());
 }
 
+TEST(MissionRunner, SoDoesOneAfterWhichAnOrderCameLate) {
+  RunnerRun run;
+  run.runner->load(mission_file("", R"(<Walk forward="0.1 m/s"/>)"));
+  run.command.commander = command_state::commander::behaviour;
+  run.command.reason = command_state::reason::behaviour_orders;
+  run.command.changes = 1;
+  run.step_for(1.0);
+  run.command.changes = 4;  // to the person, to nobody, back by an order of before
+  run.lines.clear();
+  run.step();
+  run.step_for(1.0);
+  EXPECT_THAT(run.lines, Contains(HasSubstr("begins anew")));
+}
+
 TEST(MissionRunner, DisabledAndEnabledBeforeItsEndItBeginsAnew) {
   RunnerRun run;
   run.runner->load(mission_file("", "<Lingers/>"));
@@ -244,9 +257,37 @@ TEST(MissionRunner, AnOldRequestIsNotObeyedByAFreshOne) {
   run.step();
   EXPECT_EQ(run.state.state, states::none);
   EXPECT_EQ(run.state.answered, run.request.number);
+  EXPECT_EQ(run.state.refused, 1U) << "who still waits for it is told";
+  EXPECT_THAT(run.lines, testing::IsEmpty()) << "but it is no news at each start";
   run.ask(verbs::start, mission_file("", "<Lingers/>"));
   run.step();
   EXPECT_EQ(run.state.state, states::runs);
+}
+
+TEST(MissionRunner, AfterAPersonsMissionItsOwnDoesNotBeginByItself) {
+  RunnerRun run;
+  run.may_end = true;
+  run.runner->load(mission_file("own", "<Lingers/>"));
+  run.ask(verbs::start, mission_file("persons", "<Lingers/>"));
+  run.now_ns += 2'000'000'000;
+  run.step_for(0.3);
+  EXPECT_EQ(run.state.state, states::none);
+  RunnerRun same;
+  same.runner->load(mission_file("own", "<Lingers/>"));
+  same.ask(verbs::start, mission_file("own", "<Lingers/>"));
+  same.now_ns += 2'000'000'000;
+  same.step_for(0.3);
+  EXPECT_EQ(same.state.state, states::runs);
+}
+
+TEST(MissionRunner, AnOldEndIsObeyedByAFreshOne) {
+  RunnerRun run;
+  run.may_end = true;
+  run.runner->load(mission_file("", "<Lingers/>"));
+  run.ask(verbs::end);
+  run.now_ns += 2'000'000'000;
+  run.step_for(0.3);
+  EXPECT_EQ(run.state.state, states::none);
 }
 
 TEST(MissionRunner, TheReasonOfARefusalStaysWhereItIsRead) {
@@ -260,9 +301,7 @@ TEST(MissionRunner, TheReasonOfARefusalStaysWhereItIsRead) {
   EXPECT_EQ(run.state.refused, 1U);
   EXPECT_THAT(run.said(), HasSubstr("patrole"));
   run.step_for(1.5);
-  run.command.commander = command_state::commander::nobody;
-  run.step_for(0.2);
-  EXPECT_THAT(run.said(), Not(HasSubstr("patrole")));
+  EXPECT_THAT(run.said(), HasSubstr("the mission waits")) << "told when the answer has been read";
 }
 
 TEST(MissionRunner, TheCauseOfAFailureIsToldBeforeIt) {
@@ -339,6 +378,30 @@ TEST(MissionRunner, NothingRunsUntilTheMissionOfTheOneBeforeIsRead) {
   run.gate.open();
   while (run.state.revision == revision) run.step();
   EXPECT_EQ(run.state.state, states::runs);
+}
+
+TEST(MissionRunner, AMissionThatIsStillToBeReadIsHandedOnAgain) {
+  RunnerRun run(MissionDesk::Where::beside);
+  run.runner->load(mission_file("of_the_parameter", "<Lingers/>"));
+  const std::string second = mission_file("second", "<Sequence><Gated/><Lingers/></Sequence>");
+  run.runner->go_on_from(handed_on(second, states::runs));
+  run.gate.wait_for_visitor();
+  run.step();
+  const RunnerState again = run.runner->state();
+  run.gate.open();
+  EXPECT_STREQ(again.mission.data(), second.c_str());
+  EXPECT_EQ(again.state, states::runs);
+}
+
+TEST(MissionRunner, AnEndWhileTheInheritedMissionIsReadLeavesNothingBehind) {
+  RunnerRun run(MissionDesk::Where::beside);
+  run.runner->go_on_from(
+      handed_on(mission_file("second", "<Sequence><Gated/><Lingers/></Sequence>"), states::runs));
+  run.gate.wait_for_visitor();
+  run.ask(verbs::end);
+  run.step_for(0.3);
+  EXPECT_EQ(run.state.state, states::none);
+  run.gate.open();
 }
 
 TEST(MissionRunner, AMissionThatCannotBeReadAnyMoreLeavesNothingBehind) {

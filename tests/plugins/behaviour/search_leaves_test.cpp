@@ -118,12 +118,24 @@ TEST(FindTag, WithoutEyesThereIsNothingToFind) {
   EXPECT_THAT(run.take_sayings(), ElementsAre(HasSubstr("there are no cameras that see")));
 }
 
+TEST(FindTag, GoesOnWhereTheHeadStopsInTheMiddleOfItsScan) {
+  SearchingRobot run(R"(<FindTag id="7"/>)");
+  run.live_for(1.5);
+  ASSERT_GT(std::abs(run.estimate.head[0]), 0.1);
+  for (int i = 0; i < 60 && !run.robot->orders.walking(); ++i) {
+    run.head.mode = head_command::mode::ahead;  // somebody else has it
+    ASSERT_EQ(run.live(), NodeStatus::running);
+  }
+  EXPECT_TRUE(run.robot->orders.walking()) << "it turns to look from there";
+}
+
 TEST(FindTag, EndsWhenTheEyesFail) {
   SearchingRobot run(R"(<FindTag id="7"/>)");
   while (run.turned_rad < 0.5) ASSERT_EQ(run.live(), NodeStatus::running);
   run.vision.state = vision_state::state::blind;
   EXPECT_EQ(run.live(), NodeStatus::failure);
   EXPECT_FALSE(run.robot->orders.walking());
+  EXPECT_EQ(run.head.mode, head_command::mode::ahead) << "it does not scan on";
 }
 
 TEST(FindTag, HaltedItStandsBeforeItHasEnded) {

@@ -77,7 +77,7 @@ TEST(Walk, FailsInAFall) {
   run.estimate.fall = estimate::fall::falls;
   EXPECT_EQ(run.tick(), NodeStatus::failure);
   EXPECT_FALSE(run.robot->orders.walking());
-  EXPECT_THAT(run.take_sayings(), ElementsAre("Walk: the robot has fallen"));
+  EXPECT_THAT(run.take_sayings(), ElementsAre("Walk: the robot falls"));
 }
 
 TEST(Walk, HaltedWhileAPersonCommandsHasEnded) {
@@ -205,6 +205,17 @@ TEST(WalkTo, FailsWhereNavigationGoesSilent) {
   run.has_navigation = false;
   EXPECT_EQ(run.tick(), NodeStatus::failure);
   EXPECT_THAT(run.take_sayings(), ElementsAre(HasSubstr("silent")));
+}
+
+TEST(WalkTo, AWayThatIsGivenUpIsCancelled) {
+  ScriptedRun run(R"(<WalkTo x="1 m" y="0 m"/>)");
+  run.tick();
+  run.answer_way(navigation_state::state::walks);
+  run.tick();
+  run.has_navigation = false;
+  EXPECT_EQ(run.tick(), NodeStatus::failure);
+  ASSERT_TRUE(run.robot->orders.way());
+  EXPECT_EQ(run.robot->orders.way()->cancel, 1U) << "whoever comes back must not walk on";
 }
 
 TEST(WalkTo, HaltedItDoesNotWaitForEverForOneWhoDoesNotObey) {

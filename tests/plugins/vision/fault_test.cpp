@@ -170,10 +170,11 @@ TEST_F(Faults, WhatItSawBeforeAFallIsForgottenWhenItIsUpAgain) {
   ASSERT_FALSE(robot.vision().obstacles().empty());
   robot.fallen(true);
   robot.watch(3);
-  EXPECT_FALSE(robot.vision().obstacles().empty()) << "until it sees again, that is what is told";
+  EXPECT_FALSE(robot.vision().obstacles().empty()) << "until it is up again, that is what is told";
   robot.fallen(false);
   robot.scene.boxes.clear();
   robot.wait(1'000'000'000);
+  EXPECT_TRUE(robot.vision().obstacles().empty()) << "also where there are no pictures any more";
   robot.watch(3);
   for (const Box& box : robot.vision().obstacles()) {
     EXPECT_GT((box.middle_m - Eigen::Vector2d(1.1, 0.0)).norm(), 0.3)

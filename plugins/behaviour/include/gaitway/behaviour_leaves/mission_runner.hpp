@@ -46,8 +46,8 @@ class MissionRunner {
   // where the robot begins to fall or to lie, or the command passes to somebody else. Then robot.orders holds
   // what is to be passed on. True: a tree was ticked or halted.
   bool step(bool is_due, bool is_enabled);
-  // A request that has been answered already, or a number 0, does nothing; neither does an old one that was
-  // there before this, unless go_on_from() tells that the one before had still to answer it.
+  // A request that has been answered already, or a number 0, does nothing. An old one that was there before
+  // this is refused, but for an end, unless go_on_from() tells that the one before had still to answer it.
   void ask(const BehaviourRequest& request, std::int64_t now_ns);
 
   void tell(BehaviourState& state) const noexcept;
@@ -75,6 +75,8 @@ class MissionRunner {
   void enter(std::uint32_t state) noexcept;
   void begin_anew(const char* why) noexcept;
   void end_mission();
+  void turn_old_away(const BehaviourRequest& request) noexcept;
+  void tell_what_waited() noexcept;
   [[nodiscard]] bool was_taken_meanwhile() const noexcept;
   [[nodiscard]] std::string_view cause_of_failure() const noexcept;
   [[nodiscard]] bool is_repeated(const Orders::Saying& saying) noexcept;
@@ -102,6 +104,8 @@ class MissionRunner {
   bool is_dropped_ = false;        // what is being read: its mission was ended before it began
   std::int64_t answered_ns_ = -1;  // an answer's text stays for a while
   std::array<char, 208> text_{};
+  std::array<char, 208> waiting_text_{};  // the newest line, while an answer is still to be read
+  bool has_waiting_text_ = false;
 
   std::uint32_t revision_ = 1;
   std::uint32_t told_node_ = 0;

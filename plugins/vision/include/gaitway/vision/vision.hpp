@@ -51,11 +51,8 @@ class Vision {
   // Throws urdf::RobotError if the camera's link is none of the robot's.
   Vision(const urdf::RobotModel& robot, const urdf::StereoCamera& camera, const VisionParameters& parameters);
 
-  // At each tick.
-  void follow(const JointStates& joints, const Estimate& estimate) noexcept {
-    history_.add(joints, estimate);
-    has_lain_ = has_lain_ || estimate.fall == estimate::fall::lies;
-  }
+  // At each tick. True: the robot is up again after it has lain, and what it saw before is forgotten.
+  bool follow(const JointStates& joints, const Estimate& estimate);
   // At each tick with a new pair; and at each one without.
   void see(const PicturePair& pair, std::int64_t now_ns);
   void wait(std::int64_t now_ns) noexcept;
@@ -125,7 +122,7 @@ class Vision {
   Fault fault_ = Fault::none;
   bool has_pose_ = true;       // of the camera, at the last pair's exposure
   bool sees_one_ = false;      // camera, at least
-  bool has_lain_ = false;      // since the newest pair with a pose
+  bool has_lain_ = false;      // since it was upright
   bool is_suspected_ = false;  // that the cameras are turned, by the newest pair
   std::optional<std::int64_t> first_wait_ns_;
   std::int64_t picture_ns_ = 0, arrived_ns_ = 0, looked_ns_ = 0, mapped_ns_ = 0;
