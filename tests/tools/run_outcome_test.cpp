@@ -95,6 +95,20 @@ TEST(RunOutcome, AMissionWithoutAnEndThatFailsHasFailed) {
   EXPECT_THAT(outcome.text, HasSubstr("WalkTo: there is no navigation"));
 }
 
+// A robot that is served waits for people most of the time.
+TEST(RunOutcome, WhatBecomesOfPeoplesMissionsIsNoVerdict) {
+  MissionEnd mission = patrol();
+  mission.is_of_people = mission.waits = true;
+  EXPECT_EQ(outcome_of(mission, kStayedUp).verdict, Verdict::done);
+  EXPECT_EQ(outcome_of(mission, kStayedUp).text, "stayed up, mission 'Patrol' waits");
+  mission.waits = mission.endless = false;
+  mission.state = MissionEnd::State::failed;
+  EXPECT_EQ(outcome_of(mission, kStayedUp).verdict, Verdict::done);
+  mission.state = MissionEnd::State::runs;
+  mission.silent_since_s = 3.0;
+  EXPECT_EQ(outcome_of(mission, kStayedUp).verdict, Verdict::done);
+}
+
 TEST(RunOutcome, AMissionThatWaitsOrIsSilentAtTheEndIsNotDone) {
   MissionEnd waits = patrol();
   waits.waits = true;

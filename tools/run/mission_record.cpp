@@ -104,6 +104,7 @@ std::optional<MissionEnd> MissionRecord::end() const {
                                                                : MissionEnd::State::runs,
                     .at_s = ended_s_,
                     .endless = state_.endless != 0,
+                    .is_of_people = is_of_people_,
                     .falls = falls_,
                     .waits = state_.state == states::waits,
                     .on_feet = !has_fallen_,

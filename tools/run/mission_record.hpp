@@ -21,6 +21,8 @@ class MissionRecord {
       : states_(client.read<BehaviourState>("behaviour_state")),
         nodes_(client.read<BehaviourNodes>("behaviour_nodes")) {}
 
+  // Missions begin, wait and end as people ask, so that none tells whether the run has done what it was to.
+  void belongs_to_people() noexcept { is_of_people_ = true; }
   // Every 10 ms. has_fallen: now, in truth.
   void look(std::int64_t now_ns, bool has_fallen);
 
@@ -55,6 +57,7 @@ class MissionRecord {
   std::uint64_t state_sequence_ = 0, nodes_sequence_ = 0;
   BehaviourState state_{};
   double ended_s_ = 0.0;
+  bool is_of_people_ = false;
   int falls_ = 0;
   std::int64_t now_ns_ = 0;
   bool has_fallen_ = false;  // and lies

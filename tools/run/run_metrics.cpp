@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
+
 #include "tools/command_line.hpp"
 
 namespace gaitway::tools {
@@ -108,6 +111,12 @@ std::string falls_of(const MissionEnd& mission) {
 }  // namespace
 
 RunOutcome outcome_of(const MissionEnd& mission, RunOutcome walked) {
+  if (mission.is_of_people) {
+    constexpr std::array<std::string_view, 3> kStates{"goes on", "has succeeded", "has failed"};
+    const std::string_view state = mission.waits ? "waits" : kStates[static_cast<std::size_t>(mission.state)];
+    walked.text += fmt::format(", mission '{}' {}", mission.name, state);
+    return walked;
+  }
   if (mission.state == MissionEnd::State::runs && mission.silent_since_s) {
     return {mission.on_feet ? Verdict::not_done : Verdict::fell,
             fmt::format("the behaviour HAS GONE SILENT at {:.2f} s, in the middle of mission '{}'; it {}",

@@ -123,8 +123,9 @@ struct RunOutcome {
 struct MissionEnd {
   std::string name;
   enum class State { runs, succeeded, failed } state = State::runs;
-  double at_s = 0.0;     // of its end
-  bool endless = false;  // it can't succeed, and needs no end
+  double at_s = 0.0;          // of its end
+  bool endless = false;       // it can't succeed, and needs no end
+  bool is_of_people = false;  // who begin and end it as they like
   int falls = 0;
   bool waits = false;                      // at the end of the run: somebody else commanded
   bool on_feet = true;                     // then

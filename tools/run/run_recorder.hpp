@@ -64,6 +64,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   [[nodiscard]] const ContactLog& contacts() const noexcept { return contacts_; }
   [[nodiscard]] const WayRecord& way() const noexcept { return way_; }
   [[nodiscard]] const MissionRecord& mission() const noexcept { return mission_; }
+  [[nodiscard]] MissionRecord& mission() noexcept { return mission_; }
   [[nodiscard]] std::uint64_t digest() const noexcept { return digest_.value(); }
   [[nodiscard]] const std::vector<float>& torques() const noexcept { return torques_; }
   // Every frame of the cycle that starts at `cycle_start_ns()`: one that was walked, for the timeline.

@@ -68,7 +68,9 @@ constexpr std::int64_t kLongestStop_ns = 5'000 * kMillisecond_ns;  // of the rob
 class ServeObserver final : public simulator::CosimulationObserver {
  public:
   ServeObserver(simulator::Cosimulation& run, const std::filesystem::path& bus_log)
-      : recorder(run, bus_log, false), commands(run) {}
+      : recorder(run, bus_log, false), commands(run) {
+    recorder.mission().belongs_to_people();
+  }
   void on_frame(const can::SimulatedBus::Delivery& delivery) override { recorder.on_frame(delivery); }
   void on_millisecond(std::int64_t now_ns) override {
     recorder.on_millisecond(now_ns);
