@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -24,6 +25,7 @@ constexpr double kFocalShare = 0.001, kPrincipalPoint = 0.1 / 320.0;  // the lat
 constexpr double kRadial = 0.003;
 constexpr double kMountPosition_m = 0.001, kMountTurn_deg = 0.2;
 constexpr double kBetweenPosition_m = 0.0001, kBetweenTurn_deg = 0.02;
+constexpr double kUsualScale = 1.0;     // of the mismatch
 constexpr double kFarthestDrawn = 5.0;  // standard deviations: what any robot's lens may be off
 
 Eigen::Isometry3d small_pose(facts::RandomStream& random, double position_m, double turn_deg) {
@@ -74,14 +76,27 @@ bool sees_its_border(urdf::LensParameters lens, int width_px, int height_px, dou
   return sees(right_px, bottom_px);
 }
 
+bool sees_its_border(const urdf::StereoCamera& camera, double scale) {
+  return std::ranges::all_of(urdf::kSides, [&](Side side) {
+    return sees_its_border(camera.lens[urdf::index_of(side)], camera.width_px, camera.height_px, scale);
+  });
+}
+
+// A robot that is off by more than is usual has a lens that is off as far as its file takes it.
+double scale_of_lenses(const urdf::StereoCamera& camera, double scale) {
+  while (scale > kUsualScale && !sees_its_border(camera, scale)) scale = std::max(kUsualScale, 0.9 * scale);
+  return scale;
+}
+
 }  // namespace
 
 CameraMismatch draw_camera_mismatch(const urdf::StereoCamera& camera, std::uint64_t seed, double scale) {
   facts::RandomStream random(seed, kMismatchStream);
   CameraMismatch truth;
+  const double lens_scale = scale_of_lenses(camera, scale);
   for (const Side side : urdf::kSides) {
     truth.lens[urdf::index_of(side)] =
-        true_lens(camera.lens[urdf::index_of(side)], camera.width_px, random, scale);
+        true_lens(camera.lens[urdf::index_of(side)], camera.width_px, random, lens_scale);
   }
   truth.in_link[0] =
       camera.left_in_link * small_pose(random, scale * kMountPosition_m, scale * kMountTurn_deg);
@@ -92,6 +107,7 @@ CameraMismatch draw_camera_mismatch(const urdf::StereoCamera& camera, std::uint6
 
 void require_room_for_mismatch(const urdf::StereoCamera& camera, const std::filesystem::path& file,
                                double scale) {
+  scale = std::min(scale, kUsualScale);
   for (const Side side : urdf::kSides) {
     const urdf::LensParameters& lens = camera.lens[urdf::index_of(side)];
     if (sees_its_border(lens, camera.width_px, camera.height_px, scale)) continue;

@@ -8,7 +8,8 @@
 namespace gaitway::simulator {
 
 // Throws input::InputError, which names the file, if a lens that may be drawn for some seed, at this scale of
-// the mismatch, does not see each pixel of its picture. For one file the same for each seed.
+// the mismatch or at 1, whichever is less, does not see each pixel of its picture. For one file the same for
+// each seed.
 void require_room_for_mismatch(const urdf::StereoCamera& camera, const std::filesystem::path& file,
                                double scale);
 

@@ -113,6 +113,13 @@ TEST_F(StereoCameraTest, ItsErrorsGrowWithTheMismatch) {
   EXPECT_NEAR(std::sqrt(between_deg / kRobots), 0.02, 0.002);
 }
 
+TEST_F(StereoCameraTest, ARobotThatIsFarOffHasALensThatStillSees) {
+  PlantOptions how = options(kRoom);
+  const Plant robot(model_, how);
+  how.mismatch = 6.0;
+  for (how.seed = 1; how.seed <= 5; ++how.seed) EXPECT_NO_THROW(see(how)->wait(robot, 60)) << how.seed;
+}
+
 // The file's own lens sees all of its picture; that of some robots which are a little off would not.
 TEST_F(StereoCameraTest, ALensWithoutRoomForItsMismatchIsRefusedForEachSeed) {
   file_of_camera_.lens[0] = {.fx_px = 160, .fy_px = 160, .cx_px = 160, .cy_px = 120, .distortion = {-0.0945}};
