@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <fstream>
 #include <mutex>
@@ -105,7 +106,7 @@ class RunnerRun : public ScriptedRobot, public MissionRunner::Listener {
     request.stamp_ns = now_ns;
     request.number = ++number_;
     request.verb = verb;
-    std::memcpy(request.mission, mission.data(), mission.size());
+    std::ranges::copy(mission, request.mission);
   }
   [[nodiscard]] std::string said() const { return reinterpret_cast<const char*>(state.text); }
 
