@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "fixed_text.hpp"
 #include "gaitway/behaviour/leaf.hpp"
 #include "gaitway/behaviour/registry.hpp"
 #include "gaitway/behaviour_leaves/leaves.hpp"
@@ -20,13 +21,6 @@ namespace gaitway::behaviour_leaves {
 inline constexpr std::int64_t kOrderShows_ns = 3 * facts::kCycle_ns;
 // An order that has had no answer by then has been lost, or there is nobody to answer.
 inline constexpr std::int64_t kOrderIsAnswered_ns = 1'000'000'000;
-
-// A text of a topic, whose writer may have left out the 0 at its end.
-template <std::size_t size>
-[[nodiscard]] std::string_view text_of(const std::uint8_t (&bytes)[size]) noexcept {
-  const std::string_view text(reinterpret_cast<const char*>(bytes), size);
-  return text.substr(0, text.find('\0'));
-}
 
 class RobotCondition : public behaviour::Condition {
  public:
