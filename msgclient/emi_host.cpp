@@ -1,5 +1,6 @@
 // The main controller's side of the EMI: every access is charged.
 #include <algorithm>
+#include <utility>
 
 #include "emi_window.hpp"
 
@@ -54,7 +55,8 @@ PostResult EmiHost::post_words(MailKind mail, std::span<const std::uint32_t> wor
     target[word].store(words[word] ^ faults_.flip_next->mask, std::memory_order_relaxed);
     faults_.flip_next.reset();
   }
-  const std::int64_t transfer = charge(words.size() + kMailOverheadWords, now_ns);
+  const std::int64_t delay_ns = mail == MailKind::hand_over ? std::exchange(faults_.delay_next_ns, 0) : 0;
+  const std::int64_t transfer = charge(words.size() + kMailOverheadWords, now_ns) + delay_ns;
   box.length.store(words.size(), std::memory_order_relaxed);
   box.ready_ns.store(static_cast<std::uint64_t>(now_ns + transfer), std::memory_order_relaxed);
   count_up(box.posted);

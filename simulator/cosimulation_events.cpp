@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
@@ -28,10 +29,17 @@ std::int64_t duration_ns(double seconds) {
 }  // namespace
 
 void Cosimulation::inject_losses() {
-  bus_.set_loss([this](const can::Frame&, std::int64_t start_ns) {
+  bus_.set_loss([this](const can::Frame& frame, std::int64_t start_ns) {
     const double unit = static_cast<double>(fault_random_() >> 11U) * 0x1.0p-53;
-    return start_ns < losses_until_ns_ && unit < loss_probability_;
+    return start_ns < losses_until_ns_ && unit < loss_probability_ && is_in_losses(frame);
   });
+}
+
+bool Cosimulation::is_in_losses(const can::Frame& frame) const {
+  if (losses_of_joint_ < 0) return true;
+  const auto of = message_controller_.profile().identify(frame.id);
+  return of && of->kind == can::MessageKind::trajectory &&
+         of->node == robot_.joints[static_cast<std::size_t>(losses_of_joint_)].node;
 }
 
 int Cosimulation::station_of(const std::string& node) const {
@@ -45,6 +53,47 @@ void Cosimulation::restart(const JointRestartsFault& fault) {
   joints_.power_off(joint);
   bus_.power_off(station_of(fault.joint), now_ns_);
   restarts_.push_back({joint, now_ns_ + duration_ns(fault.duration_s)});
+}
+
+void Cosimulation::inject(const MissesFramesFault& fault) {
+  disturbed_until_ns_ = now_ns_ + duration_ns(fault.duration_s);
+  bus_.set_random_faults(
+      {.seed = fault_random_(), .omission = 1.0, .victims = can::StationSet::of(station_of(fault.node))});
+}
+
+void Cosimulation::inject(const BatchFault& fault) {
+  using How = BatchFault::How;
+  msgclient::EmiFaults& faults = adapter_.host().faults();
+  if (fault.how == How::late) {
+    faults.delay_next_ns = duration_ns(fault.late_s);
+  } else if (fault.how == How::damaged) {
+    constexpr std::uint32_t kSomePoint = 77, kSomeBit = 1U << 19U;
+    faults.flip_next = msgclient::EmiFaults::Flip{msgclient::MailKind::hand_over, kSomePoint, kSomeBit};
+  } else {
+    hand_over_wrongly(fault.how);
+  }
+}
+
+// Without any plan so far there is nothing to hand over.
+void Cosimulation::hand_over_wrongly(BatchFault::How how) {
+  using How = BatchFault::How;
+  const auto plan = std::make_unique<JointPlan>();
+  const auto hand_over = std::make_unique<msgclient::HandOver>();
+  TrimCommand trim{};
+  static_cast<void>(observer_client_.read<TrimCommand>("trim").read(trim));
+  if (!observer_client_.read<JointPlan>("joint_plan").read(*plan) ||
+      !msgclient::make_hand_over(*plan, trim, *hand_over)) {
+    return;
+  }
+  hand_over->sequence = message_controller_.state().cycle + (how == How::old     ? 0U
+                                                             : how == How::early ? 2U
+                                                                                 : 1U);
+  for (float& position : hand_over->position) {
+    constexpr double kWidth_rad = 2.0;
+    const double unit = static_cast<double>(fault_random_() >> 11U) * 0x1.0p-53;
+    if (how == How::garbage) position = static_cast<float>(kWidth_rad * (unit - 0.5));
+  }
+  ring_at(now_ns_ + adapter_.host().post(*hand_over, now_ns_).transfer_ns);
 }
 
 void Cosimulation::inject(const PluginFault& fault) {
@@ -93,6 +142,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     void operator()(const LoseFramesFault& fault) const {
       self.loss_probability_ = fault.probability;
       self.losses_until_ns_ = self.now_ns_ + duration_ns(fault.duration_s);
+      self.losses_of_joint_ = fault.batch_of.empty() ? -1 : self.robot_.joint_index(fault.batch_of);
       self.inject_losses();
     }
     void operator()(const DisturbBusFault& fault) const {
@@ -116,6 +166,19 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       self.sensor_faults_.begin(fault, self.plant_.sensors(), self.now_ns_);
     }
     void operator()(const CameraFault& fault) const { self.inject(fault); }
+    void operator()(const MissesFramesFault& fault) const { self.inject(fault); }
+    void operator()(const BatchFault& fault) const { self.inject(fault); }
+    void operator()(const BabbleFault& fault) const {
+      const int station = fault.node.empty() ? self.foreign_station_ : self.station_of(fault.node);
+      self.bus_.babble(station, fault.frame, self.now_ns_, self.now_ns_ + duration_ns(fault.duration_s));
+    }
+    void operator()(const SupplySagsFault& fault) const {
+      self.plant_.weaken_motors(fault.torque_factor, fault.duration_s);
+    }
+    void operator()(const JointDiesFault& fault) const {
+      self.joints_.power_off(self.robot_.joint_index(fault.joint));
+      self.bus_.power_off(self.station_of(fault.joint), self.now_ns_);
+    }
     void operator()(const SpawnEvent& spawn) const { self.change_world(spawn); }
     void operator()(const MoveEvent& move) const {
       self.plant_.move(move.name, pose_at(move.position_m, move.yaw_rad));

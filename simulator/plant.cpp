@@ -121,6 +121,8 @@ void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
     throw std::invalid_argument(robot.name + ": step() takes " + std::to_string(robot.joints.size()) +
                                 " joint torques, not " + std::to_string(command_Nm.size()));
   }
+  const double supply = sagging_steps > 0 ? supply_factor : 1.0;
+  sagging_steps = std::max(0L, sagging_steps - 1);
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const urdf::Motor& motor = robot.joints[j].motor;
     if (!std::isfinite(command_Nm[j])) {
@@ -130,7 +132,7 @@ void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
     const double velocity = data->qvel[address];
     const bool driving = command_Nm[j] * velocity > 0.0;
     const double fade = driving ? std::max(0.0, 1.0 - std::abs(velocity) / motor.speed_limit_rad_per_s) : 1.0;
-    const double limit = motor.torque_limit_Nm * conditions.body.torque_factor * fade;
+    const double limit = motor.torque_limit_Nm * conditions.body.torque_factor * supply * fade;
     // In single precision, so that a record of the torques replays to the bit.
     const double torque = static_cast<double>(static_cast<float>(std::clamp(command_Nm[j], -limit, limit)));
     sensors.motor_torque_Nm[j] = torque;
@@ -345,6 +347,16 @@ void Plant::push(std::string_view body, const Eigen::Vector3d& direction, double
   const long steps = std::max(1L, std::lround(duration_s / self.model->opt.timestep));
   const double force_N = impulse_Ns / (static_cast<double>(steps) * self.model->opt.timestep);
   self.pushes.push_back({id, direction / length * force_N, steps});
+}
+
+void Plant::weaken_motors(double torque_factor, double duration_s) {
+  if (!(torque_factor >= 0.0 && torque_factor <= 1.0) || !(duration_s > 0.0) || !std::isfinite(duration_s)) {
+    throw std::invalid_argument(
+        "motors that are weakened: the factor must be within 0 and 1, the duration > 0 s and finite");
+  }
+  Implementation& self = *implementation_;
+  self.supply_factor = torque_factor;
+  self.sagging_steps = std::max(1L, std::lround(duration_s / self.model->opt.timestep));
 }
 
 Replay Plant::replay(std::span<const float> applied_torque_Nm) const {

@@ -69,6 +69,8 @@ struct Plant::Implementation {
   std::uint32_t geometry = 1;
   std::array<Eigen::Vector3d, 3> last_velocity_m_per_s{};  // of IMU, left sole, right sole
   std::vector<ActivePush> pushes;
+  double supply_factor = 1.0;  // of the motors' torque, for so many steps
+  long sagging_steps = 0;
 };
 
 }  // namespace gaitway::simulator

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -81,9 +82,15 @@ SensorFault read_sensor_fault(const YamlValue& value, const urdf::RobotModel& ro
   const auto found =
       std::ranges::find_if(kSensorFaultNames, [&](const auto& entry) { return entry.first == how.text(); });
   if (found == kSensorFaultNames.end()) {
-    how.refuse("must be freezes, reads_zero or noisy", "Choose one of them.");
+    how.refuse("must be freezes, reads_zero, noisy, biased or exchanged", "Choose one of them.");
   }
   fault.how = found->second;
+  const std::string other = counterpart_of(fault.sensor);
+  if (fault.how == SensorFault::How::exchanged && fault.sensor != kImuSensor &&
+      std::ranges::find(known, other) == known.end()) {
+    how.refuse(fmt::format("'{}' has no counterpart to be exchanged with", fault.sensor),
+               "Choose a sensor that left and right have.");
+  }
   if (const auto duration = value.find("duration_s")) fault.duration_s = duration->number(kEventDuration);
   return fault;
 }
@@ -166,9 +173,7 @@ JamFault read_jam(const YamlValue& value) {
   return fault;
 }
 
-ForeignFrameFault read_foreign_frame(const YamlValue& value) {
-  constexpr std::array<std::string_view, 5> kKeys{"kind", "id", "data", "extended", "remote"};
-  value.require_map(kKeys);
+can::Frame read_frame(const YamlValue& value) {
   can::Frame frame;
   for (const auto& [key, target] :
        {std::pair{"extended", &frame.extended}, std::pair{"remote", &frame.remote}}) {
@@ -188,58 +193,115 @@ ForeignFrameFault read_foreign_frame(const YamlValue& value) {
       frame.data[frame.size++] = static_cast<std::uint8_t>(byte.integer(0, 255));
     }
   }
-  return {frame};
+  return frame;
 }
+
+ForeignFrameFault read_foreign_frame(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 5>{"kind", "id", "data", "extended", "remote"});
+  return {read_frame(value)};
+}
+
+BabbleFault read_babble(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(
+      std::array<std::string_view, 7>{"kind", "node", "id", "data", "extended", "remote", "duration_s"});
+  BabbleFault fault{.frame = read_frame(value), .duration_s = value.at("duration_s").number(kEventDuration)};
+  if (const auto node = value.find("node")) fault.node = read_node(*node, robot, true);
+  return fault;
+}
+
+MissesFramesFault read_misses_frames(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 3>{"kind", "node", "duration_s"});
+  return {read_node(value.at("node"), robot, true), value.at("duration_s").number(kEventDuration)};
+}
+
+LoseFramesFault read_lose_frames(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 4>{"kind", "probability", "duration_s", "batch_of"});
+  LoseFramesFault fault{.probability = value.at("probability").number({0.0, 1.0, ""}),
+                        .duration_s = value.at("duration_s").number(kEventDuration)};
+  if (const auto joint = value.find("batch_of")) fault.batch_of = read_node(*joint, robot, false);
+  return fault;
+}
+
+BatchFault read_batch_fault(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 3>{"kind", "how", "late_s"});
+  BatchFault fault{.how = read_choice(value.at("how"), kBatchFaultNames)};
+  const auto late = value.find("late_s");
+  if (fault.how == BatchFault::How::late) {
+    fault.late_s = value.at("late_s").number({0.0001, 10.0, "s"});
+  } else if (late) {
+    late->refuse("belongs to a batch that is late", "Leave it out");
+  }
+  return fault;
+}
+
+SupplySagsFault read_supply_sags(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 3>{"kind", "torque_factor", "duration_s"});
+  return {value.at("torque_factor").number({0.0, 1.0, ""}), value.at("duration_s").number(kEventDuration)};
+}
+
+BusOffFault read_bus_off(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 2>{"kind", "node"});
+  return {read_node(value.at("node"), robot, true)};
+}
+
+JointRestartsFault read_joint_restarts(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 3>{"kind", "joint", "duration_s"});
+  return {read_node(value.at("joint"), robot, false), value.at("duration_s").number({0.001, 60.0, "s"})};
+}
+
+JointDiesFault read_joint_dies(const YamlValue& value, const urdf::RobotModel& robot) {
+  value.require_map(std::array<std::string_view, 2>{"kind", "joint"});
+  return {read_node(value.at("joint"), robot, false)};
+}
+
+MainControllerSilentFault read_main_controller_silent(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 2>{"kind", "duration_s"});
+  const auto duration = value.find("duration_s");
+  return {duration ? duration->number(kEventDuration) : 0.0};
+}
+
+template <auto read>
+Action read_one(const YamlValue& value, const urdf::RobotModel& robot) {
+  if constexpr (std::is_invocable_v<decltype(read), const YamlValue&, const urdf::RobotModel&>) {
+    return read(value, robot);
+  } else {
+    return read(value);
+  }
+}
+
+struct FaultKey {
+  std::string_view kind;
+  Action (*read)(const YamlValue&, const urdf::RobotModel&);
+};
+constexpr std::array kFaults{FaultKey{"main_controller_silent", &read_one<&read_main_controller_silent>},
+                             FaultKey{"batch_fails", &read_one<&read_batch_fault>},
+                             FaultKey{"lose_frames", &read_one<&read_lose_frames>},
+                             FaultKey{"misses_frames", &read_one<&read_misses_frames>},
+                             FaultKey{"disturb_bus", &read_one<&read_disturbance>},
+                             FaultKey{"jam", &read_one<&read_jam>},
+                             FaultKey{"babbles", &read_one<&read_babble>},
+                             FaultKey{"foreign_frame", &read_one<&read_foreign_frame>},
+                             FaultKey{"bus_off", &read_one<&read_bus_off>},
+                             FaultKey{"joint_restarts", &read_one<&read_joint_restarts>},
+                             FaultKey{"joint_dies", &read_one<&read_joint_dies>},
+                             FaultKey{"supply_sags", &read_one<&read_supply_sags>},
+                             FaultKey{"plugin_fails", &read_one<&read_plugin_fault>},
+                             FaultKey{"sensor_fails", &read_one<&read_sensor_fault>},
+                             FaultKey{"camera_fails", &read_one<&read_camera_fault>}};
 
 }  // namespace
 
 Action read_fault(const YamlValue& value, const urdf::RobotModel& robot) {
-  constexpr std::array<std::string_view, 3> kKeys{"kind", "duration_s", "probability"};
-  const std::string kind = value.at("kind").text();
-  if (kind == "plugin_fails") {
-    return read_plugin_fault(value);
+  const YamlValue kind = value.at("kind");
+  const auto* const found = std::ranges::find(kFaults, kind.text(), &FaultKey::kind);
+  if (found == kFaults.end()) {
+    std::vector<std::string> known;
+    for (const FaultKey& fault : kFaults) known.emplace_back(fault.kind);
+    kind.refuse(
+        fmt::format("must be {} or {}", fmt::join(known.begin(), known.end() - 1, ", "), known.back()),
+        input::suggest(kind.text(), known));
   }
-  if (kind == "disturb_bus") {
-    return read_disturbance(value);
-  }
-  if (kind == "jam") {
-    return read_jam(value);
-  }
-  if (kind == "bus_off") {
-    value.require_map(std::array<std::string_view, 2>{"kind", "node"});
-    return BusOffFault{read_node(value.at("node"), robot, true)};
-  }
-  if (kind == "joint_restarts") {
-    value.require_map(std::array<std::string_view, 3>{"kind", "joint", "duration_s"});
-    return JointRestartsFault{read_node(value.at("joint"), robot, false),
-                              value.at("duration_s").number({0.001, 60.0, "s"})};
-  }
-  if (kind == "foreign_frame") {
-    return read_foreign_frame(value);
-  }
-  if (kind == "sensor_fails") {
-    return read_sensor_fault(value, robot);
-  }
-  if (kind == "camera_fails") {
-    return read_camera_fault(value);
-  }
-  value.require_map(kKeys);
-  const auto duration = value.find("duration_s");
-  if (kind == "main_controller_silent") {
-    if (const auto probability = value.find("probability")) {
-      probability->refuse("does not belong to main_controller_silent", "Leave it out");
-    }
-    return MainControllerSilentFault{duration ? duration->number(kEventDuration) : 0.0};
-  }
-  if (kind == "lose_frames") {
-    return LoseFramesFault{value.at("probability").number({0.0, 1.0, ""}),
-                           value.at("duration_s").number(kEventDuration)};
-  }
-  value.at("kind").refuse(
-      "must be main_controller_silent, lose_frames, disturb_bus, jam, bus_off, joint_restarts, "
-      "foreign_frame, "
-      "plugin_fails, sensor_fails or camera_fails",
-      "Choose one of them.");
+  return found->read(value, robot);
 }
 
 }  // namespace gaitway::simulator

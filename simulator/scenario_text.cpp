@@ -77,8 +77,31 @@ struct ActionText {
     return fmt::format("fault: {{kind: main_controller_silent{}}}", duration(fault.duration_s));
   }
   std::string operator()(const LoseFramesFault& fault) const {
-    return fmt::format("fault: {{kind: lose_frames, probability: {}, duration_s: {}}}", fault.probability,
+    return fmt::format("fault: {{kind: lose_frames, probability: {}, duration_s: {}{}}}", fault.probability,
+                       fault.duration_s,
+                       fault.batch_of.empty() ? "" : ", batch_of: " + quoted(fault.batch_of));
+  }
+  std::string operator()(const MissesFramesFault& fault) const {
+    return fmt::format("fault: {{kind: misses_frames, node: {}, duration_s: {}}}", quoted(fault.node),
                        fault.duration_s);
+  }
+  std::string operator()(const BabbleFault& fault) const {
+    return fmt::format("fault: {{kind: babbles{}, {}, duration_s: {}}}",
+                       fault.node.empty() ? "" : ", node: " + quoted(fault.node), frame_text(fault.frame),
+                       fault.duration_s);
+  }
+  std::string operator()(const BatchFault& fault) const {
+    const std::string_view how =
+        std::ranges::find(kBatchFaultNames, fault.how, [](const auto& entry) { return entry.second; })->first;
+    return fmt::format("fault: {{kind: batch_fails, how: {}{}}}", how,
+                       fault.how == BatchFault::How::late ? fmt::format(", late_s: {}", fault.late_s) : "");
+  }
+  std::string operator()(const SupplySagsFault& fault) const {
+    return fmt::format("fault: {{kind: supply_sags, torque_factor: {}, duration_s: {}}}", fault.torque_factor,
+                       fault.duration_s);
+  }
+  std::string operator()(const JointDiesFault& fault) const {
+    return fmt::format("fault: {{kind: joint_dies, joint: {}}}", quoted(fault.joint));
   }
   std::string operator()(const DisturbBusFault& fault) const {
     return fmt::format(

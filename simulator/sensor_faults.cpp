@@ -1,9 +1,12 @@
-// Freezes, zeros and noise.
+// Freezes, zeros, noise, biases and mixed-up wires.
 #include "gaitway/simulator/sensor_faults.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "gaitway/facts/facts.hpp"
 
@@ -12,8 +15,23 @@ namespace {
 
 constexpr double kNoiseTimes = 30.0;           // a noisy sensor has so much more of it
 constexpr double kNoisyEncoder_counts = 20.0;  // standard deviation
+// Of what is biased: as a knock or a warm afternoon does it.
+constexpr double kBiasedEncoder_rad = 0.02;
+constexpr double kBiasedGyro_rad_per_s = 0.05;
+constexpr double kBiasedInclination_rad = 0.02;
+constexpr double kBiasedAcceleration_m_per_s2 = 0.3;
+constexpr double kBiasedCells = 0.2;  // of what they bear
 
 }  // namespace
+
+std::string counterpart_of(std::string_view sensor) {
+  for (const auto& [side, other] : {std::pair{"left_", "right_"}, std::pair{"right_", "left_"}}) {
+    if (sensor.starts_with(side)) {
+      return other + std::string(sensor.substr(std::string_view(side).size()));
+    }
+  }
+  return {};
+}
 
 SensorFaults::SensorFaults(const urdf::RobotModel& robot, std::uint64_t seed)
     : robot_(robot), random_(seed ^ 0x5E45'0000'0000'0001ULL) {}
@@ -64,6 +82,16 @@ void SensorFaults::distort_imu(const Active& active) {
       for (double& value : told_.angular_velocity_rad_per_s) value += noise(sigma.angular_velocity_rad_per_s);
       for (double& value : told_.inclination_rad) value += noise(sigma.inclination_rad);
       break;
+    case SensorFault::How::biased:
+      told_.acceleration_m_per_s2.array() += kBiasedAcceleration_m_per_s2;
+      told_.angular_velocity_rad_per_s.array() += kBiasedGyro_rad_per_s;
+      told_.inclination_rad.array() += kBiasedInclination_rad;
+      break;
+    case SensorFault::How::exchanged:
+      std::swap(told_.acceleration_m_per_s2.x(), told_.acceleration_m_per_s2.y());
+      std::swap(told_.angular_velocity_rad_per_s.x(), told_.angular_velocity_rad_per_s.y());
+      std::swap(told_.inclination_rad.x(), told_.inclination_rad.y());
+      break;
   }
 }
 
@@ -83,6 +111,14 @@ void SensorFaults::distort_foot(const Active& active, std::size_t foot) {
         told_.foot_wrench[foot][i] += noise(i < 3 ? robot_.noise.force_N : robot_.noise.torque_Nm);
       }
       break;
+    case SensorFault::How::biased:
+      for (double& force : told_.force_N[foot]) force *= 1.0 + kBiasedCells;
+      told_.foot_wrench[foot] *= 1.0 + kBiasedCells;
+      break;
+    case SensorFault::How::exchanged:
+      std::swap(told_.force_N[0], told_.force_N[1]);
+      std::swap(told_.foot_wrench[0], told_.foot_wrench[1]);
+      break;
   }
 }
 
@@ -97,6 +133,14 @@ void SensorFaults::distort_encoder(const Active& active, std::size_t joint) {
     case SensorFault::How::noisy:
       told_.encoder_count[joint] +=
           static_cast<std::int32_t>(std::lround(kNoisyEncoder_counts * normal_(random_)));
+      break;
+    case SensorFault::How::biased:
+      told_.encoder_count[joint] +=
+          static_cast<std::int32_t>(std::lround(kBiasedEncoder_rad / robot_.joints[joint].encoder_count_rad));
+      break;
+    case SensorFault::How::exchanged:
+      std::swap(told_.encoder_count[joint], told_.encoder_count[static_cast<std::size_t>(
+                                                robot_.joint_index(counterpart_of(active.fault.sensor)))]);
       break;
   }
 }

@@ -50,6 +50,18 @@ TEST_F(MotorTest, FadesWithSpeedWhenDriving) {
   EXPECT_LT(fastest, motor_.speed_limit_rad_per_s + 0.1);
 }
 
+TEST_F(MotorTest, ASaggingSupplyHalvesWhatAllMotorsGiveForItsTimeAlone) {
+  plant_.weaken_motors(0.5, 0.01);
+  for (int i = 0; i < 12; ++i) {
+    const double speed = drive(i % 2 == 0 ? 100.0 : -100.0);  // to and fro, so that it brakes or hardly moves
+    const bool drives = (i % 2 == 0) == (speed > 0.0);
+    const double fade = drives ? 1.0 - std::abs(speed) / motor_.speed_limit_rad_per_s : 1.0;
+    EXPECT_NEAR(std::abs(given_Nm()), (i < 10 ? 0.5 : 1.0) * fade * motor_.torque_limit_Nm, 1e-5) << i;
+  }
+  EXPECT_THROW(plant_.weaken_motors(1.5, 0.1), std::invalid_argument);
+  EXPECT_THROW(plant_.weaken_motors(0.5, 0.0), std::invalid_argument);
+}
+
 TEST_F(MotorTest, BrakesWithItsFullTorque) {
   for (int i = 0; i < 20; ++i) {
     drive(-100.0);

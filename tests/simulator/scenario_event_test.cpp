@@ -51,6 +51,15 @@ INSTANTIATE_TEST_SUITE_P(
         "fault: {kind: joint_restarts, joint: \"left_knee\", duration_s: 0.02}",
         "fault: {kind: foreign_frame, id: 1963, data: [1, 2, 255]}",
         "fault: {kind: foreign_frame, id: 536870911, data: [], extended: true, remote: true}",
+        "fault: {kind: lose_frames, probability: 1, duration_s: 0.08, batch_of: \"left_knee\"}",
+        "fault: {kind: misses_frames, node: \"left_knee\", duration_s: 0.013000000000000001}",
+        "fault: {kind: babbles, id: 0, data: [], duration_s: 0.05}",
+        "fault: {kind: babbles, node: \"left_knee\", id: 77, data: [1, 255], duration_s: 0.05}",
+        "fault: {kind: batch_fails, how: late, late_s: 0.0123}", "fault: {kind: batch_fails, how: stale}",
+        "fault: {kind: joint_dies, joint: \"left_knee\"}",
+        "fault: {kind: supply_sags, torque_factor: 0.55, duration_s: 0.5}",
+        "fault: {kind: sensor_fails, sensor: \"left_foot\", how: exchanged}",
+        "fault: {kind: sensor_fails, sensor: \"imu\", how: biased, duration_s: 0.3}",
         "fault: {kind: plugin_fails, plugin: \"zmp\", how: throws}",
         "fault: {kind: plugin_fails, plugin: \"zmp\", how: overruns, duration_s: 1, cost_s: 0.007}",
         "fault: {kind: sensor_fails, sensor: \"imu\", how: freezes, duration_s: 0.5}",
@@ -93,6 +102,15 @@ TEST(ScenarioAction, RefusalsNameFieldValueAndRule) {
   EXPECT_THAT(refusal_of("{fault: {kind: sensor_fails, sensor: left_fot, how: noisy}}"),
               HasSubstr("Did you mean 'left_foot'?"));
   EXPECT_THAT(refusal_of("{fault: {kind: sensor_fails, sensor: imu, how: dies}}"), HasSubstr("freezes"));
+  EXPECT_THAT(refusal_of("{fault: {kind: sensor_fails, sensor: neck_yaw, how: exchanged}}"),
+              HasSubstr("no counterpart"));
+  EXPECT_THAT(refusal_of("{fault: {kind: batch_fails, how: stale, late_s: 0.1}}"),
+              HasSubstr("belongs to a batch that is late"));
+  EXPECT_THAT(refusal_of("{fault: {kind: batch_fails, how: lat}}"), HasSubstr("Did you mean 'late'?"));
+  EXPECT_THAT(refusal_of("{fault: {kind: supply_sags, torque_factor: 1.5, duration_s: 1}}"),
+              HasSubstr("1.5"));
+  EXPECT_THAT(refusal_of("{fault: {kind: babbles, id: 2048, data: [], duration_s: 1}}"), HasSubstr("2048"));
+  EXPECT_THAT(refusal_of("{fault: {kind: joint_die, joint: left_knee}}"), HasSubstr("joint_dies"));
   EXPECT_THAT(refusal_of("{fault: {kind: camera_fails, how: froozen}}"),
               AllOf(HasSubstr("dead, dark, over_exposed"), HasSubstr("Did you mean 'frozen'?")));
   EXPECT_THAT(refusal_of("{fault: {kind: camera_fails, how: dead, camera: middle}}"),

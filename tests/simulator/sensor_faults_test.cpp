@@ -75,6 +75,36 @@ TEST_F(SensorFaultsTest, ANoisyOneScattersAroundTheTruth) {
   EXPECT_NEAR(std::sqrt(squares / kCount), sigma, 0.1 * sigma);
 }
 
+TEST_F(SensorFaultsTest, WhatIsExchangedTellsWhatTheOtherSideReads) {
+  PlantSensors now = truth(7.0);
+  now.force_N[0].fill(1.0);
+  now.encoder_count[static_cast<std::size_t>(robot_.joint_index("left_knee"))] = 100;
+  now.angular_velocity_rad_per_s = {1.0, 2.0, 3.0};
+  begin("right_foot", SensorFault::How::exchanged, 0.0);
+  begin("right_knee", SensorFault::How::exchanged, 0.0);
+  begin("imu", SensorFault::How::exchanged, 0.0);
+  const PlantSensors told = faults_.told(now, kMs);
+  EXPECT_EQ(told.force_N[0][2], 7.0);
+  EXPECT_EQ(told.force_N[1][2], 1.0);
+  EXPECT_EQ(told.encoder_count[static_cast<std::size_t>(robot_.joint_index("left_knee"))], 7);
+  EXPECT_EQ(told.encoder_count[static_cast<std::size_t>(robot_.joint_index("right_knee"))], 100);
+  EXPECT_EQ(told.angular_velocity_rad_per_s, Eigen::Vector3d(2.0, 1.0, 3.0));
+}
+
+TEST_F(SensorFaultsTest, ABiasedOneIsOffByTheSameEachTime) {
+  begin("left_knee", SensorFault::How::biased, 0.0);
+  begin("left_foot", SensorFault::How::biased, 0.0);
+  begin("imu", SensorFault::How::biased, 0.0);
+  const auto knee = static_cast<std::size_t>(robot_.joint_index("left_knee"));
+  const PlantSensors told = faults_.told(truth(7.0), kMs);
+  EXPECT_NEAR((told.encoder_count[knee] - 7) * robot_.joints[knee].encoder_count_rad, 0.02,
+              robot_.joints[knee].encoder_count_rad);
+  EXPECT_NEAR(told.force_N[0][1], 8.4, 1e-9);
+  EXPECT_EQ(told.force_N[1][1], 7.0);
+  EXPECT_NEAR(told.angular_velocity_rad_per_s.y(), 7.05, 1e-9);
+  EXPECT_EQ(faults_.told(truth(7.0), 2 * kMs).encoder_count, told.encoder_count);
+}
+
 TEST_F(SensorFaultsTest, ANewFaultTakesTheOldOnesPlace) {
   begin("imu", SensorFault::How::reads_zero, 0.0);
   begin("imu", SensorFault::How::freezes, 0.0, 3.0);

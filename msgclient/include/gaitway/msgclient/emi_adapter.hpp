@@ -72,6 +72,7 @@ struct EmiFaults {
     std::uint32_t mask = 0;
   };
   std::optional<Flip> flip_next;
+  std::int64_t delay_next_ns = 0;    // the next hand-over is ready so much later
   std::uint32_t lose_doorbells = 0;  // how many of the next doorbells of this side don't ring
   bool bus_stuck = false;
 };

@@ -124,6 +124,10 @@ class Cosimulation {
   void demand_that_scenario_commands(const char* what) const;
   void change_world(const SpawnEvent& spawn);
   void inject(const CameraFault& fault);
+  void inject(const MissesFramesFault& fault);
+  void inject(const BatchFault& fault);
+  void hand_over_wrongly(BatchFault::How how);
+  [[nodiscard]] bool is_in_losses(const can::Frame& frame) const;
 
   urdf::RobotModel robot_;
   CosimulationOptions options_;
@@ -161,6 +165,7 @@ class Cosimulation {
   std::int64_t busy_until_ns_ = 0;              // with a tick that injected faults made long
   std::int64_t losses_until_ns_ = 0;
   double loss_probability_ = 0.0;
+  int losses_of_joint_ = -1;  // only frames of its batches are lost; -1: all frames
   std::uint32_t user_commands_ = 0;
   std::mt19937_64 fault_random_;
 };

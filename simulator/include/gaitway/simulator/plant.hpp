@@ -136,6 +136,11 @@ class Plant {
   // unknown body, a direction of no length, or a duration that is not positive.
   void push(std::string_view body, const Eigen::Vector3d& direction, double impulse_Ns, double duration_s);
 
+  // From the next step on, for a duration that is rounded to steps, each motor gives at most this part of
+  // what it could: its supply sags. A newer sag takes an older one's place. Throws std::invalid_argument for
+  // a factor that is not within [0, 1], or a duration that is not positive.
+  void weaken_motors(double torque_factor, double duration_s);
+
   // Changes of the world while the robot is in it; what moves there goes on as it did. From the next step on.
   // All throw std::invalid_argument, with name, rule and remedy, and nothing has changed: without a world,
   // for a name that is taken, or that nothing has, and where the solid would lie inside the robot.

@@ -27,11 +27,19 @@
 //     - {at_s: 16.1, fault: {kind: jam, duration_s: 0.002}}                       # or also: stuck: true
 //     - {at_s: 16.2, fault: {kind: bus_off, node: message_controller}}            # or a joint's name
 //     - {at_s: 16.3, fault: {kind: joint_restarts, joint: left_knee, duration_s: 0.02}}
+//     - {at_s: 16.3, fault: {kind: joint_dies, joint: left_knee}}                # without power for good
+//     - {at_s: 16.3, fault: {kind: misses_frames, node: left_knee, duration_s: 0.01}}   # it alone hears
+//     nothing
+//     - {at_s: 16.3, fault: {kind: lose_frames, probability: 1, duration_s: 0.08, batch_of: left_knee}}
+//     - {at_s: 16.3, fault: {kind: babbles, id: 0, data: [], duration_s: 0.05}}   # node: a joint's station
+//     - {at_s: 16.3, fault: {kind: batch_fails, how: late, late_s: 0.03}}
+//                                  # or damaged, old, early, stale, garbage
+//     - {at_s: 16.3, fault: {kind: supply_sags, torque_factor: 0.5, duration_s: 0.5}}
 //     - {at_s: 16.4, fault: {kind: foreign_frame, id: 0x7AB, data: [1, 2, 3]}}    # or also: extended: true,
 //     remote: true
 //     - {at_s: 17.0, fault: {kind: plugin_fails, plugin: zmp, how: throws, duration_s: 1.0}}
 //     - {at_s: 17.5, fault: {kind: sensor_fails, sensor: imu, how: freezes, duration_s: 0.5}}
-//                                  # or left_foot, right_foot, a joint; reads_zero, noisy
+//                                  # or left_foot, right_foot, a joint; reads_zero, noisy, biased, exchanged
 //     - {at_s: 18.0, spawn: {name: crate, shape: box, size_m: [0.2, 0.2, 0.1], position_m: [1, 0, 0.05]}}
 //                                  # or cylinder, sphere; with mass_kg it can be pushed; yaw_deg, colour
 //     - {at_s: 19.0, move: {name: crate, position_m: [1, 0.5, 0.05], yaw_deg: 30}}

@@ -81,6 +81,38 @@ struct MainControllerSilentFault {
 struct LoseFramesFault {
   double probability = 0.0;
   double duration_s = 0.0;
+  std::string batch_of = {};  // a joint: only its trajectory frames, first and repeated; empty: all frames
+};
+// One station receives nothing for a while that others receive, and neither it nor a sender notices.
+struct MissesFramesFault {
+  std::string node = {};  // a joint's name, or message_controller
+  double duration_s = 0.0;
+};
+// A station sends one frame again and again, as fast as the bus takes it.
+struct BabbleFault {
+  std::string node = {};  // a joint's name, or message_controller; empty: one that does not belong there
+  can::Frame frame;
+  double duration_s = 0.0;
+};
+// The batch of the main controller that is handed over next comes late or damaged; or one is handed over at
+// once that ought not to be: made of the newest plan and numbered for the running cycle (old), for the one
+// after the next (early), for the next one (stale), or for the next one with other points (garbage).
+struct BatchFault {
+  enum class How { late, damaged, old, early, stale, garbage };
+  How how = How::late;
+  double late_s = 0.0;  // of one that is late
+};
+inline constexpr std::array<std::pair<std::string_view, BatchFault::How>, 6> kBatchFaultNames{
+    {{"late", BatchFault::How::late},
+     {"damaged", BatchFault::How::damaged},
+     {"old", BatchFault::How::old},
+     {"early", BatchFault::How::early},
+     {"stale", BatchFault::How::stale},
+     {"garbage", BatchFault::How::garbage}}};
+// All motors give at most this part of their torque for a while, and no controller is told.
+struct SupplySagsFault {
+  double torque_factor = 0.5;
+  double duration_s = 0.0;
 };
 // Errors at random, each attempt to send a frame meeting one with these probabilities (can::RandomFaults).
 struct DisturbBusFault {
@@ -96,13 +128,17 @@ struct JamFault {
 };
 // A station's frames are destroyed until it is bus-off; it comes back as the standard has it.
 struct BusOffFault {
-  std::string node;  // a joint's name, or message_controller
+  std::string node = {};  // a joint's name, or message_controller
 };
 // A local controller is without power for a while, its motor without torque. Afterwards it holds where its
 // absolute encoder says that it is.
 struct JointRestartsFault {
   std::string joint;
   double duration_s = 0.0;
+};
+// A local controller is without power for good, its motor without torque.
+struct JointDiesFault {
+  std::string joint;
 };
 // A station that does not belong there sends one frame.
 struct ForeignFrameFault {
@@ -118,17 +154,24 @@ struct PluginFault {
 
 // A sensor tells something else than what is; 0: for ever.
 struct SensorFault {
-  enum class How { freezes, reads_zero, noisy };  // noisy: thirty times its noise; an encoder by 20 counts
-  std::string sensor;                             // kImuSensor, one of kFootSensors, or a joint: its encoder
+  // noisy: thirty times its noise, an encoder by 20 counts; biased: off by what sensor_faults.cpp says;
+  // exchanged: what its counterpart of the other side reads, and the other way round, or the IMU's x for its
+  // y.
+  enum class How { freezes, reads_zero, noisy, biased, exchanged };
+  std::string sensor;  // kImuSensor, one of kFootSensors, or a joint: its encoder
   How how = How::freezes;
   double duration_s = 0.0;
 };
 inline constexpr std::string_view kImuSensor = "imu";
 inline constexpr std::array<std::string_view, 2> kFootSensors{"left_foot", "right_foot"};
-inline constexpr std::array<std::pair<std::string_view, SensorFault::How>, 3> kSensorFaultNames{
+inline constexpr std::array<std::pair<std::string_view, SensorFault::How>, 5> kSensorFaultNames{
     {{"freezes", SensorFault::How::freezes},
      {"reads_zero", SensorFault::How::reads_zero},
-     {"noisy", SensorFault::How::noisy}}};
+     {"noisy", SensorFault::How::noisy},
+     {"biased", SensorFault::How::biased},
+     {"exchanged", SensorFault::How::exchanged}}};
+// The sensor of the other side: left_ for right_ and the other way round; empty: it has none.
+[[nodiscard]] std::string counterpart_of(std::string_view sensor);
 // Put something into the world: a thing that can be pushed, or what stands fast.
 struct SpawnEvent {
   std::string name;
@@ -155,7 +198,8 @@ struct ScenarioEvent {
   std::variant<WalkEvent, MotionEvent, WalkToEvent, HeadEvent, CommandEvent, StopEvent, ReleaseEvent,
                EmergencyStopEvent, ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault,
                DisturbBusFault, JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault,
-               SensorFault, CameraFault, SpawnEvent, MoveEvent, RemoveEvent>
+               SensorFault, CameraFault, MissesFramesFault, BabbleFault, BatchFault, SupplySagsFault,
+               JointDiesFault, SpawnEvent, MoveEvent, RemoveEvent>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };
