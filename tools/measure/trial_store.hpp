@@ -1,38 +1,17 @@
-// The outcomes of trials, kept in a file: a line of JSON each, written as soon as it is known, so that a
-// measurement may be interrupted and goes on where it was. What outcomes depend on, as one number, and copies
-// of the plug-ins' libraries that a measurement of hours runs with, so that a build meanwhile changes
-// nothing.
+// The outcomes of the gait measurement's trials. What outcomes depend on, as one number, and copies of the
+// plug-ins' libraries that a measurement of hours runs with, so that a build meanwhile changes nothing.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <unordered_map>
 
 #include "gaitway/instance/configuration.hpp"
 #include "gaitway/instance/plugin_library.hpp"
-#include "gaitway/process/file_descriptor.hpp"
 #include "tools/measure/gait_trial.hpp"
+#include "tools/measure/outcome_store.hpp"
 
 namespace gaitway::tools {
-
-// A 64-bit hash of texts and files: FNV-1a.
-class ContentHash {
- public:
-  void add(std::string_view bytes) noexcept {
-    for (const char byte : bytes) {
-      state_ = (state_ ^ static_cast<unsigned char>(byte)) * 0x0000'0100'0000'01B3ULL;
-    }
-  }
-  // Its bytes. Throws std::runtime_error that names the file when it cannot be read.
-  void add_file(const std::filesystem::path& file);
-  [[nodiscard]] std::uint64_t value() const noexcept { return state_; }
-
- private:
-  std::uint64_t state_ = 0xCBF2'9CE4'8422'2325ULL;
-};
 
 // A hash of everything but the trial that an outcome depends on: the robot's description, the configuration,
 // the plug-ins' libraries, and the code of this program. Throws core::PluginError for a library that cannot
@@ -49,28 +28,19 @@ void pin_plugins(core::Configuration& plugins, const core::SearchPath& plugin_pa
 // himself.
 void remove_other_plugins(const core::Configuration& plugins, const std::filesystem::path& folder);
 
-// One process at a time has the file.
+// An OutcomeStore of the gait measurement's trials.
 class TrialStore {
  public:
-  // Reads what is there; a last line that was cut off is dropped. `fingerprint` becomes part of each key.
-  // Throws std::invalid_argument for a line that is no trial, or while another process has the file.
+  // Throws as OutcomeStore's constructor does.
   TrialStore(const std::filesystem::path& file, std::uint64_t fingerprint);
 
   [[nodiscard]] std::optional<TrialOutcome> find(const Trial& trial) const;
   // Throws std::runtime_error when the file cannot be written.
   void keep(const Trial& trial, const TrialOutcome& outcome);
-  // For a copy of the process that fork() made: the file stays the first process's alone, and can be
-  // another's as soon as that one has ended. Nothing is kept any more.
-  void leave_file() { descriptor_ = {}; }
+  void leave_file() { store_.leave_file(); }  // as OutcomeStore's
 
  private:
-  [[nodiscard]] std::string key_of(const std::string& description) const;
-  void read();
-
-  std::filesystem::path file_;
-  std::uint64_t fingerprint_;
-  process::FileDescriptor descriptor_;
-  std::unordered_map<std::string, TrialOutcome> outcomes_;  // by key
+  OutcomeStore store_;
 };
 
 }  // namespace gaitway::tools
