@@ -4,6 +4,7 @@
 #include <charconv>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 namespace gaitway::can {
 namespace {
@@ -83,18 +84,19 @@ void parse_data(std::string_view data, Frame& frame) {
 
 }  // namespace
 
-CandumpWriter::CandumpWriter(const std::filesystem::path& file)
-    : path_(file), file_(std::fopen(file.c_str(), "w"), std::fclose) {
-  if (!file_) {
-    throw std::runtime_error(file.string() + ": cannot be created; is the folder there and writable?");
+CandumpWriter::CandumpWriter(const std::filesystem::path& file, CandumpOptions options) : path_(file) {
+  auto log = std::make_unique<process::LogFile>(file, process::LogOptions{.most_bytes = options.most_bytes});
+  if (options.in_real_time) {
+    background_ = std::make_unique<process::BackgroundLog>(
+        std::move(*log), process::BackgroundLogOptions{.tell = std::move(options.tell)});
+  } else {
+    file_ = std::move(log);
   }
   buffer_.reserve(kBuffer_bytes + 64);
 }
 
 CandumpWriter::~CandumpWriter() {
-  if (file_) {
-    flush();  // whoever wants to know whether it worked has called close()
-  }
+  finish();  // whoever wants to know whether it worked has called close()
 }
 
 void CandumpWriter::begin_line(std::int64_t time_ns) {
@@ -121,7 +123,7 @@ void CandumpWriter::append_bytes(std::span<const std::uint8_t> bytes) {
 
 void CandumpWriter::end_line() {
   buffer_ += '\n';
-  if (buffer_.size() >= kBuffer_bytes) {
+  if (background_ || buffer_.size() >= kBuffer_bytes) {
     flush();
   }
 }
@@ -149,20 +151,41 @@ void CandumpWriter::write_error(std::int64_t time_ns, std::uint32_t classes,
   end_line();
 }
 
-void CandumpWriter::flush() {
-  failed_ = failed_ || std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
+void CandumpWriter::flush() noexcept {
+  if (buffer_.empty()) return;
+  if (background_) {
+    background_->add(buffer_);
+  } else if (file_) {
+    file_->append(buffer_);
+  }
   buffer_.clear();
 }
 
-void CandumpWriter::close() {
-  if (!file_) {
-    return;
-  }
+process::LogCount CandumpWriter::finish() noexcept {
+  if (background_) return background_->close();
+  if (!file_) return {};  // moved from
   flush();
-  failed_ = std::fclose(file_.release()) != 0 || failed_;
-  if (failed_) {
-    throw std::runtime_error(path_.string() + ": could not be written whole; is the disk full?");
+  return count();
+}
+
+process::LogCount CandumpWriter::count() const noexcept {
+  if (background_) return background_->count();
+  return file_ ? process::LogCount{file_->lines(), file_->lost()} : process::LogCount{};
+}
+
+void CandumpWriter::close() {
+  if (const process::LogCount count = finish(); count.lost != 0) {
+    const std::string reason = error();
+    file_.reset();  // told once
+    background_.reset();
+    throw std::runtime_error(path_.string() + ": could not be written whole: " + std::to_string(count.lost) +
+                             " lines are missing" + (reason.empty() ? "" : ": " + reason) +
+                             "; is the disk full?");
   }
+}
+
+std::string CandumpWriter::error() const {
+  return file_ ? file_->error() : std::string();
 }
 
 LoggedFrame parse_candump_line(std::string_view line) {
@@ -200,6 +223,9 @@ std::vector<LoggedFrame> read_candump_log(const std::filesystem::path& file) {
   std::vector<LoggedFrame> frames;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
+    if (in.eof()) {
+      break;  // of a last line, what a killed writer has left
+    }
     if (line.empty()) {
       continue;
     }

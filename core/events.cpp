@@ -1,13 +1,18 @@
 // Causes by name, and when they are told; a few events a tick, so that a flood of them costs no tick.
 #include "gaitway/core/events.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
 #include "gaitway/input/text.hpp"
+#include "gaitway/process/real_time.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -58,6 +63,34 @@ gaitway::Event published_form(const Event& event) noexcept {
   return result;
 }
 
+// In quotes of JSON: what a terminal would obey, and what is not UTF-8 (a text that was cut off, say), is
+// spelled out, since people look at these files, too.
+void append_json_text(std::string& out, std::string_view text) {
+  for (const char character : input::terminal_text(text)) {
+    switch (character) {
+      case '"':
+      case '\\':
+        out += '\\';
+        out += character;
+        break;
+      case '\n':
+        out += "\\n";
+        break;
+      case '\t':
+        out += "\\t";
+        break;
+      default:
+        out += character;
+    }
+  }
+}
+
+std::string line_for_people(const std::string& program, const Event& event) {
+  return fmt::format("{}: {:.3f} s: {}: {}: {}\n", program, static_cast<double>(event.stamp_ns) * 1e-9,
+                     event_kind_name(event.kind), input::terminal_text(event.source()),
+                     input::terminal_text(event.text()));
+}
+
 }  // namespace
 
 std::size_t NetworkEvents::describe(std::size_t cause, const NetworkHealth& health,
@@ -86,6 +119,15 @@ void EventPublisher::step(const EventLog& events, std::int64_t now_ns) noexcept 
   }
 }
 
+void append_event_line(std::string& out, const Event& event) {
+  fmt::format_to(std::back_inserter(out), R"({{"time_s":{:.3f},"kind":"{}","source":")",
+                 static_cast<double>(event.stamp_ns) * 1e-9, event_kind_name(event.kind));
+  append_json_text(out, event.source());
+  out += R"(","text":")";
+  append_json_text(out, event.text());
+  out += "\"}\n";
+}
+
 bool EventPrinter::print(const EventLog& events) {
   constexpr std::uint64_t kEventsAPrint = 20;
   if (next_ < events.first()) {
@@ -93,12 +135,76 @@ bool EventPrinter::print(const EventLog& events) {
     next_ = events.first();
   }
   for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsAPrint; ++printed, ++next_) {
-    const Event& event = events[next_];
-    fmt::print(stderr, "{}: {:.3f} s: {}: {}: {}\n", program_, static_cast<double>(event.stamp_ns) * 1e-9,
-               event_kind_name(event.kind), input::terminal_text(event.source()),
-               input::terminal_text(event.text()));
+    fmt::print(stderr, "{}", line_for_people(program_, events[next_]));
   }
   return next_ < events.total();
+}
+
+namespace {
+
+constexpr std::uint64_t kEventsFile_bytes = std::uint64_t{16} << 20;  // and the one before it
+
+Event event_of_log(std::string_view source, std::string_view text) {
+  Event event;
+  event.stamp_ns = process::monotonic_ns();
+  event.kind = EventKind::info;
+  copy_text(source, event.source_text);
+  copy_text(text, event.message_text);
+  return event;
+}
+
+std::string json_line(const Event& event) {
+  std::string line;
+  append_event_line(line, event);
+  return line;
+}
+
+}  // namespace
+
+EventLines::EventLines(const std::string& program, const std::filesystem::path& file, bool on_terminal)
+    : program_(program) {
+  if (on_terminal) {
+    terminal_.emplace(process::LogFile(STDERR_FILENO, "stderr"),
+                      process::BackgroundLogOptions{.gap_line = [program](std::uint64_t lost, const auto&) {
+                        return fmt::format("{}: {} events are left out\n", program, lost);
+                      }});
+  }
+  if (!file.empty()) {
+    file_.emplace(
+        process::LogFile(file, {.start = process::LogOptions::Start::go_on, .most_bytes = kEventsFile_bytes}),
+        process::BackgroundLogOptions{
+            .gap_line =
+                [program](std::uint64_t lost, const std::string& reason) {
+                  return json_line(
+                      event_of_log(program, fmt::format("{} events are missing here: {}", lost, reason)));
+                },
+            .tell = process::tell_on_stderr(program)});
+    const auto now = std::chrono::system_clock::now();
+    file_->add(json_line(event_of_log(
+        program, fmt::format("begins as process {} at {:%Y-%m-%dT%H:%M:%SZ}", getpid(), fmt::gmtime(now)))));
+  }
+}
+
+bool EventLines::step(const EventLog& events) {
+  constexpr std::uint64_t kEventsAStep = 20;
+  if (next_ < events.first()) {
+    missed_ += events.first() - next_;
+    next_ = events.first();
+  }
+  for (std::uint64_t told = 0; next_ < events.total() && told < kEventsAStep; ++told, ++next_) {
+    if (terminal_) terminal_->add(line_for_people(program_, events[next_]));
+    if (file_) file_->add(json_line(events[next_]));
+  }
+  return next_ < events.total();
+}
+
+process::LogCount EventLines::end(const EventLog& events) {
+  while (step(events)) {
+  }
+  if (terminal_) terminal_->close();
+  process::LogCount count = file_ ? file_->close() : process::LogCount{};
+  count.lost += missed_;
+  return count;
 }
 
 }  // namespace gaitway::core

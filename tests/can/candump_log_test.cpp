@@ -153,5 +153,38 @@ TEST_F(CandumpLogTest, AFullDiskIsReportedWhenTheLogIsClosed) {
   EXPECT_NO_THROW(writer.close()) << "closed";
 }
 
+// The log goes on where there is room, and says how much is missing.
+TEST_F(CandumpLogTest, AFullDiskCostsLinesAndNeverTheLog) {
+  CandumpWriter writer("/dev/full");
+  for (int i = 0; i < 5'000; ++i) {  // more than the buffer holds
+    writer.write(i * 1'000, {0x123, 0, {}});
+  }
+  const process::LogCount count = writer.finish();
+  EXPECT_EQ(count.lines, 0U);
+  EXPECT_EQ(count.lost, 5'000U);
+  EXPECT_THAT(writer.error(), HasSubstr("No space left"));
+}
+
+TEST_F(CandumpLogTest, InRealTimeEachLineIsOnItsWayAtOnceAndAllArrive) {
+  {
+    CandumpWriter writer(file, {.in_real_time = true});
+    for (int i = 0; i < 1'000; ++i) {
+      writer.write(i * 1'000, {0x123, 1, {static_cast<std::uint8_t>(i)}});
+    }
+    const process::LogCount count = writer.finish();
+    EXPECT_EQ(count.lines, 1'000U);
+    EXPECT_EQ(count.lost, 0U);
+  }
+  EXPECT_EQ(read_candump_log(file).size(), 1'000U);
+}
+
+TEST_F(CandumpLogTest, TheLineThatAKilledWriterHasLeftInPartIsDropped) {
+  std::ofstream(file) << "(0.000001) can0 123#0011\n(0.000002) can0 123#00";
+  const std::vector<LoggedFrame> read = read_candump_log(file);
+  ASSERT_EQ(read.size(), 1U) << "the second one would be a frame that never was";
+  std::ofstream(file) << "(0.000001) can0 123#0011\n(0.0000";
+  EXPECT_EQ(read_candump_log(file).size(), 1U);
+}
+
 }  // namespace
 }  // namespace gaitway::can

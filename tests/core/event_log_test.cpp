@@ -2,15 +2,22 @@
 // Then it is printed.
 #include "gaitway/instance/event_log.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "gaitway/core/events.hpp"
+#include "gaitway/process/duration_histogram.hpp"
+#include "gaitway/process/private_folder.hpp"
+#include "gaitway/process/real_time.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -107,6 +114,84 @@ TEST(EventPrinter, PrintsEachEventOnceHoweverManyComeAtOnce) {
   add(50, 50 + kept + 7);
   EXPECT_THAT(printed(),
               testing::StartsWith("robot: 7 events are left out\nrobot: 0.001 s: fault: zmp: number 57.\n"));
+}
+
+Event event_that_says(const char* text) {
+  Event event;
+  event.stamp_ns = 1'234'000'000;
+  event.kind = EventKind::fault;
+  copy_text("zmp", event.source_text);
+  copy_text(text, event.message_text);
+  return event;
+}
+
+TEST(EventLine, IsJsonWhateverTheTextSays) {
+  std::string line;
+  append_event_line(line, event_that_says("a \"b\" \\ c\nd\x1b[2J \xc3"));
+  EXPECT_EQ(line, R"({"time_s":1.234,"kind":"fault","source":"zmp","text":"a \"b\" \\ c\nd\\x1B[2J \\xC3"})"
+                  "\n");
+}
+
+class EventLinesTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::vector<std::string> lines() const {
+    std::ifstream in(file);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+  }
+
+  process::PrivateFolder folder{"gaitway_event_lines"};
+  std::filesystem::path file = folder.path() / "events.jsonl";
+  std::unique_ptr<EventLog> log = std::make_unique<EventLog>();
+};
+
+TEST_F(EventLinesTest, GoOnAfterTheEventsOfAProcessThatDied) {
+  for (int life = 1; life <= 2; ++life) {
+    EventLines events("robot", file, false);
+    log->add(life, 0, EventKind::fault, "zmp", fmt::format("life {}", life));
+    EXPECT_FALSE(events.step(*log));
+    const process::LogCount count = events.end(*log);
+    EXPECT_EQ(count.lines, static_cast<std::uint64_t>(1 + life)) << "the beginning, and what the log holds";
+    EXPECT_EQ(count.lost, 0U);
+  }
+  const std::vector<std::string> all = lines();
+  ASSERT_EQ(all.size(), 5U);
+  EXPECT_THAT(all[0], testing::HasSubstr(R"("source":"robot","text":"begins as process )"));
+  EXPECT_THAT(all[1], testing::HasSubstr("life 1"));
+  EXPECT_THAT(all[2], testing::HasSubstr("begins as process"));
+  EXPECT_THAT(all[4], testing::HasSubstr("life 2"));
+}
+
+// Its terminal was halted, or its reader hangs: stderr is a pipe that is full.
+TEST_F(EventLinesTest, ATerminalThatTakesNothingHoldsNeitherTheTickNorTheFile) {
+  int pipe_ends[2];
+  ASSERT_EQ(pipe2(pipe_ends, O_NONBLOCK | O_CLOEXEC), 0);
+  const process::FileDescriptor reader(pipe_ends[0]), full(pipe_ends[1]);
+  const std::string piece(4096, 'x');
+  while (::write(full.get(), piece.data(), piece.size()) > 0) {
+  }
+  fcntl(full.get(), F_SETFL, 0);  // from now on writing waits
+  const int terminal = dup(STDERR_FILENO);
+  dup2(full.get(), STDERR_FILENO);
+  process::DurationHistogram took;
+  {
+    EventLines events("robot", file, true);
+    for (int i = 0; i < 200; ++i) {
+      log->add(i, 0, EventKind::fault, "zmp", fmt::format("number {}", i));
+      const std::int64_t begin_ns = process::monotonic_ns();
+      events.step(*log);
+      took.add(process::monotonic_ns() - begin_ns);
+    }
+    EXPECT_EQ(events.end(*log).lines, 201U);
+  }
+  std::string drained(1 << 16, ' ');
+  while (::read(reader.get(), drained.data(), drained.size()) > 0) {  // lets the terminal's thread go
+  }
+  dup2(terminal, STDERR_FILENO);
+  close(terminal);
+  EXPECT_LT(took.percentile_ns(0.9), 2'000'000.0);
+  EXPECT_EQ(lines().size(), 201U);
 }
 
 }  // namespace

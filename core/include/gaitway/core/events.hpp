@@ -1,16 +1,19 @@
 // A main controller's events on their way to others: what its network's counters have to tell, the stream
-// `events` for other processes, lines on stderr for people.
+// `events` for other processes, lines on stderr for people, lines in a file.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "gaitway/instance/event_log.hpp"
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
+#include "gaitway/process/background_log.hpp"
 
 namespace gaitway::core {
 
@@ -59,6 +62,9 @@ class EventPublisher {
   std::uint64_t missed_ = 0;
 };
 
+// An event as one line of JSON, for files: {"time_s":1.234,"kind":"fault","source":"zmp","text":"…"}.
+void append_event_line(std::string& out, const Event& event);
+
 // For binaries: writes to stderr, which takes its time.
 class EventPrinter {
  public:
@@ -71,6 +77,26 @@ class EventPrinter {
  private:
   std::string program_;
   std::uint64_t next_ = 0;
+};
+
+// The same for a process in real time, which neither terminal nor disk may hold: both are written by threads
+// of their own.
+class EventLines {
+ public:
+  // `file`: gets a line of JSON an event, after those that are there: a process that was started again goes
+  // on. 16 MiB at most, and FILE.1 with those before them. Empty: none. `on_terminal`: lines on stderr, as
+  // EventPrinter's. Throws std::runtime_error naming a file that cannot be written.
+  EventLines(const std::string& program, const std::filesystem::path& file, bool on_terminal);
+
+  // The ticks' thread, after each: the oldest that were not taken up yet, at most 20; true: there are more.
+  bool step(const EventLog& events);
+  // Takes up all that is left, and ends: what the file has got, and what was lost.
+  process::LogCount end(const EventLog& events);
+
+ private:
+  std::string program_;
+  std::optional<process::BackgroundLog> terminal_, file_;
+  std::uint64_t next_ = 0, missed_ = 0;
 };
 
 }  // namespace gaitway::core
