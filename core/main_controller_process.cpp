@@ -7,8 +7,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,7 @@
 #include "gaitway/core/main_controller.hpp"
 #include "gaitway/core/supervisor.hpp"
 #include "gaitway/input/number_option.hpp"
+#include "gaitway/input/text.hpp"
 #include "gaitway/manager/plugin_requests.hpp"
 #include "gaitway/manager/step_watch.hpp"
 #include "gaitway/msgclient/client.hpp"
@@ -26,10 +29,9 @@ namespace {
 using namespace gaitway;
 
 constexpr int kExitFine = 0;
-constexpr int kExitLost = 3;
 constexpr int kPriority = 60;
-// Without a sign of life of the message controller for so long, the process ends; whoever supervises it
-// starts it again.
+// Without a sign of life of the message controller for so long, the process ends; that its process has ended
+// is known at once. Whoever supervises this one starts it again when there is a message controller.
 constexpr std::int64_t kSilence_ns = 1'000'000'000;
 // Between two looks for events to print: printing costs time, so never in each tick.
 constexpr std::uint64_t kTicksBetweenPrints = 100;
@@ -52,6 +54,44 @@ struct LoopResult {
   process::DurationHistogram lateness;
 };
 
+// Whether there is still a message controller, as far as can be seen between two ticks.
+class Presence {
+ public:
+  Presence(const msgclient::Client& client, std::string socket)
+      : client_(client), socket_(std::move(socket)), wakes_{pollfd{client.hang_up_fd(), POLLRDHUP, 0}} {}
+
+  // False: its process has ended.
+  bool wait_until(std::int64_t deadline_ns) {
+    process::wait_until(deadline_ns, wakes_);
+    return wakes_[0].revents == 0;
+  }
+  // Once a tick; says what it is. Silence is counted in own ticks: who was stopped itself has heard nobody.
+  bool is_lost() {
+    const std::int64_t beat_ns = client_.heartbeat_ns();
+    silent_ticks_ = beat_ns == beat_ns_ ? silent_ticks_ + 1 : 0;
+    beat_ns_ = beat_ns;
+    if (wakes_[0].revents != 0) {
+      fmt::print(stderr, "main_controller: the message controller on {} has ended\n", socket_);
+      return true;
+    }
+    if (silent_ticks_ * facts::kSlot_ns <= kSilence_ns) {
+      return false;
+    }
+    fmt::print(stderr,
+               "main_controller: no sign of life of the message controller on {} for {} ms. Is it still "
+               "running?\n",
+               socket_, silent_ticks_ * facts::kSlot_ns / facts::kMillisecond_ns);
+    return true;
+  }
+
+ private:
+  const msgclient::Client& client_;
+  std::string socket_;
+  std::array<pollfd, 1> wakes_;
+  std::int64_t beat_ns_ = 0;
+  std::int64_t silent_ticks_ = 0;
+};
+
 // Absolute deadlines: lateness of one tick does not move the next.
 LoopResult run_ticks(core::MainController& controller, core::PluginRequests& requests,
                      const msgclient::Client& client, const Options& options) {
@@ -59,11 +99,17 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
   core::EventPrinter printer("main_controller");
   const std::int64_t begin_ns = process::monotonic_ns();
   std::int64_t deadline_ns = core::next_tick_ns(begin_ns);
+  Presence message_controller(client, options.socket.string());
   const std::int64_t end_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
   for (std::uint64_t tick = 0; !process::stop_requested(); ++tick) {
     std::int64_t now_ns = process::monotonic_ns();
-    for (; now_ns < deadline_ns && !process::stop_requested(); now_ns = process::monotonic_ns()) {
-      process::wait_until(deadline_ns, {});
+    bool is_there = true;
+    for (; is_there && now_ns < deadline_ns && !process::stop_requested(); now_ns = process::monotonic_ns()) {
+      is_there = message_controller.wait_until(deadline_ns);
+    }
+    if (message_controller.is_lost()) {
+      result.exit_code = core::kExitLost;
+      break;
     }
     if (process::stop_requested() || (options.seconds > 0.0 && now_ns >= end_ns)) {
       break;
@@ -74,14 +120,6 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
       options.controller.step_watch->count_tick();
     }
     controller.maintain(now_ns);
-    if (now_ns - client.heartbeat_ns() > kSilence_ns) {
-      fmt::print(stderr,
-                 "main_controller: no sign of life of the message controller on {} for {} ms. Is it still "
-                 "running?\n",
-                 options.socket.string(), (now_ns - client.heartbeat_ns()) / facts::kMillisecond_ns);
-      result.exit_code = kExitLost;
-      break;
-    }
     requests.step(now_ns);
     if (tick % kTicksBetweenPrints == 0 && !options.quiet) {
       printer.print(controller.events());
@@ -115,14 +153,45 @@ void print_summary(const core::MainController& controller, const LoopResult& loo
 }
 
 // The same command line, without the wish to be supervised.
-int run_supervised(int argc, char** argv, bool quiet) {
-  core::SupervisorOptions options{.program = "/proc/self/exe", .arguments = {}, .quiet = quiet};
+int run_supervised(int argc, char** argv, const Options& settings) {
+  core::SupervisorOptions options{.program = "/proc/self/exe",
+                                  .arguments = {},
+                                  .quiet = settings.quiet,
+                                  .memory_socket = settings.socket};
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]) != "--supervised") {
       options.arguments.emplace_back(argv[i]);
     }
   }
   return core::supervise(options);
+}
+
+// By name, before the first of its topics is refused by another name.
+void refuse_second(const msgclient::Client& client, const Options& options) {
+  const std::vector<msgclient::TopicInfo> topics = client.directory();
+  if (std::ranges::any_of(topics, [&](const auto& topic) { return topic.writer == client.name(); })) {
+    throw std::runtime_error(fmt::format(
+        "another main controller is connected to the message controller on {}: end that one first, or name "
+        "another robot's --socket",
+        options.socket.string()));
+  }
+}
+
+// From the first tick to the last.
+int control(const urdf::RobotModel& robot, msgclient::Client& client, const Options& options) {
+  msgclient::EmiHost host(client);
+  core::MainController controller(robot, client, host, options.controller);
+  core::PluginRequests requests(client, controller.plugins());
+  const core::PluginWorkshop workshop(requests);
+  process::ask_for_real_time("main_controller", kPriority);
+  const LoopResult result = run_ticks(controller, requests, client, options);
+  if (options.controller.step_watch != nullptr) {
+    options.controller.step_watch->end();
+  }
+  if (!options.quiet) {
+    print_summary(controller, result);
+  }
+  return result.exit_code;
 }
 
 int run(Options options) {
@@ -144,20 +213,19 @@ int run(Options options) {
   options.controller.wall_time_decides = true;
   options.controller.memory_socket = std::filesystem::absolute(options.socket);
   const urdf::RobotModel robot = urdf::load_robot(options.robot);
-  msgclient::Client client = msgclient::Client::connect(options.socket, "main_controller");
-  msgclient::EmiHost host(client);
-  core::MainController controller(robot, client, host, options.controller);
-  core::PluginRequests requests(client, controller.plugins());
-  const core::PluginWorkshop workshop(requests);
-  process::ask_for_real_time("main_controller", kPriority);
-  const LoopResult result = run_ticks(controller, requests, client, options);
-  if (watch) {
-    watch->end();
+  std::optional<msgclient::Client> client;
+  try {
+    client.emplace(msgclient::Client::connect(options.socket, "main_controller"));
+    refuse_second(*client, options);
+    return control(robot, *client, options);
+  } catch (const msgclient::TopicError& error) {
+    // At whatever step of the start it went away.
+    if (!watch || (client && !client->server_has_ended())) {
+      throw;
+    }
+    fmt::print(stderr, "main_controller: {}\n", input::terminal_text(error.what()));
+    return core::kExitLost;
   }
-  if (!options.quiet) {
-    print_summary(controller, result);
-  }
-  return result.exit_code;
 }
 
 }  // namespace
@@ -183,7 +251,8 @@ int main(int argc, char** argv) {
                  "Plug-ins of the configuration that are not loaded; built-in fallbacks write their topics")
       ->allow_extra_args(false);
   app.add_flag("--supervised", options.supervised,
-               "Start again at once when a plug-in brings the process down, without that plug-in");
+               "Start again at once when a plug-in brings the process down, without that plug-in; wait for a "
+               "message controller that is not there, or went away");
   app.add_option("--step-watch", options.step_watch)->group("");  // the supervisor's own
   app.add_option("--supervisor", options.supervisor)->group("");
   app.add_option("--culprit", options.culprits)->group("")->allow_extra_args(false);
@@ -194,12 +263,12 @@ int main(int argc, char** argv) {
       "--seconds 60\n"
       "Ends on SIGINT and SIGTERM; the message controller then plays the safe tail to its end and the robot "
       "stands.\n"
-      "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the message controller went "
-      "away, 4 supervised: it died more than three times within a minute, 128 + N supervised: signal N ended "
-      "it "
-      "while it stopped.");
+      "Exit code: 0 ended as told, 1 the input was bad, or another main controller runs, and nothing moved, "
+      "3 "
+      "not supervised: the message controller went away, 4 supervised: plug-ins brought it down more than "
+      "three times within a minute, 128 + N supervised: signal N ended it while it stopped.");
   return input::run_line(app, argc, argv, "main_controller", [&] {
     process::stop_on_signals();
-    return options.supervised ? run_supervised(argc, argv, options.quiet) : run(options);
+    return options.supervised ? run_supervised(argc, argv, options) : run(options);
   });
 }

@@ -1,6 +1,7 @@
 // Opening of topics, and the client in another process than the memory block: asks the server, maps what it
 // gives.
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 
@@ -66,6 +67,8 @@ class Connection {
     }
     return received;
   }
+
+  [[nodiscard]] int fd() const noexcept { return socket_.get(); }
 
   // No answer and no waiting: if it cannot be sent, the end of the connection releases the claim.
   void release(const std::string& topic, Role role) noexcept {
@@ -147,6 +150,7 @@ class RemoteSource final : public TopicSource {
   std::vector<TopicInfo> directory() const override { return directory_.rows(); }
   std::uint64_t generation() const noexcept override { return directory_.generation(); }
   std::int64_t heartbeat_ns() const noexcept override { return directory_.heartbeat_ns(); }
+  int hang_up_fd() const noexcept override { return connection_->fd(); }
 
  private:
   Segment say_hello() {
@@ -169,6 +173,11 @@ Client Client::connect(const std::filesystem::path& socket, const std::string& c
                        std::chrono::milliseconds timeout) {
   return Client(std::make_shared<RemoteSource>(std::make_shared<Connection>(socket, client_name, timeout)),
                 client_name);
+}
+
+bool Client::server_has_ended() const noexcept {
+  pollfd ended{hang_up_fd(), POLLRDHUP, 0};
+  return poll(&ended, 1, 0) > 0 && (ended.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
 }
 
 UntypedWriter Client::write_untyped(const TopicDescriptor& descriptor) {

@@ -1,7 +1,8 @@
 // The bus that the message controller's process was told to use: the simulated one behind a socket, or a CAN
-// interface.
+// interface. Whatever becomes of it, the message controller goes on; this one says what it was, in few lines.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/can/simulated/bus_client.hpp"
 #include "gaitway/can/socketcan_port.hpp"
+#include "gaitway/process/file_descriptor.hpp"
 
 namespace gaitway::msgcontroller {
 
@@ -18,9 +20,21 @@ struct BusChoice {
   std::filesystem::path sent_log;  // with an interface: file for what was sent, in candump's format; or empty
 };
 
+// What is printed while a bus comes and goes: a line a second at most, and how many were kept back.
+class BusNews {
+ public:
+  // A line to print, or nothing.
+  std::string tell(std::string line, std::int64_t now_ns);
+
+ private:
+  std::int64_t next_ns_ = 0;
+  int kept_back_ = 0;
+};
+
 class BusConnection {
  public:
-  // Throws can::BusError when the bus is not there, std::runtime_error when the log cannot be written.
+  // Throws can::BusError when the bus is not there, std::runtime_error when another message controller is on
+  // it, or the log cannot be written.
   explicit BusConnection(const BusChoice& choice);
 
   [[nodiscard]] can::BusPort& port() noexcept;
@@ -29,22 +43,33 @@ class BusConnection {
   [[nodiscard]] int wake_fd() const noexcept {
     return client_ ? client_->wake_fd() : interface_->transmit_pending() ? interface_->wake_fd() : -1;
   }
-  // The server of the simulated bus has ended. An interface that is down may come back.
-  [[nodiscard]] bool gone() const noexcept { return client_ && client_->closed(); }
-  // Prints what has changed with the interface, if anything has.
-  void report();
+  // Prints what has changed with the bus, if anything has.
+  void report(std::int64_t now_ns);
   // Waits a moment for what is on its way, and closes the log; throws std::runtime_error when it was not
   // written whole.
   void close();
   [[nodiscard]] const can::SocketCanPort* interface() const noexcept {
     return interface_ ? &*interface_ : nullptr;
   }
+  // Times that the bus went away, and how long it was away in all.
+  [[nodiscard]] std::uint64_t outages() const noexcept { return outages_; }
+  [[nodiscard]] std::int64_t away_ns() const noexcept { return away_ns_; }
 
  private:
+  void claim(const BusChoice& choice);
+  [[nodiscard]] std::string news(bool is_off, std::int64_t now_ns);
+
+  process::FileDescriptor claim_;
+  std::filesystem::path socket_;
   std::optional<can::CandumpWriter> sent_log_;
-  std::optional<can::BusClient> client_;
+  std::optional<can::LastingBusClient> client_;
   std::optional<can::SocketCanPort> interface_;
   can::SocketCanReporter reporter_;
+  BusNews news_;
+  bool was_off_ = false;
+  std::int64_t off_since_ns_ = 0;
+  std::uint64_t outages_ = 0;
+  std::int64_t away_ns_ = 0;
 };
 
 }  // namespace gaitway::msgcontroller

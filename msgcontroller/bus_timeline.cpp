@@ -1,14 +1,21 @@
-// Frames in, millisecond, frames out.
+// Frames in, millisecond, frames out; and what becomes of milliseconds that nobody lived through.
 #include "gaitway/msgcontroller/bus_timeline.hpp"
+
+#include <algorithm>
 
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::msgcontroller {
 namespace {
 
+using facts::kCycle_ns;
 using facts::kMillisecond_ns;
 
 constexpr std::uint16_t kLargestId = 0x7FF;
+// Then no batch can have gone out in time: the joints have gone on by themselves.
+constexpr std::int64_t kAway_ns = kCycle_ns;
+// After so many cycles whatever was handed over has been played to its end, and one cycle is like the other.
+constexpr std::int64_t kLongestPlan_ns = (kMaxPoints / kBatchPoints + 2) * kCycle_ns;
 
 }  // namespace
 
@@ -20,6 +27,9 @@ void BusTimeline::advance_to(std::int64_t now_ns) {
     missed_ += static_cast<std::uint64_t>((now_ns - next_ns_) / kMillisecond_ns);
   }
   waits_ = false;
+  if (now_ns - next_ns_ > kAway_ns) {
+    catch_up(now_ns);
+  }
   for (; next_ns_ <= now_ns; next_ns_ += kMillisecond_ns) {
     take_frames(next_ns_);
     // Feedback that is judged in another time slot than its own looks wrong, and would be repaired for
@@ -30,7 +40,7 @@ void BusTimeline::advance_to(std::int64_t now_ns) {
     }
     controller_.on_bus_state(port_.state(), port_.error_counters(), next_ns_);
     controller_.step(next_ns_);
-    if (now_ns - next_ns_ > can::kLongestWait_ns) {
+    if (is_stale(now_ns)) {
       drop_frames();
     }
     offer(next_ns_, next_ns_);
@@ -41,6 +51,33 @@ void BusTimeline::advance_to(std::int64_t now_ns) {
   if (controller_.next_id() <= kLargestId) {
     offer(now_ns, next_ns_ - kMillisecond_ns);  // a repair goes out at once
   }
+}
+
+// This process was stopped, or its computer had no time for it. Its station was off the bus then, as far as
+// the joints could tell, and so the controller is told; it lives through what the joints have lived through
+// without it, and nothing of that goes out.
+void BusTimeline::catch_up(std::int64_t now_ns) {
+  ++absences_;
+  controller_.take_mails(now_ns);  // judged by the clock: a batch that has waited all the while is late
+  controller_.on_bus_state(can::BusState::down, {}, next_ns_);
+  off_ = true;
+  const std::int64_t over_ns = next_ns_ + kLongestPlan_ns;
+  while (is_stale(now_ns)) {
+    take_frames(next_ns_);
+    controller_.step(next_ns_);
+    next_ns_ += kMillisecond_ns;
+    if (next_ns_ == over_ns) {
+      next_ns_ += std::max<std::int64_t>((now_ns - next_ns_) / kCycle_ns - 1, 0) * kCycle_ns;
+    }
+  }
+  off_ = false;
+  state_ = port_.state();
+  errors_ = port_.error_counters();
+  controller_.on_bus_state(state_, errors_, next_ns_);
+}
+
+bool BusTimeline::is_stale(std::int64_t now_ns) const noexcept {
+  return now_ns - next_ns_ > std::max(port_.longest_wait_ns(), facts::kSlot_ns);
 }
 
 void BusTimeline::take_frames(std::int64_t until_ns) {
@@ -74,7 +111,7 @@ void BusTimeline::take_notices(std::int64_t until_ns) noexcept {
 void BusTimeline::watch_station(std::int64_t now_ns) noexcept {
   const can::BusState state = port_.state();
   const can::ErrorCounters errors = port_.error_counters();
-  if (state != state_ || errors != errors_) {
+  if (!off_ && (state != state_ || errors != errors_)) {
     state_ = state;
     errors_ = errors;
     controller_.on_bus_state(state, errors, now_ns);

@@ -29,7 +29,6 @@ namespace {
 using namespace gaitway;
 
 constexpr int kExitFine = 0;
-constexpr int kExitLost = 3;
 constexpr int kPriority = 70;
 constexpr std::int64_t kBetweenTries_ns = 50 * facts::kMillisecond_ns;
 
@@ -88,28 +87,10 @@ std::unique_ptr<msgcontroller::BusConnection> connect(const Options& options) {
 }
 
 struct LoopResult {
-  int exit_code = kExitFine;
   std::int64_t begin_ns = 0, end_ns = 0;
-  std::uint64_t missed = 0, stale = 0;
+  std::uint64_t missed = 0, stale = 0, absences = 0;
   process::DurationHistogram lateness;
 };
-
-// One round of work; false when the bus has gone.
-bool work(msgcontroller::BusTimeline& timeline, msgcontroller::BusConnection& bus, std::int64_t now_ns,
-          const Options& options) {
-  try {
-    timeline.advance_to(now_ns);
-    if (!bus.gone()) {
-      bus.report();
-      return true;
-    }
-    fmt::print(stderr, "message_controller: the bus on {} has gone. Has virtual_robot ended?\n",
-               options.bus.socket.string());
-  } catch (const can::BusError& error) {
-    fmt::print(stderr, "message_controller: {}\n", input::terminal_text(error.what()));
-  }
-  return false;
-}
 
 LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
@@ -136,10 +117,8 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
       walk->step(now_ns);
     }
     arbiter.step(now_ns, controller.mode() == msgcontroller::Mode::emergency_stop);
-    if (!work(timeline, bus, now_ns, options)) {
-      result.exit_code = kExitLost;
-      break;
-    }
+    timeline.advance_to(now_ns);
+    bus.report(now_ns);
     block.beat(now_ns);
     if (wakes[1].revents != 0 || now_ns >= server.due_ns()) {
       server.step(now_ns);
@@ -148,6 +127,7 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   result.end_ns = process::monotonic_ns();
   result.missed = timeline.missed();
   result.stale = timeline.stale();
+  result.absences = timeline.absences();
   return result;
 }
 
@@ -160,7 +140,7 @@ nlohmann::ordered_json summary_of(const can::SocketCanPort& port) {
 }
 
 void write_summary(const Options& options, const NetworkState& state, const NetworkHealth& health,
-                   const LoopResult& loop, const can::SocketCanPort* interface) {
+                   const LoopResult& loop, const msgcontroller::BusConnection& bus) {
   const process::DurationSummary late = loop.lateness.summary();
   nlohmann::ordered_json summary = {
       {"seconds", static_cast<double>(loop.end_ns - loop.begin_ns) * 1e-9},
@@ -172,6 +152,9 @@ void write_summary(const Options& options, const NetworkState& state, const Netw
       {"resynchronised", state.resynchronised},
       {"missed_milliseconds", loop.missed},
       {"stale_frames", loop.stale},
+      {"absences", loop.absences},
+      {"bus_outages", bus.outages()},
+      {"bus_away_s", static_cast<double>(bus.away_ns()) * 1e-9},
       {"network",
        {{"unknown_identifiers", health.unknown_identifiers},
         {"wrong_lengths", health.wrong_lengths},
@@ -185,8 +168,8 @@ void write_summary(const Options& options, const NetworkState& state, const Netw
         {"trajectories_lost", health.trajectories_lost},
         {"counts_differed", health.counts_differed}}},
       {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
-  if (interface != nullptr) {
-    summary["can"] = summary_of(*interface);
+  if (bus.interface() != nullptr) {
+    summary["can"] = summary_of(*bus.interface());
   }
   if (options.summary.empty()) {
     fmt::print("{}\n", summary.dump(2));
@@ -226,8 +209,8 @@ int run(const Options& options) {
   process::ask_for_real_time("message_controller", kPriority);
   const LoopResult result = run_loop(options, block, server, controller, *bus, arbiter);
   bus->close();
-  write_summary(options, controller.state(), controller.health(), result, bus->interface());
-  return result.exit_code;
+  write_summary(options, controller.state(), controller.health(), result, *bus);
+  return kExitFine;
 }
 
 }  // namespace
@@ -258,7 +241,9 @@ int main(int argc, char** argv) {
   app.add_option("--walk-after", options.walk_after_s, "Seconds from the start to that command")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
-  app.add_option("--wait", options.wait_s, "Seconds to wait for the bus at the start")
+  app.add_option(
+         "--wait", options.wait_s,
+         "Seconds to wait for the bus at the start; one that goes away later is waited for without end")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
@@ -272,7 +257,10 @@ int main(int argc, char** argv) {
       "--walk-after 2\n"
       "  message_controller --robot urdf/humanoid22 --can can0 --memory m.sock\n"
       "Ends on SIGINT and SIGTERM; the joints then play out their batch and hold.\n"
-      "Exit code: 0 ended as told, 1 the input was bad and nothing moved, 3 the bus went away.");
+      "A bus that goes away later on is waited for, however long: the memory block and its clients stay.\n"
+      "Exit code: 0 ended as told, 1 the input was bad, or another one serves the memory block or the bus, "
+      "and "
+      "nothing moved.");
   return input::run_line(app, argc, argv, "message_controller", [&] {
     process::stop_on_signals();
     return run(options);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <string>
+#include <utility>
 
 #include "bus_protocol.hpp"
 #include "gaitway/process/listening_socket.hpp"
@@ -121,6 +123,84 @@ std::optional<TimedFrame> BusClient::receive() {
     }
   }
   return std::nullopt;
+}
+
+LastingBusClient::LastingBusClient(std::filesystem::path socket, std::string name, Pace pace)
+    : socket_(std::move(socket)), name_(std::move(name)), pace_(pace) {
+  client_.emplace(socket_, name_, pace_);
+}
+
+template <class Work>
+void LastingBusClient::attempt(const Work& work) noexcept {
+  if (!client_) {
+    return;
+  }
+  try {
+    work();
+  } catch (const BusError&) {  // it does not read any more, or the like
+    client_.reset();
+  }
+  if (client_ && client_->closed()) {
+    client_.reset();
+  }
+  if (!client_) {
+    go_down();
+    next_try_ns_ = now_ns_ + kBetweenTries_ns;
+  }
+}
+
+bool LastingBusClient::transmit(const Frame& frame, std::int64_t now_ns) {
+  bool taken = false;
+  if (state_ != BusState::down) {
+    attempt([&] { taken = client_->transmit(frame, now_ns); });
+  }
+  return taken;
+}
+
+std::optional<TimedFrame> LastingBusClient::receive() {
+  std::optional<TimedFrame> frame;
+  attempt([&] { frame = client_->receive(); });
+  return frame;
+}
+
+void LastingBusClient::flush(std::int64_t now_ns) {
+  now_ns_ = now_ns;
+  if (!client_ && now_ns >= next_try_ns_) {
+    next_try_ns_ = now_ns + kBetweenTries_ns;
+    connect_again();
+  }
+  attempt([&] { client_->flush(now_ns); });
+  judge(now_ns);
+}
+
+void LastingBusClient::connect_again() noexcept {
+  try {
+    client_.emplace(socket_, name_, pace_);
+  } catch (const std::exception&) {  // still nobody
+    client_.reset();
+  }
+}
+
+void LastingBusClient::judge(std::int64_t now_ns) noexcept {
+  if (!client_) {
+    return;
+  }
+  if (pace_ == Pace::free) {
+    state_ = BusState::error_active;
+    return;
+  }
+  since_ns_ = since_ns_ == 0 ? now_ns : since_ns_;
+  const std::int64_t bus_ns = client_->bus_time_ns();
+  if (state_ == BusState::down) {
+    state_ = bus_ns >= now_ns - kLongestWait_ns ? BusState::error_active : BusState::down;
+  } else if (std::max(bus_ns, since_ns_) < now_ns - kStandstill_ns) {
+    go_down();
+  }
+}
+
+void LastingBusClient::go_down() noexcept {
+  outages_ += state_ != BusState::down ? 1U : 0U;
+  state_ = BusState::down;
 }
 
 }  // namespace gaitway::can

@@ -60,6 +60,7 @@ class RecordingPort final : public can::BusPort {
     return bus_time_ns >= time_ns;
   }
   [[nodiscard]] bool takes_back() const noexcept override { return revocable; }
+  [[nodiscard]] std::int64_t longest_wait_ns() const noexcept override { return longest_ns; }
   [[nodiscard]] int wake_fd() const noexcept override { return -1; }
 
   [[nodiscard]] std::vector<std::int64_t> times_of(can::MessageKind kind) const {
@@ -85,6 +86,7 @@ class RecordingPort final : public can::BusPort {
   }
   bool occupied = false;
   bool revocable = true;
+  std::int64_t longest_ns = can::kLongestWait_ns;
   std::size_t buffers = std::numeric_limits<std::size_t>::max();
   std::size_t held = 0;
   can::BusState bus_state = can::BusState::error_active;
@@ -144,8 +146,74 @@ TEST_F(BusTimelineTest, WhatIsTooOldForTheBusIsDroppedAndCounted) {
   ASSERT_FALSE(port.syncs().empty());
   EXPECT_GE(port.syncs().front(), now_ns - can::kLongestWait_ns);
   EXPECT_EQ(port.syncs().size(), 6U);  // 50 ms ago, and since then
-  EXPECT_GE(timeline.stale(), 15U);
+  EXPECT_GE(controller.health().flushed, 15U);
   EXPECT_EQ(controller.state().cycle, 1002U) << "it knows the time all the same";
+}
+
+// A frame cannot be put onto a real bus with a time of its own.
+TEST_F(BusTimelineTest, ABusThatWaitsForNobodyGetsNoSyncOfASlotThatIsOver) {
+  port.longest_ns = 0;
+  const std::int64_t now_ns = kStart_ns + 500'000 + 3 * kSlot_ns + 4 * kMillisecond_ns;
+  timeline.advance_to(now_ns);
+  EXPECT_EQ(port.syncs(), std::vector{kStart_ns + 500'000 + 3 * kSlot_ns});
+  EXPECT_EQ(timeline.absences(), 0U);
+  EXPECT_GE(timeline.stale(), 3U);
+}
+
+// As a process that was stopped (SIGSTOP) for five seconds and goes on.
+TEST_F(BusTimelineTest, WhoWasAwayBeginsAnewWithTheSlotThatIsNow) {
+  port.longest_ns = 0;
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  timeline.advance_to(first_ns + 20 * kMillisecond_ns);
+  port.sent.clear();
+  port.flushed.clear();
+  const std::int64_t now_ns = first_ns + 5 * facts::kSecond_ns + 3 * kMillisecond_ns;
+  timeline.advance_to(now_ns);
+  EXPECT_EQ(port.syncs(), std::vector{first_ns + 5 * facts::kSecond_ns}) << "nothing of before";
+  EXPECT_LE(port.sent.size(), 3U);
+  EXPECT_LE(port.flushed.size(), 12U) << "the bus hears of the last milliseconds alone";
+  EXPECT_EQ(controller.state().cycle, static_cast<std::uint32_t>(now_ns / facts::kCycle_ns));
+  EXPECT_EQ(controller.state().slot, static_cast<std::uint32_t>(now_ns / kSlot_ns % 8));
+  EXPECT_EQ(controller.health().bus_offs, 1U) << "for the joints it was as if it had been off the bus";
+  EXPECT_EQ(controller.health().bus_state, static_cast<std::uint32_t>(can::BusState::error_active));
+  EXPECT_EQ(timeline.next_ns(), first_ns + 5 * facts::kSecond_ns + 4 * kMillisecond_ns);
+  EXPECT_EQ(timeline.absences(), 1U);
+}
+
+// What waited in the mailbox meanwhile is judged by the clock, not by what the controller has just lived
+// through.
+TEST_F(BusTimelineTest, ABatchOfBeforeAnAbsenceIsLate) {
+  msgclient::Client main = block.local_client("main_controller");
+  msgclient::EmiHost host{main};
+  const std::int64_t first_ns = kStart_ns + 500'000;
+  timeline.advance_to(first_ns + 20 * kMillisecond_ns);
+  msgclient::HandOver batch{};
+  batch.sequence = 1001;
+  batch.joint_count = static_cast<std::uint32_t>(robot.joints.size());
+  batch.point_count = kBatchPoints;
+  for (int point = 0; point < kBatchPoints; ++point) {
+    for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+      batch.position[static_cast<std::size_t>(point) * robot.joints.size() + joint] =
+          static_cast<float>(robot.joints[joint].home_rad);
+    }
+  }
+  ASSERT_TRUE(host.post(batch, first_ns + 30 * kMillisecond_ns));
+  timeline.advance_to(first_ns + 2 * facts::kSecond_ns);
+  EXPECT_EQ(controller.state().handed_over, 1U);
+  EXPECT_EQ(controller.state().late, 1U);
+  EXPECT_EQ(controller.state().accepted_sequence, 0U);
+  EXPECT_EQ(controller.mode(), Mode::holding);
+}
+
+// A computer may sleep, too.
+TEST_F(BusTimelineTest, AnHourIsCaughtUpWithAsQuicklyAsASecond) {
+  timeline.advance_to(kStart_ns + kMillisecond_ns);
+  const std::int64_t now_ns = kStart_ns + 3600 * facts::kSecond_ns;
+  const std::uint64_t published_before = controller.health().flushed;
+  timeline.advance_to(now_ns);
+  EXPECT_EQ(controller.state().cycle, static_cast<std::uint32_t>(now_ns / facts::kCycle_ns));
+  EXPECT_LT(controller.health().flushed - published_before, 1000U) << "slots that it lived through";
+  EXPECT_EQ(timeline.next_ns(), (now_ns / kMillisecond_ns + 1) * kMillisecond_ns);
 }
 
 TEST_F(BusTimelineTest, AFrameComesBeforeTheMillisecondsThatFollowIt) {

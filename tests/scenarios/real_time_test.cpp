@@ -1,99 +1,27 @@
 // The chain as three processes in real time: virtual_robot, message_controller and main_controller walk
 // together, and each ends well whatever becomes of the others.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "running_process.hpp"
+
 namespace gaitway::scenarios {
 namespace {
 
-using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
 using testing::HasSubstr;
 
 const std::string kRobot = std::string(GAITWAY_SOURCE_DIR) + "/urdf/humanoid22";
 const std::string kConfig = std::string(GAITWAY_SOURCE_DIR) + "/core/config/walk.yaml";
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-bool until(Clock::duration at_most, const std::function<bool()>& done) {
-  const auto end = Clock::now() + at_most;
-  while (!done()) {
-    if (Clock::now() > end) {
-      return false;
-    }
-    std::this_thread::sleep_for(5ms);
-  }
-  return true;
-}
-
-// A program with its output in a file; killed with this object at the latest.
-class Process {
- public:
-  Process(std::string program, std::filesystem::path output, std::vector<std::string> arguments)
-      : output_(std::move(output)) {
-    arguments.insert(arguments.begin(), std::move(program));
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) {
-      argv.push_back(argument.data());
-    }
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 1, output_.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
-    posix_spawn_file_actions_adddup2(&actions, 1, 2);
-    EXPECT_EQ(posix_spawn(&process_, argv[0], &actions, nullptr, argv.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-  ~Process() {
-    if (process_ > 0) {
-      kill(process_, SIGKILL);
-      waitpid(process_, nullptr, 0);
-    }
-  }
-
-  void send(int signal) const { kill(process_, signal); }
-  // Its exit code; 1000 and more: a signal ended it; -1: it did not end.
-  int wait() {
-    int status = 0;
-    if (!until(10s, [&] { return waitpid(process_, &status, WNOHANG) == process_; })) {
-      return -1;
-    }
-    process_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  }
-  int stop() {
-    send(SIGTERM);
-    return wait();
-  }
-  [[nodiscard]] std::string output() const { return text_of(output_); }
-
- private:
-  std::filesystem::path output_;
-  pid_t process_ = 0;
-};
 
 class RealTime : public testing::Test {
  protected:
@@ -334,12 +262,38 @@ TEST_F(RealTime, TheMessageControllerWaitsForARobotThatSleptForThirtyMillisecond
       << "every feedback was judged in its own time slot " << everything();
 }
 
-TEST_F(RealTime, TheMessageControllerSaysThatTheBusHasGone) {
+// The bus goes with its server. Who has a memory block keeps it.
+TEST_F(RealTime, TheMessageControllerOutlastsItsBus) {
   auto robot = start_robot();
   const auto message_controller = start_message_controller("0,0,0");
   robot.reset();  // killed
-  EXPECT_EQ(message_controller->wait(), 3);
-  EXPECT_THAT(message_controller->output(), HasSubstr("has gone"));
+  const auto told = [&](const char* text) {
+    return message_controller->output().find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(until(5s, [&] { return told("has gone: waiting for it"); })) << message_controller->output();
+  robot = start_robot();
+  EXPECT_TRUE(until(5s, [&] { return told("is back after"); })) << message_controller->output();
+  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+  EXPECT_EQ(robot->stop(), 0) << robot->output();
+  ASSERT_TRUE(summary("message.json").is_object()) << everything();
+  EXPECT_EQ(summary("message.json")["bus_outages"].get<int>(), 1) << everything();
+  EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
+}
+
+TEST_F(RealTime, ASecondCopyIsRefusedByName) {
+  const auto robot = start_robot();
+  const auto message_controller = start_message_controller("0,0,0");
+  const std::vector<std::string> arguments{"--robot", kRobot, "--bus", path("bus"), "--memory"};
+  for (const char* memory : {"memory", "another"}) {
+    std::vector<std::string> second = arguments;
+    second.push_back(path(memory));
+    Process copy(GAITWAY_MESSAGE_CONTROLLER, folder / "copy.txt", second);
+    EXPECT_EQ(copy.wait(), 1);
+    EXPECT_THAT(copy.output(), HasSubstr("another message controller is on the bus " + path("bus")));
+  }
+  Process other(GAITWAY_VIRTUAL_ROBOT, folder / "copy.txt", {"--robot", kRobot, "--bus", path("bus")});
+  EXPECT_EQ(other.wait(), 1);
+  EXPECT_THAT(other.output(), HasSubstr("another bus serves it"));
 }
 
 TEST_F(RealTime, WhatCannotWorkIsSaidInOneLineAndNothingMoves) {

@@ -6,14 +6,19 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "can/simulated/bus_protocol.hpp"
+#include "gaitway/can/simulated/bus_server.hpp"
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/process/listening_socket.hpp"
 
 namespace gaitway::can {
 namespace {
 
+using facts::kMillisecond_ns;
 using protocol::Kind;
 using protocol::Record;
 
@@ -39,6 +44,96 @@ TEST(BusClientTest, FramesThatNoBusCanCarryReachNobodyThoughTheirSenderIsToldOfT
     EXPECT_FALSE(client.next_notice());
   }
   std::filesystem::remove_all(folder);
+}
+
+class LastingBusClientTest : public testing::Test {
+ protected:
+  static std::filesystem::path new_folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "gaitway_bus_XXXXXX").native();
+    return mkdtemp(name.data());
+  }
+  ~LastingBusClientTest() override { std::filesystem::remove_all(folder); }
+
+  // With another station, which acknowledges.
+  std::unique_ptr<BusServer> new_server() const {
+    auto made = std::make_unique<BusServer>(folder / "bus", now_ns);
+    made->bus().attach();
+    return made;
+  }
+  // As the message controller and virtual_robot do it, a millisecond after the other.
+  void run(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      now_ns += kMillisecond_ns;
+      if (server) {
+        server->step();
+        while (server->advance(now_ns)) {
+        }
+        server->flush();
+      }
+      while (client.receive()) {
+      }
+      client.flush(now_ns);
+    }
+  }
+
+  std::filesystem::path folder = new_folder();
+  std::int64_t now_ns = 1'000'000'000;
+  std::unique_ptr<BusServer> server = new_server();
+  LastingBusClient client{folder / "bus", "client", Pace::kept};
+};
+
+TEST_F(LastingBusClientTest, IsOffABusThatHasGoneAndOnTheOneThatComesInItsPlace) {
+  run(20);
+  EXPECT_EQ(client.state(), BusState::error_active);
+  ASSERT_TRUE(client.transmit({.id = 0x100, .size = 1}, now_ns));
+  server.reset();
+  run(3);
+  EXPECT_EQ(client.state(), BusState::down);
+  EXPECT_FALSE(client.connected());
+  EXPECT_EQ(client.wake_fd(), -1);
+  EXPECT_FALSE(client.transmit({.id = 0x101, .size = 1}, now_ns)) << "nothing waits for another bus";
+  EXPECT_FALSE(client.transmit_pending()) << "what was offered is gone with it";
+  EXPECT_TRUE(client.caught_up(now_ns)) << "nobody is to wait for it";
+  run(5000);
+  EXPECT_EQ(client.state(), BusState::down);
+  server = new_server();
+  run(static_cast<int>(LastingBusClient::kBetweenTries_ns / kMillisecond_ns) + 3);
+  EXPECT_EQ(client.state(), BusState::error_active);
+  EXPECT_EQ(client.outages(), 1U);
+  ASSERT_TRUE(client.transmit({.id = 0x102, .size = 1}, now_ns));
+  run(3);
+  EXPECT_FALSE(client.transmit_pending());
+  EXPECT_EQ(server->bus().statistics().frames, 1U) << "of before nothing comes";
+}
+
+TEST_F(LastingBusClientTest, TriesAreBoundedInTheirRate) {
+  server.reset();
+  process::ListeningSocket nobody_home(folder / "bus", "bus");
+  int tries = 0;
+  for (int i = 0; i < 1000; ++i) {
+    run(1);
+    const process::FileDescriptor taken = nobody_home.accept();  // and hangs up
+    tries += taken ? 1 : 0;
+  }
+  EXPECT_GE(tries, 15);
+  EXPECT_LE(tries, 20);
+  EXPECT_EQ(client.state(), BusState::down) << "it has told nothing";
+  EXPECT_EQ(client.outages(), 1U);
+}
+
+TEST_F(LastingBusClientTest, ABusThatStandsStillIsNoBusUntilItRuns) {
+  run(20);
+  auto stopped = std::move(server);
+  run(190);
+  EXPECT_EQ(client.state(), BusState::error_active);
+  run(20);
+  EXPECT_EQ(client.state(), BusState::down);
+  EXPECT_TRUE(client.connected());
+  run(20'000);  // its socket is full by now
+  server = std::move(stopped);
+  run(200);
+  EXPECT_EQ(client.state(), BusState::error_active);
+  EXPECT_EQ(server->statistics().broken, 0U);
 }
 
 }  // namespace

@@ -81,6 +81,9 @@ class BusPort {
     static_cast<void>(time_ns);
     return true;
   }
+  // How long the bus waits for what this station is late with; 0: not at all, a real one. A frame that is
+  // later by more than that would be on it at another time than its own.
+  [[nodiscard]] virtual std::int64_t longest_wait_ns() const noexcept { return 0; }
   // Where frames come from, to wait on with poll().
   [[nodiscard]] virtual int wake_fd() const noexcept = 0;
 };

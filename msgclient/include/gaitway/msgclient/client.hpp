@@ -26,6 +26,7 @@ class TopicSource {
   [[nodiscard]] virtual std::vector<TopicInfo> directory() const = 0;
   [[nodiscard]] virtual std::uint64_t generation() const noexcept = 0;
   [[nodiscard]] virtual std::int64_t heartbeat_ns() const noexcept = 0;
+  [[nodiscard]] virtual int hang_up_fd() const noexcept { return -1; }
 };
 
 // Every opening call may allocate and throws TopicError, whose message names the topic, both sides and the
@@ -91,6 +92,11 @@ class Client {
   [[nodiscard]] std::uint64_t generation() const noexcept { return source_->generation(); }
   // Latest MemoryBlock::beat(): how a client sees that the message controller is alive.
   [[nodiscard]] std::int64_t heartbeat_ns() const noexcept { return source_->heartbeat_ns(); }
+  // To wait on with poll() for POLLRDHUP alone: the message controller's process has ended, however it did,
+  // and this client has to be made anew. -1: the memory block is this process's own.
+  [[nodiscard]] int hang_up_fd() const noexcept { return source_->hang_up_fd(); }
+  // Asks the system; without waiting.
+  [[nodiscard]] bool server_has_ended() const noexcept;
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "gaitway/can/bounded_queue.hpp"
@@ -43,8 +44,13 @@ class BusClient final : public BusPort {
   [[nodiscard]] bool caught_up(std::int64_t time_ns) const noexcept override {
     return pace_ == Pace::free || bus_time_ns_ >= time_ns;
   }
+  [[nodiscard]] std::int64_t longest_wait_ns() const noexcept override {
+    return pace_ == Pace::kept ? kLongestWait_ns : 0;
+  }
   [[nodiscard]] int wake_fd() const noexcept override { return socket_.get(); }
 
+  // How far the bus has run, as far as it has told; 0: it has told nothing yet.
+  [[nodiscard]] std::int64_t bus_time_ns() const noexcept { return bus_time_ns_; }
   // The server has gone; nothing comes or goes any more.
   [[nodiscard]] bool closed() const noexcept { return closed_; }
 
@@ -62,6 +68,60 @@ class BusClient final : public BusPort {
   std::int64_t bus_time_ns_ = 0;
   int unsent_ = 0;  // frames that were offered and not yet reported as sent
   bool closed_ = false;
+};
+
+// A client that outlives its bus. While nobody serves the socket, or a bus that keeps its pace stands still,
+// its station is down: it takes no frame, and what had been offered is gone with the bus. It connects again
+// by itself, at most every kBetweenTries_ns of what flush() is told, and is back on the bus when that runs.
+// Passive like a BusClient; after the construction nothing throws.
+class LastingBusClient final : public BusPort {
+ public:
+  static constexpr std::int64_t kBetweenTries_ns = 50'000'000;
+  // A bus that is further behind than that stands still.
+  static constexpr std::int64_t kStandstill_ns = 200'000'000;
+
+  // Throws BusError when nobody serves the socket now.
+  LastingBusClient(std::filesystem::path socket, std::string name, Pace pace);
+
+  bool transmit(const Frame& frame, std::int64_t now_ns) override;
+  [[nodiscard]] bool transmit_pending() const override { return client_ && client_->transmit_pending(); }
+  std::optional<TimedFrame> receive() override;
+  std::optional<BusNotice> next_notice() noexcept override {
+    return client_ ? client_->next_notice() : std::nullopt;
+  }
+  void flush(std::int64_t now_ns) override;
+  [[nodiscard]] BusState state() const noexcept override { return state_; }
+  [[nodiscard]] bool caught_up(std::int64_t time_ns) const noexcept override {
+    return state_ == BusState::down || client_->caught_up(time_ns);
+  }
+  [[nodiscard]] std::int64_t longest_wait_ns() const noexcept override {
+    return pace_ == Pace::kept ? kLongestWait_ns : 0;
+  }
+  // Changes with every connection; -1 while there is none.
+  [[nodiscard]] int wake_fd() const noexcept override { return client_ ? client_->wake_fd() : -1; }
+
+  // Somebody serves the bus, whether it runs or not.
+  [[nodiscard]] bool connected() const noexcept { return client_.has_value(); }
+  // Times that the station was taken off the bus.
+  [[nodiscard]] std::uint64_t outages() const noexcept { return outages_; }
+
+ private:
+  void connect_again() noexcept;
+  void judge(std::int64_t now_ns) noexcept;
+  void go_down() noexcept;
+  // A connection that breaks for whatever reason has ended.
+  template <class Work>
+  void attempt(const Work& work) noexcept;
+
+  std::filesystem::path socket_;
+  std::string name_;
+  Pace pace_;
+  std::optional<BusClient> client_;
+  BusState state_ = BusState::error_active;
+  std::int64_t now_ns_ = 0;       // as of the last flush()
+  std::int64_t next_try_ns_ = 0;  // to connect
+  std::int64_t since_ns_ = 0;     // of the first connection: its bus is waited for from then on
+  std::uint64_t outages_ = 0;
 };
 
 }  // namespace gaitway::can

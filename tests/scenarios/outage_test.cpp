@@ -1,0 +1,249 @@
+// Outages in real time: a robot walks at 0.2 m/s, one of its processes is killed, or stopped for five
+// seconds, at a random instant of a step, and comes back. Did the robot fall, and when may it be commanded
+// again, which is when the message controller accepts batches?
+//
+// GAITWAY_OUTAGES: how many trials of each fault (1). GAITWAY_OUTAGE_SEED: their first seed (1).
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <linux/limits.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+
+#include "gaitway/msgclient/client.hpp"
+#include "gaitway/msgclient/topics.hpp"
+#include "running_process.hpp"
+
+namespace gaitway::scenarios {
+namespace {
+
+const std::string kRobot = std::string(GAITWAY_SOURCE_DIR) + "/urdf/humanoid22";
+const std::string kConfig = std::string(GAITWAY_SOURCE_DIR) + "/core/config/walk.yaml";
+constexpr auto kStop = 5s;
+constexpr auto kAfterwards = 5s;  // the longest tail lasts two
+constexpr double kStepPair_s = 1.28;
+
+enum class Fault : std::uint8_t {
+  message_killed,
+  message_stopped,
+  main_killed,
+  main_stopped,
+  robot_stopped,  // and with it its bus: for the message controller the bus stands still
+};
+
+struct FaultKind {
+  Fault fault;
+  const char* name;
+  double commanded_within_s;  // of the fault, or of its end
+};
+constexpr std::array kFaults{FaultKind{Fault::message_killed, "message_controller_killed", 1.0},
+                             FaultKind{Fault::message_stopped, "message_controller_stopped_5_s", 1.5},
+                             FaultKind{Fault::main_killed, "main_controller_killed", 0.5},
+                             FaultKind{Fault::main_stopped, "main_controller_stopped_5_s", 2.0},
+                             FaultKind{Fault::robot_stopped, "bus_stands_still_5_s", 3.0}};
+
+int number(const char* variable, int otherwise) {
+  const char* const text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
+// What the message controller says of itself, whichever it is by now.
+class NetworkWatch {
+ public:
+  explicit NetworkWatch(std::filesystem::path socket) : socket_(std::move(socket)) {}
+
+  // Nothing while there is no message controller.
+  std::optional<NetworkState> read() {
+    if (client_ && client_->server_has_ended()) {
+      reader_.reset();
+      client_.reset();
+    }
+    try {
+      if (!client_) {
+        client_.emplace(msgclient::Client::connect(socket_, "watch", 100ms));
+        reader_.emplace(client_->read<NetworkState>("network_state"));
+      }
+    } catch (const msgclient::TopicError&) {
+      reader_.reset();
+      client_.reset();
+      return std::nullopt;
+    }
+    NetworkState state{};
+    return reader_->read(state) ? std::optional(state) : std::nullopt;
+  }
+  // Batches that have been accepted by now.
+  std::uint32_t accepted() {
+    const auto state = read();
+    return state ? state->accepted_sequence : 0;
+  }
+
+ private:
+  std::filesystem::path socket_;
+  std::optional<msgclient::Client> client_;
+  std::optional<msgclient::Reader<NetworkState>> reader_;
+};
+
+// The worker below a supervised main controller; 0: none at the moment.
+pid_t worker_of(pid_t supervisor) {
+  std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", supervisor));
+  pid_t child = 0;
+  children >> child;
+  return child;
+}
+
+struct Outcome {
+  bool walked = false;
+  bool fell = true;
+  double commanded_s = -1.0;  // after the fault, or after the end of a stop; -1: not any more
+  int missing = 0;            // processes that did not end well
+};
+
+class Trial {
+ public:
+  explicit Trial(std::uint64_t seed) : seed_(seed), random_(seed) {
+    std::string name = (std::filesystem::temp_directory_path() / "gaitway_outage_XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+  ~Trial() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  Outcome run(Fault fault) {
+    start();
+    NetworkWatch watch(path("memory"));
+    Outcome outcome;
+    outcome.walked = until(20s, [&] { return watch.accepted() > 0; });
+    std::this_thread::sleep_for(4s + instant());  // it walks from one second on
+    const Clock::time_point counted_from = inflict(fault, watch);
+    const std::uint32_t before = before_;
+    if (until(20s, [&] { return watch.accepted() > before; })) {
+      outcome.commanded_s = std::chrono::duration<double>(Clock::now() - counted_from).count();
+    }
+    std::this_thread::sleep_for(kAfterwards);
+    for (const auto& process : {main_.get(), message_.get(), robot_.get()}) {
+      outcome.missing += process->stop() == 0 ? 0 : 1;
+    }
+    const auto summary = nlohmann::json::parse(text_of(folder_ / "robot.json"), nullptr, false);
+    outcome.fell = !summary.is_object() || summary.value("fell", true);
+    outcome.walked = outcome.walked && summary.is_object() && summary.value("distance_m", 0.0) > 0.2;
+    return outcome;
+  }
+  [[nodiscard]] std::string everything() const {
+    std::string all;
+    for (const char* file : {"robot.txt", "robot.json", "message.txt", "again.txt", "main.txt"}) {
+      all += std::string("\n--- ") + file + "\n" + text_of(folder_ / file);
+    }
+    return all;
+  }
+
+ private:
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  // Anywhere in a left and a right step.
+  Clock::duration instant() {
+    const double phase_s = std::uniform_real_distribution<double>(0.0, kStepPair_s)(random_);
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(phase_s));
+  }
+  void start() {
+    robot_ = std::make_unique<Process>(
+        GAITWAY_VIRTUAL_ROBOT, folder_ / "robot.txt",
+        std::vector<std::string>{"--robot", kRobot, "--bus", path("bus"), "--summary", path("robot.json"),
+                                 "--seed", std::to_string(seed_)});
+    EXPECT_TRUE(until(20s, [&] { return std::filesystem::exists(path("bus")); })) << robot_->output();
+    message_ = message_controller("message.txt", {"--walk", "0.2,0,0", "--walk-after", "1.5"});
+    EXPECT_TRUE(until(20s, [&] { return std::filesystem::exists(path("memory")); })) << message_->output();
+    main_ = std::make_unique<Process>(
+        GAITWAY_MAIN_CONTROLLER, folder_ / "main.txt",
+        std::vector<std::string>{"--supervised", "--socket", path("memory"), "--robot", kRobot, "--config",
+                                 kConfig, "--plugin-path", GAITWAY_PLUGIN_DIR});
+  }
+  std::unique_ptr<Process> message_controller(const char* output, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "--robot",  kRobot,         "--bus",     path("bus"),
+        "--memory", path("memory"), "--summary", path(std::string(output) + ".json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return std::make_unique<Process>(GAITWAY_MESSAGE_CONTROLLER, folder_ / output, arguments);
+  }
+  // From when on the time counts: the fault, or the end of a stop. Of a stop that ends the process, the
+  // fault.
+  Clock::time_point inflict(Fault fault, NetworkWatch& watch) {
+    const Clock::time_point now = Clock::now();
+    switch (fault) {
+      case Fault::message_killed:
+        message_->send(SIGKILL);
+        message_->wait();
+        message_ =
+            message_controller("again.txt", {});  // at once, as whoever watches it does; nobody orders a walk
+        before_ = 0;
+        return now;
+      case Fault::main_killed:
+        kill(worker_of(main_->id()), SIGKILL);
+        before_ = watch.accepted() + 1;  // one may be on its way
+        return now;
+      case Fault::main_stopped:
+        kill(worker_of(main_->id()), SIGSTOP);
+        before_ = watch.accepted() + 1;
+        return now;
+      case Fault::message_stopped:
+        return stop_and_go_on(*message_, watch);
+      case Fault::robot_stopped:
+        return stop_and_go_on(*robot_, watch);
+    }
+    return now;
+  }
+  Clock::time_point stop_and_go_on(const Process& process, NetworkWatch& watch) {
+    process.send(SIGSTOP);
+    std::this_thread::sleep_for(kStop);
+    before_ = watch.accepted();
+    process.send(SIGCONT);
+    return Clock::now();
+  }
+
+  std::uint64_t seed_;
+  std::mt19937_64 random_;
+  std::filesystem::path folder_;
+  std::unique_ptr<Process> robot_, message_, main_;
+  std::uint32_t before_ = 0;  // what had been accepted before the time counts
+};
+
+class Outage : public testing::TestWithParam<FaultKind> {};
+
+TEST_P(Outage, IsOutlastedWithoutAFall) {
+  const FaultKind& kind = GetParam();
+  const int trials = number("GAITWAY_OUTAGES", 1), first = number("GAITWAY_OUTAGE_SEED", 1);
+  int falls = 0;
+  std::vector<double> commanded_s;
+  for (int trial = first; trial < first + trials; ++trial) {
+    SCOPED_TRACE(fmt::format("seed {}", trial));
+    Trial robot(static_cast<std::uint64_t>(trial));
+    const Outcome outcome = robot.run(kind.fault);
+    EXPECT_TRUE(outcome.walked) << robot.everything();
+    EXPECT_FALSE(outcome.fell) << robot.everything();
+    EXPECT_EQ(outcome.missing, 0) << robot.everything();
+    EXPECT_GE(outcome.commanded_s, 0.0) << robot.everything();
+    EXPECT_LE(outcome.commanded_s, kind.commanded_within_s) << robot.everything();
+    falls += outcome.fell ? 1 : 0;
+    commanded_s.push_back(outcome.commanded_s);
+    fmt::print("{:<32} seed {:>3}: {}, commanded after {:.3f} s\n", kind.name, trial,
+               outcome.fell ? "fell" : "stands", outcome.commanded_s);
+    std::fflush(stdout);
+  }
+  std::ranges::sort(commanded_s);
+  const double median_s = commanded_s[commanded_s.size() / 2];
+  fmt::print("{:<32} {} of {} fell; commanded again after {:.3f} s (median), {:.3f} s at most\n", kind.name,
+             falls, trials, median_s, commanded_s.back());
+  RecordProperty("falls", falls);
+  RecordProperty("longest_ms", static_cast<int>(commanded_s.back() * 1e3));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Outage, testing::ValuesIn(kFaults),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace gaitway::scenarios
