@@ -103,6 +103,7 @@ inline constexpr std::array kCommands{
     Command{"check-plugin", "Check that a plug-in keeps the rules; for its author and for CI"},
     Command{"bus", "Analyse and describe the robot's CAN bus"},
     Command{"measure", "Measure how well the simulated robot does"},
+    Command{"campaign", "Let faults happen at random instants of a walk, and sum up what becomes of it"},
     Command{"motion", "Key-frame motions: list, show, plan, check, draw and prepare them"},
     Command{"behaviour", "Behaviour trees: check and draw them, list the leaves that they may have"},
     Command{"robot", "Bring, describe and check a robot of your own"},
