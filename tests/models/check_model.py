@@ -25,6 +25,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--found", metavar="TEXT",
                         help="the model is wrong on purpose: Spin must find an error that names TEXT")
     parser.add_argument("--liveness", metavar="NAME", help="check this LTL property, weakly fair, instead of the assertions")
+    parser.add_argument("--collapse", action="store_true", help="less memory, more time")
     parser.add_argument("--depth", type=int, default=100_000)
     parser.add_argument("--memory-mb", type=int, default=1500)
     return parser.parse_args()
@@ -49,6 +50,8 @@ def search(options: argparse.Namespace, folder: pathlib.Path) -> str:
     # Without an LTL property, Spin's generator would make the first one its claim.
     run("spin", "-a", "flat.pml", folder=folder)
     kind = ["-DNFAIR=4"] if options.liveness else ["-DSAFETY", "-DNOCLAIM"]
+    if options.collapse:
+        kind.append("-DCOLLAPSE")
     # A wrong model is found within seconds; a right one is searched to its end and pays for optimising.
     level = "-O0" if options.found else "-O2"
     run("gcc", "-w", level, *kind, f"-DMEMLIM={options.memory_mb}", "-o", "pan", "pan.c", folder=folder)
@@ -66,6 +69,7 @@ def incomplete(report: str) -> str:
 
 def unreached(report: str, lines: list[str]) -> list[str]:
     found = []
+    report = re.sub(r"^unreached in claim .*?(?=^unreached in|^pan:|\Z)", "", report, flags=re.MULTILINE | re.DOTALL)
     for number, text in re.findall(r"^\t\S+?:(\d+), state \d+, \"(.*)\"$", report, re.MULTILINE):
         line = lines[int(number) - 1] if int(number) <= len(lines) else ""
         if text != "-end-" and "// unreached" not in line:
@@ -108,7 +112,7 @@ def trail(folder: pathlib.Path) -> str:
         return ""
     done = subprocess.run(["spin", "-t", "-p", "flat.pml"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, check=False)
-    return "the way there:\n" + "\n".join(done.stdout.splitlines()[-200:])
+    return "the way there:\n" + "\n".join(done.stdout.splitlines()[-400:])
 
 
 def main() -> int:

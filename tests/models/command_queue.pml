@@ -74,7 +74,7 @@ begin:
   od;
   goto done;
 killed:
-  atomic { number++; seen_taken = 0; n = 0; i = 0; see_all(READER, view) }
+  atomic { number++; seen_taken = 0; n = 0; i = 0 }  // its successor sees what it saw
   goto begin;
 done:
 }
@@ -133,7 +133,6 @@ killed:
     :: else
     fi;
     newest = 0; next = 0; sequence = 0; value = 0; word = 0; i = 0; is_torn = false;
-    see_all(WRITER, view);
     goto begin
   }
 }

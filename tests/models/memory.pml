@@ -87,19 +87,6 @@ inline load(party, view, where, order, result) {
   }
 }
 
-// What everybody sees who is a program's successor: all of it has happened before its start.
-inline see_all(party, view) {
-  d_step {
-    view.acquired = log[party].length;
-    newer = 0;
-    do
-    :: newer < PLACES -> view.seen[newer] = 0; newer++
-    :: else -> break
-    od;
-    newer = 0
-  }
-}
-
 // Before a step: the process goes on, or is killed here and now while the budget lasts.
 #define OR_KILLED(budget) \
   if \
