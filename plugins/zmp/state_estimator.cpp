@@ -13,7 +13,11 @@ using facts::kGravity_m_per_s2;
 constexpr double kLeastForceShare = 0.02;  // of the body weight: with less, a ZMP says nothing
 // Without joint states the pendulum is predicted, but it is unstable: after so many ticks the CoM is held.
 constexpr int kMostBlindTicks = 10;
-constexpr int kLongestGapSlots = 10;  // of the IMU; after a longer one, roll and pitch start anew
+// So many slots may go by without a prediction of the CoM (a tick that was missed). After more, what it has
+// moved meanwhile is no sign of how fast it is now.
+constexpr int kMostUnpredictedSlots = 2;
+constexpr int kLongestMeanSlots = 25;  // over which the mean velocity says something about the present one
+constexpr int kLongestGapSlots = 10;   // of the IMU; after a longer one, roll and pitch start anew
 // Of the accelerometer, one sample. A walk's accelerations are alike from one
 // sample to the next, so it is taken for larger than it is.
 constexpr double kRestlessTilt_rad = 0.2;
@@ -182,13 +186,8 @@ Eigen::Vector2d StateEstimator::zmp_variance_in(urdf::Side foot) const noexcept 
 }
 
 void StateEstimator::update_com() noexcept {
-  if (!started_) {
-    support_ = contacts_.support();
-    const Eigen::Vector3d com = measured_com_m(support_);
-    for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].start(com[static_cast<Eigen::Index>(axis)]);
-    frame_heading_rad_ = kinematics_.world_heading_rad(support_);
-    started_ = true;
-  }
+  if (!started_) begin_com(Eigen::Vector3d::Zero());
+  if (inputs_.joint_slots() - predicted_ticks_ > kMostUnpredictedSlots + 1) resume_com();
   follow_frame();
   const InputFaults& faults = inputs_.faults();
   zmp_m_ = zmp_in(support_);
@@ -199,15 +198,38 @@ void StateEstimator::update_com() noexcept {
     com_[0].predict(stiffness * (com_[0].position_m() - zmp_m_.x()));
     com_[1].predict(stiffness * (com_[1].position_m() - zmp_m_.y()));
     com_[2].predict((pressure_[0].force_N + pressure_[1].force_N) / mass_kg_ - kGravity_m_per_s2);
+    ++predicted_ticks_;
   }
   if (contacts_.support() != support_) change_support();
   if (faults.joints_stale) return;
   const Eigen::Vector3d measured = measured_com_m(support_);
   for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].correct(measured[static_cast<Eigen::Index>(axis)]);
+  last_measured_m_ = measured;
+  predicted_ticks_ = 0;
   // A model's ZMP follows from where the CoM is thought to be, so it does not say that it is elsewhere.
   if (faults.forces_stale || in_the_air() || !senses_load_) return;
   com_offset_.update({com_[0].unexplained_m_per_s2(), com_[1].unexplained_m_per_s2()}, omega_rad_per_s(),
                      zmp_variance_, facts::kSlot_s);
+}
+
+void StateEstimator::begin_com(const Eigen::Vector3d& velocity_m_per_s) noexcept {
+  support_ = contacts_.support();
+  const Eigen::Vector3d com = measured_com_m(support_);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    com_[static_cast<std::size_t>(axis)].set_state({com[axis], velocity_m_per_s[axis], 0.0});
+  }
+  frame_heading_rad_ = kinematics_.world_heading_rad(support_);
+  started_ = true;
+}
+
+// After a while in which nothing was heard, or nobody listened. Corrected as if it were of one slot, what the
+// CoM has moved in all that time would look like a fall.
+void StateEstimator::resume_com() noexcept {
+  const int slots = inputs_.joint_slots();
+  const bool says_something = contacts_.support() == support_ && slots <= kLongestMeanSlots;
+  const Eigen::Vector3d mean = (measured_com_m(support_) - last_measured_m_) / (facts::kSlot_s * slots);
+  begin_com(says_something ? mean : Eigen::Vector3d::Zero());
+  predicted_ticks_ = 0;
 }
 
 // Of old values a fall is neither told nor over.

@@ -129,6 +129,29 @@ TEST_F(StateEstimatorTest, DcmOfASwayingPendulumIsFollowed) {
   EXPECT_LT(worst, 0.008);
 }
 
+// The main controller was stopped for a while: what the CoM has moved meanwhile is no fall.
+class StateEstimatorGap : public StateEstimatorTest, public ::testing::WithParamInterface<int> {};
+
+TEST_P(StateEstimatorGap, InWhichTheBodyMovedIsNoFall) {
+  lean_to(-0.02);
+  for (const Side side : urdf::kSides) sensors_.press(side, 0.5 * weight_N(), {-0.02, 0.0});
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_TRUE(tick());
+    sensors_.imu.angular_velocity[1] = 0.0;
+  }
+  now_ns_ += GetParam() * kTick_ns;
+  lean_to(0.04);
+  sensors_.imu.angular_velocity[1] = 0.0;
+  for (const Side side : urdf::kSides) sensors_.press(side, 0.5 * weight_N(), {0.04, 0.0});
+  for (int i = 0; i < 50; ++i) {
+    ASSERT_TRUE(tick());
+    EXPECT_EQ(estimate_.fall, estimate::fall::upright) << "tick " << i;
+    EXPECT_LT(std::abs(estimate_.com_velocity[0]), 0.06 / (0.01 * GetParam()) + 0.05) << "tick " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Slots, StateEstimatorGap, ::testing::Values(8, 20, 60, 500));
+
 TEST_F(StateEstimatorTest, ChangeOfSupportMovesTheFrameAndNotTheRobot) {
   stand(100);
   sensors_.press(Side::left, 0.7 * weight_N(), {0.01, -0.03});

@@ -41,6 +41,7 @@ class SensorInputs {
   // Whole slots between the IMU sample before and this one; 0: no new one.
   [[nodiscard]] int imu_slots() const noexcept { return imu_.slots; }
   [[nodiscard]] int force_slots() const noexcept { return forces_.slots; }  // the same of the forces
+  [[nodiscard]] int joint_slots() const noexcept { return joints_.slots; }  // and of the joint states
 
   [[nodiscard]] std::span<const double> position_rad() const noexcept { return position_rad_; }
   // How fast the legs are meant to move: of the fastest joint. Play does not rattle in it.

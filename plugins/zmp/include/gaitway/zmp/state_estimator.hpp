@@ -47,8 +47,8 @@ class StateEstimator {
   static void visit_state(Self& self, Archive& archive) {
     archive(self.contacts_, self.cells_, self.attitude_, self.com_, self.com_offset_, self.angular_velocity_,
             self.zmp_m_, self.zmp_variance_, self.support_, self.frame_heading_rad_, self.started_,
-            self.blind_ticks_, self.feet_planted_, self.slip_, self.fall_, self.inputs_, self.load_model_,
-            self.odometry_);
+            self.blind_ticks_, self.predicted_ticks_, self.last_measured_m_, self.feet_planted_, self.slip_,
+            self.fall_, self.inputs_, self.load_model_, self.odometry_);
   }
 
  private:
@@ -58,6 +58,8 @@ class StateEstimator {
   void update_pressure() noexcept;
   void update_slip() noexcept;
   void update_com() noexcept;
+  void begin_com(const Eigen::Vector3d& velocity_m_per_s) noexcept;
+  void resume_com() noexcept;
   void follow_frame() noexcept;
   void change_support() noexcept;
   void update_fall() noexcept;
@@ -96,7 +98,9 @@ class StateEstimator {
   urdf::Side support_ = urdf::Side::left;
   double frame_heading_rad_ = 0.0;  // in the world, of the frame in which the filters' states are
   bool started_ = false;
-  int blind_ticks_ = 0;  // without joint states
+  int blind_ticks_ = 0;                                        // without joint states
+  int predicted_ticks_ = 0;                                    // since the CoM was measured
+  Eigen::Vector3d last_measured_m_ = Eigen::Vector3d::Zero();  // CoM, in the support's frame of then
 };
 
 }  // namespace gaitway::zmp
