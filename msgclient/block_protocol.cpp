@@ -61,6 +61,12 @@ Received receive_request(int socket, Request& request) noexcept {
   return outcome(recv(socket, &request, sizeof request, MSG_DONTWAIT | MSG_TRUNC), sizeof request);
 }
 
+bool receive_release(int socket, Request& request) noexcept {
+  const ssize_t lies_there = recv(socket, &request, sizeof request, MSG_PEEK | MSG_DONTWAIT | MSG_TRUNC);
+  return outcome(lies_there, sizeof request) == Received::packet && request.magic == kMagic &&
+         request.verb == Verb::release && receive_request(socket, request) == Received::packet;
+}
+
 Received receive_answer(int socket, ReceivedAnswer& received) noexcept {
   iovec part{&received.answer, sizeof received.answer};
   ControlRoom control{};

@@ -55,6 +55,8 @@ bool send_answer(int socket, const Answer& answer, const std::array<int, kMaxFds
 
 enum class Received : std::uint8_t { packet, nothing, closed, malformed };
 Received receive_request(int socket, Request& request) noexcept;
+// Takes the next packet if it gives a claim back, and leaves any other where it lies.
+bool receive_release(int socket, Request& request) noexcept;
 // Waits as long as the socket's receive time-out.
 Received receive_answer(int socket, ReceivedAnswer& received) noexcept;
 

@@ -2,6 +2,7 @@
 #include "gaitway/msgclient/memory_block_server.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -165,6 +166,23 @@ void MemoryBlockServer::drop(std::list<Connection>::iterator connection) {
   connections_.erase(connection);  // closing the socket also takes it out of the epoll set
 }
 
+void MemoryBlockServer::hear_holder(std::string_view topic, Role role) {
+  const ClientId holder = registry_->holder(topic, role);
+  const auto connection = std::ranges::find(connections_, holder, [](const auto& c) { return c.asker.id; });
+  if (holder == 0 || connection == connections_.end()) {
+    return;  // nobody, or a client in this process
+  }
+  pollfd end{connection->socket.get(), POLLRDHUP, 0};
+  if (poll(&end, 1, 0) > 0) {
+    registry_->release_all(holder);  // it is dropped in its turn
+    return;
+  }
+  protocol::Request request;
+  while (protocol::receive_release(connection->socket.get(), request)) {
+    registry_->release(holder, std::string(name_of(request.topic)), request.role);
+  }
+}
+
 bool MemoryBlockServer::serve(Connection& connection) {
   for (int i = 0; i < kRequestsAStep; ++i) {
     protocol::Request request;
@@ -184,6 +202,9 @@ bool MemoryBlockServer::serve(Connection& connection) {
     }
     Reply reply;
     try {
+      if (request.verb == protocol::Verb::open) {
+        hear_holder(name_of(request.topic), request.role);
+      }
       reply = reply_to(*registry_, connection.asker, request);
     } catch (const std::exception& error) {
       reply = {};

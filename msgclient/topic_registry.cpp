@@ -203,6 +203,16 @@ void TopicRegistry::release_all(ClientId client) noexcept {
   }
 }
 
+ClientId TopicRegistry::holder(std::string_view topic, Role role) const noexcept {
+  const std::scoped_lock lock(mutex_);
+  const auto found = index_.find(topic);
+  if (found == index_.end()) {
+    return 0;
+  }
+  const Topic& held = topics_[found->second];
+  return role == Role::writer ? held.writer : held.reader;
+}
+
 void TopicRegistry::keep_to_this_process() {
   const std::scoped_lock lock(mutex_);
   directory_segment_.keep_to_this_process();

@@ -26,6 +26,8 @@ class TopicRegistry {
   // Gives back one claim; nothing happens if it isn't this client's.
   void release(ClientId client, const std::string& topic, Role role) noexcept;
   void release_all(ClientId client) noexcept;
+  // Who writes the topic, or reads its queue; 0: nobody.
+  [[nodiscard]] ClientId holder(std::string_view topic, Role role) const noexcept;
 
   void keep_to_this_process();
   void share_anew();

@@ -28,18 +28,20 @@
 #define CONNECTIONS 3  // two that live, and one whose end has not been seen
 #define NOBODY 255
 
-mtype = {hello, open, release, directory, granted, refused};
+mtype = {nothing, hello, open, directory, granted, refused};
 mtype = {unused, in_backlog, accepted};
 
 typedef Connection {
   mtype state = unused;
   byte server;        // the block that it leads to
   bool left;          // the client has closed it, or was killed
-  mtype answer = 0;
+  // Packets that lie there. A client waits for the answer to what it asks, so a release comes first.
+  bool gives_back;
+  mtype asked = nothing;
+  mtype answer = nothing;
   byte void_claim;    // number of the claim that was void when it asked; 0: none
 };
 Connection connection[CONNECTIONS];
-chan requests[CONNECTIONS] = [2] of {mtype};
 
 byte locked = NOBODY;      // the lock file's holder
 byte named;                // the block whose listener the socket's path leads to
@@ -56,7 +58,8 @@ bool writes[CLIENTS];      // it may store into the topic there
 byte writers[SERVERS + SERVER_KILLS + 1];  // [block]: processes that may
 
 #define SOMETHING_CAME(i) (connection[i].server == me && \
-  (connection[i].state == in_backlog || (connection[i].state == accepted && (connection[i].left || nempty(requests[i])))))
+  (connection[i].state == in_backlog || (connection[i].state == accepted && \
+    (connection[i].left || connection[i].gives_back || connection[i].asked != nothing))))
 #define SOMETHING_TO_DO (SOMETHING_CAME(0) || SOMETHING_CAME(1) || SOMETHING_CAME(2))
 
 #define ITS_TURN(i) (connection[i % CONNECTIONS].server == me && \
@@ -69,33 +72,31 @@ byte writers[SERVERS + SERVER_KILLS + 1];  // [block]: processes that may
   fi
 
 inline forget(i) {
-  connection[i].state = unused; connection[i].server = 0; connection[i].left = false; connection[i].answer = 0;
+  connection[i].state = unused; connection[i].server = 0; connection[i].left = false;
+  connection[i].gives_back = false; connection[i].asked = nothing; connection[i].answer = nothing;
   connection[i].void_claim = 0
 }
-inline drain(i) {
-  do
-  :: nempty(requests[i]) -> requests[i]?_
-  :: empty(requests[i]) -> break
-  od
-}
 
-// One request of connection i, or its end.
+// One packet of connection i, or its end.
 inline take_request(i) {
   if
-  :: nempty(requests[i]) && requests[i]?[hello] -> requests[i]?hello; connection[i].answer = directory  // model: serve.1
-  :: nempty(requests[i]) && requests[i]?[open] -> requests[i]?open; answer_open(i)
-  :: nempty(requests[i]) && requests[i]?[release] -> requests[i]?release;                       // model: serve.3
+  :: connection[i].gives_back ->                                                                // model: serve.3
+     connection[i].gives_back = false;
      if
      :: holder == i -> holder = NOBODY
      :: else  // unreached: only a writer gives back
      fi
-  :: empty(requests[i]) && connection[i].left ->                                                // model: serve.4
+  :: !connection[i].gives_back && connection[i].asked == hello ->                               // model: serve.1
+     connection[i].asked = nothing; connection[i].answer = directory
+  :: !connection[i].gives_back && connection[i].asked == open ->
+     connection[i].asked = nothing; answer_open(i)
+  :: !connection[i].gives_back && connection[i].asked == nothing && connection[i].left ->       // model: serve.4
      if
      :: holder == i -> holder = NOBODY
      :: else
      fi;
      forget(i)
-  :: empty(requests[i]) && !connection[i].left
+  :: !connection[i].gives_back && connection[i].asked == nothing && !connection[i].left
   fi
 }
 
@@ -104,8 +105,8 @@ inline answer_open(i) {
 #ifndef MUTATION_REFUSED_AT_ONCE
   if
   :: holder != NOBODY && connection[holder].left -> holder = NOBODY                             // model: serve.5
-  :: holder != NOBODY && !connection[holder].left && nempty(requests[holder]) && requests[holder]?[release] ->
-     requests[holder]?release; holder = NOBODY                                                  // model: serve.6
+  :: holder != NOBODY && !connection[holder].left && connection[holder].gives_back ->           // model: serve.6
+     connection[holder].gives_back = false; holder = NOBODY
   :: else
   fi;
 #endif
@@ -169,7 +170,7 @@ killed:
     do
     :: i < CONNECTIONS ->
        if
-       :: connection[i].server == me && connection[i].left -> drain(i); forget(i)
+       :: connection[i].server == me && connection[i].left -> forget(i)
        :: else
        fi;
        i++
@@ -186,7 +187,7 @@ killed:
 inline close_connection() {
   if
   :: at == NOBODY
-  :: at != NOBODY && HUNG_UP -> drain(at); forget(at)
+  :: at != NOBODY && HUNG_UP -> forget(at)
   :: at != NOBODY && !HUNG_UP -> connection[at].left = true
   fi;
   at = NOBODY
@@ -213,10 +214,10 @@ end_nobody_serves:
     fi;
     connection[at].state = in_backlog; connection[at].server = listening
   }
-  atomic { OR_KILLED(client_kills); requests[at]!hello }                                        // model: attach.2
+  atomic { OR_KILLED(client_kills); connection[at].asked = hello }                                        // model: attach.2
   if
   :: atomic { connection[at].answer == directory && !HUNG_UP ->                                 // model: attach.3
-              connection[at].answer = 0; attached[who] = connection[at].server }
+              connection[at].answer = nothing; attached[who] = connection[at].server }
   :: HUNG_UP -> goto lost
   :: atomic { silences > 0 -> silences--; goto lost }
   :: atomic { client_kills > 0 -> client_kills--; goto killed }
@@ -224,17 +225,17 @@ end_nobody_serves:
 ask:
   atomic { OR_KILLED(client_kills);                                                             // model: attach.4
            if
-           :: holder != NOBODY && (connection[holder].left || (nempty(requests[holder]) && requests[holder]?[release])) ->
+           :: holder != NOBODY && (connection[holder].left || connection[holder].gives_back) ->
               connection[at].void_claim = claims
            :: else -> connection[at].void_claim = 0
            fi;
-           requests[at]!open }
+           connection[at].asked = open }
   if
   :: atomic { connection[at].answer == granted && !HUNG_UP ->                                   // model: attach.5
-              connection[at].answer = 0;
+              connection[at].answer = nothing;
               writes[who] = true; writers[attached[who]]++;
               assert(writers[attached[who]] == 1) }
-  :: atomic { connection[at].answer == refused && !HUNG_UP -> connection[at].answer = 0 }
+  :: atomic { connection[at].answer == refused && !HUNG_UP -> connection[at].answer = nothing }
   :: HUNG_UP -> goto lost
   :: atomic { silences > 0 -> silences--; goto lost }
   :: atomic { client_kills > 0 -> client_kills--; goto killed }
@@ -245,8 +246,8 @@ end_attached:
   :: HUNG_UP -> goto lost                                                                       // model: watch.1
 #endif
   :: atomic { silences > 0 -> silences--; goto lost }                                           // model: watch.2
-  :: atomic { writes[who] && given_back > 0 && !HUNG_UP && nfull(requests[at]) ->
-              given_back--; stop_writing(who); requests[at]!release;                            // model: release.1
+  :: atomic { writes[who] && given_back > 0 && !HUNG_UP && !connection[at].gives_back ->
+              given_back--; stop_writing(who); connection[at].gives_back = true;                            // model: release.1
               goto ask }
   :: atomic { client_kills > 0 -> client_kills--; goto killed }
   fi;

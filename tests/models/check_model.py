@@ -47,8 +47,7 @@ def flatten(options: argparse.Namespace, folder: pathlib.Path) -> list[str]:
 
 def search(options: argparse.Namespace, folder: pathlib.Path) -> str:
     property_name = ["-N", options.liveness] if options.liveness else []
-    # Without an LTL property, Spin's generator would make the first one its claim.
-    run("spin", "-a", "flat.pml", folder=folder)
+    run("spin", "-a", "-o3", "flat.pml", folder=folder)  # -o3: each statement a step, so that each can be seen as reached
     kind = ["-DNFAIR=4"] if options.liveness else ["-DSAFETY", "-DNOCLAIM"]
     if options.collapse:
         kind.append("-DCOLLAPSE")

@@ -12,7 +12,9 @@
 #include <limits>
 #include <list>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/listening_socket.hpp"
@@ -153,6 +155,79 @@ TEST_F(Processes, WithoutADescriptorLeftTheServerTurnsClientsAwayAndSleepsOn) {
   const RawClient later(socket);
   memory.step(0);
   EXPECT_EQ(memory.client_count(), 1U);
+}
+
+// Does `work` while the server is stepped.
+template <class Work>
+auto served(MemoryBlockServer& memory, const Work& work) {
+  auto result = std::async(std::launch::async, work);
+  while (result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    memory.step(0);
+  }
+  return result.get();
+}
+
+// The one that asks is served before the one whose claim it is, since it came first.
+class ClaimsOfOthers : public Processes {
+ protected:
+  void SetUp() override {
+    Processes::SetUp();
+    memory.emplace(block, socket);
+    first.emplace(served(*memory, [this] { return Client::connect(socket, "first"); }));
+    holder.emplace(served(*memory, [this] { return Client::connect(socket, "holder"); }));
+    held.emplace(served(*memory, [this] { return holder->write<Imu>("imu"); }));
+  }
+  void TearDown() override {
+    memory.reset();
+    Processes::TearDown();
+  }
+  // What the first one is told that asks to write the topic; `leave` is called when the question lies there,
+  // before anybody is served.
+  template <class T, class Leave>
+  std::string answer_after(const char* topic, const Leave& leave) {
+    pollfd wake{memory->wake_fd(), POLLIN, 0};
+    auto asked =
+        std::async(std::launch::async, [&] { return error_of([&] { (void)first->write<T>(topic); }); });
+    EXPECT_EQ(poll(&wake, 1, 2000), 1) << "the question has come";
+    leave();
+    while (asked.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+      memory->step(0);
+    }
+    return asked.get();
+  }
+
+  MemoryBlock block;
+  std::optional<MemoryBlockServer> memory;
+  std::optional<Client> first;
+  std::optional<Client> holder;
+  std::optional<Writer<Imu>> held;
+};
+
+TEST_F(ClaimsOfOthers, RefuseWhileTheirHolderLives) {
+  EXPECT_THAT(answer_after<Imu>("imu", [] {}), HasSubstr("already written by 'holder'"));
+}
+
+TEST_F(ClaimsOfOthers, AreVoidWhenTheirHolderHasLeft) {
+  EXPECT_EQ(answer_after<Imu>("imu",
+                              [this] {
+                                held.reset();
+                                holder.reset();
+                              }),
+            "no error");
+}
+
+TEST_F(ClaimsOfOthers, AreVoidWhenTheirHolderHasGivenThemBack) {
+  EXPECT_EQ(answer_after<Imu>("imu", [this] { held.reset(); }), "no error");
+  EXPECT_NO_THROW(served(*memory, [this] { (void)holder->write<TrimCommand>("trim"); })) << "it lives on";
+}
+
+TEST_F(ClaimsOfOthers, AreVoidWhenTheirHolderWasKilled) {
+  Process killed([this] {
+    static Client client = Client::connect(socket, "killed");
+    static const Writer<TrimCommand> writer = client.write<TrimCommand>("trim");
+  });
+  ASSERT_TRUE(served(*memory, [&] { return killed.ready(); }));
+  EXPECT_EQ(answer_after<TrimCommand>("trim", [&] { killed.end(); }), "no error");
 }
 
 TEST_F(Processes, AClientThatTalksNonsenseIsDroppedAlone) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <list>
+#include <string_view>
 
 #include "gaitway/msgclient/memory_block.hpp"
 #include "gaitway/process/listening_socket.hpp"
@@ -52,6 +53,8 @@ class MemoryBlockServer {
   [[nodiscard]] bool has_room_for(pid_t process) const noexcept;
   // False: the client is gone or broke the protocol.
   bool serve(Connection& connection);
+  // Nobody is refused for a claim whose holder has left or given it back meanwhile: it may be served later.
+  void hear_holder(std::string_view topic, Role role);
   void drop(std::list<Connection>::iterator connection);
 
   std::shared_ptr<TopicRegistry> registry_;
