@@ -8,12 +8,14 @@
 #include <optional>
 
 #include "background_thread.hpp"
+#include "gaitway/process/spare_room.hpp"
 #include "gaitway/process/text_file.hpp"
 
 namespace gaitway::process {
 namespace {
 
 constexpr std::chrono::milliseconds kFirst{100}, kPeriod{1000}, kLastWait{2000};
+constexpr std::uint64_t kSpare_bytes = std::uint64_t{64} << 10;
 
 }  // namespace
 
@@ -21,7 +23,10 @@ class SummaryThread::Desk {
  public:
   Desk(std::filesystem::path file, std::function<bool(std::string&)> newer,
        std::function<void(const std::string&)> tell)
-      : file_(std::move(file)), newer_(std::move(newer)), tell_(std::move(tell)) {}
+      : file_(std::move(file)),
+        room_(file_.parent_path(), kSpare_bytes),
+        newer_(std::move(newer)),
+        tell_(std::move(tell)) {}
 
   void run() {
     std::chrono::milliseconds wait = kFirst;
@@ -52,11 +57,13 @@ class SummaryThread::Desk {
  private:
   void write(const std::string& text, bool last) {
     std::string error;
+    room_.give_back();
     try {
       replace_text_file(file_, text);
     } catch (const std::exception& problem) {
       error = problem.what();
     }
+    if (!last) room_.take();
     std::unique_lock lock(mutex_);
     const bool is_news = error.empty() != error_.empty();
     error_ = error;
@@ -67,6 +74,7 @@ class SummaryThread::Desk {
   }
 
   const std::filesystem::path file_;
+  SpareRoom room_;
   const std::function<bool(std::string&)> newer_;
   const std::function<void(const std::string&)> tell_;
   std::mutex mutex_;  // of all below

@@ -16,6 +16,7 @@
 #include "gaitway/process/log_file.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "gaitway/process/spare_room.hpp"
 #include "gaitway/process/text_file.hpp"
 
 namespace gaitway::process {
@@ -72,6 +73,25 @@ TEST(SummaryFile, IsThereBeforeTheEndAndSaysAtTheEndThatItIsTheEnd) {
   EXPECT_EQ(content_of(file), "7, not ended\n");
   EXPECT_EQ(summary.end("8, ended\n"), "");
   EXPECT_EQ(content_of(file), "8, ended\n");
+}
+
+// Nobody else's file can have the room that is kept; and it goes with the process.
+TEST(SpareRoom, BelongsToItsKeeperUntilItIsGivenBack) {
+  const PrivateFolder folder("gaitway_spare_room");
+  constexpr std::uint64_t kRoom_bytes = std::uint64_t{64} << 20;
+  const auto available = [&folder] { return std::filesystem::space(folder.path()).available; };
+  const auto near = [](std::uint64_t one, std::uint64_t other) {
+    return (one > other ? one - other : other - one) < kRoom_bytes / 2;  // others use this disk as well
+  };
+  const std::uint64_t before = available();
+  if (before < 4 * kRoom_bytes) GTEST_SKIP() << "this disk is too full to tell";
+  SpareRoom room(folder.path(), kRoom_bytes);
+  EXPECT_TRUE(near(available(), before - kRoom_bytes));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  room.give_back();
+  EXPECT_TRUE(near(available(), before));
+  room.take();
+  EXPECT_TRUE(near(available(), before - kRoom_bytes));
 }
 
 TEST(SummaryFile, SaysWhyItsEndIsNotWritten) {

@@ -25,12 +25,23 @@ void EyeFiles::look(const simulator::Cosimulation& cosimulation) {
   const simulator::PicturePair& pair = cosimulation.camera()->newest();
   if (pair.number == written_) return;
   written_ = pair.number;
-  simulator::write_pair((*folder_ / fmt::format("{:06}.png", pair.number)).string(), pair);
+  try {
+    simulator::write_pair((*folder_ / fmt::format("{:06}.png", pair.number)).string(), pair);
+  } catch (const std::runtime_error& error) {  // a full disk, say, which costs pictures and never the run
+    ++lost_;
+    failure_ = error.what();
+  }
 }
 
 void EyeFiles::finish(const simulator::Cosimulation& cosimulation) const {
   if (folder_ && !cosimulation.camera()->failure().empty()) {
     throw std::runtime_error(cosimulation.camera()->failure());
+  }
+}
+
+void EyeFiles::require_all() const {
+  if (lost_ != 0) {
+    throw std::runtime_error(fmt::format("--eyes: {} pairs of pictures are missing: {}", lost_, failure_));
   }
 }
 

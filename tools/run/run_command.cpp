@@ -20,12 +20,12 @@
 #include "gaitway/manager/plugin_exchange.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
-#include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario.hpp"
 #include "tools/run/eyes_option.hpp"
 #include "tools/run/mission_option.hpp"
 #include "tools/run/navigation_option.hpp"
+#include "tools/run/run_logs.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/shipped_option.hpp"
@@ -132,7 +132,7 @@ bool gets_up_after(const simulator::Scenario& scenario, double fell_at_s) {
 // the end of its way or mission; returns the wall time that it took.
 double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario& scenario,
                 bool ends_with_way, bool draws, RunRecorder& recorder, Snapshots& snapshots, EyeFiles& eyes,
-                const ProgressLine& progress) {
+                RunLogs& logs, const RunLogs::Summary& so_far, const ProgressLine& progress) {
   const auto started = Clock::now();
   const auto end_ns = static_cast<std::int64_t>(std::llround(scenario.seconds * 1e9));
   auto next_event = scenario.events.begin();
@@ -147,6 +147,7 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
     cosimulation.advance_millisecond();
     snapshots.look(cosimulation.plant());
     eyes.look(cosimulation);
+    logs.look(cosimulation.main_controller().events(), so_far);
     if (const RunMetrics& metrics = recorder.metrics(); metrics.fell && !scenario.to_the_end &&
                                                         last_ns == end_ns &&
                                                         !gets_up_after(scenario, metrics.fell_at_s)) {
@@ -162,8 +163,9 @@ double simulate(simulator::Cosimulation& cosimulation, const simulator::Scenario
                                 cosimulation.plant().positions()[0]));
     }
   }
-  recorder.finish();
+  logs.finish(cosimulation.main_controller().events());
   eyes.finish(cosimulation);
+  logs.try_to([&eyes] { eyes.require_all(); });
   progress.show("");
   return seconds_since(started);
 }
@@ -260,6 +262,15 @@ void require_joint_plan(const core::PluginExchange& plugins, const RunOptions& o
   }
 }
 
+// What became of the robot comes first; a run that went well says by its code that its logs have not.
+int exit_code_with(const RunLogs& logs, int outcome, const RunOptions& options) {
+  constexpr int kExitIncomplete = 4;
+  if (logs.complete()) return outcome;
+  fmt::print(stderr, "gaitway: the results in {} are incomplete; make room on the disk and run again\n",
+             options.out.string());
+  return outcome == 0 ? kExitIncomplete : outcome;
+}
+
 int run(const RunOptions& options) {
   check(options);
   const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
@@ -299,19 +310,22 @@ int run(const RunOptions& options) {
       : options.to || options.mission
           ? Snapshots(kFirstPicture_s, 1.0, true)
           : Snapshots(kFirstPicture_s, scenario.seconds / Snapshots::kPictures, false);
+  const ProgressLine progress(!options.quiet);
+  RunLogs logs(options.out, robot, recorder, [&progress](const std::string& news) {
+    progress.show("");
+    fmt::print(stderr, "gaitway: {}\n", news);
+  });
   RunTiming timing;
+  const auto figures = [&] {
+    return summary(cosimulation, recorder, timing, options.seed, options.mismatch);
+  };
   timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
-                           snapshots, eyes, ProgressLine(!options.quiet));
-  const auto csv_started = Clock::now();
-  write_states_csv(options.out / "states.csv", robot, recorder.samples());
-  timing.wall_s += seconds_since(csv_started);
+                           snapshots, eyes, logs, figures, progress);
   timing.physics_only_wall_s = cosimulation.plant().replay_wall_s(recorder.torques());
 
-  const nlohmann::ordered_json result =
-      summary(cosimulation, recorder, timing, options.seed, options.mismatch);
-  process::write_text_file(options.out / "summary.json", result.dump(2) + "\n");
+  nlohmann::ordered_json result = figures();
+  logs.write_summary(result, true);
   const std::filesystem::path strip = options.out / "walk.png";
-  std::filesystem::remove(strip);
   if (options.pictures) {
     try {
       snapshots.write(cosimulation.plant(), strip);
@@ -320,13 +334,15 @@ int run(const RunOptions& options) {
     }
   }
   const core::MainControllerStatistics statistics = cosimulation.main_controller().statistics();
-  write_report(options.out / "report.html",
-               {robot, cosimulation.plant().solids(), recorder, statistics, result, strip});
+  logs.try_to([&] {
+    write_report(options.out / "report.html",
+                 {robot, cosimulation.plant().solids(), recorder, statistics, result, strip});
+  });
   if (!options.quiet) {
     fmt::print("{}  results                   {}\n", summary_table(result),
                (options.out / "report.html").string());
   }
-  return exit_code(outcome_of(cosimulation, recorder).verdict);
+  return exit_code_with(logs, exit_code(outcome_of(cosimulation, recorder).verdict), options);
 }
 
 }  // namespace
@@ -392,7 +408,14 @@ void add_run(const CommandLine& program) {
       "half of what was commanded (start-ups not counted), or more than a tenth of its batches were refused, "
       "or it had none; 1 the "
       "input was bad\n"
-      "and nothing moved. With --mission: 0 it succeeded, falls or not, or it is one without an end and the "
+      "and nothing moved, 4 as 0, but results are incomplete: the disk was full, which costs lines of logs "
+      "and "
+      "never the run\n"
+      "(what is missing is said, and stands in summary.json). Until the end, and so after a kill, "
+      "summary.json "
+      "has \"ended\": false.\n"
+      "With --mission: 0 it succeeded, falls or not, or it is one without an end and "
+      "the "
       "robot "
       "is on its feet,\n"
       "2 the robot lies at the end, 3 the mission failed, has not come to its end, or waits at the end "

@@ -108,8 +108,20 @@ void RunRecorder::on_millisecond(std::int64_t now_ns) {
 
 void RunRecorder::finish() {
   if (bus_log_) {
-    bus_log_->close();
+    bus_log_->finish();
   }
+}
+
+void RunRecorder::flush() {
+  if (bus_log_) {
+    bus_log_->flush();
+  }
+}
+
+BusLogCount RunRecorder::bus_log() const {
+  if (!bus_log_) return {};
+  const process::LogCount count = bus_log_->count();
+  return {count.lines, count.lost, bus_log_->error()};
 }
 
 // At the tick that prepares the next cycle's plan, or revises the running one.

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gaitway/can/candump_log.hpp"
@@ -46,6 +47,12 @@ struct RunSample {
   std::vector<float> joint_position_rad, joint_velocity_rad_per_s, joint_reference_rad, joint_torque_Nm;
 };
 
+// What has become of the bus log.
+struct BusLogCount {
+  std::uint64_t lines = 0, lost = 0;
+  std::string error{};  // why lines were lost; empty: none were
+};
+
 class RunRecorder final : public simulator::CosimulationObserver {
  public:
   // `bus_log`: candump file to write, or an empty path for none. `keep_samples`: memory for csv, report and
@@ -56,8 +63,11 @@ class RunRecorder final : public simulator::CosimulationObserver {
   void on_event(const simulator::ScenarioEvent& event, std::int64_t now_ns);
   void on_frame(const can::SimulatedBus::Delivery& delivery) override;
   void on_millisecond(std::int64_t now_ns) override;
-  // Writes what is still buffered; throws std::runtime_error naming the file when the disk is full.
+  // Writes what of the bus log waits, and ends it. A full disk costs lines, no more.
   void finish();
+  // Writes what of it waits.
+  void flush();
+  [[nodiscard]] BusLogCount bus_log() const;
 
   [[nodiscard]] const std::vector<RunSample>& samples() const noexcept { return samples_; }
   [[nodiscard]] const RunMetrics& metrics() const noexcept { return metrics_; }

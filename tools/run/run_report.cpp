@@ -309,7 +309,7 @@ void write_report(const std::filesystem::path& file, const ReportInput& input) {
       input.summary["seed"].get<std::uint64_t>(), escape_html(summary_table(input.summary)),
       film_strip(input.film_strip), from_above(input), zmp_over_time(input, 0), zmp_over_time(input, 1),
       joints, bus_timeline(input), compute_times(input), behaviour(input));
-  process::write_text_file(file, page);
+  process::replace_text_file(file, page);
 }
 
 }  // namespace gaitway::tools

@@ -1,10 +1,9 @@
-// What a run leaves behind, from one set of figures: summary.json and the table for people, report.html (one
-// page that carries everything in itself), states.csv.
+// What a run leaves behind when it has ended, from one set of figures: summary.json and the table for people,
+// report.html (one page that carries everything in itself).
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 
 #include "gaitway/simulator/cosimulation.hpp"
@@ -38,9 +37,5 @@ struct ReportInput {
 
 // Throws std::runtime_error naming the file when it cannot be written.
 void write_report(const std::filesystem::path& file, const ReportInput& input);
-
-// states.csv: a header line with units, then one line a sample; opens in PlotJuggler.
-void write_states_csv(const std::filesystem::path& file, const urdf::RobotModel& robot,
-                      std::span<const RunSample> samples);
 
 }  // namespace gaitway::tools

@@ -4,8 +4,7 @@
 #include <iterator>
 #include <string>
 
-#include "gaitway/process/text_file.hpp"
-#include "tools/run/run_report.hpp"
+#include "tools/run/run_logs.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -68,13 +67,18 @@ void append_sample(std::string& line, const RunSample& s) {
 
 }  // namespace
 
-void write_states_csv(const std::filesystem::path& file, const urdf::RobotModel& robot,
-                      std::span<const RunSample> samples) {
-  std::string text = header(robot);
-  for (const RunSample& sample : samples) {
-    append_sample(text, sample);
-  }
-  process::write_text_file(file, text);
+StatesCsv::StatesCsv(const std::filesystem::path& file, const urdf::RobotModel& robot)
+    : log_(file, {.head = header(robot)}) {}
+
+void StatesCsv::follow(std::span<const RunSample> samples) {
+  constexpr std::size_t kBlock_bytes = std::size_t{1} << 16U;
+  for (; taken_ < samples.size(); ++taken_) append_sample(waiting_, samples[taken_]);
+  if (waiting_.size() >= kBlock_bytes) flush();
+}
+
+void StatesCsv::flush() {
+  if (!waiting_.empty()) log_.append(waiting_);
+  waiting_.clear();
 }
 
 }  // namespace gaitway::tools
