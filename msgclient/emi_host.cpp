@@ -1,4 +1,5 @@
 // The main controller's side of the EMI: every access is charged.
+// "model: NAME.N" names a step of the models in tests/models.
 #include <algorithm>
 #include <utility>
 
@@ -39,15 +40,18 @@ PostResult EmiHost::post_words(MailKind mail, std::span<const std::uint32_t> wor
   }
   HostRegion& host = window_->host();
   HostRegion::Mailbox& box = host.mailbox[static_cast<std::size_t>(mail)];
+  // model: post.1
   const std::uint64_t taken =
       window_->message().taken[static_cast<std::size_t>(mail)].load(std::memory_order_acquire);
   if (box.posted.load(std::memory_order_relaxed) != taken) {
     ++statistics_.occupied;
+    // model: post.2
     ring_doorbell(host.rings, faults_);
     return {PostStatus::occupied, charge(kOccupiedWords, now_ns)};
   }
   WindowWord* const target = host.words(mail);
   for (std::size_t i = 0; i < words.size(); ++i) {
+    // model: post.3
     target[i].store(words[i], std::memory_order_relaxed);
   }
   if (faults_.flip_next && faults_.flip_next->mail == mail) {
@@ -57,9 +61,12 @@ PostResult EmiHost::post_words(MailKind mail, std::span<const std::uint32_t> wor
   }
   const std::int64_t delay_ns = mail == MailKind::hand_over ? std::exchange(faults_.delay_next_ns, 0) : 0;
   const std::int64_t transfer = charge(words.size() + kMailOverheadWords, now_ns) + delay_ns;
+  // model: post.4
   box.length.store(words.size(), std::memory_order_relaxed);
   box.ready_ns.store(static_cast<std::uint64_t>(now_ns + transfer), std::memory_order_relaxed);
+  // model: post.5
   count_up(box.posted);
+  // model: post.6
   ring_doorbell(host.rings, faults_);
   ++statistics_.posted;
   return {PostStatus::posted, transfer};
@@ -92,8 +99,10 @@ std::optional<Answer> EmiHost::take_answer(std::int64_t now_ns) noexcept {
   }
   MessageRegion& message = window_->message();
   charge(1, now_ns);
+  // model: take_answer.1
   if (const std::uint64_t rings = message.rings.load(std::memory_order_acquire); rings != rings_seen_) {
     rings_seen_ = rings;
+    // model: take_answer.2
     answers_announced_ = message.answers_posted.load(std::memory_order_acquire);
   }
   HostRegion& host = window_->host();
@@ -110,9 +119,11 @@ std::optional<Answer> EmiHost::take_answer(std::int64_t now_ns) noexcept {
   std::array<std::uint32_t, kAnswerWords> words{};
   const auto& slot = message.answers[taken % kAnswerSlots];
   for (std::size_t i = 0; i < words.size(); ++i) {
+    // model: take_answer.3
     words[i] = slot[i].load(std::memory_order_relaxed);
   }
   charge(words.size() + 1, now_ns);
+  // model: take_answer.4
   count_up(host.answers_taken);
   Answer answer;
   if (!unpack(words, answer)) {

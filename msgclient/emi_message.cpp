@@ -1,4 +1,5 @@
 // The message controller's side of the EMI.
+// "model: NAME.N" names a step of the models in tests/models.
 #include <algorithm>
 
 #include "emi_window.hpp"
@@ -13,9 +14,11 @@ EmiMessage& EmiMessage::operator=(EmiMessage&&) noexcept = default;
 
 std::span<const std::uint32_t> EmiMessage::fetch(MailKind mail, std::int64_t now_ns) noexcept {
   HostRegion& host = window_->host();
+  // model: fetch.1
   if (const std::uint64_t rings = host.rings.load(std::memory_order_acquire); rings != rings_seen_) {
     rings_seen_ = rings;
     for (std::size_t kind = 0; kind < kMailKinds; ++kind) {
+      // model: fetch.2
       announced_[kind] = host.mailbox[kind].posted.load(std::memory_order_acquire);
     }
   }
@@ -28,12 +31,15 @@ std::span<const std::uint32_t> EmiMessage::fetch(MailKind mail, std::int64_t now
   }
   // A length beyond the mailbox can only come from a host that has gone mad; what is read then fails its
   // checksum.
+  // model: fetch.3
   const std::size_t length =
       std::clamp<std::size_t>(box.length.load(std::memory_order_relaxed), 1, kMailboxWords[kind]);
   const WindowWord* const words = host.words(mail);
   for (std::size_t i = 0; i < length; ++i) {
+    // model: fetch.4
     window_->staging[i] = words[i].load(std::memory_order_relaxed);
   }
+  // model: fetch.5
   taken.store(announced_[kind], std::memory_order_release);
   return std::span<const std::uint32_t>(window_->staging).first(length);
 }
@@ -47,6 +53,7 @@ TakeStatus EmiMessage::damaged(MailKind mail, std::uint32_t sequence) noexcept {
 }
 
 bool EmiMessage::answers_full() const noexcept {
+  // model: answer.1
   return window_->message().answers_posted.load(std::memory_order_relaxed) -
              window_->host().answers_taken.load(std::memory_order_acquire) >=
          kAnswerSlots;
@@ -90,9 +97,12 @@ bool EmiMessage::answer(const Answer& answer) noexcept {
   const auto words = pack(answer);
   auto& slot = message.answers[message.answers_posted.load(std::memory_order_relaxed) % kAnswerSlots];
   for (std::size_t i = 0; i < words.size(); ++i) {
+    // model: answer.2
     slot[i].store(words[i], std::memory_order_relaxed);
   }
+  // model: answer.3
   count_up(message.answers_posted);
+  // model: answer.4
   ring_doorbell(message.rings, faults_);
   return true;
 }

@@ -1,4 +1,5 @@
 // The server's side of set-up: requests in, descriptors out.
+// "model: NAME.N" names a step of the models in tests/models.
 #include "gaitway/msgclient/memory_block_server.hpp"
 
 #include <fmt/format.h>
@@ -64,12 +65,14 @@ Reply reply_to(TopicRegistry& registry, Asker& asker, const protocol::Request& r
     return reply;
   }
   if (request.verb == protocol::Verb::hello) {
+    // model: serve.1
     reply.give(registry.directory_segment(), Access::read_only);
     return reply;
   }
   if (request.verb != protocol::Verb::open || request.role > Role::writer) {
     throw TopicError("the client asks for something unknown: build both from the same release");
   }
+  // model: serve.2
   const TopicGrant grant =
       registry.open(asker.id, std::string(name_of(request.client)), descriptor_of(request), request.role);
   const bool writer = request.role == Role::writer;
@@ -93,6 +96,7 @@ struct MemoryBlockServer::Connection {
 };
 
 MemoryBlockServer::MemoryBlockServer(const MemoryBlock& block, std::filesystem::path socket)
+    // model: start.1, start.2, start.3, start.4 in process::ListeningSocket: lock, unlink, bind, listen
     : registry_(block.registry()), listener_(std::move(socket), "message controller") {}
 
 MemoryBlockServer::~MemoryBlockServer() {
@@ -132,6 +136,7 @@ bool MemoryBlockServer::has_room_for(pid_t process) const noexcept {
 
 void MemoryBlockServer::accept_clients(std::int64_t now_ns) {
   for (int i = 0; i < kClientsAStep; ++i) {
+    // model: accept.1
     process::FileDescriptor socket = listener_.accept();
     if (!socket) {
       return;
@@ -162,6 +167,7 @@ void MemoryBlockServer::accept_clients(std::int64_t now_ns) {
 }
 
 void MemoryBlockServer::drop(std::list<Connection>::iterator connection) {
+  // model: serve.4
   registry_->release_all(connection->asker.id);
   connections_.erase(connection);  // closing the socket also takes it out of the epoll set
 }
@@ -174,11 +180,13 @@ void MemoryBlockServer::hear_holder(std::string_view topic, Role role) {
   }
   pollfd end{connection->socket.get(), POLLRDHUP, 0};
   if (poll(&end, 1, 0) > 0) {
+    // model: serve.5
     registry_->release_all(holder);  // it is dropped in its turn
     return;
   }
   protocol::Request request;
   while (protocol::receive_release(connection->socket.get(), request)) {
+    // model: serve.6
     registry_->release(holder, std::string(name_of(request.topic)), request.role);
   }
 }
@@ -197,6 +205,7 @@ bool MemoryBlockServer::serve(Connection& connection) {
         return false;
     }
     if (request.magic == protocol::kMagic && request.verb == protocol::Verb::release) {
+      // model: serve.3
       registry_->release(connection.asker.id, std::string(name_of(request.topic)), request.role);
       continue;
     }

@@ -1,5 +1,6 @@
 // Opening of topics, and the client in another process than the memory block: asks the server, maps what it
 // gives.
+// "model: NAME.N" names a step of the models in tests/models.
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -19,6 +20,7 @@ namespace gaitway::msgclient {
 namespace {
 
 // The connection; handles keep it alive, since the server takes its end for the end of all claims.
+// model: watch.3
 class Connection {
  public:
   Connection(const std::filesystem::path& path, std::string client_name, std::chrono::milliseconds timeout)
@@ -30,6 +32,7 @@ class Connection {
       throw TopicError(
           fmt::format("client '{}': a name has 1 to {} characters", client_name_, kMaxNameLength));
     }
+    // model: attach.1
     const sockaddr_un address = process::socket_address(path);
     const timeval limit{timeout.count() / 1000, timeout.count() % 1000 * 1000};
     if (!socket_ || setsockopt(socket_.get(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit) != 0 ||
@@ -119,6 +122,7 @@ class RemoteSource final : public TopicSource {
     request.kind = descriptor.kind;
     request.capacity = descriptor.capacity;
     request.role = role;
+    // model: attach.4
     protocol::ReceivedAnswer received = connection_->ask(request);
 
     TopicGrant grant;
@@ -130,6 +134,7 @@ class RemoteSource final : public TopicSource {
     grant.descriptor.capacity = received.answer.capacity;
     grant.geometry = {descriptor.size, received.answer.slots};
     grant.generation = received.answer.generation;
+    // model: attach.5
     grant.storage = std::make_shared<const Segment>(take_segment(received, 0));
     const std::size_t needed =
         descriptor.kind == TopicKind::window ? descriptor.size : grant.geometry.bytes();
@@ -149,12 +154,15 @@ class RemoteSource final : public TopicSource {
   }
   std::vector<TopicInfo> directory() const override { return directory_.rows(); }
   std::uint64_t generation() const noexcept override { return directory_.generation(); }
+  // model: watch.2
   std::int64_t heartbeat_ns() const noexcept override { return directory_.heartbeat_ns(); }
   int hang_up_fd() const noexcept override { return connection_->fd(); }
 
  private:
   Segment say_hello() {
+    // model: attach.2
     protocol::ReceivedAnswer received = connection_->ask({});
+    // model: attach.3
     Segment segment = take_segment(received, 0);
     if (segment.size() < Directory::bytes()) {
       throw TopicError("the directory that the server gave is too small: build both from the same release");
@@ -176,6 +184,7 @@ Client Client::connect(const std::filesystem::path& socket, const std::string& c
 }
 
 bool Client::server_has_ended() const noexcept {
+  // model: watch.1
   pollfd ended{hang_up_fd(), POLLRDHUP, 0};
   return poll(&ended, 1, 0) > 0 && (ended.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
 }

@@ -1,6 +1,6 @@
 // What a program holds to write and read topics. Made by Client; the calls below are for the cycle: no lock,
-// no allocation, no system call, no exception. Each handle is for one thread at a time. A handle keeps its
-// memory mapped, so it stays valid when the client or the block goes first.
+// no allocation, no system call, no exception. Each handle is for one thread at a time, and keeps its memory
+// mapped when client and block go. "model: NAME.N" names a step of the models in tests/models.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class Claim {
   }
   ~Claim() {
     if (release_) {
-      release_();
+      release_();  // model: release.1
     }
   }
 
@@ -119,12 +119,12 @@ class UntypedReader : public CopyingReader {
 // Reads a stream in order, from the first value after it was opened (or the oldest still there, if asked).
 class UntypedStreamReader : public CopyingReader {
  public:
-  explicit UntypedStreamReader(TopicGrant grant, bool from_oldest = false)
+  explicit UntypedStreamReader(TopicGrant grant, bool from_oldest = false)  // model: stream_open.1
       : CopyingReader(std::move(grant)), next_(from_oldest ? 1 : ring::published(base_) + 1) {}
   // The next value; `none` when all were read. What the writer has overwritten is skipped and counted.
   ReadResult read(void* value) noexcept {
     for (int attempt = 0; attempt < ring::kMaxAttempts; ++attempt) {
-      const std::uint64_t newest = ring::published(base_);
+      const std::uint64_t newest = ring::published(base_);  // model: stream_read.1
       next_ = std::min(next_, newest + 1);  // a writer that breaks the rules may have gone back
       if (next_ > newest) {
         return {};
@@ -133,7 +133,7 @@ class UntypedStreamReader : public CopyingReader {
       const std::uint64_t reliable = grant_.geometry.slots - 1;
       const std::uint64_t oldest = newest > reliable ? newest - reliable + 1 : 1;
       if (next_ < oldest) {
-        missed_ += oldest - next_;
+        missed_ += oldest - next_;  // model: stream_read.2
         next_ = oldest;
       }
       if (copy(next_)) {
@@ -160,7 +160,7 @@ class UntypedQueueWriter : public TopicHandle {
       : TopicHandle(std::move(grant)), taken_(words(*grant_.cursor)) {}
   // False: the queue is full, and the value was not taken; counted.
   [[nodiscard]] bool push(const void* value, std::int64_t stamp_ns) noexcept {
-    const std::uint64_t waiting =
+    const std::uint64_t waiting =  // model: push.1
         base_->load(std::memory_order_relaxed) - taken_->load(std::memory_order_acquire);
     if (waiting >= grant_.geometry.slots) {
       ++refused_;
@@ -184,7 +184,7 @@ class UntypedQueueReader : public CopyingReader {
   // than there are slots, or values that are not whole) is passed over, so that its successor's queue is
   // not full for ever.
   ReadResult pop(void* value) noexcept {
-    const std::uint64_t newest = ring::published(base_);
+    const std::uint64_t newest = ring::published(base_);  // model: pop.1
     std::uint64_t taken = taken_->load(std::memory_order_relaxed);
     if (newest - taken > grant_.geometry.slots) {
       taken = newest;
@@ -192,7 +192,7 @@ class UntypedQueueReader : public CopyingReader {
     }
     while (taken != newest) {
       const bool whole = copy(++taken);
-      taken_->store(taken, std::memory_order_release);
+      taken_->store(taken, std::memory_order_release);  // model: pop.2
       if (whole) {
         return deliver(taken, value);
       }

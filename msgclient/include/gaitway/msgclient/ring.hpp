@@ -1,13 +1,13 @@
 // The lock-free heart of the memory block: a small ring of slots, published by index. Works on shared memory
 // in which nothing but atomic 64-bit words lies; the geometry comes from the directory, never from memory
-// that the other side writes.
+// that the other side writes. "model: NAME.N" names a step of the models in tests/models.
 //
 // clang-format off
 // Memory orders. Writer of value n (slot n mod slots):       Reader:
-//   W1 slot.sequence = 0        relaxed                        R1 p = published             acquire
-//   W2 slot.words[i] = ...      release                        R2 slot(p).sequence == p ?   acquire
-//   W3 slot.sequence = n        release                        R3 read slot(p).words[i]     acquire
-//   W4 published = n            release                        R4 slot(p).sequence == p ?   relaxed
+//   W1 slot.sequence = 0        relaxed                        R1 p = published             acquire   // model: publish.1, read.1
+//   W2 slot.words[i] = ...      release                        R2 slot(p).sequence == p ?   acquire   // model: publish.2, read.2
+//   W3 slot.sequence = n        release                        R3 read slot(p).words[i]     acquire   // model: publish.3, read.3
+//   W4 published = n            release                        R4 slot(p).sequence == p ?   relaxed   // model: publish.4, read.4
 //
 //  a) Whole: R2 sees W3 of value p, so W3 synchronises with R2 and every W2 of p happens before R3:
 //     R3 sees words of p or newer.
