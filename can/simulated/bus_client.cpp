@@ -189,11 +189,16 @@ void LastingBusClient::judge(std::int64_t now_ns) noexcept {
     state_ = BusState::error_active;
     return;
   }
-  since_ns_ = since_ns_ == 0 ? now_ns : since_ns_;
   const std::int64_t bus_ns = client_->bus_time_ns();
+  const bool was_away = now_ns - judged_ns_ > kLongestWait_ns;  // who did not listen has heard nothing
+  if (bus_ns != heard_ns_ || was_away) {
+    heard_ns_ = bus_ns;
+    heard_at_ns_ = now_ns;
+  }
+  judged_ns_ = now_ns;
   if (state_ == BusState::down) {
     state_ = bus_ns >= now_ns - kLongestWait_ns ? BusState::error_active : BusState::down;
-  } else if (std::max(bus_ns, since_ns_) < now_ns - kStandstill_ns) {
+  } else if (now_ns - heard_at_ns_ > kStandstill_ns) {
     go_down();
   }
 }

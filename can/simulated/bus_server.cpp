@@ -124,6 +124,14 @@ struct BusServer::Client {
       outgoing.push_back(record);
     }
   }
+  // The newest one says it all: of who does not read they do not pile up.
+  void hand_mark(std::int64_t time_ns) {
+    if (!outgoing.empty() && outgoing.back().kind == Kind::mark) {
+      outgoing.back().start_ns = time_ns;
+    } else {
+      hand(Record{.kind = Kind::mark, .start_ns = time_ns});
+    }
+  }
   bool take(const Record& record, std::int64_t time_ns, BusServerStatistics& statistics);
   void flush();
 };
@@ -272,7 +280,7 @@ void BusServer::flush() {
   for (Client& client : clients_) {
     if (client.paced && client.told_ns < time_ns_) {
       client.told_ns = time_ns_;
-      client.hand(Record{.kind = Kind::mark, .start_ns = time_ns_});
+      client.hand_mark(time_ns_);
     }
     client.flush();
   }

@@ -1,5 +1,6 @@
-"""The API goes down with its main controller and comes back with it: a client that is connected goes on, and the robot, which
-was being driven, has come to a stand meanwhile."""
+"""The API goes down with its main controller, or with that one's message controller, and comes back with it: a client that is
+connected goes on, a recording goes on, an order that comes meanwhile waits, and the robot, which was being driven, has come to
+a stand."""
 import os
 import re
 import signal
@@ -10,6 +11,8 @@ import unittest
 from pathlib import Path
 
 import roslibpy
+from mcap.records import Message
+from mcap.stream_reader import StreamReader
 
 from served_robot import free_port, until
 
@@ -25,12 +28,21 @@ class Processes:
         config = config.replace("sockets: local", f"parameters: {{link: 'unix:{self.folder}/link'}}\n    sockets: local")
         (self.folder / "serve.yaml").write_text(config)
         self.start("robot", "GAITWAY_VIRTUAL_ROBOT", "--bus", self.folder / "bus")
-        self.start("message", "GAITWAY_MESSAGE_CONTROLLER", "--bus", self.folder / "bus", "--memory", self.folder / "memory")
+        self.start_message_controller()
         until(lambda: (self.folder / "memory").exists(), "the memory block")
         self.main = self.start("main", "GAITWAY_MAIN_CONTROLLER", "--supervised", "--socket", self.folder / "memory", "--config",
                                self.folder / "serve.yaml", "--plugin-path", os.environ["GAITWAY_PLUGIN_DIR"])
-        self.start("module", "GAITWAY_USER_INTERFACE", "--link", f"unix:{self.folder}/link", "--port", self.port)
+        self.start("module", "GAITWAY_USER_INTERFACE", "--link", f"unix:{self.folder}/link", "--port", self.port, "--recordings",
+                   self.folder)
         until(lambda: self.times_linked() == 1, lambda: "the API:\n" + self.output("main") + self.output("module"), 60.0)
+
+    def start_message_controller(self):
+        self.message = self.start("message", "GAITWAY_MESSAGE_CONTROLLER", "--bus", self.folder / "bus", "--memory",
+                                  self.folder / "memory")
+
+    def ctl(self, *arguments):
+        return subprocess.run([os.environ["GAITWAY_COMMAND"], "ctl", "--port", str(self.port), *arguments], capture_output=True,
+                              text=True, timeout=60)
 
     def start(self, name, program, *arguments):
         with open(self.folder / f"{name}.txt", "wb") as output:
@@ -54,7 +66,8 @@ class Processes:
 
     def stop(self):
         for process in reversed(self.started):
-            process.send_signal(signal.SIGINT)
+            if process.poll() is None:
+                process.send_signal(signal.SIGINT)
         for process in self.started:
             try:
                 process.wait(20)
@@ -64,29 +77,72 @@ class Processes:
 
 
 class MainControllerRestart(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gaitway_restart_")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.processes = Processes(folder.name)
+        self.addCleanup(self.processes.stop)
+        self.ros = roslibpy.Ros("127.0.0.1", self.processes.port)
+        self.ros.run(timeout=20)
+        self.addCleanup(self.ros.terminate)
+        self.seen = []
+        odometry = roslibpy.Topic(self.ros, "/odom", "nav_msgs/Odometry", throttle_rate=20)
+        odometry.subscribe(self.seen.append)
+        until(lambda: self.seen, "odometry")
+
+    def walk(self):
+        velocity = roslibpy.Topic(self.ros, "/cmd_vel", "geometry_msgs/Twist")
+        velocity.advertise()
+        end = time.monotonic() + 4.0
+        while time.monotonic() < end:
+            velocity.publish(roslibpy.Message({"linear": {"x": 0.1}}))
+            time.sleep(0.05)  # as a client does: ten times a second and more
+        self.assertGreater(self.seen[-1]["pose"]["pose"]["position"]["x"], 0.05, "it walked")
+
+    def assert_it_goes_on(self):
+        until(lambda: self.processes.times_linked() == 2, lambda: "the link again:\n" + self.processes.output("module"), 30.0)
+        count = len(self.seen)
+        until(lambda: self.ros.is_connected and len(self.seen) > count + 20, "odometry of the new main controller", 30.0)
+
     def test_clients_go_on(self):
-        with tempfile.TemporaryDirectory(prefix="gaitway_restart_") as folder:
-            processes = Processes(folder)
-            self.addCleanup(processes.stop)
-            ros = roslibpy.Ros("127.0.0.1", processes.port)
-            ros.run(timeout=20)
-            self.addCleanup(ros.terminate)
-            seen = []
-            odometry = roslibpy.Topic(ros, "/odom", "nav_msgs/Odometry", throttle_rate=20)
-            odometry.subscribe(seen.append)
-            until(lambda: seen, "odometry")
-            velocity = roslibpy.Topic(ros, "/cmd_vel", "geometry_msgs/Twist")
-            velocity.advertise()
-            end = time.monotonic() + 4.0
-            while time.monotonic() < end:
-                velocity.publish(roslibpy.Message({"linear": {"x": 0.1}}))
-                time.sleep(0.05)  # as a client does: ten times a second and more
-            self.assertGreater(seen[-1]["pose"]["pose"]["position"]["x"], 0.05, "it walked")
-            processes.kill_main_controller()
-            until(lambda: processes.times_linked() == 2, lambda: "the link again:\n" + processes.output("module"), 30.0)
-            count = len(seen)
-            until(lambda: ros.is_connected and len(seen) > count + 20, "odometry of the new main controller", 30.0)
-            self.assertGreater(seen[-1]["pose"]["pose"]["position"]["z"], 0.25, "it stands")
+        self.walk()
+        self.processes.kill_main_controller()
+        self.assert_it_goes_on()
+        self.assertGreater(self.seen[-1]["pose"]["pose"]["position"]["z"], 0.25, "it stands")
+
+    def test_they_go_on_without_the_message_controller_too(self):
+        recording = self.processes.ctl("recording", "start", "outage")
+        self.assertEqual(recording.returncode, 0, recording.stderr)
+        self.processes.message.kill()
+        self.processes.message.wait()
+        until(lambda: "link to the main controller is lost" in self.processes.output("module"), "the loss", 10.0)
+        stand = subprocess.Popen([os.environ["GAITWAY_COMMAND"], "ctl", "--port", str(self.processes.port), "--wait", "20", "stand"],
+                                 stderr=subprocess.PIPE, text=True)
+        self.assertIn("the robot is not there. It is waited for, 20 s at most", stand.stderr.readline())
+        self.processes.start_message_controller()
+        self.assertEqual(stand.wait(30), 0, stand.stderr.read())
+        stand.stderr.close()
+        self.assert_it_goes_on()
+        back_s = time.monotonic()
+        time.sleep(1.0)  # of the recording
+        self.assertEqual(self.processes.ctl("recording", "stop").returncode, 0)
+        files = list(self.folder.glob("*.mcap"))
+        self.assertEqual(len(files), 1, "the recording goes on in its file")
+        with open(files[0], "rb") as stream:
+            newest_s = max(1e-9 * record.log_time for record in StreamReader(stream).records if isinstance(record, Message))
+        self.assertGreater(newest_s, back_s)
+
+    def test_nobody_is_waited_for_longer_than_said(self):
+        self.processes.stop()
+        begin = time.monotonic()
+        stand = self.processes.ctl("--wait", "1", "stand")
+        self.assertEqual(stand.returncode, 1)
+        self.assertIn("It is waited for, 1 s at most", stand.stderr)
+        self.assertGreater(time.monotonic() - begin, 1.0)
+        at_once = self.processes.ctl("--wait", "0", "stand")
+        self.assertEqual(at_once.returncode, 1)
+        self.assertNotIn("waited for", at_once.stderr)
 
 
 if __name__ == "__main__":

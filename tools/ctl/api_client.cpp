@@ -7,7 +7,10 @@
 #include <chrono>
 #include <deque>
 #include <nlohmann/json.hpp>
+#include <thread>
+#include <utility>
 
+#include "gaitway/input/text.hpp"
 #include "tools/ctl/api_link.hpp"
 
 namespace gaitway::tools {
@@ -17,6 +20,15 @@ using json = nlohmann::json;
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kBetweenTries{100};
+
+// The API is there, its robot is not.
+bool tells_of_absence(const ApiClient::ServiceAnswer& answer, const json& values) {
+  const std::string text = answer.result && values.is_object() ? values.value("message", "") : answer.problem;
+  const bool done = answer.result && values.is_object() && values.value("success", false);
+  return !done && text.starts_with("the robot is not there: ");
+}
 
 Clock::time_point after(double time_s) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
@@ -35,11 +47,46 @@ class ApiClient::Link : public ApiLink {
   std::deque<std::string> problems;
 };
 
-ApiClient::ApiClient(const ApiAddress& address)
-    : link_(std::make_unique<Link>(address)), timeout_s_(address.timeout_s) {}
+ReturnWait::ReturnWait(double wait_s) : wait_s_(wait_s), end_(after(wait_s)) {}
+
+bool ReturnWait::once_more(std::string_view reason) {
+  if (Clock::now() >= end_) {
+    return false;
+  }
+  if (!std::exchange(told_, true)) {
+    fmt::print(stderr, "{} It is waited for, {:g} s at most\n", input::terminal_text(std::string(reason)),
+               wait_s_);
+  }
+  std::this_thread::sleep_until(std::min(Clock::now() + kBetweenTries, end_));
+  return true;
+}
+
+ApiClient::ApiClient(const ApiAddress& address) : wait_(address.wait_s), timeout_s_(address.timeout_s) {
+  while (!link_) {
+    try {
+      link_ = std::make_unique<Link>(address);
+    } catch (const NobodyThere& error) {
+      if (!wait_.once_more(error.what())) {
+        throw;
+      }
+    }
+  }
+}
 ApiClient::~ApiClient() = default;
 
 ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const json& arguments, json& values) {
+  while (true) {
+    ServiceAnswer answer = call_once(service, arguments, values);
+    const bool is_away = tells_of_absence(answer, values);
+    if (is_reached_ || !is_away || !wait_.once_more(service + ": the robot is not there.")) {
+      is_reached_ = is_reached_ || !is_away;
+      return answer;
+    }
+  }
+}
+
+ApiClient::ServiceAnswer ApiClient::call_once(const std::string& service, const json& arguments,
+                                              json& values) {
   const std::string id = fmt::format("call_{}", ++last_id_);
   constexpr double kForTheRobot = 0.9;  // of the time: then it says itself why it has not been done
   const ApiLink::Time deadline = link_->deadline();

@@ -2,6 +2,7 @@
 // after the other.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -23,6 +24,11 @@ class ApiError : public std::runtime_error {
 // Whether an error of the robot's is that an order came too late to be carried out.
 [[nodiscard]] bool tells_of_lateness(std::string_view error) noexcept;
 
+// Nobody listens there, or not yet.
+class NobodyThere : public ApiError {
+  using ApiError::ApiError;
+};
+
 // The server does not let us in: another token, another origin.
 class NotLetIn : public ApiError {
   using ApiError::ApiError;
@@ -38,13 +44,34 @@ struct ApiAddress {
   std::filesystem::path token_file;         // empty: no token
   std::filesystem::path ca_file;            // of wss, PEM: whom to trust; empty: the system's
   double timeout_s = 10.0;                  // to connect, and of each answer
-  bool any_name = false;                    // of wss: whom `ca_file` vouches for may have another name
+  // How long a robot that is not there is waited for, in case it is just coming back: the API to connect to,
+  // and what it says of the robot until it has answered once.
+  double wait_s = 0.0;
+  bool any_name = false;  // of wss: whom `ca_file` vouches for may have another name
 
   [[nodiscard]] ApiAddress with_timeout(double seconds) const {
     ApiAddress address = *this;
     address.timeout_s = seconds;
     return address;
   }
+  [[nodiscard]] ApiAddress with_wait(double seconds) const {
+    ApiAddress address = *this;
+    address.wait_s = seconds;
+    return address;
+  }
+};
+
+// Says once, on stderr, what is waited for, and how long.
+class ReturnWait {
+ public:
+  explicit ReturnWait(double wait_s);
+  // After an attempt that found nobody for this reason. False: the time is over. Else a moment has passed.
+  bool once_more(std::string_view reason);
+
+ private:
+  double wait_s_;
+  std::chrono::steady_clock::time_point end_;
+  bool told_ = false;
 };
 
 // Blocks; for one thread. All calls throw ApiError and NoAnswer.
@@ -82,16 +109,23 @@ class ApiClient {
   class Link;
   // What comes and nobody has asked for: kept for who asks for it.
   void keep(nlohmann::json message);
+  ServiceAnswer call_once(const std::string& service, const nlohmann::json& arguments,
+                          nlohmann::json& values);
+  ReturnWait wait_;
   std::unique_ptr<Link> link_;
+  bool is_reached_ = false;  // the robot has answered once
   double timeout_s_;
   unsigned last_id_ = 0;
 };
+
+// A robot that was restarted is there again in that time.
+inline constexpr double kReturn_s = 3.0;
 
 inline constexpr int kExitRefused = 2;
 inline constexpr int kExitNoAnswer = kExitNotDone;
 
 struct CtlOptions {
-  ApiAddress api;
+  ApiAddress api = ApiAddress().with_wait(kReturn_s);
   std::optional<std::string> url;
   std::optional<int> port;       // of the API on this computer
   std::filesystem::path socket;  // of the memory block: orders to plug-ins without the API

@@ -84,8 +84,10 @@ ApiLink::ApiLink(const ApiAddress& address) : address_(address) {
   try {
     open();
   } catch (const boost::system::system_error& error) {
-    throw ApiError(
-        fmt::format("{}: {}. {}", address.url, error.code().message(), remedy_for(error.code(), address)));
+    const std::string why =
+        fmt::format("{}: {}. {}", address.url, error.code().message(), remedy_for(error.code(), address));
+    if (error.code() == asio::error::connection_refused) throw NobodyThere(why);
+    throw ApiError(why);
   }
   start_reading();
 }

@@ -54,6 +54,10 @@ void add_address(const CommandLine& command, CtlOptions& options) {
   command.option("--token-file", options.api.token_file, "File with the API's token, in its first line");
   command.option("--ca", options.api.ca_file, "Certificates to trust (PEM), with wss://");
   command.option("--timeout", options.api.timeout_s, "Seconds to wait for an answer").between(0.1, 3600.0);
+  command
+      .option("--wait", options.api.wait_s,
+              "Seconds to wait for a robot that is not there, as after a restart (default 3; 0: not at all)")
+      .between(0.0, 3600.0);
 }
 
 CommandLine add_order(const CommandLine& parent, const SharedCtlOptions& options, const char* name,
@@ -125,6 +129,7 @@ void declare_program(const CommandLine& program) {
       "  gaitway ctl plugin --help\n"
       "  gaitway ctl recording start walk1\n"
       "  gaitway ctl --url wss://robot:9090 --token-file token --ca ca.pem plugin list\n"
+      "A robot that is not there is waited for, 3 s at most (--wait): it may be just coming back.\n"
       "Exit code: 0 done, 1 the input was bad or nobody is there, 2 refused, 3 no answer.");
 }
 

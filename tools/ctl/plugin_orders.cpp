@@ -75,11 +75,25 @@ PluginRequest request_of(const PluginOrder& order) {
   return request;
 }
 
+// A message controller that was restarted is there again soon.
+msgclient::Client connect_to_block(const CtlOptions& options) {
+  ReturnWait wait(options.api.wait_s);
+  while (true) {
+    try {
+      return msgclient::Client::connect(options.socket, "ctl");
+    } catch (const msgclient::TopicError& error) {
+      if (!wait.once_more(error.what())) {
+        throw;
+      }
+    }
+  }
+}
+
 // Requests over the memory block, each with its answer. Complains where there is none.
 class Conversation {
  public:
   explicit Conversation(const CtlOptions& options)
-      : client_(msgclient::Client::connect(options.socket, "ctl")),
+      : client_(connect_to_block(options)),
         answers_(client_.read_stream<PluginAnswer>("plugin_answer")),
         requests_(client_.write_queue<PluginRequest>("plugin_request")),
         timeout_s_(options.api.timeout_s) {}

@@ -136,5 +136,24 @@ TEST_F(LastingBusClientTest, ABusThatStandsStillIsNoBusUntilItRuns) {
   EXPECT_EQ(server->statistics().broken, 0U);
 }
 
+// As a process that was stopped: the bus went on and could not tell it. It is not the bus that was away.
+TEST_F(LastingBusClientTest, WhoDidNotListenHasNotLostTheBus) {
+  run(20);
+  for (int i = 0; i < 20'000;
+       ++i) {  // its socket is full by now, and the server keeps back what it has to say
+    now_ns += kMillisecond_ns;
+    server->step();
+    while (server->advance(now_ns)) {
+    }
+    server->flush();
+  }
+  run(1);
+  EXPECT_EQ(client.state(), BusState::error_active);
+  run(2);
+  EXPECT_TRUE(client.caught_up(now_ns - kMillisecond_ns));
+  EXPECT_EQ(client.outages(), 0U);
+  EXPECT_EQ(server->statistics().not_reading, 0U) << "marks alone do not pile up";
+}
+
 }  // namespace
 }  // namespace gaitway::can

@@ -77,7 +77,7 @@ class BusClient final : public BusPort {
 class LastingBusClient final : public BusPort {
  public:
   static constexpr std::int64_t kBetweenTries_ns = 50'000'000;
-  // A bus that is further behind than that stands still.
+  // A bus of which nothing has been heard for so long stands still.
   static constexpr std::int64_t kStandstill_ns = 200'000'000;
 
   // Throws BusError when nobody serves the socket now.
@@ -118,9 +118,10 @@ class LastingBusClient final : public BusPort {
   Pace pace_;
   std::optional<BusClient> client_;
   BusState state_ = BusState::error_active;
-  std::int64_t now_ns_ = 0;       // as of the last flush()
-  std::int64_t next_try_ns_ = 0;  // to connect
-  std::int64_t since_ns_ = 0;     // of the first connection: its bus is waited for from then on
+  std::int64_t now_ns_ = 0;                      // as of the last flush()
+  std::int64_t next_try_ns_ = 0;                 // to connect
+  std::int64_t judged_ns_ = 0;                   // as of the last flush() with a connection
+  std::int64_t heard_ns_ = 0, heard_at_ns_ = 0;  // how far the bus has run, and when that was heard
   std::uint64_t outages_ = 0;
 };
 
