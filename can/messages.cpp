@@ -37,9 +37,10 @@ static_assert(layouts_are_sound(), "a field of the message layouts overlaps anot
 // Collects the fields of one message, in the table's order, into its frame.
 class FieldWriter {
  public:
-  FieldWriter(const Profile& profile, MessageKind kind, NodeId node = 0, bool toggle = false) noexcept
+  FieldWriter(const Profile& profile, MessageKind kind, NodeId node = 0, bool toggle = false,
+              int part = 0) noexcept
       : fields_(layout(kind).fields),
-        frame_{.id = profile.id_of(kind, node, toggle), .size = layout(kind).size} {}
+        frame_{.id = profile.id_of(kind, node, toggle, part), .size = layout(kind).size} {}
 
   FieldWriter& put(std::int64_t value) noexcept {
     const FieldSpec& field = fields_[next_++];
@@ -119,6 +120,8 @@ Frame encode(const Profile& profile, const Sync& message) noexcept {
       .put(message.batch_committed ? 1 : 0)
       .put(message.toggle ? 1 : 0)
       .put(message.softness)
+      .put(message.tail_points)
+      .put(message.tail_toggle ? 1 : 0)
       .frame();
 }
 
@@ -168,6 +171,14 @@ Frame encode(const Profile& profile, const Heartbeat& message) noexcept {
   return FieldWriter(profile, MessageKind::heartbeat).put(message.mode).put(message.cycle).frame();
 }
 
+Frame encode(const Profile& profile, const Tail& message) noexcept {
+  FieldWriter writer(profile, MessageKind::tail, message.node, message.toggle, message.part);
+  for (const std::int8_t delta : message.delta) {
+    writer.put(delta);
+  }
+  return writer.frame();
+}
+
 std::optional<EmergencyStop> decode_emergency_stop(const Profile& profile, const Frame& frame) noexcept {
   FieldReader reader(profile, frame, MessageKind::emergency_stop);
   const auto mode = reader.take<std::uint8_t>();
@@ -204,6 +215,11 @@ std::optional<Sync> decode_sync(const Profile& profile, const Frame& frame) noex
   message.batch_committed = reader.take<bool>();
   message.toggle = reader.take<bool>();
   message.softness = reader.take<std::uint8_t>();
+  message.tail_points = reader.take<std::uint8_t>();
+  message.tail_toggle = reader.take<bool>();
+  if (message.tail_points > kTailPoints) {
+    return std::nullopt;
+  }
   return message;
 }
 
@@ -284,6 +300,21 @@ std::optional<Heartbeat> decode_heartbeat(const Profile& profile, const Frame& f
   Heartbeat message;
   message.mode = reader.take<std::uint8_t>();
   message.cycle = reader.take<std::uint32_t>();
+  return message;
+}
+
+std::optional<Tail> decode_tail(const Profile& profile, const Frame& frame) noexcept {
+  FieldReader reader(profile, frame, MessageKind::tail);
+  if (!reader.fits()) {
+    return std::nullopt;
+  }
+  Tail message;
+  message.node = reader.identified().node;
+  message.toggle = reader.identified().toggle;
+  message.part = reader.identified().part;
+  for (std::int8_t& delta : message.delta) {
+    delta = reader.take<std::int8_t>();
+  }
   return message;
 }
 

@@ -84,6 +84,12 @@ void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noe
     if (const auto batch = can::decode_trajectory(profile, frame)) {
       on_trajectory(*batch, now_ns);
     }
+  } else if (profile.has(can::MessageKind::tail) && frame.id >= profile.row(can::MessageKind::tail).base_id &&
+             frame.id <= profile.last_id(can::MessageKind::tail)) {
+    const auto tail = can::decode_tail(profile, frame);
+    if (tail && tail->node == config_.node) {
+      player_.on_tail(*tail);
+    }
   } else if (is(can::MessageKind::resynchronisation, config_.node)) {
     if (const auto repair = can::decode_resynchronisation(profile, frame)) {
       player_.on_resynchronisation(*repair);
@@ -196,6 +202,7 @@ void JointController::find_faults() noexcept {
             config_.profile.has(can::MessageKind::sync) && slots_alone_ >= kSlotsUntilSyncIsLost);
   set_fault(can::Fault::encoder, implausible_ms_ > 0);
   set_fault(can::Fault::restarted, !player_.reference_confirmed());
+  set_fault(can::Fault::tail_missing, player_.tail_missing());
 }
 
 void JointController::set_fault(can::Fault fault, bool present) noexcept {

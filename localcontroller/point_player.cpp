@@ -1,5 +1,5 @@
-// Plays a joint's points: which slot of which batch is on, and what a repair, a revision or a lost SYNC
-// changes.
+// Plays a joint's points: which slot of which batch, or of its tail, is on, and what a repair, a revision or
+// a lost SYNC changes.
 #include "gaitway/localcontroller/point_player.hpp"
 
 namespace gaitway::localcontroller {
@@ -56,17 +56,23 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
   synchronised_ = true;
   sync_cycle_ = sync.cycle;
   sync_slot_ = sync.slot;
-  if (running_ && sync.cycle != batch_cycle_) {  // the SYNC that ended the batch was lost
-    make_up_until(can::kBatchPoints);
-    running_ = false;
+  if (running_ && !in_tail_ && sync.cycle != batch_cycle_) {
+    make_up_until(can::kBatchPoints);  // where the SYNC that ended the batch was lost
+    running_ = take_up_tail();
   }
+  tail_.on_sync(sync);
   if (sync.slot == 0) {
-    start_batch(sync);
+    if (!start_batch(sync) && in_tail_) {
+      return follow_tail(sync, now_ns);
+    }
     begin_slot(0, now_ns, now_ns);
     return true;
   }
   if (apply_repair(sync, now_ns)) {
     return true;
+  }
+  if (in_tail_) {
+    return follow_tail(sync, now_ns);
   }
   std::int32_t revised = 0;
   if (running_) {
@@ -119,6 +125,7 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
     return false;  // it was for a batch that is over
   }
   running_ = sync.batch_committed;
+  in_tail_ = false;
   reference_confirmed_ = true;
   executing_toggle_ = repair_.toggle;
   batch_cycle_ = sync.cycle;
@@ -138,12 +145,17 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
   return true;
 }
 
-void PointPlayer::start_batch(const can::Sync& sync) noexcept {
+bool PointPlayer::start_batch(const can::Sync& sync) noexcept {
   // Only a SYNC says that every joint's frame was sent and which toggle it bears; without it this joint would
   // move alone.
   has_repair_ = false;
-  running_ = sync.batch_committed && has_pending_ && pending_toggle_ == sync.toggle;
-  if (running_) {
+  const bool starts = sync.batch_committed && has_pending_ && pending_toggle_ == sync.toggle;
+  if (starts && in_tail_) {
+    count_ = count_before_tail_point(slots_since_batch(sync));  // however late this SYNC is
+    in_tail_ = false;
+  }
+  running_ = starts || in_tail_;
+  if (starts) {
     executing_ = pending_;
     executing_toggle_ = pending_toggle_;
     known_from_ = 0;
@@ -155,6 +167,59 @@ void PointPlayer::start_batch(const can::Sync& sync) noexcept {
     has_pending_ = false;
     pending_toggle_ = sync.toggle;
   }
+  return starts;
+}
+
+// The batch is over. True when points follow it that this joint has.
+bool PointPlayer::take_up_tail() noexcept {
+  tail_points_ = frozen_ ? 0 : tail_.points();
+  for (int point = 0; point < tail_points_; ++point) {
+    tail_delta_[static_cast<std::size_t>(point)] = static_cast<std::int8_t>(tail_.delta(point));
+  }
+  tail_.take();
+  batch_end_count_ = count_;
+  tail_point_ = -1;
+  in_tail_ = tail_points_ > 0;
+  return in_tail_;
+}
+
+std::int32_t PointPlayer::count_before_tail_point(int point) const noexcept {
+  std::int32_t count = batch_end_count_;
+  for (int taken = 0; taken < point && taken < tail_points_; ++taken) {
+    count = within_limits(count + tail_delta_[static_cast<std::size_t>(taken)]);
+  }
+  return count;
+}
+
+// From the batch's end to the edge that a SYNC marks. Where the cycles have been numbered anew, the joint's
+// own slots count.
+int PointPlayer::slots_since_batch(const can::Sync& sync) const noexcept {
+  constexpr int kMostCycles = can::kTailParts + 1;
+  const auto cycles = static_cast<std::uint16_t>(sync.cycle - batch_cycle_);
+  return cycles >= 1 && cycles <= kMostCycles ? (cycles - 1) * can::kBatchPoints + sync.slot
+                                              : tail_point_ + 1;
+}
+
+// Past the last point the joint holds. False when it is in that slot already, because the SYNC was overdue.
+bool PointPlayer::follow_tail(const can::Sync& sync, std::int64_t now_ns) noexcept {
+  const int point = slots_since_batch(sync);
+  if (point == tail_point_) {
+    return false;
+  }
+  begin_tail_slot(point, now_ns, now_ns);
+  return true;
+}
+
+void PointPlayer::begin_tail_slot(int point, std::int64_t start_ns, std::int64_t now_ns) noexcept {
+  tail_point_ = point;
+  count_ = count_before_tail_point(point);
+  running_ = in_tail_ = point < tail_points_;
+  const int first = point / can::kBatchPoints * can::kBatchPoints;
+  for (int slot = 0; slot < can::kBatchPoints; ++slot) {
+    executing_[static_cast<std::size_t>(slot)] =
+        first + slot < tail_points_ ? tail_delta_[static_cast<std::size_t>(first + slot)] : std::int8_t{0};
+  }
+  begin_slot(point % can::kBatchPoints, start_ns, now_ns);
 }
 
 void PointPlayer::enter_slot(int slot, std::int64_t now_ns) noexcept {
@@ -200,7 +265,7 @@ bool PointPlayer::rests() const noexcept {
 }
 
 bool PointPlayer::move_to(std::int32_t count, int duration_slots, std::int64_t now_ns) noexcept {
-  if ((running_ && !rests()) || frozen_ || duration_slots <= 0) {
+  if ((running_ && (in_tail_ || !rests())) || frozen_ || duration_slots <= 0) {
     return false;
   }
   running_ = false;
@@ -216,6 +281,8 @@ void PointPlayer::freeze(std::int64_t now_ns) noexcept {
   const double here = reference(now_ns).count;
   begin_segment(static_cast<std::int32_t>(here < 0.0 ? here - 0.5 : here + 0.5), now_ns, facts::kSlot_ns);
   running_ = false;
+  in_tail_ = false;
+  tail_.clear();
   has_pending_ = false;
   has_repair_ = false;
   frozen_ = true;
@@ -244,11 +311,16 @@ bool PointPlayer::advance_without_sync(std::int64_t now_ns) noexcept {
   // A batch is played point by point; while holding, slots that nobody asked for are skipped.
   const std::int64_t slots = running_ ? 1 : (now_ns - slot_start_ns_) / facts::kSlot_ns;
   const std::int64_t next = slot_ + slots;
+  const std::int64_t start_ns = slot_start_ns_ + slots * facts::kSlot_ns;
   if (next > kLastSlot) {
-    running_ = false;  // played out: holds
     has_repair_ = false;
+    running_ = running_ && (in_tail_ || take_up_tail());  // else played out: holds
   }
-  begin_slot(static_cast<int>(next % can::kBatchPoints), slot_start_ns_ + slots * facts::kSlot_ns, now_ns);
+  if (in_tail_) {
+    begin_tail_slot(tail_point_ + 1, start_ns, now_ns);
+    return true;
+  }
+  begin_slot(static_cast<int>(next % can::kBatchPoints), start_ns, now_ns);
   return true;
 }
 

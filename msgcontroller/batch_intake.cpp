@@ -20,7 +20,8 @@ BatchIntake::BatchIntake(const urdf::RobotModel& robot, BusLink& link, Playback&
       hand_over_(std::make_unique<msgclient::HandOver>()),
       plan_(std::make_unique<CountPlan>()) {}
 
-const msgclient::TrimGains* BatchIntake::take(std::int64_t now_ns, bool stopping) noexcept {
+const msgclient::TrimGains* BatchIntake::take(std::int64_t now_ns, bool stopping,
+                                              bool on_their_own) noexcept {
   NetworkState& state = link_.state;
   const msgclient::TakeStatus taken = adapter_.take_hand_over(*hand_over_, now_ns);
   if (taken == msgclient::TakeStatus::none) {
@@ -32,7 +33,7 @@ const msgclient::TrimGains* BatchIntake::take(std::int64_t now_ns, bool stopping
     return nullptr;
   }
   msgclient::Answer answer{.mail = msgclient::MailKind::hand_over, .sequence = hand_over_->sequence};
-  judge(now_ns, stopping, answer);
+  judge(now_ns, stopping, on_their_own, answer);
   state.late += answer.verdict == msgclient::Verdict::late ? 1U : 0U;
   state.refused += answer.verdict == msgclient::Verdict::refused ? 1U : 0U;
   const bool accepted = answer.verdict == msgclient::Verdict::accepted;
@@ -50,7 +51,8 @@ const msgclient::TrimGains* BatchIntake::take(std::int64_t now_ns, bool stopping
   return accepted ? &hand_over_->trim : nullptr;
 }
 
-void BatchIntake::judge(std::int64_t now_ns, bool stopping, msgclient::Answer& answer) noexcept {
+void BatchIntake::judge(std::int64_t now_ns, bool stopping, bool on_their_own,
+                        msgclient::Answer& answer) noexcept {
   using msgclient::Reason;
   using msgclient::Verdict;
   const auto refuse = [&answer](Reason reason) {
@@ -63,8 +65,12 @@ void BatchIntake::judge(std::int64_t now_ns, bool stopping, msgclient::Answer& a
   if (stopping) {
     return refuse(Reason::stopping);
   }
-  if (const Reason reason = untimely(now_ns); reason != Reason::none) {
-    return refuse(reason);
+  const Reason time = untimely(now_ns);
+  if (on_their_own && time != Reason::too_late) {
+    return refuse(Reason::stopping);
+  }
+  if (time != Reason::none) {
+    return refuse(time);
   }
   const std::span<const std::int32_t> start =
       hand_over_->first_slot == 0 ? playback_.next_start() : playback_.reached_before(hand_over_->first_slot);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gaitway/msgcontroller/joint_takeover.hpp"
+
 namespace gaitway::msgcontroller {
 namespace {
 
@@ -84,8 +86,7 @@ void EmergencyStop::supervise(int joint, const can::Feedback& feedback, double m
 void EmergencyStop::confirm(std::size_t joint, std::uint8_t reference_low, double measured_rad) noexcept {
   const double held_rad = std::clamp(measured_rad, link_.lower_rad[joint], link_.upper_rad[joint]);
   const auto nearest = static_cast<std::int32_t>(std::lround(held_rad / link_.count_rad[joint]));
-  const std::int32_t off = (reference_low - nearest) & 0xF;
-  released_count_[joint] = nearest + (off < 8 ? off : off - 16);
+  released_count_[joint] = nearest_with_low_bits(nearest, reference_low);
   confirmed_[joint] = true;
 }
 

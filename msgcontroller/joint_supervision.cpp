@@ -17,11 +17,19 @@ constexpr int kLastSlot = kSlotsPerCycle - 1;
 
 void JointSupervision::begin_cycle() noexcept {
   covered_until_.fill(kLastSlot);
+  outgoing_tail_points_ = tail_points();
+  start_waiting_tail();
+}
+
+void JointSupervision::start_waiting_tail() noexcept {
+  running_tail_ = waiting_tail_;
+  waiting_tail_ = {.toggle = running_tail_.toggle};
 }
 
 void JointSupervision::enter_slot(int slot, bool revised) noexcept {
   if (revised) {
     covered_until_.fill(kLastSlot);
+    start_waiting_tail();
   }
   waits_for_next_slot_ = playback_.waiting_segment() != nullptr && playback_.waiting_from() == slot + 1;
 }
@@ -29,7 +37,7 @@ void JointSupervision::enter_slot(int slot, bool revised) noexcept {
 void JointSupervision::drop(can::MessageKind kind) noexcept {
   const can::Profile& profile = link_.profile;
   if (profile.has(kind)) {
-    link_.queue.drop_identifiers(profile.row(kind).base_id, profile.id_of(kind, profile.largest_node, true));
+    link_.queue.drop_identifiers(profile.row(kind).base_id, profile.last_id(kind));
   }
 }
 
@@ -55,6 +63,48 @@ void JointSupervision::repair_waiting(int joint) noexcept {
 void JointSupervision::send_waiting() noexcept {
   for (int joint = 0; joint < link_.joint_count; ++joint) {
     send_waiting_trajectory(joint);
+  }
+  send_waiting_tail();
+}
+
+// As long as it can be of use: it may still be under way when its segment starts, and is named when it is
+// whole.
+void JointSupervision::send_waiting_tail() noexcept {
+  if (!link_.profile.has(can::MessageKind::tail) || playback_.waiting_segment() == nullptr) {
+    return;
+  }
+  forget_waiting_tail();
+  const int points = playback_.points_to_both_feet(can::kBatchPoints * link_.profile.tail_parts).value_or(0);
+  waiting_tail_ = {.toggle = running_tail_.toggle != (points > 0), .points = points};
+  const int slots_to_end =
+      playback_.waiting_from() - playback_.slot() + (playback_.revision_waits() ? 0 : kSlotsPerCycle);
+  const std::int64_t expires_ns = link_.slot_start_ns + slots_to_end * kSlot_ns;
+  for (int part = 0; part * can::kBatchPoints < points; ++part) {
+    for (int joint = 0; joint < link_.joint_count; ++joint) {
+      if (link_.node[static_cast<std::size_t>(joint)] != 0) {
+        send_tail_part(joint, part, expires_ns);
+      }
+    }
+  }
+}
+
+void JointSupervision::send_tail_part(int joint, int part, std::int64_t expires_ns) noexcept {
+  can::Tail frame{.node = link_.node[static_cast<std::size_t>(joint)],
+                  .toggle = waiting_tail_.toggle,
+                  .part = static_cast<std::uint8_t>(part)};
+  const int first = part * can::kBatchPoints;
+  for (int slot = 0; slot < std::min(kBatchPoints, waiting_tail_.points - first); ++slot) {
+    frame.delta[static_cast<std::size_t>(slot)] =
+        static_cast<std::int8_t>(playback_.tail_delta(joint, first + slot));
+  }
+  ++waiting_tail_.frames_left;
+  link_.send(can::encode(link_.profile, frame), expires_ns);
+}
+
+void JointSupervision::on_tail_sent(bool toggle) noexcept {
+  SentTail& tail = waiting_tail_.points > 0 && waiting_tail_.toggle == toggle ? waiting_tail_ : running_tail_;
+  if (tail.toggle == toggle && tail.frames_left > 0) {
+    --tail.frames_left;
   }
 }
 
@@ -111,6 +161,9 @@ void JointSupervision::take_feedback(int joint, const NetworkWatch::Arrival& arr
       feedback.pending_toggle != waiting->toggle) {
     link_.watch.count(Incident::trajectory_lost, feedback.node);
     repair_waiting(joint);
+  }
+  if (arrival.returned) {
+    waiting_tail_.lost = running_tail_.lost = true;
   }
   if (resync_until_[j] > link_.slots_since_start) {
     return;  // a repair is on its way, or a manual movement is under way

@@ -21,6 +21,11 @@ constexpr std::int64_t kPublishInSlot_ns = 4 * kMillisecond_ns;
 constexpr std::int64_t kFeedbackInSlot_ns = 7 * kMillisecond_ns;
 // Longer than the longest frame with a station's time to react: nobody had anything more urgent to send.
 constexpr std::int64_t kQuietBus_ns = 200'000;
+// Joints that got no SYNC until then have gone on alone for so long that their way and that of the batch
+// which they have not begun have parted; until then they are brought to it, joint by joint.
+constexpr int kSlotsToMakeUp = 4;
+// What happened longer ago is over for the joints.
+constexpr std::int64_t kSlotsToLookBack = 2 * can::kTailParts * kSlotsPerCycle;
 // A leg whose joint has been silent for so long cannot be relied on: the robot stops.
 constexpr std::uint32_t kSilentSlotsOfALeg = 10;
 
@@ -59,7 +64,8 @@ MessageController::MessageController(const urdf::RobotModel& robot, msgclient::C
       imu_writer_(client.write<Imu>("imu")),
       state_writer_(client.write<NetworkState>("network_state")),
       health_writer_(client.write<NetworkHealth>("network_health")),
-      slot_writer_(client.write<BusSlot>("bus_slot")) {
+      slot_writer_(client.write<BusSlot>("bus_slot")),
+      takeover_(robot, link_.node, home_counts(robot)) {
   for (const urdf::Leg& leg : robot.legs) {
     for (const int joint : leg.joints) {
       in_a_leg_[static_cast<std::size_t>(joint)] = true;
@@ -89,24 +95,18 @@ void MessageController::step(std::int64_t now_ns) noexcept {
 
 void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   const std::int64_t slot_index = now_ns / kSlot_ns;
-  const int slot = static_cast<int>(slot_index % kSlotsPerCycle);
   if (!feedback_published_) {
     publish_feedback(now_ns);
   }
   if (const BusSlot* const seen = slot_record_.enter_slot(now_ns)) {
     slot_writer_.publish(*seen, now_ns);
   }
-  link_.slot_start_ns = now_ns;
-  if (slot == 0) {
-    begin_cycle();
+  // Slots that this process was not there for, because it was stopped, have passed for the joints.
+  std::int64_t passed = last_slot_index_ < 0 ? slot_index : last_slot_index_ + 1;
+  for (passed = std::max(passed, slot_index - kSlotsToLookBack); passed <= slot_index; ++passed) {
+    pass_slot(passed);
   }
-  const bool revised = playback_.enter_slot(slot);
-  if (revised && stop_requested_) {
-    prepare_tail();  // the revision's
-  }
-  supervision_.enter_slot(slot, revised);
-  link_.state.cycle = static_cast<std::uint32_t>(slot_index / kSlotsPerCycle);
-  link_.state.slot = static_cast<std::uint32_t>(slot);
+  last_slot_index_ = slot_index;
   link_.state.stamp_ns = now_ns;
   follow_release(now_ns);
   send_sync(now_ns);
@@ -126,6 +126,36 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   health_writer_.publish(link_.watch.health(), now_ns);
 }
 
+void MessageController::pass_slot(std::int64_t slot_index) noexcept {
+  const int slot = static_cast<int>(slot_index % kSlotsPerCycle);
+  link_.slot_start_ns = slot_index * kSlot_ns;
+  link_.state.cycle = static_cast<std::uint32_t>(slot_index / kSlotsPerCycle);
+  link_.state.slot = static_cast<std::uint32_t>(slot);
+  if (slot == 0) {
+    begin_cycle();
+  }
+  const bool revised = playback_.enter_slot(slot);
+  if (revised && stop_requested_) {
+    prepare_tail();  // the revision's
+  }
+  supervision_.enter_slot(slot, revised);
+  const bool begun = last_sync_index_ >= slot_index - slot;
+  if (slot == kSlotsToMakeUp && !begun && last_sync_index_ >= 0 && link_.synchronised() &&
+      mode() != Mode::emergency_stop && playback_.running_segment().active) {
+    leave_to_joints();
+  }
+}
+
+// No joint has begun the batch of this cycle: each has gone on by itself.
+void MessageController::leave_to_joints() noexcept {
+  ++link_.state.left_to_joints;
+  supervision_.drop_waiting();
+  supervision_.drop(can::MessageKind::resynchronisation);
+  playback_.leave_to_joints(supervision_.outgoing_tail_points());
+  supervision_.forget_tails();
+  link_.set_mode(Mode::safe_tail);
+}
+
 void MessageController::begin_cycle() noexcept {
   const bool was_tail = mode() == Mode::safe_tail;
   supervision_.begin_cycle();
@@ -136,7 +166,9 @@ void MessageController::begin_cycle() noexcept {
   if (stop_requested_) {
     prepare_tail();  // as early as can be
   }
-  if (!playback_.running_segment().active) {
+  if (playback_.left_to_joints()) {
+    link_.set_mode(Mode::safe_tail);
+  } else if (!playback_.running_segment().active) {
     link_.set_mode(Mode::holding);
     stop_requested_ = false;
   } else if (!was_tail && !stop_requested_) {
@@ -150,12 +182,16 @@ void MessageController::send_sync(std::int64_t now_ns) noexcept {
   const Segment& running = playback_.running_segment();
   const NetworkState& state = link_.state;
   const bool plays = running.active && mode() != Mode::emergency_stop;
+  const int tail_points = plays ? supervision_.tail_points() : 0;
+  link_.state.tail_points = static_cast<std::uint32_t>(tail_points);
   if (link_.synchronised()) {
     link_.send(can::encode(link_.profile, can::Sync{.cycle = static_cast<std::uint16_t>(state.cycle),
                                                     .slot = static_cast<std::uint8_t>(state.slot),
                                                     .batch_committed = plays,
                                                     .toggle = running.toggle,
-                                                    .softness = trims_.softness()}),
+                                                    .softness = trims_.softness(),
+                                                    .tail_points = static_cast<std::uint8_t>(tail_points),
+                                                    .tail_toggle = supervision_.tail_toggle()}),
                now_ns + kSlot_ns);
   } else if (state.slot == 0 && plays) {
     supervision_.send_running();
@@ -164,6 +200,35 @@ void MessageController::send_sync(std::int64_t now_ns) noexcept {
     link_.send(can::encode(link_.profile, can::Heartbeat{.mode = static_cast<std::uint8_t>(state.mode),
                                                          .cycle = state.cycle}),
                now_ns + facts::kCycle_ns);
+  }
+}
+
+void MessageController::on_notice(const can::BusNotice& notice) noexcept {
+  slot_record_.take(notice);
+  if (notice.kind == can::BusNotice::Kind::sent) {
+    port_tells_sent_ = true;
+    on_sent(notice.frame.frame);
+  }
+}
+
+bool MessageController::take_frame(can::Frame& frame) noexcept {
+  if (!link_.queue.pop(frame)) {
+    return false;
+  }
+  if (!port_tells_sent_) {
+    on_sent(frame);
+  }
+  return true;
+}
+
+void MessageController::on_sent(const can::Frame& frame) noexcept {
+  const can::Profile& profile = link_.profile;
+  if (profile.has(can::MessageKind::sync) && frame.id == profile.id_of(can::MessageKind::sync)) {
+    if (const auto sync = can::decode_sync(profile, frame)) {
+      last_sync_index_ = last_slot_index_ - (last_slot_index_ - sync->slot) % kSlotsPerCycle;
+    }
+  } else if (const auto sent = profile.identify(frame.id); sent && sent->kind == can::MessageKind::tail) {
+    supervision_.on_tail_sent(sent->toggle);
   }
 }
 
@@ -207,6 +272,10 @@ void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) n
       on_forged(arrival, frame);
       break;
     case NetworkWatch::Heard::fault_report:  // a restart shows in the next feedback, too
+      if ((arrival.faults & static_cast<std::uint8_t>(can::Fault::tail_missing)) != 0) {
+        supervision_.lose_running_tail();
+      }
+      break;
     case NetworkWatch::Heard::nothing:
       break;
   }
@@ -219,11 +288,14 @@ void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std:
   const bool stopped = soft || arrival.feedback.state == can::JointState::stopped;
   if (stopped && mode() == Mode::holding && link_.state.accepted_sequence == 0) {
     emergency_stop(soft);  // the joints were stopped before this controller started
+    takeover_.give_up();
   }
   feedback_.take(joint, arrival.feedback, now_ns);
   feedback_.joint_states().reference_position[j] = expected_count(joint) * link_.count_rad[j];
   if (mode() == Mode::emergency_stop) {
     emergency_stop_.supervise(joint, arrival.feedback, feedback_.joint_states().position[j]);
+  } else if (!joints_known()) {
+    takeover_.take(joint, arrival.feedback, feedback_.joint_states().position[j]);
   } else {
     supervision_.take_feedback(joint, arrival);
     if (link_.synchronised() && link_.watch.has_second_sender(joint)) {
@@ -256,6 +328,13 @@ void MessageController::on_forged(const NetworkWatch::Arrival& arrival, const ca
 }
 
 void MessageController::publish_feedback(std::int64_t now_ns) noexcept {
+  if (!joints_known() && takeover_.end_slot()) {
+    take_over();
+  }
+  if (!joints_known() && takeover_.anything_heard()) {
+    feedback_published_ = true;  // nobody is to plan from what is not known
+    return;
+  }
   feedback_.joint_states().missing = feedback_.missing();
   joint_states_writer_.publish(feedback_.joint_states(), now_ns);
   foot_forces_writer_.publish(feedback_.foot_forces(), now_ns);
@@ -269,7 +348,8 @@ void MessageController::take_mails(std::int64_t now_ns) noexcept {
 }
 
 void MessageController::take_plans(std::int64_t now_ns) noexcept {
-  if (const msgclient::TrimGains* const gains = intake_.take(now_ns, stop_requested_)) {
+  const bool on_their_own = playback_.left_to_joints() || !joints_known();
+  if (const msgclient::TrimGains* const gains = intake_.take(now_ns, stop_requested_, on_their_own)) {
     trims_.set_gains(*gains);
   }
   msgclient::TrimUpdate update;
@@ -301,6 +381,7 @@ void MessageController::emergency_stop(bool soft) noexcept {
   hand_.stop();
   // A joint that is released soon would play them.
   supervision_.drop_waiting();
+  supervision_.forget_tails();
   supervision_.drop(can::MessageKind::resynchronisation);
   if (link_.profile.has(can::MessageKind::emergency_stop)) {  // else a user command is the stop itself
     supervision_.drop(can::MessageKind::user_command);
@@ -342,6 +423,14 @@ void MessageController::start_from_measured() noexcept {
   link_.set_mode(Mode::holding);
 }
 
+// Where the joints have come to rest.
+void MessageController::take_over() noexcept {
+  playback_.restart(takeover_.counts());
+  for (std::size_t j = 0; j < link_.node.size(); ++j) {
+    feedback_.joint_states().reference_position[j] = takeover_.counts()[j] * link_.count_rad[j];
+  }
+}
+
 // Long enough before the next cycle, the running batch's tail takes the place of what is prepared; later,
 // that plays, and its tail follows. On the joints 10 ms after the request, one way or the other.
 void MessageController::stop_early(std::int64_t now_ns) noexcept {
@@ -366,8 +455,10 @@ void MessageController::stop_early(std::int64_t now_ns) noexcept {
   }
 }
 
+// Off the bus for longer, nothing would come of it.
 void MessageController::prepare_tail() noexcept {
-  if (!playback_.prepared() && mode() != Mode::emergency_stop && playback_.prepare_from_tail()) {
+  const bool heard = !playback_.left_to_joints() || last_sync_index_ >= last_slot_index_ - 1;
+  if (heard && !playback_.prepared() && mode() != Mode::emergency_stop && playback_.prepare_from_tail()) {
     send_tail();
   }
 }

@@ -88,6 +88,15 @@ void allow_revisions(const urdf::RobotModel& robot, Profile& profile) {
            "Leave revision_slot out, or choose the profile full.");
   }
   trajectory.period_ns = std::min(slot, can::kBatchPoints - slot) * facts::kSlot_ns;
+  profile.rows[static_cast<std::size_t>(MessageKind::tail)].period_ns = trajectory.period_ns;
+}
+
+// From a batch's end to the first moment with both feet down it is 240 ms at most in the gait of humanoid22,
+// and as much longer on a larger body as its steps take.
+int wanted_tail_parts(const urdf::RobotModel& robot) {
+  constexpr double kParts = 3.0, kRounding = 0.01;
+  return std::clamp(static_cast<int>(std::ceil(kParts * robot.body_scale().factor("s") - kRounding)), 1,
+                    can::kTailParts);
 }
 
 void check_identifiers(const urdf::RobotModel& robot, const Profile& profile) {
@@ -114,8 +123,12 @@ void check_identifiers(const urdf::RobotModel& robot, const Profile& profile) {
     const unsigned last = rule == IdRule::one ? 0U : unsigned{profile.largest_node};
     for (unsigned node = last == 0 ? 0U : 1U; node <= last; ++node) {
       claim(profile.id_of(message.kind, static_cast<can::NodeId>(node)), message.kind);
-      if (rule == IdRule::per_node_and_toggle) {
-        claim(profile.id_of(message.kind, static_cast<can::NodeId>(node), true), message.kind);
+      for (int part = 0; part < profile.parts(message.kind); ++part) {
+        for (const bool toggle : {false, true}) {
+          if ((part > 0 || toggle) && (!toggle || can::has_toggle(rule))) {
+            claim(profile.id_of(message.kind, static_cast<can::NodeId>(node), toggle, part), message.kind);
+          }
+        }
       }
     }
   }
@@ -123,10 +136,29 @@ void check_identifiers(const urdf::RobotModel& robot, const Profile& profile) {
 
 using facts::kMillisecond_ns;
 
-can::Proof prove(const urdf::RobotModel& robot, const can::ErrorModel& errors) {
-  const can::Profile profile = network_profile(robot);
+can::Proof prove(const urdf::RobotModel& robot, const can::Profile& profile, const can::ErrorModel& errors) {
   return can::prove(profile, nodes_on_bus(profile, robot),
                     {.jitter_ns = kReleaseJitter_ns, .errors = errors});
+}
+
+void set_tail_parts(Profile& profile, int parts) {
+  profile.tail_parts = static_cast<std::uint8_t>(parts);
+  if (parts == 0) {
+    profile.rows[static_cast<std::size_t>(MessageKind::tail)] = {};
+  }
+}
+
+// A tail is worth no other message's deadline: of a bus that is too full for it, it takes what is left.
+void fit_tail(const urdf::RobotModel& robot, Profile& profile) {
+  if (!profile.has(MessageKind::tail)) {
+    return;
+  }
+  int parts = robot.network.tail_parts.value_or(wanted_tail_parts(robot));
+  set_tail_parts(profile, parts);
+  check_identifiers(robot, profile);
+  while (parts > 0 && !prove(robot, profile, can::jam(kJam_ns)).holds()) {
+    set_tail_parts(profile, --parts);
+  }
 }
 
 }  // namespace
@@ -152,6 +184,7 @@ Profile network_profile(const urdf::RobotModel& robot) {
     apply(robot, setting, profile);
   }
   allow_revisions(robot, profile);
+  fit_tail(robot, profile);
   check_identifiers(robot, profile);
   return profile;
 }
@@ -176,7 +209,7 @@ std::vector<can::NodeId> nodes_on_bus(const Profile& profile, const urdf::RobotM
 }
 
 can::Proof prove_network(const urdf::RobotModel& robot) {
-  return prove(robot, can::jam(kJam_ns));
+  return prove(robot, network_profile(robot), can::jam(kJam_ns));
 }
 
 std::string complaint_about_network(const urdf::RobotModel& robot) {
@@ -204,7 +237,8 @@ void require_proven_network(const urdf::RobotModel& robot, bool accept_unproven)
 }
 
 std::int64_t hand_over_lead_ns(const urdf::RobotModel& robot) {
-  const auto response_ns = prove(robot, {}).worst_response_ns(can::MessageKind::trajectory);
+  const auto response_ns =
+      prove(robot, network_profile(robot), {}).worst_response_ns(can::MessageKind::trajectory);
   // The response counts from the earliest instant of release, but the frames are released at the hand-over.
   const std::int64_t under_way_ns = response_ns ? *response_ns - kReleaseJitter_ns : facts::kCycle_ns;
   const std::int64_t lead_ns = (under_way_ns + kMillisecond_ns - 1) / kMillisecond_ns * kMillisecond_ns;

@@ -9,6 +9,11 @@
 #include "gaitway/facts/facts.hpp"
 
 namespace gaitway::msgcontroller {
+namespace {
+
+constexpr std::uint8_t kBothFeet = 2;
+
+}  // namespace
 
 CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const double> count_rad,
                            std::span<const std::int32_t> start_count, CountPlan& plan) noexcept {
@@ -98,6 +103,9 @@ void Playback::begin_revision() noexcept {
 }
 
 bool Playback::prepare_from_tail() noexcept {
+  if (alone_.on) {
+    cursor_ = alone_.first + std::min(alone_.passed + kBatchPoints, alone_.points);
+  }
   if (!tail_left() || revision_.active) {
     return false;
   }
@@ -114,6 +122,7 @@ void Playback::prepare(int first_point) noexcept {
   }
   prepared_.toggle = next_toggle_;
   prepared_.active = true;
+  prepared_from_ = first_point;
   cursor_ = std::min(first_point + kBatchPoints, plan_.point_count);
 }
 
@@ -122,21 +131,90 @@ void Playback::begin_cycle() noexcept {
     begin_revision();  // its slots were missed, but the joints were not told so
   }
   running_from_ = 0;
-  if (running_.active) {
+  outgoing_is_plan_ = !plan_waits_;
+  if (plan_waits_) {
+    outgoing_plan_ = running_plan_;
+  }
+  outgoing_ = alone_;
+  if (!alone_.on) {
+    outgoing_.first = plan_waits_ ? running_cursor_ : prepared_.active ? prepared_from_ : cursor_;
+    outgoing_.passed = -kBatchPoints;
+  }
+  if (alone_.on && alone_.points > 0) {
+    std::copy_n(alone_counts(kBatchPoints - 1), held_.size(), held_.begin());
+  } else if (running_.active) {
     held_ = running_.count.back();
   }
   if (prepared_.active) {
     running_ = prepared_;
     next_toggle_ = !prepared_.toggle;
     prepared_.active = false;
+    alone_.on = false;
   } else {
     running_.active = false;
+    go_on_alone();
   }
   slot_ = 0;
   plan_waits_ = false;
 }
 
+void Playback::go_on_alone() noexcept {
+  if (!alone_.on) {
+    return;
+  }
+  alone_.passed += kBatchPoints;
+  if (alone_.passed >= alone_.points) {
+    alone_.on = false;
+    cursor_ = alone_.first + alone_.points;
+  }
+}
+
+void Playback::leave_to_joints(int tail_points) noexcept {
+  if (!outgoing_is_plan_) {
+    plan_ = outgoing_plan_;
+  }
+  const bool was_alone = outgoing_.on;
+  alone_ = outgoing_;
+  alone_.on = true;
+  alone_.passed += kBatchPoints;
+  if (!was_alone) {
+    alone_.points = std::min(tail_points, plan_.point_count - alone_.first);
+  }
+  cursor_ = alone_.first;
+  if (running_.active) {
+    next_toggle_ = running_.toggle;  // whose frames they have, but have not begun
+  }
+  running_.active = prepared_.active = revision_.active = false;
+  plan_waits_ = false;
+}
+
+const std::int32_t* Playback::alone_counts(int slot) const noexcept {
+  const int point = std::min(alone_.passed + slot, alone_.points - 1);
+  return point < 0 ? held_.data() : plan_.count[static_cast<std::size_t>(alone_.first + point)].data();
+}
+
+std::optional<int> Playback::points_to_both_feet(int most) const noexcept {
+  if (!tail_left() || plan_.support[static_cast<std::size_t>(cursor_ - 1)] == kBothFeet) {
+    return 0;
+  }
+  for (int point = cursor_; point < std::min(plan_.point_count, cursor_ + most); ++point) {
+    if (plan_.support[static_cast<std::size_t>(point)] == kBothFeet) {
+      return point - cursor_ + 1;
+    }
+  }
+  return std::nullopt;
+}
+
+std::int32_t Playback::tail_delta(int joint, int point) const noexcept {
+  const auto p = static_cast<std::size_t>(cursor_ + point);
+  const auto j = static_cast<std::size_t>(joint);
+  return plan_.count[p][j] - plan_.count[p - 1][j];
+}
+
 bool Playback::rests(std::span<const std::int32_t> tolerance) const noexcept {
+  if (alone_.on) {
+    return false;
+  }
   const auto& here = running_.active ? running_.count[static_cast<std::size_t>(slot_)] : held_;
   const auto stays = [&](const std::array<std::int32_t, kMaxJoints>& point) {
     for (std::size_t j = 0; j < static_cast<std::size_t>(joint_count_); ++j) {
@@ -161,6 +239,7 @@ void Playback::restart(std::span<const std::int32_t> count) noexcept {
   running_.active = prepared_.active = revision_.active = false;
   running_.toggle = false;
   next_toggle_ = true;
+  alone_.on = false;
   plan_waits_ = false;
   plan_.sequence = 0;
   cursor_ = plan_.point_count;
@@ -181,12 +260,16 @@ void Playback::hold(int joint, std::int32_t count) noexcept {
 
 std::int32_t Playback::expected_count(int joint, int slot) const noexcept {
   const auto j = static_cast<std::size_t>(joint);
-  return running_.active ? segment_in(slot).count[static_cast<std::size_t>(slot)][j] : held_[j];
+  return alone_.on         ? alone_counts(slot)[j]
+         : running_.active ? segment_in(slot).count[static_cast<std::size_t>(slot)][j]
+                           : held_[j];
 }
 
 std::span<const std::int32_t> Playback::next_start() const noexcept {
-  const auto& last = running_.active ? segment_in(kBatchPoints - 1).count.back() : held_;
-  return {last.data(), static_cast<std::size_t>(joint_count_)};
+  const std::int32_t* const last = alone_.on         ? alone_counts(kBatchPoints - 1)
+                                   : running_.active ? segment_in(kBatchPoints - 1).count.back().data()
+                                                     : held_.data();
+  return {last, static_cast<std::size_t>(joint_count_)};
 }
 
 std::span<const std::int32_t> Playback::reached_before(std::uint32_t slot) const noexcept {
@@ -209,7 +292,9 @@ std::int32_t Playback::running_delta(int joint, int slot) const noexcept {
 }
 
 std::uint8_t Playback::support() const noexcept {
-  constexpr std::uint8_t kBothFeet = 2;
+  if (alone_.on && alone_.passed + slot_ < alone_.points) {
+    return plan_.support[static_cast<std::size_t>(alone_.first + alone_.passed + slot_)];
+  }
   if (running_.active) {
     return running_.support[static_cast<std::size_t>(slot_)];
   }

@@ -3,7 +3,9 @@
 #include "gaitway/simulator/cosimulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "gaitway/facts/facts.hpp"
 
@@ -14,6 +16,8 @@ using facts::kMillisecond_ns;
 
 // How long a walk goes on whose commander has gone.
 constexpr std::int64_t kOrphanedWalk_ns = 500 * kMillisecond_ns;
+// From a fresh message controller to the first tick of the main controller that is started with it.
+constexpr std::int64_t kMainControllerStarts_ns = 200 * kMillisecond_ns;
 
 }  // namespace
 
@@ -33,15 +37,13 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       plant_(robot_, options.plant),
       joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
       sensor_faults_(robot_, options.plant.seed),
-      arbiter_(arbiter_client_),
-      message_controller_(robot_, message_client_, adapter_.message()),
       message_transmitter_(bus_.attach()),
       fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {
   for (int joint = 0; joint < joints_.size(); ++joint) {
     joint_transmitters_.emplace_back(bus_.attach());
   }
   foreign_station_ = bus_.attach();
-  message_controller_.tell_commands(&arbiter_);
+  start_message_controller();
   if (options_.localization.is_there) {
     localization_.emplace(localization_client_, options_.localization, options_.plant.seed);
   }
@@ -50,18 +52,53 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
         std::make_unique<StereoCamera>(camera_client_, robot_, *camera, options_.camera, options_.plant);
   }
   options_.main_controller.injected_faults = &plugin_faults_;
-  main_controller_ =
-      std::make_unique<core::MainController>(robot_, main_client_, adapter_.host(), options_.main_controller);
+  start_main_controller();
 }
 
 Cosimulation::~Cosimulation() = default;
 
+void Cosimulation::start_message_controller() {
+  message_controller_.reset();
+  arbiter_.reset();
+  arbiter_.emplace(arbiter_client_);
+  message_controller_.emplace(robot_, message_client_, adapter_.message());
+  message_controller_->tell_commands(&*arbiter_);
+}
+
+void Cosimulation::start_main_controller() {
+  main_controller_.reset();
+  main_controller_ =
+      std::make_unique<core::MainController>(robot_, main_client_, adapter_.host(), options_.main_controller);
+}
+
+void Cosimulation::inject(const MessageControllerSilentFault& fault) {
+  message_silent_until_ns_ = fault.duration_s > 0.0
+                                 ? now_ns_ + static_cast<std::int64_t>(std::llround(fault.duration_s * 1e9))
+                                 : std::numeric_limits<std::int64_t>::max();
+  message_controller_restarts_ = fault.restarts;
+}
+
+void Cosimulation::finish_silence() {
+  if (message_silent_until_ns_ == 0 || now_ns_ < message_silent_until_ns_) {
+    return;
+  }
+  message_silent_until_ns_ = 0;
+  if (message_controller_restarts_) {
+    start_message_controller();
+    start_main_controller();
+    silent_until_ns_ = std::max(silent_until_ns_, now_ns_ + kMainControllerStarts_ns);
+  }
+}
+
 void Cosimulation::advance_millisecond() {
   finish_restarts();
-  memory_block_.beat(now_ns_);
-  const msgcontroller::PassedOrders orders =
-      arbiter_.step(now_ns_, message_controller_.mode() == msgcontroller::Mode::emergency_stop);
-  if (observer_ != nullptr) observer_->on_orders(orders, now_ns_);
+  finish_silence();
+  if (message_controller_works()) {
+    memory_block_.beat(now_ns_);
+    const msgcontroller::PassedOrders orders =
+        arbiter_->step(now_ns_, message_controller_->mode() == msgcontroller::Mode::emergency_stop);
+    if (observer_ != nullptr) observer_->on_orders(orders, now_ns_);
+  }
   if (localization_) {
     localization_->step(now_ns_, plant_);
   }
@@ -69,8 +106,10 @@ void Cosimulation::advance_millisecond() {
     camera_->step(now_ns_, plant_, main_controller_->plugins().plugins().uses(camera_->topic()));
   }
   joints_.step(now_ns_, sensor_faults_.told(plant_.sensors(), now_ns_));
-  message_controller_.step(now_ns_);
-  memory_block_.beat(now_ns_);
+  if (message_controller_works()) {
+    message_controller_->step(now_ns_);
+    memory_block_.beat(now_ns_);
+  }
   if (core::is_tick(now_ns_) && now_ns_ >= std::max(silent_until_ns_, busy_until_ns_)) {
     main_controller_tick();
   }
@@ -118,7 +157,9 @@ void Cosimulation::exchange_frames(std::int64_t until_ns) {
       return;
     }
     doorbells_due_ns_.erase(doorbells_due_ns_.begin());
-    message_controller_.take_mails(stop_ns);
+    if (message_controller_works()) {
+      message_controller_->take_mails(stop_ns);
+    }
     offer_from_message_controller(stop_ns);
   }
 }
@@ -129,10 +170,12 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
   }
   report_bus_states();
   message_transmitter_.on_delivery(delivery);
-  if (delivery.received_by(message_transmitter_.station())) {
-    message_controller_.on_frame(delivery.frame, delivery.end_ns);
+  if (!message_controller_works()) {
+    // nobody is there to hear it
+  } else if (delivery.received_by(message_transmitter_.station())) {
+    message_controller_->on_frame(delivery.frame, delivery.end_ns);
   } else if (delivery.sent_by(message_transmitter_.station())) {
-    message_controller_.on_notice(
+    message_controller_->on_notice(
         {can::BusNotice::Kind::sent, {delivery.frame, delivery.start_ns, delivery.end_ns}});
   }
   for (int joint = 0; joint < joints_.size(); ++joint) {
@@ -150,7 +193,8 @@ void Cosimulation::deliver(const can::SimulatedBus::Delivery& delivery) {
 
 void Cosimulation::report_errors() {
   while (const auto error = bus_.next_error_frame()) {
-    message_controller_.on_notice({can::BusNotice::Kind::error, {{}, error->error_ns, error->error_ns}});
+    if (message_controller_works())
+      message_controller_->on_notice({can::BusNotice::Kind::error, {{}, error->error_ns, error->error_ns}});
   }
 }
 
@@ -159,9 +203,9 @@ void Cosimulation::report_bus_states() {
   while (const auto change = bus_.next_state_change()) {
     if (change->station == message_transmitter_.station()) {
       if (change->state >= can::BusState::bus_off) {
-        message_transmitter_.withdraw(bus_, message_controller_);
+        message_transmitter_.withdraw(bus_, *message_controller_);
       }
-      message_controller_.on_bus_state(change->state, change->counters, change->time_ns);
+      message_controller_->on_bus_state(change->state, change->counters, change->time_ns);
     } else if (change->state >= can::BusState::bus_off) {
       bus_.abort(change->station);
     }
@@ -169,9 +213,12 @@ void Cosimulation::report_bus_states() {
 }
 
 void Cosimulation::offer_from_message_controller(std::int64_t now_ns) {
+  if (!message_controller_works()) {
+    return;
+  }
   if (options_.message_port_takes_back ||
-      (!message_transmitter_.pending() && message_controller_.next_finds_quiet_bus(now_ns))) {
-    message_transmitter_.offer(bus_, message_controller_, now_ns);
+      (!message_transmitter_.pending() && message_controller_->next_finds_quiet_bus(now_ns))) {
+    message_transmitter_.offer(bus_, *message_controller_, now_ns);
   }
 }
 
@@ -196,7 +243,7 @@ void Cosimulation::finish_restarts() {
 }
 
 void Cosimulation::hand_to_people() {
-  arbiter_.begin_anew_with_people(now_ns_ + kOrphanedWalk_ns);
+  arbiter_->begin_anew_with_people(now_ns_ + kOrphanedWalk_ns);
   options_.people_outside = true;
 }
 

@@ -37,7 +37,7 @@ void Cosimulation::inject_losses() {
 
 bool Cosimulation::is_in_losses(const can::Frame& frame) const {
   if (losses_of_joint_ < 0) return true;
-  const auto of = message_controller_.profile().identify(frame.id);
+  const auto of = message_controller_->profile().identify(frame.id);
   return of && of->kind == can::MessageKind::trajectory &&
          of->node == robot_.joints[static_cast<std::size_t>(losses_of_joint_)].node;
 }
@@ -85,9 +85,9 @@ void Cosimulation::hand_over_wrongly(BatchFault::How how) {
       !msgclient::make_hand_over(*plan, trim, *hand_over)) {
     return;
   }
-  hand_over->sequence = message_controller_.state().cycle + (how == How::old     ? 0U
-                                                             : how == How::early ? 2U
-                                                                                 : 1U);
+  hand_over->sequence = message_controller_->state().cycle + (how == How::old     ? 0U
+                                                              : how == How::early ? 2U
+                                                                                  : 1U);
   for (float& position : hand_over->position) {
     constexpr double kWidth_rad = 2.0;
     const double unit = static_cast<double>(fault_random_() >> 11U) * 0x1.0p-53;
@@ -119,7 +119,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
     void operator()(const MotionEvent& motion) const { self.order(motion); }
     void operator()(const WalkToEvent& way) const { self.order(way); }
     void operator()(const HeadEvent& head) const { self.order(head); }
-    void operator()(const CommandEvent& command) const { self.arbiter_.order(command.verb, self.now_ns_); }
+    void operator()(const CommandEvent& command) const { self.arbiter_->order(command.verb, self.now_ns_); }
     void operator()(const StopEvent&) const { post(msgclient::UserCommandKind::stop); }
     void operator()(const ReleaseEvent&) const { post(msgclient::UserCommandKind::release); }
     void operator()(const EmergencyStopEvent& stop) const {
@@ -139,6 +139,7 @@ void Cosimulation::apply(const ScenarioEvent& event) {
       self.silent_until_ns_ = fault.duration_s > 0.0 ? self.now_ns_ + duration_ns(fault.duration_s)
                                                      : std::numeric_limits<std::int64_t>::max();
     }
+    void operator()(const MessageControllerSilentFault& fault) const { self.inject(fault); }
     void operator()(const LoseFramesFault& fault) const {
       self.loss_probability_ = fault.probability;
       self.losses_until_ns_ = self.now_ns_ + duration_ns(fault.duration_s);
@@ -225,7 +226,7 @@ void Cosimulation::order(const WalkEvent& walk) {
   command.velocity[0] = walk.velocity_m_per_s.x();
   command.velocity[1] = walk.velocity_m_per_s.y();
   command.turn_rate = walk.turn_rate_rad_per_s;
-  arbiter_.order(command, now_ns_);
+  arbiter_->order(command, now_ns_);
 }
 
 void Cosimulation::order(const MotionEvent& motion) {
@@ -233,7 +234,7 @@ void Cosimulation::order(const MotionEvent& motion) {
   MotionRequest request{};
   request.number = ++motions_asked_;
   std::memcpy(request.name, motion.name.data(), std::min(motion.name.size(), sizeof request.name - 1));
-  arbiter_.order(request, now_ns_);
+  arbiter_->order(request, now_ns_);
 }
 
 void Cosimulation::order(const WalkToEvent& way) {
@@ -242,7 +243,7 @@ void Cosimulation::order(const WalkToEvent& way) {
   request.number = ++ways_asked_;
   request.cancel = way.goal ? 0 : 1;
   if (way.goal) std::copy_n(way.goal->data(), way.goal->size(), request.goal);
-  arbiter_.order(request, now_ns_);
+  arbiter_->order(request, now_ns_);
 }
 
 void Cosimulation::order(const HeadEvent& head) {
@@ -254,7 +255,7 @@ void Cosimulation::order(const HeadEvent& head) {
   command.extent = head.extent_rad;
   command.period = head.period_s;
   command.speed = head.speed_rad_per_s;
-  arbiter_.order(command, now_ns_);
+  arbiter_->order(command, now_ns_);
 }
 
 void Cosimulation::inject(const CameraFault& fault) {

@@ -260,6 +260,22 @@ MainControllerSilentFault read_main_controller_silent(const YamlValue& value) {
   return {duration ? duration->number(kEventDuration) : 0.0};
 }
 
+MessageControllerSilentFault read_message_controller_silent(const YamlValue& value) {
+  value.require_map(std::array<std::string_view, 3>{"kind", "duration_s", "restarts"});
+  const auto duration = value.find("duration_s");
+  const auto restarts = value.find("restarts");
+  if (restarts) {
+    require_true(*restarts);
+  }
+  const MessageControllerSilentFault fault{duration ? duration->number(kEventDuration) : 0.0,
+                                           restarts.has_value()};
+  if (fault.restarts && fault.duration_s == 0.0) {
+    restarts->refuse("a message controller that is silent for ever does not start again",
+                     "Give duration_s: how long it is away.");
+  }
+  return fault;
+}
+
 template <auto read>
 Action read_one(const YamlValue& value, const urdf::RobotModel& robot) {
   if constexpr (std::is_invocable_v<decltype(read), const YamlValue&, const urdf::RobotModel&>) {
@@ -273,21 +289,23 @@ struct FaultKey {
   std::string_view kind;
   Action (*read)(const YamlValue&, const urdf::RobotModel&);
 };
-constexpr std::array kFaults{FaultKey{"main_controller_silent", &read_one<&read_main_controller_silent>},
-                             FaultKey{"batch_fails", &read_one<&read_batch_fault>},
-                             FaultKey{"lose_frames", &read_one<&read_lose_frames>},
-                             FaultKey{"misses_frames", &read_one<&read_misses_frames>},
-                             FaultKey{"disturb_bus", &read_one<&read_disturbance>},
-                             FaultKey{"jam", &read_one<&read_jam>},
-                             FaultKey{"babbles", &read_one<&read_babble>},
-                             FaultKey{"foreign_frame", &read_one<&read_foreign_frame>},
-                             FaultKey{"bus_off", &read_one<&read_bus_off>},
-                             FaultKey{"joint_restarts", &read_one<&read_joint_restarts>},
-                             FaultKey{"joint_dies", &read_one<&read_joint_dies>},
-                             FaultKey{"supply_sags", &read_one<&read_supply_sags>},
-                             FaultKey{"plugin_fails", &read_one<&read_plugin_fault>},
-                             FaultKey{"sensor_fails", &read_one<&read_sensor_fault>},
-                             FaultKey{"camera_fails", &read_one<&read_camera_fault>}};
+constexpr std::array kFaults{
+    FaultKey{"main_controller_silent", &read_one<&read_main_controller_silent>},
+    FaultKey{"message_controller_silent", &read_one<&read_message_controller_silent>},
+    FaultKey{"batch_fails", &read_one<&read_batch_fault>},
+    FaultKey{"lose_frames", &read_one<&read_lose_frames>},
+    FaultKey{"misses_frames", &read_one<&read_misses_frames>},
+    FaultKey{"disturb_bus", &read_one<&read_disturbance>},
+    FaultKey{"jam", &read_one<&read_jam>},
+    FaultKey{"babbles", &read_one<&read_babble>},
+    FaultKey{"foreign_frame", &read_one<&read_foreign_frame>},
+    FaultKey{"bus_off", &read_one<&read_bus_off>},
+    FaultKey{"joint_restarts", &read_one<&read_joint_restarts>},
+    FaultKey{"joint_dies", &read_one<&read_joint_dies>},
+    FaultKey{"supply_sags", &read_one<&read_supply_sags>},
+    FaultKey{"plugin_fails", &read_one<&read_plugin_fault>},
+    FaultKey{"sensor_fails", &read_one<&read_sensor_fault>},
+    FaultKey{"camera_fails", &read_one<&read_camera_fault>}};
 
 }  // namespace
 

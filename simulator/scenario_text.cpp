@@ -76,6 +76,10 @@ struct ActionText {
   std::string operator()(const MainControllerSilentFault& fault) const {
     return fmt::format("fault: {{kind: main_controller_silent{}}}", duration(fault.duration_s));
   }
+  std::string operator()(const MessageControllerSilentFault& fault) const {
+    return fmt::format("fault: {{kind: message_controller_silent{}{}}}", duration(fault.duration_s),
+                       fault.restarts ? ", restarts: true" : "");
+  }
   std::string operator()(const LoseFramesFault& fault) const {
     return fmt::format("fault: {{kind: lose_frames, probability: {}, duration_s: {}{}}}", fault.probability,
                        fault.duration_s,

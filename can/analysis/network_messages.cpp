@@ -7,14 +7,17 @@ namespace gaitway::can {
 namespace {
 
 AnalysedMessage message_of(const Profile& profile, const MessageLayout& layout, NodeId node,
-                           std::int64_t jitter_ns) {
+                           std::int64_t jitter_ns, int part = 0) {
   const ProfileRow& row = profile.row(layout.kind);
   std::string name(layout.name);
   if (node > 0) {
     name.append(" ").append(std::to_string(node));
   }
+  if (profile.parts(layout.kind) > 1) {
+    name.append(" part ").append(std::to_string(part));
+  }
   return {.name = name,
-          .id = profile.id_of(layout.kind, node),
+          .id = profile.id_of(layout.kind, node, false, part),
           .extended = false,
           .bytes = layout.size,
           .period_ns = row.period_ns,
@@ -45,7 +48,9 @@ std::vector<AnalysedMessage> message_set(const Profile& profile, std::span<const
     }
     for (const NodeId node : nodes) {
       if (node >= 1 && node <= profile.largest_node) {
-        messages.push_back(message_of(profile, layout, node, jitter_ns));
+        for (int part = 0; part < profile.parts(layout.kind); ++part) {
+          messages.push_back(message_of(profile, layout, node, jitter_ns, part));
+        }
       }
     }
   }

@@ -55,13 +55,17 @@ TEST_P(EachProfile, GivesEveryIdentifierToOneMessageAndIdentifiesItAsThat) {
     }
     const int nodes = rule == IdRule::one ? 0 : profile.largest_node;
     for (int node = nodes == 0 ? 0 : 1; node <= nodes; ++node) {
-      for (const bool toggle : {false, true}) {
-        if (toggle && rule != IdRule::per_node_and_toggle) {
-          continue;
+      for (int part = 0; part < profile.parts(message.kind); ++part) {
+        for (const bool toggle : {false, true}) {
+          if (toggle && !has_toggle(rule)) {
+            continue;
+          }
+          const Identified identified{message.kind, static_cast<NodeId>(node), toggle,
+                                      static_cast<std::uint8_t>(part)};
+          const auto inserted =
+              owner.emplace(profile.id_of(message.kind, identified.node, toggle, part), identified);
+          EXPECT_TRUE(inserted.second) << message.name << " of node " << node;
         }
-        const Identified identified{message.kind, static_cast<NodeId>(node), toggle};
-        const auto inserted = owner.emplace(profile.id_of(message.kind, identified.node, toggle), identified);
-        EXPECT_TRUE(inserted.second) << message.name << " of node " << node;
       }
     }
   }
@@ -80,15 +84,12 @@ INSTANTIATE_TEST_SUITE_P(Profiles, EachProfile, ::testing::Values(&kFullProfile,
 
 TEST(FullProfile, HasTheKindsInTheirOrderOfPriority) {
   using enum MessageKind;
-  constexpr std::array kOrder{emergency_stop, user_command,      sync,     trim, feedback, fault_report,
-                              trajectory,     resynchronisation, heartbeat};
+  constexpr std::array kOrder{emergency_stop, user_command,      sync,      trim, feedback, fault_report,
+                              trajectory,     resynchronisation, heartbeat, tail};
   const Profile& profile = kFullProfile;
   for (std::size_t i = 1; i < kOrder.size(); ++i) {
-    const IdRule rule = profile.row(kOrder[i - 1]).rule;
-    const NodeId last = rule == IdRule::one ? NodeId{0} : kLargestNode;
     const NodeId first = profile.row(kOrder[i]).rule == IdRule::one ? NodeId{0} : NodeId{1};
-    EXPECT_LT(profile.id_of(kOrder[i - 1], last, rule == IdRule::per_node_and_toggle),
-              profile.id_of(kOrder[i], first));
+    EXPECT_LT(profile.last_id(kOrder[i - 1]), profile.id_of(kOrder[i], first));
   }
 }
 
@@ -114,7 +115,8 @@ TEST(Codecs, EveryMessageComesBackAsItWas) {
     expect_round_trip(UserCommand{draw_node(), draw_any<std::int16_t>(), draw_any<std::uint8_t>()},
                       decode_user_command, MessageKind::user_command);
     expect_round_trip(Sync{draw_any<std::uint16_t>(), static_cast<std::uint8_t>(draw(0, 7)), draw(0, 1) == 1,
-                           draw(0, 1) == 1, static_cast<std::uint8_t>(draw(0, kMostSoftness))},
+                           draw(0, 1) == 1, static_cast<std::uint8_t>(draw(0, kMostSoftness)),
+                           static_cast<std::uint8_t>(draw(0, kTailPoints)), draw(0, 1) == 1},
                       decode_sync, MessageKind::sync);
     Trim trim;
     draw_into(trim.count);
@@ -140,6 +142,9 @@ TEST(Codecs, EveryMessageComesBackAsItWas) {
     expect_round_trip(repair, decode_resynchronisation, MessageKind::resynchronisation);
     expect_round_trip(Heartbeat{draw_any<std::uint8_t>(), static_cast<std::uint32_t>(random_source())},
                       decode_heartbeat, MessageKind::heartbeat);
+    Tail tail{draw_node(), draw(0, 1) == 1, static_cast<std::uint8_t>(draw(0, 2)), {}};
+    draw_into(tail.delta);
+    expect_round_trip(tail, decode_tail, MessageKind::tail);
   }
 }
 
@@ -147,8 +152,11 @@ TEST(Codecs, EveryMessageComesBackAsItWas) {
 TEST(Codecs, BytesLieWhereTheTableSays) {
   EXPECT_EQ(encode(kFullProfile, Trajectory{5, true, {1, -1, 2, -2, 3, -3, 127, -128}}),
             (Frame{0x10B, 8, {0x01, 0xFF, 0x02, 0xFE, 0x03, 0xFD, 0x7F, 0x80}}));
-  EXPECT_EQ(encode(kFullProfile, Sync{0x1234, 5, true, true}), (Frame{0x008, 3, {0x34, 0x12, 0x1D}}));
-  EXPECT_EQ(encode(kFullProfile, Sync{0x1234, 5, true, true, 6}), (Frame{0x008, 3, {0x34, 0x12, 0xDD}}));
+  EXPECT_EQ(encode(kFullProfile, Sync{0x1234, 5, true, true}), (Frame{0x008, 4, {0x34, 0x12, 0x1D, 0x00}}));
+  EXPECT_EQ(encode(kFullProfile, Sync{0x1234, 5, true, true, 6, 24, true}),
+            (Frame{0x008, 4, {0x34, 0x12, 0xDD, 0x58}}));
+  EXPECT_EQ(encode(kFullProfile, Tail{5, true, 2, {1, -1, 2, -2, 3, -3, 127, -128}}),
+            (Frame{0x310 + 260 + 11, 8, {0x01, 0xFF, 0x02, 0xFE, 0x03, 0xFD, 0x7F, 0x80}}));
   EXPECT_EQ(encode(kFullProfile, Feedback{2, -2, -1, JointState::soft, true, false, 0x9, {0x1234, -1}}),
             (Frame{0x042, 8, {0xFE, 0xFF, 0xFF, 0xA9, 0x34, 0x12, 0xFF, 0xFF}}));
   EXPECT_EQ(encode(kFullProfile, Resynchronisation{1, true, 6, -2, {1, 2, 3, 4, -5}}),
@@ -160,11 +168,15 @@ TEST(Codecs, WhatIsNotTheMessageIsRefused) {
   const Frame sync = encode(kFullProfile, Sync{1, 2, true, false});
   EXPECT_FALSE(decode_trim(kFullProfile, sync));
   for (std::uint8_t size = 0; size <= 8; ++size) {
-    EXPECT_EQ(decode_sync(kFullProfile, Frame{sync.id, size, sync.data}).has_value(), size == 3);
+    EXPECT_EQ(decode_sync(kFullProfile, Frame{sync.id, size, sync.data}).has_value(), size == 4);
   }
   EXPECT_FALSE(decode_sync(kFullProfile, {sync.id, sync.size, sync.data, true, false})) << "extended";
   EXPECT_FALSE(decode_sync(kFullProfile, {sync.id, sync.size, sync.data, false, true})) << "remote";
   EXPECT_FALSE(decode_sync(kPaperProfile, sync)) << "not in that profile";
+  for (std::uint8_t points = 0; points < 64; ++points) {
+    EXPECT_EQ(decode_sync(kFullProfile, Frame{sync.id, 4, {1, 0, 0, points}}).has_value(),
+              points <= kTailPoints);
+  }
   EXPECT_FALSE(decode_emergency_stop(kFullProfile, Frame{0x001, 1, {3}})) << "no such mode";
   EXPECT_FALSE(decode_user_command(kFullProfile, Frame{0x002, 4, {0, 0, 0, 1}})) << "no such node";
   EXPECT_FALSE(decode_user_command(kFullProfile, Frame{0x002, 4, {65, 0, 0, 1}})) << "no such node";
@@ -200,6 +212,7 @@ TEST(Codecs, EachDecoderTakesTheIdentifiersAndTheSizeOfItsMessageOnly) {
   expect_only(MessageKind::trajectory, decode_trajectory);
   expect_only(MessageKind::resynchronisation, decode_resynchronisation);
   expect_only(MessageKind::heartbeat, decode_heartbeat);
+  expect_only(MessageKind::tail, decode_tail);
 }
 
 }  // namespace

@@ -83,6 +83,11 @@ std::optional<Values> decode(const Profile& profile, MessageKind kind, const Fra
         return Values{m->mode, m->cycle};
       }
       break;
+    case MessageKind::tail:
+      if (const auto m = decode_tail(profile, frame)) {
+        return Values(m->delta.begin(), m->delta.end());
+      }
+      break;
   }
   return std::nullopt;
 }
@@ -122,10 +127,13 @@ void print_values(const Profile& profile, int nodes, unsigned seed) {
       continue;
     }
     for (int node = rule == IdRule::one ? 0 : 1; node <= (rule == IdRule::one ? 0 : nodes); ++node) {
-      print_random(profile, message.kind, profile.id_of(message.kind, static_cast<NodeId>(node)), random);
-      if (rule == IdRule::per_node_and_toggle) {
-        print_random(profile, message.kind, profile.id_of(message.kind, static_cast<NodeId>(node), true),
-                     random);
+      for (int part = 0; part < profile.parts(message.kind); ++part) {
+        for (const bool toggle : {false, true}) {
+          if (!toggle || has_toggle(rule)) {
+            print_random(profile, message.kind,
+                         profile.id_of(message.kind, static_cast<NodeId>(node), toggle, part), random);
+          }
+        }
       }
     }
   }

@@ -40,6 +40,7 @@ TEST(Trace, KeepsAConfigurationToTheBit) {
   trace_fields(get, read);
   ASSERT_TRUE(get.complete());
   EXPECT_EQ(read.profile.largest_node, can::kPaperProfile.largest_node);
+  EXPECT_EQ(read.profile.tail_parts, written.profile.tail_parts);
   for (std::size_t row = 0; row < can::kMessageKinds; ++row) {
     EXPECT_EQ(read.profile.rows[row].rule, can::kPaperProfile.rows[row].rule);
     EXPECT_EQ(read.profile.rows[row].base_id, can::kPaperProfile.rows[row].base_id);

@@ -63,6 +63,7 @@ int count_takers(const Profile& profile, const Frame& frame) {
   takers += check_decoded(profile, frame, MessageKind::trajectory, can::decode_trajectory);
   takers += check_decoded(profile, frame, MessageKind::resynchronisation, can::decode_resynchronisation);
   takers += check_decoded(profile, frame, MessageKind::heartbeat, can::decode_heartbeat);
+  takers += check_decoded(profile, frame, MessageKind::tail, can::decode_tail);
   return takers;
 }
 
@@ -102,6 +103,10 @@ void check_messages_of_joints(const Profile& profile, can::NodeId node, Input& i
   repair.count = input.take<std::int16_t>();
   fill(repair.delta, input);
   check_encoded(profile, MessageKind::resynchronisation, repair, can::decode_resynchronisation);
+  can::Tail tail{.node = node, .toggle = input.flag()};
+  tail.part = static_cast<std::uint8_t>(input.choose(profile.tail_parts));
+  fill(tail.delta, input);
+  check_encoded(profile, MessageKind::tail, tail, can::decode_tail);
 }
 
 void check_messages(const Profile& profile, Input& input) {
@@ -114,6 +119,8 @@ void check_messages(const Profile& profile, Input& input) {
   can::Sync sync{.cycle = input.take<std::uint16_t>(), .slot = static_cast<std::uint8_t>(input.choose(8))};
   sync.batch_committed = input.flag();
   sync.toggle = input.flag();
+  sync.tail_points = static_cast<std::uint8_t>(input.choose(can::kTailPoints + 1));
+  sync.tail_toggle = input.flag();
   check_encoded(profile, MessageKind::sync, sync, can::decode_sync);
   can::Trim trim;
   fill(trim.count, input);

@@ -32,7 +32,9 @@ inline can::Frame take_frame(Input& input) {
 // exists.
 inline can::Frame take_known_frame(Input& input, const can::Profile& profile, can::NodeId node) {
   const auto kind = static_cast<can::MessageKind>(input.choose(can::kMessageKinds));
-  can::Frame frame{.id = profile.id_of(kind, node, input.flag()), .size = can::layout(kind).size};
+  const bool toggle = input.flag();
+  const auto part = static_cast<int>(input.choose(static_cast<std::size_t>(profile.parts(kind))));
+  can::Frame frame{.id = profile.id_of(kind, node, toggle, part), .size = can::layout(kind).size};
   for (std::size_t i = 0; i < frame.size; ++i) {
     frame.data[i] = input.take<std::uint8_t>();
   }

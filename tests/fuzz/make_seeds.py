@@ -14,8 +14,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
 KINDS = ("emergency_stop", "user_command", "sync", "trim", "feedback", "fault_report", "trajectory",
-         "resynchronisation", "heartbeat")
-SIZES = (1, 4, 3, 8, 8, 1, 8, 8, 5)
+         "resynchronisation", "heartbeat", "tail")
+SIZES = (1, 4, 4, 8, 8, 1, 8, 8, 5, 8)
 
 
 def write(target, name, content):
@@ -33,10 +33,10 @@ def frame(identifier, data, extended=False, remote=False):
     return struct.pack("<BI", extended | remote << 1 | len(data) << 4, identifier) + (b"" if remote else data)
 
 
-def known(kind, data, toggle=False):
+def known(kind, data, toggle=False, part=0):
     """As take_known_frame() reads it, after the node."""
     index = KINDS.index(kind)
-    return bytes([index, toggle]) + data.ljust(SIZES[index], b"\0")
+    return bytes([index, toggle, part]) + data.ljust(SIZES[index], b"\0")
 
 
 def recorded(log):

@@ -36,7 +36,7 @@ bool decodes(const can::Profile& profile, const can::Frame& frame) {
   return can::decode_emergency_stop(profile, frame) || can::decode_user_command(profile, frame) ||
          can::decode_sync(profile, frame) || can::decode_trim(profile, frame) ||
          can::decode_trajectory(profile, frame) || can::decode_resynchronisation(profile, frame) ||
-         can::decode_heartbeat(profile, frame);
+         can::decode_heartbeat(profile, frame) || can::decode_tail(profile, frame);
 }
 
 class Controller {

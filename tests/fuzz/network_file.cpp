@@ -37,7 +37,7 @@ void check_joints(const urdf::NetworkFile& network) {
 void check_identifiers(const can::Profile& profile) {
   for (std::uint32_t id = 0; id <= can::kLargestId; ++id) {
     if (const auto identified = profile.identify(id)) {
-      require(profile.id_of(identified->kind, identified->node, identified->toggle) == id,
+      require(profile.id_of(identified->kind, identified->node, identified->toggle, identified->part) == id,
               "an identifier belongs to one message");
     }
   }
@@ -49,7 +49,7 @@ void check_identifiers(const can::Profile& profile) {
       const auto identified = profile.identify(profile.id_of(kind, node));
       require(identified && identified->kind == kind && identified->node == node,
               "a message's identifier names it");
-      require(profile.id_of(kind, node, true) <= can::kLargestId, "identifiers have eleven bits");
+      require(profile.last_id(kind) <= can::kLargestId, "identifiers have eleven bits");
       require(profile.row(kind).period_ns > 0 && profile.row(kind).deadline_ns > 0, "times are positive");
     }
   }

@@ -40,6 +40,11 @@ class JointsOnABus {
       joints_.emplace_back(config);
     }
     sensors.resize(joints_.size());
+    for (std::size_t j = 0; j < joints_.size(); ++j) {  // they stand where they are meant to
+      const urdf::Joint& joint = robot.joints[j];
+      sensors[j].encoder_count = static_cast<std::int32_t>(
+          std::lround(home_count(joint) * joint.count_rad / joint.encoder_count_rad));
+    }
   }
   static std::int32_t home_count(const urdf::Joint& joint) {
     return static_cast<std::int32_t>(std::lround(joint.home_rad / joint.count_rad));

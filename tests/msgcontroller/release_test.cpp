@@ -12,6 +12,11 @@ using msgclient::Reason;
 
 class ReleaseTest : public MessageControllerTest {
  protected:
+  // Once the controller knows where the joints stand, their encoders read something else.
+  void SetUp() override {
+    run_until(now_ns_ + 2 * kSlot_ns);
+    std::ranges::fill(bus_.sensors, localcontroller::JointSensors{});
+  }
   void push(Kind kind) {
     UserCommand command{};
     command.number = ++commands_;

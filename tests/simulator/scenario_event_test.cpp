@@ -44,6 +44,8 @@ INSTANTIATE_TEST_SUITE_P(
         "move_joint: {joint: neck_yaw, position_rad: 0.1, duration_slots: 20}",
         "push: {body: \"trunk\", direction: [0.1, 0.7, 0], impulse_Ns: 1.3, duration_s: 0.05}",
         "fault: {kind: main_controller_silent}", "fault: {kind: main_controller_silent, duration_s: 0.4}",
+        "fault: {kind: message_controller_silent}",
+        "fault: {kind: message_controller_silent, duration_s: 0.4, restarts: true}",
         "fault: {kind: lose_frames, probability: 0.02, duration_s: 3}",
         "fault: {kind: disturb_bus, corruption: 0.01, omission: 0.002, duplicate: 0, duration_s: 60}",
         "fault: {kind: jam, duration_s: 0.002}", "fault: {kind: jam, duration_s: 0.002, stuck: true}",

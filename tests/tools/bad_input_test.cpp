@@ -315,7 +315,7 @@ TEST_F(BadInput, ScenarioPushesAndFaultsThatCannotBe) {
                           {"key = 'impulse'", "Did you mean 'impulse_Ns'?"});
   expect_scenario_refused(
       "{at_s: 2, fault: {kind: lose_frame, probability: 0.1, duration_s: 1}}",
-      {".fault.kind = 'lose_frame': must be main_controller_silent, lose_frames, disturb_bus"});
+      {".fault.kind = 'lose_frame': must be main_controller_silent, message_controller_silent, batch_fails"});
   expect_scenario_refused("{at_s: 2, fault: {kind: plugin_fails, plugin: zmp, how: sulks}}",
                           {".fault.how = 'sulks': must be throws, not_a_number, jumps or overruns"});
   expect_scenario_refused("{at_s: 2, fault: {kind: lose_frames, probability: 2, duration_s: 1}}",

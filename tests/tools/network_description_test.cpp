@@ -144,7 +144,7 @@ TEST_F(NetworkDescriptionTest, LongNamesAreCutInTheDbcFileAndStandWholeInTheirAt
 TEST_F(NetworkDescriptionTest, TheProfileOfTheNetworkFileIsFollowedDownToAnIdentifier) {
   robot.network.messages.push_back({.message = "sync", .id = 0x30, .period_s = {}, .deadline_s = {}});
   const std::string text = dbc_text(describe_network(robot, msgcontroller::network_profile(robot)));
-  EXPECT_THAT(text, HasSubstr("BO_ 48 SYNC: 3"));
+  EXPECT_THAT(text, HasSubstr("BO_ 48 SYNC: 4"));
   EXPECT_THAT(text, testing::Not(HasSubstr("BO_ 8 ")));
 }
 

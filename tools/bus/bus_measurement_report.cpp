@@ -20,13 +20,14 @@ using nlohmann::ordered_json;
 // In the order of MessageKind.
 constexpr std::array<std::string_view, can::kMessageKinds> kContents{"hold or go soft",
                                                                      "node, count, time slots",
-                                                                     "cycle, slot, batch, toggle",
+                                                                     "cycle, slot, batch, tail",
                                                                      "8 corrections, 1 byte each",
                                                                      "position, torque, state, 2 sensors",
                                                                      "bit mask of faults",
                                                                      "8 points, 1 byte each",
                                                                      "absolute count, 5 points",
-                                                                     "mode, cycle"};
+                                                                     "mode, cycle",
+                                                                     "8 points after the batch"};
 
 std::string number(const std::optional<double>& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : std::string("-");

@@ -20,7 +20,8 @@ using can::MessageKind;
 using Frames = std::vector<can::TimedFrame>;
 
 constexpr std::array<std::string_view, can::kMessageKinds> kColours{
-    "#dc2626", "#be185d", "#7c3aed", "#ea580c", "#2563eb", "#b45309", "#059669", "#0891b2", "#94a3b8"};
+    "#dc2626", "#be185d", "#7c3aed", "#ea580c", "#2563eb",
+    "#b45309", "#059669", "#0891b2", "#94a3b8", "#65a30d"};
 constexpr std::string_view kBoundColour = "#dc2626", kEdgeColour = "#64748b";
 constexpr double kRow_px = 17.0, kAxes_px = 86.0;
 constexpr double kSlot_ms = 10.0;

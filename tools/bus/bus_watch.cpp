@@ -49,8 +49,9 @@ void BusWatch::take(const can::TimedFrame& frame) {
     return;
   }
   const double length_us = static_cast<double>(busy_ns) * 1e-3;
-  // Both toggles of a trajectory are one message.
-  std::int64_t& last_end_ns = last_end_ns_[profile_.id_of(message->kind, message->node)];
+  // Both toggles of a trajectory, or of a part of a tail, are one message.
+  std::int64_t& last_end_ns =
+      last_end_ns_[profile_.id_of(message->kind, message->node, false, message->part)];
   const auto response_from_ns = released_ns(frame, *message);
   for (MessageFigures* const figures :
        {&messages_[static_cast<std::size_t>(message->kind)], &identifiers_[frame.frame.id]}) {

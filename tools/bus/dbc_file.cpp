@@ -123,7 +123,7 @@ class DbcWriter {
             period_ms);
       } else {
         // Of two identifiers that take turns, each comes in every other period.
-        const int turns = row.rule == can::IdRule::per_node_and_toggle ? 2 : 1;
+        const int turns = can::has_toggle(row.rule) ? 2 : 1;
         put("BA_ \"GenMsgCycleTime\" BO_ {} {};\n", message.id, turns * period_ms);
       }
       put("BA_ \"GaitwayDeadline\" BO_ {} {};\n", message.id, row.deadline_ns / kMicrosecond_ns);

@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, can::kMessageKinds> kMessages{
     "Every joint stops at once. Sent again until each joint's feedback says that it did.",
     "Manual joint command: one joint moves to an absolute count while the robot stands.",
     "The beat of the network, at every edge of a time slot. Batches and their revisions start on it, joints "
-    "answer it with their feedback, and it says how soft all servos are.",
+    "answer it with their feedback, and it says how soft all servos are, and with how many points the joints "
+    "can go on after the batch.",
     "Absolute corrections of up to eight joints, added to their references; slew-limited in the joint, and "
     "fading out when none comes for three time slots.",
     "One joint's position, torque, state and two sensor channels, in answer to each SYNC; its heartbeat, "
@@ -33,7 +34,10 @@ constexpr std::array<std::string_view, can::kMessageKinds> kMessages{
     "One joint's batch, or its revision: the changes of its reference count in the eight time slots of a "
     "cycle. The toggle bit in the identifier tells a new batch, or a revision, from a repeated frame.",
     "Repairs one joint: its absolute count at the end of a time slot, and the changes of the slots after it.",
-    "The message controller's sign of life, once a cycle."};
+    "The message controller's sign of life, once a cycle.",
+    "Eight points for the time after one joint's batch, sent in advance: with them it ends the step by "
+    "itself "
+    "when no SYNC comes any more. They count once SYNC names the tail that they belong to."};
 
 constexpr std::array kStopModes{
     named(can::StopMode::hold, "hold", "keeps its place"),
@@ -51,7 +55,9 @@ constexpr std::array kFaults{
     named(can::Fault::sync_lost, "sync_lost", "several SYNCs in a row did not come"),
     named(can::Fault::encoder, "encoder", "the encoder jumps further than the joint can move"),
     named(can::Fault::restarted, "restarted",
-          "has started and stands where its encoder says, not where it was told")};
+          "has started and stands where its encoder says, not where it was told"),
+    named(can::Fault::tail_missing, "tail_missing",
+          "SYNC names a tail of which it does not hold every point")};
 constexpr std::array kModes{named(Mode::batches, "batches", "plays what the main controller hands over"),
                             named(Mode::safe_tail, "safe_tail",
                                   "brings the robot to a stand, since no new batch came or a stop was "
@@ -84,6 +90,11 @@ constexpr FieldText kFields[]{
     {MessageKind::sync, "softness",
      "of all joints, in every slot and with or without a batch, for a fall: 0 the servos give their whole "
      "torque, 7 none; softer at once, stiffer in half a second"},
+    {MessageKind::sync, "tail_points",
+     "of a committed batch: time slots after it that the joints can go on without SYNC; 0: they hold where "
+     "it "
+     "ends"},
+    {MessageKind::sync, "tail_toggle", "toggle of the tail that has these points"},
     {MessageKind::trim, "trim_*", "correction of the joint with this trim channel"},
     {MessageKind::feedback, "position", "measured angle"},
     {MessageKind::feedback, "current", "motor torque, rounded and saturating"},
@@ -104,7 +115,9 @@ constexpr FieldText kFields[]{
     {MessageKind::resynchronisation, "delta_*",
      "change of the reference count in the slots after it; zero past the batch's end"},
     {MessageKind::heartbeat, "mode", "what the message controller does", kModes},
-    {MessageKind::heartbeat, "cycle", "the cycle's number"}};
+    {MessageKind::heartbeat, "cycle", "the cycle's number"},
+    {MessageKind::tail, "delta_*",
+     "change of the reference count in this slot after the batch; zero past the tail's end"}};
 
 const FieldText& text_of(MessageKind kind, std::string_view field) {
   const auto matches = [&](const FieldText& text) {

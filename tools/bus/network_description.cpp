@@ -85,17 +85,13 @@ class Describer {
         case IdRule::unused:
           break;
         case IdRule::one:
-          add(message, nullptr, false);
+          add(message, nullptr, {.kind = message.kind});
           break;
         case IdRule::per_node:
-          for (const DescribedNode& node : description_.nodes) {
-            add(message, &node, false);
-          }
-          break;
         case IdRule::per_node_and_toggle:
+        case IdRule::per_part_node_and_toggle:
           for (const DescribedNode& node : description_.nodes) {
-            add(message, &node, false);
-            add(message, &node, true);
+            add_all(message, node);
           }
           break;
       }
@@ -105,16 +101,34 @@ class Describer {
   }
 
  private:
-  void add(const can::MessageLayout& layout, const DescribedNode* node, bool toggle) {
+  // Each identifier of a node's message.
+  void add_all(const can::MessageLayout& layout, const DescribedNode& node) {
+    const can::Profile& profile = description_.profile;
+    can::Identified which{.kind = layout.kind, .node = node.node};
+    for (int part = 0; part < profile.parts(layout.kind); ++part) {
+      which.part = static_cast<std::uint8_t>(part);
+      which.toggle = false;
+      add(layout, &node, which);
+      if (can::has_toggle(profile.row(layout.kind).rule)) {
+        which.toggle = true;
+        add(layout, &node, which);
+      }
+    }
+  }
+
+  void add(const can::MessageLayout& layout, const DescribedNode* node, const can::Identified& which) {
     const can::Profile& profile = description_.profile;
     DescribedMessage message;
     message.kind = layout.kind;
-    message.node = node == nullptr ? can::NodeId{0} : node->node;
-    message.toggle = toggle;
-    message.id = profile.id_of(layout.kind, message.node, toggle);
+    message.node = which.node;
+    message.toggle = which.toggle;
+    message.id = profile.id_of(layout.kind, which.node, which.toggle, which.part);
     std::string name = identifier(layout.name);
-    if (profile.row(layout.kind).rule == IdRule::per_node_and_toggle) {
-      name += toggle ? "_1" : "_0";
+    if (profile.row(layout.kind).rule == IdRule::per_part_node_and_toggle) {
+      name += "_" + std::to_string(which.part);
+    }
+    if (can::has_toggle(profile.row(layout.kind).rule)) {
+      name += which.toggle ? "_1" : "_0";
     }
     message.name = unique(node == nullptr ? name : name + "_" + node->name, message_names_);
     name_ends(layout, node, message);

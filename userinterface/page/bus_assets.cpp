@@ -29,9 +29,9 @@ const char* name_of(can::ReleaseSign sign) {
 }
 
 std::vector<std::uint32_t> identifiers_of(const can::Profile& profile, const can::Identified& message) {
-  std::vector<std::uint32_t> ids{profile.id_of(message.kind, message.node)};
-  if (profile.row(message.kind).rule == can::IdRule::per_node_and_toggle) {
-    ids.push_back(profile.id_of(message.kind, message.node, true));
+  std::vector<std::uint32_t> ids{profile.id_of(message.kind, message.node, false, message.part)};
+  if (can::has_toggle(profile.row(message.kind).rule)) {
+    ids.push_back(profile.id_of(message.kind, message.node, true, message.part));
   }
   return ids;
 }

@@ -25,9 +25,10 @@ enum class MessageKind : std::uint8_t {
   fault_report,
   trajectory,
   resynchronisation,
-  heartbeat
+  heartbeat,
+  tail
 };
-inline constexpr std::size_t kMessageKinds = 9;
+inline constexpr std::size_t kMessageKinds = 10;
 
 enum class Sender : std::uint8_t { message_controller, local_controller };
 
@@ -52,11 +53,13 @@ inline constexpr std::array<FieldSpec, 1> kEmergencyStop{{{"mode", 0, 8, false, 
 inline constexpr std::array<FieldSpec, 3> kUserCommand{{{"node", 0, 8, false, ""},
                                                         {"target_count", 8, 16, true, "count"},
                                                         {"duration_slots", 24, 8, false, "10 ms"}}};
-inline constexpr std::array<FieldSpec, 5> kSync{{{"cycle", 0, 16, false, "80 ms"},
+inline constexpr std::array<FieldSpec, 7> kSync{{{"cycle", 0, 16, false, "80 ms"},
                                                  {"slot", 16, 3, false, "10 ms"},
                                                  {"batch_committed", 19, 1, false, ""},
                                                  {"toggle", 20, 1, false, ""},
-                                                 {"softness", 21, 3, false, "1/7"}}};
+                                                 {"softness", 21, 3, false, "1/7"},
+                                                 {"tail_points", 24, 6, false, "10 ms"},
+                                                 {"tail_toggle", 30, 1, false, ""}}};
 inline constexpr std::array<FieldSpec, 8> kTrim{{{"trim_0", 0, 8, true, "trim count"},
                                                  {"trim_1", 8, 8, true, "trim count"},
                                                  {"trim_2", 16, 8, true, "trim count"},
@@ -98,7 +101,7 @@ inline constexpr std::array<FieldSpec, 2> kHeartbeat{
 inline constexpr std::array<MessageLayout, kMessageKinds> kMessageLayouts{{
     {MessageKind::emergency_stop, "emergency stop", 1, Sender::message_controller, fields::kEmergencyStop},
     {MessageKind::user_command, "user command", 4, Sender::message_controller, fields::kUserCommand},
-    {MessageKind::sync, "SYNC", 3, Sender::message_controller, fields::kSync},
+    {MessageKind::sync, "SYNC", 4, Sender::message_controller, fields::kSync},
     {MessageKind::trim, "trim", 8, Sender::message_controller, fields::kTrim},
     {MessageKind::feedback, "feedback", 8, Sender::local_controller, fields::kFeedback},
     {MessageKind::fault_report, "fault report", 1, Sender::local_controller, fields::kFaultReport},
@@ -106,6 +109,7 @@ inline constexpr std::array<MessageLayout, kMessageKinds> kMessageLayouts{{
     {MessageKind::resynchronisation, "resynchronisation", 8, Sender::message_controller,
      fields::kResynchronisation},
     {MessageKind::heartbeat, "heartbeat", 5, Sender::message_controller, fields::kHeartbeat},
+    {MessageKind::tail, "tail", 8, Sender::message_controller, fields::kTrajectory},
 }};
 
 [[nodiscard]] constexpr const MessageLayout& layout(MessageKind kind) noexcept {

@@ -16,6 +16,8 @@ struct Profile;  // profile.hpp
 using NodeId = std::uint8_t;  // 1..64: a local controller on the bus; 0 is the message controller
 
 inline constexpr int kBatchPoints = facts::kSlotsPerCycle;  // points in one trajectory frame, one a time slot
+inline constexpr int kTailParts = facts::kMostTailParts;    // frames that hold one joint's tail at most
+inline constexpr int kTailPoints = kTailParts * kBatchPoints;
 inline constexpr int kResyncDeltas = 5;      // points that follow the absolute one in a resynchronisation
 inline constexpr int kFeedbackChannels = 2;  // 16-bit sensor channels in a feedback frame
 
@@ -47,6 +49,10 @@ struct Sync {
   bool batch_committed = false;  // a batch is played in this cycle: whoever holds it starts it at slot 0
   bool toggle = false;           // toggle of that batch; from a revision's first slot on, of the revision
   std::uint8_t softness = 0;     // of all joints: 0 the servo's whole torque .. kMostSoftness none
+  // Of a committed batch: with so many points of the tail that bears this toggle, the joints bring both feet
+  // down when no SYNC comes after the batch. 0: no joint has a tail of it, or none is needed.
+  std::uint8_t tail_points = 0;
+  bool tail_toggle = false;
   friend bool operator==(const Sync&, const Sync&) = default;
 };
 
@@ -87,7 +93,8 @@ enum class Fault : std::uint8_t {
   torque_saturated = 2,  // the servo has wanted more torque than there is for a while
   sync_lost = 4,         // several SYNCs in a row did not come
   encoder = 8,           // the encoder jumps further than the joint can move
-  restarted = 16         // has started (again) and stands where its encoder says, not where it was told
+  restarted = 16,        // has started (again) and stands where its encoder says, not where it was told
+  tail_missing = 32      // SYNC names a tail of which it does not hold every point
 };
 
 // One joint's batch: 8 changes of its reference count.
@@ -96,6 +103,16 @@ struct Trajectory {
   bool toggle = false;
   std::array<std::int8_t, kBatchPoints> delta{};
   friend bool operator==(const Trajectory&, const Trajectory&) = default;
+};
+
+// Eight points of what follows one joint's batch when nobody is there to send another: the changes of its
+// reference count after the batch's last point. Sent ahead; of use only when SYNC says that it is whole.
+struct Tail {
+  NodeId node = 0;
+  bool toggle = false;
+  std::uint8_t part = 0;  // 0..kTailParts-1: which eight points
+  std::array<std::int8_t, kBatchPoints> delta{};
+  friend bool operator==(const Tail&, const Tail&) = default;
 };
 
 // Repairs one joint: its absolute count at the end of `slot`, and the changes of the slots after it.
@@ -124,6 +141,7 @@ Frame encode(const Profile& profile, const FaultReport& message) noexcept;
 Frame encode(const Profile& profile, const Trajectory& message) noexcept;
 Frame encode(const Profile& profile, const Resynchronisation& message) noexcept;
 Frame encode(const Profile& profile, const Heartbeat& message) noexcept;
+Frame encode(const Profile& profile, const Tail& message) noexcept;
 
 // Decoders: nothing when format, id or size are not the message's own in that profile, or a field holds an
 // undefined value.
@@ -137,5 +155,6 @@ std::optional<Trajectory> decode_trajectory(const Profile& profile, const Frame&
 std::optional<Resynchronisation> decode_resynchronisation(const Profile& profile,
                                                           const Frame& frame) noexcept;
 std::optional<Heartbeat> decode_heartbeat(const Profile& profile, const Frame& frame) noexcept;
+std::optional<Tail> decode_tail(const Profile& profile, const Frame& frame) noexcept;
 
 }  // namespace gaitway::can

@@ -20,7 +20,8 @@ inline constexpr double kCycle_s = 0.08;
 // The bus has 1 Mb/s. Points, trims and currents are signed bytes that hold so many counts either way.
 inline constexpr std::int64_t kBitTime_ns = 1'000;
 inline constexpr int kLargestByte_counts = 127;
-inline constexpr int kTrimChannels = 8;  // signed bytes in the trim frame
+inline constexpr int kTrimChannels = 8;   // signed bytes in the trim frame
+inline constexpr int kMostTailParts = 7;  // frames of eight points that follow a joint's batch
 
 inline constexpr double kGravity_m_per_s2 = 9.81;
 inline constexpr double kRadPerDegree = std::numbers::pi / 180.0;

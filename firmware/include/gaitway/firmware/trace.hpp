@@ -104,6 +104,7 @@ void trace_fields(Fields& fields, can::Profile& profile) {
     fields(row.deadline_ns);
   }
   fields(profile.largest_node);
+  fields(profile.tail_parts);
 }
 
 template <class Fields>

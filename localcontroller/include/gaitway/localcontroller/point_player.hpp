@@ -1,7 +1,7 @@
 // Plays the eight points of a batch: one change of the reference count a time slot, interpolated in between.
 // Where the profile has a SYNC, batches start on it only, so that all joints start together, and the joint
-// goes on alone when a SYNC is lost. Without one, a batch starts as it arrives and the joint's own clock
-// counts its slots.
+// goes on alone when a SYNC is lost: to the batch's end, and along the tail that it holds. Without one, a
+// batch starts as it arrives and the joint's own clock counts its slots.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "gaitway/can/messages.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/localcontroller/held_tail.hpp"
 
 namespace gaitway::localcontroller {
 
@@ -29,6 +30,12 @@ class PointPlayer {
 
   // A new batch, to be started by a SYNC that names its toggle. A repeated frame changes nothing.
   void on_trajectory(const can::Trajectory& batch) noexcept;
+  // Points for the time after a batch.
+  void on_tail(const can::Tail& tail) noexcept {
+    if (!frozen_) {
+      tail_.on_tail(tail);
+    }
+  }
   // Starts a batch now, as where there is no SYNC. A repeated frame changes nothing. True when a time slot
   // has begun that is to be answered: false also when the joint has just begun one by its own clock.
   bool start(const can::Trajectory& batch, std::int64_t now_ns) noexcept;
@@ -38,7 +45,8 @@ class PointPlayer {
   // Begins a slot. False, and nothing changes, for a repetition of the last SYNC. A batch starts on slot 0
   // only, and one that was passed over there (another one was committed) is dropped. A SYNC amid a batch that
   // names the toggle of a newer frame revises the batch: it goes on by that frame's points, and what they
-  // differ by in the slots that are over is made up for.
+  // differ by in the slots that are over is made up for. After the end of a batch of which it holds a tail
+  // the joint goes on along that, SYNC or not, until a batch starts, a repair comes, or the tail has ended.
   bool on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
   // Moves to a count over some slots; only while no batch runs, or the rest of one leaves the joint where it
   // is, which is then over for it. False otherwise.
@@ -49,7 +57,7 @@ class PointPlayer {
   // and batches begin again with the next SYNC.
   void restart(std::int32_t count) noexcept;
   // Takes the next slot when SYNC is overdue (at once where there is none), whether a batch runs or not. True
-  // when it did. A batch is played to its end in this way; none is started.
+  // when it did. A batch is played to its end in this way, and its tail after it; none is started.
   bool advance_without_sync(std::int64_t now_ns) noexcept;
 
   // Reference at the end of the running slot.
@@ -67,6 +75,7 @@ class PointPlayer {
   [[nodiscard]] bool executing_toggle() const noexcept { return executing_toggle_; }
   [[nodiscard]] bool at_limit() const noexcept { return at_limit_; }
   [[nodiscard]] bool frozen() const noexcept { return frozen_; }
+  [[nodiscard]] bool tail_missing() const noexcept { return tail_.missing(); }
   // A batch has been started or a repair has set the count since the start: it is one that was asked for.
   [[nodiscard]] bool reference_confirmed() const noexcept { return reference_confirmed_; }
 
@@ -74,7 +83,12 @@ class PointPlayer {
   // The slot began at `start_ns`; its segment ends with it.
   void begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns, std::int32_t made_up = 0) noexcept;
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
-  void start_batch(const can::Sync& sync) noexcept;
+  [[nodiscard]] bool start_batch(const can::Sync& sync) noexcept;
+  [[nodiscard]] bool take_up_tail() noexcept;
+  void begin_tail_slot(int point, std::int64_t start_ns, std::int64_t now_ns) noexcept;
+  [[nodiscard]] bool follow_tail(const can::Sync& sync, std::int64_t now_ns) noexcept;
+  [[nodiscard]] std::int32_t count_before_tail_point(int point) const noexcept;
+  [[nodiscard]] int slots_since_batch(const can::Sync& sync) const noexcept;
   [[nodiscard]] std::int32_t revise(const can::Sync& sync) noexcept;
   void make_up_until(int slot) noexcept;
   [[nodiscard]] bool rests() const noexcept;
@@ -104,6 +118,12 @@ class PointPlayer {
   bool pending_toggle_ = false;
   bool executing_toggle_ = false;
   std::array<std::int8_t, can::kBatchPoints> pending_{}, executing_{};
+  HeldTail tail_;
+  bool in_tail_ = false;  // running_: along these points
+  int tail_point_ = 0;    // that is being played
+  int tail_points_ = 0;
+  std::array<std::int8_t, can::kTailPoints> tail_delta_{};
+  std::int32_t batch_end_count_ = 0;
   int known_from_ = 0;  // slot from which on executing_ is the batch's: not those before a repair
   bool has_repair_ = false;
   can::Resynchronisation repair_;

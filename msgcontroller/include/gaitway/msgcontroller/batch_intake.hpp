@@ -22,14 +22,14 @@ class BatchIntake {
 
   // Takes the hand-over that has come, if any, and answers it. `stopping`: a stop was asked for, and its tail
   // plays first. The trim gains of the batch that was accepted now; null: none was.
-  const msgclient::TrimGains* take(std::int64_t now_ns, bool stopping) noexcept;
+  const msgclient::TrimGains* take(std::int64_t now_ns, bool stopping, bool on_their_own) noexcept;
 
   // Latest hand-over, before its cycle or its first slot begins: the trajectory frames must have arrived by
   // then.
   [[nodiscard]] std::int64_t lead_ns() const noexcept { return lead_ns_; }
 
  private:
-  void judge(std::int64_t now_ns, bool stopping, msgclient::Answer& answer) noexcept;
+  void judge(std::int64_t now_ns, bool stopping, bool on_their_own, msgclient::Answer& answer) noexcept;
   [[nodiscard]] msgclient::Reason untimely(std::int64_t now_ns) const noexcept;
   [[nodiscard]] CountPlanProblem motion_without_node(std::span<const std::int32_t> start) const noexcept;
 

@@ -1,5 +1,5 @@
-// Keeps each joint at what it is meant to play: sends it its batches, compares its feedback, and repairs what
-// was lost.
+// Keeps each joint at what it is meant to play: sends it its batches and the tails that follow them, compares
+// its feedback, and repairs what was lost.
 #pragma once
 
 #include <array>
@@ -20,13 +20,28 @@ class JointSupervision {
   void enter_slot(int slot, bool revised) noexcept;
   void take_feedback(int joint, const NetworkWatch::Arrival& arrival) noexcept;
 
-  // The batch, or revision, that has not started, to every joint.
+  // The batch, or revision, that has not started, to every joint, and after it its tail.
   void send_waiting() noexcept;
   // The same to one joint, whose frame somebody may have replaced.
   void repair_waiting(int joint) noexcept;
   // Frames of this kind that have not been sent yet.
   void drop(can::MessageKind kind) noexcept;
-  void drop_waiting() noexcept { drop(can::MessageKind::trajectory); }
+  void drop_waiting() noexcept {
+    drop(can::MessageKind::trajectory);
+    forget_waiting_tail();
+  }
+  // A tail's frame was on the bus.
+  void on_tail_sent(bool toggle) noexcept;
+  // Some joint does not have what was sent.
+  void lose_running_tail() noexcept { running_tail_.lost = true; }
+  void forget_tails() noexcept {
+    forget_waiting_tail();
+    running_tail_.points = 0;
+  }
+  // How many points of the running segment's tail every joint holds; and of the segment's before.
+  [[nodiscard]] int tail_points() const noexcept { return running_tail_.usable_points(); }
+  [[nodiscard]] bool tail_toggle() const noexcept { return running_tail_.toggle; }
+  [[nodiscard]] int outgoing_tail_points() const noexcept { return outgoing_tail_points_; }
   // What runs, where there is no SYNC and the trajectory frames themselves start it.
   void send_running() noexcept;
   // The joint moves by itself for so many slots from now on: its count may differ.
@@ -36,6 +51,21 @@ class JointSupervision {
   void set_counts() noexcept;
 
  private:
+  // What was sent in advance for the time after a segment.
+  struct SentTail {
+    bool toggle = false;
+    int points = 0;
+    int frames_left = 0;  // that have not been on the bus
+    bool lost = false;
+    [[nodiscard]] int usable_points() const noexcept { return frames_left == 0 && !lost ? points : 0; }
+  };
+  void start_waiting_tail() noexcept;
+  void send_waiting_tail() noexcept;
+  void send_tail_part(int joint, int part, std::int64_t expires_ns) noexcept;
+  void forget_waiting_tail() noexcept {
+    drop(can::MessageKind::tail);
+    waiting_tail_.points = 0;
+  }
   void send_waiting_trajectory(int joint) noexcept;
   [[nodiscard]] bool plays_as_expected(int joint, const can::Feedback& feedback) const noexcept;
   void resynchronise(int joint) noexcept;
@@ -51,6 +81,8 @@ class JointSupervision {
   std::array<std::uint32_t, kMaxJoints> resync_until_{};
   // The last slot of the running cycle whose point the joint has after a repair.
   std::array<int, kMaxJoints> covered_until_{};
+  SentTail waiting_tail_, running_tail_;
+  int outgoing_tail_points_ = 0;
 };
 
 }  // namespace gaitway::msgcontroller

@@ -17,6 +17,7 @@
 #include "gaitway/msgcontroller/feedback_collector.hpp"
 #include "gaitway/msgcontroller/hand_movement.hpp"
 #include "gaitway/msgcontroller/joint_supervision.hpp"
+#include "gaitway/msgcontroller/joint_takeover.hpp"
 #include "gaitway/msgcontroller/playback.hpp"
 #include "gaitway/msgcontroller/slot_record.hpp"
 #include "gaitway/msgcontroller/trim_sender.hpp"
@@ -44,11 +45,10 @@ class MessageController final : private CommandTaker {
   void on_bus_state(can::BusState state, can::ErrorCounters errors, std::int64_t now_ns) noexcept;
   // A frame of another station arrived from the bus.
   void on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept;
-  // A frame of its own was sent, or an error was signalled on the bus: told to those who look on, and for
-  // nothing else.
-  void on_notice(const can::BusNotice& notice) noexcept { slot_record_.take(notice); }
-  // The most urgent frame to send; false when there is none.
-  bool take_frame(can::Frame& frame) noexcept { return link_.queue.pop(frame); }
+  // A frame of its own was sent, or an error was signalled on the bus.
+  void on_notice(const can::BusNotice& notice) noexcept;
+  // The most urgent frame to send; false when there is none. Where no notice ever comes, it counts as sent.
+  bool take_frame(can::Frame& frame) noexcept;
   // Identifier of that frame; past every identifier when there is none.
   [[nodiscard]] std::uint32_t next_id() const noexcept { return link_.queue.next_id(); }
   // Whether that frame may go to a port that cannot take it back. While joints answer a SYNC, every frame
@@ -71,10 +71,16 @@ class MessageController final : private CommandTaker {
 
   // Releases that people asked for and that have begun: their answers come later.
   [[nodiscard]] std::uint64_t releases_taken() const noexcept { return commands_.releases_taken(); }
+  // Whether it is known where the joints stand: nothing is moved before.
+  [[nodiscard]] bool joints_known() const noexcept { return takeover_.complete(); }
 
  private:
   void enter_slot(std::int64_t now_ns) noexcept;
+  void pass_slot(std::int64_t slot_index) noexcept;
   void begin_cycle() noexcept;
+  void leave_to_joints() noexcept;
+  void on_sent(const can::Frame& frame) noexcept;
+  void take_over() noexcept;
   void send_sync(std::int64_t now_ns) noexcept;
   void take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept;
   void on_forged(const NetworkWatch::Arrival& arrival, const can::Frame& frame) noexcept;
@@ -112,8 +118,12 @@ class MessageController final : private CommandTaker {
   msgclient::Writer<NetworkState> state_writer_;
   msgclient::Writer<NetworkHealth> health_writer_;
   msgclient::Writer<BusSlot> slot_writer_;
+  JointTakeover takeover_;
   bool stop_requested_ = false;
-  std::int64_t last_heard_ns_ = 0;  // end of the last frame of another station
+  bool port_tells_sent_ = false;
+  std::int64_t last_slot_index_ = -1;  // that was entered
+  std::int64_t last_sync_index_ = -1;  // slot whose SYNC was on the bus
+  std::int64_t last_heard_ns_ = 0;     // end of the last frame of another station
   bool feedback_published_ = true;
 };
 

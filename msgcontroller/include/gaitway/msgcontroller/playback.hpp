@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "gaitway/msgclient/hand_over.hpp"
@@ -61,6 +62,10 @@ class Playback {
   // Instead of the plan that was accepted last and has not begun: the tail of the one that runs; if that is
   // over, nothing. False, and nothing changes: no plan was accepted since the cycle began, or none runs.
   bool return_to_running_tail() noexcept;
+  // The joints got no SYNC of the cycle that runs: what it was to begin with has not begun. They have gone on
+  // along the tail of the batch before, of which they hold so many points, and stand at its end afterwards.
+  // What is left of that batch's safe tail follows from there, if it is prepared.
+  void leave_to_joints(int tail_points) noexcept;
   // A new cycle begins: the prepared segment becomes the running one; without one, the joints hold.
   void begin_cycle() noexcept;
   // True when the revision begins with this slot.
@@ -94,6 +99,14 @@ class Playback {
   [[nodiscard]] int running_from() const noexcept { return running_from_; }
   [[nodiscard]] int slot() const noexcept { return slot_; }
   [[nodiscard]] std::uint32_t accepted_sequence() const noexcept { return plan_.sequence; }
+  // After leave_to_joints, until a prepared segment begins or they have been through all.
+  [[nodiscard]] bool left_to_joints() const noexcept { return alone_.on; }
+  // How many points follow the segment that was prepared last, or revised, until both feet are down: those
+  // that the joints should have in advance. 0: both are down where it ends. Nothing: they come down later
+  // than after `most` points.
+  [[nodiscard]] std::optional<int> points_to_both_feet(int most) const noexcept;
+  // Change of a joint at one of these points.
+  [[nodiscard]] std::int32_t tail_delta(int joint, int point) const noexcept;
   [[nodiscard]] bool tail_left() const noexcept { return cursor_ < plan_.point_count; }
   [[nodiscard]] int joint_count() const noexcept { return joint_count_; }
 
@@ -111,8 +124,17 @@ class Playback {
   [[nodiscard]] std::uint8_t support() const noexcept;
 
  private:
+  // How the joints go on without SYNC.
+  struct Alone {
+    bool on = false;
+    int first = 0;   // point of plan_ that follows their batch
+    int points = 0;  // that they have; 0: they hold where the batch ended
+    int passed = 0;  // slots from the batch's end to the running cycle's begin
+  };
   void prepare(int first_point) noexcept;
   void begin_revision() noexcept;
+  void go_on_alone() noexcept;
+  [[nodiscard]] const std::int32_t* alone_counts(int slot) const noexcept;
 
   int joint_count_;
   int slot_ = 0;
@@ -127,6 +149,12 @@ class Playback {
   int revision_slot_ = 0;
   int running_from_ = 0;
   std::array<std::int32_t, kMaxJoints> held_{};  // where the joints stand when no segment runs
+  Alone alone_;
+  // As it was when the running cycle began: what the joints have if its SYNC has not reached them.
+  CountPlan outgoing_plan_;
+  bool outgoing_is_plan_ = true;  // plan_, and not outgoing_plan_
+  Alone outgoing_;
+  int prepared_from_ = 0;  // point of plan_ that the prepared segment begins with
 };
 
 }  // namespace gaitway::msgcontroller

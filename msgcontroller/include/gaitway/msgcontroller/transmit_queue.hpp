@@ -17,7 +17,7 @@ inline constexpr std::int64_t kNeverExpires_ns = std::numeric_limits<std::int64_
 
 class TransmitQueue {
  public:
-  static constexpr std::size_t kCapacity = 256;  // two batches of 64 joints with room for repairs
+  static constexpr std::size_t kCapacity = 640;  // two batches and a tail of 64 joints, repairs
 
   // False, and counted, when the queue is full.
   bool push(const can::Frame& frame, std::int64_t expires_ns = kNeverExpires_ns) noexcept {

@@ -88,7 +88,7 @@ class Cosimulation {
   [[nodiscard]] const JointNetwork& joints() const noexcept { return joints_; }
   [[nodiscard]] const can::SimulatedBus& bus() const noexcept { return bus_; }
   [[nodiscard]] const msgcontroller::MessageController& message_controller() const noexcept {
-    return message_controller_;
+    return *message_controller_;
   }
   [[nodiscard]] const core::MainController& main_controller() const noexcept { return *main_controller_; }
   // nullptr: the robot has none.
@@ -97,13 +97,18 @@ class Cosimulation {
   [[nodiscard]] core::PluginManager& plugins() noexcept { return main_controller_->plugins(); }
   [[nodiscard]] msgclient::Client& client() noexcept { return observer_client_; }
   // From now on nobody's orders are obeyed any more, and the robot comes to a stand.
-  void end_orders() { arbiter_.end(now_ns_); }
-  [[nodiscard]] const msgcontroller::CommandArbiter& arbiter() const noexcept { return arbiter_; }
+  void end_orders() { arbiter_->end(now_ns_); }
+  [[nodiscard]] const msgcontroller::CommandArbiter& arbiter() const noexcept { return *arbiter_; }
   [[nodiscard]] bool people_outside() const noexcept { return options_.people_outside; }
   [[nodiscard]] const urdf::RobotModel& robot() const noexcept { return robot_; }
 
  private:
   void main_controller_tick();
+  void start_message_controller();
+  void start_main_controller();
+  void finish_silence();
+  [[nodiscard]] bool message_controller_works() const noexcept { return message_silent_until_ns_ == 0; }
+  void inject(const MessageControllerSilentFault& fault);
   void exchange_frames(std::int64_t until_ns);
   void deliver(const can::SimulatedBus::Delivery& delivery);
   void offer_from_message_controller(std::int64_t now_ns);
@@ -141,8 +146,9 @@ class Cosimulation {
   JointNetwork joints_;
   SensorFaults sensor_faults_;
   can::SimulatedBus bus_;
-  msgcontroller::CommandArbiter arbiter_;
-  msgcontroller::MessageController message_controller_;
+  // In one process, which may die and be started again.
+  std::optional<msgcontroller::CommandArbiter> arbiter_;
+  std::optional<msgcontroller::MessageController> message_controller_;
   core::PluginFaultTable plugin_faults_;
   std::unique_ptr<core::MainController> main_controller_;
   std::uint32_t motions_asked_ = 0, ways_asked_ = 0;
@@ -162,6 +168,8 @@ class Cosimulation {
   std::int64_t disturbed_until_ns_ = 0;         // 0: it is not
   std::vector<std::int64_t> doorbells_due_ns_;  // host→message, in order of time
   std::int64_t silent_until_ns_ = 0;            // the main controller makes no tick before
+  std::int64_t message_silent_until_ns_ = 0;    // 0: the message controller works
+  bool message_controller_restarts_ = false;    // after its silence
   std::int64_t busy_until_ns_ = 0;              // with a tick that injected faults made long
   std::int64_t losses_until_ns_ = 0;
   double loss_probability_ = 0.0;

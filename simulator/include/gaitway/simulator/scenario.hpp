@@ -21,6 +21,7 @@
 //     IMU;
 //                                                                                     # body: another link
 //     - {at_s: 12.0, fault: {kind: main_controller_silent, duration_s: 3.0}}
+//     - {at_s: 12.0, fault: {kind: message_controller_silent, duration_s: 1.0}}   # or also: restarts: true
 //     - {at_s: 15.0, fault: {kind: lose_frames, probability: 0.02, duration_s: 2.0}}
 //     - {at_s: 16.0, fault: {kind: disturb_bus, corruption: 0.01, omission: 0.001, duplicate: 0.001,
 //     duration_s: 60}}

@@ -77,6 +77,13 @@ struct PushEvent {
 struct MainControllerSilentFault {
   double duration_s = 0.0;
 };
+// The message controller hears and says nothing for a while; 0: for ever. Either it has stopped and goes on
+// afterwards, or it has died and a fresh one is started, which knows nothing of before; the main controller,
+// to which its memory is gone, starts anew a little later.
+struct MessageControllerSilentFault {
+  double duration_s = 0.0;
+  bool restarts = false;
+};
 // Frames are lost on the wire, each with this probability.
 struct LoseFramesFault {
   double probability = 0.0;
@@ -196,10 +203,11 @@ struct RemoveEvent {
 struct ScenarioEvent {
   double at_s = 0.0;
   std::variant<WalkEvent, MotionEvent, WalkToEvent, HeadEvent, CommandEvent, StopEvent, ReleaseEvent,
-               EmergencyStopEvent, ManualJointEvent, PushEvent, MainControllerSilentFault, LoseFramesFault,
-               DisturbBusFault, JamFault, BusOffFault, JointRestartsFault, ForeignFrameFault, PluginFault,
-               SensorFault, CameraFault, MissesFramesFault, BabbleFault, BatchFault, SupplySagsFault,
-               JointDiesFault, SpawnEvent, MoveEvent, RemoveEvent>
+               EmergencyStopEvent, ManualJointEvent, PushEvent, MainControllerSilentFault,
+               MessageControllerSilentFault, LoseFramesFault, DisturbBusFault, JamFault, BusOffFault,
+               JointRestartsFault, ForeignFrameFault, PluginFault, SensorFault, CameraFault,
+               MissesFramesFault, BabbleFault, BatchFault, SupplySagsFault, JointDiesFault, SpawnEvent,
+               MoveEvent, RemoveEvent>
       action;
   bool asked = false;  // a user command that comes as people's do: through the queue, at a millisecond's edge
 };
