@@ -5,8 +5,14 @@
 
 namespace gaitway::tools {
 
+// Of `up` and `down`: all parts ended, but one had to be killed for that.
+inline constexpr int kExitPartsKilled = 2;
+
 void add_robot_import(const CommandLine& robot);
 void add_robot_describe(const CommandLine& robot);
 void add_robot_check(const CommandLine& robot);
+void add_robot_up(const CommandLine& robot);
+void add_robot_down(const CommandLine& robot);
+void add_robot_status(const CommandLine& robot);
 
 }  // namespace gaitway::tools

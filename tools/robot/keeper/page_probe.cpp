@@ -1,0 +1,70 @@
+// One connection at a time, never blocking.
+#include "tools/robot/keeper/page_probe.hpp"
+
+#include <fmt/format.h>
+#include <netdb.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace gaitway::tools {
+namespace {
+
+bool is_ready(int descriptor, short events) {
+  pollfd one{descriptor, events, 0};
+  return poll(&one, 1, 0) > 0;
+}
+
+}  // namespace
+
+PageProbe::PageProbe(std::string address, int port) : address_(std::move(address)), port_(port) {
+  if (address_ == "0.0.0.0") address_ = "127.0.0.1";
+  if (address_ == "::") address_ = "::1";
+}
+
+std::uint64_t PageProbe::step(std::int64_t now_ns) {
+  if (connection_) {
+    look(now_ns);
+  } else if (now_ns >= due_ns_) {
+    ask(now_ns);
+  }
+  return answers_;
+}
+
+void PageProbe::ask(std::int64_t now_ns) {
+  begin_ns_ = now_ns;
+  due_ns_ = now_ns + kBetween_ns;
+  asked_ = false;
+  addrinfo wanted{}, *found = nullptr;
+  wanted.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV;
+  wanted.ai_socktype = SOCK_STREAM;
+  if (getaddrinfo(address_.c_str(), std::to_string(port_).c_str(), &wanted, &found) != 0) return;
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> address(found, &freeaddrinfo);
+  connection_ =
+      process::FileDescriptor(socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  static_cast<void>(connect(connection_.get(), found->ai_addr, found->ai_addrlen));
+}
+
+void PageProbe::look(std::int64_t now_ns) {
+  if (!asked_ && is_ready(connection_.get(), POLLOUT)) {
+    const std::string host = address_.find(':') == std::string::npos ? address_ : "[" + address_ + "]";
+    const std::string request =
+        fmt::format("HEAD / HTTP/1.1\r\nHost: {}:{}\r\nConnection: close\r\n\r\n", host, port_);
+    asked_ = send(connection_.get(), request.data(), request.size(), MSG_NOSIGNAL) ==
+             static_cast<ssize_t>(request.size());
+    if (!asked_) connection_ = process::FileDescriptor();  // nobody listens there
+    return;
+  }
+  if (asked_ && is_ready(connection_.get(), POLLIN)) {
+    std::array<char, 16> answer{};
+    if (recv(connection_.get(), answer.data(), answer.size(), 0) > 0) ++answers_;
+    connection_ = process::FileDescriptor();
+  } else if (now_ns - begin_ns_ >= kPatience_ns) {
+    connection_ = process::FileDescriptor();
+  }
+}
+
+}  // namespace gaitway::tools

@@ -1,0 +1,35 @@
+// Whether a user interface module still answers: asks it for the head of its page, again and again, without
+// waiting for the answer.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "gaitway/process/file_descriptor.hpp"
+
+namespace gaitway::tools {
+
+class PageProbe {
+ public:
+  static constexpr std::int64_t kBetween_ns = 1'000'000'000;
+  static constexpr std::int64_t kPatience_ns = 2'000'000'000;  // then it asks anew
+
+  // Of this computer: a numeric address that it listens on. Any ("0.0.0.0", "::") is asked on the loopback.
+  PageProbe(std::string address, int port);
+
+  // Asks, or looks for the answer, as the time has come for it. The answers so far.
+  std::uint64_t step(std::int64_t now_ns);
+
+ private:
+  void ask(std::int64_t now_ns);
+  void look(std::int64_t now_ns);
+
+  std::string address_;
+  int port_;
+  process::FileDescriptor connection_;
+  bool asked_ = false;
+  std::int64_t begin_ns_ = 0, due_ns_ = 0;
+  std::uint64_t answers_ = 0;
+};
+
+}  // namespace gaitway::tools
