@@ -37,7 +37,8 @@ struct CampaignRow {
   std::vector<PlayedTrial> trials;  // in order of their numbers
 
   [[nodiscard]] std::size_t falls() const;
-  // A row that must be survived, and is; a row of falls in each of which the robot knew, or was soft.
+  // Falls in none of its trials, if it must be survived; where it may fall, the robot knew before the impact,
+  // or was soft. A row of which nothing is promised holds.
   [[nodiscard]] bool holds() const;
 };
 

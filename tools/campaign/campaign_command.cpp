@@ -93,6 +93,7 @@ int list_rows(const std::vector<FaultRow>& table) {
   for (const FaultRow& row : table) {
     const char* const expected = row.expected == FaultExpectation::survives  ? "survives"
                                  : row.expected == FaultExpectation::physics ? "may fall"
+                                 : row.expected == FaultExpectation::not_yet ? "not yet"
                                                                              : "no promise";
     fmt::print("  {:<28}{:<12}{}\n", row.name, expected, row.what);
   }

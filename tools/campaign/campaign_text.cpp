@@ -51,6 +51,8 @@ std::string shown_expectation(const CampaignRow& row) {
       return row.holds() ? "survives" : "**ought to survive**";
     case FaultExpectation::physics:
       return fmt::format("may fall: {}{}", row.row.why, row.holds() ? "" : " **and did not know**");
+    case FaultExpectation::not_yet:
+      return fmt::format("not yet: {}", row.row.why);
     case FaultExpectation::reported:
       break;
   }
@@ -67,6 +69,20 @@ std::string table_line(const CampaignRow& row) {
   return line + fmt::format(" {} | {} | {} | {} | {} | {} |\n", shown_times(summary.stands),
                             shown_times(summary.walks), shown_times(summary.lead), shown_stop(row, summary),
                             shown_losses(summary), shown_expectation(row));
+}
+
+// Of the rows that physics allows to survive.
+std::string verdict(const Campaign& campaign) {
+  std::size_t allowed = 0, survived = 0;
+  for (const CampaignRow& row : campaign.rows) {
+    if (row.row.expected == FaultExpectation::physics || row.row.expected == FaultExpectation::reported)
+      continue;
+    ++allowed;
+    survived += row.falls() == 0 ? 1U : 0U;
+  }
+  if (allowed == 0) return "";
+  return fmt::format("No fall in {} of the {} rows that physics allows to survive ({:.0f} %).\n", survived,
+                     allowed, 100.0 * static_cast<double>(survived) / static_cast<double>(allowed));
 }
 
 Json times_json(const TimeSummary& times) {
@@ -108,7 +124,7 @@ std::string campaign_markdown(const CampaignHead& head, const Campaign& campaign
       head.robot, head.configuration, head.options.speed_m_per_s, head.options.robots,
       head.quick ? "; quick" : "");
   for (const CampaignRow& row : campaign.rows) text += table_line(row);
-  return text;
+  return text + "\n" + verdict(campaign);
 }
 
 std::string campaign_csv(const Campaign& campaign) {

@@ -86,7 +86,14 @@ class FaultTable {
   void add_pairs();
   void add_dead_joints(const char* name, const char* what, const char* part, FaultExpectation expected,
                        const char* why);
-  void add_sensor(const std::string& name, const std::string& what, const Names& sensors);
+  // `not_yet`: which of the ways it does not survive so far, and why; the others it does.
+  struct Weakness {
+    std::string_view way;
+    const char* why;
+    FaultExpectation expected = FaultExpectation::not_yet;
+  };
+  void add_sensor(const std::string& name, const std::string& what, const Names& sensors,
+                  const std::vector<Weakness>& weaknesses = {});
 
   std::vector<FaultRow> rows_;
   Names joints_, legs_, others_;
@@ -163,6 +170,14 @@ void FaultTable::add_controllers() {
   add("main_controller_overrun", "... misses its ticks for 10 to 100 ms", [](RandomStream& random) {
     return fmt::format("main_controller_silent, duration_s: {}", number(between(random, 0.01, 0.1)));
   });
+  add_plain("message_controller_dead", "the message controller dies for good", "message_controller_silent");
+  add_plain("message_controller_silent_5s", "... is stopped for 5 s, and goes on where it was",
+            "message_controller_silent, duration_s: 5");
+  add_plain("message_controller_restarts", "... dies, and starts again after 0.5 s",
+            "message_controller_silent, duration_s: 0.5, restarts: true");
+  add("message_controller_returns", "... is stopped for 0.02 to 0.5 s", [](RandomStream& random) {
+    return fmt::format("message_controller_silent, duration_s: {}", number(between(random, 0.02, 0.5)));
+  });
 }
 
 void FaultTable::add_plugins() {
@@ -222,7 +237,8 @@ void FaultTable::add_joints() {
   add_dead_joints("dead_elbow", "an elbow dies", "elbow", FaultExpectation::survives, "");
 }
 
-void FaultTable::add_sensor(const std::string& name, const std::string& what, const Names& sensors) {
+void FaultTable::add_sensor(const std::string& name, const std::string& what, const Names& sensors,
+                            const std::vector<Weakness>& weaknesses) {
   if (sensors.empty()) return;
   constexpr std::array<std::array<const char*, 3>, 5> kWays{{{"zero", "reads_zero", "reads zero"},
                                                              {"stuck", "freezes", "is stuck"},
@@ -237,16 +253,27 @@ void FaultTable::add_sensor(const std::string& name, const std::string& what, co
       });
     }
     if (these.empty()) continue;
-    add((name + "_" + suffix).c_str(), what + " " + words + ", for ever", [these, how](RandomStream& random) {
-      return fmt::format("sensor_fails, sensor: {}, how: {}", one_of(random, these), how);
-    });
+    const auto weak = std::ranges::find(weaknesses, std::string_view(suffix), &Weakness::way);
+    const bool survives = weak == weaknesses.end();
+    add((name + "_" + suffix).c_str(), what + " " + words + ", for ever",
+        [these, how](RandomStream& random) {
+          return fmt::format("sensor_fails, sensor: {}, how: {}", one_of(random, these), how);
+        },
+        survives ? FaultExpectation::survives : weak->expected, survives ? "" : weak->why);
   }
 }
 
 void FaultTable::add_sensors() {
-  add_sensor("imu", "the IMU", {"imu"});
-  add_sensor("foot", "a foot's force sensor", {"left_foot", "right_foot"});
-  add_sensor("leg_encoder", "the encoder of a leg's joint", legs_);
+  constexpr auto kPhysics = FaultExpectation::physics;
+  add_sensor("imu", "the IMU", {"imu"},
+             {{"stuck", "nobody finds out that it always tells the same"},
+              {"exchanged", "nobody compares it with the soles; the trims tip the robot over"}});
+  add_sensor("foot", "a foot's force sensor", {"left_foot", "right_foot"},
+             {{"stuck", "a load that is none is believed"},
+              {"exchanged", "the load is taken for the other foot's"}});
+  const char* const turns = "its servo turns a joint that bears the robot by what the encoder says";
+  add_sensor("leg_encoder", "the encoder of a leg's joint", legs_,
+             {{"zero", turns, kPhysics}, {"stuck", turns, kPhysics}, {"exchanged", turns, kPhysics}});
   add_sensor("arm_encoder", "the encoder of a joint that is in no leg", others_);
 }
 

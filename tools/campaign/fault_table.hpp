@@ -20,6 +20,7 @@ struct FaultAction {
 enum class FaultExpectation {
   survives,  // no fall at any instant
   physics,   // a robot on two legs may fall; then it knows so before the impact, and does what it can
+  not_yet,   // a better controller would survive it, and this one does not at every instant
   reported   // nothing is promised: the figures alone
 };
 
@@ -27,7 +28,7 @@ struct FaultRow {
   std::string name;
   std::string what;  // for people
   FaultExpectation expected = FaultExpectation::survives;
-  std::string why;  // where it may fall: what does not allow it
+  std::string why;  // where it falls
   // One of its faults; it depends on the stream alone.
   std::function<std::vector<FaultAction>(facts::RandomStream& random)> draw;
 };
