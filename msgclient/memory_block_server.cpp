@@ -79,9 +79,14 @@ Reply reply_to(TopicRegistry& registry, Asker& asker, const protocol::Request& r
   reply.answer.capacity = grant.descriptor.capacity;
   reply.answer.slots = grant.geometry.slots;
   reply.answer.generation = grant.generation;
-  reply.give(*grant.storage, writer ? Access::read_write : Access::read_only);
-  if (grant.cursor) {
-    reply.give(*grant.cursor, writer ? Access::read_only : Access::read_write);
+  try {
+    reply.give(*grant.storage, writer ? Access::read_write : Access::read_only);
+    if (grant.cursor) {
+      reply.give(*grant.cursor, writer ? Access::read_only : Access::read_write);
+    }
+  } catch (...) {
+    registry.release(asker.id, grant.descriptor.name, request.role);  // who gets nothing holds nothing
+    throw;
   }
   return reply;
 }

@@ -230,6 +230,24 @@ TEST_F(ClaimsOfOthers, AreVoidWhenTheirHolderWasKilled) {
   EXPECT_EQ(answer_after<TrimCommand>("trim", [&] { killed.end(); }), "no error");
 }
 
+TEST_F(ClaimsOfOthers, AreNotMadeWithAnAnswerThatCannotBeGiven) {
+  Client owner = block.local_client("owner");
+  const QueueReader<UserCommand> reader = owner.read_queue<UserCommand>("user_command");
+  const auto ask = [this] {
+    return served(*memory, [this] {
+      return error_of([this] { (void)first->write_queue<UserCommand>("user_command"); });
+    });
+  };
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit none{0, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  const std::string refusal = ask();
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_THAT(refusal, HasSubstr("for reading"));
+  EXPECT_EQ(ask(), "no error");
+}
+
 TEST_F(Processes, AClientThatTalksNonsenseIsDroppedAlone) {
   start_server();
   Client good = Client::connect(socket, "good");
