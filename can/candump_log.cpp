@@ -85,7 +85,8 @@ void parse_data(std::string_view data, Frame& frame) {
 }  // namespace
 
 CandumpWriter::CandumpWriter(const std::filesystem::path& file, CandumpOptions options) : path_(file) {
-  auto log = std::make_unique<process::LogFile>(file, process::LogOptions{.most_bytes = options.most_bytes});
+  auto log = std::make_unique<process::LogFile>(
+      file, process::LogOptions{.start = options.start, .most_bytes = options.most_bytes});
   if (options.in_real_time) {
     background_ = std::make_unique<process::BackgroundLog>(
         std::move(*log), process::BackgroundLogOptions{.tell = std::move(options.tell)});

@@ -164,13 +164,14 @@ std::string json_line(const Event& event) {
 EventLines::EventLines(const std::string& program, const std::filesystem::path& file, bool on_terminal)
     : program_(program) {
   if (on_terminal) {
-    terminal_.emplace(process::LogFile(STDERR_FILENO, "stderr"),
-                      process::BackgroundLogOptions{.gap_line = [program](std::uint64_t lost, const auto&) {
-                        return fmt::format("{}: {} events are left out\n", program, lost);
-                      }});
+    terminal_ = std::make_unique<process::BackgroundLog>(
+        process::LogFile(STDERR_FILENO, "stderr"),
+        process::BackgroundLogOptions{.gap_line = [program](std::uint64_t lost, const auto&) {
+          return fmt::format("{}: {} events are left out\n", program, lost);
+        }});
   }
   if (!file.empty()) {
-    file_.emplace(
+    file_ = std::make_unique<process::BackgroundLog>(
         process::LogFile(file, {.start = process::LogOptions::Start::go_on, .most_bytes = kEventsFile_bytes}),
         process::BackgroundLogOptions{
             .gap_line =

@@ -33,14 +33,13 @@ constexpr int kPriority = 60;
 // Without a sign of life of the message controller for so long, the process ends; that its process has ended
 // is known at once. Whoever supervises this one starts it again when there is a message controller.
 constexpr std::int64_t kSilence_ns = 1'000'000'000;
-// Between two looks for events to print: printing costs time, so never in each tick.
-constexpr std::uint64_t kTicksBetweenPrints = 100;
 
 struct Options {
   std::filesystem::path robot;
   std::filesystem::path socket;
   core::MainControllerOptions controller;
   double seconds = 0.0;
+  std::filesystem::path events;  // file for them; or empty
   bool quiet = false;
   bool supervised = false;
   int step_watch = -1;  // descriptor that the supervisor hands on; -1: nobody supervises
@@ -94,14 +93,13 @@ class Presence {
 
 // Absolute deadlines: lateness of one tick does not move the next.
 LoopResult run_ticks(core::MainController& controller, core::PluginRequests& requests,
-                     const msgclient::Client& client, const Options& options) {
+                     const msgclient::Client& client, core::EventLines& events, const Options& options) {
   LoopResult result;
-  core::EventPrinter printer("main_controller");
   const std::int64_t begin_ns = process::monotonic_ns();
   std::int64_t deadline_ns = core::next_tick_ns(begin_ns);
   Presence message_controller(client, options.socket.string());
   const std::int64_t end_ns = begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
-  for (std::uint64_t tick = 0; !process::stop_requested(); ++tick) {
+  while (!process::stop_requested()) {
     std::int64_t now_ns = process::monotonic_ns();
     bool is_there = true;
     for (; is_there && now_ns < deadline_ns && !process::stop_requested(); now_ns = process::monotonic_ns()) {
@@ -121,19 +119,16 @@ LoopResult run_ticks(core::MainController& controller, core::PluginRequests& req
     }
     controller.maintain(now_ns);
     requests.step(now_ns);
-    if (tick % kTicksBetweenPrints == 0 && !options.quiet) {
-      printer.print(controller.events());
-    }
+    events.step(controller.events());
     const std::int64_t next_ns = core::next_tick_ns(std::max(process::monotonic_ns(), deadline_ns));
     result.missed_ticks += static_cast<std::uint64_t>((next_ns - deadline_ns) / facts::kSlot_ns - 1);
     deadline_ns = next_ns;
   }
-  while (printer.print(controller.events())) {
-  }
   return result;
 }
 
-void print_summary(const core::MainController& controller, const LoopResult& loop) {
+void print_summary(const core::MainController& controller, const LoopResult& loop,
+                   const process::LogCount& events, const Options& options) {
   const core::MainControllerStatistics s = controller.statistics();
   fmt::print("  ticks             {}, {} missed, late by p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n",
              s.ticks, loop.missed_ticks, loop.lateness.summary().p50, loop.lateness.summary().p99,
@@ -149,6 +144,21 @@ void print_summary(const core::MainController& controller, const LoopResult& loo
     fmt::print("  {:<17} {}, {} steps, {} faults, {} overruns, p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us\n",
                plugin.name, core::service_state_name(plugin.state), plugin.steps, plugin.faults,
                plugin.overruns, plugin.step_us.p50, plugin.step_us.p99, plugin.step_us.max);
+  }
+  if (!options.events.empty()) {
+    fmt::print("  events            {} lines in {}, {} lost\n", events.lines, options.events.string(),
+               events.lost);
+  }
+}
+
+// A robot that has to come back does so without the file of its events, if need be.
+core::EventLines event_lines(const Options& options) {
+  try {
+    return {"main_controller", options.events, !options.quiet};
+  } catch (const std::runtime_error& error) {
+    if (options.step_watch < 0) throw;
+    fmt::print(stderr, "main_controller: {}\n", error.what());
+    return {"main_controller", {}, !options.quiet};
   }
 }
 
@@ -179,17 +189,19 @@ void refuse_second(const msgclient::Client& client, const Options& options) {
 
 // From the first tick to the last.
 int control(const urdf::RobotModel& robot, msgclient::Client& client, const Options& options) {
+  core::EventLines events = event_lines(options);
   msgclient::EmiHost host(client);
   core::MainController controller(robot, client, host, options.controller);
   core::PluginRequests requests(client, controller.plugins());
   const core::PluginWorkshop workshop(requests);
   process::ask_for_real_time("main_controller", kPriority);
-  const LoopResult result = run_ticks(controller, requests, client, options);
+  const LoopResult result = run_ticks(controller, requests, client, events, options);
   if (options.controller.step_watch != nullptr) {
     options.controller.step_watch->end();
   }
+  const process::LogCount lines = events.end(controller.events());
   if (!options.quiet) {
-    print_summary(controller, result);
+    print_summary(controller, result, lines, options);
   }
   return result.exit_code;
 }
@@ -246,7 +258,11 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
-  app.add_flag("--quiet", options.quiet, "No events and no summary");
+  app.add_option(
+      "--events", options.events,
+      "File for events, a line of JSON each, after those that it holds; 16 MiB at most, those before in "
+      "FILE.1");
+  app.add_flag("--quiet", options.quiet, "No events on the terminal, and no summary");
   app.add_option("--without", options.controller.stopped,
                  "Plug-ins of the configuration that are not loaded; built-in fallbacks write their topics")
       ->allow_extra_args(false);
@@ -261,6 +277,7 @@ int main(int argc, char** argv) {
       "  main_controller --socket /run/gaitway.sock --robot urdf/humanoid22 --config core/config/walk.yaml\n"
       "  GAITWAY_PLUGIN_PATH=~/sway/build main_controller --socket s.sock --robot r --config sway.yaml "
       "--seconds 60\n"
+      "  main_controller --socket s.sock --robot r --config c.yaml --supervised --events events.jsonl\n"
       "Ends on SIGINT and SIGTERM; the message controller then plays the safe tail to its end and the robot "
       "stands.\n"
       "Exit code: 0 ended as told, 1 the input was bad, or another main controller runs, and nothing moved, "

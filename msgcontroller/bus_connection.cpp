@@ -88,7 +88,12 @@ BusConnection::BusConnection(const BusChoice& choice) {
   can::SocketCanOptions options;
   options.transmit_buffers = 1;  // the message controller's own queue knows priorities and deadlines
   if (!choice.sent_log.empty()) {
-    options.sent_log = &sent_log_.emplace(choice.sent_log);
+    constexpr std::uint64_t kSentLog_bytes = std::uint64_t{256} << 20;  // some 50 minutes
+    options.sent_log = &sent_log_.emplace(
+        choice.sent_log, can::CandumpOptions{.in_real_time = true,
+                                             .start = process::LogOptions::Start::go_on,
+                                             .most_bytes = kSentLog_bytes,
+                                             .tell = process::tell_on_stderr("message_controller")});
   }
   interface_.emplace(choice.interface, options);
 }
@@ -149,8 +154,12 @@ void BusConnection::close() {
     can::finish_sending(*interface_);
   }
   if (sent_log_) {
-    sent_log_->close();
+    sent_log_->finish();
   }
+}
+
+std::optional<process::LogCount> BusConnection::sent_log() const noexcept {
+  return sent_log_ ? std::optional(sent_log_->count()) : std::nullopt;
 }
 
 }  // namespace gaitway::msgcontroller

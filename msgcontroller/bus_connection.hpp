@@ -17,7 +17,8 @@ namespace gaitway::msgcontroller {
 struct BusChoice {
   std::filesystem::path socket;    // of the simulated bus; or
   std::string interface;           // a CAN interface
-  std::filesystem::path sent_log;  // with an interface: file for what was sent, in candump's format; or empty
+  std::filesystem::path sent_log;  // with an interface: file for what was sent, in candump's format, after
+                                   // what it holds; or empty
 };
 
 // What is printed while a bus comes and goes: a line a second at most, and how many were kept back.
@@ -45,9 +46,10 @@ class BusConnection {
   }
   // Prints what has changed with the bus, if anything has.
   void report(std::int64_t now_ns);
-  // Waits a moment for what is on its way, and closes the log; throws std::runtime_error when it was not
-  // written whole.
+  // Waits a moment for what is on its way, and ends the log.
   void close();
+  // Frames in the log of what was sent, and those that a full or slow disk had no room for; none: no log.
+  [[nodiscard]] std::optional<process::LogCount> sent_log() const noexcept;
   [[nodiscard]] const can::SocketCanPort* interface() const noexcept {
     return interface_ ? &*interface_ : nullptr;
   }

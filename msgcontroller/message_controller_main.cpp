@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include "bus_connection.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -22,7 +23,7 @@
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/duration_histogram.hpp"
 #include "gaitway/process/real_time.hpp"
-#include "gaitway/process/text_file.hpp"
+#include "gaitway/process/summary_file.hpp"
 
 namespace {
 
@@ -30,6 +31,7 @@ using namespace gaitway;
 
 constexpr int kExitFine = 0;
 constexpr int kPriority = 70;
+constexpr std::int64_t kBetweenSummaries_ns = facts::kSecond_ns;
 constexpr std::int64_t kBetweenTries_ns = 50 * facts::kMillisecond_ns;
 
 struct Options {
@@ -92,9 +94,42 @@ struct LoopResult {
   process::DurationHistogram lateness;
 };
 
+// What the summary is made of, copied while the loop runs.
+struct Figures {
+  NetworkState state{};
+  NetworkHealth health{};
+  LoopResult loop;
+  std::uint64_t bus_outages = 0;
+  std::int64_t bus_away_ns = 0;
+  bool has_interface = false;
+  can::BusState bus_state{};
+  can::SocketCanStatistics interface {};
+  bool has_sent_log = false;
+  process::LogCount sent_log{};
+};
+using Summary = process::SummaryFile<Figures>;
+
+Figures figures_of(const msgcontroller::MessageController& controller,
+                   const msgcontroller::BusConnection& bus, const LoopResult& loop) {
+  Figures figures{.state = controller.state(), .health = controller.health(), .loop = loop};
+  figures.bus_outages = bus.outages();
+  figures.bus_away_ns = bus.away_ns();
+  if (bus.interface() != nullptr) {
+    figures.has_interface = true;
+    figures.bus_state = bus.interface()->state();
+    figures.interface = bus.interface()->statistics();
+  }
+  if (const auto log = bus.sent_log()) {
+    figures.has_sent_log = true;
+    figures.sent_log = *log;
+  }
+  return figures;
+}
+
 LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
                     msgclient::MemoryBlockServer& server, msgcontroller::MessageController& controller,
-                    msgcontroller::BusConnection& bus, msgcontroller::CommandArbiter& arbiter) {
+                    msgcontroller::BusConnection& bus, msgcontroller::CommandArbiter& arbiter,
+                    std::optional<Summary>& summary) {
   LoopResult result;
   result.begin_ns = process::monotonic_ns();
   const std::int64_t stop_ns = result.begin_ns + static_cast<std::int64_t>(options.seconds * 1e9);
@@ -104,7 +139,13 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
   }
   msgcontroller::BusTimeline timeline(controller, bus.port(), result.begin_ns);
   std::array<pollfd, 2> wakes{pollfd{-1, POLLIN, 0}, pollfd{server.wake_fd(), POLLIN, 0}};
-  std::int64_t now_ns = result.begin_ns;
+  std::int64_t now_ns = result.begin_ns, next_summary_ns = now_ns;
+  const auto count = [&] {
+    result.end_ns = now_ns;
+    result.missed = timeline.missed();
+    result.stale = timeline.stale();
+    result.absences = timeline.absences();
+  };
   while (!process::stop_requested() && (options.seconds <= 0.0 || now_ns < stop_ns)) {
     const bool waits = timeline.waits();
     wakes[0].fd = bus.wake_fd();
@@ -123,26 +164,29 @@ LoopResult run_loop(const Options& options, msgclient::MemoryBlock& block,
     if (wakes[1].revents != 0 || now_ns >= server.due_ns()) {
       server.step(now_ns);
     }
+    if (summary && now_ns >= next_summary_ns) {
+      next_summary_ns = now_ns + kBetweenSummaries_ns;
+      count();
+      summary->offer(figures_of(controller, bus, result));
+    }
   }
-  result.end_ns = process::monotonic_ns();
-  result.missed = timeline.missed();
-  result.stale = timeline.stale();
-  result.absences = timeline.absences();
+  count();
   return result;
 }
 
-nlohmann::ordered_json summary_of(const can::SocketCanPort& port) {
-  nlohmann::ordered_json summary = {{"interface", port.interface()}, {"state", can::name_of(port.state())}};
-  for (const auto& [name, count] : can::counters(port.statistics())) {
+nlohmann::ordered_json interface_summary(const Figures& figures, const std::string& interface) {
+  nlohmann::ordered_json summary = {{"interface", interface}, {"state", can::name_of(figures.bus_state)}};
+  for (const auto& [name, count] : can::counters(figures.interface)) {
     summary[std::string(name)] = count;
   }
   return summary;
 }
 
-void write_summary(const Options& options, const NetworkState& state, const NetworkHealth& health,
-                   const LoopResult& loop, const msgcontroller::BusConnection& bus) {
+std::string summary_text(const Figures& figures, const std::string& interface, bool ended) {
+  const auto& [state, health, loop] = std::tie(figures.state, figures.health, figures.loop);
   const process::DurationSummary late = loop.lateness.summary();
   nlohmann::ordered_json summary = {
+      {"ended", ended},
       {"seconds", static_cast<double>(loop.end_ns - loop.begin_ns) * 1e-9},
       {"handed_over", state.handed_over},
       {"late", state.late},
@@ -153,8 +197,8 @@ void write_summary(const Options& options, const NetworkState& state, const Netw
       {"missed_milliseconds", loop.missed},
       {"stale_frames", loop.stale},
       {"absences", loop.absences},
-      {"bus_outages", bus.outages()},
-      {"bus_away_s", static_cast<double>(bus.away_ns()) * 1e-9},
+      {"bus_outages", figures.bus_outages},
+      {"bus_away_s", static_cast<double>(figures.bus_away_ns) * 1e-9},
       {"network",
        {{"unknown_identifiers", health.unknown_identifiers},
         {"wrong_lengths", health.wrong_lengths},
@@ -168,13 +212,23 @@ void write_summary(const Options& options, const NetworkState& state, const Netw
         {"trajectories_lost", health.trajectories_lost},
         {"counts_differed", health.counts_differed}}},
       {"wake_up_latency_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
-  if (bus.interface() != nullptr) {
-    summary["can"] = summary_of(*bus.interface());
+  if (figures.has_interface) {
+    summary["can"] = interface_summary(figures, interface);
   }
-  if (options.summary.empty()) {
-    fmt::print("{}\n", summary.dump(2));
-  } else {
-    process::write_text_file(options.summary, summary.dump(2) + "\n");
+  if (figures.has_sent_log) {
+    summary["sent_log"] = {{"lines", figures.sent_log.lines}, {"lost", figures.sent_log.lost}};
+  }
+  return summary.dump(2) + "\n";
+}
+
+// A summary that finds no room in its file is at least seen.
+void write_summary(std::optional<Summary>& file, const std::string& text) {
+  const std::string error = file ? file->end(text) : std::string();
+  if (!error.empty()) {
+    fmt::print(stderr, "message_controller: {}\n", error);
+  }
+  if (!file || !error.empty()) {
+    fmt::print("{}", text);
   }
 }
 
@@ -206,10 +260,19 @@ int run(const Options& options) {
   }
   block.beat(process::monotonic_ns());
   msgclient::MemoryBlockServer server(block, options.memory);
+  std::optional<Summary> summary;
+  if (!options.summary.empty()) {
+    summary.emplace(
+        options.summary,
+        [interface = options.bus.interface](const Figures& figures) {
+          return summary_text(figures, interface, false);
+        },
+        process::tell_on_stderr("message_controller"));
+  }
   process::ask_for_real_time("message_controller", kPriority);
-  const LoopResult result = run_loop(options, block, server, controller, *bus, arbiter);
+  const LoopResult result = run_loop(options, block, server, controller, *bus, arbiter, summary);
   bus->close();
-  write_summary(options, controller.state(), controller.health(), result, *bus);
+  write_summary(summary, summary_text(figures_of(controller, *bus, result), options.bus.interface, true));
   return kExitFine;
 }
 
@@ -230,8 +293,10 @@ int main(int argc, char** argv) {
   bus->add_option("--bus", options.bus.socket, "Socket of the simulated bus, as served by virtual_robot");
   bus->add_option("--can", options.bus.interface, "CAN interface, which must be up, for example can0");
   bus->require_option(1);
-  app.add_option("--sent-log", options.bus.sent_log,
-                 "With --can: file for what was sent, in candump's format, in the order of the bus");
+  app.add_option(
+      "--sent-log", options.bus.sent_log,
+      "With --can: file for what was sent, in candump's format, in the order of the bus; goes on after "
+      "what it holds, 256 MiB at most, those before in FILE.1");
   app.add_option("--memory", options.memory, "Socket to give out the memory block on")->required();
   app.add_option("--walk", options.walk,
                  "Order a walk VX,VY,WZ, as a person does: forward m/s, left m/s, turn rad/s")
@@ -249,7 +314,9 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
-  app.add_option("--summary", options.summary, "File for the summary (JSON) instead of the terminal");
+  app.add_option("--summary", options.summary,
+                 "File for the summary (JSON) instead of the terminal; written anew every second, so a kill "
+                 "leaves one that has \"ended\": false");
   app.footer(
       "Examples:\n"
       "  message_controller --robot urdf/humanoid22 --bus /tmp/bus.sock --memory /tmp/memory.sock\n"

@@ -75,7 +75,7 @@ class MainControllerProcess : public testing::Test {
     posix_spawn_file_actions_init(&actions);
     const std::string output = (folder / "output.txt").string();
     posix_spawn_file_actions_addopen(&actions, 1, output.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
-    posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    posix_spawn_file_actions_adddup2(&actions, terminal >= 0 ? terminal : 1, 2);
     ASSERT_EQ(posix_spawn(&process, GAITWAY_MAIN_CONTROLLER, &actions, nullptr, argv.data(), environ), 0);
     posix_spawn_file_actions_destroy(&actions);
   }
@@ -158,6 +158,7 @@ class MainControllerProcess : public testing::Test {
   int batches = 0;
   std::int64_t lead_ns = 0;
   bool beating = true;
+  int terminal = -1;  // what the process gets as stderr; negative: its output
 };
 
 TEST_F(MainControllerProcess, HandsOverInRealTimeAndStopsWhenTold) {
@@ -177,6 +178,55 @@ TEST_F(MainControllerProcess, EndsWhenTheMessageControllerFallsSilent) {
   beating = false;
   EXPECT_EQ(serve(5.0), 3) << output();
   EXPECT_THAT(output(), testing::HasSubstr("no sign of life of the message controller"));
+}
+
+TEST_F(MainControllerProcess, ItsEventsSurviveItAndGoOn) {
+  const std::string events = (folder / "events.jsonl").string();
+  const auto lines_with = [&events](const std::string& text) {
+    std::ifstream in(events);
+    int lines = 0;
+    for (std::string line; std::getline(in, line);) lines += line.find(text) != std::string::npos ? 1 : 0;
+    return lines;
+  };
+  configure(
+      "  - {name: planner, library: joint_planner.so}\n"
+      "  - {name: teller, library: counter.so, parameters: {reports: true}}\n");
+  std::vector<std::string> arguments = normal_arguments();
+  arguments.insert(arguments.end(), {"--quiet", "--events", events});
+  for (int life = 1; life <= 2; ++life) {
+    launch(arguments);
+    ASSERT_EQ(
+        serve(20.0, [&] { return lines_with("begins as process") == life && lines_with("teller") >= life; }),
+        -1)
+        << output();
+    kill(process, SIGKILL);
+    EXPECT_EQ(serve(5.0), 1000 + SIGKILL);
+    renew_block();
+  }
+  EXPECT_EQ(lines_with("begins as process"), 2);
+}
+
+// A terminal that was halted, or whose reader hangs, is no reason to lose a batch.
+TEST_F(MainControllerProcess, ATerminalThatTakesNothingHoldsNoTick) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  const std::string of_the_pipe = "/proc/self/fd/" + std::to_string(ends[1]);
+  const int filler = open(of_the_pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(filler, 0);
+  configure(
+      "  - {name: planner, library: joint_planner.so}\n"
+      "  - {name: teller, library: counter.so, parameters: {reports: true}}\n");
+  terminal = ends[1];
+  launch_normally();
+  ASSERT_EQ(serve(20.0, [this] { return batches >= 1; }), -1) << output();
+  const std::string line(64, 'x');
+  while (write(filler, line.data(), line.size()) > 0) {
+  }
+  EXPECT_EQ(serve(20.0, [this] { return batches >= 21; }), -1);
+  EXPECT_GE(batches, 21) << "1.6 s and 160 events later";
+  kill(process, SIGTERM);
+  EXPECT_EQ(serve(10.0), 0);
+  for (const int end : {ends[0], ends[1], filler}) close(end);
 }
 
 // Whoever sends SIGKILL does so at any instant: that a plug-in is being stepped then is no fault of its, and

@@ -25,6 +25,7 @@ struct CandumpOptions {
   // Who writes waits for no disk: a thread takes each line there by itself (process/background_log.hpp).
   // Otherwise lines go there in blocks, by whoever writes them.
   bool in_real_time = false;
+  process::LogOptions::Start start = process::LogOptions::Start::anew;
   std::uint64_t most_bytes = 0;  // of a file; see process::LogOptions
   // Hears, for people, that lines are being lost, and when that is over; in real time only.
   std::function<void(const std::string& news)> tell{};

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -95,7 +95,7 @@ class EventLines {
 
  private:
   std::string program_;
-  std::optional<process::BackgroundLog> terminal_, file_;
+  std::unique_ptr<process::BackgroundLog> terminal_, file_;
   std::uint64_t next_ = 0, missed_ = 0;
 };
 
