@@ -41,8 +41,8 @@ class Processes:
                                   self.folder / "memory")
 
     def ctl(self, *arguments):
-        return subprocess.run([os.environ["GAITWAY_COMMAND"], "ctl", "--port", str(self.port), *arguments], capture_output=True,
-                              text=True, timeout=60)
+        address = [] if "--port" in arguments else ["--port", str(self.port)]
+        return subprocess.run([os.environ["GAITWAY_COMMAND"], "ctl", *address, *arguments], capture_output=True, text=True, timeout=60)
 
     def start(self, name, program, *arguments):
         with open(self.folder / f"{name}.txt", "wb") as output:
@@ -56,6 +56,9 @@ class Processes:
 
     def times_linked(self):
         return len(re.findall(r"linked to the main controller", self.output("module")))
+
+    def times_lost(self):
+        return len(re.findall(r"link to the main controller is lost", self.output("module")))
 
     def kill_main_controller(self):
         """Not its supervisor, which starts it again."""
@@ -77,19 +80,20 @@ class Processes:
 
 
 class MainControllerRestart(unittest.TestCase):
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):  # one robot for all: roslibpy's reactor runs once in a process
         folder = tempfile.TemporaryDirectory(prefix="gaitway_restart_")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.processes = Processes(folder.name)
-        self.addCleanup(self.processes.stop)
-        self.ros = roslibpy.Ros("127.0.0.1", self.processes.port)
-        self.ros.run(timeout=20)
-        self.addCleanup(self.ros.terminate)
-        self.seen = []
-        odometry = roslibpy.Topic(self.ros, "/odom", "nav_msgs/Odometry", throttle_rate=20)
-        odometry.subscribe(self.seen.append)
-        until(lambda: self.seen, "odometry")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.processes = Processes(folder.name)
+        cls.addClassCleanup(cls.processes.stop)
+        cls.ros = roslibpy.Ros("127.0.0.1", cls.processes.port)
+        cls.ros.run(timeout=20)
+        cls.addClassCleanup(cls.ros.terminate)
+        cls.seen = []
+        odometry = roslibpy.Topic(cls.ros, "/odom", "nav_msgs/Odometry", throttle_rate=20)
+        odometry.subscribe(cls.seen.append)
+        until(lambda: cls.seen, "odometry")
 
     def walk(self):
         velocity = roslibpy.Topic(self.ros, "/cmd_vel", "geometry_msgs/Twist")
@@ -100,30 +104,33 @@ class MainControllerRestart(unittest.TestCase):
             time.sleep(0.05)  # as a client does: ten times a second and more
         self.assertGreater(self.seen[-1]["pose"]["pose"]["position"]["x"], 0.05, "it walked")
 
-    def assert_it_goes_on(self):
-        until(lambda: self.processes.times_linked() == 2, lambda: "the link again:\n" + self.processes.output("module"), 30.0)
+    def assert_it_goes_on(self, linked_before):
+        until(lambda: self.processes.times_linked() == linked_before + 1, lambda: "the link again:\n" + self.processes.output("module") + self.processes.output("main"), 30.0)
         count = len(self.seen)
         until(lambda: self.ros.is_connected and len(self.seen) > count + 20, "odometry of the new main controller", 30.0)
 
     def test_clients_go_on(self):
         self.walk()
+        linked = self.processes.times_linked()
         self.processes.kill_main_controller()
-        self.assert_it_goes_on()
+        self.assert_it_goes_on(linked)
         self.assertGreater(self.seen[-1]["pose"]["pose"]["position"]["z"], 0.25, "it stands")
 
     def test_they_go_on_without_the_message_controller_too(self):
         recording = self.processes.ctl("recording", "start", "outage")
         self.assertEqual(recording.returncode, 0, recording.stderr)
+        linked = self.processes.times_linked()
         self.processes.message.kill()
         self.processes.message.wait()
-        until(lambda: "link to the main controller is lost" in self.processes.output("module"), "the loss", 10.0)
+        until(lambda: self.processes.times_lost() == linked, "the loss", 10.0)
         stand = subprocess.Popen([os.environ["GAITWAY_COMMAND"], "ctl", "--port", str(self.processes.port), "--wait", "20", "stand"],
                                  stderr=subprocess.PIPE, text=True)
         self.assertIn("the robot is not there. It is waited for, 20 s at most", stand.stderr.readline())
         self.processes.start_message_controller()
-        self.assertEqual(stand.wait(30), 0, stand.stderr.read())
+        said = stand.stderr.read()
         stand.stderr.close()
-        self.assert_it_goes_on()
+        self.assertEqual(stand.wait(30), 0, said)
+        self.assert_it_goes_on(linked)
         back_s = time.monotonic()
         time.sleep(1.0)  # of the recording
         self.assertEqual(self.processes.ctl("recording", "stop").returncode, 0)
@@ -134,13 +141,13 @@ class MainControllerRestart(unittest.TestCase):
         self.assertGreater(newest_s, back_s)
 
     def test_nobody_is_waited_for_longer_than_said(self):
-        self.processes.stop()
+        nobody = str(free_port())
         begin = time.monotonic()
-        stand = self.processes.ctl("--wait", "1", "stand")
+        stand = self.processes.ctl("--port", nobody, "--wait", "1", "stand")
         self.assertEqual(stand.returncode, 1)
         self.assertIn("It is waited for, 1 s at most", stand.stderr)
         self.assertGreater(time.monotonic() - begin, 1.0)
-        at_once = self.processes.ctl("--wait", "0", "stand")
+        at_once = self.processes.ctl("--port", nobody, "--wait", "0", "stand")
         self.assertEqual(at_once.returncode, 1)
         self.assertNotIn("waited for", at_once.stderr)
 

@@ -61,10 +61,15 @@ bool ReturnWait::once_more(std::string_view reason) {
   return true;
 }
 
-ApiClient::ApiClient(const ApiAddress& address) : wait_(address.wait_s), timeout_s_(address.timeout_s) {
+ApiClient::ApiClient(const ApiAddress& address)
+    : address_(address), wait_(address.wait_s), timeout_s_(address.timeout_s) {
+  connect();
+}
+void ApiClient::connect() {
+  link_.reset();
   while (!link_) {
     try {
-      link_ = std::make_unique<Link>(address);
+      link_ = std::make_unique<Link>(address_);
     } catch (const NobodyThere& error) {
       if (!wait_.once_more(error.what())) {
         throw;
@@ -82,6 +87,7 @@ ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const json&
       is_reached_ = is_reached_ || !is_away;
       return answer;
     }
+    connect();  // who has asked a robot that was away has to take the command anew
   }
 }
 

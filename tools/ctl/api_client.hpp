@@ -111,6 +111,8 @@ class ApiClient {
   void keep(nlohmann::json message);
   ServiceAnswer call_once(const std::string& service, const nlohmann::json& arguments,
                           nlohmann::json& values);
+  void connect();
+  ApiAddress address_;
   ReturnWait wait_;
   std::unique_ptr<Link> link_;
   bool is_reached_ = false;  // the robot has answered once
