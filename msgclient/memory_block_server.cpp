@@ -98,6 +98,8 @@ struct MemoryBlockServer::Connection {
   Asker asker;
   pid_t process = 0;
   std::int64_t silent_until_ns = 0;  // 0: it has asked for something
+
+  [[nodiscard]] bool has_left() const noexcept;
 };
 
 MemoryBlockServer::MemoryBlockServer(const MemoryBlock& block, std::filesystem::path socket)
@@ -177,14 +179,27 @@ void MemoryBlockServer::drop(std::list<Connection>::iterator connection) {
   connections_.erase(connection);  // closing the socket also takes it out of the epoll set
 }
 
+bool MemoryBlockServer::Connection::has_left() const noexcept {
+  pollfd end{socket.get(), POLLRDHUP, 0};
+  return poll(&end, 1, 0) > 0;
+}
+
+void MemoryBlockServer::hear_departed() noexcept {
+  for (const Connection& connection : connections_) {
+    if (connection.has_left()) {
+      // model: serve.7
+      registry_->release_all(connection.asker.id);
+    }
+  }
+}
+
 void MemoryBlockServer::hear_holder(std::string_view topic, Role role) {
   const ClientId holder = registry_->holder(topic, role);
   const auto connection = std::ranges::find(connections_, holder, [](const auto& c) { return c.asker.id; });
   if (holder == 0 || connection == connections_.end()) {
     return;  // nobody, or a client in this process
   }
-  pollfd end{connection->socket.get(), POLLRDHUP, 0};
-  if (poll(&end, 1, 0) > 0) {
+  if (connection->has_left()) {
     // model: serve.5
     registry_->release_all(holder);  // it is dropped in its turn
     return;
@@ -216,7 +231,9 @@ bool MemoryBlockServer::serve(Connection& connection) {
     }
     Reply reply;
     try {
-      if (request.verb == protocol::Verb::open) {
+      if (request.verb == protocol::Verb::hello) {
+        hear_departed();
+      } else if (request.verb == protocol::Verb::open) {
         hear_holder(name_of(request.topic), request.role);
       }
       reply = reply_to(*registry_, connection.asker, request);

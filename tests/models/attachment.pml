@@ -4,9 +4,9 @@
 // controller has ended. Each is killed before any of its steps and started again by whoever supervises it.
 //
 // Shown: no deadlock; one message controller serves at a time; a topic has one writer in a block; nobody is
-// refused for the claim of somebody who had left or given it back before he asked; and, if every process goes on
-// being given time (weak fairness), all clients are attached to the message controller that serves, for good,
-// and the topic is written there.
+// refused for the claim of somebody who had left or given it back before he asked, or sees somebody in the
+// directory who had left before he connected; and, if every process goes on being given time (weak fairness),
+// all clients are attached to the message controller that serves, for good, and the topic is written there.
 #ifndef CLIENTS
 #define CLIENTS 2
 #endif
@@ -39,7 +39,7 @@ typedef Connection {
   bool gives_back;
   mtype asked = nothing;
   mtype answer = nothing;
-  byte void_claim;    // number of the claim that was void when it asked; 0: none
+  byte void_claim;    // number of the claim that was void when it connected, or asked; 0: none
 };
 Connection connection[CONNECTIONS];
 
@@ -87,7 +87,16 @@ inline take_request(i) {
      :: else  // unreached: only a writer gives back
      fi
   :: !connection[i].gives_back && connection[i].asked == hello ->                               // model: serve.1
-     connection[i].asked = nothing; connection[i].answer = directory
+     connection[i].asked = nothing; connection[i].answer = directory;
+#ifndef MUTATION_DEPARTED_LISTED
+     if
+     :: holder != NOBODY && connection[holder].left -> holder = NOBODY                          // model: serve.7
+     :: else
+     fi;
+#endif
+     // The directory that it sees names nobody as a writer who had left before it connected.
+     assert(holder == NOBODY || connection[i].void_claim != claims);
+     connection[i].void_claim = 0
   :: !connection[i].gives_back && connection[i].asked == open ->
      connection[i].asked = nothing; answer_open(i)
   :: !connection[i].gives_back && connection[i].asked == nothing && connection[i].left ->       // model: serve.4
@@ -212,7 +221,11 @@ end_nobody_serves:
     :: listening != 0 && named == listening && connection[0].state != unused && connection[1].state != unused &&
        connection[2].state == unused -> at = 2
     fi;
-    connection[at].state = in_backlog; connection[at].server = listening
+    connection[at].state = in_backlog; connection[at].server = listening;
+    if
+    :: holder != NOBODY && connection[holder].left -> connection[at].void_claim = claims
+    :: else
+    fi
   }
   atomic { OR_KILLED(client_kills); connection[at].asked = hello }                                        // model: attach.2
   if

@@ -78,12 +78,11 @@ def unreached(report: str, lines: list[str]) -> list[str]:
 
 def told(report: str) -> str:
     states = re.search(r"(\d+) states, stored", report)
-    seconds = re.search(r"elapsed time ([\d.]+) seconds", report)
     memory = re.search(r"([\d.]+)\s+total actual memory usage", report)
     depth = re.search(r"depth reached (\d+)", report)
     child = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return (f"{states[1]} states, depth {depth[1]}, {memory[1]} MB, {seconds[1]} s of search, "
-            f"{child.ru_utime + child.ru_stime:.1f} s with compiling")
+    return (f"{states[1]} states, depth {depth[1]}, {memory[1]} MB, "
+            f"{child.ru_utime + child.ru_stime:.1f} s of processor time")
 
 
 def verdict(options: argparse.Namespace, report: str, lines: list[str]) -> str:

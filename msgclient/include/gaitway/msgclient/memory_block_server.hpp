@@ -53,6 +53,9 @@ class MemoryBlockServer {
   [[nodiscard]] bool has_room_for(pid_t process) const noexcept;
   // False: the client is gone or broke the protocol.
   bool serve(Connection& connection);
+  // The claims of all that have left are void, though their turn to be dropped comes later: whoever connects
+  // after that sees none of them in the directory.
+  void hear_departed() noexcept;
   // Nobody is refused for a claim whose holder has left or given it back meanwhile: it may be served later.
   void hear_holder(std::string_view topic, Role role);
   void drop(std::list<Connection>::iterator connection);
