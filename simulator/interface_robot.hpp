@@ -2,8 +2,10 @@
 // interface.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -11,7 +13,9 @@
 
 #include "gaitway/can/socketcan_port.hpp"
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/process/background_log.hpp"
 #include "gaitway/process/duration_histogram.hpp"
+#include "gaitway/process/summary_file.hpp"
 #include "gaitway/simulator/joint_network.hpp"
 #include "gaitway/simulator/plant.hpp"
 #include "gaitway/urdf/robot_model.hpp"
@@ -33,7 +37,11 @@ struct WalkTiming {
 // Where the robot goes and whether it falls, for the summary and the log of the process.
 class WalkWatch {
  public:
-  WalkWatch(const Plant& plant, bool log_wanted, std::int64_t start_ns);
+  // `log`: file for where the base was, every 10 ms (CSV); `summary_file`: for the summary. Either may be
+  // empty. They are written beside the body's work: a kill leaves what had happened, a full or slow disk
+  // costs lines. Throws std::runtime_error naming a log that cannot be written.
+  WalkWatch(const Plant& plant, const std::filesystem::path& log, std::filesystem::path summary_file,
+            std::int64_t start_ns);
 
   // To be called after each millisecond; the first fall is printed.
   void look(const Plant& plant, std::int64_t now_ns);
@@ -43,25 +51,37 @@ class WalkWatch {
   }
   [[nodiscard]] nlohmann::ordered_json summary(const Plant& plant, std::int64_t now_ns,
                                                const WalkTiming& timing) const;
-  // The summary, to the terminal without a file of its own; where the base was, every 10 ms (CSV), where a
-  // log is wanted. Throws what process::write_text_file() throws.
-  void write(const nlohmann::ordered_json& summary, const std::filesystem::path& summary_file,
-             const std::filesystem::path& log_file) const;
+  // Whether a second has passed since the last summary, and there is a file for it.
+  [[nodiscard]] bool summary_is_due(std::int64_t now_ns) const noexcept {
+    return summary_file_ && now_ns >= next_summary_ns_;
+  }
+  // One that is not the last.
+  void offer(nlohmann::ordered_json summary, std::int64_t now_ns);
+  // The last one, to the terminal without a file of its own, or where that has no room; ends the log.
+  void end(nlohmann::ordered_json summary);
 
  private:
-  struct Row {
-    double time_s;
-    Eigen::Vector3d base_m;
-    double trunk_tilt_rad;
-  };
-  bool log_wanted_;
+  using Text = std::array<char, 8192>;  // of a summary, ended by NUL
+
+  std::unique_ptr<process::BackgroundLog> log_;
+  std::unique_ptr<process::SummaryFile<Text>> summary_file_;
+  std::int64_t next_summary_ns_ = 0;
   std::int64_t start_ns_;
   Eigen::Vector3d start_m_;
   std::optional<double> fell_at_s_;
-  std::vector<Row> log_;
 };
 
 inline constexpr double kLargestClockDrift_ppm = 50.0;  // of a joint's clock
+
+struct InterfaceRun {
+  std::string interface;
+  std::filesystem::path summary;   // empty: the terminal
+  std::filesystem::path walk_log;  // empty: none
+  std::filesystem::path sent_log;  // empty: none
+  PlantOptions plant;
+  double seconds = 0.0;  // 0: until told to stop
+  int priority = 0;      // SCHED_FIFO
+};
 
 // The virtual robot on a CAN interface: body and local controllers in this process, the bus and everyone else
 // outside. What a real robot is to the message controller.
@@ -70,7 +90,7 @@ class InterfaceRobot {
   // All joints send through `port`, which outlives the robot; each of them receives what others send on the
   // bus.
   InterfaceRobot(const urdf::RobotModel& robot, const PlantOptions& plant, can::SocketCanPort& port,
-                 bool log_wanted, std::int64_t start_ns);
+                 const InterfaceRun& files, std::int64_t start_ns);
 
   // All milliseconds up to `now_ns`, each with the frames that came before it; then the joints hear what has
   // come since, and answer.
@@ -78,6 +98,7 @@ class InterfaceRobot {
 
   // The end of the millisecond that runs.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
+  [[nodiscard]] WalkWatch& watch() noexcept { return watch_; }
   [[nodiscard]] const WalkWatch& watch() const noexcept { return watch_; }
   [[nodiscard]] const Plant& plant() const noexcept { return plant_; }
 
@@ -91,16 +112,6 @@ class InterfaceRobot {
   WalkWatch watch_;
   std::optional<can::TimedFrame> arrived_;  // its millisecond has not come yet
   std::int64_t next_ns_;
-};
-
-struct InterfaceRun {
-  std::string interface;
-  std::filesystem::path summary;   // empty: the terminal
-  std::filesystem::path walk_log;  // empty: none
-  std::filesystem::path sent_log;  // empty: none
-  PlantOptions plant;
-  double seconds = 0.0;  // 0: until told to stop
-  int priority = 0;      // SCHED_FIFO
 };
 
 // Returns when its time is over or it is told to stop. Throws can::BusError when the interface cannot be used

@@ -51,7 +51,7 @@ class VirtualRobot {
       : now_ns_(start_ns),
         plant_(robot, options.plant),
         joints_(robot, options.plant.seed, simulator::kLargestClockDrift_ppm),
-        watch_(plant_, !options.walk_log.empty(), start_ns),
+        watch_(plant_, options.walk_log, options.summary, start_ns),
         server_(options.bus, start_ns) {
     for (int joint = 0; joint < joints_.size(); ++joint) {
       transmitters_.emplace_back(server_.bus().attach());
@@ -104,6 +104,7 @@ class VirtualRobot {
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
   [[nodiscard]] double time_s() const noexcept { return watch_.time_s(now_ns_); }
   [[nodiscard]] const simulator::Plant& plant() const noexcept { return plant_; }
+  [[nodiscard]] simulator::WalkWatch& watch() noexcept { return watch_; }
   [[nodiscard]] const simulator::WalkWatch& watch() const noexcept { return watch_; }
 
  private:
@@ -155,6 +156,24 @@ bool step_due(VirtualRobot& robot, std::int64_t now_ns, LoopResult& result) {
   return stepped;
 }
 
+nlohmann::ordered_json summary_of(VirtualRobot& robot, const LoopResult& loop) {
+  const can::BusServer& server = robot.server();
+  nlohmann::ordered_json summary = robot.watch().summary(robot.plant(), robot.now_ns(), loop);
+  summary["waits_for_the_message_controller"] = loop.waited;
+  summary["milliseconds_without_it"] = loop.not_awaited;
+  summary["frames"] = server.bus().statistics().frames;
+  summary["bus_load"] = server.bus().statistics().load(static_cast<std::int64_t>(robot.time_s() * 1e9));
+  summary["late_frames"] = server.statistics().late_frames;
+  if (robot.socketcand()) {
+    const can::SocketcandStatistics& clients = robot.socketcand()->statistics();
+    summary["socketcand"] = {
+        {"clients", clients.clients},         {"turned_away", clients.turned_away},
+        {"not_reading", clients.not_reading}, {"rejected_commands", clients.rejected_commands},
+        {"frames", clients.frames},           {"untold_remote_frames", clients.untold_remote_frames}};
+  }
+  return summary;
+}
+
 LoopResult run_loop(VirtualRobot& robot, const Options& options) {
   LoopResult result;
   const std::int64_t begin_ns = process::monotonic_ns();
@@ -179,27 +198,13 @@ LoopResult run_loop(VirtualRobot& robot, const Options& options) {
     const bool behind = robot.now_ns() + kMillisecond_ns <= now_ns;
     result.waited += behind && (stepped || !waiting) ? 1U : 0U;
     waiting = behind;
+    if (robot.watch().summary_is_due(now_ns)) {
+      result.wall_s = static_cast<double>(now_ns - begin_ns) * 1e-9;
+      robot.watch().offer(summary_of(robot, result), now_ns);
+    }
   }
   result.wall_s = static_cast<double>(process::monotonic_ns() - begin_ns) * 1e-9;
   return result;
-}
-
-void write_results(const Options& options, const VirtualRobot& robot, const can::BusServer& server,
-                   const LoopResult& loop) {
-  nlohmann::ordered_json summary = robot.watch().summary(robot.plant(), robot.now_ns(), loop);
-  summary["waits_for_the_message_controller"] = loop.waited;
-  summary["milliseconds_without_it"] = loop.not_awaited;
-  summary["frames"] = server.bus().statistics().frames;
-  summary["bus_load"] = server.bus().statistics().load(static_cast<std::int64_t>(robot.time_s() * 1e9));
-  summary["late_frames"] = server.statistics().late_frames;
-  if (robot.socketcand()) {
-    const can::SocketcandStatistics& clients = robot.socketcand()->statistics();
-    summary["socketcand"] = {
-        {"clients", clients.clients},         {"turned_away", clients.turned_away},
-        {"not_reading", clients.not_reading}, {"rejected_commands", clients.rejected_commands},
-        {"frames", clients.frames},           {"untold_remote_frames", clients.untold_remote_frames}};
-  }
-  robot.watch().write(summary, options.summary, options.walk_log);
 }
 
 int run(const Options& options) {
@@ -226,7 +231,7 @@ int run(const Options& options) {
   }
   process::ask_for_real_time("virtual_robot", kPriority);
   const LoopResult result = run_loop(robot, options);
-  write_results(options, robot, robot.server(), result);
+  robot.watch().end(summary_of(robot, result));
   return kExitFine;
 }
 
@@ -257,7 +262,9 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", options.seconds, "Stop after this time; 0: when told to")
       ->check(input::number_within(0.0, 1e6))
       ->capture_default_str();
-  app.add_option("--summary", options.summary, "File for the summary (JSON) instead of the terminal");
+  app.add_option("--summary", options.summary,
+                 "File for the summary (JSON) instead of the terminal; written anew every second, so a kill "
+                 "leaves one that has \"ended\": false");
   app.add_option("--walk-log", options.walk_log, "File for where the base was, every 10 ms (CSV)");
   app.add_option("--socketcand", options.socketcand,
                  "Serve the bus to clients of the socketcand protocol, too: [ADDRESS:]PORT on the loopback; "

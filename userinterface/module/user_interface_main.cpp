@@ -104,6 +104,7 @@ int serve(const Options& options) {
   sigaddset(&ends, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);  // inherited by all threads: one of them waits for it
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);  // a recording that may not grow ends by itself, and this process goes on
   const api::DoorOptions door_settings = door_options(options);
   api::provide_descriptors(door_settings.server.limits);
   bound_memory(door_settings.server.limits);
