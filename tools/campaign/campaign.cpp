@@ -126,9 +126,8 @@ std::size_t CampaignRow::falls() const {
 
 bool CampaignRow::holds() const {
   if (row.expected == FaultExpectation::survives) return falls() == 0;
-  return row.expected != FaultExpectation::physics || std::ranges::all_of(trials, [](const PlayedTrial& one) {
-           return !one.outcome.fell || one.outcome.reacted();
-         });
+  const auto is_known = [](const PlayedTrial& one) { return !one.outcome.fell || one.outcome.reacted(); };
+  return row.expected != FaultExpectation::physics || !row.is_told || std::ranges::all_of(trials, is_known);
 }
 
 Campaign run_campaign(const TrialRobot& robot, const std::vector<FaultRow>& rows, OutcomeStore& store,

@@ -31,6 +31,7 @@ struct FaultRow {
   std::string why;  // where it falls
   // One of its faults; it depends on the stream alone.
   std::function<std::vector<FaultAction>(facts::RandomStream& random)> draw;
+  bool is_told = true;  // where it may fall: the robot knows before the impact
 };
 
 // Of a robot with the joints and plug-ins that are shipped. A row about joints that this one has none of is
