@@ -14,6 +14,7 @@ namespace gaitway::tools {
 namespace {
 
 constexpr std::chrono::seconds kBetweenFlushes{1};
+constexpr std::uint64_t kEvents_bytes = std::uint64_t{16} << 20;  // of what runs for long; and those before
 constexpr std::uint64_t kSpare_bytes = std::uint64_t{256} << 10;
 
 nlohmann::ordered_json loss_json(std::uint64_t lines, std::uint64_t lost, const std::string& reason) {
@@ -39,17 +40,17 @@ RunLogs::RunLogs(const std::filesystem::path& folder, const urdf::RobotModel& ro
     : folder_(folder),
       recorder_(recorder),
       room_(folder, kSpare_bytes),
-      states_(folder / "states.csv", robot),
-      events_(folder / "events.jsonl"),
+      events_(folder / "events.jsonl", recorder.keeps_samples() ? 0 : kEvents_bytes),
       tell_(std::move(tell)),
       next_(std::chrono::steady_clock::now()) {
+  if (recorder.keeps_samples()) states_.emplace(folder / "states.csv", robot);
   for (const char* const result : {"summary.json", "report.html", "walk.png"}) {
     std::filesystem::remove(folder / result);
   }
 }
 
 void RunLogs::look(const core::EventLog& events, const Summary& summary) {
-  states_.follow(recorder_.samples());
+  if (states_) states_->follow(recorder_.samples());
   events_.follow(events);
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;
@@ -66,8 +67,10 @@ void RunLogs::finish(const core::EventLog& events) {
 }
 
 void RunLogs::flush(const core::EventLog& events) {
-  states_.follow(recorder_.samples());
-  states_.flush();
+  if (states_) {
+    states_->follow(recorder_.samples());
+    states_->flush();
+  }
   events_.follow(events);
   recorder_.flush();
   tell_losses();
@@ -76,7 +79,7 @@ void RunLogs::flush(const core::EventLog& events) {
 void RunLogs::tell_losses() {
   const BusLogCount bus = recorder_.bus_log();
   if (bus.lost != 0) tell_once("bus.log", bus.error);
-  if (states_.log().lost() != 0) tell_once("states.csv", states_.log().error());
+  if (states_ && states_->log().lost() != 0) tell_once("states.csv", states_->log().error());
   if (events_.log().lost() != 0) tell_once("events.jsonl", events_.log().error());
 }
 
@@ -117,17 +120,20 @@ void RunLogs::try_to(const std::function<void()>& write) {
 }
 
 bool RunLogs::complete() const {
-  return all_results_ && recorder_.bus_log().lost == 0 && states_.log().lost() == 0 && events_.lost() == 0;
+  return all_results_ && recorder_.bus_log().lost == 0 && (!states_ || states_->log().lost() == 0) &&
+         events_.lost() == 0;
 }
 
 nlohmann::ordered_json RunLogs::json() const {
   const BusLogCount bus = recorder_.bus_log();
-  return {
-      {"complete", complete()},
-      {"bus.log", loss_json(bus.lines, bus.lost, bus.error)},
-      {"states.csv", loss_json(states_.log().lines(), states_.log().lost(), states_.log().error())},
-      {"events.jsonl", loss_json(events_.log().lines(), events_.lost(),
-                                 events_.log().lost() != 0 ? events_.log().error() : "too many at once")}};
+  nlohmann::ordered_json result = {{"complete", complete()},
+                                   {"bus.log", loss_json(bus.lines, bus.lost, bus.error)}};
+  if (states_) {
+    result["states.csv"] = loss_json(states_->log().lines(), states_->log().lost(), states_->log().error());
+  }
+  result["events.jsonl"] = loss_json(events_.log().lines(), events_.lost(),
+                                     events_.log().lost() != 0 ? events_.log().error() : "too many at once");
+  return result;
 }
 
 }  // namespace gaitway::tools

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -39,7 +40,9 @@ class StatesCsv {
 // events.jsonl: all that plug-ins, manager and message controller had to say.
 class EventsFile {
  public:
-  explicit EventsFile(const std::filesystem::path& file) : log_(file) {}
+  // `most_bytes`: see process::LogOptions.
+  EventsFile(const std::filesystem::path& file, std::uint64_t most_bytes)
+      : log_(file, {.most_bytes = most_bytes}) {}
   void follow(const core::EventLog& events);
   // Those that the log of the main controller gave up between two calls are lost as well.
   [[nodiscard]] std::uint64_t lost() const noexcept { return log_.lost() + left_out_; }
@@ -82,8 +85,8 @@ class RunLogs {
 
   std::filesystem::path folder_;
   RunRecorder& recorder_;
-  process::SpareRoom room_;  // for the summary and the report
-  StatesCsv states_;
+  process::SpareRoom room_;          // for the summary and the report
+  std::optional<StatesCsv> states_;  // of a recorder that keeps samples
   EventsFile events_;
   std::function<void(const std::string&)> tell_;
   std::set<std::string> told_;

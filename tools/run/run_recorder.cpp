@@ -59,7 +59,8 @@ RunRecorder::RunRecorder(simulator::Cosimulation& run, const std::filesystem::pa
       way_(run.client()),
       mission_(run.client()) {
   if (!bus_log.empty()) {
-    bus_log_.emplace(bus_log);
+    constexpr std::uint64_t kBusLog_bytes = std::uint64_t{256} << 20;
+    bus_log_.emplace(bus_log, can::CandumpOptions{.most_bytes = keep_samples ? 0 : kBusLog_bytes});
   }
 }
 

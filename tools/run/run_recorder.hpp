@@ -56,7 +56,8 @@ struct BusLogCount {
 class RunRecorder final : public simulator::CosimulationObserver {
  public:
   // `bus_log`: candump file to write, or an empty path for none. `keep_samples`: memory for csv, report and
-  // bare replay; without it nothing grows with the run.
+  // bare replay; without it nothing grows with the run, and of the bus log
+  // the last 256 MiB are kept, and FILE.1 with as much before them.
   RunRecorder(simulator::Cosimulation& run, const std::filesystem::path& bus_log, bool keep_samples);
 
   // What was commanded at `now_ns`: the metrics of walking depend on it.
@@ -69,6 +70,7 @@ class RunRecorder final : public simulator::CosimulationObserver {
   void flush();
   [[nodiscard]] BusLogCount bus_log() const;
 
+  [[nodiscard]] bool keeps_samples() const noexcept { return keep_samples_; }
   [[nodiscard]] const std::vector<RunSample>& samples() const noexcept { return samples_; }
   [[nodiscard]] const RunMetrics& metrics() const noexcept { return metrics_; }
   [[nodiscard]] const ContactLog& contacts() const noexcept { return contacts_; }

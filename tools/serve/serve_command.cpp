@@ -31,6 +31,7 @@
 #include "tools/command_line.hpp"
 #include "tools/run/mission_option.hpp"
 #include "tools/run/navigation_option.hpp"
+#include "tools/run/run_logs.hpp"
 #include "tools/run/run_recorder.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/shipped_option.hpp"
@@ -98,6 +99,8 @@ struct Loop {
   simulator::SimulationDesk& desk;
   core::PluginRequests& requests;
   simulator::CommandLog& commands;
+  RunLogs& logs;
+  RunLogs::Summary so_far;
   core::EventPrinter printer{"gaitway serve"};
   bool quiet = false;
 
@@ -112,6 +115,7 @@ struct Loop {
     if (!quiet && now_ns % kBetweenPrints_ns == 0) {
       printer.print(run.main_controller().events());
     }
+    logs.look(run.main_controller().events(), so_far);
   }
   // Ends the walk by the safe tail, as fast as the computer can.
   void stand() {
@@ -125,18 +129,23 @@ struct Loop {
   }
 };
 
+void write_commands(const ServeOptions& options, const simulator::Cosimulation& run,
+                    const ServeObserver& observer) {
+  process::replace_text_file(options.out / "commands.yaml",
+                             observer.commands.scenario(static_cast<double>(run.now_ns()) * 1e-9));
+}
+
 void write_results(const ServeOptions& options, simulator::Cosimulation& run, ServeObserver& observer,
-                   const simulator::Pace& pace, double wall_s) {
-  observer.recorder.finish();
+                   RunLogs& logs, const simulator::Pace& pace, double wall_s) {
+  logs.finish(run.main_controller().events());
   nlohmann::ordered_json result =
       summary(run, observer.recorder, {.wall_s = wall_s}, options.seed, options.mismatch);
   const process::DurationSummary late = pace.lateness_us();
   result["pace"] = {{"speed", options.speed},
                     {"lost_s", pace.lost_s()},
                     {"late_us", {{"p50", late.p50}, {"p99", late.p99}, {"max", late.max}}}};
-  process::write_text_file(options.out / "summary.json", result.dump(2) + "\n");
-  process::write_text_file(options.out / "commands.yaml",
-                           observer.commands.scenario(static_cast<double>(run.now_ns()) * 1e-9));
+  logs.try_to([&] { write_commands(options, run, observer); });
+  logs.write_summary(result, true);
   if (!options.quiet) {
     fmt::print("{}  results                   {}\n", summary_table(result), options.out.string());
   }
@@ -181,12 +190,27 @@ int serve(const ServeOptions& options) {
                                                               .simulation = "unix:" + simulation.string(),
                                                               .recordings = options.out / "recordings"}));
 
-  Loop loop{
-      .run = run, .desk = desk, .requests = requests, .commands = observer.commands, .quiet = options.quiet};
+  RunLogs logs(options.out, robot, observer.recorder,
+               [](const std::string& news) { fmt::print(stderr, "gaitway serve: {}\n", news); });
+  const std::int64_t began_ns = process::monotonic_ns();
+  const auto wall_s = [began_ns] { return static_cast<double>(process::monotonic_ns() - began_ns) * 1e-9; };
+  const auto so_far = [&] {
+    try {
+      write_commands(options, run, observer);
+    } catch (const std::runtime_error&) {  // a full disk: the summary tells, and the last one is tried again
+    }
+    return summary(run, observer.recorder, {.wall_s = wall_s()}, options.seed, options.mismatch);
+  };
+  Loop loop{.run = run,
+            .desk = desk,
+            .requests = requests,
+            .commands = observer.commands,
+            .logs = logs,
+            .so_far = so_far,
+            .quiet = options.quiet};
   simulator::Pace pace(options.speed);
   const auto end_ns = options.seconds ? static_cast<std::int64_t>(std::llround(*options.seconds * 1e9))
                                       : std::numeric_limits<std::int64_t>::max();
-  const std::int64_t began_ns = process::monotonic_ns();
   process::stop_on_signals();
   while (run.now_ns() < end_ns && pace.wait({})) {
     loop.millisecond();
@@ -196,7 +220,7 @@ int serve(const ServeOptions& options) {
   }
   while (!options.quiet && loop.printer.print(run.main_controller().events())) {
   }
-  write_results(options, run, observer, pace, static_cast<double>(process::monotonic_ns() - began_ns) * 1e-9);
+  write_results(options, run, observer, logs, pace, wall_s());
   return exit_code(outcome_of(run, observer.recorder).verdict);
 }
 
