@@ -21,6 +21,10 @@ install(DIRECTORY "${CMAKE_BINARY_DIR}/share/gaitway/prepared_motions/humanoid22
 install(DIRECTORY tools/calibrate/poses/ DESTINATION share/gaitway/calibration)
 install(DIRECTORY docs/ DESTINATION share/doc/gaitway PATTERN CMakeLists.txt EXCLUDE)
 install(FILES LICENSE DESTINATION share/doc/gaitway)
+# A robot as a service, which nobody is made to have: docs/robot.md.
+install(FILES tools/robot/systemd/gaitway-robot.service DESTINATION lib/systemd/system)
+install(FILES tools/robot/systemd/gaitway.conf DESTINATION lib/sysusers.d)
+install(FILES tools/robot/systemd/robot.env DESTINATION share/gaitway)
 
 # Programs and what they load.
 get_property(gaitway_programs GLOBAL PROPERTY gaitway_programs)
@@ -74,6 +78,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/tools/robot/systemd/postinst")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${GAITWAY_MUJOCO_DIR}")
 set(gaitway_recommended g++ cmake make libgtest-dev libgmock-dev libeigen3-dev liborocos-kdl-dev liburdfdom-dev

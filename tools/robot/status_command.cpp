@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "gaitway/process/real_time.hpp"
@@ -26,6 +27,13 @@ int show(const StatusOptions& options) {
   std::optional<RobotStatus> status = read_status(folders.status_file());
   if (!status) {
     fmt::print(stderr, "gaitway robot: no robot is up in {}. Another --folder?\n", folders.folder.string());
+    return kExitNotUp;
+  }
+  const auto is_off = [](const PartStatus& part) { return part.state == "off" && part.process == 0; };
+  if (supervisor == 0 && std::ranges::all_of(status->parts, is_off)) {
+    fmt::print(stderr, "gaitway robot: the robot in {} was taken down {:.1f} s ago\n",
+               folders.folder.string(),
+               static_cast<double>(process::monotonic_ns() - status->written_ns) * 1e-9);
     return kExitNotUp;
   }
   const bool supervised = supervisor != 0 && supervisor == status->supervisor;

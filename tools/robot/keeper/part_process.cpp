@@ -242,7 +242,8 @@ std::optional<std::string> PartProcess::take_end() {
               ? fmt::format("was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))
               : fmt::format("ended with code {}", WEXITSTATUS(status));
   }
-  if (const std::string words = last_words(); !words.empty()) {
+  const bool by_itself = how.find("signal 9 ") == std::string::npos;
+  if (const std::string words = last_words(); by_itself && !words.empty()) {
     how += ": " + words;
   }
   process_ = 0;
@@ -255,7 +256,9 @@ std::string PartProcess::last_words(std::string_view with) const {
   std::string said, line;
   const std::string own = name_ + ": ";
   while (std::getline(lines, line)) {
-    if (line.starts_with(own) && line.find(with) != std::string::npos) said = line.substr(own.size());
+    const bool is_news = line.find(": info: ") != std::string::npos;  // told at any time, of no trouble
+    if (!is_news && line.starts_with(own) && line.find(with) != std::string::npos)
+      said = line.substr(own.size());
   }
   return input::terminal_text(said);
 }

@@ -93,6 +93,7 @@ RobotKeeper::RobotKeeper(std::vector<PartPlan> plans, Options options)
 
 void RobotKeeper::tell(const std::string& text) {
   events_.tell(text);
+  kept_ns_ = 0;  // and it is in the status at once
   if (!options_.quiet) {
     fmt::print(stderr, "gaitway robot: {}\n", text);
     std::fflush(stderr);
@@ -244,7 +245,9 @@ void RobotKeeper::on_works(std::size_t index, std::int64_t downtime_ns, std::int
                                       processes_[index].pid(), seconds_text(downtime_ns)));
   if (downtime_ns == 0) return;
   for (std::size_t i = 0; i < plans_.size(); ++i) {
-    if (plans_[i].lives_in == plan.name) parts_[i].watch.on_new_ground(plans_[i].moves_ns, now_ns);
+    if (plans_[i].lives_in != plan.name) continue;
+    parts_[i].watch.on_new_ground(plans_[i].moves_ns, now_ns);
+    parts_[i].moved_ns = now_ns;
   }
 }
 
@@ -259,18 +262,25 @@ void RobotKeeper::look_for_worker(std::size_t index, std::int64_t now_ns) {
   const pid_t worker = processes_[index].worker();
   if (worker == processes_[index].pid()) return;
   const pid_t before = std::exchange(part.worker, worker);
-  if (before != 0 && before != worker) {
-    const std::string why = processes_[index].last_words("the process ");
-    part.watch.on_inner_restart(why);
-    tell(fmt::format("{}: process {} is there in place of {}: {}", plans_[index].name, worker, before, why));
-  }
+  if (before == 0 || before == worker) return;
+  // It was moved to a new memory block, or says why it was started again.
+  const bool was_moved = part.moved_ns != 0 && now_ns - part.moved_ns < plans_[index].moves_ns;
+  part.moved_ns = 0;
+  const std::string why = was_moved ? fmt::format("{} was started again", plans_[index].lives_in)
+                                    : processes_[index].last_words("the process ");
+  part.watch.on_inner_restart(why);
+  tell(fmt::format("{}: process {} is there in place of {}: {}", plans_[index].name, worker, before, why));
 }
 
 void RobotKeeper::follow_command(std::int64_t now_ns) {
   if (const std::string complaint = view_.take_complaint(); !complaint.empty()) {
     tell("what the parts do cannot be seen whole: " + complaint);
   }
-  const bool commanded = view_.may_be_commanded(now_ns);
+  // A batch that is late for once is no news.
+  constexpr std::int64_t kNews_ns = 100 * kMillisecond_ns;
+  bool commanded = view_.may_be_commanded(now_ns);
+  if (commanded) obeyed_ns_ = now_ns;
+  commanded = commanded || (commanded_ && now_ns - obeyed_ns_ < kNews_ns);
   if (std::exchange(commanded_, commanded) == commanded) return;
   if (!commanded) {
     tell("the robot may not be commanded now");
@@ -283,7 +293,6 @@ void RobotKeeper::follow_command(std::int64_t now_ns) {
                                         seconds_text(now_ns - disturbed_ns_), disturbance_));
   notice_.tell("STATUS=the robot may be commanded");
   disturbed_ns_ = 0;
-  if (!std::exchange(was_ready_, true) && options_.on_ready) options_.on_ready();
 }
 
 void RobotKeeper::keep_house(std::int64_t now_ns) {
@@ -291,6 +300,7 @@ void RobotKeeper::keep_house(std::int64_t now_ns) {
   kept_ns_ = now_ns;
   write_status(options_.folders.status_file(), status(now_ns));
   notice_.tell("WATCHDOG=1");
+  if (commanded_ && !std::exchange(was_ready_, true) && options_.on_ready) options_.on_ready();
   // An end that cost nobody the command is past once all work again.
   const auto is_well = [](const Part& part) { return part.watch.state() == PartState::works; };
   if (commanded_ && std::ranges::all_of(parts_, is_well)) disturbed_ns_ = 0;

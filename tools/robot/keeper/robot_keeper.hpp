@@ -60,6 +60,7 @@ class RobotKeeper {
     pid_t worker = 0;          // when it was last looked for
     std::uint64_t rounds = 0;  // likewise
     std::int64_t looked_ns = 0;
+    std::int64_t moved_ns = 0;  // when it was last to move to new ground; 0: its next worker is not from that
     std::string start_complaint;  // that was told; it is not told again and again
   };
 
@@ -89,7 +90,7 @@ class RobotKeeper {
   ServiceNotice notice_;
   std::int64_t up_ns_ = 0, kept_ns_ = 0, logs_ns_ = 0;
   bool commanded_ = false, was_ready_ = false;
-  std::int64_t commanded_since_ns_ = 0;
+  std::int64_t commanded_since_ns_ = 0, obeyed_ns_ = 0;
   std::int64_t disturbed_ns_ = 0;  // the first end of a part since the robot could last be commanded; 0: none
   std::string disturbance_;
 };

@@ -17,12 +17,13 @@ namespace {
 constexpr std::chrono::milliseconds kPatience{50};
 // It tells its state each time slot.
 constexpr std::int64_t kFresh_ns = 5 * facts::kSlot_ns;
+constexpr std::int64_t kFreshFeedback_ns = 10 * facts::kSlot_ns;
 
 }  // namespace
 
 struct RobotView::Block {
   explicit Block(const std::filesystem::path& socket)
-      : client(msgclient::Client::connect(socket, "gaitway robot", kPatience)) {
+      : client(msgclient::Client::connect(socket, "robot_keeper", kPatience)) {
     open(network, "network_state");
     open(joints, "joint_states");
     open(statistics, "plugin_statistics");
@@ -91,7 +92,11 @@ std::optional<std::uint64_t> RobotView::joint_feedback() {
 
 bool RobotView::may_be_commanded(std::int64_t now_ns) {
   const auto state = block_ ? block_->state(now_ns) : std::nullopt;
-  return state && state->mode == network_state::mode::batches && state->accepted_sequence >= state->cycle;
+  JointStates joints{};
+  const bool joints_answer = block_ && block_->joints && block_->joints->read(joints) &&
+                             now_ns - joints.stamp_ns < kFreshFeedback_ns;
+  return state && joints_answer && state->mode == network_state::mode::batches &&
+         state->accepted_sequence >= state->cycle;
 }
 
 bool RobotView::holds(std::int64_t now_ns) {

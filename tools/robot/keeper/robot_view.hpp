@@ -30,7 +30,7 @@ class RobotView {
   [[nodiscard]] std::optional<std::uint64_t> message_controller_beats() const;
   [[nodiscard]] std::optional<std::uint64_t> main_controller_reports();
   [[nodiscard]] std::optional<std::uint64_t> joint_feedback();
-  // It carries out the batches of its main controller: whoever commands it now is obeyed.
+  // Its joints answer and carry out the batches of its main controller: whoever commands it now is obeyed.
   [[nodiscard]] bool may_be_commanded(std::int64_t now_ns);
   // It stands by itself and waits for batches, or an emergency stop holds it.
   [[nodiscard]] bool holds(std::int64_t now_ns);
