@@ -171,7 +171,9 @@ void JointSupervision::take_feedback(int joint, const NetworkWatch::Arrival& arr
   if (!synchronised && playback_.slot() == 0) {
     return;  // it may have answered before its batch, which starts as it arrives, was there
   }
-  if (!plays_as_expected(joint, feedback) || arrival.returned) {
+  // One that was away may have come back as another, but when all were on their own nobody was away.
+  const bool is_another = arrival.returned && !playback_.left_to_joints();
+  if (!plays_as_expected(joint, feedback) || is_another) {
     const bool never_came = playback_.slot() <= playback_.running_from() + 1 &&
                             playback_.running_segment().active &&
                             feedback.executing_toggle != playback_.running_segment().toggle;

@@ -24,8 +24,8 @@ constexpr std::int64_t kQuietBus_ns = 200'000;
 // Joints that got no SYNC until then have gone on alone for so long that their way and that of the batch
 // which they have not begun have parted; until then they are brought to it, joint by joint.
 constexpr int kSlotsToMakeUp = 4;
-// What happened longer ago is over for the joints.
-constexpr std::int64_t kSlotsToLookBack = 2 * can::kTailParts * kSlotsPerCycle;
+// Longer than joints move by themselves: a batch, another one that is prepared, and a tail.
+constexpr std::int64_t kSlotsUntilRest = (3 + can::kTailParts) * kSlotsPerCycle;
 // A leg whose joint has been silent for so long cannot be relied on: the robot stops.
 constexpr std::uint32_t kSilentSlotsOfALeg = 10;
 
@@ -80,6 +80,8 @@ void MessageController::step(std::int64_t now_ns) noexcept {
   link_.watch.count(Incident::expired, 0, link_.queue.expire(now_ns));
   if (in_slot_ns == 0) {
     enter_slot(now_ns);
+  } else if (last_slot_index_ >= 0) {
+    pass_slots_until(now_ns / kSlot_ns);  // whose edge was missed: a SYNC that late would mislead the joints
   }
   commands_.take_mail(*this, now_ns);
   commands_.take_topics(*this, now_ns);
@@ -101,12 +103,7 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   if (const BusSlot* const seen = slot_record_.enter_slot(now_ns)) {
     slot_writer_.publish(*seen, now_ns);
   }
-  // Slots that this process was not there for, because it was stopped, have passed for the joints.
-  std::int64_t passed = last_slot_index_ < 0 ? slot_index : last_slot_index_ + 1;
-  for (passed = std::max(passed, slot_index - kSlotsToLookBack); passed <= slot_index; ++passed) {
-    pass_slot(passed);
-  }
-  last_slot_index_ = slot_index;
+  pass_slots_until(slot_index);
   link_.state.stamp_ns = now_ns;
   follow_release(now_ns);
   send_sync(now_ns);
@@ -124,6 +121,21 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   state_writer_.publish(link_.state, now_ns);
   link_.watch.health().stamp_ns = now_ns;
   health_writer_.publish(link_.watch.health(), now_ns);
+}
+
+// Slots that this process was not there for, because it was stopped, have passed for the joints all the same.
+void MessageController::pass_slots_until(std::int64_t slot_index) noexcept {
+  if (last_slot_index_ < 0) {
+    last_slot_index_ = slot_index - 1;
+  }
+  const std::int64_t at_rest = std::min(slot_index, last_slot_index_ + kSlotsUntilRest);
+  for (std::int64_t passed = last_slot_index_ + 1; passed < at_rest; ++passed) {
+    pass_slot(passed);
+  }
+  if (slot_index > last_slot_index_) {
+    pass_slot(slot_index);
+  }
+  last_slot_index_ = slot_index;
 }
 
 void MessageController::pass_slot(std::int64_t slot_index) noexcept {
@@ -158,10 +170,15 @@ void MessageController::leave_to_joints() noexcept {
 
 void MessageController::begin_cycle() noexcept {
   const bool was_tail = mode() == Mode::safe_tail;
+  const bool was_running = playback_.running_segment().active;
   supervision_.begin_cycle();
   playback_.begin_cycle();
   if (mode() == Mode::emergency_stop) {
     return;
+  }
+  // With nothing to follow their batch the joints go along its tail, whether this SYNC comes or not.
+  if (was_running && !playback_.running_segment().active && supervision_.outgoing_tail_points() > 0) {
+    leave_to_joints();
   }
   if (stop_requested_) {
     prepare_tail();  // as early as can be

@@ -76,6 +76,7 @@ class MessageController final : private CommandTaker {
 
  private:
   void enter_slot(std::int64_t now_ns) noexcept;
+  void pass_slots_until(std::int64_t slot_index) noexcept;
   void pass_slot(std::int64_t slot_index) noexcept;
   void begin_cycle() noexcept;
   void leave_to_joints() noexcept;
