@@ -118,7 +118,12 @@ struct BusServer::Client {
   std::int64_t told_ns = 0;  // how far it knows that the bus has run
   std::vector<Record> outgoing;
 
+  // Who keeps the bus's pace and reads nothing was stopped, and goes on with what is newest, as behind a
+  // controller that has run over; who only listens would have gaps that it does not know of, and goes.
   void hand(const Record& record) {
+    if (paced && outgoing.size() == kLongestBacklog) {
+      std::erase_if(outgoing, [](const Record& old) { return old.kind != Kind::sent; });
+    }
     gone = gone || outgoing.size() == kLongestBacklog;
     if (!gone) {
       outgoing.push_back(record);

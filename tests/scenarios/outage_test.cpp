@@ -24,7 +24,7 @@ namespace {
 const std::string kRobot = std::string(GAITWAY_SOURCE_DIR) + "/urdf/humanoid22";
 const std::string kConfig = std::string(GAITWAY_SOURCE_DIR) + "/core/config/walk.yaml";
 constexpr auto kStop = 5s;
-constexpr auto kAfterwards = 5s;  // the longest tail lasts two
+constexpr auto kAfterwards = 4s;  // the longest tail lasts two
 constexpr double kStepPair_s = 1.28;
 
 enum class Fault : std::uint8_t {
@@ -58,10 +58,17 @@ class NetworkWatch {
  public:
   explicit NetworkWatch(std::filesystem::path socket) : socket_(std::move(socket)) {}
 
-  // The newest batch that has been accepted; 0: none, or there is no message controller.
+  // The newest batch that has been accepted; 0: none, or there is no message controller, or it has no bus.
   std::uint32_t accepted() {
     NetworkState state{};
-    return look() && network_->read(state) ? state.accepted_sequence : 0;
+    NetworkHealth health{};
+    const bool told = look() && network_->read(state) && health_->read(health);
+    if (told && state.mode != mode_ && std::getenv("GAITWAY_OUTAGE_OUTPUT") != nullptr) {
+      fmt::print("at {:.3f} s: mode {}, accepted {}\n", 1e-9 * static_cast<double>(state.stamp_ns),
+                 state.mode, state.accepted_sequence);
+    }
+    mode_ = told ? state.mode : mode_;
+    return told && health.bus_state < 2 ? state.accepted_sequence : 0;
   }
   // Times that a main controller has told of its plug-ins, every 80 ms.
   std::uint64_t told() { return look() ? plugins_->newest_sequence() : 0; }
@@ -75,6 +82,7 @@ class NetworkWatch {
       if (!client_) {
         client_.emplace(msgclient::Client::connect(socket_, "watch", 100ms));
         network_.emplace(client_->read<NetworkState>("network_state"));
+        health_.emplace(client_->read<NetworkHealth>("network_health"));
         plugins_.emplace(client_->read<PluginStatistics>("plugin_statistics"));
       }
       return true;
@@ -85,6 +93,7 @@ class NetworkWatch {
   }
   void leave() {
     network_.reset();
+    health_.reset();
     plugins_.reset();
     client_.reset();
   }
@@ -92,7 +101,9 @@ class NetworkWatch {
   std::filesystem::path socket_;
   std::optional<msgclient::Client> client_;
   std::optional<msgclient::Reader<NetworkState>> network_;
+  std::optional<msgclient::Reader<NetworkHealth>> health_;
   std::optional<msgclient::Reader<PluginStatistics>> plugins_;
+  std::uint32_t mode_ = 0;
 };
 
 // The worker below a supervised main controller; 0: none at the moment.
@@ -128,7 +139,7 @@ class Trial {
     NetworkWatch watch(path("memory"));
     Outcome outcome;
     outcome.walked = until(20s, [&] { return watch.accepted() > 0; });
-    std::this_thread::sleep_for(4s + instant());  // it walks from one second on
+    std::this_thread::sleep_for(3s + instant());  // it walks from a second and a half on
     const Mark mark = inflict(fault, watch);
     outcome.back_s = mark.seconds_until([&] { return watch.told() > mark.told; });
     outcome.accepted_s = mark.seconds_until([&] { return watch.accepted() > mark.accepted; });
@@ -216,9 +227,10 @@ class Trial {
   static Mark stop_and_go_on(const Process& process, NetworkWatch& watch) {
     process.send(SIGSTOP);
     std::this_thread::sleep_for(kStop);
-    const Mark seen{{}, watch.told(), watch.accepted()};
+    Mark mark{{}, watch.told(), watch.accepted()};
     process.send(SIGCONT);
-    return {Clock::now(), seen.told, seen.accepted};
+    mark.at = Clock::now();
+    return mark;
   }
 
   std::uint64_t seed_;
