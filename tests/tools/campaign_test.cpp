@@ -162,6 +162,10 @@ TEST(CampaignRow, HoldsAsItsExpectationHasIt) {
   knew.impact_s = did_not_know.impact_s = 1.0;
   knew.told_s = 0.7;
   did_not_know.told_s = 1.1;
+  FaultOutcome bends = knew;  // without an impact
+  bends.impact_s.reset();
+  bends.fell_s = 0.9;
+  EXPECT_TRUE(bends.reacted());
   EXPECT_TRUE(row_with(FaultExpectation::survives, {stays, stays}).holds());
   EXPECT_FALSE(row_with(FaultExpectation::survives, {stays, knew}).holds());
   EXPECT_TRUE(row_with(FaultExpectation::physics, {stays, knew}).holds());

@@ -55,9 +55,11 @@ struct FaultOutcome {
   std::optional<double> stop_s;  // from the asking for an emergency stop to its frame's end; none: never came
   FaultLosses lost;
 
-  // Before the impact it knew that it falls, or the joints were soft.
+  // Before the impact it knew that it falls, or the joints were soft. A robot that bends until it counts as
+  // fallen has none.
   [[nodiscard]] bool reacted() const noexcept {
-    return impact_s && ((told_s && *told_s < *impact_s) || (soft_s && *soft_s < *impact_s));
+    const std::optional<double> down_s = impact_s ? impact_s : fell_s;
+    return down_s && ((told_s && *told_s < *down_s) || (soft_s && *soft_s < *down_s));
   }
 };
 

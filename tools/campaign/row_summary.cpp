@@ -64,7 +64,7 @@ RowSummary summary_of(const CampaignRow& row) {
       if (outcome.walks_s) walks.push_back(*outcome.walks_s);
     }
     if (outcome.stop_s) stop.push_back(*outcome.stop_s);
-    if (outcome.reacted()) {
+    if (outcome.fell && outcome.impact_s && outcome.reacted()) {
       const double known_s =
           std::min(outcome.told_s.value_or(*outcome.impact_s), outcome.soft_s.value_or(*outcome.impact_s));
       lead.push_back(*outcome.impact_s - known_s);
