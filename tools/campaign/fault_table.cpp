@@ -125,7 +125,7 @@ void FaultTable::add_bus() {
     return fmt::format("jam, duration_s: {}, stuck: true", number(between(random, 0.002, 0.02)));
   });
   add_plain("bus_gone_5s", "the bus is unusable for 5 s", "jam, duration_s: 5", FaultExpectation::not_yet,
-            "when it is back, joints are pulled to where the message controller believes them");
+            "a fall that is none is told within 40 ms of its return, and the joints go soft");
 }
 
 void FaultTable::add_stations() {
