@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "gaitway/can/bus_port.hpp"
 #include "gaitway/facts/facts.hpp"
@@ -63,18 +64,22 @@ process::FileDescriptor lock_interface(const std::string& interface) {
 }  // namespace
 
 std::string BusNews::tell(std::string line, std::int64_t now_ns) {
-  if (line.empty()) {
+  if (now_ns - second_ns_ >= facts::kSecond_ns) {
+    second_ns_ = now_ns;
+    told_ = 0;
+  }
+  if (told_ >= kLinesASecond) {
+    if (!line.empty()) {
+      newest_ = std::move(line);
+      ++kept_back_;
+    }
     return {};
   }
-  if (now_ns < next_ns_) {
-    ++kept_back_;
-    return {};
-  }
-  next_ns_ = now_ns + facts::kSecond_ns;
   if (kept_back_ > 0) {
-    line += fmt::format(" ({} lines of the last second were kept back)", kept_back_);
+    line = (line.empty() ? newest_ : line) + fmt::format(" ({} lines were kept back)", kept_back_);
     kept_back_ = 0;
   }
+  told_ += line.empty() ? 0 : 1;
   return line;
 }
 

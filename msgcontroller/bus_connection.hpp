@@ -21,15 +21,18 @@ struct BusChoice {
                                    // what it holds; or empty
 };
 
-// What is printed while a bus comes and goes: a line a second at most, and how many were kept back.
+// What is printed while a bus comes and goes: a few lines in a second at most, and afterwards the newest of
+// those that were kept back.
 class BusNews {
  public:
-  // A line to print, or nothing.
+  // Called every millisecond, mostly without a line. What is to be printed, or nothing.
   std::string tell(std::string line, std::int64_t now_ns);
 
  private:
-  std::int64_t next_ns_ = 0;
-  int kept_back_ = 0;
+  static constexpr int kLinesASecond = 3;
+  std::int64_t second_ns_ = 0;  // that runs
+  int told_ = 0, kept_back_ = 0;
+  std::string newest_;  // of those that were kept back
 };
 
 class BusConnection {

@@ -92,6 +92,7 @@ class MainControllerProcess : public testing::Test {
             "--plugin-path",    GAITWAY_TEST_PLUGINS};
   }
   void answer(std::int64_t now_ns) {
+    served->server.step(0);
     if (beating) {
       served->block.beat(now_ns);
     }
@@ -130,9 +131,6 @@ class MainControllerProcess : public testing::Test {
     const std::int64_t end_ns = monotonic_ns() + static_cast<std::int64_t>(at_most_s * 1e9);
     while (monotonic_ns() < end_ns && !done()) {
       const std::int64_t now_ns = monotonic_ns();
-      if (served) {
-        served->server.step(0);
-      }
       if (served) {
         answer(now_ns);
       }
@@ -276,7 +274,7 @@ TEST_F(MainControllerProcess, AMessageControllerThatComesBackFindsAnotherMainCon
     renew_block();
     const std::int64_t back_ns = monotonic_ns();
     ASSERT_EQ(serve(20.0, [this] { return batches >= 1; }), -1) << output();
-    EXPECT_LT(monotonic_ns() - back_ns, 800'000'000) << output();
+    EXPECT_LT(monotonic_ns() - back_ns, 800'000'000);
     EXPECT_EQ(scheduling_of_worker(), scheduling) << "what is allowed once is allowed again";
   }
   kill(process, SIGTERM);
@@ -293,7 +291,7 @@ TEST_F(MainControllerProcess, SupervisedItWaitsForAMessageControllerThatIsNotThe
   renew_block();
   ASSERT_EQ(serve(20.0, [this] { return batches >= 1; }), -1) << output();
   served.reset();
-  ASSERT_EQ(serve(5.0, [this] { return times_told("waiting for the message controller") == 2; }), -1);
+  ASSERT_EQ(serve(5.0, [this] { return times_told("waiting for the message") == 2; }), -1);
   kill(process, SIGTERM);
   EXPECT_EQ(serve(10.0), 0) << "also while it waits " << output();
 }
