@@ -23,7 +23,7 @@ class RobotOutage : public testing::TestWithParam<Trial> {};
 TEST_P(RobotOutage, IsOverInTime) {
   constexpr unsigned kSeed = 1;
   std::mt19937 random(kSeed);
-  std::uniform_int_distribution<int> pause_us(500'000, 1'500'000);
+  std::uniform_int_distribution<int> pause_us(1'100'000, 2'100'000);
   RunningRobot robot(GAITWAY_OUTAGE_OPTIONS);
   ASSERT_EQ(robot.started.code, 0) << robot.started.all() << robot.everything();
   std::vector<double> times_s;

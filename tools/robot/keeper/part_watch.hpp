@@ -17,8 +17,9 @@ struct PartPatience {
 
 // The pause before a start: none at the first failure, then one that doubles. It never gives up.
 inline constexpr std::int64_t kFirstPause_ns = 100'000'000, kLongestPause_ns = 10'000'000'000;
-// After so much work without a failure the next one counts as the first.
-inline constexpr std::int64_t kGoodWork_ns = 30'000'000'000;
+// After so much work without a failure the next one counts as the first: pauses are for what fails to start,
+// or soon afterwards. Who worked is wanted back at once, however often it is killed.
+inline constexpr std::int64_t kGoodWork_ns = 1'000'000'000;
 
 enum class PartState {
   waits,   // to be started: for the end of a pause, or for the part that it needs
