@@ -12,6 +12,8 @@ constexpr double kCurrentCount_Nm = 0.125;
 constexpr double kImplausibleSpeeds = 10.0;
 constexpr int kEncoderDistrust_ms = 5;
 constexpr int kSaturation_ms = 40;
+// Told for so long, since a joint that misses a part of each tail could tell of it in every other one only.
+constexpr int kTailDistrust_ms = 1000;
 constexpr int kSlotsUntilSyncIsLost = 2;
 
 double magnitude(double value) noexcept {
@@ -202,7 +204,8 @@ void JointController::find_faults() noexcept {
             config_.profile.has(can::MessageKind::sync) && slots_alone_ >= kSlotsUntilSyncIsLost);
   set_fault(can::Fault::encoder, implausible_ms_ > 0);
   set_fault(can::Fault::restarted, !player_.reference_confirmed());
-  set_fault(can::Fault::tail_missing, player_.tail_missing());
+  tail_distrust_ms_ = player_.tail_missing() ? kTailDistrust_ms : tail_distrust_ms_ - (tail_distrust_ms_ > 0);
+  set_fault(can::Fault::tail_missing, tail_distrust_ms_ > 0);
 }
 
 void JointController::set_fault(can::Fault fault, bool present) noexcept {

@@ -21,6 +21,7 @@ void PointPlayer::on_trajectory(const can::Trajectory& batch) noexcept {
   pending_ = batch.delta;
   pending_toggle_ = batch.toggle;
   has_pending_ = true;
+  pending_is_stale_ = false;
 }
 
 bool PointPlayer::start(const can::Trajectory& batch, std::int64_t now_ns) noexcept {
@@ -61,6 +62,7 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
     running_ = take_up_tail();
   }
   tail_.on_sync(sync);
+  drop_stale_batch(sync);
   if (sync.slot == 0) {
     if (!start_batch(sync) && in_tail_) {
       return follow_tail(sync, now_ns);
@@ -125,7 +127,7 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
     return false;  // it was for a batch that is over
   }
   running_ = sync.batch_committed;
-  in_tail_ = false;
+  in_tail_ = left_by_tail_ = false;
   reference_confirmed_ = true;
   executing_toggle_ = repair_.toggle;
   batch_cycle_ = sync.cycle;
@@ -150,9 +152,9 @@ bool PointPlayer::start_batch(const can::Sync& sync) noexcept {
   // move alone.
   has_repair_ = false;
   const bool starts = sync.batch_committed && has_pending_ && pending_toggle_ == sync.toggle;
-  if (starts && in_tail_) {
+  if (starts && left_by_tail_) {
     count_ = count_before_tail_point(slots_since_batch(sync));  // however late this SYNC is
-    in_tail_ = false;
+    in_tail_ = left_by_tail_ = false;
   }
   running_ = starts || in_tail_;
   if (starts) {
@@ -179,8 +181,18 @@ bool PointPlayer::take_up_tail() noexcept {
   tail_.take();
   batch_end_count_ = count_;
   tail_point_ = -1;
-  in_tail_ = tail_points_ > 0;
+  in_tail_ = left_by_tail_ = tail_points_ > 0;
+  pending_is_stale_ = has_pending_;
   return in_tail_;
+}
+
+// A batch that the joint held when it was to go on by itself, and that nobody has committed: another one may
+// bear its toggle, and must be seen to be missing.
+void PointPlayer::drop_stale_batch(const can::Sync& sync) noexcept {
+  if (pending_is_stale_ && !sync.batch_committed) {
+    has_pending_ = pending_is_stale_ = false;
+    pending_toggle_ = executing_toggle_;
+  }
 }
 
 std::int32_t PointPlayer::count_before_tail_point(int point) const noexcept {
@@ -200,10 +212,11 @@ int PointPlayer::slots_since_batch(const can::Sync& sync) const noexcept {
                                               : tail_point_ + 1;
 }
 
-// Past the last point the joint holds. False when it is in that slot already, because the SYNC was overdue.
+// Past the last point the joint holds. False when it is in that slot already, because the SYNC was overdue,
+// or past it: a SYNC that waited for long somewhere tells nothing.
 bool PointPlayer::follow_tail(const can::Sync& sync, std::int64_t now_ns) noexcept {
   const int point = slots_since_batch(sync);
-  if (point == tail_point_) {
+  if (point <= tail_point_ || sync.cycle == batch_cycle_) {
     return false;
   }
   begin_tail_slot(point, now_ns, now_ns);
@@ -268,7 +281,7 @@ bool PointPlayer::move_to(std::int32_t count, int duration_slots, std::int64_t n
   if ((running_ && (in_tail_ || !rests())) || frozen_ || duration_slots <= 0) {
     return false;
   }
-  running_ = false;
+  running_ = left_by_tail_ = false;
   begin_segment(count, now_ns, duration_slots * facts::kSlot_ns);
   moves_by_hand_ = true;
   return true;
@@ -281,7 +294,7 @@ void PointPlayer::freeze(std::int64_t now_ns) noexcept {
   const double here = reference(now_ns).count;
   begin_segment(static_cast<std::int32_t>(here < 0.0 ? here - 0.5 : here + 0.5), now_ns, facts::kSlot_ns);
   running_ = false;
-  in_tail_ = false;
+  in_tail_ = left_by_tail_ = false;
   tail_.clear();
   has_pending_ = false;
   has_repair_ = false;

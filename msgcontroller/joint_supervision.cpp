@@ -17,7 +17,6 @@ constexpr int kLastSlot = kSlotsPerCycle - 1;
 
 void JointSupervision::begin_cycle() noexcept {
   covered_until_.fill(kLastSlot);
-  outgoing_tail_points_ = tail_points();
   start_waiting_tail();
 }
 
@@ -99,6 +98,14 @@ void JointSupervision::send_tail_part(int joint, int part, std::int64_t expires_
   }
   ++waiting_tail_.frames_left;
   link_.send(can::encode(link_.profile, frame), expires_ns);
+}
+
+// A joint tells at most once in a cycle that it lacks one, so what it told holds until it takes it back.
+int JointSupervision::tail_points() const noexcept {
+  constexpr auto kMissing = static_cast<std::uint8_t>(can::Fault::tail_missing);
+  const bool lacking = std::ranges::any_of(link_.watch.health().faults,
+                                           [](std::uint8_t faults) { return (faults & kMissing) != 0; });
+  return lacking ? 0 : running_tail_.usable_points();
 }
 
 void JointSupervision::on_tail_sent(bool toggle) noexcept {

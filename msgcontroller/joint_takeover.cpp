@@ -53,6 +53,13 @@ void JointTakeover::take(int joint, const can::Feedback& feedback, double positi
   heard_ = true;
 }
 
+void JointTakeover::give_up() noexcept {
+  complete_ = true;
+  for (Joint& joint : joints_) {
+    joint.rests = true;
+  }
+}
+
 bool JointTakeover::end_slot() noexcept {
   if (complete_ || !heard_) {
     return complete_;

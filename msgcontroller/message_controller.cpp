@@ -163,7 +163,8 @@ void MessageController::leave_to_joints() noexcept {
   ++link_.state.left_to_joints;
   supervision_.drop_waiting();
   supervision_.drop(can::MessageKind::resynchronisation);
-  playback_.leave_to_joints(supervision_.outgoing_tail_points());
+  playback_.leave_to_joints(named_tail_points_);
+  named_tail_points_ = 0;
   supervision_.forget_tails();
   link_.set_mode(Mode::safe_tail);
 }
@@ -177,14 +178,14 @@ void MessageController::begin_cycle() noexcept {
     return;
   }
   // With nothing to follow their batch the joints go along its tail, whether this SYNC comes or not.
-  if (was_running && !playback_.running_segment().active && supervision_.outgoing_tail_points() > 0) {
+  if (was_running && !playback_.running_segment().active && named_tail_points_ > 0) {
     leave_to_joints();
   }
   if (stop_requested_) {
     prepare_tail();  // as early as can be
   }
-  if (playback_.left_to_joints()) {
-    link_.set_mode(Mode::safe_tail);
+  if (playback_.left_to_joints() || (playback_.tail_left() && !sync_gets_out())) {
+    link_.set_mode(Mode::safe_tail);  // what is left of it follows when the joints are heard of again
   } else if (!playback_.running_segment().active) {
     link_.set_mode(Mode::holding);
     stop_requested_ = false;
@@ -238,11 +239,21 @@ bool MessageController::take_frame(can::Frame& frame) noexcept {
   return true;
 }
 
+// It may have waited for long in a port that cannot give it back.
+void MessageController::note_sync(const can::Sync& sync) noexcept {
+  constexpr std::int64_t kNumbered = (std::int64_t{1} << 16U) * kSlotsPerCycle;
+  const std::int64_t number = std::int64_t{sync.cycle} * kSlotsPerCycle + sync.slot;
+  last_sync_index_ = last_slot_index_ - (last_slot_index_ - number) % kNumbered;
+  if (sync.batch_committed) {
+    named_tail_points_ = sync.tail_points;
+  }
+}
+
 void MessageController::on_sent(const can::Frame& frame) noexcept {
   const can::Profile& profile = link_.profile;
   if (profile.has(can::MessageKind::sync) && frame.id == profile.id_of(can::MessageKind::sync)) {
     if (const auto sync = can::decode_sync(profile, frame)) {
-      last_sync_index_ = last_slot_index_ - (last_slot_index_ - sync->slot) % kSlotsPerCycle;
+      note_sync(*sync);
     }
   } else if (const auto sent = profile.identify(frame.id); sent && sent->kind == can::MessageKind::tail) {
     supervision_.on_tail_sent(sent->toggle);
@@ -313,6 +324,11 @@ void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std:
     emergency_stop_.supervise(joint, arrival.feedback, feedback_.joint_states().position[j]);
   } else if (!joints_known()) {
     takeover_.take(joint, arrival.feedback, feedback_.joint_states().position[j]);
+  } else if (!takeover_.knows(joint) && !playback_.running_segment().active && !playback_.prepared()) {
+    takeover_.take(joint, arrival.feedback, feedback_.joint_states().position[j]);
+    if (takeover_.knows(joint)) {
+      playback_.hold(joint, takeover_.counts()[j]);
+    }
   } else {
     supervision_.take_feedback(joint, arrival);
     if (link_.synchronised() && link_.watch.has_second_sender(joint)) {
@@ -365,12 +381,13 @@ void MessageController::take_mails(std::int64_t now_ns) noexcept {
 }
 
 void MessageController::take_plans(std::int64_t now_ns) noexcept {
-  const bool on_their_own = playback_.left_to_joints() || !joints_known();
+  const bool on_their_own = playback_.left_to_joints() || !joints_known() || !sync_gets_out();
   if (const msgclient::TrimGains* const gains = intake_.take(now_ns, stop_requested_, on_their_own)) {
     trims_.set_gains(*gains);
   }
   msgclient::TrimUpdate update;
-  if (adapter_.take_trim(update, now_ns) == msgclient::TakeStatus::mail && mode() != Mode::emergency_stop) {
+  if (adapter_.take_trim(update, now_ns) == msgclient::TakeStatus::mail && mode() != Mode::emergency_stop &&
+      joints_known()) {
     trims_.take(update);
   }
 }
@@ -399,6 +416,7 @@ void MessageController::emergency_stop(bool soft) noexcept {
   // A joint that is released soon would play them.
   supervision_.drop_waiting();
   supervision_.forget_tails();
+  named_tail_points_ = 0;
   supervision_.drop(can::MessageKind::resynchronisation);
   if (link_.profile.has(can::MessageKind::emergency_stop)) {  // else a user command is the stop itself
     supervision_.drop(can::MessageKind::user_command);
@@ -472,10 +490,15 @@ void MessageController::stop_early(std::int64_t now_ns) noexcept {
   }
 }
 
-// Off the bus for longer, nothing would come of it.
+bool MessageController::sync_gets_out() const noexcept {
+  return !link_.synchronised() || last_sync_index_ < 0 ||
+         last_sync_index_ >= last_slot_index_ - kSlotsToMakeUp;
+}
+
+// While nothing gets onto the bus, nothing would come of it.
 void MessageController::prepare_tail() noexcept {
-  const bool heard = !playback_.left_to_joints() || last_sync_index_ >= last_slot_index_ - 1;
-  if (heard && !playback_.prepared() && mode() != Mode::emergency_stop && playback_.prepare_from_tail()) {
+  if (sync_gets_out() && !playback_.prepared() && mode() != Mode::emergency_stop &&
+      playback_.prepare_from_tail()) {
     send_tail();
   }
 }

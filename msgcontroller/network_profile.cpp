@@ -94,6 +94,9 @@ void allow_revisions(const urdf::RobotModel& robot, Profile& profile) {
 // From a batch's end to the first moment with both feet down it is 240 ms at most in the gait of humanoid22,
 // and as much longer on a larger body as its steps take.
 int wanted_tail_parts(const urdf::RobotModel& robot) {
+  if (robot.network.tail_parts) {
+    return *robot.network.tail_parts;
+  }
   constexpr double kParts = 3.0, kRounding = 0.01;
   return std::clamp(static_cast<int>(std::ceil(kParts * robot.body_scale().factor("s") - kRounding)), 1,
                     can::kTailParts);
@@ -141,23 +144,16 @@ can::Proof prove(const urdf::RobotModel& robot, const can::Profile& profile, con
                     {.jitter_ns = kReleaseJitter_ns, .errors = errors});
 }
 
-void set_tail_parts(Profile& profile, int parts) {
-  profile.tail_parts = static_cast<std::uint8_t>(parts);
-  if (parts == 0) {
-    profile.rows[static_cast<std::size_t>(MessageKind::tail)] = {};
-  }
-}
-
 // A tail is worth no other message's deadline: of a bus that is too full for it, it takes what is left.
 void fit_tail(const urdf::RobotModel& robot, Profile& profile) {
   if (!profile.has(MessageKind::tail)) {
     return;
   }
-  int parts = robot.network.tail_parts.value_or(wanted_tail_parts(robot));
-  set_tail_parts(profile, parts);
+  int parts = wanted_tail_parts(robot);
+  profile = profile.with_tail_parts(parts);
   check_identifiers(robot, profile);
   while (parts > 0 && !prove(robot, profile, can::jam(kJam_ns)).holds()) {
-    set_tail_parts(profile, --parts);
+    profile = profile.with_tail_parts(--parts);
   }
 }
 
@@ -225,7 +221,25 @@ std::string complaint_about_network(const urdf::RobotModel& robot) {
       100.0 * proof.load, (robot.directory / "robot.yaml").string());
 }
 
+std::string note_on_tails(const urdf::RobotModel& robot) {
+  const can::Profile profile = network_profile(robot);
+  const int parts = profile.has(MessageKind::tail) ? profile.tail_parts : 0;
+  if (!profile.has(MessageKind::sync) || parts >= wanted_tail_parts(robot)) {
+    return {};
+  }
+  return fmt::format(
+      "robot '{}': its bus cannot be proven with more than {} of the {} frames that a joint needs to end a "
+      "step by "
+      "itself. If the message controller dies while a foot is in the air for longer, the joints hold where "
+      "their "
+      "batch ends, and the robot may fall. Put fewer joints on the bus, or choose quicker steps",
+      robot.name, parts, wanted_tail_parts(robot));
+}
+
 void require_proven_network(const urdf::RobotModel& robot, bool accept_unproven) {
+  if (const std::string note = note_on_tails(robot); !note.empty()) {
+    fmt::print(stderr, "note: {}\n", note);
+  }
   const std::string complaint = complaint_about_network(robot);
   if (complaint.empty()) {
     return;

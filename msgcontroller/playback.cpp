@@ -55,6 +55,7 @@ Playback::Playback(std::span<const std::int32_t> initial_count) noexcept
 }
 
 void Playback::accept(const CountPlan& plan) noexcept {
+  keep_outgoing_plan();
   running_plan_ = plan_;
   running_cursor_ = cursor_;
   plan_waits_ = true;
@@ -74,7 +75,16 @@ bool Playback::return_to_running_tail() noexcept {
   return true;
 }
 
+// Before another plan takes its place.
+void Playback::keep_outgoing_plan() noexcept {
+  if (outgoing_is_plan_) {
+    outgoing_plan_ = plan_;
+    outgoing_is_plan_ = false;
+  }
+}
+
 void Playback::accept_revision(const CountPlan& plan) noexcept {
+  keep_outgoing_plan();
   plan_ = plan;
   cursor_ = kBatchPoints;
   revision_ = running_;

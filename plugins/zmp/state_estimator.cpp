@@ -18,6 +18,8 @@ constexpr int kMostBlindTicks = 10;
 constexpr int kMostUnpredictedSlots = 2;
 constexpr int kLongestMeanSlots = 25;  // over which the mean velocity says something about the present one
 constexpr int kLongestGapSlots = 10;   // of the IMU; after a longer one, roll and pitch start anew
+// After longer ones the filters take so long until their velocities say whether the body falls.
+constexpr int kSettlingTicks = 15;
 // Of the accelerometer, one sample. A walk's accelerations are alike from one
 // sample to the next, so it is taken for larger than it is.
 constexpr double kRestlessTilt_rad = 0.2;
@@ -230,11 +232,16 @@ void StateEstimator::resume_com() noexcept {
   const Eigen::Vector3d mean = (measured_com_m(support_) - last_measured_m_) / (facts::kSlot_s * slots);
   begin_com(says_something ? mean : Eigen::Vector3d::Zero());
   predicted_ticks_ = 0;
+  settling_ticks_ = says_something ? 0 : kSettlingTicks;
 }
 
 // Of old values a fall is neither told nor over.
 void StateEstimator::update_fall() noexcept {
   if (inputs_.faults().joints_stale || inputs_.faults().imu_stale) return;
+  if (settling_ticks_ > 0) {
+    --settling_ticks_;
+    return;
+  }
   FallInputs now;
   now.body.com_m = filtered_com_m();
   now.body.com_velocity_m_per_s = {com_[0].velocity_m_per_s(), com_[1].velocity_m_per_s(),

@@ -111,6 +111,44 @@ TEST_F(TailTest, TheNextBatchStartsWhereTheLastOneEndedHoweverLateItsSyncIs) {
   }
 }
 
+TEST_F(TailTest, SoDoesOneWhoseSyncComesWhenAShortTailIsOver) {
+  send_tail(1);
+  play_batch(1);
+  player.on_trajectory(batch(false));
+  const std::int64_t late_ns = 25 * kMillisecond_ns;
+  run_alone(slot_ns(7), slot_ns(8) + late_ns);
+  EXPECT_FALSE(player.running());
+  ++cycle;
+  player.on_sync(naming(0, 0, false, true, false), slot_ns(0) + late_ns);
+  EXPECT_EQ(player.count(), kBatchEnd + 1);
+}
+
+TEST_F(TailTest, ABatchThatWasNeverCommittedIsForgotten) {
+  send_tail(1);
+  play_batch(8);
+  player.on_trajectory(batch(false));
+  fall_silent_for(4);
+  EXPECT_FALSE(player.pending_toggle()) << "its SYNC may still be under way";
+  ++cycle;
+  player.on_sync(naming(5, 0, false, false), slot_ns(5));
+  EXPECT_TRUE(player.pending_toggle()) << "so that the loss of another one of that toggle shows";
+  ++cycle;
+  player.on_sync(naming(0, 0, false, true, false), slot_ns(0));
+  EXPECT_EQ(player.count(), kBatchEnd + tail_sum(8))
+      << "another batch is meant, which this joint does not have";
+}
+
+TEST_F(TailTest, ASyncThatWaitedForLongTellsNothing) {
+  send_tail(1);
+  play_batch(8);
+  fall_silent_for(4);
+  const std::int32_t count = player.count();
+  EXPECT_FALSE(player.on_sync(naming(6, 8), slot_ns(12))) << "of the batch's own cycle";
+  ++cycle;
+  EXPECT_FALSE(player.on_sync(naming(1, 0, false, false), slot_ns(4)));
+  EXPECT_EQ(player.count(), count);
+}
+
 TEST_F(TailTest, ABatchOfALaterCycleStartsWhereTheTailIsThen) {
   send_tail(2);
   play_batch(16);

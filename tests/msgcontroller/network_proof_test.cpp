@@ -50,6 +50,26 @@ TEST_F(NetworkProof, RevisionsAreProvenToo) {
   EXPECT_THAT(refusal(), HasSubstr("robot.yaml:62: network.revision_slot: the profile 'paper' plays each"));
 }
 
+TEST_F(NetworkProof, TailsHaveAsManyPartsAsTheStepsOfTheBodyTakeAndTheBusCanCarry) {
+  EXPECT_EQ(network_profile(robot).tail_parts, 3);
+  EXPECT_EQ(note_on_tails(robot), "");
+  robot.network.tail_parts = 2;
+  EXPECT_EQ(network_profile(robot).tail_parts, 2);
+  EXPECT_EQ(note_on_tails(robot), "");
+  robot.network.tail_parts = 0;
+  EXPECT_FALSE(network_profile(robot).has(MessageKind::tail));
+  EXPECT_EQ(note_on_tails(robot), "");
+}
+
+TEST_F(NetworkProof, ABusThatHasNoRoomForTailsCarriesLessOfThemAndSaysSo) {
+  robot.network.messages.push_back(
+      {.message = "tail", .line = 7, .id = {}, .period_s = {}, .deadline_s = 0.045});
+  EXPECT_EQ(network_profile(robot).tail_parts, 2);
+  EXPECT_EQ(complaint_about_network(robot), "");
+  EXPECT_THAT(note_on_tails(robot),
+              HasSubstr("more than 2 of the 3 frames that a joint needs to end a step by itself"));
+}
+
 TEST_F(NetworkProof, ABusThatCannotBeProvenIsNamedWithTheMessageAndByHowMuch) {
   robot.network.messages.push_back(
       {.message = "trajectory", .line = 7, .id = {}, .period_s = {}, .deadline_s = 0.005});

@@ -125,5 +125,36 @@ TEST(Playback, ARevisionThatMovesIsNoRest) {
   EXPECT_FALSE(playback.rests(std::array<std::int32_t, kMaxJoints>{}));
 }
 
+// Two plans later it is still the first one's tail along which the joints went.
+TEST(Playback, JointsThatWereLeftWentAlongTheTailOfWhatTheyPlayed) {
+  const std::vector<std::int32_t> start(2, 0);
+  Playback playback(start);
+  const auto plan_of = [](std::uint32_t sequence, std::int32_t from) {
+    CountPlan plan;
+    plan.sequence = sequence;
+    plan.joint_count = 2;
+    plan.point_count = 3 * kBatchPoints;
+    for (int point = 0; point < plan.point_count; ++point) {
+      plan.count[static_cast<std::size_t>(point)].fill(from + point + 1);
+    }
+    return plan;
+  };
+  playback.accept(plan_of(1, 0));
+  playback.begin_cycle();
+  ASSERT_TRUE(playback.prepare_from_tail());
+  playback.begin_cycle();
+  playback.accept(plan_of(3, 1000));
+  playback.leave_to_joints(8);
+  for (int slot = 0; slot < kBatchPoints; ++slot) {
+    EXPECT_EQ(playback.expected_count(0, slot), kBatchPoints + slot + 1);
+  }
+  EXPECT_TRUE(playback.left_to_joints());
+  playback.begin_cycle();
+  EXPECT_FALSE(playback.left_to_joints());
+  EXPECT_EQ(playback.expected_count(1, 0), 2 * kBatchPoints);
+  ASSERT_TRUE(playback.prepare_from_tail());
+  EXPECT_EQ(playback.waiting_delta(0, 0), 1) << "the rest of the safe tail follows";
+}
+
 }  // namespace
 }  // namespace gaitway::msgcontroller

@@ -81,6 +81,66 @@ TEST_F(TailTest, OneThatAJointDoesNotHoldIsUsedByNone) {
   expect_moved(8);
 }
 
+TEST_F(TailTest, NoTailIsUsedWhileAJointHasNotSaidThatItHoldsItsOwn) {
+  constexpr can::NodeId kRobbed = 7;
+  bus_.drop = [&](const can::Frame& frame) {
+    const auto is = controller_.profile().identify(frame.id);
+    return is->kind == can::MessageKind::tail && is->node == kRobbed;
+  };
+  for (std::uint32_t sequence = 2; sequence < 6; ++sequence) {
+    ASSERT_EQ(hand_over_on_one_foot(sequence).verdict, Verdict::accepted);
+    run_until(start_ns(sequence) + 2 * kSlot_ns + kMillisecond_ns);
+    EXPECT_EQ(controller_.state().tail_points, 0U) << sequence;
+  }
+}
+
+TEST_F(TailTest, ABatchWithoutATailIsNotExpectedToHaveOne) {
+  ASSERT_EQ(hand_over_on_one_foot(2, 100).verdict, Verdict::accepted);  // none of its own
+  run_until(start_ns(2) + 4 * kSlot_ns + kMillisecond_ns);
+  silent_until(start_ns(3) + 3 * kSlot_ns + kMillisecond_ns);
+  const std::uint64_t repaired = controller_.state().resynchronised;
+  run_until(start_ns(3) + 6 * kSlot_ns);
+  EXPECT_EQ(controller_.state().resynchronised, repaired);
+  expect_moved(8);
+}
+
+TEST_F(TailTest, AJointThatAnswersLateIsNotPulledToWhereItWasAssumed) {
+  constexpr std::size_t kLate = 6;
+  const urdf::Joint& description = robot_.joints[kLate];
+  const std::int32_t elsewhere = JointsOnABus::home_count(description) + 200;
+  msgclient::MemoryBlock block;
+  msgclient::EmiAdapter adapter(block);
+  msgclient::Client client = block.local_client("message_controller");
+  MessageController fresh(robot_, client, adapter.message());
+  JointsOnABus bus(robot_);
+  bus.joint(kLate).on_frame(can::encode(fresh.profile(), can::Sync{.cycle = 1, .slot = 1}), now_ns_);
+  bus.joint(kLate).on_frame(
+      can::encode(fresh.profile(),
+                  can::Resynchronisation{
+                      .node = description.node, .slot = 2, .count = static_cast<std::int16_t>(elsewhere)}),
+      now_ns_);
+  bus.joint(kLate).on_frame(can::encode(fresh.profile(), can::Sync{.cycle = 1, .slot = 2}), now_ns_);
+  ASSERT_EQ(bus.count(kLate), elsewhere);
+  bus.sensors[kLate].encoder_count = static_cast<std::int32_t>(
+      std::lround(elsewhere * description.count_rad / description.encoder_count_rad));
+  std::int64_t now_ns = 100 * kCycle_ns;
+  const auto run = [&](std::int64_t until_ns) {
+    for (; now_ns < until_ns; now_ns += kMillisecond_ns) {
+      bus.millisecond(fresh, now_ns);
+    }
+  };
+  bus.drop_from_joint = [&](const can::Frame& frame) {
+    return fresh.profile().identify(frame.id)->node == description.node;
+  };
+  run(101 * kCycle_ns);
+  EXPECT_TRUE(fresh.joints_known());
+  bus.drop_from_joint = [](const can::Frame&) { return false; };
+  run(103 * kCycle_ns);
+  EXPECT_EQ(bus.count(kLate), elsewhere);
+  EXPECT_EQ(fresh.expected_count(static_cast<int>(kLate)), elsewhere);
+  EXPECT_EQ(fresh.state().resynchronised, 0U);
+}
+
 TEST_F(TailTest, EachBatchBringsItsOwn) {
   for (std::uint32_t sequence = 2; sequence < 12; ++sequence) {
     ASSERT_EQ(hand_over_on_one_foot(sequence, 3 + static_cast<int>(sequence)).verdict, Verdict::accepted);

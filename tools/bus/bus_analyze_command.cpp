@@ -190,7 +190,12 @@ void print_capacity(const Subject& subject, const can::AnalysisOptions& analysis
   }
   if (subject.profile) {
     fmt::print("joints that fit  {} (the profile has identifiers for {})\n",
-               can::most_joints(*subject.profile, assumptions), subject.profile->largest_node);
+               can::most_joints(subject.profile->with_tail_parts(0), assumptions),
+               subject.profile->largest_node);
+    if (subject.profile->has(can::MessageKind::tail)) {
+      fmt::print("with tails       {}, of {} frames each\n", can::most_joints(*subject.profile, assumptions),
+                 subject.profile->tail_parts);
+    }
   }
 }
 

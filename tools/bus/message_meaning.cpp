@@ -57,7 +57,8 @@ constexpr std::array kFaults{
     named(can::Fault::restarted, "restarted",
           "has started and stands where its encoder says, not where it was told"),
     named(can::Fault::tail_missing, "tail_missing",
-          "SYNC names a tail of which it does not hold every point")};
+          "a second ago or less, SYNC named a tail of which it did not hold every "
+          "point")};
 constexpr std::array kModes{named(Mode::batches, "batches", "plays what the main controller hands over"),
                             named(Mode::safe_tail, "safe_tail",
                                   "brings the robot to a stand, since no new batch came or a stop was "

@@ -58,6 +58,15 @@ struct Profile {
   [[nodiscard]] constexpr bool has(MessageKind kind) const noexcept {
     return row(kind).rule != IdRule::unused;
   }
+  // The same bus with so many parts of tails at most.
+  [[nodiscard]] constexpr Profile with_tail_parts(int parts) const noexcept {
+    Profile other = *this;
+    other.tail_parts = static_cast<std::uint8_t>(parts);
+    if (parts == 0) {
+      other.rows[static_cast<std::size_t>(MessageKind::tail)] = {};
+    }
+    return other;
+  }
   // How many messages of that kind each node has, each with identifiers of its own.
   [[nodiscard]] constexpr int parts(MessageKind kind) const noexcept {
     return row(kind).rule == IdRule::per_part_node_and_toggle ? int{tail_parts} : 1;

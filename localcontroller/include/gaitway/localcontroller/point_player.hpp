@@ -85,6 +85,7 @@ class PointPlayer {
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
   [[nodiscard]] bool start_batch(const can::Sync& sync) noexcept;
   [[nodiscard]] bool take_up_tail() noexcept;
+  void drop_stale_batch(const can::Sync& sync) noexcept;
   void begin_tail_slot(int point, std::int64_t start_ns, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool follow_tail(const can::Sync& sync, std::int64_t now_ns) noexcept;
   [[nodiscard]] std::int32_t count_before_tail_point(int point) const noexcept;
@@ -119,8 +120,10 @@ class PointPlayer {
   bool executing_toggle_ = false;
   std::array<std::int8_t, can::kBatchPoints> pending_{}, executing_{};
   HeldTail tail_;
-  bool in_tail_ = false;  // running_: along these points
-  int tail_point_ = 0;    // that is being played
+  bool in_tail_ = false;           // running_: along these points
+  bool left_by_tail_ = false;      // since the last batch it has gone along a tail
+  bool pending_is_stale_ = false;  // it was there when a batch ended to which no SYNC had it follow
+  int tail_point_ = 0;             // that is being played
   int tail_points_ = 0;
   std::array<std::int8_t, can::kTailPoints> tail_delta_{};
   std::int32_t batch_end_count_ = 0;

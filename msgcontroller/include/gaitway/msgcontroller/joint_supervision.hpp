@@ -38,10 +38,9 @@ class JointSupervision {
     forget_waiting_tail();
     running_tail_.points = 0;
   }
-  // How many points of the running segment's tail every joint holds; and of the segment's before.
-  [[nodiscard]] int tail_points() const noexcept { return running_tail_.usable_points(); }
+  // How many points of the running segment's tail every joint holds.
+  [[nodiscard]] int tail_points() const noexcept;
   [[nodiscard]] bool tail_toggle() const noexcept { return running_tail_.toggle; }
-  [[nodiscard]] int outgoing_tail_points() const noexcept { return outgoing_tail_points_; }
   // What runs, where there is no SYNC and the trajectory frames themselves start it.
   void send_running() noexcept;
   // The joint moves by itself for so many slots from now on: its count may differ.
@@ -82,7 +81,6 @@ class JointSupervision {
   // The last slot of the running cycle whose point the joint has after a repair.
   std::array<int, kMaxJoints> covered_until_{};
   SentTail waiting_tail_, running_tail_;
-  int outgoing_tail_points_ = 0;
 };
 
 }  // namespace gaitway::msgcontroller

@@ -30,8 +30,12 @@ class JointTakeover {
   // answers has come to rest: then counts() are the references of all.
   bool end_slot() noexcept;
   [[nodiscard]] bool complete() const noexcept { return complete_; }
+  // A joint that had not answered by then tells of itself when it does.
+  [[nodiscard]] bool knows(int joint) const noexcept {
+    return joints_[static_cast<std::size_t>(joint)].rests;
+  }
   // Whoever stopped the joints finds out himself where they stand.
-  void give_up() noexcept { complete_ = true; }
+  void give_up() noexcept;
   [[nodiscard]] bool anything_heard() const noexcept { return heard_; }
   [[nodiscard]] std::span<const std::int32_t> counts() const noexcept { return count_; }
 

@@ -80,7 +80,9 @@ class MessageController final : private CommandTaker {
   void pass_slot(std::int64_t slot_index) noexcept;
   void begin_cycle() noexcept;
   void leave_to_joints() noexcept;
+  [[nodiscard]] bool sync_gets_out() const noexcept;
   void on_sent(const can::Frame& frame) noexcept;
+  void note_sync(const can::Sync& sync) noexcept;
   void take_over() noexcept;
   void send_sync(std::int64_t now_ns) noexcept;
   void take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept;
@@ -124,6 +126,7 @@ class MessageController final : private CommandTaker {
   bool port_tells_sent_ = false;
   std::int64_t last_slot_index_ = -1;  // that was entered
   std::int64_t last_sync_index_ = -1;  // slot whose SYNC was on the bus
+  int named_tail_points_ = 0;          // of the last SYNC on the bus that committed a batch
   std::int64_t last_heard_ns_ = 0;     // end of the last frame of another station
   bool feedback_published_ = true;
 };

@@ -43,7 +43,12 @@ inline constexpr std::int64_t kJam_ns = 2'000'000;
 // and by how much, and what to do.
 [[nodiscard]] std::string complaint_about_network(const urdf::RobotModel& robot);
 
-// Throws urdf::RobotError with that complaint, unless it is accepted: then it goes to stderr as a warning.
+// Empty when the joints get as many points for the time after their batch as this robot's steps take;
+// otherwise a sentence that says what that means.
+[[nodiscard]] std::string note_on_tails(const urdf::RobotModel& robot);
+
+// Throws urdf::RobotError with that complaint, unless it is accepted: then it goes to stderr as a warning. So
+// does the note on tails.
 void require_proven_network(const urdf::RobotModel& robot, bool accept_unproven);
 
 // A batch is handed over at the latest so long before it starts: its last trajectory frame has arrived by

@@ -134,6 +134,7 @@ class Playback {
   void prepare(int first_point) noexcept;
   void begin_revision() noexcept;
   void go_on_alone() noexcept;
+  void keep_outgoing_plan() noexcept;
   [[nodiscard]] const std::int32_t* alone_counts(int slot) const noexcept;
 
   int joint_count_;

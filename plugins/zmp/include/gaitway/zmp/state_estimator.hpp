@@ -47,8 +47,8 @@ class StateEstimator {
   static void visit_state(Self& self, Archive& archive) {
     archive(self.contacts_, self.cells_, self.attitude_, self.com_, self.com_offset_, self.angular_velocity_,
             self.zmp_m_, self.zmp_variance_, self.support_, self.frame_heading_rad_, self.started_,
-            self.blind_ticks_, self.predicted_ticks_, self.last_measured_m_, self.feet_planted_, self.slip_,
-            self.fall_, self.inputs_, self.load_model_, self.odometry_);
+            self.blind_ticks_, self.predicted_ticks_, self.settling_ticks_, self.last_measured_m_,
+            self.feet_planted_, self.slip_, self.fall_, self.inputs_, self.load_model_, self.odometry_);
   }
 
  private:
@@ -100,6 +100,7 @@ class StateEstimator {
   bool started_ = false;
   int blind_ticks_ = 0;                                        // without joint states
   int predicted_ticks_ = 0;                                    // since the CoM was measured
+  int settling_ticks_ = 0;                                     // in which no fall is told
   Eigen::Vector3d last_measured_m_ = Eigen::Vector3d::Zero();  // CoM, in the support's frame of then
 };
 
