@@ -14,6 +14,7 @@
 #include "command_run.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
 #include "tools/campaign/campaign.hpp"
+#include "tools/campaign/endurance.hpp"
 #include "tools/campaign/fault_run.hpp"
 #include "tools/campaign/row_summary.hpp"
 
@@ -69,6 +70,46 @@ TEST(FaultTable, ANameThatNoRowHasIsRefusedWithTheNextBest) {
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), HasSubstr("Did you mean 'dead_knee'?"));
   }
+}
+
+TEST(Endurance, OnlyWhatIsSurvivedAndPassesComesOneAfterTheOther) {
+  std::set<std::string> names;
+  for (const FaultRow& row : passing_rows(fault_table(walker().model), walker().model))
+    names.insert(row.name);
+  for (const char* const passing :
+       {"jam", "message_controller_silent_5s", "joint_restarts_20ms", "batch_late"}) {
+    EXPECT_TRUE(names.contains(passing)) << passing;
+  }
+  for (const char* const lasting :
+       {"message_controller_dead", "plugin_throws", "imu_noisy", "dead_neck", "dead_knee"}) {
+    EXPECT_FALSE(names.contains(lasting)) << lasting;
+  }
+}
+
+TEST(Endurance, TheSameHoursAreTheSameWhoeverPlaysThem) {
+  const std::vector<FaultRow> rows = passing_rows(fault_table(walker().model), walker().model);
+  EnduranceOptions options{.hours = 0.005, .robots = 2, .jobs = 1, .mean_pause_s = 3.0, .progress = {}};
+  const std::vector<EnduranceRun> once = run_endurance(walker(), rows, options);
+  options.jobs = 2;
+  const std::vector<EnduranceRun> again = run_endurance(walker(), rows, options);
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    EXPECT_EQ(once[i].faults, again[i].faults);
+    EXPECT_EQ(once[i].walked_m, again[i].walked_m);
+    EXPECT_GT(once[i].fault_count(), 1U);
+    EXPECT_GT(once[i].walked_m, 0.2);
+    EXPECT_DOUBLE_EQ(once[i].played_s, 18.0);
+    EXPECT_GT(once[i].memory_last_KiB, 1000U);
+  }
+  EXPECT_NE(once[0].faults, once[1].faults) << "each robot meets its own";
+}
+
+TEST(Endurance, AFallIsToldWithTheFaultsBeforeItAndAnotherRobotWalksOn) {
+  const EnduranceOptions options{.hours = 0.005, .robots = 1, .jobs = 1, .mean_pause_s = 2.0, .progress = {}};
+  const EnduranceRun run = run_endurance(walker(), {row_named("dead_knee")}, options).at(0);
+  ASSERT_FALSE(run.falls.empty());
+  EXPECT_EQ(run.falls.front().rows.front(), "dead_knee");
+  EXPECT_DOUBLE_EQ(run.played_s, 18.0);
+  EXPECT_THAT(endurance_markdown(options, {run}), HasSubstr("Robot 1 fell at "));
 }
 
 TEST(FaultTrial, InstantsAreSpreadOverTheGaitCycleByChance) {

@@ -16,6 +16,7 @@
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "tools/campaign/campaign.hpp"
+#include "tools/campaign/endurance.hpp"
 #include "tools/command_line.hpp"
 #include "tools/measure/trial_store.hpp"
 
@@ -36,6 +37,7 @@ struct CampaignCommand {
   std::vector<std::string> rows, except;
   std::string row;  // its trial `instant` alone, as a scenario
   std::optional<std::uint64_t> instant;
+  std::optional<double> hours;  // of one fault after the other
   double speed_m_per_s = 0.2;
   int robots = 20;
   bool quick = false, list = false, quiet = false;
@@ -139,12 +141,45 @@ int tell_result(const CampaignCommand& command, const CampaignHead& head, const 
   return all_hold ? kExitFine : kExitRowFailed;
 }
 
+int jobs_of(const CampaignCommand& command) {
+  return command.jobs.value_or(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+}
+
+// One fault after the other for hours.
+int endure(const CampaignCommand& command, const std::vector<FaultRow>& rows) {
+  const TrialRobot robot = load_walker(command);
+  const std::vector<FaultRow> passing = passing_rows(rows, robot.model);
+  if (passing.empty()) {
+    throw std::invalid_argument(
+        "--hours: none of these rows has faults that are survived and pass by themselves");
+  }
+  prepare_output(command.out);
+  EnduranceOptions options{.hours = *command.hours,
+                           .robots = command.robots,
+                           .jobs = jobs_of(command),
+                           .speed_m_per_s = command.speed_m_per_s,
+                           .progress = {}};
+  std::vector<EnduranceRun> runs;
+  {
+    ProgressLine line(!command.quiet);
+    options.progress = [&line](double share) { line.show(fmt::format("  {:.1f} % played ", 100.0 * share)); };
+    runs = run_endurance(robot, passing, options);
+  }
+  process::write_text_file(command.out / "endurance.json", endurance_json(runs).dump(2) + "\n");
+  const std::string text = endurance_markdown(options, runs);
+  process::write_text_file(command.out / "endurance.md", text);
+  if (!command.quiet) fmt::print("{}", text);
+  const bool all_up = std::ranges::all_of(runs, [](const EnduranceRun& run) { return run.falls.empty(); });
+  return all_up ? kExitFine : kExitRowFailed;
+}
+
 int run_the_campaign(const CampaignCommand& command) {
   const auto started = Clock::now();
   const std::vector<FaultRow> table = fault_table(urdf::load_robot(command.robot));
   if (command.list) return list_rows(table);
   if (!command.row.empty()) return print_scenario(command, table);
   const std::vector<FaultRow> rows = chosen_fault_rows(table, command.rows, command.except);
+  if (command.hours) return endure(command, rows);
   TrialRobot robot = load_walker(command);
   prepare_output(command.out);
   pin_plugins(robot.plugins, robot.plugin_path, command.out / "plugins");
@@ -152,12 +187,11 @@ int run_the_campaign(const CampaignCommand& command) {
       command.out / "trials.jsonl", fingerprint_of(robot),
       [](const nlohmann::ordered_json& outcome) { static_cast<void>(fault_outcome_from_json(outcome)); });
   remove_other_plugins(robot.plugins, command.out / "plugins");
-  CampaignOptions options{
-      .instants = command.instants.value_or(command.quick ? kQuickInstants : kInstants),
-      .robots = command.robots,
-      .speed_m_per_s = command.speed_m_per_s,
-      .jobs = command.jobs.value_or(std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
-      .progress = {}};
+  CampaignOptions options{.instants = command.instants.value_or(command.quick ? kQuickInstants : kInstants),
+                          .robots = command.robots,
+                          .speed_m_per_s = command.speed_m_per_s,
+                          .jobs = jobs_of(command),
+                          .progress = {}};
   Campaign campaign;
   {
     CampaignProgress line(!command.quiet);
@@ -186,6 +220,10 @@ void declare_program(const CommandLine& app) {
   command.option("--row", options.row,
                  "Print one trial of this row as a scenario, and play nothing; with --instant");
   command.option("--instant", options.instant, "The number of that trial, as campaign.csv has it");
+  command
+      .option("--hours", options.hours,
+              "Instead: for so many hours of each robot, one fault after the other, every 10 s on average")
+      .between(0.001, 1000.0);
   command.option("--robots", options.robots, "That take turns, each with its own deviations")
       .between(1, kMostRobots);
   command.option("--jobs", options.jobs, "Walks side by side (default: one a core)").between(1, kMostJobs);
@@ -198,6 +236,7 @@ void declare_program(const CommandLine& app) {
       "  gaitway campaign --quick\n"
       "  gaitway campaign --instants 1000 --rows jam,joint_bus_off\n"
       "  gaitway campaign --speed 0.35 --out out/campaign_fast\n"
+      "  gaitway campaign --hours 8 --robots 4\n"
       "  gaitway campaign --row dead_knee --instant 3 > knee.yaml && gaitway run --scenario knee.yaml --seed "
       "4\n"
       "Results: campaign.md, .json, .csv (a line for each trial) and .svg in --out. A campaign that was "

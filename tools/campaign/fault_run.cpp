@@ -9,7 +9,6 @@
 #include <string>
 
 #include "gaitway/process/working_copy.hpp"
-#include "gaitway/simulator/cosimulation.hpp"
 #include "tools/campaign/fault_watch.hpp"
 
 namespace gaitway::tools {
@@ -26,19 +25,10 @@ std::vector<std::string> told_by(const std::function<void(const process::Working
   return told;
 }
 
-simulator::CosimulationOptions options_for(const TrialRobot& robot, std::uint64_t seed) {
-  simulator::CosimulationOptions options;
-  options.plant.seed = seed;
-  options.main_controller.configuration = robot.plugins.file;
-  options.main_controller.plugins = robot.plugins;
-  options.main_controller.plugin_path = robot.plugin_path;
-  return options;
-}
-
 class FaultRun {
  public:
   FaultRun(const TrialRobot& robot, std::uint64_t seed, double speed_m_per_s)
-      : run_(robot.model, options_for(robot, seed)), walk_{kWalkFrom_s, walk_of(speed_m_per_s)} {}
+      : run_(robot.model, walk_options(robot, seed)), walk_{kWalkFrom_s, walk_of(speed_m_per_s)} {}
 
   // Up to the millisecond that begins then; the walk begins on the way.
   void walk_to(double at_s) {
@@ -106,6 +96,15 @@ std::optional<double> FaultRun::stop_in_copy() {
 }
 
 }  // namespace
+
+simulator::CosimulationOptions walk_options(const TrialRobot& robot, std::uint64_t seed) {
+  simulator::CosimulationOptions options;
+  options.plant.seed = seed;
+  options.main_controller.configuration = robot.plugins.file;
+  options.main_controller.plugins = robot.plugins;
+  options.main_controller.plugin_path = robot.plugin_path;
+  return options;
+}
 
 std::vector<simulator::ScenarioEvent> events_of(const FaultTrial& trial, const urdf::RobotModel& robot) {
   std::vector<simulator::ScenarioEvent> events;

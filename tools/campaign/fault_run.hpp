@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "gaitway/simulator/cosimulation.hpp"
 #include "gaitway/simulator/scenario_event.hpp"
 #include "tools/campaign/fault_trial.hpp"
 #include "tools/measure/gait_trial.hpp"
@@ -15,6 +16,9 @@ namespace gaitway::tools {
 // The actions as the co-simulation takes them. Throws input::InputError for a text that is none.
 [[nodiscard]] std::vector<simulator::ScenarioEvent> events_of(const FaultTrial& trial,
                                                               const urdf::RobotModel& robot);
+
+// A robot of this seed as the campaign has it.
+[[nodiscard]] simulator::CosimulationOptions walk_options(const TrialRobot& robot, std::uint64_t seed);
 
 // Told each outcome with the trial's place in the series.
 using FaultTrialDone = std::function<void(std::size_t trial, const FaultOutcome& outcome)>;

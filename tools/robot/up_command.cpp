@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,6 +46,10 @@ int supervise(const UpOptions& options, const std::function<void()>& on_ready) {
 // Of the new process: it leaves the terminal, and says through the pipe that the robot may be commanded.
 int supervise_detached(const UpOptions& options, const process::FileDescriptor& says) {
   setsid();
+  // What whoever started this has open, a lock or a pipe, is not to live as long as the robot.
+  const auto kept = static_cast<unsigned>(says.get());
+  syscall(SYS_close_range, 3U, kept - 1, 0U);
+  syscall(SYS_close_range, kept + 1, ~0U, 0U);
   try {
     const RobotFolders folders = prepare_folders(options.folder, options.log);
     const int code = supervise(options, [&says, &folders] {

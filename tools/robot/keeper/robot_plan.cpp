@@ -126,18 +126,18 @@ PartPlan message_controller(const RobotPlanOptions& options, const RobotFolders&
 
 PartPlan main_controller(const RobotPlanOptions& options, const RobotFolders& folders,
                          const std::filesystem::path& config) {
-  PartPlan part{
-      .name = "main_controller",
-      .words = {program("main_controller"), "--supervised", "--socket", folders.memory_socket().string(),
-                "--robot", options.robot.string(), "--config", config.string()},
-      .progress = Progress::reports,
-      // Its own supervisor ends a worker that makes no tick for 1 s, and knows which plug-in was to
-      // blame: this is for when that one does not.
-      .patience = {.start_ns = 30 * kSecond_ns, .hang_ns = 2'500 * kMillisecond_ns},
-      .needs = "message_controller",
-      .lives_in = "message_controller",
-      .moves_ns = 10 * kSecond_ns,
-      .end_ns = 6 * kSecond_ns};
+  PartPlan part{.name = "main_controller",
+                .words = {program("main_controller"), "--supervised", "--socket",
+                          folders.memory_socket().string(), "--robot", options.robot.string(), "--config",
+                          config.string(), "--events", (folders.log / "main_controller.jsonl").string()},
+                .progress = Progress::reports,
+                // Its own supervisor ends a worker that makes no tick for 1 s, and knows which plug-in was to
+                // blame: this is for when that one does not.
+                .patience = {.start_ns = 30 * kSecond_ns, .hang_ns = 2'500 * kMillisecond_ns},
+                .needs = "message_controller",
+                .lives_in = "message_controller",
+                .moves_ns = 10 * kSecond_ns,
+                .end_ns = 6 * kSecond_ns};
   if (!options.plugin_path.empty()) {
     part.words.emplace_back("--plugin-path");
     for (const std::filesystem::path& path : options.plugin_path) part.words.push_back(path.string());
