@@ -48,6 +48,13 @@ class FieldWriter {
     bits_ |= (static_cast<std::uint64_t>(value) & mask) << field.first_bit;
     return *this;
   }
+  template <std::size_t size>
+  FieldWriter& put_all(const std::array<std::int8_t, size>& values) noexcept {
+    for (const std::int8_t value : values) {
+      put(value);
+    }
+    return *this;
+  }
   [[nodiscard]] Frame frame() const noexcept {
     Frame result = frame_;
     for (std::size_t byte = 0; byte < result.data.size(); ++byte) {
@@ -91,6 +98,13 @@ class FieldReader {
     return static_cast<T>(raw);
   }
 
+  template <std::size_t size>
+  void take_all(std::array<std::int8_t, size>& values) noexcept {
+    for (std::int8_t& value : values) {
+      value = take<std::int8_t>();
+    }
+  }
+
  private:
   std::span<const FieldSpec> fields_;
   std::size_t next_ = 0;
@@ -127,10 +141,7 @@ Frame encode(const Profile& profile, const Sync& message) noexcept {
 
 Frame encode(const Profile& profile, const Trim& message) noexcept {
   FieldWriter writer(profile, MessageKind::trim);
-  for (const std::int8_t count : message.count) {
-    writer.put(count);
-  }
-  return writer.frame();
+  return writer.put_all(message.count).frame();
 }
 
 Frame encode(const Profile& profile, const Feedback& message) noexcept {
@@ -152,19 +163,13 @@ Frame encode(const Profile& profile, const FaultReport& message) noexcept {
 
 Frame encode(const Profile& profile, const Trajectory& message) noexcept {
   FieldWriter writer(profile, MessageKind::trajectory, message.node, message.toggle);
-  for (const std::int8_t delta : message.delta) {
-    writer.put(delta);
-  }
-  return writer.frame();
+  return writer.put_all(message.delta).frame();
 }
 
 Frame encode(const Profile& profile, const Resynchronisation& message) noexcept {
   FieldWriter writer(profile, MessageKind::resynchronisation, message.node);
   writer.put(message.count).put(message.slot).put(message.toggle ? 1 : 0);
-  for (const std::int8_t delta : message.delta) {
-    writer.put(delta);
-  }
-  return writer.frame();
+  return writer.put_all(message.delta).frame();
 }
 
 Frame encode(const Profile& profile, const Heartbeat& message) noexcept {
@@ -173,10 +178,7 @@ Frame encode(const Profile& profile, const Heartbeat& message) noexcept {
 
 Frame encode(const Profile& profile, const Tail& message) noexcept {
   FieldWriter writer(profile, MessageKind::tail, message.node, message.toggle, message.part);
-  for (const std::int8_t delta : message.delta) {
-    writer.put(delta);
-  }
-  return writer.frame();
+  return writer.put_all(message.delta).frame();
 }
 
 std::optional<EmergencyStop> decode_emergency_stop(const Profile& profile, const Frame& frame) noexcept {
@@ -229,9 +231,7 @@ std::optional<Trim> decode_trim(const Profile& profile, const Frame& frame) noex
     return std::nullopt;
   }
   Trim message;
-  for (std::int8_t& count : message.count) {
-    count = reader.take<std::int8_t>();
-  }
+  reader.take_all(message.count);
   return message;
 }
 
@@ -269,9 +269,7 @@ std::optional<Trajectory> decode_trajectory(const Profile& profile, const Frame&
   Trajectory message;
   message.node = reader.identified().node;
   message.toggle = reader.identified().toggle;
-  for (std::int8_t& delta : message.delta) {
-    delta = reader.take<std::int8_t>();
-  }
+  reader.take_all(message.delta);
   return message;
 }
 
@@ -286,9 +284,7 @@ std::optional<Resynchronisation> decode_resynchronisation(const Profile& profile
   message.count = reader.take<std::int16_t>();
   message.slot = reader.take<std::uint8_t>();
   message.toggle = reader.take<bool>();
-  for (std::int8_t& delta : message.delta) {
-    delta = reader.take<std::int8_t>();
-  }
+  reader.take_all(message.delta);
   return message;
 }
 
@@ -312,9 +308,7 @@ std::optional<Tail> decode_tail(const Profile& profile, const Frame& frame) noex
   message.node = reader.identified().node;
   message.toggle = reader.identified().toggle;
   message.part = reader.identified().part;
-  for (std::int8_t& delta : message.delta) {
-    delta = reader.take<std::int8_t>();
-  }
+  reader.take_all(message.delta);
   return message;
 }
 

@@ -1,7 +1,11 @@
 // Stops first, then people, then the behaviour; then what has come to its end.
 #include "gaitway/msgcontroller/command_arbiter.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -20,6 +24,17 @@ constexpr std::int64_t kDone_ns = 1000 * kMillisecond_ns;
 constexpr std::int64_t kTellAgain_ns = 100 * kMillisecond_ns;
 
 }  // namespace
+
+void check_walk_option(std::span<const double> walk) {
+  if (walk.size() != 3) {
+    throw std::invalid_argument(
+        "--walk: wants VX,VY,WZ in m/s, m/s and rad/s: three numbers, for example 0.15,0,0.1");
+  }
+  if (std::hypot(walk[0], walk[1]) > kLargestWalkSpeed_m_per_s) {
+    throw std::invalid_argument(fmt::format("--walk: at most {} m/s may be commanded. Choose a lower speed",
+                                            kLargestWalkSpeed_m_per_s));
+  }
+}
 
 CommandArbiter::CommandArbiter(msgclient::Client& client)
     : walk_(client, "behaviour_walk", "walk_request", "walk_command"),

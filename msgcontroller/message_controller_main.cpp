@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -236,14 +235,8 @@ int run(const Options& options) {
   if (!options.bus.sent_log.empty() && options.bus.interface.empty()) {
     throw std::invalid_argument("--sent-log: needs --can; what is on the simulated bus, virtual_robot knows");
   }
-  if (!options.walk.empty() && options.walk.size() != 3) {
-    throw std::invalid_argument(
-        "--walk: wants VX,VY,WZ in m/s, m/s and rad/s: three numbers, for example 0.15,0,0.1");
-  }
-  if (!options.walk.empty() &&
-      std::hypot(options.walk[0], options.walk[1]) > msgcontroller::kLargestWalkSpeed_m_per_s) {
-    throw std::invalid_argument(fmt::format("--walk: at most {} m/s may be commanded. Choose a lower speed",
-                                            msgcontroller::kLargestWalkSpeed_m_per_s));
+  if (!options.walk.empty()) {
+    msgcontroller::check_walk_option(options.walk);
   }
   const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);

@@ -7,7 +7,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "gaitway/facts/facts.hpp"
@@ -42,14 +41,8 @@ void check(const RobotPlanOptions& options, const RobotFolders& folders) {
                     "says how to set one up",
                     *options.can));
   }
-  if (!options.walk.empty() && options.walk.size() != 3) {
-    throw std::invalid_argument(
-        "--walk: wants VX,VY,WZ in m/s, m/s and rad/s: three numbers, for example 0.15,0,0.1");
-  }
-  if (!options.walk.empty() &&
-      std::hypot(options.walk[0], options.walk[1]) > msgcontroller::kLargestWalkSpeed_m_per_s) {
-    throw std::invalid_argument(fmt::format("--walk: at most {} m/s may be commanded. Choose a lower speed",
-                                            msgcontroller::kLargestWalkSpeed_m_per_s));
+  if (!options.walk.empty()) {
+    msgcontroller::check_walk_option(options.walk);
   }
   if (options.profile != "" && options.profile != "full" && options.profile != "paper") {
     throw std::invalid_argument("--profile: must be full or paper");

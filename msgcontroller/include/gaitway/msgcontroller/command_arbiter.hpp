@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -18,6 +19,9 @@ namespace gaitway::msgcontroller {
 // The largest command that is taken from a scenario or a command line.
 inline constexpr double kLargestWalkSpeed_m_per_s = 1.0;
 inline constexpr double kLargestTurnRate_rad_per_s = 2.0;
+// Throws std::invalid_argument unless `walk`, of an option --walk, is forward m/s, left m/s and turn rad/s,
+// and not too fast.
+void check_walk_option(std::span<const double> walk);
 
 // As CommandRequest::verb has the first two; the third, that whoever commanded has gone.
 enum class CommandVerb : std::uint8_t { take, let_go, is_lost };
