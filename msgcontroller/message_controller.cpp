@@ -106,6 +106,7 @@ void MessageController::enter_slot(std::int64_t now_ns) noexcept {
   pass_slots_until(slot_index);
   link_.state.stamp_ns = now_ns;
   follow_release(now_ns);
+  recount();
   send_sync(now_ns);
   hand_.enter_slot();
   ++link_.slots_since_start;
@@ -165,6 +166,7 @@ void MessageController::leave_to_joints() noexcept {
   supervision_.drop(can::MessageKind::resynchronisation);
   playback_.leave_to_joints(named_tail_points_);
   named_tail_points_ = 0;
+  recount_waits_ = true;
   supervision_.forget_tails();
   link_.set_mode(Mode::safe_tail);
 }
@@ -381,7 +383,8 @@ void MessageController::take_mails(std::int64_t now_ns) noexcept {
 }
 
 void MessageController::take_plans(std::int64_t now_ns) noexcept {
-  const bool on_their_own = playback_.left_to_joints() || !joints_known() || !sync_gets_out();
+  const bool on_their_own =
+      playback_.left_to_joints() || !joints_known() || !sync_gets_out() || counts_first();
   if (const msgclient::TrimGains* const gains = intake_.take(now_ns, stop_requested_, on_their_own)) {
     trims_.set_gains(*gains);
   }
@@ -417,6 +420,7 @@ void MessageController::emergency_stop(bool soft) noexcept {
   supervision_.drop_waiting();
   supervision_.forget_tails();
   named_tail_points_ = 0;
+  recount_waits_ = false;
   supervision_.drop(can::MessageKind::resynchronisation);
   if (link_.profile.has(can::MessageKind::emergency_stop)) {  // else a user command is the stop itself
     supervision_.drop(can::MessageKind::user_command);
@@ -495,9 +499,25 @@ bool MessageController::sync_gets_out() const noexcept {
          last_sync_index_ >= last_slot_index_ - kSlotsToMakeUp;
 }
 
-// While nothing gets onto the bus, nothing would come of it.
+// After an outage each joint is told its count once it rests: of a difference of sixteen counts its feedback
+// tells nothing. Until then nothing is to be played.
+bool MessageController::counts_first() const noexcept {
+  return recount_waits_ && !playback_.running_segment().active && !playback_.prepared() &&
+         !playback_.left_to_joints();
+}
+
+// Not in the last slot of a cycle, in which no count can be given.
+void MessageController::recount() noexcept {
+  if (counts_first() && sync_gets_out() && link_.state.slot < kSlotsPerCycle - 1 &&
+      mode() != Mode::emergency_stop && joints_known()) {
+    supervision_.set_counts();
+    recount_waits_ = false;
+  }
+}
+
+// While nothing gets onto the bus, nothing would come of it; and joints at rest are counted first.
 void MessageController::prepare_tail() noexcept {
-  if (sync_gets_out() && !playback_.prepared() && mode() != Mode::emergency_stop &&
+  if (sync_gets_out() && !counts_first() && !playback_.prepared() && mode() != Mode::emergency_stop &&
       playback_.prepare_from_tail()) {
     send_tail();
   }

@@ -269,6 +269,15 @@ Action read_action(const YamlValue& value, const urdf::RobotModel& robot) {
 
 }  // namespace
 
+std::string counterpart_of(std::string_view sensor) {
+  for (const auto& [side, other] : {std::pair{"left_", "right_"}, std::pair{"right_", "left_"}}) {
+    if (sensor.starts_with(side)) {
+      return other + std::string(sensor.substr(std::string_view(side).size()));
+    }
+  }
+  return {};
+}
+
 ScenarioEvent read_event(const YamlValue& value, const urdf::RobotModel& robot) {
   std::vector<std::string_view> keys{"at_s", "asked"};
   std::ranges::transform(kActions, std::back_inserter(keys), &ActionKey::key);

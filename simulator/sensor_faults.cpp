@@ -24,15 +24,6 @@ constexpr double kBiasedCells = 0.2;  // of what they bear
 
 }  // namespace
 
-std::string counterpart_of(std::string_view sensor) {
-  for (const auto& [side, other] : {std::pair{"left_", "right_"}, std::pair{"right_", "left_"}}) {
-    if (sensor.starts_with(side)) {
-      return other + std::string(sensor.substr(std::string_view(side).size()));
-    }
-  }
-  return {};
-}
-
 SensorFaults::SensorFaults(const urdf::RobotModel& robot, std::uint64_t seed)
     : robot_(robot), random_(seed ^ 0x5E45'0000'0000'0001ULL) {}
 

@@ -98,9 +98,9 @@ TEST_F(TailTest, ABatchWithoutATailIsNotExpectedToHaveOne) {
   ASSERT_EQ(hand_over_on_one_foot(2, 100).verdict, Verdict::accepted);  // none of its own
   run_until(start_ns(2) + 4 * kSlot_ns + kMillisecond_ns);
   silent_until(start_ns(3) + 3 * kSlot_ns + kMillisecond_ns);
-  const std::uint64_t repaired = controller_.state().resynchronised;
+  const std::uint64_t differed = controller_.health().counts_differed;
   run_until(start_ns(3) + 6 * kSlot_ns);
-  EXPECT_EQ(controller_.state().resynchronised, repaired);
+  EXPECT_EQ(controller_.health().counts_differed, differed);
   expect_moved(8);
 }
 
@@ -172,10 +172,10 @@ TEST_F(TailTest, AMessageControllerThatWasAwayFindsTheJointsWhereItExpectsThem) 
     ASSERT_TRUE(adapter_.host().post(*mail, now_ns_));
     run_until(start_ns(sequence) + 4 * kSlot_ns + kMillisecond_ns);
     ASSERT_EQ(adapter_.host().take_answer(now_ns_)->verdict, Verdict::accepted);
-    const std::uint64_t repaired = controller_.state().resynchronised;
+    const std::uint64_t differed = controller_.health().counts_differed;
     silent_until(now_ns_ + away_slots * kSlot_ns);
     run_until(now_ns_ + 60 * kSlot_ns);
-    EXPECT_EQ(controller_.state().resynchronised, repaired) << "nobody was where it did not expect him";
+    EXPECT_EQ(controller_.health().counts_differed, differed) << "nobody was where it did not expect him";
     expect_moved(from + moved_after(20));  // the rest of the safe tail has been played
     EXPECT_EQ(controller_.mode(), Mode::holding);
   }
@@ -191,11 +191,31 @@ TEST_F(TailTest, ABusThatIsGoneForAWhileIsAnAbsenceToo) {
   EXPECT_EQ(controller_.state().left_to_joints, 1U);
   bus_.drop = bus_.drop_from_joint = [](const can::Frame&) { return false; };
   controller_.on_bus_state(can::BusState::error_active, {}, now_ns_);
-  const std::uint64_t repaired = controller_.state().resynchronised;
+  const std::uint64_t differed = controller_.health().counts_differed;
   run_until(start_ns(12));
-  EXPECT_EQ(controller_.state().resynchronised, repaired);
+  EXPECT_EQ(controller_.health().counts_differed, differed);
   expect_moved(moved_after(20));
   EXPECT_EQ(controller_.mode(), Mode::holding);
+}
+
+// Sixteen counts do not show in its feedback.
+TEST_F(TailTest, AfterAnOutageEachJointIsToldItsCountBeforeAnythingMoves) {
+  ASSERT_EQ(hand_over_on_one_foot(2).verdict, Verdict::accepted);
+  run_until(start_ns(2) + 4 * kSlot_ns + kMillisecond_ns);
+  silent_until(start_ns(2) + 30 * kSlot_ns + kMillisecond_ns);
+  constexpr std::size_t kAstray = 5;
+  const urdf::Joint& description = robot_.joints[kAstray];
+  const std::int32_t right = bus_.count(kAstray);
+  bus_.joint(kAstray).on_frame(
+      can::encode(controller_.profile(),
+                  can::Resynchronisation{
+                      .node = description.node, .slot = 7, .count = static_cast<std::int16_t>(right + 16)}),
+      now_ns_);
+  bus_.joint(kAstray).on_frame(can::encode(controller_.profile(), can::Sync{.cycle = 900, .slot = 7}),
+                               now_ns_);
+  ASSERT_EQ(bus_.count(kAstray), right + 16);
+  run_until(now_ns_ + 60 * kSlot_ns);
+  expect_moved(moved_after(20));
 }
 
 // A fresh one, as after a kill, knows of nothing.

@@ -81,6 +81,8 @@ class MessageController final : private CommandTaker {
   void begin_cycle() noexcept;
   void leave_to_joints() noexcept;
   [[nodiscard]] bool sync_gets_out() const noexcept;
+  [[nodiscard]] bool counts_first() const noexcept;
+  void recount() noexcept;
   void on_sent(const can::Frame& frame) noexcept;
   void note_sync(const can::Sync& sync) noexcept;
   void take_over() noexcept;
@@ -123,6 +125,7 @@ class MessageController final : private CommandTaker {
   msgclient::Writer<BusSlot> slot_writer_;
   JointTakeover takeover_;
   bool stop_requested_ = false;
+  bool recount_waits_ = false;  // the joints were on their own and have not been told their counts since
   bool port_tells_sent_ = false;
   std::int64_t last_slot_index_ = -1;  // that was entered
   std::int64_t last_sync_index_ = -1;  // slot whose SYNC was on the bus
