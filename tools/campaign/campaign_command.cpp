@@ -177,6 +177,10 @@ int run_the_campaign(const CampaignCommand& command) {
   const auto started = Clock::now();
   const std::vector<FaultRow> table = fault_table(urdf::load_robot(command.robot));
   if (command.list) return list_rows(table);
+  if (command.hours && (!command.row.empty() || command.instants || command.quick)) {
+    throw std::invalid_argument(
+        "--hours: goes with neither --row nor --instants nor --quick. Leave one of them out");
+  }
   if (!command.row.empty()) return print_scenario(command, table);
   const std::vector<FaultRow> rows = chosen_fault_rows(table, command.rows, command.except);
   if (command.hours) return endure(command, rows);

@@ -75,6 +75,16 @@ int end_orphans(const RobotFolders& folders) {
   RobotView view(folders.memory_socket());
   const bool well =
       end_parts(plans, processes, view, [](const std::string& text) { fmt::print("{}\n", text); });
+  // Whoever asks later is to be told so.
+  if (std::optional<RobotStatus> status = read_status(folders.status_file())) {
+    for (PartStatus& part : status->parts) {
+      part.state = "off";
+      part.process = part.worker = 0;
+    }
+    status->may_be_commanded = false;
+    status->written_ns = process::monotonic_ns();
+    write_status(folders.status_file(), *status);
+  }
   return well ? kExitFine : kExitPartsKilled;
 }
 

@@ -159,7 +159,7 @@ void add_robot_up(const CommandLine& robot) {
   command.footer(
       "Examples:\n"
       "  gaitway robot up --simulate                 until Ctrl-C; its page is http://127.0.0.1:9090\n"
-      "  gaitway robot up --simulate --detach && gaitway robot status && gaitway robot down\n"
+      "  gaitway robot up --simulate --detach; gaitway robot status; gaitway robot down\n"
       "  gaitway robot up --can can0 --robot my_robot --log /var/log/gaitway\n"
       "  gaitway robot up --simulate --no-interface --walk 0.15,0,0 --folder /tmp/trial\n"
       "A part that ends or hangs is started again: at once, then after pauses up to 10 s, for ever. Ctrl-C, "

@@ -1,9 +1,12 @@
 // A whole simulated robot under its supervisor, in real time: it comes up, is back after a death by itself,
 // and is taken down.
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
+#include <sys/socket.h>
 
 #include <string>
 
+#include "gaitway/process/file_descriptor.hpp"
 #include "running_robot.hpp"
 
 namespace gaitway::tools {
@@ -93,6 +96,17 @@ TEST(RobotUp, RefusesWhatCannotBeBeforeAnythingMoves) {
   EXPECT_THAT(complaint_of("--simulate --config " GAITWAY_SOURCE_DIR "/core/config/walk.yaml"),
               HasSubstr("has no plug-in 'api'"));
   EXPECT_THAT(complaint_of(""), HasSubstr("--can"));
+  const process::FileDescriptor other(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof place;
+  ASSERT_EQ(bind(other.get(), reinterpret_cast<const sockaddr*>(&place), size), 0);
+  ASSERT_EQ(listen(other.get(), 1), 0);
+  ASSERT_EQ(getsockname(other.get(), reinterpret_cast<sockaddr*>(&place), &size), 0);
+  const std::string port = std::to_string(ntohs(place.sin_port));
+  EXPECT_THAT(complaint_of("--simulate --port " + port),
+              HasSubstr("--port " + port + ": another program listens there on 127.0.0.1"));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
   EXPECT_THAT(complaint_of("--simulate"), HasSubstr("to which nobody else may write"));
 }

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 
 #include <array>
+#include <cerrno>
 #include <memory>
 #include <utility>
 
@@ -19,6 +20,21 @@ bool is_ready(int descriptor, short events) {
 }
 
 }  // namespace
+
+bool port_is_taken(const std::string& address, int port) {
+  addrinfo wanted{};
+  wanted.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
+  wanted.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (getaddrinfo(address.c_str(), std::to_string(port).c_str(), &wanted, &found) != 0) return false;
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> place(found, freeaddrinfo);
+  const process::FileDescriptor listener(socket(place->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const int reuse = 1;  // a connection that has just ended takes no port
+  setsockopt(listener.get(), SOL_SOCKET, SO_REUSEADDR, &reuse, sizeof reuse);
+  return listener &&
+         (bind(listener.get(), place->ai_addr, place->ai_addrlen) != 0 || listen(listener.get(), 1) != 0) &&
+         errno == EADDRINUSE;
+}
 
 PageProbe::PageProbe(std::string address, int port) : address_(std::move(address)), port_(port) {
   if (address_ == "0.0.0.0") address_ = "127.0.0.1";

@@ -9,6 +9,9 @@
 
 namespace gaitway::tools {
 
+// Whether something listens there already. Not known, and so false, of what is no numeric address.
+[[nodiscard]] bool port_is_taken(const std::string& address, int port);
+
 class PageProbe {
  public:
   static constexpr std::int64_t kBetween_ns = 1'000'000'000;

@@ -21,6 +21,10 @@ void prepare(const std::filesystem::path& folder, const char* option) {
     throw std::invalid_argument(fmt::format("{} {}: the folder cannot be made: {}. Choose another one",
                                             option, folder.string(), std::strerror(errno)));
   }
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: is there and is no folder. Choose another one", option, folder.string()));
+  }
   struct stat status {};
   constexpr mode_t kOthersWrite = S_IWGRP | S_IWOTH;
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != geteuid() ||

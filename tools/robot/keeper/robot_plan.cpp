@@ -1,8 +1,10 @@
 // The table of parts. Times without progress are several times what was measured of working ones under load.
 #include "tools/robot/keeper/robot_plan.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <net/if.h>
+#include <sys/file.h>
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
@@ -16,6 +18,7 @@
 #include "gaitway/process/installation.hpp"
 #include "gaitway/process/listening_socket.hpp"
 #include "gaitway/process/text_file.hpp"
+#include "tools/robot/keeper/page_probe.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -31,6 +34,25 @@ std::string program(const char* name) {
   }
   throw std::invalid_argument(
       fmt::format("the program {} is not in {}: build or install it", name, beside.string()));
+}
+
+// By the interface of this folder's robot, which may be taken over.
+bool interface_lives(const RobotFolders& folders) {
+  const process::FileDescriptor lock(
+      open((folders.folder / "user_interface.lock").c_str(), O_RDWR | O_CLOEXEC));
+  return lock && flock(lock.get(), LOCK_EX | LOCK_NB) != 0;
+}
+
+void check_port(const RobotPlanOptions& options, const RobotFolders& folders) {
+  const int port = options.module.port;
+  if (options.no_interface || port == 0 || interface_lives(folders) ||
+      !port_is_taken(options.module.address, port)) {
+    return;
+  }
+  throw std::invalid_argument(
+      fmt::format("--port {}: another program listens there on {}. Choose another --port, or do without the "
+                  "interface (--no-interface)",
+                  port, options.module.address));
 }
 
 void check(const RobotPlanOptions& options, const RobotFolders& folders) {
@@ -49,6 +71,7 @@ void check(const RobotPlanOptions& options, const RobotFolders& folders) {
   }
   const urdf::RobotModel robot = msgcontroller::load_robot(options.robot, options.profile);
   msgcontroller::require_proven_network(robot, options.accept_unproven);
+  check_port(options, folders);
 }
 
 // A copy of the configuration in which the api has this folder's link.
