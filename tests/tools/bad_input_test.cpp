@@ -321,7 +321,7 @@ TEST_F(BadInput, ScenarioPushesAndFaultsThatCannotBe) {
   expect_scenario_refused("{at_s: 2, fault: {kind: lose_frames, probability: 2, duration_s: 1}}",
                           {".fault.probability = '2': must be 0..1"});
   expect_scenario_refused("{at_s: 2, fault: {kind: main_controller_silent, probability: 0.5}}",
-                          {".fault.probability", "does not belong to main_controller_silent"});
+                          {".fault key = 'probability': there is no such key. Known here: kind, duration_s"});
 }
 
 TEST_F(BadInput, OptionsThatCannotBe) {

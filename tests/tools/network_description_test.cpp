@@ -72,15 +72,17 @@ TEST_F(NetworkDescriptionTest, EveryFieldOfTheMessageTableHasAMeaning) {
 }
 
 TEST_F(NetworkDescriptionTest, EveryIdentifierInUseIsThereOnceAndMeansWhatTheProfileSays) {
-  // 5 messages to all, 22 joints with feedback, fault report, two trajectories and resynchronisation.
-  EXPECT_EQ(full.messages.size(), 5 + 22 * 5);
+  // 5 messages to all, 22 joints with feedback, fault report, two trajectories, resynchronisation and the
+  // three parts of two tails.
+  EXPECT_EQ(full.messages.size(), 5 + 22 * (5 + 6));
   EXPECT_EQ(paper.messages.size(), 25);
   for (const NetworkDescription* const network : {&full, &paper}) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < network->messages.size(); ++i) {
       const DescribedMessage& one = network->messages[i];
       EXPECT_TRUE(i == 0 || network->messages[i - 1].id < one.id);
-      EXPECT_EQ(network->profile.identify(one.id), (can::Identified{one.kind, one.node, one.toggle}));
+      EXPECT_EQ(network->profile.identify(one.id),
+                (can::Identified{one.kind, one.node, one.toggle, one.part}));
       EXPECT_TRUE(names.insert(one.name).second) << one.name;
       EXPECT_TRUE(is_c_identifier(one.name)) << one.name;
       std::set<std::string> signals;

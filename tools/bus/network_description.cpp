@@ -122,6 +122,7 @@ class Describer {
     message.kind = layout.kind;
     message.node = which.node;
     message.toggle = which.toggle;
+    message.part = which.part;
     message.id = profile.id_of(layout.kind, which.node, which.toggle, which.part);
     std::string name = identifier(layout.name);
     if (profile.row(layout.kind).rule == IdRule::per_part_node_and_toggle) {

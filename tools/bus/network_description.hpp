@@ -49,6 +49,7 @@ struct DescribedMessage {
   can::MessageKind kind{};
   can::NodeId node = 0;  // 0: to all
   bool toggle = false;
+  std::uint8_t part = 0;  // of a tail
   std::string sender;
   std::vector<std::string> receivers;
   std::vector<DescribedSignal> signals;
