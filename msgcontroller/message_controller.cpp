@@ -19,6 +19,8 @@ using msgclient::Reason;
 constexpr std::int64_t kPublishInSlot_ns = 4 * kMillisecond_ns;
 // Feedback that has not come by then, its deadline, does not come any more in this slot.
 constexpr std::int64_t kFeedbackInSlot_ns = 7 * kMillisecond_ns;
+// A tail has time. Jammed so near the slot's edge, its frame would still be there when all joints speak.
+constexpr std::int64_t kTailBeforeEdge_ns = kJam_ns + 500'000;
 // Longer than the longest frame with a station's time to react: nobody had anything more urgent to send.
 constexpr std::int64_t kQuietBus_ns = 200'000;
 // Joints that got no SYNC until then have gone on alone for so long that their way and that of the batch
@@ -284,7 +286,15 @@ bool MessageController::next_finds_quiet_bus(std::int64_t now_ns) const noexcept
   if (!link_.synchronised() || link_.queue.next_id() <= feedback_id_) {
     return true;
   }
-  if (now_ns - link_.slot_start_ns >= kFeedbackInSlot_ns) {
+  const std::int64_t in_slot_ns = now_ns - link_.slot_start_ns;
+  const can::Profile& profile = link_.profile;
+  const bool is_tail = profile.has(can::MessageKind::tail) &&
+                       link_.queue.next_id() >= profile.row(can::MessageKind::tail).base_id &&
+                       link_.queue.next_id() <= profile.last_id(can::MessageKind::tail);
+  if (is_tail && in_slot_ns > kSlot_ns - kTailBeforeEdge_ns) {
+    return false;
+  }
+  if (in_slot_ns >= kFeedbackInSlot_ns) {
     return true;
   }
   return feedback_.complete() && now_ns - last_heard_ns_ >= kQuietBus_ns;

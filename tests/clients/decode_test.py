@@ -44,7 +44,7 @@ class Decode(unittest.TestCase):
             )
 
     def test_every_message_of_the_full_profile_reads_as_our_codecs_read_it(self):
-        self.compare("full", 22, 5 + 22 * 5)
+        self.compare("full", 22, 5 + 22 * (5 + 6))
 
     def test_every_message_of_the_papers_profile_reads_as_our_codecs_read_it(self):
         self.compare("paper", 12, 25)
