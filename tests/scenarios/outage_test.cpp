@@ -149,7 +149,7 @@ class Trial {
     }
     const auto summary = nlohmann::json::parse(text_of(folder_ / "robot.json"), nullptr, false);
     outcome.fell = !summary.is_object() || summary.value("fell", true);
-    outcome.walked = outcome.walked && summary.is_object() && summary.value("distance_m", 0.0) > 0.2;
+    outcome.walked = outcome.walked && summary.is_object() && summary.value("distance_m", 0.0) > 0.1;
     return outcome;
   }
   [[nodiscard]] std::string everything() const {
