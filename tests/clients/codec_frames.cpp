@@ -41,7 +41,8 @@ std::optional<Values> decode(const Profile& profile, MessageKind kind, const Fra
       break;
     case MessageKind::sync:
       if (const auto m = decode_sync(profile, frame)) {
-        return Values{m->cycle, m->slot, m->batch_committed ? 1 : 0, m->toggle ? 1 : 0, m->softness};
+        return Values{m->cycle,    m->slot,        m->batch_committed ? 1 : 0, m->toggle ? 1 : 0,
+                      m->softness, m->tail_points, m->tail_toggle ? 1 : 0};
       }
       break;
     case MessageKind::trim:
