@@ -300,7 +300,7 @@ class Trial {
       if (what == "walk") {
         require(driver_ == nullptr || driver_ == peer_, "one drives at a time");
         driver_ = peer_;
-      } else if (what == "stand") {
+      } else if (what == "stand" || what == "let_command_go") {  // whose walk the robot ends by itself
         driver_ = nullptr;
       }
     }
@@ -316,7 +316,7 @@ class Trial {
   std::string lease_ = "none", call_ = "none";
   const Peer* peer_ = nullptr;  // who acts
   bool was_closed_ = false;
-  const Peer* driver_ = nullptr;  // who made the robot walk, until it was told to stand
+  const Peer* driver_ = nullptr;  // who made the robot walk, until it was told to stand or he let go
 };
 
 }  // namespace
