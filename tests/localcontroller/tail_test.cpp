@@ -138,6 +138,19 @@ TEST_F(TailTest, ABatchThatWasNeverCommittedIsForgotten) {
       << "another batch is meant, which this joint does not have";
 }
 
+TEST_F(TailTest, NeitherIsItStartedByAnotherToggle) {
+  send_tail(1);
+  play_batch(8);
+  player.on_trajectory(batch(false));
+  fall_silent_for(4);
+  ++cycle;
+  player.on_sync(naming(5, 0, false, false), slot_ns(5));
+  ++cycle;
+  player.on_sync(naming(0, 0, false, true, true), slot_ns(0));
+  EXPECT_EQ(player.count(), kBatchEnd + tail_sum(8));
+  EXPECT_FALSE(player.running());
+}
+
 TEST_F(TailTest, ASyncThatWaitedForLongTellsNothing) {
   send_tail(1);
   play_batch(8);
