@@ -81,7 +81,7 @@ int end_orphans(const RobotFolders& folders) {
       part.state = "off";
       part.process = part.worker = 0;
     }
-    status->may_be_commanded = false;
+    status->deny_command("it was taken down");
     status->written_ns = process::monotonic_ns();
     write_status(folders.status_file(), *status);
   }
@@ -108,7 +108,8 @@ void add_robot_down(const CommandLine& robot) {
   const CommandLine command =
       robot.subcommand("down", "Let the robot stand, then end its parts and their supervisor");
   DownOptions& options = command.runs(down);
-  command.option("--folder", options.folder, "Folder of the robot, as given to 'up'");
+  command.option("--folder", options.folder,
+                 std::string("Folder of the robot, as given to 'up'") + kUsualFolder);
   command.footer(
       "Examples:\n"
       "  gaitway robot down\n"

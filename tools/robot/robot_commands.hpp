@@ -7,6 +7,9 @@ namespace gaitway::tools {
 
 // Of `up` and `down`: all parts ended, but one had to be killed for that.
 inline constexpr int kExitPartsKilled = 2;
+// Of --folder, beside the one that is shown as this user's.
+inline constexpr const char* kUsualFolder =
+    ". Without it: of root /run/gaitway, of other users $XDG_RUNTIME_DIR/gaitway or /tmp/gaitway-UID";
 
 void add_robot_import(const CommandLine& robot);
 void add_robot_describe(const CommandLine& robot);

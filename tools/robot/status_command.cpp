@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "gaitway/process/real_time.hpp"
 #include "tools/robot/keeper/robot_keeper.hpp"
@@ -20,6 +22,28 @@ struct StatusOptions {
   std::filesystem::path folder = usual_robot_folder();
   bool json = false;
 };
+
+// One that has ended and waits for somebody to take notice does not.
+bool lives(pid_t process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t state = text.rfind(") ");
+  return state != std::string::npos && text.find_first_of("ZX", state + 2) != state + 2;
+}
+
+// What has happened since the supervisor wrote it down.
+void look_again(RobotStatus& status, const RobotFolders& folders) {
+  for (const PartStatus& part : status.parts) {
+    if (part.name == "user_interface" || part.process == 0 || lives(part.worker)) continue;
+    status.deny_command(fmt::format("{} has just ended (process {})", part.name, part.worker));
+    return;
+  }
+  RobotView view(folders.memory_socket());
+  static_cast<void>(view.look());
+  if (const std::string why = view.why_not_commanded(process::monotonic_ns()); !why.empty()) {
+    status.deny_command(why);
+  }
+}
 
 int show(const StatusOptions& options) {
   const RobotFolders folders = folders_at(options.folder);
@@ -40,13 +64,17 @@ int show(const StatusOptions& options) {
   bool any_lives = supervised;
   for (PartStatus& part : status->parts) {
     if (supervised || part.process == 0) continue;
-    const bool lives = kill(part.process, 0) == 0;
-    any_lives = any_lives || lives;
-    part.state = lives ? "lives" : "gone";
+    const bool is_there = kill(part.process, 0) == 0;
+    any_lives = any_lives || is_there;
+    part.state = is_there ? "lives" : "gone";
   }
   const std::int64_t now_ns = process::monotonic_ns();
   const bool stale = now_ns - status->written_ns > kStale_ns;
-  if (!supervised || stale) status->may_be_commanded = false;  // nobody knows
+  if (!supervised || stale) {
+    status->deny_command(supervised ? "its supervisor tells nothing any more" : "nobody watches over it");
+  } else if (status->may_be_commanded) {
+    look_again(*status, folders);
+  }
   fmt::print("{}", options.json ? status_text(*status, supervised, now_ns)
                                 : status_table(*status, supervised, now_ns));
   if (supervised && stale) {
@@ -65,11 +93,13 @@ void add_robot_status(const CommandLine& robot) {
   const CommandLine command = robot.subcommand(
       "status", "Show the parts of a robot: how each is, since when, and what ended it last");
   StatusOptions& options = command.runs(show);
-  command.option("--folder", options.folder, "Folder of the robot, as given to 'up'");
+  command.option("--folder", options.folder,
+                 std::string("Folder of the robot, as given to 'up'") + kUsualFolder);
   command.option("--json", options.json, "For programs; times in ns of CLOCK_MONOTONIC, ages in s");
   command.footer(
       "Examples:\n"
       "  gaitway robot status\n"
+      "  gaitway robot status --folder /tmp/trial\n"
       "  gaitway robot status --json | jq '.parts[] | {name, state, restarts, reason}'\n"
       "Exit code: 0 all parts work and the robot may be commanded, 1 the input was bad, 2 not so: a part is "
       "down, or\n"

@@ -139,7 +139,8 @@ void add_robot_up(const CommandLine& robot) {
   command.repeated(
       "--plugin-path", options.robot.plugin_path,
       "Folder to look for plug-ins in, before GAITWAY_PLUGIN_PATH and the shipped ones; once for each");
-  command.option("--folder", options.folder, "Folder of this robot: sockets, locks, status, logs");
+  command.option("--folder", options.folder,
+                 std::string("Folder of this robot: sockets, locks, status, logs") + kUsualFolder);
   command.option("--log", options.log, "Folder for events.log and what each part says; without it, --folder");
   command.option("--detach", options.detach,
                  "Leave the terminal once the robot may be commanded, and go on in the background");

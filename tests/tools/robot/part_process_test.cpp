@@ -108,7 +108,7 @@ TEST_F(PartProcessTest, OutlivesWhoStartedItAndIsTakenOver) {
     EXPECT_FALSE(other.take_over());
     FAIL() << "it was started with other words";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("runs in this folder with other options"));
+    EXPECT_THAT(error.what(), HasSubstr("runs in this folder with other words"));
   }
   PartProcess next = part("exec sleep 60");
   ASSERT_TRUE(next.take_over());
@@ -117,6 +117,35 @@ TEST_F(PartProcessTest, OutlivesWhoStartedItAndIsTakenOver) {
   next.send(SIGTERM);
   EXPECT_THAT(wait(next), Optional(HasSubstr("how is not known")));
   EXPECT_FALSE(next.take_over()) << "there is none left";
+}
+
+// After an upgrade a part's next start has an option more or less: its robot and its bus are what binds.
+TEST_F(PartProcessTest, IsTakenOverWhateverDiffersButRobotAndBus) {
+  const auto with = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"/bin/sh", "-c", "exec sleep 60", "sh"});
+    return PartProcess("dummy", std::move(options), {.folder = folder.path(), .log = folder.path()});
+  };
+  PartProcess older = with({"--robot", "/a", "--can", "can0", "--gone", "--seed", "1"});
+  older.start();
+  ASSERT_FALSE(awaited("dummy.lock").empty());
+  for (const char* const binding : {"--robot", "--can"}) {
+    PartProcess other = with({"--robot", "/a", "--can", "can0", binding, "other"});
+    EXPECT_THAT([&] { other.take_over(); },
+                testing::ThrowsMessage<std::runtime_error>(HasSubstr(std::string("another ") + binding)));
+  }
+  PartProcess unbound = with({"--robot", "/a"});
+  EXPECT_THROW(unbound.take_over(), std::runtime_error) << "it has a bus";
+  PartProcess newer = with({"--robot", "/a", "--can", "can0", "--seed", "2", "--new", "x"});
+  ASSERT_TRUE(newer.take_over());
+  EXPECT_EQ(newer.differences(), "--gone, --new, --seed");
+  newer.end_group();
+  wait(older);
+}
+
+TEST_F(PartProcessTest, LastWordsAreWithoutAClockThatNobodyReads) {
+  PartProcess process = part("echo 'dummy: 81234.567 s: from outside, the process was ended' >&2; exit 3");
+  process.start();
+  EXPECT_THAT(wait(process), Optional(std::string("ended with code 3: from outside, the process was ended")));
 }
 
 // A part that has left a process behind is not started beside it.

@@ -13,6 +13,7 @@
 #include "command_run.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "page_of_another.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -46,7 +47,11 @@ class RobotKeeperTest : public testing::Test {
     try {
       const SupervisorLock lock(folders.folder);
       process::stop_on_signals();
-      RobotKeeper keeper(plans, {.folders = folders, .quiet = true, .on_ready = {}});
+      RobotKeeper keeper(plans, {.folders = folders,
+                                 .probe_address = "127.0.0.1",
+                                 .probe_port = probe_port,
+                                 .quiet = true,
+                                 .on_ready = {}});
       code = keeper.run() ? 0 : 2;
     } catch (const std::exception& error) {
       EventFile(folders.event_file()).tell(error.what());
@@ -90,6 +95,7 @@ class RobotKeeperTest : public testing::Test {
   RobotFolders folders{.folder = own.path(), .log = own.path()};
   std::vector<PartPlan> plans;
   pid_t supervisor = 0;
+  int probe_port = 0;
 };
 
 TEST_F(RobotKeeperTest, WhateverEndsAPartItIsBackAndTheReasonIsTold) {
@@ -168,6 +174,24 @@ TEST_F(RobotKeeperTest, PartsOutliveTheirSupervisorAndTheNextOneTakesThemOver) {
   EXPECT_EQ(end(), 0);
 }
 
+// Its port is another robot's: a page that answers there is no sign of this part's work.
+TEST_F(RobotKeeperTest, AnotherProgramsPageIsNoWorkOfTheInterface) {
+  const test::PageOfAnother other;
+  probe_port = other.port();
+  add("interface", kWorks);
+  plans[0].progress = Progress::answers;
+  plans[0].patience = {.start_ns = 1'500'000'000, .hang_ns = 1'500'000'000};
+  begin();
+  ASSERT_TRUE(is_told("interface: made no progress")) << events();
+  EXPECT_THAT(events(), testing::Not(HasSubstr("interface: works")));
+  const std::string owner = "process " + std::to_string(getpid()) + " (robot_keeper_tests)";
+  EXPECT_THAT(events(), HasSubstr("interface: port " + std::to_string(probe_port) + " is taken: " + owner));
+  const std::string why = ". Port " + std::to_string(probe_port) + " is taken by " + owner;
+  EXPECT_TRUE(comes([&] { return status("interface").reason.find(why) != std::string::npos; }))
+      << status("interface").reason;
+  EXPECT_EQ(end(), 0);
+}
+
 TEST_F(RobotKeeperTest, ASecondSupervisorIsRefusedByName) {
   add("dummy", kWorks);
   begin();
@@ -186,7 +210,13 @@ TEST(RobotStatus, IsReadAsItWasWritten) {
   const process::PrivateFolder folder("gaitway_status");
   const std::filesystem::path file = folder.path() / "status.json";
   EXPECT_FALSE(read_status(file));
-  RobotStatus status{.supervisor = 7, .written_ns = 5, .may_be_commanded = true, .events = "e", .parts = {}};
+  RobotStatus status{.supervisor = 7,
+                     .written_ns = 5,
+                     .may_be_commanded = true,
+                     .why_not = "",
+                     .commander = "",
+                     .events = "e",
+                     .parts = {}};
   status.parts.push_back(
       {.name = "a", .state = "works", .process = 8, .restarts = 3, .reason = "by \xFF signal"});
   ASSERT_TRUE(write_status(file, status));
@@ -197,6 +227,27 @@ TEST(RobotStatus, IsReadAsItWasWritten) {
   EXPECT_THAT(status_table(*read, true, 5'000'000'005), HasSubstr("may be commanded, for 5.0 s"));
   EXPECT_THAT(status_table(*read, false, 5), HasSubstr("supervisor         GONE"));
   EXPECT_THAT(status_text(*read, true, 5), HasSubstr("\"supervised\": true"));
+}
+
+TEST(RobotStatus, SaysWhyTheRobotMayNotBeCommandedAndWhenAPartEndedLast) {
+  RobotStatus status{.written_ns = 5,
+                     .why_not = "an emergency stop is in force",
+                     .commander = "a person",
+                     .events = "",
+                     .parts = {}};
+  status.parts.push_back(
+      {.name = "a", .state = "works", .process = 8, .reason = "hung", .last_end_ns = 1'000'000'000});
+  const process::PrivateFolder folder("gaitway_status");
+  ASSERT_TRUE(write_status(folder.path() / "status.json", status));
+  const auto read = read_status(folder.path() / "status.json");
+  ASSERT_TRUE(read);
+  const std::string table = status_table(*read, true, 4'200'000'000);
+  EXPECT_THAT(table, HasSubstr("may NOT be commanded now: an emergency stop is in force\n"));
+  EXPECT_THAT(table, HasSubstr("command            a person\n"));
+  EXPECT_THAT(table, HasSubstr(" 3.2 s ago: hung\n"));
+  const std::string text = status_text(*read, true, 4'200'000'000);
+  EXPECT_THAT(text, HasSubstr("\"last_end_age_s\": 3.2"));
+  EXPECT_THAT(text, ContainsRegex("\"last_end\": \"20[0-9-]+T[0-9:.]+Z\""));
 }
 
 }  // namespace

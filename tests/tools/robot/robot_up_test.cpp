@@ -58,9 +58,9 @@ TEST(RobotUp, WalksOnWithoutItsSupervisorAndIsTakenOver) {
   EXPECT_EQ(orphaned.code, 2) << orphaned.all();
   EXPECT_THAT(orphaned.said, HasSubstr("GONE"));
   usleep(1'000'000);
-  const test::CommandRun other = robot.run("up --simulate --no-interface");
-  EXPECT_EQ(other.code, 1) << "it was started with other options";
-  EXPECT_THAT(other.complaint, HasSubstr("runs in this folder with other options"));
+  const test::CommandRun other = robot.run("up --simulate --no-interface --profile paper");
+  EXPECT_EQ(other.code, 1) << "it is on another bus";
+  EXPECT_THAT(other.complaint, HasSubstr("runs in this folder with another --profile"));
   const test::CommandRun next = robot.run("up --simulate --detach " + options);
   EXPECT_EQ(next.code, 0) << next.all() << robot.everything();
   EXPECT_EQ(robot.status("message_controller").process, message_controller);
@@ -106,7 +106,8 @@ TEST(RobotUp, RefusesWhatCannotBeBeforeAnythingMoves) {
   ASSERT_EQ(getsockname(other.get(), reinterpret_cast<sockaddr*>(&place), &size), 0);
   const std::string port = std::to_string(ntohs(place.sin_port));
   EXPECT_THAT(complaint_of("--simulate --port " + port),
-              HasSubstr("--port " + port + ": another program listens there on 127.0.0.1"));
+              HasSubstr("--port " + port + ": another program listens there on 127.0.0.1: process " +
+                        std::to_string(getpid()) + " (robot_up_tests)"));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
   EXPECT_THAT(complaint_of("--simulate"), HasSubstr("to which nobody else may write"));
 }

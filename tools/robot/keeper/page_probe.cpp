@@ -11,6 +11,8 @@
 #include <memory>
 #include <utility>
 
+#include "tools/robot/keeper/port_owner.hpp"
+
 namespace gaitway::tools {
 namespace {
 
@@ -41,9 +43,9 @@ PageProbe::PageProbe(std::string address, int port) : address_(std::move(address
   if (address_ == "::") address_ = "::1";
 }
 
-std::uint64_t PageProbe::step(std::int64_t now_ns) {
+std::uint64_t PageProbe::step(std::int64_t now_ns, pid_t process) {
   if (connection_) {
-    look(now_ns);
+    look(now_ns, process);
   } else if (now_ns >= due_ns_) {
     ask(now_ns);
   }
@@ -64,7 +66,11 @@ void PageProbe::ask(std::int64_t now_ns) {
   static_cast<void>(connect(connection_.get(), found->ai_addr, found->ai_addrlen));
 }
 
-void PageProbe::look(std::int64_t now_ns) {
+std::string PageProbe::take_stranger() {
+  return std::exchange(stranger_is_news_, false) ? stranger_ : std::string();
+}
+
+void PageProbe::look(std::int64_t now_ns, pid_t process) {
   if (!asked_ && is_ready(connection_.get(), POLLOUT)) {
     const std::string host = address_.find(':') == std::string::npos ? address_ : "[" + address_ + "]";
     const std::string request =
@@ -76,11 +82,20 @@ void PageProbe::look(std::int64_t now_ns) {
   }
   if (asked_ && is_ready(connection_.get(), POLLIN)) {
     std::array<char, 16> answer{};
-    if (recv(connection_.get(), answer.data(), answer.size(), 0) > 0) ++answers_;
+    if (recv(connection_.get(), answer.data(), answer.size(), 0) > 0) on_answer(process);
     connection_ = process::FileDescriptor();
   } else if (now_ns - begin_ns_ >= kPatience_ns) {
     connection_ = process::FileDescriptor();
   }
+}
+
+// Whoever is not allowed to know whose page it was, believes it.
+void PageProbe::on_answer(pid_t process) {
+  const bool is_own = listens(process, port_).value_or(true);
+  if (is_own) ++answers_;
+  const std::string stranger = is_own ? std::string() : describe_listener(port_);
+  stranger_is_news_ = !stranger.empty() && (stranger_is_news_ || stranger != stranger_);
+  stranger_ = stranger;
 }
 
 }  // namespace gaitway::tools

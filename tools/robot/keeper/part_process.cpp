@@ -13,11 +13,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -67,6 +70,31 @@ bool lives(const process::FileDescriptor& pidfd) {
   return pidfd && poll(&ended, 1, 0) == 0;
 }
 
+// Each option's values; under no name what comes before the first of them. The program may lie elsewhere.
+using Options = std::map<std::string, std::vector<std::string>>;
+
+Options options_of(const std::vector<std::string>& words) {
+  Options options;
+  std::string name;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i].starts_with("--")) {
+      name = words[i];
+      options.try_emplace(name);
+    } else {
+      options[name].push_back(words[i]);
+    }
+  }
+  return options;
+}
+
+// "1234.567 s: what happened": of the part's own clock, which tells people nothing.
+std::string without_time(const std::string& said) {
+  const std::size_t digits = said.find_first_not_of("0123456789.");
+  constexpr std::string_view kUnit = " s: ";
+  const bool has_time = digits != 0 && digits != std::string::npos && said.substr(digits).starts_with(kUnit);
+  return has_time ? said.substr(digits + kUnit.size()) : said;
+}
+
 }  // namespace
 
 void bound_log(const std::filesystem::path& file, std::uintmax_t most_bytes) {
@@ -114,6 +142,29 @@ bool PartProcess::take_over_whatever() {
   return adopt(true);
 }
 
+// Robot and bus are the same, or it cannot be watched over as this robot. What else differs, an option that
+// another version had or had not among it, is for its next start.
+void PartProcess::compare(const Record& record) {
+  constexpr std::array<std::string_view, 6> kBinding{"--robot", "--profile", "--can",
+                                                     "--bus",   "--memory",  "--socket"};
+  const Options theirs = options_of(record.words), ours = options_of(words_);
+  std::set<std::string> differ;
+  for (const Options* const options : {&theirs, &ours}) {
+    for (const auto& [name, value] : *options) {
+      const bool is_same = theirs.contains(name) && ours.contains(name) && theirs.at(name) == ours.at(name);
+      if (!is_same) differ.insert(name);
+    }
+  }
+  for (const std::string& name : differ) {
+    if (!name.empty() && std::ranges::find(kBinding, name) == kBinding.end()) continue;
+    throw std::runtime_error(
+        fmt::format("{}: process {} runs in this folder with {}. End it first by 'gaitway robot "
+                    "down', or choose another --folder",
+                    name_, record.process, name.empty() ? "other words" : "another " + name));
+  }
+  differences_ = fmt::format("{}", fmt::join(differ, ", "));
+}
+
 bool PartProcess::adopt(bool whatever) {
   const process::FileDescriptor lock = open_lock();
   if (flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return false;
@@ -130,12 +181,7 @@ bool PartProcess::adopt(bool whatever) {
     }
     process::wait_until(process::monotonic_ns() + kBetweenTries_ns, {});
   }
-  if (!whatever && record.words != words_) {
-    throw std::runtime_error(
-        fmt::format("{}: process {} runs in this folder with other options. End it first by 'gaitway robot "
-                    "down', or choose another --folder",
-                    name_, record.process));
-  }
+  if (!whatever) compare(record);
   process_ = record.process;
   pidfd_ = std::move(pidfd);
   is_child_ = false;
@@ -202,6 +248,9 @@ void PartProcess::become(const process::FileDescriptor& lock, const process::Fil
   const int output = log ? log.get() : nothing.get();  // a full disk costs the log, not the robot
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
+  // A signal that came meanwhile is this process's: not for the supervisor's handler, which is still in
+  // force.
+  for (const int asks_to_end : {SIGINT, SIGTERM}) signal(asks_to_end, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -260,7 +309,7 @@ std::string PartProcess::last_words(std::string_view with) const {
     if (!is_news && line.starts_with(own) && line.find(with) != std::string::npos)
       said = line.substr(own.size());
   }
-  return input::terminal_text(said);
+  return input::terminal_text(without_time(said));
 }
 
 std::string PartProcess::kernel_state() const {

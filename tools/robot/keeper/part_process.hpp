@@ -31,8 +31,11 @@ class PartProcess {
   PartProcess(std::string name, std::vector<std::string> words, const Place& place);
 
   // Takes over the one that an earlier supervisor left behind; false: there is none. Throws
-  // std::runtime_error when it was started with other words, or cannot be known.
+  // std::runtime_error when it is another robot's or on another bus, or cannot be known.
   bool take_over();
+  // Further options of the one that was taken over that differ from those of its next start, an option of
+  // another version's among them: "--seed, --config". Empty: none.
+  [[nodiscard]] const std::string& differences() const noexcept { return differences_; }
   // The one that lives, whatever its words are, to end it.
   bool take_over_whatever();
   // Throws std::runtime_error with the reason: also when another one of this name is in the folder.
@@ -67,10 +70,11 @@ class PartProcess {
   [[nodiscard]] process::FileDescriptor open_lock() const;
   [[nodiscard]] Record read_record() const;
   [[nodiscard]] bool adopt(bool whatever);
+  void compare(const Record& record);
   [[nodiscard]] process::FileDescriptor take_lock() const;
   [[noreturn]] void become(const process::FileDescriptor& lock, const process::FileDescriptor& log) const;
 
-  std::string name_;
+  std::string name_, differences_;
   std::vector<std::string> words_;
   std::filesystem::path lock_, log_;
   std::uintmax_t log_begin_ = 0;  // where this process's log begins

@@ -77,6 +77,7 @@ void PartWatch::on_end(const std::string& how, std::int64_t now_ns) {
   hang_.clear();
   due_ns_ = now_ns + pause_ns();
   ++failures_;
+  last_end_ns_ = now_ns;
   ended_ns_ = ended_ns_.value_or(now_ns);
   enter(PartState::waits, now_ns);
 }
@@ -123,8 +124,9 @@ void PartWatch::on_new_ground(std::int64_t within_ns, std::int64_t now_ns) {
   limit_ns_ = within_ns;
 }
 
-void PartWatch::on_inner_restart(const std::string& why) {
+void PartWatch::on_inner_restart(const std::string& why, std::int64_t now_ns) {
   reason_ = why;
+  last_end_ns_ = now_ns;
   ++restarts_;
 }
 

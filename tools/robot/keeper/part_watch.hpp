@@ -52,7 +52,7 @@ class PartWatch {
   // What it works in is new: it is to make progress there within this time, by itself.
   void on_new_ground(std::int64_t within_ns, std::int64_t now_ns);
   // A sign that a part of its own was started again; it goes on meanwhile.
-  void on_inner_restart(const std::string& why);
+  void on_inner_restart(const std::string& why, std::int64_t now_ns);
   // What was seen of it when it was about to be ended as hung: "was stopped (SIGSTOP)".
   void describe_hang(const std::string& what) { hang_ += what; }
   void switch_off() noexcept { state_ = PartState::off; }
@@ -63,7 +63,8 @@ class PartWatch {
   [[nodiscard]] std::uint64_t restarts() const noexcept { return restarts_; }
   [[nodiscard]] std::uint64_t failures() const noexcept { return failures_; }  // without good work between
   [[nodiscard]] std::int64_t pause_ns() const noexcept;  // that the next start waits for
-  [[nodiscard]] const std::string& reason() const noexcept { return reason_; }  // of its last end
+  [[nodiscard]] const std::string& reason() const noexcept { return reason_; }      // of its last end…
+  [[nodiscard]] std::int64_t last_end_ns() const noexcept { return last_end_ns_; }  // …and when; 0: none
   // Since its last end, until it works; empty: it has worked all the time.
   [[nodiscard]] std::optional<std::int64_t> ended_ns() const noexcept { return ended_ns_; }
 
@@ -72,7 +73,7 @@ class PartWatch {
 
   PartPatience patience_;
   PartState state_ = PartState::waits;
-  std::int64_t since_ns_ = 0, progress_ns_ = 0, due_ns_ = 0;
+  std::int64_t since_ns_ = 0, progress_ns_ = 0, due_ns_ = 0, last_end_ns_ = 0;
   std::int64_t limit_ns_ = 0;  // of the present wait for progress
   std::uint64_t count_ = 0, restarts_ = 0, failures_ = 0;
   bool counted_ = false;  // count_ is of this process

@@ -18,6 +18,7 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "tools/robot/keeper/port_owner.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -131,6 +132,12 @@ void RobotKeeper::take_over() {
   tell(taken.empty() ? "up"
                      : fmt::format("up; an earlier supervisor is gone, its parts are taken over: {}",
                                    fmt::join(taken, ", ")));
+  for (const PartProcess& process : processes_) {
+    if (process.differences().empty()) continue;
+    tell(fmt::format(
+        "{}: was started with other options, and goes on with them. Its next start has the new: {}",
+        process.name(), process.differences()));
+  }
 }
 
 void RobotKeeper::round(std::int64_t now_ns) {
@@ -170,7 +177,7 @@ bool RobotKeeper::works(const std::string& name) const {
 void RobotKeeper::on_end(std::size_t index, const std::string& how, std::int64_t now_ns) {
   PartWatch& watch = parts_[index].watch;
   const std::int64_t pause_ns = watch.pause_ns();
-  watch.on_end(how, now_ns);
+  watch.on_end(how + port_trouble(index), now_ns);
   tell(fmt::format("{}: {}. It is started again {}{}", plans_[index].name, watch.reason(),
                    pause_ns == 0 ? "at once" : fmt::format("in {}", seconds_text(pause_ns)),
                    watch.failures() > 1 ? fmt::format(", its failure {} in a row", watch.failures()) : ""));
@@ -180,6 +187,15 @@ void RobotKeeper::on_end(std::size_t index, const std::string& how, std::int64_t
     disturbed_ns_ = now_ns;
     disturbance_ = plans_[index].name;
   }
+}
+
+// Where somebody else has the port that this part is to listen on: who; empty: nobody.
+std::string RobotKeeper::port_trouble(std::size_t index) const {
+  if (plans_[index].progress != Progress::answers) return {};
+  const std::string other = describe_listener(options_.probe_port);
+  const bool is_own = listens(processes_[index].pid(), options_.probe_port).value_or(false);
+  return other.empty() || is_own ? std::string()
+                                 : fmt::format(". Port {} is taken by {}", options_.probe_port, other);
 }
 
 void RobotKeeper::start(std::size_t index, std::int64_t now_ns) {
@@ -200,7 +216,8 @@ void RobotKeeper::start(std::size_t index, std::int64_t now_ns) {
 
 void RobotKeeper::end_hung(std::size_t index) {
   const std::string state = processes_[index].kernel_state();
-  if (!state.empty()) parts_[index].watch.describe_hang(": " + state);
+  const std::string seen = (state.empty() ? "" : ": " + state) + port_trouble(index);
+  parts_[index].watch.describe_hang(seen);
   processes_[index].end_group();
 }
 
@@ -229,7 +246,11 @@ void RobotKeeper::follow_progress(std::size_t index, std::int64_t now_ns) {
       if (!count) part.watch.on_unseen(now_ns);
       break;
     case Progress::answers:
-      count = probe_.step(now_ns);
+      count = probe_.step(now_ns, processes_[index].pid());
+      if (const std::string stranger = probe_.take_stranger(); !stranger.empty()) {
+        tell(fmt::format("{}: port {} is taken: {} answers there, not this robot", plan.name,
+                         options_.probe_port, stranger));
+      }
       break;
   }
   const std::int64_t ended_ns = part.watch.ended_ns().value_or(0);
@@ -268,7 +289,7 @@ void RobotKeeper::look_for_worker(std::size_t index, std::int64_t now_ns) {
   part.moved_ns = 0;
   const std::string why = was_moved ? fmt::format("{} was started again", plans_[index].lives_in)
                                     : processes_[index].last_words("the process ");
-  part.watch.on_inner_restart(why);
+  part.watch.on_inner_restart(why, now_ns);
   tell(fmt::format("{}: process {} is there in place of {}: {}", plans_[index].name, worker, before, why));
 }
 
@@ -280,11 +301,15 @@ void RobotKeeper::follow_command(std::int64_t now_ns) {
   constexpr std::int64_t kNews_ns = 100 * kMillisecond_ns;
   bool commanded = view_.may_be_commanded(now_ns);
   if (commanded) obeyed_ns_ = now_ns;
-  commanded = commanded || (commanded_ && now_ns - obeyed_ns_ < kNews_ns);
+  // But who knows that a part has ended, need not wait.
+  const bool is_hiccup = commanded_ && disturbed_ns_ == 0 && now_ns - obeyed_ns_ < kNews_ns;
+  commanded = commanded || is_hiccup;
+  why_not_ = commanded ? std::string() : why_not_commanded(now_ns);
   if (std::exchange(commanded_, commanded) == commanded) return;
   if (!commanded) {
-    tell("the robot may not be commanded now");
-    notice_.tell("STATUS=the robot may not be commanded now");
+    const std::string news = "the robot may not be commanded now: " + why_not_;
+    tell(news);
+    notice_.tell("STATUS=" + news);
     return;
   }
   commanded_since_ns_ = now_ns;
@@ -293,6 +318,18 @@ void RobotKeeper::follow_command(std::int64_t now_ns) {
                                         seconds_text(now_ns - disturbed_ns_), disturbance_));
   notice_.tell("STATUS=the robot may be commanded");
   disturbed_ns_ = 0;
+}
+
+// A part that does not work says more than what is seen of it from beside.
+std::string RobotKeeper::why_not_commanded(std::int64_t now_ns) {
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    const PartWatch& watch = parts_[i].watch;
+    if (plans_[i].progress == Progress::answers || watch.state() == PartState::works) continue;
+    const std::string why = watch.reason().empty() ? "" : fmt::format("; it {}", watch.reason());
+    return watch.state() == PartState::starts ? fmt::format("{} is starting{}", plans_[i].name, why)
+                                              : fmt::format("{} is not there{}", plans_[i].name, why);
+  }
+  return view_.why_not_commanded(now_ns);
 }
 
 void RobotKeeper::keep_house(std::int64_t now_ns) {
@@ -309,12 +346,14 @@ void RobotKeeper::keep_house(std::int64_t now_ns) {
   for (const PartProcess& process : processes_) bound_log(process.log_file());
 }
 
-RobotStatus RobotKeeper::status(std::int64_t now_ns) const {
+RobotStatus RobotKeeper::status(std::int64_t now_ns) {
   RobotStatus status{.supervisor = getpid(),
                      .written_ns = now_ns,
                      .up_ns = up_ns_,
                      .may_be_commanded = commanded_,
                      .commanded_since_ns = commanded_since_ns_,
+                     .why_not = why_not_,
+                     .commander = view_.who_commands(now_ns),
                      .lost_lines = events_.lost(),
                      .events = events_.file().string(),
                      .parts = {}};
@@ -330,7 +369,8 @@ RobotStatus RobotKeeper::status(std::int64_t now_ns) const {
                             .restarts = watch.restarts(),
                             .failures = watch.failures(),
                             .real_time = process.is_real_time(),
-                            .reason = watch.reason()});
+                            .reason = watch.reason(),
+                            .last_end_ns = watch.last_end_ns()});
   }
   return status;
 }

@@ -74,10 +74,12 @@ class RobotKeeper {
   void end_hung(std::size_t index);
   void look_for_worker(std::size_t index, std::int64_t now_ns);
   void follow_command(std::int64_t now_ns);
+  [[nodiscard]] std::string why_not_commanded(std::int64_t now_ns);
+  [[nodiscard]] std::string port_trouble(std::size_t index) const;
   void keep_house(std::int64_t now_ns);
   void wait(std::int64_t now_ns);
   [[nodiscard]] bool works(const std::string& name) const;
-  [[nodiscard]] RobotStatus status(std::int64_t now_ns) const;
+  [[nodiscard]] RobotStatus status(std::int64_t now_ns);
   void tell(const std::string& text);
 
   std::vector<PartPlan> plans_;
@@ -91,6 +93,7 @@ class RobotKeeper {
   std::int64_t up_ns_ = 0, kept_ns_ = 0, logs_ns_ = 0;
   bool commanded_ = false, was_ready_ = false;
   std::int64_t commanded_since_ns_ = 0, obeyed_ns_ = 0;
+  std::string why_not_;            // it may not be commanded; empty: it may
   std::int64_t disturbed_ns_ = 0;  // the first end of a part since the robot could last be commanded; 0: none
   std::string disturbance_;
 };

@@ -19,6 +19,7 @@
 #include "gaitway/process/listening_socket.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "tools/robot/keeper/page_probe.hpp"
+#include "tools/robot/keeper/port_owner.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -50,9 +51,9 @@ void check_port(const RobotPlanOptions& options, const RobotFolders& folders) {
     return;
   }
   throw std::invalid_argument(
-      fmt::format("--port {}: another program listens there on {}. Choose another --port, or do without the "
-                  "interface (--no-interface)",
-                  port, options.module.address));
+      fmt::format("--port {}: another program listens there on {}: {}. Choose another --port, or do without "
+                  "the interface (--no-interface)",
+                  port, options.module.address, describe_listener(port)));
 }
 
 void check(const RobotPlanOptions& options, const RobotFolders& folders) {

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "gaitway/input/text.hpp"
+#include "tools/robot/keeper/event_log.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -16,10 +17,17 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json json_of(const PartStatus& part) {
-  return {{"name", part.name},         {"state", part.state},       {"pid", part.process},
-          {"worker_pid", part.worker}, {"since_ns", part.since_ns}, {"progress_ns", part.progress_ns},
-          {"restarts", part.restarts}, {"failures", part.failures}, {"real_time", part.real_time},
-          {"reason", part.reason}};
+  return {{"name", part.name},
+          {"state", part.state},
+          {"pid", part.process},
+          {"worker_pid", part.worker},
+          {"since_ns", part.since_ns},
+          {"progress_ns", part.progress_ns},
+          {"restarts", part.restarts},
+          {"failures", part.failures},
+          {"real_time", part.real_time},
+          {"reason", part.reason},
+          {"last_end_ns", part.last_end_ns}};
 }
 
 ordered_json json_of(const RobotStatus& status) {
@@ -30,6 +38,8 @@ ordered_json json_of(const RobotStatus& status) {
           {"up_ns", status.up_ns},
           {"may_be_commanded", status.may_be_commanded},
           {"commanded_since_ns", status.commanded_since_ns},
+          {"why_not", status.why_not},
+          {"commander", status.commander},
           {"lost_lines", status.lost_lines},
           {"events", status.events},
           {"parts", parts}};
@@ -45,17 +55,31 @@ PartStatus part_of(const ordered_json& json) {
           .restarts = json.at("restarts"),
           .failures = json.at("failures"),
           .real_time = json.at("real_time"),
-          .reason = json.at("reason")};
+          .reason = json.at("reason"),
+          .last_end_ns = json.value("last_end_ns", std::int64_t{0})};
 }
 
 double seconds(std::int64_t duration_ns) {
   return static_cast<double>(duration_ns) * 1e-9;
 }
 
+// "3.2 s ago: was ended by signal 9 (Killed)"
+std::string last_end(const PartStatus& part, std::int64_t now_ns) {
+  if (part.reason.empty()) return "-";
+  const std::string reason = input::terminal_text(part.reason);
+  return part.last_end_ns == 0 ? reason
+                               : fmt::format("{:.1f} s ago: {}", seconds(now_ns - part.last_end_ns), reason);
+}
+
 }  // namespace
 
 bool RobotStatus::all_work() const {
   return std::ranges::all_of(parts, [](const PartStatus& part) { return part.state == "works"; });
+}
+
+void RobotStatus::deny_command(const std::string& why) {
+  may_be_commanded = false;
+  why_not = why;
 }
 
 bool write_status(const std::filesystem::path& file, const RobotStatus& status) {
@@ -78,6 +102,8 @@ std::optional<RobotStatus> read_status(const std::filesystem::path& file) {
                        .up_ns = json.at("up_ns"),
                        .may_be_commanded = json.at("may_be_commanded"),
                        .commanded_since_ns = json.at("commanded_since_ns"),
+                       .why_not = json.value("why_not", ""),
+                       .commander = json.value("commander", ""),
                        .lost_lines = json.at("lost_lines"),
                        .events = json.at("events"),
                        .parts = {}};
@@ -95,6 +121,10 @@ std::string status_text(const RobotStatus& status, bool supervised, std::int64_t
   for (ordered_json& part : json["parts"]) {
     part["since_s"] = seconds(now_ns - part["since_ns"].get<std::int64_t>());
     part["progress_age_s"] = seconds(now_ns - part["progress_ns"].get<std::int64_t>());
+    if (const auto end_ns = part["last_end_ns"].get<std::int64_t>(); end_ns != 0) {
+      part["last_end_age_s"] = seconds(now_ns - end_ns);
+      part["last_end"] = date_and_time_of(end_ns);
+    }
   }
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -106,9 +136,14 @@ std::string status_table(const RobotStatus& status, bool supervised, std::int64_
                                       "supervisor         GONE (process {}, {:.1f} s ago): the parts live on "
                                       "unwatched. 'gaitway robot up' with the same options takes them over\n",
                                       status.supervisor, seconds(now_ns - status.written_ns));
-  text += !status.may_be_commanded ? "robot              may NOT be commanded now\n"
-                                   : fmt::format("robot              may be commanded, for {:.1f} s\n",
-                                                 seconds(now_ns - status.commanded_since_ns));
+  text += !status.may_be_commanded
+              ? fmt::format("robot              may NOT be commanded now{}{}\n",
+                            status.why_not.empty() ? "" : ": ", input::terminal_text(status.why_not))
+              : fmt::format("robot              may be commanded, for {:.1f} s\n",
+                            seconds(now_ns - status.commanded_since_ns));
+  if (!status.commander.empty()) {
+    text += fmt::format("command            {}\n", input::terminal_text(status.commander));
+  }
   text += fmt::format("\n{:<18} {:<7} {:>8} {:>10} {:>9} {:>10} {:<10} {}\n", "part", "state", "process",
                       "since", "restarts", "progress", "real time", "last end");
   for (const PartStatus& part : status.parts) {
@@ -116,8 +151,7 @@ std::string status_table(const RobotStatus& status, bool supervised, std::int64_
     const std::string progress = part.process == 0 ? "-" : fmt::format("{:.0f} ms", std::max(0.0, age_ms));
     text += fmt::format("{:<18} {:<7} {:>8} {:>8.1f} s {:>9} {:>10} {:<10} {}\n", part.name, part.state,
                         part.worker == 0 ? "-" : std::to_string(part.worker), seconds(now_ns - part.since_ns),
-                        part.restarts, progress, part.real_time ? "yes" : "no",
-                        part.reason.empty() ? "-" : input::terminal_text(part.reason));
+                        part.restarts, progress, part.real_time ? "yes" : "no", last_end(part, now_ns));
   }
   text += fmt::format("\nevents             {}\n", status.events);
   if (status.lost_lines > 0) {

@@ -20,7 +20,8 @@ struct PartStatus {
   std::uint64_t restarts = 0;
   std::uint64_t failures = 0;  // one after the other
   bool real_time = false;
-  std::string reason;  // of its last end; empty: it has not ended
+  std::string reason;            // of its last end; empty: it has not ended
+  std::int64_t last_end_ns = 0;  // CLOCK_MONOTONIC, too
 };
 
 struct RobotStatus {
@@ -28,11 +29,14 @@ struct RobotStatus {
   std::int64_t written_ns = 0, up_ns = 0;
   bool may_be_commanded = false;
   std::int64_t commanded_since_ns = 0;
+  std::string why_not;           // why it may not be commanded; empty: it may
+  std::string commander;         // who commands it; empty: that is not known
   std::uint64_t lost_lines = 0;  // of the event file
   std::string events;            // that file
   std::vector<PartStatus> parts;
 
   [[nodiscard]] bool all_work() const;
+  void deny_command(const std::string& why);  // where whoever reads it knows better
 };
 
 // Replaces the file as a whole; false: it could not be.

@@ -31,12 +31,18 @@ class RobotView {
   [[nodiscard]] std::optional<std::uint64_t> main_controller_reports();
   [[nodiscard]] std::optional<std::uint64_t> joint_feedback();
   // Its joints answer and carry out the batches of its main controller: whoever commands it now is obeyed.
-  [[nodiscard]] bool may_be_commanded(std::int64_t now_ns);
+  [[nodiscard]] bool may_be_commanded(std::int64_t now_ns) { return why_not_commanded(now_ns).empty(); }
+  // Why not, for people; empty: it may be.
+  [[nodiscard]] std::string why_not_commanded(std::int64_t now_ns);
+  // Who commands it, since when and why, for people; empty: it does not say.
+  [[nodiscard]] std::string who_commands(std::int64_t now_ns);
   // It stands by itself and waits for batches, or an emergency stop holds it.
   [[nodiscard]] bool holds(std::int64_t now_ns);
 
  private:
   struct Block;
+  [[nodiscard]] std::string why_no_feedback(std::int64_t now_ns);
+
   std::filesystem::path socket_;
   std::unique_ptr<Block> block_;
 };
