@@ -112,7 +112,12 @@ class MainControllerRestart(unittest.TestCase):
     def test_clients_go_on(self):
         self.walk()
         linked = self.processes.times_linked()
+        lost = self.processes.times_lost()
         self.processes.kill_main_controller()
+        until(lambda: self.processes.times_lost() == lost + 1, "the loss", 10.0)
+        walked = self.processes.ctl("--wait", "20", "walk", "0.1", "--seconds", "0.3")
+        self.assertEqual(walked.returncode, 0, walked.stderr)
+        self.assertIn("its main controller does not answer. It is waited for, 20 s at most", walked.stderr)
         self.assert_it_goes_on(linked)
         self.assertGreater(self.seen[-1]["pose"]["pose"]["position"]["z"], 0.25, "it stands")
 
@@ -125,7 +130,7 @@ class MainControllerRestart(unittest.TestCase):
         until(lambda: self.processes.times_lost() == linked, "the loss", 10.0)
         stand = subprocess.Popen([os.environ["GAITWAY_COMMAND"], "ctl", "--port", str(self.processes.port), "--wait", "20", "stand"],
                                  stderr=subprocess.PIPE, text=True)
-        self.assertIn("the robot is not there. It is waited for, 20 s at most", stand.stderr.readline())
+        self.assertRegex(stand.stderr.readline(), "the robot is not there: its .* does not answer. It is waited for, 20 s at most")
         self.processes.start_message_controller()
         said = stand.stderr.read()
         stand.stderr.close()

@@ -24,10 +24,13 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBetweenTries{100};
 
 // The API is there, its robot is not.
-bool tells_of_absence(const ApiClient::ServiceAnswer& answer, const json& values) {
+constexpr std::string_view kAbsence = "the robot is not there: ";
+
+// What it says of that; empty: the robot is there.
+std::string absence(const ApiClient::ServiceAnswer& answer, const json& values) {
   const std::string text = answer.result && values.is_object() ? values.value("message", "") : answer.problem;
   const bool done = answer.result && values.is_object() && values.value("success", false);
-  return !done && text.starts_with("the robot is not there: ");
+  return !done && text.starts_with(kAbsence) ? text : std::string();
 }
 
 Clock::time_point after(double time_s) {
@@ -82,13 +85,21 @@ ApiClient::~ApiClient() = default;
 ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const json& arguments, json& values) {
   while (true) {
     ServiceAnswer answer = call_once(service, arguments, values);
-    const bool is_away = tells_of_absence(answer, values);
-    if (is_reached_ || !is_away || !wait_.once_more(service + ": the robot is not there.")) {
-      is_reached_ = is_reached_ || !is_away;
+    const std::string away = absence(answer, values);
+    if (is_reached_ || away.empty() || !wait_.once_more(service + ": " + away + ".")) {
+      is_reached_ = is_reached_ || away.empty();
       return answer;
     }
     connect();  // who has asked a robot that was away has to take the command anew
   }
+}
+
+bool ApiClient::await_return(const std::string& topic, std::string_view problem) {
+  if (!problem.starts_with(kAbsence) || !wait_.once_more(fmt::format("{}: {}.", topic, problem))) {
+    return false;
+  }
+  connect();
+  return true;
 }
 
 ApiClient::ServiceAnswer ApiClient::call_once(const std::string& service, const json& arguments,

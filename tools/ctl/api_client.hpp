@@ -88,6 +88,9 @@ class ApiClient {
   };
   // `values`: filled with what the service answers, `success` and `message` among it.
   ServiceAnswer call(const std::string& service, const nlohmann::json& arguments, nlohmann::json& values);
+  // The server has answered a message of this topic with that the robot is not there: waits for a moment, and
+  // begins anew, without what was acquired. False: it has told of something else, or the time is over.
+  bool await_return(const std::string& topic, std::string_view problem);
   void advertise(const std::string& topic, const std::string& type);
   void publish(const std::string& topic, const nlohmann::json& message);
   // `period_ms`: between two messages at least; 0: all of them.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "gaitway/input/text.hpp"
@@ -50,23 +51,40 @@ json twist(const std::vector<double>& velocity) {
           {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", at(2)}}}};
 }
 
-// Walks for so long, or until it is told to end, and ends when the robot stands, so that what is ordered next
-// finds it standing.
-int walk(ApiClient& client, const std::vector<double>& velocity, double seconds) {
+// Its renewal: what keeps the command. Nothing, and it is told why: the command is not to be had.
+std::optional<json> take_command(ApiClient& client) {
   json values;
   const ApiClient::ServiceAnswer lease = client.call("/command/acquire", {{"name", "gaitway ctl"}}, values);
   if (!lease.result || !values.value("success", false)) {
     fmt::print(stderr, "gaitway ctl: {}\n",
                input::terminal_text(lease.result ? values.value("message", "") : lease.problem));
-    return kExitRefused;
+    return std::nullopt;
   }
-  const json renewal = {{"lease", values.value("lease", "")}};
   client.advertise("/cmd_vel", "geometry_msgs/msg/Twist");
+  return json{{"lease", values.value("lease", "")}};
+}
+
+// Walks for so long, or until it is told to end, and ends when the robot stands, so that what is ordered next
+// finds it standing. A robot that is not there is waited for before it walks, and never once it has.
+int walk(ApiClient& client, const std::vector<double>& velocity, double seconds) {
+  std::optional<json> renewal = take_command(client);
+  if (!renewal) return kExitRefused;
+  json values;
   const auto renew = [&] {
     client.publish("/cmd_vel", twist(velocity));
-    static_cast<void>(client.call("/command/keep_alive", renewal, values));
+    static_cast<void>(client.call("/command/keep_alive", *renewal, values));
     client.throw_reported_errors();
   };
+  for (bool begun = false; !begun;) {
+    try {
+      renew();
+      begun = true;
+    } catch (const ApiError& error) {
+      if (!client.await_return("/cmd_vel", error.what())) throw;
+      renewal = take_command(client);
+      if (!renewal) return kExitRefused;
+    }
+  }
   client.repeat(renew, kRenew_s, seconds);
   return call_and_print(client, "/stand", json::object());
 }

@@ -184,7 +184,8 @@ void RobotCommands::demand_movement(Claimant& claimant, std::int64_t now_ns, std
 void RobotCommands::demand(Claimant& claimant, std::int64_t now_ns) {
   step(now_ns);
   if (!robot_.connected()) {
-    deny(claimant, now_ns, "the robot is not there: its message controller does not answer");
+    deny(claimant, now_ns,
+         "the robot is not there: its " + std::string(robot_.silent_part()) + " does not answer");
   }
   authority_.use(claimant, now_ns);
 }

@@ -59,8 +59,8 @@ std::optional<StandWaits::Answer> StandWaits::answer(const Waiting& waiting, std
   const std::string_view activity = robot_.activity();
   const auto prevention = std::ranges::find(kPreventions, activity, &Prevention::activity);
   if (!robot_.connected()) {
-    return Answer{Outcome::prevented,
-                  "the robot is not there any more: its message controller does not answer"};
+    return Answer{Outcome::prevented, "the robot is not there any more: its " +
+                                          std::string(robot_.silent_part()) + " does not answer"};
   }
   if (prevention != kPreventions.end()) {
     return Answer{Outcome::prevented, std::string(prevention->why)};

@@ -113,7 +113,7 @@ TEST_F(OutageTest, StandsInTimeAndIsBackWithinASecondAndOldOrdersAreGone) {
     run_for(300 * kMillisecond_ns);
     EXPECT_FALSE(told_to_walk()) << "who drove must take the command again, outage " << outage;
     EXPECT_LE(last_walk_ns_, cut_ns) << "nothing that was asked for meanwhile is carried out";
-    EXPECT_THAT(told(), HasSubstr("the robot is not there"));
+    EXPECT_THAT(told(), HasSubstr("the robot is not there: its main controller does not answer"));
     drives_ = false;
     run_for(2 * kSecond_ns);
     ASSERT_FALSE(run_.plant().fallen()) << "outage " << outage;

@@ -262,8 +262,11 @@ TEST_F(CommandTest, WhoStoppedMayDriveOn) {
 TEST_F(CommandTest, IsRefusedWhileTheRobotIsNotThere) {
   robot.is_connected = false;
   anna->drive(0.1);
-  EXPECT_THAT(anna->receive_one()["msg"], HasSubstr("the robot is not there"));
-  EXPECT_THAT(refusal(anna->call("/stand")), HasSubstr("the robot is not there"));
+  EXPECT_THAT(anna->receive_one()["msg"],
+              HasSubstr("the robot is not there: its message controller does not"));
+  robot.silent = "main controller";
+  EXPECT_THAT(refusal(anna->call("/stand")),
+              HasSubstr("the robot is not there: its main controller does not"));
   EXPECT_THAT(robot.told, IsEmpty());
   robot.is_connected = true;
   anna->drive(0.1);

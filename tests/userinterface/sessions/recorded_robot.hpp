@@ -28,6 +28,7 @@ class RecordedRobot : public RobotPort {
   std::vector<JointLimits> joint_list{{"neck_yaw", -1.0, 1.0}, {"left_knee", 0.0, 2.0}};
   std::int64_t time_ns = 0;
   bool is_connected = true;
+  std::string silent = "message controller";
   bool is_blocked = false;  // takes no orders
   bool is_emergency_stopped = false;
   std::string does = "stands";
@@ -39,6 +40,7 @@ class RecordedRobot : public RobotPort {
 
   [[nodiscard]] std::int64_t now_ns() const override { return time_ns; }
   [[nodiscard]] bool connected() const override { return is_connected; }
+  [[nodiscard]] std::string_view silent_part() const override { return silent; }
   [[nodiscard]] bool emergency_stopped() const override { return is_emergency_stopped; }
   [[nodiscard]] std::string_view activity() const override { return does; }
 

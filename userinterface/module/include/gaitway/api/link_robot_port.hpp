@@ -27,6 +27,9 @@ class LinkRobotPort final : public RobotPort {
 
   [[nodiscard]] std::int64_t now_ns() const override;
   [[nodiscard]] bool connected() const override { return connected_; }
+  [[nodiscard]] std::string_view silent_part() const override {
+    return link_.open() ? "message controller" : "main controller";
+  }
   [[nodiscard]] bool emergency_stopped() const override;
   [[nodiscard]] std::string_view activity() const override;
   std::optional<std::uint32_t> walk(const Velocity& velocity, std::int64_t holds_ns,

@@ -101,8 +101,10 @@ class RobotPort {
 
   // The robot's clock, virtual or real; 0 while the robot is not there.
   [[nodiscard]] virtual std::int64_t now_ns() const = 0;
-  // Whether the message controller is alive.
+  // Whether the message controller is alive, and can be heard.
   [[nodiscard]] virtual bool connected() const = 0;
+  // Which part does not answer while it is not so, for people.
+  [[nodiscard]] virtual std::string_view silent_part() const = 0;
   // Whether an emergency stop holds: all that moves the robot is in vain until it is released.
   [[nodiscard]] virtual bool emergency_stopped() const = 0;
   // What the robot does, in a word of /robot_state; empty: not known.
