@@ -17,6 +17,7 @@
 #include "gaitway/process/text_file.hpp"
 #include "tools/campaign/campaign.hpp"
 #include "tools/campaign/endurance.hpp"
+#include "tools/campaign/real_time/real_time_command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/measure/trial_store.hpp"
 
@@ -41,6 +42,8 @@ struct CampaignCommand {
   double speed_m_per_s = 0.2;
   int robots = 20;
   bool quick = false, list = false, quiet = false;
+  bool real_time = false;
+  std::optional<std::uint64_t> trials;  // of each row in real time
 };
 
 TrialRobot load_walker(const CampaignCommand& command) {
@@ -166,6 +169,11 @@ int endure(const CampaignCommand& command, const std::vector<FaultRow>& rows) {
     runs = run_endurance(robot, passing, options);
   }
   process::write_text_file(command.out / "endurance.json", endurance_json(runs).dump(2) + "\n");
+  for (const EnduranceRun& run : runs) {
+    for (std::size_t fall = 0; fall < run.falls.size(); ++fall) {
+      process::write_text_file(command.out / fall_file(run, fall), run.falls[fall].scenario);
+    }
+  }
   const std::string text = endurance_markdown(options, runs);
   process::write_text_file(command.out / "endurance.md", text);
   if (!command.quiet) fmt::print("{}", text);
@@ -173,7 +181,28 @@ int endure(const CampaignCommand& command, const std::vector<FaultRow>& rows) {
   return all_up ? kExitFine : kExitRowFailed;
 }
 
+int run_real_time(const CampaignCommand& command) {
+  if (command.quick || command.instants || command.hours || command.jobs || !command.row.empty()) {
+    throw std::invalid_argument(
+        "--real-time: goes with none of --quick, --instants, --hours, --jobs and --row. Leave them out, and "
+        "say "
+        "with --trials how often each fault happens");
+  }
+  RealTimeCommand real_time{.robot = command.robot,
+                            .out = command.out,
+                            .speed_m_per_s = command.speed_m_per_s,
+                            .rows = command.rows,
+                            .except = command.except,
+                            .list = command.list,
+                            .quiet = command.quiet};
+  if (command.trials) real_time.trials = *command.trials;
+  return run_in_real_time(real_time);
+}
+
 int run_the_campaign(const CampaignCommand& command) {
+  if (command.real_time) return run_real_time(command);
+  if (command.trials)
+    throw std::invalid_argument("--trials: goes with --real-time; in virtual time it is --instants");
   const auto started = Clock::now();
   const std::vector<FaultRow> table = fault_table(urdf::load_robot(command.robot));
   if (command.list) return list_rows(table);
@@ -228,6 +257,11 @@ void declare_program(const CommandLine& app) {
       .option("--hours", options.hours,
               "Instead: for so many hours of each robot, one fault after the other, every 10 s on average")
       .between(0.001, 1000.0);
+  command.option(
+      "--real-time", options.real_time,
+      "Instead: faults of processes and of the operating system, with a robot under 'gaitway robot up'");
+  command.option("--trials", options.trials, "Of each row in real time (default 10), some 6 s each")
+      .between(1, static_cast<double>(kMostInstants));
   command.option("--robots", options.robots, "That take turns, each with its own deviations")
       .between(1, kMostRobots);
   command.option("--jobs", options.jobs, "Walks side by side (default: one a core)").between(1, kMostJobs);
@@ -241,11 +275,16 @@ void declare_program(const CommandLine& app) {
       "  gaitway campaign --instants 1000 --rows jam,joint_bus_off\n"
       "  gaitway campaign --speed 0.35 --out out/campaign_fast\n"
       "  gaitway campaign --hours 8 --robots 4\n"
+      "  gaitway campaign --real-time --rows main_controller_killed,clock_back_1h --trials 20\n"
       "  gaitway campaign --row dead_knee --instant 3 > knee.yaml && gaitway run --scenario knee.yaml --seed "
       "4\n"
       "Results: campaign.md, .json, .csv (a line for each trial) and .svg in --out. A campaign that was "
       "broken "
       "off, or that\nis to have more instants, goes on where it was when it is given the same --out.\n"
+      "In real time: real_time.md, .json and .csv. Ctrl-C takes the robot down and sums up what is known; "
+      "the rest "
+      "is played\nby the next call. Exit code then: 2 no robot fell, but not all came back, or it was broken "
+      "off.\n"
       "Exit code: 0 no fall but in rows that may fall, and there the robot knew before the impact; 3 there "
       "was "
       "one;\n1 the input was bad.");

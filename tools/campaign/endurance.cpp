@@ -28,6 +28,7 @@ constexpr double kFirstFault_s = 5.0;
 constexpr double kBetweenOrders_s = 10.0;  // of walks: a robot that stands is asked anew
 constexpr double kRemembered_s = 10.0;     // faults that may explain a fall
 constexpr double kRepaired_s = 8.0;        // after the last fault: the longest of them takes 5 s
+constexpr double kAfterFall_s = 2.0;       // that a fall's scenario shows
 constexpr double kStep_m = 0.05;           // way that counts as walking
 constexpr double kToldEvery_s = 60.0;
 constexpr std::int64_t kLook_ns = 100'000'000;  // at the way
@@ -75,6 +76,7 @@ class EnduranceWalk {
   void begin();
   void order_walk();
   void draw_fault();
+  void note_event(const std::string& action);
   void look_at_joints();
   void watch_way();
   void note_fall();
@@ -89,8 +91,9 @@ class EnduranceWalk {
   std::unique_ptr<simulator::Cosimulation> walk_;
   double before_s_ = 0.0;  // played with robots that have fallen
   double next_fault_s_ = 0.0, next_order_s_ = 0.0, last_fault_s_ = 0.0;
-  std::deque<simulator::ScenarioEvent> waiting_;
+  std::deque<std::pair<simulator::ScenarioEvent, std::string>> waiting_;  // with their texts
   std::deque<std::pair<double, std::string>> met_;
+  std::string events_;  // that this robot has met, as a scenario has them
   Eigen::Vector2d place_m_ = Eigen::Vector2d::Zero();
   double walked_at_s_ = 0.0;
 };
@@ -103,6 +106,7 @@ void EnduranceWalk::begin() {
   last_fault_s_ = walked_at_s_ = 0.0;
   waiting_.clear();
   met_.clear();
+  events_.clear();
   place_m_ = walk_->plant().truth().base.translation().head<2>();
 }
 
@@ -110,8 +114,13 @@ void EnduranceWalk::order_walk() {
   next_order_s_ += kBetweenOrders_s;
   const double speed = options_.speed_m_per_s * (0.5 + 0.5 * random_.uniform());
   const double turn = 0.4 * (random_.uniform() - 0.5);
+  note_event(fmt::format("walk: [{}, 0, {}]", speed, turn));
   walk_->apply(
       {now_s(), simulator::WalkEvent{.velocity_m_per_s = {speed, 0.0}, .turn_rate_rad_per_s = turn}});
+}
+
+void EnduranceWalk::note_event(const std::string& action) {
+  events_ += fmt::format("  - {{at_s: {:.3f}, {}}}\n", now_s(), action);
 }
 
 void EnduranceWalk::draw_fault() {
@@ -119,7 +128,10 @@ void EnduranceWalk::draw_fault() {
   const FaultRow& row = rows_[random_.next() % rows_.size()];
   ++run_.faults[row.name];
   FaultTrial trial{.row = row.name, .instant_s = now_s(), .actions = row.draw(random_)};
-  for (simulator::ScenarioEvent& event : events_of(trial, robot_.model)) waiting_.push_back(std::move(event));
+  std::vector<simulator::ScenarioEvent> events = events_of(trial, robot_.model);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    waiting_.emplace_back(std::move(events[i]), trial.actions[i].text);
+  }
   met_.emplace_front(now_s(), row.name);
   last_fault_s_ = now_s();
   next_fault_s_ = now_s() - options_.mean_pause_s * std::log(1.0 - random_.uniform());
@@ -147,7 +159,11 @@ void EnduranceWalk::watch_way() {
 }
 
 void EnduranceWalk::note_fall() {
-  EnduranceFall fall{.at_s = before_s_ + now_s(), .rows = {}};
+  EnduranceFall fall{.at_s = before_s_ + now_s(), .rows = {}, .seed = seed_, .scenario = {}};
+  fall.scenario = fmt::format(
+      "# A fall of the fault campaign's hours: play it with --seed {}.\n"
+      "seconds: {:.3f}\nevents:\n{}",
+      seed_, now_s() + kAfterFall_s, events_);
   for (const auto& [at_s, row] : met_) {
     if (now_s() - at_s <= kRemembered_s) fall.rows.push_back(row);
   }
@@ -165,12 +181,13 @@ EnduranceRun EnduranceWalk::play(const std::function<void(double)>& tell) {
     if (now_s() >= next_order_s_) order_walk();
     if (now_s() >= next_fault_s_) draw_fault();
     for (std::size_t left = waiting_.size(); left > 0; --left) {
-      simulator::ScenarioEvent event = std::move(waiting_.front());
+      auto [event, text] = std::move(waiting_.front());
       waiting_.pop_front();
       if (event.at_s <= now_s()) {
+        note_event(text);
         walk_->apply(event);
       } else {
-        waiting_.push_back(std::move(event));
+        waiting_.emplace_back(std::move(event), std::move(text));
       }
     }
     walk_->advance_millisecond();
@@ -190,7 +207,10 @@ EnduranceRun EnduranceWalk::play(const std::function<void(double)>& tell) {
 
 nlohmann::ordered_json to_json(const EnduranceRun& run) {
   nlohmann::ordered_json falls = nlohmann::ordered_json::array();
-  for (const EnduranceFall& fall : run.falls) falls.push_back({{"at_s", fall.at_s}, {"faults", fall.rows}});
+  for (const EnduranceFall& fall : run.falls) {
+    falls.push_back(
+        {{"at_s", fall.at_s}, {"faults", fall.rows}, {"seed", fall.seed}, {"scenario", fall.scenario}});
+  }
   return {{"robot", run.robot},
           {"played_s", run.played_s},
           {"walked_m", run.walked_m},
@@ -210,7 +230,8 @@ EnduranceRun endurance_from_json(const nlohmann::ordered_json& json) {
   json.at("walked_m").get_to(run.walked_m);
   json.at("faults").get_to(run.faults);
   for (const auto& fall : json.at("falls")) {
-    run.falls.push_back({fall.at("at_s").get<double>(), fall.at("faults").get<std::vector<std::string>>()});
+    run.falls.push_back({fall.at("at_s").get<double>(), fall.at("faults").get<std::vector<std::string>>(),
+                         fall.at("seed").get<std::uint64_t>(), fall.at("scenario").get<std::string>()});
   }
   json.at("looks").get_to(run.looks);
   json.at("wrong_joints").get_to(run.wrong_joints);
@@ -281,8 +302,15 @@ std::vector<EnduranceRun> run_endurance(const TrialRobot& robot, const std::vect
 
 nlohmann::ordered_json endurance_json(const std::vector<EnduranceRun>& runs) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const EnduranceRun& run : runs) all.push_back(to_json(run));
+  for (const EnduranceRun& run : runs) {
+    all.push_back(to_json(run));
+    for (auto& fall : all.back()["falls"]) fall.erase("scenario");
+  }
   return all;
+}
+
+std::string fall_file(const EnduranceRun& run, std::size_t fall) {
+  return fmt::format("fall_{}_{}.yaml", run.robot, fall);
 }
 
 std::string endurance_markdown(const EnduranceOptions& options, const std::vector<EnduranceRun>& runs) {
@@ -298,10 +326,13 @@ std::string endurance_markdown(const EnduranceOptions& options, const std::vecto
                         run.longest_stand_s, run.memory_first_KiB, run.memory_last_KiB);
   }
   for (const EnduranceRun& run : runs) {
-    for (const EnduranceFall& fall : run.falls) {
+    for (std::size_t i = 0; i < run.falls.size(); ++i) {
+      const EnduranceFall& fall = run.falls[i];
       text += fmt::format(
-          "\nRobot {} fell at {:.1f} s, after: {}\n", run.robot, fall.at_s,
-          fall.rows.empty() ? "no fault in ten seconds" : fmt::format("{}", fmt::join(fall.rows, ", ")));
+          "\nRobot {} fell at {:.1f} s, after: {}. Play it: gaitway run --scenario {} --seed {}\n", run.robot,
+          fall.at_s,
+          fall.rows.empty() ? "no fault in ten seconds" : fmt::format("{}", fmt::join(fall.rows, ", ")),
+          fall_file(run, i), fall.seed);
     }
   }
   return text;

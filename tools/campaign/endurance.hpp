@@ -26,6 +26,8 @@ struct EnduranceOptions {
 struct EnduranceFall {
   double at_s = 0.0;
   std::vector<std::string> rows;  // of the faults of the ten seconds before, the newest first
+  std::uint64_t seed = 0;         // of the robot that fell
+  std::string scenario;           // from its start to its fall, for `gaitway run --scenario FILE --seed SEED`
 };
 
 // Of one robot. After a fall another one with the next deviations walks on in its stead.
@@ -53,7 +55,10 @@ struct EnduranceRun {
                                                       const std::vector<FaultRow>& rows,
                                                       const EnduranceOptions& options);
 
+// Without the falls' scenarios.
 [[nodiscard]] nlohmann::ordered_json endurance_json(const std::vector<EnduranceRun>& runs);
+// Name of the file that a robot's fall is written to, among the results; counted from 0.
+[[nodiscard]] std::string fall_file(const EnduranceRun& run, std::size_t fall);
 [[nodiscard]] std::string endurance_markdown(const EnduranceOptions& options,
                                              const std::vector<EnduranceRun>& runs);
 
