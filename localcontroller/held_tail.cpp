@@ -9,7 +9,7 @@ void HeldTail::on_tail(const can::Tail& tail) noexcept {
   if (tail.toggle != coming_ && !counts) {
     buffer.parts = 0;  // of two tails ago
   }
-  coming_ = tail.toggle;
+  coming_ = counts ? coming_ : tail.toggle;  // what counts may be sent again while the next one comes
   for (std::size_t k = 0; k < tail.delta.size(); ++k) {
     buffer.delta[tail.part * tail.delta.size() + k] = tail.delta[k];
   }

@@ -12,8 +12,6 @@ constexpr double kCurrentCount_Nm = 0.125;
 constexpr double kImplausibleSpeeds = 10.0;
 constexpr int kEncoderDistrust_ms = 5;
 constexpr int kSaturation_ms = 40;
-// Told for so long, since a joint that misses a part of each tail could tell of it in every other one only.
-constexpr int kTailDistrust_ms = 1000;
 constexpr int kSlotsUntilSyncIsLost = 2;
 
 double magnitude(double value) noexcept {
@@ -204,8 +202,7 @@ void JointController::find_faults() noexcept {
             config_.profile.has(can::MessageKind::sync) && slots_alone_ >= kSlotsUntilSyncIsLost);
   set_fault(can::Fault::encoder, implausible_ms_ > 0);
   set_fault(can::Fault::restarted, !player_.reference_confirmed());
-  tail_distrust_ms_ = player_.tail_missing() ? kTailDistrust_ms : tail_distrust_ms_ - (tail_distrust_ms_ > 0);
-  set_fault(can::Fault::tail_missing, tail_distrust_ms_ > 0);
+  set_fault(can::Fault::tail_missing, player_.tail_missing());
 }
 
 void JointController::set_fault(can::Fault fault, bool present) noexcept {
@@ -245,9 +242,11 @@ bool JointController::take_frame(can::Frame& frame) noexcept {
   return false;
 }
 
+// That a tail is missing is said of each tail anew, since it is sent again in answer.
 bool JointController::report_due() const noexcept {
-  return config_.profile.has(can::MessageKind::fault_report) && (faults_ | new_faults_) != reported_faults_ &&
-         now_ns_ >= next_report_ns_;
+  const bool lacks = (faults_ & static_cast<std::uint8_t>(can::Fault::tail_missing)) != 0;
+  const bool tells = lacks || (faults_ | new_faults_) != reported_faults_;
+  return config_.profile.has(can::MessageKind::fault_report) && tells && now_ns_ >= next_report_ns_;
 }
 
 std::uint32_t JointController::next_id() const noexcept {

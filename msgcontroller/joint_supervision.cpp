@@ -12,6 +12,11 @@ using facts::kSlot_ns;
 using facts::kSlotsPerCycle;
 
 constexpr int kLastSlot = kSlotsPerCycle - 1;
+// A joint tells once in a cycle that it lacks a tail. Who tells so in the next cycle again has not been
+// helped, and who does so three times gets no tail, it seems: none is named for a second then.
+constexpr std::uint32_t kSlotsUntilRepairHelps = 2 * kSlotsPerCycle;
+constexpr int kRepairsInVain = 3;
+constexpr std::uint32_t kSlotsOfDistrust = 100;
 
 }  // namespace
 
@@ -75,36 +80,67 @@ void JointSupervision::send_waiting_tail() noexcept {
   forget_waiting_tail();
   const int points = playback_.points_to_both_feet(can::kBatchPoints * link_.profile.tail_parts).value_or(0);
   waiting_tail_ = {.toggle = running_tail_.toggle != (points > 0), .points = points};
-  const int slots_to_end =
-      playback_.waiting_from() - playback_.slot() + (playback_.revision_waits() ? 0 : kSlotsPerCycle);
-  const std::int64_t expires_ns = link_.slot_start_ns + slots_to_end * kSlot_ns;
-  for (int part = 0; part * can::kBatchPoints < points; ++part) {
-    for (int joint = 0; joint < link_.joint_count; ++joint) {
-      if (link_.node[static_cast<std::size_t>(joint)] != 0) {
-        send_tail_part(joint, part, expires_ns);
-      }
+  for (int joint = 0; joint < link_.joint_count; ++joint) {
+    for (int point = 0; point < points; ++point) {
+      waiting_tail_.delta[static_cast<std::size_t>(joint)][static_cast<std::size_t>(point)] =
+          static_cast<std::int8_t>(playback_.tail_delta(joint, point));
     }
   }
-}
-
-void JointSupervision::send_tail_part(int joint, int part, std::int64_t expires_ns) noexcept {
-  can::Tail frame{.node = link_.node[static_cast<std::size_t>(joint)],
-                  .toggle = waiting_tail_.toggle,
-                  .part = static_cast<std::uint8_t>(part)};
-  const int first = part * can::kBatchPoints;
-  for (int slot = 0; slot < std::min(kBatchPoints, waiting_tail_.points - first); ++slot) {
-    frame.delta[static_cast<std::size_t>(slot)] =
-        static_cast<std::int8_t>(playback_.tail_delta(joint, first + slot));
+  const int slots_to_end = slots_to_end_of_waiting();
+  for (int joint = 0; joint < link_.joint_count; ++joint) {
+    send_tail(joint, waiting_tail_, slots_to_end);
   }
-  ++waiting_tail_.frames_left;
-  link_.send(can::encode(link_.profile, frame), expires_ns);
 }
 
-// A joint tells at most once in a cycle that it lacks one, so what it told holds until it takes it back.
+int JointSupervision::slots_to_end_of_waiting() const noexcept {
+  return playback_.waiting_from() - playback_.slot() + (playback_.revision_waits() ? 0 : kSlotsPerCycle);
+}
+
+void JointSupervision::send_tail(int joint, SentTail& tail, int slots_to_end) noexcept {
+  const auto j = static_cast<std::size_t>(joint);
+  if (link_.node[j] == 0) {
+    return;
+  }
+  for (int first = 0; first < tail.points; first += can::kBatchPoints) {
+    can::Tail frame{.node = link_.node[j],
+                    .toggle = tail.toggle,
+                    .part = static_cast<std::uint8_t>(first / can::kBatchPoints)};
+    std::copy_n(tail.delta[j].begin() + first, frame.delta.size(), frame.delta.begin());
+    ++tail.frames_left;
+    link_.send(can::encode(link_.profile, frame), link_.slot_start_ns + slots_to_end * kSlot_ns);
+  }
+}
+
+// The others keep what they have: SYNC goes on naming it while this joint gets its points again, which takes
+// less than a slot. A step that one joint of them does not end is better than one that nobody ends.
+void JointSupervision::repair_tails(int joint) noexcept {
+  const int named_frames_left = running_tail_.frames_left;
+  send_tail(joint, running_tail_, kSlotsPerCycle - playback_.slot());
+  if (named_frames_left == 0) {
+    running_tail_.frames_left = 0;
+  }
+  if (playback_.waiting_segment() != nullptr) {
+    send_tail(joint, waiting_tail_, slots_to_end_of_waiting());
+  }
+}
+
+void JointSupervision::on_tail_missing(int joint) noexcept {
+  if (running_tail_.points == 0) {
+    return;
+  }
+  Lack& lack = lack_[static_cast<std::size_t>(joint)];
+  const std::uint32_t slots = link_.slots_since_start - lack.told;
+  const bool not_helped = lack.told != 0 && slots <= kSlotsUntilRepairHelps;
+  const bool still_distrusted = lack.in_a_row >= kRepairsInVain && slots <= 2 * kSlotsOfDistrust;
+  lack.in_a_row = not_helped ? lack.in_a_row + 1 : still_distrusted ? lack.in_a_row : 1;
+  lack.told = link_.slots_since_start;
+  repair_tails(joint);
+}
+
 int JointSupervision::tail_points() const noexcept {
-  constexpr auto kMissing = static_cast<std::uint8_t>(can::Fault::tail_missing);
-  const bool lacking = std::ranges::any_of(link_.watch.health().faults,
-                                           [](std::uint8_t faults) { return (faults & kMissing) != 0; });
+  const bool lacking = std::ranges::any_of(lack_, [this](const Lack& lack) {
+    return lack.in_a_row >= kRepairsInVain && link_.slots_since_start - lack.told <= kSlotsOfDistrust;
+  });
   return lacking ? 0 : running_tail_.usable_points();
 }
 
@@ -170,7 +206,7 @@ void JointSupervision::take_feedback(int joint, const NetworkWatch::Arrival& arr
     repair_waiting(joint);
   }
   if (arrival.returned) {
-    waiting_tail_.lost = running_tail_.lost = true;
+    repair_tails(joint);
   }
   if (resync_until_[j] > link_.slots_since_start) {
     return;  // a repair is on its way, or a manual movement is under way

@@ -220,10 +220,8 @@ void MessageController::on_frame(const can::Frame& frame, std::int64_t now_ns) n
     case NetworkWatch::Heard::forged:
       on_forged(arrival, frame);
       break;
-    case NetworkWatch::Heard::fault_report:  // a restart shows in the next feedback, too
-      if ((arrival.faults & static_cast<std::uint8_t>(can::Fault::tail_missing)) != 0) {
-        supervision_.lose_running_tail();
-      }
+    case NetworkWatch::Heard::fault_report:
+      take_fault_report(arrival);
       break;
     case NetworkWatch::Heard::nothing:
       break;
@@ -258,6 +256,15 @@ void MessageController::take_feedback(const NetworkWatch::Arrival& arrival, std:
   }
   if (feedback_.complete() && !feedback_published_) {
     publish_feedback(now_ns);
+  }
+}
+
+// A restart shows in the next feedback, too; but the joint has no tail any more.
+void MessageController::take_fault_report(const NetworkWatch::Arrival& arrival) noexcept {
+  if ((arrival.faults & static_cast<std::uint8_t>(can::Fault::tail_missing)) != 0) {
+    supervision_.on_tail_missing(arrival.joint);
+  } else if ((arrival.faults & static_cast<std::uint8_t>(can::Fault::restarted)) != 0) {
+    supervision_.repair_tails(arrival.joint);
   }
 }
 

@@ -39,6 +39,30 @@ TEST_F(JointControllerTest, ReportsALostSyncAfterTwoSlotsAndItsReturn) {
   EXPECT_EQ(fault_reports(), std::vector<int>{kRestarted});
 }
 
+TEST_F(JointControllerTest, SaysOfEachTailAnewThatItIsMissing) {
+  constexpr int kMissing = static_cast<int>(can::Fault::tail_missing);
+  const auto play_slots_naming = [this](bool toggle, int tail_points) {
+    send(can::Trajectory{kNode, toggle, {}});
+    for (int slot = 0; slot < 8; ++slot) {
+      send(can::Sync{.cycle = cycle,
+                     .slot = static_cast<std::uint8_t>(slot),
+                     .batch_committed = true,
+                     .toggle = toggle,
+                     .tail_points = static_cast<std::uint8_t>(tail_points),
+                     .tail_toggle = toggle});
+      run(10);
+    }
+    ++cycle;
+  };
+  run(kReportPeriod_ms);
+  for (const bool toggle : {true, false, true}) {
+    play_slots_naming(toggle, 3);
+    EXPECT_EQ(fault_reports(), std::vector<int>{kMissing});
+  }
+  play_slots_naming(false, 0);
+  EXPECT_EQ(fault_reports(), std::vector<int>{0});
+}
+
 TEST_F(JointControllerTest, ReportsTorqueThatIsNotEnoughForAWhileOnly) {
   sensors.encoder_count = -600;  // 0.058 rad: more than the torque can hold
   run(20);

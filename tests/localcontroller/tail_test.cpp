@@ -83,6 +83,29 @@ TEST_F(TailTest, AnIncompleteTailIsNotUsedAndIsToldOf) {
   EXPECT_EQ(player.count(), kBatchEnd);
 }
 
+TEST_F(TailTest, OneThatCountsMayBeCompletedWhileTheNextOneComes) {
+  player.on_tail(part(0, true, 10));
+  player.on_trajectory(batch(true));
+  player.on_sync(naming(0, 12), slot_ns(0));
+  EXPECT_TRUE(player.tail_missing());
+  player.on_tail(part(0, false, 50));
+  player.on_tail(part(1, true, 18));
+  player.on_tail(part(1, false, 58));
+  for (int slot = 1; slot < 8; ++slot) {
+    player.on_sync(naming(slot, 12), slot_ns(slot));
+  }
+  EXPECT_FALSE(player.tail_missing());
+  player.on_trajectory(batch(false));
+  player.on_sync(
+      [&] {
+        can::Sync next = naming(0, 12, false, true, false);
+        ++next.cycle;
+        return next;
+      }(),
+      slot_ns(8));
+  EXPECT_FALSE(player.tail_missing());
+}
+
 TEST_F(TailTest, ATailMayBeNamedWhileItsBatchRuns) {
   player.on_trajectory(batch(true));
   player.on_sync(naming(0, 0), slot_ns(0));

@@ -29,15 +29,7 @@ class JointsOnABus {
  public:
   explicit JointsOnABus(const urdf::RobotModel& robot) : robot_(robot) {
     for (const urdf::Joint& joint : robot.joints) {
-      localcontroller::JointConfig config;
-      config.profile = network_profile(robot);
-      config.node = joint.node;
-      config.count_rad = joint.count_rad;
-      config.encoder_count_rad = joint.encoder_count_rad;
-      config.lower_rad = joint.lower_rad;
-      config.upper_rad = joint.upper_rad;
-      config.initial_reference_count = home_count(joint);
-      joints_.emplace_back(config);
+      joints_.emplace_back(config_of(joint));
     }
     sensors.resize(joints_.size());
     for (std::size_t j = 0; j < joints_.size(); ++j) {  // they stand where they are meant to
@@ -94,11 +86,26 @@ class JointsOnABus {
       joint.on_frame(frame, now_ns);
     }
   }
+  // Without its supply for a moment: what it has been told is gone.
+  void restart(std::size_t joint) {
+    joints_[joint] = localcontroller::JointController(config_of(robot_.joints[joint]));
+  }
   [[nodiscard]] localcontroller::JointController& joint(std::size_t index) { return joints_[index]; }
   [[nodiscard]] std::int32_t count(std::size_t joint) const { return joints_[joint].reference_count(); }
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
 
  private:
+  [[nodiscard]] localcontroller::JointConfig config_of(const urdf::Joint& joint) const {
+    localcontroller::JointConfig config;
+    config.profile = network_profile(robot_);
+    config.node = joint.node;
+    config.count_rad = joint.count_rad;
+    config.encoder_count_rad = joint.encoder_count_rad;
+    config.lower_rad = joint.lower_rad;
+    config.upper_rad = joint.upper_rad;
+    config.initial_reference_count = home_count(joint);
+    return config;
+  }
   static constexpr std::int64_t kFrame_ns = 10'000;  // short enough that a burst fits its millisecond
   const urdf::RobotModel& robot_;
   std::vector<localcontroller::JointController> joints_;

@@ -68,30 +68,81 @@ TEST_F(TailTest, NoneIsSentThatWouldEndOnOneFoot) {
   EXPECT_EQ(bus_.sent[can::MessageKind::tail], 0);
 }
 
-TEST_F(TailTest, OneThatAJointDoesNotHoldIsUsedByNone) {
+// A part of the robbed joint's tail is lost once.
+TEST_F(TailTest, AJointThatLacksAPartGetsItAgainAndTheTailIsUsed) {
   constexpr can::NodeId kRobbed = 7;
+  int lost = 0;
   bus_.drop = [&](const can::Frame& frame) {
     const auto is = controller_.profile().identify(frame.id);
-    return is->kind == can::MessageKind::tail && is->node == kRobbed && is->part == 1;
+    return is->kind == can::MessageKind::tail && is->node == kRobbed && is->part == 1 && lost++ == 0;
   };
   ASSERT_EQ(hand_over_on_one_foot(2).verdict, Verdict::accepted);
   run_until(start_ns(2) + 2 * kSlot_ns + kMillisecond_ns);
-  EXPECT_EQ(controller_.state().tail_points, 0U) << "a joint has reported that it does not hold it";
+  EXPECT_EQ(lost, 2) << "lost once, and sent again";
+  EXPECT_EQ(controller_.state().tail_points, static_cast<std::uint32_t>(kTailSent));
   silent_until(start_ns(3) + 30 * kSlot_ns);
-  expect_moved(8);
+  expect_moved(moved_after(kTailSent));
 }
 
-TEST_F(TailTest, NoTailIsUsedWhileAJointHasNotSaidThatItHoldsItsOwn) {
+// Else no outage would be survived any more, long after a disturbance.
+TEST_F(TailTest, ALostReportThatItIsHeldAgainKeepsNoTailFromBeingUsed) {
   constexpr can::NodeId kRobbed = 7;
   bus_.drop = [&](const can::Frame& frame) {
     const auto is = controller_.profile().identify(frame.id);
-    return is->kind == can::MessageKind::tail && is->node == kRobbed;
+    return is->kind == can::MessageKind::tail && is->node == kRobbed && now_ns_ < start_ns(3);
   };
-  for (std::uint32_t sequence = 2; sequence < 6; ++sequence) {
+  int reports = 0;
+  bus_.drop_from_joint = [&](const can::Frame& frame) {
+    const auto is = controller_.profile().identify(frame.id);
+    return is->kind == can::MessageKind::fault_report && is->node == kRobbed && ++reports > 1;
+  };
+  for (std::uint32_t sequence = 2; sequence < 20; ++sequence) {
     ASSERT_EQ(hand_over_on_one_foot(sequence).verdict, Verdict::accepted);
-    run_until(start_ns(sequence) + 2 * kSlot_ns + kMillisecond_ns);
-    EXPECT_EQ(controller_.state().tail_points, 0U) << sequence;
   }
+  run_until(start_ns(19) + kMillisecond_ns);
+  ASSERT_GE(reports, 2) << "that it lacks one, and that it does not";
+  EXPECT_EQ(controller_.state().tail_points, static_cast<std::uint32_t>(kTailSent));
+  silent_until(start_ns(20) + 30 * kSlot_ns);
+  expect_moved(8 * 17 + moved_after(kTailSent));
+}
+
+TEST_F(TailTest, AJointThatHasRestartedGetsTheTailThatSyncNames) {
+  constexpr std::size_t kRestarted = 6;
+  ASSERT_EQ(hand_over_on_one_foot(2).verdict, Verdict::accepted);
+  run_until(start_ns(2) + kSlot_ns);
+  bus_.restart(kRestarted);
+  run_until(start_ns(2) + 6 * kSlot_ns);
+  EXPECT_EQ(controller_.state().tail_points, static_cast<std::uint32_t>(kTailSent));
+  silent_until(start_ns(3) + 30 * kSlot_ns);
+  expect_moved(moved_after(kTailSent));
+}
+
+TEST_F(TailTest, NoneIsUsedForASecondOnceAJointGetsNoneWhateverIsSent) {
+  constexpr can::NodeId kRobbed = 7;
+  bool robbed = true;
+  bus_.drop = [&](const can::Frame& frame) {
+    const auto is = controller_.profile().identify(frame.id);
+    return robbed && is->kind == can::MessageKind::tail && is->node == kRobbed;
+  };
+  std::uint32_t sequence = 2;
+  const auto tail_points_of_next_batch = [&] {
+    EXPECT_EQ(hand_over_on_one_foot(sequence).verdict, Verdict::accepted);
+    run_until(start_ns(sequence) + 4 * kSlot_ns + kMillisecond_ns);
+    ++sequence;
+    return controller_.state().tail_points;
+  };
+  for (int tried = 0; tried < 2; ++tried) {
+    EXPECT_EQ(tail_points_of_next_batch(), static_cast<std::uint32_t>(kTailSent))
+        << "it may have been chance";
+  }
+  for (int distrusted = 0; distrusted < 12; ++distrusted) {
+    EXPECT_EQ(tail_points_of_next_batch(), 0U) << sequence;
+  }
+  robbed = false;
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    static_cast<void>(tail_points_of_next_batch());
+  }
+  EXPECT_EQ(tail_points_of_next_batch(), static_cast<std::uint32_t>(kTailSent));
 }
 
 TEST_F(TailTest, ABatchWithoutATailIsNotExpectedToHaveOne) {

@@ -94,7 +94,7 @@ enum class Fault : std::uint8_t {
   sync_lost = 4,         // several SYNCs in a row did not come
   encoder = 8,           // the encoder jumps further than the joint can move
   restarted = 16,        // has started (again) and stands where its encoder says, not where it was told
-  tail_missing = 32      // a second ago or less, SYNC named a tail of which it did not hold every point
+  tail_missing = 32      // SYNC names a tail of which it does not hold every point
 };
 
 // One joint's batch: 8 changes of its reference count.

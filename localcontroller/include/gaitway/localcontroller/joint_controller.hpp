@@ -133,7 +133,6 @@ class JointController {
   bool measured_ = false;     // the encoder has been read
   int implausible_ms_ = 0;    // for how long the encoder has stood where the joint cannot be
   int saturated_ms_ = 0;      // counts up while the servo is saturated, and down otherwise
-  int tail_distrust_ms_ = 0;  // for how long it still tells that it lacked a tail
   int slots_alone_ = 0;       // taken without a SYNC, in a row
   std::uint8_t faults_ = static_cast<std::uint8_t>(can::Fault::restarted);
   std::uint8_t new_faults_ = 0;  // that have begun since the last report, even if they have ended again

@@ -32,13 +32,16 @@ class JointSupervision {
   }
   // A tail's frame was on the bus.
   void on_tail_sent(bool toggle) noexcept;
-  // Some joint does not have what was sent.
-  void lose_running_tail() noexcept { running_tail_.lost = true; }
+  // The joint does not have every point of the tail that SYNC names.
+  void on_tail_missing(int joint) noexcept;
+  // Tails that were sent go to this joint once more: it was away, or has lost them.
+  void repair_tails(int joint) noexcept;
   void forget_tails() noexcept {
     forget_waiting_tail();
     running_tail_.points = 0;
   }
-  // How many points of the running segment's tail every joint holds.
+  // How many points of the running segment's tail every joint holds, or is being sent again; 0 while some
+  // joint gets none of them whatever is sent.
   [[nodiscard]] int tail_points() const noexcept;
   [[nodiscard]] bool tail_toggle() const noexcept { return running_tail_.toggle; }
   // What runs, where there is no SYNC and the trajectory frames themselves start it.
@@ -55,12 +58,18 @@ class JointSupervision {
     bool toggle = false;
     int points = 0;
     int frames_left = 0;  // that have not been on the bus
-    bool lost = false;
-    [[nodiscard]] int usable_points() const noexcept { return frames_left == 0 && !lost ? points : 0; }
+    std::array<std::array<std::int8_t, can::kTailPoints>, kMaxJoints> delta{};  // past the last point 0
+    [[nodiscard]] int usable_points() const noexcept { return frames_left == 0 ? points : 0; }
+  };
+  // Of a joint that lacked a tail.
+  struct Lack {
+    std::uint32_t told = 0;  // slot since start in which it did so last; 0: never
+    int in_a_row = 0;        // times that it did, although it had got its points again
   };
   void start_waiting_tail() noexcept;
   void send_waiting_tail() noexcept;
-  void send_tail_part(int joint, int part, std::int64_t expires_ns) noexcept;
+  [[nodiscard]] int slots_to_end_of_waiting() const noexcept;
+  void send_tail(int joint, SentTail& tail, int slots_to_end) noexcept;
   void forget_waiting_tail() noexcept {
     drop(can::MessageKind::tail);
     waiting_tail_.points = 0;
@@ -81,6 +90,7 @@ class JointSupervision {
   // The last slot of the running cycle whose point the joint has after a repair.
   std::array<int, kMaxJoints> covered_until_{};
   SentTail waiting_tail_, running_tail_;
+  std::array<Lack, kMaxJoints> lack_{};
 };
 
 }  // namespace gaitway::msgcontroller

@@ -88,6 +88,7 @@ class MessageController final : private CommandTaker {
   void take_over() noexcept;
   void send_sync(std::int64_t now_ns) noexcept;
   void take_feedback(const NetworkWatch::Arrival& arrival, std::int64_t now_ns) noexcept;
+  void take_fault_report(const NetworkWatch::Arrival& arrival) noexcept;
   void on_forged(const NetworkWatch::Arrival& arrival, const can::Frame& frame) noexcept;
   void publish_feedback(std::int64_t now_ns) noexcept;
   void take_plans(std::int64_t now_ns) noexcept;
