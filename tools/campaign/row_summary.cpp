@@ -18,17 +18,6 @@ double at_most(std::size_t falls, std::size_t trials, double share) {
   return sum;
 }
 
-// Clopper and Pearson 1934, one-sided.
-double upper_bound(std::size_t falls, std::size_t trials) {
-  if (trials == 0 || falls >= trials) return 1.0;
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (at_most(falls, trials, middle) > 0.05 ? low : high) = middle;
-  }
-  return high;
-}
-
 void add_losses(FaultLosses& sum, const FaultLosses& one) {
   sum.late += one.late;
   sum.refused += one.refused;
@@ -40,6 +29,17 @@ void add_losses(FaultLosses& sum, const FaultLosses& one) {
 }
 
 }  // namespace
+
+// Clopper and Pearson 1934, one-sided.
+double most_share(std::size_t times, std::size_t trials) {
+  if (trials == 0 || times >= trials) return 1.0;
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (at_most(times, trials, middle) > 0.05 ? low : high) = middle;
+  }
+  return high;
+}
 
 FaultEnd end_of(const FaultOutcome& outcome) {
   if (outcome.fell) return outcome.reacted() ? FaultEnd::falls_knowing : FaultEnd::falls;
@@ -72,7 +72,7 @@ RowSummary summary_of(const CampaignRow& row) {
     add_losses(summary.lost, outcome.lost);
     summary.wrong_joints += !outcome.fell && outcome.lost.wrong_joints > 0 ? 1 : 0;
   }
-  summary.most_falls_share = upper_bound(row.falls(), summary.trials);
+  summary.most_falls_share = most_share(row.falls(), summary.trials);
   summary.stands = times_of(std::move(stands));
   summary.walks = times_of(std::move(walks));
   summary.stop = times_of(std::move(stop));

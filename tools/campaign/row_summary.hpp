@@ -32,6 +32,9 @@ struct TimeSummary {
 };
 [[nodiscard]] TimeSummary times_of(std::vector<double> times_s);
 
+// With 95 % confidence, of things that happened so often in so many trials, the share is not larger.
+[[nodiscard]] double most_share(std::size_t times, std::size_t trials);
+
 struct RowSummary {
   std::size_t trials = 0;
   std::array<std::size_t, kFaultEnds> ends{};  // trials with each

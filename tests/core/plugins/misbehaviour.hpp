@@ -24,6 +24,8 @@ class Misbehaviour {
       std::abort();
     } else if (how_ == "exit") {
       std::exit(7);
+    } else if (how_ == "throw") {
+      throw std::runtime_error("it throws as it was told");
     } else if (how_ == "loop") {
       for (volatile bool on = true; on;) {
       }
