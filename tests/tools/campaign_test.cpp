@@ -1,4 +1,5 @@
 // The fault campaign: its rows, its trials, what it makes of their outcomes, and the command.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -110,6 +111,28 @@ TEST(Endurance, AFallIsToldWithTheFaultsBeforeItAndAnotherRobotWalksOn) {
   EXPECT_EQ(run.falls.front().rows.front(), "dead_knee");
   EXPECT_DOUBLE_EQ(run.played_s, 18.0);
   EXPECT_THAT(endurance_markdown(options, {run}), HasSubstr("Robot 1 fell at "));
+}
+
+TEST(Endurance, AFallCanBePlayedAgain) {
+  const EnduranceOptions options{.hours = 0.005, .robots = 1, .jobs = 1, .mean_pause_s = 2.0, .progress = {}};
+  const std::vector<EnduranceRun> runs =
+      run_endurance(walker(), {row_named("dead_knee"), row_named("jam")}, options);
+  ASSERT_FALSE(runs.front().falls.empty());
+  const EnduranceFall& fall = runs.front().falls.front();
+  EXPECT_THAT(endurance_markdown(options, runs), HasSubstr("--scenario fall_1_0.yaml --seed 1"));
+  EXPECT_FALSE(endurance_json(runs)[0]["falls"][0].contains("scenario")) << "it has a file of its own";
+  const std::filesystem::path file = testing::TempDir() + fmt::format("gaitway_{}_fall.yaml", getpid());
+  std::ofstream(file) << fall.scenario;
+  const simulator::Scenario scenario = simulator::load_scenario(file, walker().model);
+  std::filesystem::remove(file);
+  simulator::Cosimulation run(walker().model, walk_options(walker(), fall.seed));
+  const auto now_s = [&run] { return static_cast<double>(run.now_ns()) * 1e-9; };
+  auto event = scenario.events.begin();
+  while (!run.plant().fallen() && now_s() < scenario.seconds) {
+    for (; event != scenario.events.end() && event->at_s <= now_s() + 1e-9; ++event) run.apply(*event);
+    run.advance_millisecond();
+  }
+  EXPECT_DOUBLE_EQ(now_s(), fall.at_s) << "in the same millisecond";
 }
 
 TEST(FaultTrial, InstantsAreSpreadOverTheGaitCycleByChance) {
