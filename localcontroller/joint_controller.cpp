@@ -5,6 +5,7 @@ namespace gaitway::localcontroller {
 namespace {
 
 constexpr double kStiffeningPerStep = kServoPeriod_s / 0.5;  // from no torque to all of it in half a second
+constexpr double kStiffeningAgainPerStep = kServoPeriod_s / 0.1;  // of a joint that held compliant
 constexpr double kTurn_rad = 6.283185307179586;
 constexpr double kPositionCount_rad = kTurn_rad / 65536.0;
 constexpr double kCurrentCount_Nm = 0.125;
@@ -162,6 +163,7 @@ double JointController::step(std::int64_t now_ns, const JointSensors& sensors) n
            : share_asked_ - share_ < kStiffeningPerStep ? share_asked_
                                                         : share_ + kStiffeningPerStep;
   servo_.set_share(share_);
+  follow_compliance();
   const PointPlayer::Reference reference = player_.reference(now_ns);
   reference_rad_ = reference.count * config_.count_rad;
   measured_rad_ = plausible_position_rad(sensors.encoder_count);
@@ -173,6 +175,19 @@ double JointController::step(std::int64_t now_ns, const JointSensors& sensors) n
   }
   find_faults();
   return torque_Nm_;
+}
+
+// Compliant while it holds and nobody says what is next; a batch that comes finds it stiff soon.
+void JointController::follow_compliance() noexcept {
+  const bool compliant = sync_is_lost() && !player_.running();
+  compliance_ = compliant                               ? 1.0
+                : compliance_ > kStiffeningAgainPerStep ? compliance_ - kStiffeningAgainPerStep
+                                                        : 0.0;
+  servo_.set_compliance(compliance_);
+}
+
+bool JointController::sync_is_lost() const noexcept {
+  return config_.profile.has(can::MessageKind::sync) && slots_alone_ >= kSlotsUntilSyncIsLost;
 }
 
 // A single wild reading must not kick the joint: its last place counts, until the encoder has stood elsewhere
@@ -198,8 +213,7 @@ void JointController::find_faults() noexcept {
   set_fault(can::Fault::torque_saturated,
             was_saturated ? saturated_ms_ > 0 : saturated_ms_ == kSaturation_ms);
   set_fault(can::Fault::position_limit, player_.at_limit());
-  set_fault(can::Fault::sync_lost,
-            config_.profile.has(can::MessageKind::sync) && slots_alone_ >= kSlotsUntilSyncIsLost);
+  set_fault(can::Fault::sync_lost, sync_is_lost());
   set_fault(can::Fault::encoder, implausible_ms_ > 0);
   set_fault(can::Fault::restarted, !player_.reference_confirmed());
   set_fault(can::Fault::tail_missing, player_.tail_missing());

@@ -42,33 +42,52 @@ TEST(Servo, DrivingTorqueFadesToZeroAtTheSpeedLimitAndBrakingDoesNot) {
   }
 }
 
-class ServoOnInertia : public testing::TestWithParam<double> {};
-
-// An encoder of 4096 lines a turn, quadrature; the physics run at 0.1 ms.
-TEST_P(ServoOnInertia, SettlesOnAStepAndStaysQuiet) {
-  constexpr double kEncoderCount_rad = 6.283185307179586 / 16384.0;
-  const double inertia_kgm2 = GetParam();
-  Servo servo(kGains);
-  double position = 0.0, speed = 0.0, largest = 0.0, last_error = 0.0;
+// How far the inertia gets, and how far from `target_rad` it still is after 1 s. An encoder of 4096 lines a
+// turn, quadrature; the physics run at 0.1 ms.
+constexpr double kEncoderCount_rad = 6.283185307179586 / 16384.0;
+struct Step {
+  double largest_rad = 0.0, last_error_rad = 0.0;
+};
+Step play_step(Servo& servo, double target_rad, double inertia_kgm2) {
+  Step step;
+  double position = 0.0, speed = 0.0;
   for (int ms = 0; ms < 1500; ++ms) {
     const double torque =
-        servo.step(0.02, 0.0, std::floor(position / kEncoderCount_rad) * kEncoderCount_rad, kPeriod_s);
+        servo.step(target_rad, 0.0, std::floor(position / kEncoderCount_rad) * kEncoderCount_rad, kPeriod_s);
     for (int i = 0; i < 10; ++i) {
       speed += (torque - 0.15 * speed) / inertia_kgm2 * kPeriod_s / 10;
       position += speed * kPeriod_s / 10;
     }
-    largest = std::max(largest, position);
+    step.largest_rad = std::max(step.largest_rad, position);
     if (ms >= 1000) {
-      last_error = std::max(last_error, std::abs(position - 0.02));
+      step.last_error_rad = std::max(step.last_error_rad, std::abs(position - target_rad));
     }
   }
+  return step;
+}
+
+class ServoOnInertia : public testing::TestWithParam<double> {};
+
+TEST_P(ServoOnInertia, SettlesOnAStepAndStaysQuiet) {
+  const double inertia_kgm2 = GetParam();
+  Servo servo(kGains);
+  const Step step = play_step(servo, 0.02, inertia_kgm2);
   const double damping_ratio = 4.15 / (2.0 * std::sqrt(300.0 * inertia_kgm2));
   const double overshoot =
       damping_ratio < 1.0
           ? std::exp(-3.141592653589793 * damping_ratio / std::sqrt(1.0 - damping_ratio * damping_ratio))
           : 0.0;
-  EXPECT_LT(largest, 0.02 * (1.15 + overshoot)) << "more than a continuous servo would overshoot, and 15 %";
-  EXPECT_LT(last_error, 2.0 * kEncoderCount_rad);
+  EXPECT_LT(step.largest_rad, 0.02 * (1.15 + overshoot))
+      << "more than a continuous servo would overshoot, and 15 %";
+  EXPECT_LT(step.last_error_rad, 2.0 * kEncoderCount_rad);
+}
+
+TEST_P(ServoOnInertia, HoldsCompliantlyWithoutRinging) {
+  Servo servo(kGains);
+  servo.set_compliance(1.0);
+  const Step step = play_step(servo, 0.02, GetParam());
+  EXPECT_LT(step.largest_rad, 0.02 + kEncoderCount_rad) << "it is damped more than it is stiff";
+  EXPECT_LT(step.last_error_rad, 2.0 * kEncoderCount_rad);
 }
 
 INSTANTIATE_TEST_SUITE_P(Inertias_kgm2, ServoOnInertia, testing::Values(0.01, 0.02, 0.05, 0.1));

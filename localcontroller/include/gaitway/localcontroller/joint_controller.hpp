@@ -116,6 +116,8 @@ class JointController {
   void set_fault(can::Fault fault, bool present) noexcept;
   [[nodiscard]] bool report_due() const noexcept;
   void find_faults() noexcept;
+  void follow_compliance() noexcept;
+  [[nodiscard]] bool sync_is_lost() const noexcept;
   [[nodiscard]] double plausible_position_rad(std::int32_t encoder_count) noexcept;
 
   JointConfig config_;
@@ -128,12 +130,13 @@ class JointController {
   double torque_Nm_ = 0.0;
   double share_ = 1.0;  // of the servo's torque: less while the robot falls
   double share_asked_ = 1.0;
-  bool soft_ = false;         // after an emergency stop; ends with a restart
-  std::int64_t now_ns_ = 0;   // of the last step
-  bool measured_ = false;     // the encoder has been read
-  int implausible_ms_ = 0;    // for how long the encoder has stood where the joint cannot be
-  int saturated_ms_ = 0;      // counts up while the servo is saturated, and down otherwise
-  int slots_alone_ = 0;       // taken without a SYNC, in a row
+  double compliance_ = 0.0;  // of the servo: 1 while the joint holds and SYNC is lost
+  bool soft_ = false;        // after an emergency stop; ends with a restart
+  std::int64_t now_ns_ = 0;  // of the last step
+  bool measured_ = false;    // the encoder has been read
+  int implausible_ms_ = 0;   // for how long the encoder has stood where the joint cannot be
+  int saturated_ms_ = 0;     // counts up while the servo is saturated, and down otherwise
+  int slots_alone_ = 0;      // taken without a SYNC, in a row
   std::uint8_t faults_ = static_cast<std::uint8_t>(can::Fault::restarted);
   std::uint8_t new_faults_ = 0;  // that have begun since the last report, even if they have ended again
   std::uint8_t reported_faults_ = 0;

@@ -1,0 +1,66 @@
+// How stiffly a joint holds: as configured while it is told what to do or has points to play, compliantly
+// when it is left alone after them.
+#include "joint_controller_fixture.hpp"
+
+namespace gaitway::localcontroller {
+namespace {
+
+constexpr double kStiff_Nm = 0.01 * 300.0;  // 0.01 rad from the reference
+
+class ComplianceTest : public JointControllerTest {
+ protected:
+  void SetUp() override {
+    JointControllerTest::SetUp();
+    hang_below_reference();
+    run_slots(9);
+  }
+  // The encoder stands 0.01 rad below the reference, wherever that goes.
+  double hang_below_reference() {
+    sensors.encoder_count =
+        static_cast<std::int32_t>(std::lround((joint.reference_rad() - 0.01) / config().encoder_count_rad));
+    return step();
+  }
+  // Torque once the servo has forgotten that the encoder moved.
+  double torque_at_rest() {
+    hang_below_reference();
+    for (int i = 0; i < 8; ++i) {
+      step();
+    }
+    return step();
+  }
+};
+
+TEST_F(ComplianceTest, HoldsCompliantlyWhenSyncIsLostAndStifflyAgainATenthOfASecondAfterItsReturn) {
+  EXPECT_NEAR(torque_at_rest(), kStiff_Nm, 0.05);
+  run(40);
+  EXPECT_NEAR(torque_at_rest(), 0.2 * kStiff_Nm, 0.05);
+  run_slots(5);
+  const double between_Nm = step();
+  EXPECT_GT(between_Nm, 0.4 * kStiff_Nm);
+  EXPECT_LT(between_Nm, 0.8 * kStiff_Nm) << "no jump of the torque";
+  run_slots(6);
+  EXPECT_NEAR(step(), kStiff_Nm, 0.05);
+}
+
+TEST_F(ComplianceTest, OneLostSyncChangesNothing) {
+  run(10);
+  run_slots(1);
+  EXPECT_NEAR(step(), kStiff_Nm, 0.05);
+}
+
+TEST_F(ComplianceTest, PlaysBatchAndTailStifflyAndHoldsCompliantlyAfterThem) {
+  constexpr std::array<std::int8_t, can::kBatchPoints> kMoves{1};
+  ++cycle;
+  send(can::Trajectory{kNode, true, kMoves});
+  send(can::Tail{.node = kNode, .toggle = true, .part = 0, .delta = kMoves});
+  send(can::Sync{
+      .cycle = cycle, .batch_committed = true, .toggle = true, .tail_points = 8, .tail_toggle = true});
+  run(140);  // of 160 ms, and no SYNC comes
+  EXPECT_NEAR(torque_at_rest(), kStiff_Nm, 0.1);
+  run(40);
+  EXPECT_EQ(joint.reference_count(), 2);
+  EXPECT_NEAR(torque_at_rest(), 0.2 * kStiff_Nm, 0.05);
+}
+
+}  // namespace
+}  // namespace gaitway::localcontroller
