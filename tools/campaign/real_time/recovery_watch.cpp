@@ -77,7 +77,8 @@ void RecoveryWatch::judge(const RobotSight& sight) {
   } else if (!outcome_.walks_s) {
     outcome_.walks_s = was_still_ ? at_s : 0.0;
   }
-  if (!sight.all_parts_work) {
+  // What was said before the fault says nothing of it.
+  if (!sight.all_parts_work || sight.told_ns <= fault_ns_) {
     outcome_.parts_s.reset();
   } else if (!outcome_.parts_s) {
     outcome_.parts_s = at_s;

@@ -20,7 +20,8 @@ using facts::kMillisecond_ns;
 constexpr std::chrono::milliseconds kBlockPatience{50};
 // As the supervisor judges it, which tells of it only ten times less often.
 constexpr std::int64_t kFreshState_ns = 5 * facts::kSlot_ns, kFreshJoints_ns = 10 * facts::kSlot_ns;
-constexpr std::int64_t kDeadBlock_ns = 50 * kMillisecond_ns;  // it beats each millisecond
+constexpr std::int64_t kDeadBlock_ns = 50 * kMillisecond_ns;     // it beats each millisecond
+constexpr std::int64_t kFreshReport_ns = 250 * kMillisecond_ns;  // the plug-in manager reports each 80 ms
 constexpr std::int64_t kBetweenStatus_ns = 20 * kMillisecond_ns;
 constexpr std::int64_t kOldStatus_ns = 1'000 * kMillisecond_ns;  // it is written five times a second
 
@@ -75,6 +76,7 @@ RobotSight RobotEye::look() {
     sight.all_parts_work = sight.all_parts_work && parts_work(*status_, sight.at_ns);
     for (const PartStatus& part : status_->parts) sight.restarts += part.restarts;
     sight.lost_lines = status_->lost_lines;
+    sight.told_ns = status_->written_ns;
   }
   return sight;
 }
@@ -111,7 +113,8 @@ void RobotEye::look_into_block(RobotSight& sight) {
   if (!block_->statistics.read(plugins)) return;
   const auto count = std::min<std::size_t>(plugins.plugin_count, kReportedPlugins);
   sight.plugin_faults = 0;
-  sight.all_parts_work = true;
+  sight.all_parts_work = joints_answer && sight.at_ns - block_->client.heartbeat_ns() < kDeadBlock_ns &&
+                         sight.at_ns - plugins.stamp_ns < kFreshReport_ns;
   for (std::size_t i = 0; i < count; ++i) {
     *sight.plugin_faults += plugins.faults[i];
     sight.all_parts_work = sight.all_parts_work && plugins.state[i] == 0;
