@@ -174,14 +174,15 @@ TEST(RealTimeTrial, ItsInstantIsDrawnFromRowAndNumberAndASecondOneIsStopped) {
 }
 
 TEST(RealTimeTrial, AnOutcomeOutlivesItsJson) {
-  RealTimeOutcome outcome{.seed = 3,
-                          .was_interrupted = true,
-                          .commandable_s = 0.31,
-                          .walks_s = 2.5,
-                          .parts_s = 0.4,
-                          .stop_s = 0.2,
-                          .lost = {.batches = 1, .restarts = 2},
-                          .note = "told"};
+  RealTimeOutcome outcome;
+  outcome.seed = 3;
+  outcome.was_interrupted = true;
+  outcome.commandable_s = 0.31;
+  outcome.walks_s = 2.5;
+  outcome.parts_s = 0.4;
+  outcome.stop_s = 0.2;
+  outcome.lost = {.batches = 1, .restarts = 2};
+  outcome.note = "told";
   const auto json = to_json(outcome);
   EXPECT_EQ(to_json(real_time_outcome_from_json(json)), json);
   EXPECT_TRUE(json["order_s"].is_null());
@@ -207,8 +208,11 @@ TEST(RealTimeTable, EachRowHasANameOfItsOwnAndSomethingThatHappens) {
 
 TEST(RealTimeSummary, CountsFallsAndWhatDidNotComeBack) {
   RealTimeRowResult row{.row = real_time_table().front(), .outcomes = {}};
-  RealTimeOutcome well{
-      .was_interrupted = true, .commandable_s = 0.3, .order_s = 0.4, .walks_s = 2.0, .parts_s = 0.3};
+  RealTimeOutcome well;
+  well.was_interrupted = true;
+  well.commandable_s = well.parts_s = 0.3;
+  well.order_s = 0.4;
+  well.walks_s = 2.0;
   row.outcomes = {well, well, well, well};
   row.outcomes[1].stop_s = 0.2;
   row.outcomes[2].fell = true;

@@ -56,7 +56,7 @@ struct RobotSight {
   std::optional<Place> place = {};  // its own estimate
   double lean_rad = 0.0;            // of the trunk
   bool all_parts_work = false;
-  std::int64_t told_ns = 0;  // when their supervisor last said so
+  std::int64_t told_ns = 0;  // when supervisor and plug-in manager last said so, the older one
   struct Counts {
     std::uint64_t late = 0, refused = 0, tail_played = 0, left_to_joints = 0, stops = 0;
   };

@@ -1,10 +1,13 @@
 // A client of the memory block like any other, that writes nothing.
 #include "tools/campaign/real_time/robot_sight.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <fstream>
 #include <utility>
 
 #include "gaitway/facts/facts.hpp"
@@ -24,6 +27,15 @@ constexpr std::int64_t kDeadBlock_ns = 50 * kMillisecond_ns;     // it beats eac
 constexpr std::int64_t kFreshReport_ns = 250 * kMillisecond_ns;  // the plug-in manager reports each 80 ms
 constexpr std::int64_t kBetweenStatus_ns = 20 * kMillisecond_ns;
 constexpr std::int64_t kOldStatus_ns = 1'000 * kMillisecond_ns;  // it is written five times a second
+
+// By a signal: it makes no progress, before anybody has missed it.
+bool is_stopped(pid_t process) {
+  std::ifstream in(fmt::format("/proc/{}/stat", process));
+  std::string text;
+  std::getline(in, text);
+  const std::size_t name_end = text.rfind(')');
+  return name_end != std::string::npos && name_end + 2 < text.size() && text[name_end + 2] == 'T';
+}
 
 }  // namespace
 
@@ -71,12 +83,14 @@ RobotSight RobotEye::look() {
   if (sight.at_ns - status_read_ns_ >= kBetweenStatus_ns) {
     status_read_ns_ = sight.at_ns;
     if (auto status = read_status(folder_ / "status.json")) status_ = std::move(status);
+    one_is_stopped_ = status_ && std::ranges::any_of(status_->parts, is_stopped, &PartStatus::worker);
   }
   if (status_) {
     sight.all_parts_work = sight.all_parts_work && parts_work(*status_, sight.at_ns);
     for (const PartStatus& part : status_->parts) sight.restarts += part.restarts;
+    sight.all_parts_work = sight.all_parts_work && !one_is_stopped_;
     sight.lost_lines = status_->lost_lines;
-    sight.told_ns = status_->written_ns;
+    sight.told_ns = std::min(reported_ns_, status_->written_ns);
   }
   return sight;
 }
@@ -112,6 +126,7 @@ void RobotEye::look_into_block(RobotSight& sight) {
   PluginStatistics plugins{};
   if (!block_->statistics.read(plugins)) return;
   const auto count = std::min<std::size_t>(plugins.plugin_count, kReportedPlugins);
+  reported_ns_ = plugins.stamp_ns;
   sight.plugin_faults = 0;
   sight.all_parts_work = joints_answer && sight.at_ns - block_->client.heartbeat_ns() < kDeadBlock_ns &&
                          sight.at_ns - plugins.stamp_ns < kFreshReport_ns;

@@ -32,7 +32,8 @@ class RobotEye {
   std::filesystem::path folder_;
   std::unique_ptr<Block> block_;
   std::optional<RobotStatus> status_;
-  std::int64_t status_read_ns_ = 0;
+  bool one_is_stopped_ = false;
+  std::int64_t status_read_ns_ = 0, reported_ns_ = 0;
 };
 
 }  // namespace gaitway::tools
