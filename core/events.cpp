@@ -10,9 +10,12 @@
 #include <cstdio>
 #include <cstring>
 #include <iterator>
+#include <utility>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/text.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "gaitway/process/wall_clock.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -85,10 +88,9 @@ void append_json_text(std::string& out, std::string_view text) {
   }
 }
 
-std::string line_for_people(const std::string& program, const Event& event) {
-  return fmt::format("{}: {:.3f} s: {}: {}: {}\n", program, static_cast<double>(event.stamp_ns) * 1e-9,
-                     event_kind_name(event.kind), input::terminal_text(event.source()),
-                     input::terminal_text(event.text()));
+std::string line_for_people(const std::string& program, const std::string& time, const Event& event) {
+  return fmt::format("{}: {}: {}: {}: {}\n", program, time, event_kind_name(event.kind),
+                     input::terminal_text(event.source()), input::terminal_text(event.text()));
 }
 
 }  // namespace
@@ -105,6 +107,28 @@ std::size_t NetworkEvents::describe(std::size_t cause, const NetworkHealth& heal
                                   health.last_incident_node)
                           .size()
                     : format_into(text, "message network: {} {}", count, kTold[cause].text).size();
+}
+
+std::size_t SilenceEvents::describe(const NetworkState& newest, std::int64_t now_ns,
+                                    std::array<char, 200>& text) noexcept {
+  const bool was_silent = is_silent();
+  const std::int64_t before_ns = std::exchange(stamp_ns_, newest.stamp_ns);
+  if (newest.stamp_ns != before_ns) {
+    ticks_ = 0;
+    return was_silent ? format_into(text, "message controller is back after {:.2f} s",
+                                    static_cast<double>(now_ns - before_ns) * 1e-9)
+                            .size()
+                      : 0;
+  }
+  ticks_ = std::min(ticks_ + 1, kSilentTicks);
+  if (was_silent || !is_silent()) return 0;
+  const std::int64_t silence_ms = (now_ns - newest.stamp_ns) / facts::kMillisecond_ns;
+  const std::string_view points = newest.tail_points == 1 ? "point" : "points";
+  return format_into(text,
+                     "message controller silent for {} ms: the joints play out their batch and {} {} of the "
+                     "joints' tail, and hold",
+                     silence_ms, newest.tail_points, points)
+      .size();
 }
 
 EventPublisher::EventPublisher(msgclient::Client& client) : writer_(claim(client)) {}
@@ -135,7 +159,9 @@ bool EventPrinter::print(const EventLog& events) {
     next_ = events.first();
   }
   for (std::uint64_t printed = 0; next_ < events.total() && printed < kEventsAPrint; ++printed, ++next_) {
-    fmt::print(stderr, "{}", line_for_people(program_, events[next_]));
+    const Event& event = events[next_];
+    const std::string time = fmt::format("{:.3f} s", static_cast<double>(event.stamp_ns) * 1e-9);
+    fmt::print(stderr, "{}", line_for_people(program_, time, event));
   }
   return next_ < events.total();
 }
@@ -193,7 +219,10 @@ bool EventLines::step(const EventLog& events) {
     next_ = events.first();
   }
   for (std::uint64_t told = 0; next_ < events.total() && told < kEventsAStep; ++told, ++next_) {
-    if (terminal_) terminal_->add(line_for_people(program_, events[next_]));
+    if (terminal_) {
+      const std::string time = process::date_and_time_of(events[next_].stamp_ns);
+      terminal_->add(line_for_people(program_, time, events[next_]));
+    }
     if (file_) file_->add(json_line(events[next_]));
   }
   return next_ < events.total();

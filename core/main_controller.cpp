@@ -29,6 +29,18 @@ std::size_t bytes_over_emi(const PluginManager& manager) {
   return bytes;
 }
 
+// " (joint 3, point 5, 12)", without what the answer is not about; may be empty.
+std::array<char, 64> place_text(const msgclient::Answer& answer) noexcept {
+  std::array<char, 64> text{};
+  if (answer.joint >= 0 && answer.point >= 0) {
+    format_into(text, " (joint {}, point {}, {:g})", answer.joint, answer.point,
+                static_cast<double>(answer.value));
+  } else if (answer.joint >= 0) {
+    format_into(text, " (joint {}, {:g})", answer.joint, static_cast<double>(answer.value));
+  }
+  return text;
+}
+
 }  // namespace
 
 MainController::MainController(const urdf::RobotModel& robot, msgclient::Client& client,
@@ -95,10 +107,9 @@ void MainController::take_answers(const Tick& tick) noexcept {
     std::array<char, 200> text{};
     const std::string_view mail =
         answer->mail == msgclient::MailKind::user_command ? "user command" : "batch";
-    note_refusal(tick,
-                 format_into(text, "{} {} {}: {} (joint {}, point {}, {:g})", mail, answer->sequence,
-                             msgclient::verdict_name(answer->verdict), msgclient::reason_text(answer->reason),
-                             answer->joint, answer->point, static_cast<double>(answer->value)));
+    note_refusal(tick, format_into(text, "{} {} {}: {}{}", mail, answer->sequence,
+                                   msgclient::verdict_name(answer->verdict),
+                                   msgclient::reason_text(answer->reason), place_text(*answer).data()));
   }
 }
 
@@ -245,6 +256,11 @@ std::span<const double> MainController::reference_before(int point) noexcept {
 }
 
 void MainController::note_network(const Tick& tick) noexcept {
+  if (network_state_reader_.read(network_state_)) {
+    silence_events_.follow(network_state_, tick.now_ns, [&](EventKind kind, std::string_view text) {
+      manager_.events().add(tick, kind, kOwnName, text);
+    });
+  }
   if (network_health_reader_.read(network_health_)) {
     network_events_.compare(network_health_, [&](std::string_view text) {
       manager_.events().add(tick, EventKind::warning, kOwnName, text);

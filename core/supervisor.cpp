@@ -21,6 +21,7 @@
 #include "gaitway/msgclient/client.hpp"
 #include "gaitway/process/file_descriptor.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "gaitway/process/wall_clock.hpp"
 
 namespace gaitway::core {
 namespace {
@@ -290,8 +291,8 @@ class Supervisor {
 
   // Says what happened.
   bool may_restart(const Death& death) {
-    fmt::print(stderr, "main_controller: {:.3f} s: {}, the process {}\n",
-               static_cast<double>(death.at_ns) * 1e-9, where(death), how(death));
+    fmt::print(stderr, "main_controller: {}: {}, the process {}\n", process::date_and_time_of(death.at_ns),
+               where(death), how(death));
     if (death.came_from_outside()) {
       process::wait_until(started_ns_ + kBetweenKills_ns, {});
     } else if (const std::size_t deaths = count(death.at_ns); deaths > std::size_t{kMostRestarts}) {

@@ -72,6 +72,7 @@ void Cosimulation::start_main_controller() {
 }
 
 void Cosimulation::inject(const MessageControllerSilentFault& fault) {
+  silent_since_ns_ = now_ns_;
   message_silent_until_ns_ = fault.duration_s > 0.0
                                  ? now_ns_ + static_cast<std::int64_t>(std::llround(fault.duration_s * 1e9))
                                  : std::numeric_limits<std::int64_t>::max();
@@ -86,6 +87,10 @@ void Cosimulation::finish_silence() {
   if (message_controller_restarts_) {
     start_message_controller();
     start_main_controller();
+    main_controller_->plugins().events().add(
+        core::tick_at(now_ns_), core::EventKind::info, "main_controller",
+        fmt::format("message controller is back after {:.2f} s, as a new process; so is the main controller",
+                    static_cast<double>(now_ns_ - silent_since_ns_) * 1e-9));
     silent_until_ns_ = std::max(silent_until_ns_, now_ns_ + kMainControllerStarts_ns);
   }
 }

@@ -22,6 +22,8 @@ std::string_view event_kind_name(EventKind kind) noexcept {
 }
 
 EventLog::EventLog() noexcept {
+  static std::atomic<std::uint64_t> logs{0};
+  serial_ = ++logs;
   for (std::size_t i = 0; i < kPosts; ++i) {
     cells_[i].turn.store(i, std::memory_order_relaxed);
   }

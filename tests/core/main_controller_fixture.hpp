@@ -37,11 +37,16 @@ class MainControllerFixture : public testing::Test {
   }
   void publish() {
     states_writer.publish(states, now_ns);
+    publish_network();
+  }
+  void publish_network() {
+    network.stamp_ns = now_ns;
     network_writer.publish(network, now_ns);
   }
   // One tick; then the message side takes its mails.
   TickReport tick() {
     now_ns = next_tick_ns(now_ns);
+    publish_network();  // the message controller lives
     const TickReport report = controller->step(now_ns);
     trim_taken = emi.message().take_trim(trim, now_ns + report.transfer_ns) == msgclient::TakeStatus::mail;
     batch_taken =

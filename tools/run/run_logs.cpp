@@ -25,7 +25,9 @@ nlohmann::ordered_json loss_json(std::uint64_t lines, std::uint64_t lost, const 
 
 }  // namespace
 
+// A main controller that was started again begins a log of its own.
 void EventsFile::follow(const core::EventLog& events) {
+  if (std::exchange(serial_, events.serial()) != events.serial()) next_ = 0;
   if (next_ < events.first()) {
     left_out_ += events.first() - next_;
     next_ = events.first();

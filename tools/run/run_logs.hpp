@@ -51,6 +51,7 @@ class EventsFile {
  private:
   process::LogFile log_;
   std::string waiting_;
+  std::uint64_t serial_ = 0;  // of the log that next_ is of; 0: of none yet
   std::uint64_t next_ = 0, left_out_ = 0;
 };
 

@@ -142,8 +142,9 @@ TEST_F(PartProcessTest, IsTakenOverWhateverDiffersButRobotAndBus) {
   wait(older);
 }
 
-TEST_F(PartProcessTest, LastWordsAreWithoutAClockThatNobodyReads) {
-  PartProcess process = part("echo 'dummy: 81234.567 s: from outside, the process was ended' >&2; exit 3");
+TEST_F(PartProcessTest, LastWordsAreWithoutTheTimeThatIsToldBesideThem) {
+  PartProcess process =
+      part("echo 'dummy: 2026-11-28T02:05:00.893Z: from outside, the process was ended' >&2; exit 3");
   process.start();
   EXPECT_THAT(wait(process), Optional(std::string("ended with code 3: from outside, the process was ended")));
 }

@@ -2,27 +2,17 @@
 #include "tools/robot/keeper/event_log.hpp"
 
 #include <fcntl.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <system_error>
 #include <utility>
 
 #include "gaitway/process/file_descriptor.hpp"
 #include "gaitway/process/real_time.hpp"
+#include "gaitway/process/wall_clock.hpp"
 
 namespace gaitway::tools {
-
-std::string date_and_time_of(std::int64_t monotonic_ns) {
-  using std::chrono::milliseconds;
-  const auto time = std::chrono::system_clock::now() +
-                    std::chrono::duration_cast<std::chrono::system_clock::duration>(
-                        std::chrono::nanoseconds(monotonic_ns - process::monotonic_ns()));
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)),
-                     std::chrono::duration_cast<milliseconds>(time.time_since_epoch()).count() % 1000);
-}
 
 EventFile::EventFile(std::filesystem::path file, std::uintmax_t most_bytes)
     : file_(std::move(file)), most_bytes_(most_bytes) {}
@@ -33,7 +23,7 @@ void EventFile::tell(const std::string& text) {
   if (!unknown && size >= most_bytes_) {
     std::filesystem::rename(file_, file_.string() + ".1", unknown);
   }
-  const std::string time = date_and_time_of(process::monotonic_ns());
+  const std::string time = process::date_and_time_of(process::monotonic_ns());
   if (lost_ > 0 && append(fmt::format("{} {} lines before this one could not be written\n", time, lost_))) {
     lost_ = 0;
   }

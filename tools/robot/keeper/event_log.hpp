@@ -8,9 +8,6 @@
 
 namespace gaitway::tools {
 
-// "2026-01-31T12:00:00.000Z": the date and time of this instant of CLOCK_MONOTONIC.
-[[nodiscard]] std::string date_and_time_of(std::int64_t monotonic_ns);
-
 class EventFile {
  public:
   // Appends to the file. `most_bytes`: then it becomes FILE.1 in place of the one before, and a new one is

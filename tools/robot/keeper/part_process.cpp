@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -87,12 +88,16 @@ Options options_of(const std::vector<std::string>& words) {
   return options;
 }
 
-// "1234.567 s: what happened": of the part's own clock, which tells people nothing.
+// "2026-01-31T12:00:00.000Z: what happened", without the time: whoever repeats it says when.
 std::string without_time(const std::string& said) {
-  const std::size_t digits = said.find_first_not_of("0123456789.");
-  constexpr std::string_view kUnit = " s: ";
-  const bool has_time = digits != 0 && digits != std::string::npos && said.substr(digits).starts_with(kUnit);
-  return has_time ? said.substr(digits + kUnit.size()) : said;
+  constexpr std::string_view kTime = "0000-00-00T00:00:00.000Z: ";
+  const auto is_like = [](char character, char form) {
+    return form == '0' ? std::isdigit(static_cast<unsigned char>(character)) != 0 : character == form;
+  };
+  const bool has_time = said.size() >= kTime.size() &&
+                        std::equal(kTime.begin(), kTime.end(), said.begin(),
+                                   [&](char form, char character) { return is_like(character, form); });
+  return has_time ? said.substr(kTime.size()) : said;
 }
 
 }  // namespace

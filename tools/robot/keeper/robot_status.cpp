@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "gaitway/input/text.hpp"
-#include "tools/robot/keeper/event_log.hpp"
+#include "gaitway/process/wall_clock.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -123,7 +123,7 @@ std::string status_text(const RobotStatus& status, bool supervised, std::int64_t
     part["progress_age_s"] = seconds(now_ns - part["progress_ns"].get<std::int64_t>());
     if (const auto end_ns = part["last_end_ns"].get<std::int64_t>(); end_ns != 0) {
       part["last_end_age_s"] = seconds(now_ns - end_ns);
-      part["last_end"] = date_and_time_of(end_ns);
+      part["last_end"] = process::date_and_time_of(end_ns);
     }
   }
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

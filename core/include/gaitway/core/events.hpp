@@ -41,6 +41,32 @@ class NetworkEvents {
   std::array<std::uint64_t, kCauses> next_{};  // count at which the cause is told again; 0: not told yet
 };
 
+// When the message controller falls silent, and when it is back. Silence is counted in ticks: who was away
+// itself has heard nobody.
+class SilenceEvents {
+ public:
+  static constexpr int kSilentTicks = 5;
+
+  // Once a tick, with the newest state that there is. Calls `report(kind, text)`. No allocation.
+  template <class Report>
+  void follow(const NetworkState& newest, std::int64_t now_ns, Report report) noexcept {
+    std::array<char, 200> text{};
+    const bool was_silent = is_silent();
+    const std::size_t length = describe(newest, now_ns, text);
+    if (length > 0) {
+      report(was_silent ? EventKind::info : EventKind::warning, std::string_view(text.data(), length));
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_silent() const noexcept { return ticks_ >= kSilentTicks; }
+  // Length of the text; 0: nothing new.
+  std::size_t describe(const NetworkState& newest, std::int64_t now_ns, std::array<char, 200>& text) noexcept;
+
+  std::int64_t stamp_ns_ = 0;  // of the newest state so far
+  int ticks_ = 0;              // without a newer one
+};
+
 class EventPublisher {
  public:
   static constexpr std::uint32_t kEventsAStep = 16;
@@ -65,7 +91,7 @@ class EventPublisher {
 // An event as one line of JSON, for files: {"time_s":1.234,"kind":"fault","source":"zmp","text":"…"}.
 void append_event_line(std::string& out, const Event& event);
 
-// For binaries: writes to stderr, which takes its time.
+// For binaries in virtual time: writes to stderr, which takes its time.
 class EventPrinter {
  public:
   // `program`: what each line begins with.
@@ -85,7 +111,7 @@ class EventLines {
  public:
   // `file`: gets a line of JSON an event, after those that are there: a process that was started again goes
   // on. 16 MiB at most, and FILE.1 with those before them. Empty: none. `on_terminal`: lines on stderr, as
-  // EventPrinter's. Throws std::runtime_error naming a file that cannot be written.
+  // EventPrinter's, but with date and time. Throws std::runtime_error naming a file that cannot be written.
   EventLines(const std::string& program, const std::filesystem::path& file, bool on_terminal);
 
   // The ticks' thread, after each: the oldest that were not taken up yet, at most 20; true: there are more.

@@ -128,6 +128,7 @@ class MainController {
   NetworkState network_state_{};
   NetworkHealth network_health_{};
   NetworkEvents network_events_;
+  SilenceEvents silence_events_;
   std::array<double, kMaxJoints> start_rad_{};
 
   MainControllerStatistics counts_;  // its texts and summaries stay empty: statistics() fills them in

@@ -169,6 +169,7 @@ class Cosimulation {
   std::vector<std::int64_t> doorbells_due_ns_;  // host→message, in order of time
   std::int64_t silent_until_ns_ = 0;            // the main controller makes no tick before
   std::int64_t message_silent_until_ns_ = 0;    // 0: the message controller works
+  std::int64_t silent_since_ns_ = 0;            // the message controller, last
   bool message_controller_restarts_ = false;    // after its silence
   std::int64_t busy_until_ns_ = 0;              // with a tick that injected faults made long
   std::int64_t losses_until_ns_ = 0;

@@ -73,6 +73,8 @@ class EventLog {
   // Any thread, several at once.
   void post(EventKind kind, std::string_view source, std::string_view text) noexcept;
 
+  // Of no other log in this process: whoever follows one sees that it is another.
+  [[nodiscard]] std::uint64_t serial() const noexcept { return serial_; }
   // The tick's thread: events since start, and which of them are still here: [first(), total()).
   [[nodiscard]] std::uint64_t total() const noexcept { return total_; }
   [[nodiscard]] std::uint64_t first() const noexcept { return total_ > kCapacity ? total_ - kCapacity : 0; }
@@ -89,6 +91,7 @@ class EventLog {
     Event event;
   };
 
+  std::uint64_t serial_;
   std::array<Event, kCapacity> ring_{};
   std::uint64_t total_ = 0;
   std::array<Cell, kPosts> cells_{};
