@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "command_run.hpp"
 #include "gaitway/can/candump_log.hpp"
 #include "gaitway/process/private_folder.hpp"
 #include "gaitway/process/real_time.hpp"
@@ -86,6 +87,8 @@ TEST_F(RunLogsTest, AKillLeavesWholeLinesAndASummaryThatSaysThatItIsNotTheLast) 
   EXPECT_EQ(summary.at("ended"), false);
   EXPECT_EQ(summary.at("outcome"), "not ended");
   EXPECT_EQ(summary.at("logs").at("complete"), true);
+  EXPECT_GT(summary.at("wall_seconds"), 0.0) << "it ran for so long until then";
+  EXPECT_GT(summary.at("real_time_factor"), 0.0);
   EXPECT_GE(can::read_candump_log(folder.path() / "run/bus.log").size(), 2'000U);
   expect_whole_states("run/states.csv", 50);
   for (const std::string& line : whole_lines("run/events.jsonl")) {
@@ -122,6 +125,27 @@ TEST_F(RunLogsTest, AFullDiskCostsLinesAndNeverTheRun) {
   }
   EXPECT_EQ(text("full/events.jsonl"), text("whole/events.jsonl"));
   expect_whole_states("whole/states.csv", 200);
+}
+
+// Also where its new process, and that of the main controller, begin logs of their own.
+TEST_F(RunLogsTest, AMessageControllerThatIsAwayAndItsReturnAreEvents) {
+  for (const char* const restarts : {"", ", restarts: true"}) {
+    const std::string scenario = (folder.path() / "away.yaml").string(),
+                      out = (folder.path() / "away").string();
+    std::ofstream(scenario) << "seconds: 5\nevents:\n  - {at_s: 0.5, walk: [0.15, 0, 0]}\n"
+                               "  - {at_s: 3.0, fault: {kind: message_controller_silent, duration_s: 0.5"
+                            << restarts << "}}\n";
+    const test::CommandRun run = test::run_command(
+        GAITWAY_COMMAND " run --quiet --no-pictures --seed 3 --scenario " + scenario + " --out " + out);
+    ASSERT_EQ(run.code, 0) << run.all();
+    const std::string events = text("away/events.jsonl");
+    const std::size_t silent = events.find("message controller silent for 54 ms: the joints ");
+    const std::size_t back = events.find("message controller is back after 0.5");
+    EXPECT_NE(silent, std::string::npos) << events;
+    EXPECT_NE(back, std::string::npos) << events;
+    EXPECT_LT(silent, back) << events;
+    EXPECT_EQ(events.find("joint -1"), std::string::npos) << events;
+  }
 }
 
 TEST_F(RunLogsTest, TwoRunsDoNotMixTheirLogs) {

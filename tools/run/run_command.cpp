@@ -316,14 +316,16 @@ int run(const RunOptions& options) {
     fmt::print(stderr, "gaitway: {}\n", news);
   });
   RunTiming timing;
-  const auto figures = [&] {
+  const auto began = Clock::now();
+  const auto so_far = [&] {
+    timing.wall_s = seconds_since(began);
     return summary(cosimulation, recorder, timing, options.seed, options.mismatch);
   };
   timing.wall_s = simulate(cosimulation, scenario, options.to.has_value(), options.pictures, recorder,
-                           snapshots, eyes, logs, figures, progress);
+                           snapshots, eyes, logs, so_far, progress);
   timing.physics_only_wall_s = cosimulation.plant().replay_wall_s(recorder.torques());
 
-  nlohmann::ordered_json result = figures();
+  nlohmann::ordered_json result = summary(cosimulation, recorder, timing, options.seed, options.mismatch);
   logs.write_summary(result, true);
   const std::filesystem::path strip = options.out / "walk.png";
   if (options.pictures) {
