@@ -312,6 +312,16 @@ TEST_F(GaitMeasurementTest, keeps_the_plugins_that_it_began_with) {
   EXPECT_EQ(to_json(run_trial(pinned, trial)), to_json(run_trial(robot(), trial)));
 }
 
+TEST_F(GaitMeasurementTest, leaves_no_empty_folder_where_nothing_is_pinned) {
+  TrialRobot lost = robot();
+  lost.plugins.plugins.back().library = "libgaitway_plugin_nowhere.so";
+  EXPECT_THROW(pin_plugins(lost.plugins, lost.plugin_path, file("plugins")), core::PluginError);
+  lost.plugins.plugins.clear();
+  pin_plugins(lost.plugins, lost.plugin_path, file("plugins"));
+  remove_other_plugins(lost.plugins, file("plugins"));
+  EXPECT_FALSE(std::filesystem::exists(file("plugins")));
+}
+
 TEST_F(GaitMeasurementTest, refuses_a_line_that_is_no_outcome_and_a_file_that_is_in_use) {
   std::ofstream(file("trials.jsonl")) << "{\"key\":\"1\"}\n";
   try {

@@ -53,11 +53,16 @@ std::uint64_t fingerprint_of(const TrialRobot& robot) {
 
 void pin_plugins(core::Configuration& plugins, const core::SearchPath& plugin_path,
                  const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  for (core::PluginEntry& plugin : plugins.plugins) {
-    const std::filesystem::path original =
+  std::vector<std::filesystem::path> originals;  // all of them are found, or no folder is made
+  for (const core::PluginEntry& plugin : plugins.plugins) {
+    originals.push_back(
         core::PluginLibrary(plugin.library, plugins.file.parent_path(), core::plugin_search_path(plugin_path))
-            .file();
+            .file());
+  }
+  if (!originals.empty()) std::filesystem::create_directories(folder);
+  for (std::size_t i = 0; i < originals.size(); ++i) {
+    const std::filesystem::path& original = originals[i];
+    core::PluginEntry& plugin = plugins.plugins[i];
     const std::filesystem::path draft = folder / fmt::format("draft_{}", getpid());
     std::filesystem::copy_file(original, draft, std::filesystem::copy_options::overwrite_existing);
     ContentHash hash;
@@ -71,7 +76,8 @@ void pin_plugins(core::Configuration& plugins, const core::SearchPath& plugin_pa
 
 void remove_other_plugins(const core::Configuration& plugins, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> others;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  std::error_code none;  // there is no such folder: nothing was pinned
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
     const std::string file = std::filesystem::absolute(entry.path()).string();
     if (std::ranges::none_of(plugins.plugins,
                              [&file](const core::PluginEntry& plugin) { return plugin.library == file; })) {
