@@ -47,6 +47,16 @@ class Preflight(unittest.TestCase):
         self.preflight(*gentle, code=0)
         self.assertEqual((self.sent()[-1]["outcome"], self.sent()[-1]["override"]), ("done", "held by its crane"))
 
+    def test_on_a_full_disk_nothing_is_sent_since_it_could_not_be_put_on_record(self):
+        before = self.base_x()
+        with tempfile.TemporaryDirectory() as full:
+            (Path(full) / "sent.jsonl").symlink_to("/dev/full")
+            said = self.preflight("--walk", "0.12", "--seconds", "4", "--send", "--out", full, code=1)
+            self.assertIn("sent.jsonl: what is sent must be on record, and cannot be written: No space left", said)
+            said = self.preflight("--walk", "0.3", "--mismatch", "10", "--seconds", "10", "--send", "--out", full, code=2)
+            self.assertIn('not on record: "not sent"', said)
+        self.assertAlmostEqual(self.base_x(), before, delta=0.01)
+
     def test_a_motion_is_played_to_its_end(self):
         self.preflight("--motion", "wave", "--seconds", "10", "--send", code=0)
         state = subprocess.run([COMMAND, "ctl", "--port", str(self.robot.port), "echo", "/motion_state", "--count", "1"], capture_output=True, text=True, timeout=60)

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/preflight/preflight.hpp"
 #include "gaitway/process/installation.hpp"
+#include "gaitway/process/log_file.hpp"
 #include "gaitway/process/text_file.hpp"
 #include "gaitway/simulator/scenario.hpp"
 #include "tools/command_line.hpp"
@@ -57,6 +57,7 @@ constexpr double kStandsFor_s = 4.0;  // after a walk
 constexpr double kBegins_s = 1.0;     // what is asked for, in the flight: the robot has come to its stand
 constexpr std::size_t kShortestReason = 10;
 constexpr int kExitNotPassed = 2;
+constexpr int kExitNotOnRecord = 4;
 
 ParameterSetting setting_of(const std::string& text) {
   const std::size_t dot = text.find('.'), equals = text.find('=');
@@ -182,7 +183,7 @@ preflight::PreflightOptions settings_of(const PreflightCommand& options, const R
   return settings;
 }
 
-// What was sent, to whom, and on whose word; a line each.
+// What was sent, to whom, and on whose word; a line each. Throws std::runtime_error when it is not on record.
 void record(const PreflightCommand& options, const preflight::Verdict& verdict, const std::string& outcome) {
   const std::filesystem::path file = options.out / "sent.jsonl";
   const json line{
@@ -196,20 +197,37 @@ void record(const PreflightCommand& options, const preflight::Verdict& verdict, 
       {"robots", verdict.trials.size()},
       {"override", options.override_reason},
       {"outcome", outcome}};
-  std::ofstream(file, std::ios::app) << line.dump() << "\n";
+  process::LogFile log(file, {.start = process::LogOptions::Start::go_on});
+  if (!log.append(line.dump() + "\n")) {
+    throw std::runtime_error(fmt::format(
+        "{}: what is sent must be on record, and cannot be written: {}. Make room, or choose another --out",
+        file.string(), log.error()));
+  }
+  log.sync();
+}
+
+// Of what has been decided already: false, it is not on record, which is told.
+bool note(const PreflightCommand& options, const preflight::Verdict& verdict, const std::string& outcome) {
+  try {
+    record(options, verdict, outcome);
+    return true;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "gaitway preflight: not on record: \"{}\": {}\n", outcome, error.what());
+    return false;
+  }
 }
 
 int send_or_refuse(const PreflightCommand& options, const RobotTask& task, const preflight::Verdict& verdict,
                    ApiClient& client, const std::string& change) {
   if (!verdict.all_passed() && options.override_reason.empty()) {
-    record(options, verdict, "not sent");
+    static_cast<void>(note(options, verdict, "not sent"));
     fmt::print(
         stderr,
         "gaitway preflight: not sent. Whoever sends it nevertheless gives a reason: --override REASON\n");
     return kExitNotPassed;
   }
   if (!change.empty()) {
-    record(options, verdict, "not sent: " + change);
+    static_cast<void>(note(options, verdict, "not sent: " + change));
     throw NotDone("not sent: " + change);
   }
   // Before it: whatever becomes of this process, it is on record that the robot was told.
@@ -221,12 +239,12 @@ int send_or_refuse(const PreflightCommand& options, const RobotTask& task, const
   try {
     send(client, task);
   } catch (const std::exception& error) {
-    record(options, verdict, error.what());
+    static_cast<void>(note(options, verdict, error.what()));
     throw;
   }
-  record(options, verdict, "done");
+  const bool on_record = note(options, verdict, "done");
   if (!options.json) fmt::print("  sent        {}: done\n", options.from);
-  return kExitFine;
+  return on_record ? kExitFine : kExitNotOnRecord;
 }
 
 preflight::Verdict try_it(const PreflightCommand& options, const urdf::RobotModel& robot,
@@ -324,7 +342,10 @@ void declare_program(const CommandLine& app) {
       "Exit code: 0 all stayed up, and it was sent if that was asked; 2 not all stayed up; 3 the robot did "
       "not do "
       "it; 1 the\n"
-      "input was bad, or the robot refused.");
+      "input was bad, or the robot refused, or what was to be sent could not be put on record first; 4 it "
+      "was "
+      "sent, but its\n"
+      "end is not on record.");
 }
 
 }  // namespace gaitway::tools
