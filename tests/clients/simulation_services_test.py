@@ -1,11 +1,12 @@
 """roslibpy, as it comes from the registry, has the time and the world of `gaitway simulator`: state, pause, step, seek, reset,
 a plan, a fault, and what is spawned, moved and removed by services of simulation_interfaces."""
+import subprocess
 import unittest
 
 import roslibpy
 
 from served_robot import until
-from simulator import Simulator
+from simulator import COMMAND, Simulator
 
 OK, NOT_FOUND, FAILED = 1, 2, 4  # codes of simulation_interfaces/msg/Result
 STOPPED, PLAYING, PAUSED = 0, 1, 2  # of simulation_interfaces/msg/SimulationState

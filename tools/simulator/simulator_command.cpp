@@ -8,8 +8,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/input/text.hpp"
 #include "gaitway/msgcontroller/network_profile.hpp"
 #include "gaitway/process/installation.hpp"
@@ -129,38 +131,78 @@ std::string replay_options(const SimulatorOptions& options, const std::filesyste
   return text;
 }
 
-void write_commands(const SimulatorOptions& options, const world::World& world, const urdf::RobotModel& robot,
-                    bool is_twin, timeline::Director& director) {
-  const auto digest = director.finish();
-  std::vector<simulator::ScenarioEvent> events;
-  const double seconds = static_cast<double>(director.timeline().recorded_ns()) * 1e-9;
-  for (const timeline::TimedEvent& event : director.timeline().events()) {
-    // What was done at the very end has had no time to happen.
-    if (event.at_ns < director.timeline().recorded_ns())
-      events.push_back(timeline::scenario_event(event, robot));
+// OUT/commands.yaml: what was asked and done so far, a whole scenario at every instant, since the past may be
+// played anew: written once a second, so that a kill leaves it.
+class CommandFile {
+ public:
+  CommandFile(const SimulatorOptions& options, const world::World& world, const urdf::RobotModel& robot)
+      : options_(options), world_(world), robot_(robot) {}
+
+  // Now and then. A disk that takes nothing costs the file, which is told once.
+  void look(const timeline::Timeline& timeline) {
+    const std::int64_t now_ns = process::monotonic_ns();
+    if (now_ns < due_ns_) return;
+    due_ns_ = now_ns + facts::kSecond_ns;
+    try {
+      write(timeline);
+      told_.clear();
+    } catch (const std::runtime_error& error) {
+      if (std::exchange(told_, error.what()) != error.what()) {
+        fmt::print(stderr, "gaitway simulator: {}; it is tried again\n", error.what());
+      }
+    }
   }
-  if (seconds <= 0.0) return;
-  const std::filesystem::path file = options.out / "commands.yaml";
-  process::write_text_file(file, simulator::scenario_text(seconds, world, events, robot));
-  if (options.quiet) return;
-  fmt::print("gaitway simulator: {:.3f} s, {} events, digest {}; ", seconds, events.size(),
+  // How many events it has. Throws std::runtime_error.
+  std::size_t write(const timeline::Timeline& timeline) {
+    std::vector<simulator::ScenarioEvent> events;
+    const double seconds = static_cast<double>(timeline.recorded_ns()) * 1e-9;
+    for (const timeline::TimedEvent& event : timeline.events()) {
+      // What was done at the very end has had no time to happen.
+      if (event.at_ns < timeline.recorded_ns()) events.push_back(timeline::scenario_event(event, robot_));
+    }
+    if (seconds <= 0.0) return 0;
+    std::string text = simulator::scenario_text(seconds, world_, events, robot_);
+    if (text == written_) return events.size();
+    process::replace_text_file(file(), text);
+    written_ = std::move(text);
+    return events.size();
+  }
+  [[nodiscard]] std::filesystem::path file() const { return options_.out / "commands.yaml"; }
+
+ private:
+  const SimulatorOptions& options_;
+  const world::World& world_;
+  const urdf::RobotModel& robot_;
+  std::int64_t due_ns_ = 0;
+  std::string written_, told_;
+};
+
+void write_commands(const SimulatorOptions& options, const urdf::RobotModel& robot, bool is_twin,
+                    timeline::Director& director, CommandFile& commands) {
+  const auto digest = director.finish();
+  const double seconds = static_cast<double>(director.timeline().recorded_ns()) * 1e-9;
+  const std::size_t events = commands.write(director.timeline());
+  if (seconds <= 0.0 || options.quiet) return;
+  fmt::print("gaitway simulator: {:.3f} s, {} events, digest {}; ", seconds, events,
              digest ? fmt::format("{:016x}", *digest) : "unknown");
   if (is_twin) {
     fmt::print("what was asked is in {}, but for the posture in which the robot was at the start\n",
-               file.string());
+               commands.file().string());
   } else {
     fmt::print("once more: gaitway run{} --scenario {}\n", replay_options(options, robot.directory),
-               file.string());
+               commands.file().string());
   }
 }
 
 // Until it is told to stop, or its time is over.
-void serve(const SimulatorOptions& options, timeline::Director& director, TwinServer* twin) {
+void serve(const SimulatorOptions& options, timeline::Director& director, TwinServer* twin,
+           CommandFile& commands) {
   process::stop_on_signals();
   const auto end_ns = options.seconds ? static_cast<std::int64_t>(*options.seconds * 1e9)
                                       : std::numeric_limits<std::int64_t>::max();
   while (!process::stop_requested() && director.now_ns() < end_ns) {
     director.step(kLook_ms);
+    commands.look(director.timeline());
     if (twin == nullptr) continue;
     twin->set_pace({.plays = director.playing(), .speed = director.speed(), .run = director.run()});
     for (const std::string& line : twin->take_lines()) {
@@ -227,9 +269,10 @@ int simulate(const SimulatorOptions& options) {
                                         .recordings = options.out / "recordings",
                                         .twin = is_twin ? "unix:" + sockets.twin.string() : ""}));
   std::unique_ptr<TwinServer> twin = twin_of(options, choice, robot, world, sockets.twin);
-  serve(options, director, twin.get());
+  CommandFile commands(options, world, robot);
+  serve(options, director, twin.get(), commands);
   twin.reset();
-  write_commands(options, world, robot, is_twin, director);
+  write_commands(options, robot, is_twin, director, commands);
   return kExitFine;
 }
 
