@@ -25,7 +25,7 @@ deadlines, the shortest first.
 **Time.** A cycle is 80 ms: eight time slots of 10 ms. At every slot's edge the message controller sends SYNC with the number of
 the cycle and the slot. Every joint takes its place in time from it, answers with one feedback frame, and moves to the point of
 this slot; by the slot's end it has reached that point. A joint that misses a SYNC goes on by its own clock for the rest of the
-batch, and along the tail that it holds for the time after it, and is realigned by the next SYNC.
+batch, and along the joints' tail that it holds for the time after it, and is realigned by the next SYNC.
 
 **Batches.** A trajectory frame holds eight points for one joint, one byte each: what is executed in one cycle. A point is the
 change of the joint's reference in counts since the point before (the count's size is in the robot's network file). The message
@@ -54,13 +54,13 @@ lost, doubled or stale trajectory frame shows within one time slot, and a missin
 start. A joint that has a wrong count, or no batch, once the cycle runs gets one absolute frame (resynchronisation): the count that it
 must have at the end of the next slot, and the changes of the slots after it. It glides there within that slot; it does not jump.
 
-**Tails.** After the frames of a batch, when nothing more urgent wants the bus, each joint gets the points that would follow it if nobody
+**Joints' tails.** After the frames of a batch, when nothing more urgent wants the bus, each joint gets the points that would follow it if nobody
 were there any more: up to the first moment at which both feet are down, of the safe tail that was handed over with the batch. They are eight
 changes a frame like those of a batch, in parts of a tail: the first part, the second, and so on, as many as it takes (none when both feet are
 down where the batch ends). Each tail has the other toggle than the one before. Once every frame of it has been on the bus, SYNC says in each slot of its batch
 how many points it has and which toggle; no joint uses a tail that SYNC has not named, so all have the same points, or none. A joint
 that does not hold what SYNC names reports it, and the tail is not named any more. When SYNC fails to come (the message controller
-has died, hangs, is off the bus, or the bus is cut), the joints play out their batch and its tail by their own clocks and hold: the step
+has died, hangs, is off the bus, or the bus is cut), the joints play out their batch and its joints' tail by their own clocks and hold: the step
 is finished and the robot stands on both feet. Their clocks may differ by ±100 ppm, which is less than 0.1 ms over a batch and the longest tail. A bus that
 cannot be proven with the tails carries fewer parts of them, or none: then the joints hold where their batch ends. `network: {tail_parts: N}` in the
 robot's network file sets the number of parts (0: none).
@@ -72,7 +72,7 @@ for three slots.
 **Faults.** A joint reports a fault when it begins and when it ends. A joint that has restarted stands where its encoder
 says, tells so, and is brought back by a resynchronisation. When no new batch is handed over in time, the message controller
 plays the safe tail that came with the last one and the robot stands. If the message controller itself is gone, the joints play out
-their batch and its tail and hold. One that starts again finds out from the joints' feedback where their references stand before it
+their batch and its joints' tail and hold. One that starts again finds out from the joints' feedback where their references stand before it
 moves anything. A frame with an identifier that is not on this page, with another length, or in remote or extended format is
 counted under its cause and changes nothing. Classic CAN cannot tell who sent a frame, but the message controller hears them all: one that
 bears its own identifier and is not its own is a forgery, what it may have done to the joint is put right, and the robot stops

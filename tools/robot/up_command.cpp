@@ -167,7 +167,7 @@ void add_robot_up(const CommandLine& robot) {
       "SIGTERM\n"
       "and 'gaitway robot down' let the robot stand and end the parts. If the supervisor itself is killed, "
       "the parts\n"
-      "live on, and the next 'up' with the same options takes them over.\n"
+      "live on, and the next 'up' of the same robot on the same bus takes them over.\n"
       "Exit code: 0 taken down as told, 1 the input was bad or the robot is up already, and nothing moved, 2 "
       "taken\n"
       "down, but a part had to be killed, 3 with --detach: up, but not to be commanded within 60 s.");
