@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <sys/socket.h>
 
+#include <fstream>
 #include <string>
+#include <string_view>
 
 #include "gaitway/process/file_descriptor.hpp"
 #include "running_robot.hpp"
@@ -110,6 +112,22 @@ TEST(RobotUp, RefusesWhatCannotBeBeforeAnythingMoves) {
                         std::to_string(getpid()) + " (robot_up_tests)"));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
   EXPECT_THAT(complaint_of("--simulate"), HasSubstr("to which nobody else may write"));
+}
+
+// The unit of the package, with this build's program in the place of the installed one.
+TEST(RobotService, ItsUnitIsWhatSystemdUnderstands) {
+  if (test::run_command("systemd-analyze --version").code != 0) GTEST_SKIP() << "no systemd-analyze here";
+  const process::PrivateFolder folder("gaitway_unit");
+  std::string unit = test::text_of(GAITWAY_SOURCE_DIR "/tools/robot/systemd/gaitway-robot.service");
+  constexpr std::string_view kInstalled = "ExecStart=/usr/bin/gaitway ";
+  const std::size_t at = unit.find(kInstalled);
+  ASSERT_NE(at, std::string::npos);
+  unit.replace(at, kInstalled.size(), "ExecStart=" GAITWAY_ROBOT_COMMAND " ");
+  const std::string file = (folder.path() / "gaitway-robot.service").string();
+  std::ofstream(file) << unit;
+  const test::CommandRun verified = test::run_command("systemd-analyze verify --man=no " + file);
+  EXPECT_EQ(verified.code, 0) << verified.all();
+  EXPECT_EQ(verified.all(), "") << "each line is something that systemd does not understand, and passes over";
 }
 
 }  // namespace
