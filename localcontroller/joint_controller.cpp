@@ -58,7 +58,8 @@ can::JointState JointController::state() const noexcept {
   if (player_.frozen()) {
     return can::JointState::stopped;
   }
-  return player_.running() ? can::JointState::running : can::JointState::holding;
+  // While it is compliant, its torque does not tell how far it is from its reference.
+  return player_.running() || compliance_ > 0.0 ? can::JointState::running : can::JointState::holding;
 }
 
 void JointController::on_frame(const can::Frame& frame, std::int64_t now_ns) noexcept {

@@ -34,12 +34,15 @@ TEST_F(ComplianceTest, HoldsCompliantlyWhenSyncIsLostAndStifflyAgainATenthOfASec
   EXPECT_NEAR(torque_at_rest(), kStiff_Nm, 0.05);
   run(40);
   EXPECT_NEAR(torque_at_rest(), 0.2 * kStiff_Nm, 0.05);
+  EXPECT_EQ(joint.state(), can::JointState::running) << "its torque does not tell where its reference is";
   run_slots(5);
   const double between_Nm = step();
   EXPECT_GT(between_Nm, 0.4 * kStiff_Nm);
   EXPECT_LT(between_Nm, 0.8 * kStiff_Nm) << "no jump of the torque";
+  EXPECT_EQ(joint.state(), can::JointState::running);
   run_slots(6);
   EXPECT_NEAR(step(), kStiff_Nm, 0.05);
+  EXPECT_EQ(joint.state(), can::JointState::holding);
 }
 
 TEST_F(ComplianceTest, OneLostSyncChangesNothing) {

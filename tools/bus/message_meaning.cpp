@@ -44,7 +44,7 @@ constexpr std::array kStopModes{
     named(can::StopMode::soft, "soft", "no torque any more"),
     named(can::StopMode::release, "release", "holds where it is, and takes batches again")};
 constexpr std::array kJointStates{
-    named(can::JointState::running, "running", "plays a batch"),
+    named(can::JointState::running, "running", "plays a batch or its tail, or holds compliantly because SYNC was lost"),
     named(can::JointState::holding, "holding", "has no batch to play and holds its last reference"),
     named(can::JointState::soft, "soft", "no torque, after an emergency stop"),
     named(can::JointState::stopped, "stopped", "holds after an emergency stop")};
