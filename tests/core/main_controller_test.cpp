@@ -212,6 +212,19 @@ TEST_F(MainControllerTest, AnswersAreCountedByVerdict) {
   EXPECT_EQ(statistics.answers[static_cast<std::size_t>(msgclient::Verdict::late)], 1U);
   EXPECT_EQ(statistics.answers[static_cast<std::size_t>(msgclient::Verdict::refused)], 1U);
   EXPECT_THAT(statistics.last_refusal, HasSubstr("batch 2 refused"));
+  EXPECT_THAT(statistics.last_refusal, HasSubstr(" (joint 3, point 0, 0)"));
+}
+
+TEST_F(MainControllerTest, ARefusalThatIsAboutNoJointNamesNone) {
+  start("none");
+  batch_tick();
+  ASSERT_TRUE(emi.message().answer({.mail = msgclient::MailKind::hand_over,
+                                    .sequence = batch->sequence,
+                                    .verdict = msgclient::Verdict::late,
+                                    .reason = msgclient::Reason::too_late}));
+  tick();
+  EXPECT_THAT(controller->statistics().last_refusal, HasSubstr("batch 1 late: "));
+  EXPECT_THAT(controller->statistics().last_refusal, testing::Not(HasSubstr("joint")));
 }
 
 TEST_F(MainControllerTest, DamagedMailIsAnsweredAsCorrupt) {
