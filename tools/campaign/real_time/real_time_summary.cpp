@@ -47,13 +47,14 @@ std::string shown_real_time_losses(const RealTimeSummary& summary) {
 
 std::string real_time_line(const RealTimeRowResult& row) {
   const RealTimeSummary summary = summary_of(row);
-  return fmt::format(
-      "| `{}`: {} | {} | {} (≤ {:.0f} %) | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.row.name,
-      row.row.what, summary.trials, summary.falls, 100.0 * summary.most_falls_share, summary.walked_on,
-      summary.walked_again, shown_real_times(summary.commandable, summary.trials),
-      shown_real_times(summary.order, summary.trials - summary.stopped),
-      shown_real_times(summary.walks, summary.trials), shown_real_times(summary.parts, summary.trials),
-      shown_real_times(summary.stop, summary.stopped), shown_real_time_losses(summary));
+  return fmt::format("| `{}`: {} | {} | {} (≤ {:.0f} %) | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                     row.row.name, row.row.what, summary.trials, summary.falls,
+                     100.0 * summary.most_falls_share, summary.walked_on, summary.walked_again,
+                     shown_real_times(summary.commandable, summary.trials - summary.stopped),
+                     shown_real_times(summary.order, summary.trials - summary.stopped),
+                     shown_real_times(summary.walks, summary.trials - summary.stopped),
+                     shown_real_times(summary.parts, summary.trials),
+                     shown_real_times(summary.stop, summary.stopped), shown_real_time_losses(summary));
 }
 
 Json times_json(const TimeSummary& times) {
@@ -77,9 +78,11 @@ RealTimeSummary summary_of(const RealTimeRowResult& row) {
     summary.walked_on += one.walked_on ? 1U : 0U;
     summary.walked_again += !one.fell && !one.walked_on && one.walks_s ? 1U : 0U;
     summary.stopped += is_stopped ? 1U : 0U;
-    add(commandable, one.commandable_s);
-    if (!is_stopped) add(order, one.order_s);
-    add(walks, one.walks_s);
+    if (!is_stopped) {
+      add(commandable, one.commandable_s);
+      add(order, one.order_s);
+      add(walks, one.walks_s);
+    }
     add(parts, one.parts_s);
     if (is_stopped) add(stop, one.stop_s);
     add_real_time_losses(summary.lost, one.lost);

@@ -14,8 +14,8 @@ struct RealTimeSummary {
   std::size_t trials = 0, falls = 0, walked_on = 0, walked_again = 0;
   std::size_t stopped = 0;        // trials in which a stop was asked for
   double most_falls_share = 0.0;  // with 95 % confidence the share of instants that fell it is not larger
-  // Of those that came to it; of all trials, but order (where nobody stops it) and stop (where somebody
-  // does).
+  // Of those that came to it, among the trials in which nobody asks for a stop; `parts` of all trials, `stop`
+  // of the others.
   TimeSummary commandable, order, walks, parts, stop;
   RealTimeLosses lost;  // of all trials together
 };
