@@ -194,6 +194,16 @@ TEST(FaultTrial, AMainControllerThatIsSilentForAWhileStandsAndWalksAgain) {
 }
 
 // Whoever plays it with `gaitway run` sees the same.
+// The joints' references are told from their torques, and joints that were left alone are compliant.
+TEST(FaultTrial, AMessageControllerThatRestartsFindsEachJointWhereItIs) {
+  for (const double instant_s : {5.13, 6.42}) {
+    const FaultOutcome outcome = alone(trial_at("message_controller_restarts", instant_s));
+    EXPECT_FALSE(outcome.fell);
+    EXPECT_LT(outcome.stands_s.value_or(10.0), 1.0);
+    EXPECT_EQ(outcome.lost.wrong_joints, 0);
+  }
+}
+
 TEST(FaultTrial, ItsScenarioFallsInTheSameMillisecond) {
   const FaultTrial trial = trial_at("dead_knee", 4.1);
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "fault_trial.yaml";
