@@ -2,6 +2,7 @@
 // Both are told while the programs run (disturbance.h). Calls that are not on a file go through at once.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <stdio_ext.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -53,6 +54,7 @@ Function* next(const char* name) noexcept {
 
 }  // namespace
 
+#pragma GCC visibility push(default)  // they stand in for the C library's
 extern "C" {
 
 int clock_gettime(clockid_t clock, timespec* time) noexcept {
@@ -91,13 +93,14 @@ ssize_t writev(int descriptor, const iovec* parts, int count) {
 
 size_t fwrite(const void* bytes, size_t size, size_t count, FILE* file) {
   static auto* const real = next<size_t(const void*, size_t, size_t, FILE*)>("fwrite");
-  wait_for_disk(fileno(file));
+  // What is kept in a buffer is written later, by fflush() or at the end.
+  if (__fbufsize(file) <= 1 || __flbf(file) != 0) wait_for_disk(fileno(file));
   return real(bytes, size, count, file);
 }
 
 int fflush(FILE* file) {
   static auto* const real = next<int(FILE*)>("fflush");
-  if (file != nullptr) wait_for_disk(fileno(file));
+  if (file != nullptr && __fpending(file) > 0) wait_for_disk(fileno(file));
   return real(file);
 }
 
@@ -112,3 +115,4 @@ int fdatasync(int descriptor) {
 }
 
 }  // extern "C"
+#pragma GCC visibility pop

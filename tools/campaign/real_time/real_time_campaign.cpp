@@ -101,7 +101,8 @@ std::uint64_t real_time_fingerprint(const std::filesystem::path& robot) {
                                  "main_controller", "user_interface", "gaitway_plugin_child"}) {
     files.push_back(campaign_program(name));
   }
-  std::vector<std::filesystem::path> folders{process::shipped_plugin_directory(), robot};
+  const std::vector<std::filesystem::path> folders{process::shipped_plugin_directory(),
+                                                   campaign_library("saboteur.so").parent_path(), robot};
   for (const std::filesystem::path& folder : folders) {
     std::vector<std::filesystem::path> found;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
