@@ -16,8 +16,8 @@ class Preflight(unittest.TestCase):
         cls.robot = ServedRobot("--world", "empty").__enter__()
         cls.addClassCleanup(cls.robot.__exit__, None, None, None)
 
-    def preflight(self, *arguments, code):
-        result = subprocess.run([COMMAND, "preflight", "--from", f"ws://127.0.0.1:{self.robot.port}", "--robots", "2", "--out", self.folder.name, *arguments],
+    def preflight(self, *arguments, code, out=None):
+        result = subprocess.run([COMMAND, "preflight", "--from", f"ws://127.0.0.1:{self.robot.port}", "--robots", "2", "--out", out or self.folder.name, *arguments],
                                 capture_output=True, text=True, timeout=120)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         return result.stdout + result.stderr
@@ -51,10 +51,8 @@ class Preflight(unittest.TestCase):
         before = self.base_x()
         with tempfile.TemporaryDirectory() as full:
             (Path(full) / "sent.jsonl").symlink_to("/dev/full")
-            said = self.preflight("--walk", "0.12", "--seconds", "4", "--send", "--out", full, code=1)
+            said = self.preflight("--walk", "0.12", "--seconds", "4", "--send", code=1, out=full)
             self.assertIn("sent.jsonl: what is sent must be on record, and cannot be written: No space left", said)
-            said = self.preflight("--walk", "0.3", "--mismatch", "10", "--seconds", "10", "--send", "--out", full, code=2)
-            self.assertIn('not on record: "not sent"', said)
         self.assertAlmostEqual(self.base_x(), before, delta=0.01)
 
     def test_a_motion_is_played_to_its_end(self):
