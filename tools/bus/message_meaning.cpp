@@ -44,7 +44,8 @@ constexpr std::array kStopModes{
     named(can::StopMode::soft, "soft", "no torque any more"),
     named(can::StopMode::release, "release", "holds where it is, and takes batches again")};
 constexpr std::array kJointStates{
-    named(can::JointState::running, "running", "plays a batch or its tail, or holds compliantly because SYNC was lost"),
+    named(can::JointState::running, "running",
+          "plays a batch or its tail, or holds compliantly because SYNC was lost"),
     named(can::JointState::holding, "holding", "has no batch to play and holds its last reference"),
     named(can::JointState::soft, "soft", "no torque, after an emergency stop"),
     named(can::JointState::stopped, "stopped", "holds after an emergency stop")};
@@ -57,8 +58,7 @@ constexpr std::array kFaults{
     named(can::Fault::restarted, "restarted",
           "has started and stands where its encoder says, not where it was told"),
     named(can::Fault::tail_missing, "tail_missing",
-          "a second ago or less, SYNC named a tail of which it did not hold every "
-          "point")};
+          "SYNC names a tail of which it does not hold every point")};
 constexpr std::array kModes{named(Mode::batches, "batches", "plays what the main controller hands over"),
                             named(Mode::safe_tail, "safe_tail",
                                   "brings the robot to a stand, since no new batch came or a stop was "

@@ -59,7 +59,8 @@ were there any more: up to the first moment at which both feet are down, of the 
 changes a frame like those of a batch, in parts of a tail: the first part, the second, and so on, as many as it takes (none when both feet are
 down where the batch ends). Each tail has the other toggle than the one before. Once every frame of it has been on the bus, SYNC says in each slot of its batch
 how many points it has and which toggle; no joint uses a tail that SYNC has not named, so all have the same points, or none. A joint
-that does not hold what SYNC names reports it, and the tail is not named any more. When SYNC fails to come (the message controller
+that does not hold what SYNC names reports it, of each tail anew, and gets it again; so does one that was away. The others keep what they have
+meanwhile. One that has been sent its tail in three cycles running and still lacks it gets none, it seems: for a second no tail is named. When SYNC fails to come (the message controller
 has died, hangs, is off the bus, or the bus is cut), the joints play out their batch and its joints' tail by their own clocks and hold: the step
 is finished and the robot stands on both feet. Their clocks may differ by ±100 ppm, which is less than 0.1 ms over a batch and the longest tail. A bus that
 cannot be proven with the tails carries fewer parts of them, or none: then the joints hold where their batch ends. `network: {tail_parts: N}` in the
