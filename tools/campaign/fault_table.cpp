@@ -270,8 +270,7 @@ void FaultTable::add_sensor(const std::string& name, const std::string& what, co
 void FaultTable::add_sensors() {
   constexpr auto kPhysics = FaultExpectation::physics;
   add_sensor("imu", "the IMU", {"imu"},
-             {{"stuck", "nobody finds out that it always tells the same"},
-              {"exchanged", "nobody compares it with the soles; the trims tip the robot over"}});
+             {{"exchanged", "nobody compares it with the soles; the trims tip the robot over"}});
   add_sensor("foot", "a foot's force sensor", {"left_foot", "right_foot"},
              {{"zero", "a load that is there is not believed"},
               {"stuck", "a load that is none is believed"},

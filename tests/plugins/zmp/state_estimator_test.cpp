@@ -196,6 +196,22 @@ TEST_F(StateEstimatorTest, StaleImuIsKeptAndSaid) {
   EXPECT_EQ(estimate_.stamp_ns, now_ns_ - 2'000'000);
 }
 
+// Where nothing moves, it may tell the same for ever.
+TEST_F(StateEstimatorTest, AnImuThatAlwaysTellsTheSameOnLegsThatMoveIsStuck) {
+  stand(50);
+  EXPECT_FALSE(estimator_.faults().any());
+  for (int i = 0; i < 10; ++i) {
+    sensors_.joints.reference_position[kLeftAnklePitch] += 0.01;
+    ASSERT_TRUE(tick());
+    EXPECT_EQ(estimator_.faults().imu_stale, i >= 4) << i;
+  }
+  ASSERT_TRUE(tick());
+  EXPECT_TRUE(estimator_.faults().imu_stale) << "standing still mends nothing";
+  sensors_.imu.angular_velocity[2] += 0.001;
+  ASSERT_TRUE(tick());
+  EXPECT_FALSE(estimator_.faults().any());
+}
+
 TEST_F(StateEstimatorTest, MissingJointKeepsItsPositionAndItsSensorsAreStale) {
   stand(50);
   const Estimate before = estimate_;

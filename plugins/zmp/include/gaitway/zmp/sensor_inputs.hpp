@@ -17,7 +17,7 @@ namespace gaitway::zmp {
 struct InputFaults {
   bool joints_stale = false;  // no new joint states; the last ones are kept
   bool forces_stale = false;  // no new foot forces, or a joint that brings them is missing
-  bool imu_stale = false;     // no new IMU sample, or a joint that brings it is missing
+  bool imu_stale = false;     // no new IMU sample, or always the same, or a joint that brings it is missing
   std::uint64_t missing = 0;  // bit i: joint i is missing or not finite; its last position is kept
 
   [[nodiscard]] bool any() const noexcept {
@@ -64,7 +64,7 @@ class SensorInputs {
   static void visit_state(Self& self, Archive& archive) {
     archive(self.joints_, self.forces_, self.imu_, self.faults_, self.position_rad_, self.leg_reference_rad_,
             self.leg_reference_rate_, self.force_N_, self.foot_acceleration_, self.gyro_, self.acceleration_,
-            self.inclination_);
+            self.inclination_, self.same_imu_samples_);
   }
 
  private:
@@ -86,6 +86,7 @@ class SensorInputs {
   void take_joints(std::int64_t now_ns, const JointStates& joints) noexcept;
   void take_forces(std::int64_t now_ns, const FootForces& forces, std::uint64_t missing) noexcept;
   void take_imu(std::int64_t now_ns, const gaitway::Imu& imu, std::uint64_t missing) noexcept;
+  [[nodiscard]] bool imu_is_stuck(const gaitway::Imu& imu) noexcept;
 
   std::int64_t stale_after_ns_;
   bool has_inclinometer_;
@@ -101,6 +102,7 @@ class SensorInputs {
   Eigen::Vector3d gyro_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector2d> inclination_;
+  int same_imu_samples_ = 0;  // in a row, while the legs moved
 };
 
 }  // namespace gaitway::zmp
