@@ -63,7 +63,7 @@ struct Trim {
 };
 
 enum class JointState : std::uint8_t {
-  running = 0,  // plays a batch
+  running = 0,  // plays a batch or its tail, or holds compliantly because SYNC was lost
   holding = 1,  // no batch to play: holds its last reference
   soft = 2,     // torque off after an emergency stop
   stopped = 3   // holds after an emergency stop
