@@ -10,6 +10,9 @@ constexpr int kLastSlot = can::kBatchPoints - 1;
 constexpr std::int64_t kShortestSegment_ns = facts::kMillisecond_ns;
 // Until the joint takes the next slot without SYNC: it does so in a servo step, and those are 1 ms apart.
 constexpr std::int64_t kLongestCoast_ns = kSyncGrace_ns + facts::kMillisecond_ns;
+// The message controller gives a batch up whose SYNC has not left after four slots. One that comes later has
+// waited in a port that could not take it back, for as long as the bus was gone.
+constexpr std::int64_t kGivenUp_ns = 4 * facts::kSlot_ns + facts::kSlot_ns / 2;
 
 }  // namespace
 
@@ -62,7 +65,7 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
     running_ = take_up_tail();
   }
   tail_.on_sync(sync);
-  drop_stale_batch(sync);
+  drop_stale_batch(sync, now_ns);
   if (sync.slot == 0) {
     if (!start_batch(sync) && in_tail_) {
       return follow_tail(sync, now_ns);
@@ -180,16 +183,18 @@ bool PointPlayer::take_up_tail() noexcept {
   }
   tail_.take();
   batch_end_count_ = count_;
+  batch_end_ns_ = slot_start_ns_ + (can::kBatchPoints - slot_) * facts::kSlot_ns;
   tail_point_ = -1;
   in_tail_ = left_by_tail_ = tail_points_ > 0;
   pending_is_stale_ = has_pending_;
   return in_tail_;
 }
 
-// A batch that the joint held when it was to go on by itself, and that nobody has committed: another one may
-// bear its toggle, and must be seen to be missing.
-void PointPlayer::drop_stale_batch(const can::Sync& sync) noexcept {
-  if (pending_is_stale_ && !sync.batch_committed) {
+// A batch that the joint held when it was to go on by itself, and that nobody has committed, or too late:
+// another one may bear its toggle, and must be seen to be missing.
+void PointPlayer::drop_stale_batch(const can::Sync& sync, std::int64_t now_ns) noexcept {
+  const bool given_up = now_ns - batch_end_ns_ > kGivenUp_ns;
+  if (pending_is_stale_ && (!sync.batch_committed || given_up)) {
     has_pending_ = pending_is_stale_ = false;
     pending_toggle_ = executing_toggle_;
   }

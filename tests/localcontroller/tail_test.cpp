@@ -185,6 +185,35 @@ TEST_F(TailTest, ASyncThatWaitedForLongTellsNothing) {
   EXPECT_EQ(player.count(), count);
 }
 
+// As when the bus was cut with the SYNC in the port, and is there again: its batch was given up long ago.
+TEST_F(TailTest, ASyncThatWaitedForLongStartsNoBatch) {
+  for (const int slots_late : {5, 500}) {
+    player = PointPlayer(0, -kLimit, kLimit);
+    send_tail(2);
+    play_batch(11);
+    player.on_trajectory(batch(false));
+    fall_silent_for(slots_late + 1);
+    const std::int32_t before = player.count();
+    ++cycle;
+    player.on_sync(sync(0, true, false), slot_ns(slots_late) + kSlot_ns / 2);
+    run_alone(slot_ns(slots_late) + kSlot_ns / 2, slot_ns(slots_late + 30));
+    EXPECT_EQ(player.count(), slots_late == 5 ? kBatchEnd + tail_sum(11) : before) << slots_late;
+    cycle += 1000;
+  }
+}
+
+// Until then the message controller counts on it.
+TEST_F(TailTest, ASyncThatIsFourSlotsLateStartsItsBatch) {
+  send_tail(2);
+  play_batch(11);
+  player.on_trajectory(batch(false));
+  fall_silent_for(4);
+  ++cycle;
+  player.on_sync(sync(0, true, false), slot_ns(4) + kMillisecond_ns);
+  EXPECT_EQ(player.executing_toggle(), false);
+  EXPECT_TRUE(player.running());
+}
+
 TEST_F(TailTest, ABatchOfALaterCycleStartsWhereTheTailIsThen) {
   send_tail(2);
   play_batch(16);

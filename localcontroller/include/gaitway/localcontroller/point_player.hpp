@@ -85,7 +85,7 @@ class PointPlayer {
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
   [[nodiscard]] bool start_batch(const can::Sync& sync) noexcept;
   [[nodiscard]] bool take_up_tail() noexcept;
-  void drop_stale_batch(const can::Sync& sync) noexcept;
+  void drop_stale_batch(const can::Sync& sync, std::int64_t now_ns) noexcept;
   void begin_tail_slot(int point, std::int64_t start_ns, std::int64_t now_ns) noexcept;
   [[nodiscard]] bool follow_tail(const can::Sync& sync, std::int64_t now_ns) noexcept;
   [[nodiscard]] std::int32_t count_before_tail_point(int point) const noexcept;
@@ -127,6 +127,7 @@ class PointPlayer {
   int tail_points_ = 0;
   std::array<std::int8_t, can::kTailPoints> tail_delta_{};
   std::int32_t batch_end_count_ = 0;
+  std::int64_t batch_end_ns_ = 0;
   int known_from_ = 0;  // slot from which on executing_ is the batch's: not those before a repair
   bool has_repair_ = false;
   can::Resynchronisation repair_;
