@@ -17,6 +17,9 @@ constexpr int kLastSlot = kSlotsPerCycle - 1;
 constexpr std::uint32_t kSlotsUntilRepairHelps = 2 * kSlotsPerCycle;
 constexpr int kRepairsInVain = 3;
 constexpr std::uint32_t kSlotsOfDistrust = 100;
+// A joint gets its tails again no more often, whatever it tells and how often: else the queue has no room
+// left for what everybody needs. Honest reports come a cycle apart.
+constexpr std::uint32_t kSlotsBetweenRepairs = kSlotsPerCycle - 2;
 
 }  // namespace
 
@@ -114,6 +117,12 @@ void JointSupervision::send_tail(int joint, SentTail& tail, int slots_to_end) no
 // The others keep what they have: SYNC goes on naming it while this joint gets its points again, which takes
 // less than a slot. A step that one joint of them does not end is better than one that nobody ends.
 void JointSupervision::repair_tails(int joint) noexcept {
+  Lack& lack = lack_[static_cast<std::size_t>(joint)];
+  const std::uint32_t now = link_.slots_since_start;
+  if (lack.repaired != 0 && now - lack.repaired < kSlotsBetweenRepairs) {
+    return;
+  }
+  lack.repaired = now;
   const int named_frames_left = running_tail_.frames_left;
   send_tail(joint, running_tail_, kSlotsPerCycle - playback_.slot());
   if (named_frames_left == 0) {
@@ -125,11 +134,12 @@ void JointSupervision::repair_tails(int joint) noexcept {
 }
 
 void JointSupervision::on_tail_missing(int joint) noexcept {
-  if (running_tail_.points == 0) {
-    return;
-  }
   Lack& lack = lack_[static_cast<std::size_t>(joint)];
   const std::uint32_t slots = link_.slots_since_start - lack.told;
+  const bool again = lack.told != 0 && slots < kSlotsBetweenRepairs;
+  if (running_tail_.points == 0 || again) {
+    return;
+  }
   const bool not_helped = lack.told != 0 && slots <= kSlotsUntilRepairHelps;
   const bool still_distrusted = lack.in_a_row >= kRepairsInVain && slots <= 2 * kSlotsOfDistrust;
   lack.in_a_row = not_helped ? lack.in_a_row + 1 : still_distrusted ? lack.in_a_row : 1;

@@ -14,6 +14,8 @@ constexpr int kUnheardSlots = 3;           // from then on a joint is not waited
 // because it swings, or is pushed, is taken at its word after a while.
 constexpr double kRest_counts = 2.0;  // of movement in a slot
 constexpr int kPatience_slots = 100;
+// One that never comes to rest, because it does not hear SYNC, say, keeps nobody waiting for longer.
+constexpr int kLongestPatience_slots = 300;
 
 }  // namespace
 
@@ -48,7 +50,7 @@ void JointTakeover::take(int joint, const can::Feedback& feedback, double positi
     count_[j] = count;
   }
   known.position_rad = position_rad;
-  known.answered = true;
+  known.answered = known.heard = true;
   known.silent_slots = 0;
   heard_ = true;
 }
@@ -64,14 +66,21 @@ bool JointTakeover::end_slot() noexcept {
   if (complete_ || !heard_) {
     return complete_;
   }
+  if (std::ranges::none_of(joints_, &Joint::answered)) {
+    slots_ = 0;  // the bus is away: what they tell then is new
+    return false;
+  }
   ++slots_;
-  complete_ = true;
+  bool all_rest = true;
   for (Joint& joint : joints_) {
     joint.silent_slots += joint.answered ? 0 : 1;
-    const bool waited_for = joint.on_bus && joint.silent_slots < kUnheardSlots;
-    complete_ = complete_ && (!waited_for || (joint.answered && joint.rests));
+    // Who has been heard is there, and not where it is assumed to be.
+    const bool waited_for =
+        joint.on_bus && (joint.silent_slots < kUnheardSlots || (joint.heard && !joint.rests));
+    all_rest = all_rest && (!waited_for || (joint.answered && joint.rests));
     joint.answered = false;
   }
+  complete_ = all_rest || slots_ >= kLongestPatience_slots;
   return complete_;
 }
 

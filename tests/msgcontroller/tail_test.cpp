@@ -117,6 +117,24 @@ TEST_F(TailTest, AJointThatHasRestartedGetsTheTailThatSyncNames) {
   expect_moved(moved_after(kTailSent));
 }
 
+// Of a report that comes more than once, or of a joint that never stops telling.
+TEST_F(TailTest, AFloodOfReportsCostsNeitherTheTailNorTheQueuesRoom) {
+  for (const can::Fault told : {can::Fault::tail_missing, can::Fault::restarted}) {
+    const std::uint32_t sequence = told == can::Fault::restarted ? 4 : 2;
+    ASSERT_EQ(hand_over_on_one_foot(sequence).verdict, Verdict::accepted);
+    run_until(start_ns(sequence) + kSlot_ns);
+    for (int report = 0; report < 300; ++report) {
+      controller_.on_frame(
+          can::encode(controller_.profile(), can::FaultReport{7, static_cast<std::uint8_t>(told)}), now_ns_);
+    }
+    EXPECT_LT(controller_.queue().size(), 20U);
+    run_until(start_ns(sequence) + 3 * kSlot_ns);
+    EXPECT_EQ(controller_.state().tail_points, static_cast<std::uint32_t>(kTailSent));
+    EXPECT_EQ(controller_.health().queue_full, 0U);
+    run_until(start_ns(sequence + 1) - 16 * kMillisecond_ns);
+  }
+}
+
 TEST_F(TailTest, NoneIsUsedForASecondOnceAJointGetsNoneWhateverIsSent) {
   constexpr can::NodeId kRobbed = 7;
   bool robbed = true;

@@ -63,8 +63,9 @@ class JointSupervision {
   };
   // Of a joint that lacked a tail.
   struct Lack {
-    std::uint32_t told = 0;  // slot since start in which it did so last; 0: never
-    int in_a_row = 0;        // times that it did, although it had got its points again
+    std::uint32_t told = 0;      // slot since start in which it did so last; 0: never
+    std::uint32_t repaired = 0;  // slot in which its tails were sent again; 0: never
+    int in_a_row = 0;            // times that it did, although it had got its points again
   };
   void start_waiting_tail() noexcept;
   void send_waiting_tail() noexcept;

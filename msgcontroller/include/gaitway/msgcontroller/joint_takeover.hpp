@@ -27,7 +27,8 @@ class JointTakeover {
   // A joint's answer. `position_rad`: its angle, as it told.
   void take(int joint, const can::Feedback& feedback, double position_rad) noexcept;
   // The answers of a slot have come, or their time is over. True from the slot on in which every joint that
-  // answers has come to rest: then counts() are the references of all.
+  // answers has come to rest, or has been waited for in vain: then counts() are the references of all that
+  // knows() names.
   bool end_slot() noexcept;
   [[nodiscard]] bool complete() const noexcept { return complete_; }
   // A joint that had not answered by then tells of itself when it does.
@@ -43,6 +44,7 @@ class JointTakeover {
   struct Joint {
     bool on_bus = false;
     bool answered = false;  // in this slot
+    bool heard = false;     // ever
     bool rests = false;
     int silent_slots = 0;
     double position_rad = 0.0;
