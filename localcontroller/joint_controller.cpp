@@ -14,6 +14,8 @@ constexpr double kImplausibleSpeeds = 10.0;
 constexpr int kEncoderDistrust_ms = 5;
 constexpr int kSaturation_ms = 40;
 constexpr int kSlotsUntilSyncIsLost = 2;
+constexpr int kSlotsUntilAlone = 6;  // the message controller gives joints up that hear nothing for four
+constexpr double kYieldingPerStep = kServoPeriod_s / 0.02;  // from stiff to compliant
 
 double magnitude(double value) noexcept {
   return value < 0.0 ? -value : value;
@@ -178,12 +180,13 @@ double JointController::step(std::int64_t now_ns, const JointSensors& sensors) n
   return torque_Nm_;
 }
 
-// Compliant while it holds and nobody says what is next; a batch that comes finds it stiff soon.
+// Compliant while it holds and nobody says what is next, for so long that all joints must be alone; a batch
+// that comes finds it stiff soon. Who stopped it wants it to keep its place.
 void JointController::follow_compliance() noexcept {
-  const bool compliant = sync_is_lost() && !player_.running();
-  compliance_ = compliant                               ? 1.0
-                : compliance_ > kStiffeningAgainPerStep ? compliance_ - kStiffeningAgainPerStep
-                                                        : 0.0;
+  const bool alone = config_.profile.has(can::MessageKind::sync) && slots_alone_ >= kSlotsUntilAlone;
+  const bool compliant = alone && !player_.running() && !player_.frozen() && player_.reference_confirmed();
+  compliance_ += compliant ? kYieldingPerStep : -kStiffeningAgainPerStep;
+  compliance_ = compliance_ < 0.0 ? 0.0 : compliance_ > 1.0 ? 1.0 : compliance_;
   servo_.set_compliance(compliance_);
 }
 
