@@ -83,7 +83,7 @@ class Zmp final : public Plugin {
     cell_dead_.update(estimator_.cells().any_dead(), report_);
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 7; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 8; }
   void save_state(StateWriter& state) const override { state(estimator_); }
   void restore_state(StateReader& state) override { state(estimator_); }
 
