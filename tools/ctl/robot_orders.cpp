@@ -75,17 +75,21 @@ int walk(ApiClient& client, const std::vector<double>& velocity, double seconds)
     static_cast<void>(client.call("/command/keep_alive", *renewal, values));
     client.throw_reported_errors();
   };
-  for (bool begun = false; !begun;) {
+  for (bool begun = false, over = false; !over;) {
     try {
-      renew();
-      begun = true;
+      client.repeat(
+          [&] {
+            renew();
+            begun = true;
+          },
+          kRenew_s, seconds);
+      over = true;
     } catch (const ApiError& error) {
-      if (!client.await_return("/cmd_vel", error.what())) throw;
+      if (begun || !client.await_return("/cmd_vel", error.what())) throw;
       renewal = take_command(client);
       if (!renewal) return kExitRefused;
     }
   }
-  client.repeat(renew, kRenew_s, seconds);
   return call_and_print(client, "/stand", json::object());
 }
 
