@@ -1,6 +1,7 @@
 // Blocking clients, each in a thread of its own.
 #include "tools/campaign/real_time/person.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -89,7 +90,7 @@ void StopAsker::run(const std::stop_token& end, std::int64_t at_ns) {
       client.reset();
       if (asked_ns_ == 0 && process::monotonic_ns() >= at_ns) asked_ns_ = process::monotonic_ns();
     }
-    next_ns = process::monotonic_ns() + std::chrono::nanoseconds(kBetweenTries).count();
+    next_ns = std::max(at_ns, process::monotonic_ns() + std::chrono::nanoseconds(kBetweenTries).count());
     std::this_thread::sleep_until(Clock::time_point(std::chrono::nanoseconds(next_ns)));
   }
 }

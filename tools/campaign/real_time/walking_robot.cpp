@@ -98,12 +98,17 @@ WalkingRobot::WalkingRobot(const Options& options)
         "those rows out (--except), or be root");
   }
   if (code != 0) {
-    throw std::runtime_error(
-        fmt::format("the robot does not come up: {}", text_of(folder() / "supervisor.txt")));
+    const std::string why = text_of(folder() / "supervisor.txt");
+    take_down();
+    throw std::runtime_error(fmt::format("the robot does not come up: {}", why));
   }
 }
 
 WalkingRobot::~WalkingRobot() {
+  take_down();
+}
+
+void WalkingRobot::take_down() const {
   static_cast<void>(run({campaign_program("gaitway-robot"), "robot", "down", "--folder", folder()}, false));
 }
 

@@ -55,6 +55,7 @@ class WalkingRobot {
   void disturb(std::int64_t clock_shift_ns, std::int64_t write_ns) const;
 
  private:
+  void take_down() const;
   [[nodiscard]] std::vector<std::string> words() const;
   void write_configuration() const;
   void become(const std::vector<std::string>& words) const;

@@ -74,7 +74,9 @@ std::string describe(const fs::path& process) {
 }  // namespace
 
 std::optional<bool> listens(pid_t process, int port) {
-  return has_one_of(fs::path("/proc") / std::to_string(process), listeners(port));
+  const std::set<std::string> sockets = listeners(port);
+  if (sockets.empty()) return std::nullopt;  // the table cannot be read here
+  return has_one_of(fs::path("/proc") / std::to_string(process), sockets);
 }
 
 std::string describe_listener(int port) {
