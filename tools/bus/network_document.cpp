@@ -63,7 +63,7 @@ that does not hold what SYNC names reports it, of each tail anew, and gets it ag
 meanwhile. One that has been sent its tail in three cycles running and still lacks it gets none, it seems: for a second no tail is named. When SYNC fails to come (the message controller
 has died, hangs, is off the bus, or the bus is cut), the joints play out their batch and its joints' tail by their own clocks and hold: the step
 is finished and the robot stands on both feet. Their clocks may differ by ±100 ppm, which is less than 0.1 ms over a batch and the longest tail.
-A joint that holds while SYNC is lost is compliant: a fifth of its stiffness, two and a half times its damping, which takes the sway out of the robot. It is
+A joint that has nothing to play and has not heard SYNC for six slots is compliant (one that was stopped keeps its place): a fifth of its stiffness, two and a half times its damping, which takes the sway out of the robot. It is
 as stiff as before a tenth of a second after SYNC has come back, and says until then that it is *running*. A bus that
 cannot be proven with the tails carries fewer parts of them, or none: then the joints hold where their batch ends. `network: {tail_parts: N}` in the
 robot's network file sets the number of parts (0: none).
