@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gaitway/api/hub.hpp"
@@ -23,6 +24,7 @@ class DeafRobot final : public RobotPort {
 
   [[nodiscard]] std::int64_t now_ns() const override { return 0; }
   [[nodiscard]] bool connected() const override { return true; }
+  [[nodiscard]] std::string_view silent_part() const override { return {}; }
   std::optional<std::uint32_t> walk(const Velocity&, std::int64_t, std::int64_t) override {
     ++walks;
     return std::nullopt;
